@@ -1,1 +1,29 @@
-"""segfmu."""
+"""segfmu: plan a crane load's trajectory analytically, invert the crane exactly, ship both as FMUs.
+
+See README.md for a tour. Importing this package loads neither SymPy, fmpy, pythonfmu nor
+Matplotlib.
+"""
+
+from segfmu.errors import (
+    BuildError,
+    InfeasibleError,
+    InputError,
+    SegfmuError,
+    SimulationError,
+)
+from segfmu.planning import Limits, Trajectory, Waypoint, plan
+from segfmu.planning.verify import Verification, verify
+
+__all__ = [
+    "BuildError",
+    "InfeasibleError",
+    "InputError",
+    "Limits",
+    "SegfmuError",
+    "SimulationError",
+    "Trajectory",
+    "Verification",
+    "Waypoint",
+    "plan",
+    "verify",
+]

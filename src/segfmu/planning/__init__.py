@@ -1,1 +1,8 @@
-"""planning."""
+"""The planner's object face: waypoints and limits in, a verified trajectory out."""
+
+from segfmu.planning.limits import Limits
+from segfmu.planning.planner import plan
+from segfmu.planning.trajectory import Trajectory
+from segfmu.planning.waypoint import Waypoint
+
+__all__ = ["Limits", "Trajectory", "Waypoint", "plan"]

@@ -1,0 +1,169 @@
+"""Phases -> polynomial pieces -> value of any derivative.
+
+A phase is a row [duration, rise, acceleration at its start, acceleration change]: a hold when
+the change is zero, else a ramp of (11a-d). Its integrals (15a-g, errata E4) become polynomial
+pieces of the position in local time, ascending powers, 2 n coefficients each: one for a hold
+or a smoothstep ramp, up to three (jerk rises, stays, falls) for a plateau ramp.
+"""
+
+from segfmu.kernels.transition import transition_coefficients
+
+
+def append_piece(
+    duration: float,
+    starts: 'float[:]',
+    coefficients: 'float[:,:]',
+    row: int,
+    width: int,
+    state: 'float[:]',
+) -> int:
+    """Close the piece in `row`, whose powers >= 4 are set; fill 0..3 from `state`, advance it.
+
+    state = position, velocity, acceleration, jerk and time at the start of the piece. Returns
+    row + 1.
+    """
+    coefficients[row, 0] = state[0]
+    coefficients[row, 1] = state[1]
+    coefficients[row, 2] = 0.5 * state[2]
+    coefficients[row, 3] = coefficients[row, 3] + state[3] / 6.0
+    starts[row] = state[4]
+    y = 0.0
+    v = 0.0
+    for j in range(width):
+        i = width - 1 - j
+        y = y * duration + coefficients[row, i]
+        if i > 0:
+            v = v * duration + i * coefficients[row, i]
+    state[0] = y
+    state[1] = v
+    state[4] = state[4] + duration
+    return row + 1
+
+
+def clear_piece(coefficients: 'float[:,:]', row: int) -> None:
+    """Set every coefficient of a piece to zero."""
+    for i in range(coefficients.shape[1]):
+        coefficients[row, i] = 0.0
+
+
+def add_rise(
+    jerk: float, rise: float, order: int, psi: 'float[:]', coefficients: 'float[:,:]', row: int
+) -> None:
+    """Add to a piece the triple integral of jerk * Psi(t, rise) with Psi of the given order."""
+    for i in range(order + 1, 2 * order + 2):
+        scale = jerk * psi[i] / ((i + 1.0) * (i + 2.0) * (i + 3.0))
+        coefficients[row, i + 3] = coefficients[row, i + 3] + scale / rise**i
+
+
+def expand_phases(
+    phases: 'float[:,:]',
+    count: int,
+    smoothness: int,
+    shape: int,
+    psi: 'float[:]',
+    state: 'float[:]',
+    starts: 'float[:]',
+    coefficients: 'float[:,:]',
+    row: int,
+) -> int:
+    """Expand `count` phases into pieces from `row` on; returns the row after the last one.
+
+    state holds position and velocity, and in state[4] the time, at the start, and is advanced
+    to the end; psi is work space for 2 n numbers.
+    """
+    width = 2 * smoothness
+    k = smoothness - 2
+    plateau = shape == 1 and k > 0
+    order = k
+    if plateau:
+        order = k - 1
+    transition_coefficients(order, psi)
+    for i in range(count):
+        duration = phases[i, 0]
+        rise = phases[i, 1]
+        a = phases[i, 2]
+        change = phases[i, 3]
+        state[2] = a
+        state[3] = 0.0
+        clear_piece(coefficients, row)
+        if change == 0.0 or not plateau:
+            if change != 0.0:
+                for j in range(order + 1, 2 * order + 2):
+                    scale = change * psi[j] / ((j + 1.0) * (j + 2.0))
+                    coefficients[row, j + 2] = scale / duration**j
+            row = append_piece(duration, starts, coefficients, row, width, state)
+        else:
+            jerk = change / (duration - rise)
+            flat = duration - 2.0 * rise
+            add_rise(jerk, rise, order, psi, coefficients, row)
+            row = append_piece(rise, starts, coefficients, row, width, state)
+            state[2] = a + 0.5 * jerk * rise
+            state[3] = jerk
+            if flat > 0.0:
+                clear_piece(coefficients, row)
+                row = append_piece(flat, starts, coefficients, row, width, state)
+                state[2] = a + change - 0.5 * jerk * rise
+            clear_piece(coefficients, row)
+            add_rise(-jerk, rise, order, psi, coefficients, row)
+            row = append_piece(rise, starts, coefficients, row, width, state)
+        state[2] = a + change
+        state[3] = 0.0
+    return row
+
+
+def find_piece(time: float, starts: 'float[:]', first: int, last: int) -> int:
+    """The row of first .. last - 1 whose piece holds `time`, by bisection."""
+    lower = first
+    upper = last
+    while upper - lower > 1:
+        middle = (lower + upper) // 2
+        if time >= starts[middle]:
+            lower = middle
+        else:
+            upper = middle
+    return lower
+
+
+def evaluate_piece(
+    coefficients: 'float[:,:]', row: int, width: int, t: float, derivative: int
+) -> float:
+    """Value of a derivative of one piece at local time t."""
+    value = 0.0
+    for j in range(width - derivative):
+        i = width - 1 - j
+        factor = 1.0
+        for m in range(derivative):
+            factor = factor * (i - m)
+        value = value * t + factor * coefficients[row, i]
+    return value
+
+
+def evaluate(
+    times: 'float[:]',
+    starts: 'float[:]',
+    coefficients: 'float[:,:]',
+    offsets: 'int[:]',
+    ends: 'float[:]',
+    derivative: int,
+    values: 'float[:,:]',
+) -> None:
+    """One derivative of every axis at many times: values[time, axis].
+
+    The pieces of axis i are the rows offsets[i] .. offsets[i + 1] - 1; ends[i] is its duration.
+    Before its start and after its end an axis stays in its end position, all derivatives zero.
+    """
+    width = coefficients.shape[1]
+    for axis in range(ends.shape[0]):
+        first = offsets[axis]
+        last = offsets[axis + 1]
+        row = first
+        for i in range(times.shape[0]):
+            t = min(max(times[i], starts[first]), ends[axis])
+            if t < starts[row] or (row + 1 < last and t >= starts[row + 1]):
+                row = find_piece(t, starts, first, last)
+            if derivative > 0 and t != times[i]:
+                values[i, axis] = 0.0
+            else:
+                values[i, axis] = evaluate_piece(
+                    coefficients, row, width, t - starts[row], derivative
+                )

@@ -1,0 +1,307 @@
+"""The merged profile (no cruise): two acceleration levels, found by a bracketed root.
+
+I.2 and II.1 of the paper's profile merge into one ramp between the levels; (15a-g) then have no
+closed form and the position is met by a root in one unknown (end of section 3.1).
+
+Mirroring the position and reversing the time reduce every case to one canonical family: the
+first level is the higher one and not below zero or the initial acceleration, the second level
+falls from the end acceleration, and the first one follows from the velocity balance, which is
+monotone there because ramps never take longer in proportion to a larger change.
+"""
+
+from segfmu.kernels.transition import (
+    ramp_change,
+    ramp_distance,
+    ramp_duration,
+)
+
+
+def solve_level(
+    gain: float, a: float, b: float, low: float, high: float, ramp: 'float[:]'
+) -> 'tuple[float, float, float]':
+    """Ramp from a to a level in [low, high], hold it, ramp to b, and gain a velocity.
+
+    low >= max(0, a, b), where the gain grows with the level. Returns the duration of the first
+    ramp, the hold (above zero only at `high`), and -1 in place of the hold when even the lowest
+    level gains too much; last the level.
+    """
+    t_low, rise, slope = ramp_duration(low - a, ramp)
+    t_end, rise, slope = ramp_duration(low - b, ramp)
+    least = 0.5 * (a + low) * t_low + 0.5 * (low + b) * t_end
+    if gain <= least:
+        # a rounding error short of the lowest level is that level
+        if gain < least - 1e-14 * (abs(gain) + abs(least)):
+            return 0.0, -1.0, low
+        return t_low, 0.0, low
+    t_high, rise, slope = ramp_duration(high - a, ramp)
+    t_end, rise, slope = ramp_duration(high - b, ramp)
+    most = 0.5 * (a + high) * t_high + 0.5 * (high + b) * t_end
+    if gain >= most:
+        return t_high, (gain - most) / high, high
+    lower = t_low
+    upper = t_high
+    # the gain is nearly quadratic in the duration of the ramp
+    t = t_low + (t_high - t_low) * ((gain - least) / (most - least)) ** 0.6
+    level = low
+    for i in range(100):
+        change, growth = ramp_change(t, ramp)
+        level = a + change
+        t_end, rise, slope = ramp_duration(level - b, ramp)
+        error = 0.5 * (a + level) * t + 0.5 * (level + b) * t_end - gain
+        if error > 0.0:
+            upper = t
+        else:
+            lower = t
+        rate = 0.5 * (a + level) + 0.5 * growth * (t + t_end + (level + b) * slope)
+        following = 0.5 * (lower + upper)
+        if rate > 0.0:
+            newton = t - error / rate
+            if newton > lower and newton < upper:
+                following = newton
+        step = following - t
+        t = following
+        if abs(step) <= 4e-16 * t:
+            break
+    change, growth = ramp_change(t, ramp)
+    return t, 0.0, a + change
+
+
+def levels_distance(
+    v: float,
+    a: float,
+    t1: float,
+    hold1: float,
+    level1: float,
+    hold2: float,
+    level2: float,
+    t3: float,
+    b: float,
+    ramp: 'float[:]',
+) -> 'tuple[float, float, float]':
+    """Duration, distance and end velocity of: ramp, hold, ramp, hold, ramp (merged form)."""
+    t2, rise2, slope = ramp_duration(abs(level2 - level1), ramp)
+    duration, rise1, slope = ramp_duration(abs(level1 - a), ramp)
+    duration, rise3, slope = ramp_duration(abs(level2 - b), ramp)
+    y = ramp_distance(v, a, level1, t1, rise1, ramp)
+    v = v + 0.5 * (a + level1) * t1
+    y = y + (v + 0.5 * level1 * hold1) * hold1
+    v = v + level1 * hold1
+    y = y + ramp_distance(v, level1, level2, t2, rise2, ramp)
+    v = v + 0.5 * (level1 + level2) * t2
+    y = y + (v + 0.5 * level2 * hold2) * hold2
+    v = v + level2 * hold2
+    y = y + ramp_distance(v, level2, b, t3, rise3, ramp)
+    v = v + 0.5 * (level2 + b) * t3
+    return t1 + hold1 + t2 + hold2 + t3, y, v
+
+
+def canonical_point(
+    p: float, v: float, a: float, w: float, b: float, top: float, t_top: float, ramp: 'float[:]'
+) -> 'tuple[float, float, float, float, float, float, float, float]':
+    """One member of the canonical family from (v, a) to (w, b).
+
+    p is the duration of the last ramp, from the second level up to b; beyond t_top, where that
+    level is -top, it goes on as the hold there. Returns duration (-1: no such member), distance,
+    t1, hold1, level1, hold2, level2, t3.
+    """
+    hold2 = 0.0
+    t3 = p
+    if p >= t_top:
+        t3 = t_top
+        hold2 = p - t_top
+        level2 = -top
+    else:
+        change, slope = ramp_change(p, ramp)
+        level2 = b - change
+    gain = w - v - 0.5 * (level2 + b) * t3 - level2 * hold2
+    low = max(0.0, max(a, level2))
+    t1, hold1, level1 = solve_level(gain, a, level2, low, top, ramp)
+    if hold1 < 0.0:
+        return -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    duration, y, end = levels_distance(v, a, t1, hold1, level1, hold2, level2, t3, b, ramp)
+    return duration, y, t1, hold1, level1, hold2, level2, t3
+
+
+def window_edge(
+    inside: float,
+    outside: float,
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    top: float,
+    t_top: float,
+    ramp: 'float[:]',
+) -> float:
+    """Bisect between a parameter that has a canonical member and one that has none."""
+    for i in range(80):
+        middle = 0.5 * (inside + outside)
+        if middle == inside or middle == outside:
+            break
+        duration, y, t1, hold1, level1, hold2, level2, t3 = canonical_point(
+            middle, v, a, w, b, top, t_top, ramp
+        )
+        if duration >= 0.0:
+            inside = middle
+        else:
+            outside = middle
+    return inside
+
+
+def canonical_value(
+    p: float,
+    by_time: bool,
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    top: float,
+    t_top: float,
+    ramp: 'float[:]',
+) -> 'tuple[float, float]':
+    """The searched quantity (duration or distance) of a member, and its duration or -1."""
+    duration, y, t1, hold1, level1, hold2, level2, t3 = canonical_point(
+        p, v, a, w, b, top, t_top, ramp
+    )
+    if by_time:
+        return duration, duration
+    return y, duration
+
+
+def bracketed_root(
+    lower: float,
+    upper: float,
+    f_lower: float,
+    f_upper: float,
+    target: float,
+    by_time: bool,
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    top: float,
+    t_top: float,
+    ramp: 'float[:]',
+) -> float:
+    """Regula falsi (Anderson-Bjoerck) on the canonical family; f_lower < target <= f_upper."""
+    e_lower = f_lower - target
+    e_upper = f_upper - target
+    side = 0
+    p = upper
+    for i in range(200):
+        if e_upper == 0.0 or upper - lower <= 2e-16 * upper:
+            return upper
+        p = upper - e_upper * (upper - lower) / (e_upper - e_lower)
+        if i > 40 or p <= lower or p >= upper:
+            p = 0.5 * (lower + upper)
+            if p <= lower or p >= upper:
+                return upper
+        value, duration = canonical_value(p, by_time, v, a, w, b, top, t_top, ramp)
+        error = value - target
+        if abs(error) <= 1e-15 * abs(target):
+            return p
+        if error > 0.0:
+            if side == 1:
+                factor = 1.0 - error / e_upper
+                if factor <= 0.0:
+                    factor = 0.5
+                e_lower = e_lower * factor
+            upper = p
+            e_upper = error
+            side = 1
+        else:
+            if side == -1:
+                factor = 1.0 - error / e_lower
+                if factor <= 0.0:
+                    factor = 0.5
+                e_upper = e_upper * factor
+            lower = p
+            e_lower = error
+            side = -1
+    return p
+
+
+def first_window(
+    target: float,
+    f_start: float,
+    by_time: bool,
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    top: float,
+    t_top: float,
+    t_zero: float,
+    ramp: 'float[:]',
+) -> 'tuple[float, float]':
+    """Search the members whose second level lies between the end acceleration and zero.
+
+    Returns the parameter or -1, and t_zero if the family goes on there, else -1: a positive
+    second level gains velocity, which can leave no room for the first one.
+    """
+    value, duration = canonical_value(t_zero, by_time, v, a, w, b, top, t_top, ramp)
+    end = t_zero
+    if duration < 0.0:
+        end = window_edge(0.0, t_zero, v, a, w, b, top, t_top, ramp)
+        value, duration = canonical_value(end, by_time, v, a, w, b, top, t_top, ramp)
+    going_on = -1.0
+    if end == t_zero:
+        going_on = t_zero
+    if value >= target and value > f_start:
+        p = bracketed_root(
+            0.0, end, f_start, value, target, by_time, v, a, w, b, top, t_top, ramp
+        )
+        return p, going_on
+    return -1.0, going_on
+
+
+def canonical_search(
+    target: float,
+    by_time: bool,
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    top: float,
+    t_top: float,
+    ramp: 'float[:]',
+) -> float:
+    """Parameter of the first canonical member with the target distance (or duration), or -1."""
+    f_lower, duration = canonical_value(0.0, by_time, v, a, w, b, top, t_top, ramp)
+    if duration < 0.0 or f_lower > target:
+        return -1.0
+    if f_lower == target:
+        return 0.0
+    lower = 0.0
+    if b > 0.0:
+        t_zero, rise, slope = ramp_duration(b, ramp)
+        p, lower = first_window(
+            target, f_lower, by_time, v, a, w, b, top, t_top, t_zero, ramp
+        )
+        if p >= 0.0:
+            return p
+        if lower < 0.0:
+            upper = t_top
+            value, duration = canonical_value(upper, by_time, v, a, w, b, top, t_top, ramp)
+            for i in range(60):
+                if duration >= 0.0:
+                    break
+                upper = 2.0 * upper
+                value, duration = canonical_value(upper, by_time, v, a, w, b, top, t_top, ramp)
+            lower = window_edge(upper, t_zero, v, a, w, b, top, t_top, ramp)
+        f_lower, duration = canonical_value(lower, by_time, v, a, w, b, top, t_top, ramp)
+        if f_lower > target:
+            return -1.0
+    upper = t_top
+    if upper <= lower:
+        upper = 2.0 * lower
+    for i in range(200):
+        f_upper, duration = canonical_value(upper, by_time, v, a, w, b, top, t_top, ramp)
+        if f_upper >= target:
+            return bracketed_root(
+                lower, upper, f_lower, f_upper, target, by_time, v, a, w, b, top, t_top, ramp
+            )
+        lower = upper
+        f_lower = f_upper
+        upper = 2.0 * upper
+    return -1.0

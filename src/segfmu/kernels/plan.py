@@ -1,0 +1,411 @@
+"""A whole plan: waypoints, limits and options -> phases, then polynomial pieces of every axis.
+
+`plan_phases` and `expand_plan` are the two entry points; both allocate nothing. Arrays and
+status codes are those of intervals.py. In addition durations[j, axis] is the time of interval j
+and dwells[j] the rest at waypoint j before it starts.
+"""
+
+from segfmu.kernels.evaluate import evaluate_piece, expand_phases
+from segfmu.kernels.intervals import common_duration, set_duration, set_shortest
+from segfmu.kernels.transition import ramp_parameters
+
+
+def check_waypoints(
+    velocities: 'float[:,:]',
+    accelerations: 'float[:,:]',
+    dwells: 'float[:]',
+    limits: 'float[:,:]',
+    report: 'float[:]',
+) -> int:
+    """Status 7, 8 or 10 (negative) when a waypoint breaks a limit or dwells while moving."""
+    for j in range(velocities.shape[0]):
+        for axis in range(limits.shape[0]):
+            report[0] = axis
+            report[1] = j
+            report[2] = velocities[j, axis]
+            report[3] = limits[axis, 0]
+            if abs(velocities[j, axis]) > limits[axis, 0]:
+                return -7
+            moving = velocities[j, axis] != 0.0 or accelerations[j, axis] != 0.0
+            if dwells[j] > 0.0 and moving:
+                return -10
+            report[2] = accelerations[j, axis]
+            report[3] = limits[axis, 1]
+            if abs(accelerations[j, axis]) > limits[axis, 1]:
+                return -8
+    return 0
+
+
+def distribute(
+    first: int,
+    last: int,
+    target: float,
+    shortest: 'float[:,:]',
+    durations: 'float[:,:]',
+    active: 'int[:]',
+    positions: 'float[:,:]',
+    velocities: 'float[:,:]',
+    accelerations: 'float[:,:]',
+    limits: 'float[:,:]',
+    ramps: 'float[:,:]',
+    phases: 'float[:,:,:]',
+    counts: 'int[:]',
+    weights: 'float[:]',
+    found: 'float[:]',
+    trial: 'float[:,:]',
+) -> bool:
+    """Prolong the intervals of some axes, in proportion, until their sum is `target`.
+
+    An interval whose proportional share lies in a gap jumps to the end of the gap when there is
+    time for it, and else keeps its duration. False when time is left that no interval takes.
+    """
+    intervals = durations.shape[0]
+    for j in range(intervals):
+        active[j] = 1
+    for sweep in range(50):
+        base = 0.0
+        rest = target
+        for j in range(intervals):
+            rest = rest - durations[j, first]
+            if active[j] == 1:
+                base = base + durations[j, first]
+        if rest <= 1e-13 * target:
+            return True
+        if base <= 0.0:
+            return False
+        factor = 1.0 + rest / base
+        for j in range(intervals):
+            if active[j] == 1:
+                wished = durations[j, first] * factor
+                reached = common_duration(
+                    j, first, last, wished, 0.0, shortest, positions, velocities, accelerations,
+                    limits, ramps, phases, counts, weights, found, trial,
+                )
+                if reached < 0.0 or reached - durations[j, first] > rest * (1.0 + 1e-13):
+                    active[j] = 0
+                else:
+                    rest = rest - (reached - durations[j, first])
+                    for axis in range(first, last):
+                        durations[j, axis] = reached
+    return False
+
+
+def rewrite_intervals(
+    first: int,
+    last: int,
+    shortest: 'float[:,:]',
+    durations: 'float[:,:]',
+    positions: 'float[:,:]',
+    velocities: 'float[:,:]',
+    accelerations: 'float[:,:]',
+    limits: 'float[:,:]',
+    ramps: 'float[:,:]',
+    phases: 'float[:,:,:]',
+    counts: 'int[:]',
+    weights: 'float[:]',
+    found: 'float[:]',
+    trial: 'float[:,:]',
+) -> bool:
+    """Write the profiles of the durations that were settled on; False if one is infeasible."""
+    for j in range(durations.shape[0]):
+        for axis in range(first, last):
+            if not set_duration(
+                j, axis, durations[j, axis], shortest[j, axis], positions, velocities,
+                accelerations, limits, ramps, phases, counts, weights, found, trial,
+            ):
+                return False
+    return True
+
+
+def plan_phases(
+    positions: 'float[:,:]',
+    velocities: 'float[:,:]',
+    accelerations: 'float[:,:]',
+    dwells: 'float[:]',
+    limits: 'float[:,:]',
+    smoothness: int,
+    shape: int,
+    synchronization: int,
+    sample_time: float,
+    duration: float,
+    ramps: 'float[:,:]',
+    phases: 'float[:,:,:]',
+    counts: 'int[:]',
+    weights: 'float[:]',
+    shortest: 'float[:,:]',
+    durations: 'float[:,:]',
+    active: 'int[:]',
+    work: 'float[:,:]',
+    report: 'float[:]',
+) -> int:
+    """Plan all intervals. Returns 0 or a negative status, with the details in `report`.
+
+    m waypoints, k axes: positions, velocities, accelerations (m, k), dwells (m,), limits
+    (k, smoothness + 1) with 0 for absent, ramps (k, 48), phases (2 (m - 1) k, 12, 4), counts
+    (2 (m - 1) k,), weights ((m - 1) k,), shortest and durations (m - 1, k), active (m - 1,),
+    work (16, 4 + 2 smoothness), report (4,). synchronization: 0 none, 1 waypoints, 2 total;
+    sample_time and duration: 0 for none.
+    """
+    axes = limits.shape[0]
+    intervals = positions.shape[0] - 1
+    status = check_waypoints(velocities, accelerations, dwells, limits, report)
+    if status < 0:
+        return status
+    for axis in range(axes):
+        report[0] = axis
+        status = ramp_parameters(
+            smoothness, shape, limits[axis, :], work[0, :], work[1, :], ramps[axis, :]
+        )
+        if status > 0:
+            return -9
+    for j in range(intervals):
+        for axis in range(axes):
+            status, time = set_shortest(
+                j, axis, positions, velocities, accelerations, limits, ramps, phases, counts,
+                weights, work,
+            )
+            if status < 0:
+                report[0] = axis
+                report[1] = j
+                return status
+            shortest[j, axis] = time
+            durations[j, axis] = time
+    return synchronize_plan(
+        positions, velocities, accelerations, dwells, limits, synchronization, sample_time,
+        duration, ramps, phases, counts, weights, shortest, durations, active, work, report,
+    )
+
+
+def synchronize_plan(
+    positions: 'float[:,:]',
+    velocities: 'float[:,:]',
+    accelerations: 'float[:,:]',
+    dwells: 'float[:]',
+    limits: 'float[:,:]',
+    synchronization: int,
+    sample_time: float,
+    duration: float,
+    ramps: 'float[:,:]',
+    phases: 'float[:,:,:]',
+    counts: 'int[:]',
+    weights: 'float[:]',
+    shortest: 'float[:,:]',
+    durations: 'float[:,:]',
+    active: 'int[:]',
+    work: 'float[:,:]',
+    report: 'float[:]',
+) -> int:
+    """Bring the shortest profiles to common durations; status as in `plan_phases`."""
+    axes = limits.shape[0]
+    intervals = positions.shape[0] - 1
+    group = 1
+    if synchronization == 1:
+        group = axes
+    resting = 0.0
+    for j in range(intervals + 1):
+        resting = resting + dwells[j]
+    longest = 0.0
+    for axis in range(0, axes, group):
+        total = 0.0
+        for j in range(intervals):
+            if synchronization == 1 or sample_time > 0.0:
+                time = common_duration(
+                    j, axis, axis + group, 0.0, sample_time, shortest, positions, velocities,
+                    accelerations, limits, ramps, phases, counts, weights, work[12, :],
+                    work[0:12, :],
+                )
+                report[0] = axis
+                report[1] = j
+                if time < 0.0:
+                    return -4
+                for i in range(axis, axis + group):
+                    durations[j, i] = time
+            total = total + durations[j, axis]
+        longest = max(longest, total)
+    report[2] = longest + resting
+    report[3] = duration
+    target = longest
+    if duration > 0.0:
+        target = duration - resting
+        if target < longest * (1.0 - 1e-13):
+            return -5
+    if synchronization < 2 and duration <= 0.0:
+        return 0
+    for axis in range(0, axes, group):
+        report[0] = axis
+        if not distribute(
+            axis, axis + group, target, shortest, durations, active, positions, velocities,
+            accelerations, limits, ramps, phases, counts, weights, work[12, :], work[0:12, :],
+        ):
+            return -6
+        if not rewrite_intervals(
+            axis, axis + group, shortest, durations, positions, velocities, accelerations,
+            limits, ramps, phases, counts, weights, work[12, :], work[0:12, :],
+        ):
+            return -6
+    return 0
+
+
+def count_pieces(counts: 'int[:]', cells: int) -> int:
+    """An upper bound of the number of pieces: three a phase, and one a dwell."""
+    total = cells + 1
+    for i in range(2 * cells):
+        total = total + 3 * counts[i]
+    return total
+
+
+def shift_piece(
+    coefficients: 'float[:,:]',
+    source: int,
+    width: int,
+    t: float,
+    weight: float,
+    target: 'float[:,:]',
+    row: int,
+) -> None:
+    """Add weight times a piece, taken from its local time t on, to another piece."""
+    factorial = 1.0
+    for i in range(width):
+        if i > 0:
+            factorial = factorial * i
+        value = evaluate_piece(coefficients, source, width, t, i) / factorial
+        target[row, i] = target[row, i] + weight * value
+
+
+def merge_pieces(
+    weight: float,
+    end: float,
+    first_a: int,
+    last_a: int,
+    last_b: int,
+    scratch_starts: 'float[:]',
+    scratch: 'float[:,:]',
+    starts: 'float[:]',
+    coefficients: 'float[:,:]',
+    row: int,
+) -> int:
+    """(1 - weight) * pieces first_a .. last_a - 1 + weight * pieces last_a .. last_b - 1."""
+    width = coefficients.shape[1]
+    a = first_a
+    b = last_a
+    t = scratch_starts[a]
+    while t < end:
+        for i in range(width):
+            coefficients[row, i] = 0.0
+        starts[row] = t
+        shift_piece(scratch, a, width, t - scratch_starts[a], 1.0 - weight, coefficients, row)
+        shift_piece(scratch, b, width, t - scratch_starts[b], weight, coefficients, row)
+        row = row + 1
+        next_a = end
+        next_b = end
+        if a + 1 < last_a:
+            next_a = scratch_starts[a + 1]
+        if b + 1 < last_b:
+            next_b = scratch_starts[b + 1]
+        t = min(next_a, next_b)
+        if next_a <= t and a + 1 < last_a:
+            a = a + 1
+        if next_b <= t and b + 1 < last_b:
+            b = b + 1
+    return row
+
+
+def expand_plan(
+    positions: 'float[:,:]',
+    velocities: 'float[:,:]',
+    dwells: 'float[:]',
+    smoothness: int,
+    shape: int,
+    phases: 'float[:,:,:]',
+    counts: 'int[:]',
+    weights: 'float[:]',
+    durations: 'float[:,:]',
+    scratch_starts: 'float[:]',
+    scratch: 'float[:,:]',
+    starts: 'float[:]',
+    coefficients: 'float[:,:]',
+    offsets: 'int[:]',
+    times: 'float[:,:]',
+) -> int:
+    """Expand a plan into the pieces of every axis; returns the number of pieces.
+
+    times[j, axis] becomes the arrival at waypoint j; offsets (axes + 1,); starts and
+    coefficients (.., 2 smoothness) hold at least count_pieces rows, the scratch arrays (80,) and
+    (80, 16), of which the last two rows serve as work space.
+    """
+    intervals = durations.shape[0]
+    axes = durations.shape[1]
+    row = 0
+    for axis in range(axes):
+        offsets[axis] = row
+        now = 0.0
+        times[0, axis] = 0.0
+        for j in range(intervals + 1):
+            times[j, axis] = now
+            if dwells[j] > 0.0 or (j == intervals and row == offsets[axis]):
+                for i in range(2 * smoothness):
+                    coefficients[row, i] = 0.0
+                coefficients[row, 0] = positions[j, axis]
+                starts[row] = now
+                now = now + dwells[j]
+                row = row + 1
+            if j < intervals:
+                row = expand_interval(
+                    j, axis, axes, now, positions, velocities, smoothness, shape, phases, counts,
+                    weights, durations, scratch_starts, scratch, starts, coefficients, row,
+                )
+                now = now + durations[j, axis]
+    offsets[axes] = row
+    return row
+
+
+def expand_interval(
+    interval: int,
+    axis: int,
+    axes: int,
+    now: float,
+    positions: 'float[:,:]',
+    velocities: 'float[:,:]',
+    smoothness: int,
+    shape: int,
+    phases: 'float[:,:,:]',
+    counts: 'int[:]',
+    weights: 'float[:]',
+    durations: 'float[:,:]',
+    scratch_starts: 'float[:]',
+    scratch: 'float[:,:]',
+    starts: 'float[:]',
+    coefficients: 'float[:,:]',
+    row: int,
+) -> int:
+    """Expand one interval of one axis from `row` on; returns the row after its last piece."""
+    cell = interval * axes + axis
+    weight = weights[cell]
+    state = scratch[79, :]
+    psi = scratch[78, :]
+    state[0] = positions[interval, axis]
+    state[1] = velocities[interval, axis]
+    state[4] = now
+    if weight <= 0.0 or weight >= 1.0:
+        which = 2 * cell
+        if weight >= 1.0:
+            which = which + 1
+        return expand_phases(
+            phases[which, :, :], counts[which], smoothness, shape, psi, state, starts,
+            coefficients, row,
+        )
+    middle = expand_phases(
+        phases[2 * cell, :, :], counts[2 * cell], smoothness, shape, psi, state,
+        scratch_starts, scratch, 0,
+    )
+    state[0] = positions[interval, axis]
+    state[1] = velocities[interval, axis]
+    state[4] = now
+    last = expand_phases(
+        phases[2 * cell + 1, :, :], counts[2 * cell + 1], smoothness, shape, psi, state,
+        scratch_starts, scratch, middle,
+    )
+    return merge_pieces(
+        weight, now + durations[interval, axis], 0, middle, last, scratch_starts, scratch,
+        starts, coefficients, row,
+    )

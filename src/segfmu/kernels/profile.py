@@ -1,0 +1,312 @@
+"""One axis, one pair of boundary states -> the phases of the shortest profile.
+
+The paper's profile (Fig. 3) is a ramp to a first acceleration level, a hold (I.1, I.c), a ramp
+to zero, a cruise, a ramp to a second level, a hold and a ramp to the end (I.2, c, II.1, II.c,
+II.2). Phases of zero length vanish. The candidates, in this order:
+
+* cruise at the velocity limit, in closed form once the two velocity changes are known;
+* the merged form without cruise (levels.py), from either of the two fastest velocity changes;
+* the paper's form with a cruise velocity below the limit, by a bracketed root.
+
+Each is tried from the boundary states as they are and, where that passes the velocity limit
+inside a ramp, after braking the boundary accelerations to zero. After braking both, the last
+form always exists: its distance is continuous in the cruise velocity and unbounded at the two
+limits (docs/planner.md).
+"""
+
+from segfmu.kernels.levels import canonical_point, canonical_search, solve_level
+from segfmu.kernels.phases import (
+    append_change,
+    append_hold,
+    append_ramp,
+    copy_phases,
+    insert_hold,
+    measure_phases,
+    mirror_phases,
+    reverse_phases,
+)
+from segfmu.kernels.transition import ramp_duration
+
+
+def append_velocity_change(
+    phases: 'float[:,:]', count: int, v: float, a: float, w: float, top: float, ramp: 'float[:]'
+) -> int:
+    """Append the fastest change from (v, a) to (w, 0) over one level; -1 if there is none."""
+    sign = 1.0
+    t1, hold, level = solve_level(w - v, a, 0.0, max(0.0, a), top, ramp)
+    if hold < 0.0:
+        sign = -1.0
+        t1, hold, level = solve_level(v - w, -a, 0.0, max(0.0, -a), top, ramp)
+        if hold < 0.0:
+            return -1
+    count = append_ramp(phases, count, a, sign * level, t1, ramp)
+    count = append_hold(phases, count, sign * level, hold)
+    return append_change(phases, count, sign * level, 0.0, ramp)
+
+
+def cruise_form(
+    phases: 'float[:,:]',
+    cruise: float,
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    top: float,
+    ramp: 'float[:]',
+) -> 'tuple[int, int, float, float]':
+    """The paper's form with a given cruise velocity, the cruise itself left out.
+
+    Returns the number of phases (-1: a velocity change does not exist), the row before which
+    the cruise belongs, duration and distance.
+    """
+    row = append_velocity_change(phases, 0, v, a, cruise, top, ramp)
+    if row < 0:
+        return -1, 0, 0.0, 0.0
+    # the second part is the first part of the reversed problem
+    count = append_velocity_change(phases, row, w, -b, cruise, top, ramp)
+    if count < 0:
+        return -1, 0, 0.0, 0.0
+    reverse_phases(phases, row, count)
+    duration, y, end, lowest, highest = measure_phases(phases, count, v, ramp)
+    return count, row, duration, y
+
+
+def merged_form(
+    phases: 'float[:,:]',
+    reverse: bool,
+    mirror: bool,
+    target: float,
+    by_time: bool,
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    distance: float,
+    top: float,
+    ramp: 'float[:]',
+) -> int:
+    """The merged form on one of its four branches; the number of phases, 0 if it has none.
+
+    `target` is the duration if by_time, else unused. Reversal exchanges the boundary states,
+    mirroring their signs; together they reduce every branch to the canonical one.
+    """
+    v1 = v
+    a1 = a
+    v2 = w
+    a2 = b
+    if reverse:
+        v1 = w
+        a1 = -b
+        v2 = v
+        a2 = -a
+    if mirror:
+        v1 = -v1
+        a1 = -a1
+        v2 = -v2
+        a2 = -a2
+        distance = -distance
+    goal = distance
+    if by_time:
+        goal = target
+    t_top, rise, slope = ramp_duration(a2 + top, ramp)
+    p = canonical_search(goal, by_time, v1, a1, v2, a2, top, t_top, ramp)
+    if p < 0.0:
+        return 0
+    duration, y, t1, hold1, level1, hold2, level2, t3 = canonical_point(
+        p, v1, a1, v2, a2, top, t_top, ramp
+    )
+    if duration < 0.0:
+        return 0
+    count = append_ramp(phases, 0, a1, level1, t1, ramp)
+    count = append_hold(phases, count, level1, hold1)
+    count = append_change(phases, count, level1, level2, ramp)
+    count = append_hold(phases, count, level2, hold2)
+    count = append_ramp(phases, count, level2, a2, t3, ramp)
+    if reverse:
+        reverse_phases(phases, 0, count)
+    if mirror:
+        mirror_phases(phases, count)
+    return count
+
+
+def meets(
+    phases: 'float[:,:]',
+    count: int,
+    v: float,
+    w: float,
+    distance: float,
+    limit: float,
+    ramp: 'float[:]',
+) -> float:
+    """Duration of the phases if they meet the boundary within the velocity limit, else -1."""
+    duration, y, end, lowest, highest = measure_phases(phases, count, v, ramp)
+    most = limit * (1.0 + 1e-12)
+    if lowest < -most or highest > most:
+        return -1.0
+    if abs(end - w) > 1e-11 * limit:
+        return -1.0
+    if abs(y - distance) > 2e-11 * (abs(distance) + limit * duration):
+        return -1.0
+    return duration
+
+
+def slower_cruise(
+    phases: 'float[:,:]',
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    distance: float,
+    velocity_limit: float,
+    top: float,
+    ramp: 'float[:]',
+) -> int:
+    """The paper's form whose cruise velocity, below the limit, makes the cruise vanish."""
+    lower = -velocity_limit
+    upper = velocity_limit
+    for i in range(200):
+        middle = 0.5 * (lower + upper)
+        if i == 0:
+            middle = max(v, w)
+        if middle <= lower or middle >= upper:
+            if i > 0:
+                break
+            middle = 0.5 * (lower + upper)
+        count, row, duration, y = cruise_form(phases, middle, v, a, w, b, top, ramp)
+        if count < 0 or y < distance:
+            lower = middle
+        else:
+            upper = middle
+    # the side whose rounding error a short cruise can make up
+    cruise = lower
+    if cruise < 0.0:
+        cruise = upper
+    return with_cruise(phases, cruise, v, a, w, b, distance, top, ramp)
+
+
+def with_cruise(
+    phases: 'float[:,:]',
+    cruise: float,
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    distance: float,
+    top: float,
+    ramp: 'float[:]',
+) -> int:
+    """The paper's form with the cruise that covers the distance; 0 if it is overshot."""
+    count, row, duration, y = cruise_form(phases, cruise, v, a, w, b, top, ramp)
+    if count < 0 or cruise == 0.0:
+        return max(count, 0)
+    hold = (distance - y) / cruise
+    # shorter than rounding: no cruise, and what it misses is judged by its caller
+    if hold < 0.0 and abs(distance - y) > 1e-13 * abs(distance):
+        return 0
+    return insert_hold(phases, count, row, 0.0, hold)
+
+
+def shortest_between(
+    phases: 'float[:,:]',
+    trial: 'float[:,:]',
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    distance: float,
+    velocity_limit: float,
+    top: float,
+    ramp: 'float[:]',
+) -> int:
+    """The shortest candidate between two boundary states taken as they are; 0 if none holds."""
+    for side in range(2):
+        cruise = velocity_limit * (1 - 2 * side)
+        count = with_cruise(phases, cruise, v, a, w, b, distance, top, ramp)
+        if count > 0 and meets(phases, count, v, w, distance, velocity_limit, ramp) >= 0.0:
+            return count
+    best = 0
+    shortest = 0.0
+    for branch in range(4):
+        reverse = branch == 1 or branch == 2
+        mirror = branch >= 2
+        count = merged_form(
+            trial, reverse, mirror, 0.0, False, v, a, w, b, distance, top, ramp
+        )
+        if count > 0:
+            duration = meets(trial, count, v, w, distance, velocity_limit, ramp)
+            if duration >= 0.0 and (best == 0 or duration < shortest):
+                copy_phases(trial, phases, count)
+                best = count
+                shortest = duration
+    if best > 0:
+        return best
+    count = slower_cruise(phases, v, a, w, b, distance, velocity_limit, top, ramp)
+    if count > 0 and meets(phases, count, v, w, distance, velocity_limit, ramp) >= 0.0:
+        return count
+    return 0
+
+
+def shortest_profile(
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    distance: float,
+    velocity_limit: float,
+    top: float,
+    ramp: 'float[:]',
+    phases: 'float[:,:]',
+    trial: 'float[:,:]',
+) -> int:
+    """Phases of the shortest profile from (v, a) over a distance to (w, b).
+
+    top is the acceleration limit; `phases` and the work space `trial` have 12 rows. Returns the
+    number of phases (0 when there is nothing to do), or -1 when braking the first acceleration
+    to zero passes the velocity limit, -2 when building up the last one does, -3 otherwise.
+    """
+    if distance == 0.0 and v == 0.0 and w == 0.0 and a == 0.0 and b == 0.0:
+        return 0
+    t_start, rise, slope = ramp_duration(abs(a), ramp)
+    t_end, rise, slope = ramp_duration(abs(b), ramp)
+    v_braked = v + 0.5 * a * t_start
+    w_braked = w - 0.5 * b * t_end
+    for variant in range(4):
+        brake_start = variant == 1 or variant == 3
+        brake_end = variant >= 2
+        if (brake_start and a == 0.0) or (brake_end and b == 0.0):
+            continue
+        v1 = v
+        a1 = a
+        w1 = w
+        b1 = b
+        rest = distance
+        first = 0
+        if brake_start:
+            first = append_change(trial, 0, a, 0.0, ramp)
+            duration, y, v1, lowest, highest = measure_phases(trial, first, v, ramp)
+            rest = rest - y
+            a1 = 0.0
+        if brake_end:
+            last = append_change(trial, 0, 0.0, b, ramp)
+            w1 = w_braked
+            duration, y, end, lowest, highest = measure_phases(trial, last, w1, ramp)
+            rest = rest - y
+            b1 = 0.0
+        count = shortest_between(
+            phases, trial, v1, a1, w1, b1, rest, velocity_limit, top, ramp
+        )
+        if count == 0 and not (rest == 0.0 and v1 == w1 and a1 == 0.0 and b1 == 0.0):
+            continue
+        if brake_start:
+            count = insert_hold(phases, count, 0, 0.0, t_start)
+            append_change(phases, 0, a, 0.0, ramp)
+        if brake_end:
+            count = append_change(phases, count, 0.0, b, ramp)
+        if meets(phases, count, v, w, distance, velocity_limit, ramp) >= 0.0:
+            return count
+    most = velocity_limit * (1.0 + 1e-12)
+    if abs(v_braked) > most:
+        return -1
+    if abs(w_braked) > most:
+        return -2
+    return -3

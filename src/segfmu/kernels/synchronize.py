@@ -1,0 +1,258 @@
+"""A profile of prescribed duration, and whether a duration is feasible at all.
+
+For a given duration T the motions between two boundary states that keep every limit form a
+convex set (the limits bound linear functions of y), so the distances they cover form an
+interval, and a weighted mean of two such motions is one as well. A duration is therefore
+feasible when one profile of that duration falls short of the distance and another one covers
+at least as much. Between two moving waypoints the feasible durations can have gaps (errata
+E10); outside the gaps the profile is, in this order:
+
+* from rest to rest the shortest profile stretched in time, as in section 3.2;
+* the paper's form with the cruise velocity that makes it last T;
+* the weighted mean of two profiles that last T, one short of the distance and one beyond it.
+"""
+
+from segfmu.kernels.phases import append_change, append_hold, copy_phases, insert_hold
+from segfmu.kernels.phases import measure_phases
+from segfmu.kernels.profile import cruise_form, merged_form
+from segfmu.kernels.transition import ramp_duration
+
+
+def stretch_phases(phases: 'float[:,:]', count: int, factor: float) -> None:
+    """Stretch phases that begin and end at rest in time; the distance stays (section 3.2)."""
+    for i in range(count):
+        phases[i, 0] = phases[i, 0] * factor
+        phases[i, 1] = phases[i, 1] * factor
+        phases[i, 2] = phases[i, 2] / (factor * factor)
+        phases[i, 3] = phases[i, 3] / (factor * factor)
+
+
+def timed_cruise(
+    phases: 'float[:,:]',
+    cruise: float,
+    target: float,
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    top: float,
+    ramp: 'float[:]',
+) -> 'tuple[int, float, float]':
+    """The paper's form with the cruise that makes it last `target`.
+
+    Returns the number of phases, the distance, and the duration of the cruise, which is
+    negative where the form takes longer; the number is -1 where it does not exist.
+    """
+    count, row, duration, y = cruise_form(phases, cruise, v, a, w, b, top, ramp)
+    if count < 0:
+        return -1, 0.0, -1.0
+    hold = target - duration
+    count = insert_hold(phases, count, row, 0.0, hold)
+    return count, y + cruise * hold, hold
+
+
+def cruise_range(
+    phases: 'float[:,:]',
+    middle: float,
+    limit: float,
+    target: float,
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    top: float,
+    ramp: 'float[:]',
+) -> float:
+    """The cruise velocity nearest to `limit` that leaves a cruise; `middle` leaves one."""
+    count, y, hold = timed_cruise(phases, limit, target, v, a, w, b, top, ramp)
+    if count >= 0 and hold >= 0.0:
+        return limit
+    inside = middle
+    outside = limit
+    for i in range(60):
+        trial = 0.5 * (inside + outside)
+        if trial == inside or trial == outside:
+            break
+        count, y, hold = timed_cruise(phases, trial, target, v, a, w, b, top, ramp)
+        if count >= 0 and hold >= 0.0:
+            inside = trial
+        else:
+            outside = trial
+    return inside
+
+
+def keep_nearest(
+    trial: 'float[:,:]',
+    count: int,
+    target: float,
+    v: float,
+    w: float,
+    distance: float,
+    velocity_limit: float,
+    found: 'float[:]',
+    below: 'float[:,:]',
+    above: 'float[:,:]',
+    ramp: 'float[:]',
+) -> None:
+    """Keep a profile that lasts `target` if it is the nearest one below or above the distance.
+
+    found = number of phases below, their distance, number above, their distance.
+    """
+    if count <= 0:
+        return
+    duration, y, end, lowest, highest = measure_phases(trial, count, v, ramp)
+    most = velocity_limit * (1.0 + 1e-12)
+    if lowest < -most or highest > most:
+        return
+    if abs(duration - target) > 1e-12 * target or abs(end - w) > 1e-11 * velocity_limit:
+        return
+    if y <= distance and (found[0] == 0.0 or y > found[1]):
+        copy_phases(trial, below, count)
+        found[0] = count
+        found[1] = y
+    if y >= distance and (found[2] == 0.0 or y < found[3]):
+        copy_phases(trial, above, count)
+        found[2] = count
+        found[3] = y
+
+
+def timed_between(
+    target: float,
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    distance: float,
+    velocity_limit: float,
+    top: float,
+    ramp: 'float[:]',
+    found: 'float[:]',
+    below: 'float[:,:]',
+    above: 'float[:,:]',
+    trial: 'float[:,:]',
+) -> None:
+    """Nearest profiles below and above the distance, from boundary states taken as they are."""
+    middle = min(max(distance / target, min(v, w)), max(v, w))
+    count, y, hold = timed_cruise(trial, middle, target, v, a, w, b, top, ramp)
+    if count >= 0 and hold >= 0.0:
+        lower = cruise_range(trial, middle, -velocity_limit, target, v, a, w, b, top, ramp)
+        upper = cruise_range(trial, middle, velocity_limit, target, v, a, w, b, top, ramp)
+        for i in range(2):
+            cruise = lower
+            if i == 1:
+                cruise = upper
+            count, y, hold = timed_cruise(trial, cruise, target, v, a, w, b, top, ramp)
+            keep_nearest(
+                trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp
+            )
+        if found[0] > 0.0 and found[2] > 0.0:
+            for i in range(200):
+                cruise = 0.5 * (lower + upper)
+                if cruise == lower or cruise == upper:
+                    break
+                count, y, hold = timed_cruise(trial, cruise, target, v, a, w, b, top, ramp)
+                if y < distance:
+                    lower = cruise
+                else:
+                    upper = cruise
+                keep_nearest(
+                    trial, count, target, v, w, distance, velocity_limit, found, below, above,
+                    ramp,
+                )
+            return
+    for branch in range(4):
+        reverse = branch == 1 or branch == 2
+        mirror = branch >= 2
+        count = merged_form(
+            trial, reverse, mirror, target, True, v, a, w, b, distance, top, ramp
+        )
+        keep_nearest(
+            trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp
+        )
+
+
+def surround_phases(
+    phases: 'float[:,:]',
+    count: int,
+    brake_start: bool,
+    a: float,
+    brake_end: bool,
+    b: float,
+    ramp: 'float[:]',
+) -> int:
+    """Put the braking of the initial and the build-up of the final acceleration around phases."""
+    if brake_start and a != 0.0:
+        duration, rise, slope = ramp_duration(abs(a), ramp)
+        count = insert_hold(phases, count, 0, 0.0, duration)
+        append_change(phases, 0, a, 0.0, ramp)
+    if brake_end:
+        count = append_change(phases, count, 0.0, b, ramp)
+    return count
+
+
+def timed_profile(
+    target: float,
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    distance: float,
+    velocity_limit: float,
+    top: float,
+    ramp: 'float[:]',
+    found: 'float[:]',
+    below: 'float[:,:]',
+    above: 'float[:,:]',
+    trial: 'float[:,:]',
+) -> float:
+    """Profiles that last `target`; returns the weight of `above`, or -1 if none is feasible.
+
+    The motion is (1 - weight) * below + weight * above; found[0] and found[2] are the numbers
+    of phases of the two (12 rows each).
+    """
+    for i in range(4):
+        found[i] = 0.0
+    for variant in range(4):
+        brake_start = variant == 1 or variant == 3
+        brake_end = variant >= 2
+        if (brake_start and a == 0.0) or (brake_end and b == 0.0):
+            continue
+        time = target
+        rest = distance
+        v1 = v
+        a1 = a
+        w1 = w
+        b1 = b
+        if brake_start:
+            count = append_change(trial, 0, a, 0.0, ramp)
+            duration, y, v1, lowest, highest = measure_phases(trial, count, v, ramp)
+            time = time - duration
+            rest = rest - y
+            a1 = 0.0
+        if brake_end:
+            count = append_change(trial, 0, 0.0, b, ramp)
+            w1 = w - 0.5 * b * trial[0, 0]
+            duration, y, end, lowest, highest = measure_phases(trial, count, w1, ramp)
+            time = time - duration
+            rest = rest - y
+            b1 = 0.0
+        if time <= 0.0:
+            continue
+        found[0] = 0.0
+        found[2] = 0.0
+        timed_between(
+            time, v1, a1, w1, b1, rest, velocity_limit, top, ramp, found, below, above, trial
+        )
+        if found[0] > 0.0 and found[2] > 0.0:
+            span = found[3] - found[1]
+            weight = 0.0
+            # one profile is enough when it misses the distance by no more than rounding
+            tiny = 1e-14 * (abs(rest) + velocity_limit * time)
+            if found[3] - rest <= tiny:
+                weight = 1.0
+            if rest - found[1] > tiny and weight < 1.0:
+                weight = (rest - found[1]) / span
+            found[0] = surround_phases(below, int(found[0]), brake_start, a, brake_end, b, ramp)
+            found[2] = surround_phases(above, int(found[2]), brake_start, a, brake_end, b, ramp)
+            return weight
+    return -1.0

@@ -1,0 +1,297 @@
+"""Transition polynomials (12) and the acceleration ramps built from them.
+
+A ramp takes the acceleration from one level to another, as in (11a-d). Two shapes exist:
+
+* smoothstep (shape 0): the paper's polynomial Psi of (12) with k = n - 2 (errata E1, E2);
+* plateau (shape 1): the jerk rises with the polynomial of order k - 1, stays, and falls.
+
+Both are symmetric, so a ramp from a to b lasting tau gains the velocity (a + b) / 2 * tau and,
+from (15), the distance v tau + a tau^2 / 2 + (b - a) (tau^2 / 8 + V / 2), where V is the
+variance of the jerk seen as a density in time: tau^2 / (4 (2 k + 3)) for the polynomial, and
+(tau - rise)^2 / 12 + rise^2 / (4 (2 k + 1)) for the plateau, which is a box convolved with the
+density of its rise.
+
+The duration of a ramp respects every limit c_3 .. c_{n+1} (errata E3); its parameters are
+packed once per axis by `ramp_parameters`:
+
+    0 shape, 1 jerk limit (0: none), 2 rise at the jerk limit, 3 acceleration change above which
+    the jerk limit is reached, 4 and 5 the factors of (tau - rise)^2 and rise^2 in V,
+    6 share of the rise in a ramp whose rise no limit bounds (0: a limit does), 7 number of
+    coefficients from 16 on,
+    8 .. 15 q_e: the ramp (plateau: its rise) lasts at least (q_e * change)^(1/e), e = 1 ..,
+    16 .. the polynomial of the curved part, ascending, in the share s of its duration: the
+       acceleration as a share of the change (smoothstep), or the acceleration gained in a rise
+       as a share of jerk * rise (plateau); 2 smoothness numbers
+"""
+
+from math import sqrt
+
+
+def transition_coefficients(order: int, coefficients: 'float[:]') -> None:
+    """Coefficients of Psi(s, 1) of (12) in ascending powers of s; 2 order + 2 of them."""
+    for i in range(2 * order + 2):
+        coefficients[i] = 0.0
+    # Psi' is (2k+1)!/(k!)^2 s^k (1-s)^k; expanding the binomial gives the sum in (12).
+    scale = 1.0
+    for i in range(1, order + 1):
+        scale = scale * (order + 1 + i) / i
+    scale = scale * (order + 1)
+    binomial = 1.0
+    for i in range(order + 1):
+        coefficients[order + 1 + i] = scale * binomial / (order + 1 + i)
+        binomial = -binomial * (order - i) / (i + 1)
+
+
+def polynomial_derivative(coefficients: 'float[:]', count: int, times: int, s: float) -> float:
+    """Value at s of a derivative of the polynomial with `count` ascending coefficients."""
+    value = 0.0
+    for j in range(count - times):
+        i = count - 1 - j
+        factor = 1.0
+        for m in range(times):
+            factor = factor * (i - m)
+        value = value * s + factor * coefficients[i]
+    return value
+
+
+def transition_peaks(order: int, coefficients: 'float[:]', peaks: 'float[:]') -> None:
+    """M_j of errata E3: peaks[j] = max over [0, 1] of |d^j Psi / ds^j|, j = 1 .. order + 1.
+
+    `coefficients` is work space for 2 order + 2 numbers. All extrema of these derivatives of
+    s^k (1-s)^k lie in [0, 1]; the largest is the first one, next to s = 0, or the end itself.
+    """
+    count = 2 * order + 2
+    transition_coefficients(order, coefficients)
+    peaks[0] = 1.0
+    samples = 64 * (order + 1)
+    for j in range(1, order + 2):
+        best = 0.0
+        at = 0
+        for i in range(samples + 1):
+            value = abs(polynomial_derivative(coefficients, count, j, i / (2.0 * samples)))
+            if value > best:
+                best = value
+                at = i
+        lower = (at - 1) / (2.0 * samples)
+        upper = (at + 1) / (2.0 * samples)
+        if at == 0:
+            lower = 0.0
+        # bisect the next derivative, which changes sign at an interior extremum
+        left = polynomial_derivative(coefficients, count, j + 1, lower)
+        for i in range(60):
+            middle = 0.5 * (lower + upper)
+            slope = polynomial_derivative(coefficients, count, j + 1, middle)
+            if slope * left > 0.0:
+                lower = middle
+            else:
+                upper = middle
+        value = abs(polynomial_derivative(coefficients, count, j, 0.5 * (lower + upper)))
+        if value > best:
+            best = value
+        peaks[j] = best
+
+
+def free_rise_share() -> float:
+    """Share of a ramp that each jerk rise takes when no limit above the jerk bounds it."""
+    return 0.1
+
+
+def ramp_parameters(
+    smoothness: int,
+    shape: int,
+    limits: 'float[:]',
+    work: 'float[:]',
+    peaks: 'float[:]',
+    ramp: 'float[:]',
+) -> int:
+    """Pack the ramp parameters of one axis into `ramp` (48 numbers).
+
+    limits[i] is c_{i+1}, i = 0 .. smoothness, and 0 where it is absent. `work` holds
+    2 smoothness numbers, `peaks` smoothness + 1. Returns 0, or 1 when no limit bounds the ramp.
+    """
+    k = smoothness - 2
+    for i in range(48):
+        ramp[i] = 0.0
+    plateau = shape == 1 and k > 0
+    bounded = False
+    if not plateau:
+        transition_peaks(k, work, peaks)
+        ramp[7] = 2.0 * k + 2.0
+        for j in range(2 * k + 2):
+            ramp[16 + j] = work[j]
+        ramp[4] = 1.0 / (4.0 * (2 * k + 3))
+        for j in range(1, k + 2):
+            if limits[j + 1] > 0.0:
+                ramp[7 + j] = peaks[j] / limits[j + 1]
+                bounded = True
+    else:
+        ramp[0] = 1.0
+        ramp[1] = limits[2]
+        ramp[4] = 1.0 / 12.0
+        ramp[5] = 1.0 / (4.0 * (2 * k + 1))
+        transition_peaks(k - 1, work, peaks)
+        ramp[7] = 2.0 * k + 1.0
+        for j in range(2 * k):
+            ramp[17 + j] = work[j] / (j + 1.0)
+        rise = 0.0
+        for j in range(1, k + 1):
+            if limits[j + 2] > 0.0:
+                ramp[8 + j] = peaks[j] / limits[j + 2]
+                rise = max(rise, (limits[2] * ramp[8 + j]) ** (1.0 / j))
+                bounded = True
+        if limits[2] > 0.0 and not bounded:
+            ramp[6] = free_rise_share()
+            bounded = True
+        ramp[2] = rise
+        ramp[3] = limits[2] * rise
+    if bounded:
+        return 0
+    return 1
+
+
+def slowest_root(change: float, first: int, ramp: 'float[:]') -> 'tuple[float, float]':
+    """max over e >= first of (q_e change)^(1/e), and its derivative with the change."""
+    slowest = 0.0
+    exponent = 1
+    if first <= 1 and ramp[8] > 0.0:
+        slowest = ramp[8] * change
+    if ramp[9] > 0.0:
+        root = sqrt(ramp[9] * change)
+        if root > slowest:
+            slowest = root
+            exponent = 2
+    for e in range(3, 9):
+        if ramp[7 + e] > 0.0:
+            root = (ramp[7 + e] * change) ** (1.0 / e)
+            if root > slowest:
+                slowest = root
+                exponent = e
+    return slowest, slowest / (exponent * change)
+
+
+def ramp_duration(change: float, ramp: 'float[:]') -> 'tuple[float, float, float]':
+    """Duration of the ramp for an acceleration change >= 0, that of its jerk rise [s], and the
+    derivative of the duration with the change (0 for no change, where it is not finite)."""
+    if change <= 0.0:
+        return 0.0, 0.0, 0.0
+    if ramp[0] < 0.5:
+        root, slope = slowest_root(change, 1, ramp)
+        return root, 0.0, slope
+    if ramp[6] > 0.0:
+        slope = 1.0 / (ramp[1] * (1.0 - ramp[6]))
+        return change * slope, change * slope * ramp[6], slope
+    if ramp[1] > 0.0 and change >= ramp[3]:
+        return change / ramp[1] + ramp[2], ramp[2], 1.0 / ramp[1]
+    root, slope = slowest_root(change, 2, ramp)
+    return 2.0 * root, root, 2.0 * slope
+
+
+def fastest_power(duration: float, first: int, ramp: 'float[:]') -> 'tuple[float, float]':
+    """Inverse of `slowest_root`: min over e >= first of duration^e / q_e, and its derivative."""
+    fastest = -1.0
+    exponent = 1
+    power = 1.0
+    for e in range(1, 9):
+        power = power * duration
+        if e >= first and ramp[7 + e] > 0.0:
+            change = power / ramp[7 + e]
+            if fastest < 0.0 or change < fastest:
+                fastest = change
+                exponent = e
+    return fastest, exponent * fastest / duration
+
+
+def ramp_change(duration: float, ramp: 'float[:]') -> 'tuple[float, float]':
+    """Inverse of `ramp_duration`: the acceleration change of a ramp, and its derivative with
+    the duration. Small ramps are solved for in their duration, which loses no digits."""
+    if duration <= 0.0:
+        return 0.0, 0.0
+    if ramp[0] < 0.5:
+        return fastest_power(duration, 1, ramp)
+    if ramp[6] > 0.0:
+        slope = ramp[1] * (1.0 - ramp[6])
+        return duration * slope, slope
+    if ramp[1] > 0.0 and duration >= 2.0 * ramp[2]:
+        return (duration - ramp[2]) * ramp[1], ramp[1]
+    change, slope = fastest_power(0.5 * duration, 2, ramp)
+    return change, 0.5 * slope
+
+
+def ramp_distance(
+    v: float, a: float, b: float, duration: float, rise: float, ramp: 'float[:]'
+) -> float:
+    """Distance covered by the ramp from acceleration a to b that starts with velocity v."""
+    flat = duration - rise
+    variance = ramp[4] * flat * flat + ramp[5] * rise * rise
+    return (
+        v * duration
+        + 0.5 * a * duration * duration
+        + (b - a) * (0.125 * duration * duration + 0.5 * variance)
+    )
+
+
+def curved_part(s: float, ramp: 'float[:]') -> 'tuple[float, float, float]':
+    """Polynomial of the curved part at s, its derivative and its integral from 0."""
+    count = int(ramp[7])
+    value = 0.0
+    slope = 0.0
+    integral = 0.0
+    for j in range(count):
+        i = count - 1 - j
+        value = value * s + ramp[16 + i]
+        integral = integral * s + ramp[16 + i] / (i + 1.0)
+        if i > 0:
+            slope = slope * s + i * ramp[16 + i]
+    return value, slope, integral * s
+
+
+def invert_curved_part(value: float, upper: float, ramp: 'float[:]') -> float:
+    """The s in [0, upper] at which the increasing curved part has the given value."""
+    low = 0.0
+    high = upper
+    s = 0.5 * upper
+    for i in range(100):
+        at, slope, integral = curved_part(s, ramp)
+        if at > value:
+            high = s
+        else:
+            low = s
+        step = 0.5 * (low + high) - s
+        if slope > 0.0:
+            newton = (value - at) / slope
+            if s + newton > low and s + newton < high:
+                step = newton
+        s = s + step
+        if abs(step) <= 1e-16:
+            return s
+    return s
+
+
+def ramp_extreme_velocity(
+    v: float, a: float, b: float, duration: float, rise: float, ramp: 'float[:]'
+) -> float:
+    """Velocity where the acceleration of a ramp from a to b, of opposite signs, is zero."""
+    if abs(a) > abs(b):
+        # the symmetric ramp, run backwards from its end, crosses zero in its first half
+        return ramp_extreme_velocity_first_half(
+            v + 0.5 * (a + b) * duration, -b, -a, duration, rise, ramp
+        )
+    return ramp_extreme_velocity_first_half(v, a, b, duration, rise, ramp)
+
+
+def ramp_extreme_velocity_first_half(
+    v: float, a: float, b: float, duration: float, rise: float, ramp: 'float[:]'
+) -> float:
+    """`ramp_extreme_velocity` for |a| <= |b|."""
+    if ramp[0] < 0.5:
+        s = invert_curved_part(a / (a - b), 0.5, ramp)
+        value, slope, integral = curved_part(s, ramp)
+        return v + duration * (a * s + (b - a) * integral)
+    jerk = (b - a) / (duration - rise)
+    if abs(a) <= 0.5 * abs(jerk) * rise:
+        s = invert_curved_part(-a / (jerk * rise), 1.0, ramp)
+        value, slope, integral = curved_part(s, ramp)
+        return v + rise * (a * s + jerk * rise * integral)
+    value, slope, integral = curved_part(1.0, ramp)
+    start = a + 0.5 * jerk * rise
+    return v + rise * (a + jerk * rise * integral) - 0.5 * start * start / jerk

@@ -1,0 +1,52 @@
+"""Checked conversion of user input to arrays."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from segfmu.errors import InputError
+
+FloatArray = NDArray[np.float64]
+
+
+def finite_vector(name: str, value: ArrayLike) -> FloatArray:
+    """Return `value` as a read-only vector of finite numbers, shape (axes,)."""
+    array = _numbers(name, value)
+    if array.ndim == 0:
+        array = array.reshape(1)
+    if array.ndim != 1 or array.size == 0:
+        raise InputError(f"{name} must be one number an axis, not an array of shape {array.shape}")
+    if not np.isfinite(array).all():
+        raise InputError(f"{name} must be finite, got {array.tolist()}")
+    array.flags.writeable = False
+    return array
+
+
+def limit_values(name: str, value: ArrayLike | None, *, required: bool) -> FloatArray:
+    """Return one limit as positive numbers, 0-d or (axes,); infinity or None means absent (0)."""
+    if value is None:
+        value = np.inf
+    array = _numbers(name, [np.inf if v is None else v for v in value]
+                     if isinstance(value, list | tuple) else value)
+    if array.ndim > 1 or array.size == 0:
+        raise InputError(f"{name} must be a number or one an axis, got shape {array.shape}")
+    if np.isnan(array).any() or (array <= 0.0).any():
+        raise InputError(f"{name} must be greater than 0, got {array.tolist()}")
+    if required and np.isinf(array).any():
+        raise InputError(f"{name} must be finite, got {array.tolist()}")
+    array = np.where(np.isinf(array), 0.0, array)
+    array.flags.writeable = False
+    return array
+
+
+def _numbers(name: str, value: Any) -> FloatArray:
+    try:
+        raw = np.asarray(value)
+        if raw.dtype.kind not in "iuf":
+            raise TypeError
+        return np.array(raw, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise InputError(f"{name} must be a number or a list of numbers, got {value!r}") from None

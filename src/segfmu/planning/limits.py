@@ -1,0 +1,87 @@
+"""The output constraints (8): one bound a derivative, the same in both directions."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from segfmu.errors import InputError
+from segfmu.planning.arrays import FloatArray, limit_values
+
+NAMES = ("velocity", "acceleration", "jerk", "snap", "crackle", "pop")
+UNITS = ("m/s", "m/s2", "m/s3", "m/s4", "m/s5", "m/s6")
+
+
+@dataclass(frozen=True, eq=False)
+class Limits:
+    """Bounds c_1 .. c_6 on the derivatives of the position, SI units.
+
+    Parameters
+    ----------
+    velocity, acceleration : array_like, scalar or shape (axes,)
+        Required, finite and positive.
+    jerk, snap, crackle, pop : array_like, scalar or shape (axes,), optional
+        Positive; None or infinity where a derivative is not bounded.
+
+    Raises
+    ------
+    InputError
+        For values that are not positive, and shapes that do not fit each other.
+    """
+
+    velocity: FloatArray
+    acceleration: FloatArray
+    jerk: FloatArray
+    snap: FloatArray
+    crackle: FloatArray
+    pop: FloatArray
+
+    def __init__(
+        self,
+        velocity: ArrayLike,
+        acceleration: ArrayLike,
+        jerk: ArrayLike | None = None,
+        snap: ArrayLike | None = None,
+        crackle: ArrayLike | None = None,
+        pop: ArrayLike | None = None,
+    ) -> None:
+        given = (velocity, acceleration, jerk, snap, crackle, pop)
+        for i, (name, value) in enumerate(zip(NAMES, given, strict=True)):
+            values = limit_values(f"limits.{name}", value, required=i < 2)
+            object.__setattr__(self, name, values)
+        sizes = {v.size for v in self._all() if v.ndim == 1}
+        if len(sizes) > 1:
+            raise InputError(f"limits have different numbers of axes: {sorted(sizes)}")
+
+    def _all(self) -> tuple[FloatArray, ...]:
+        return tuple(getattr(self, name) for name in NAMES)
+
+    def table(self, axes: int, smoothness: int) -> FloatArray:
+        """Limits c_1 .. c_{smoothness + 1} of every axis, 0 where absent.
+
+        Returns
+        -------
+        ndarray, shape (axes, smoothness + 1)
+
+        Raises
+        ------
+        InputError
+            When a limit is given for a derivative that the smoothness leaves unbounded.
+        """
+        table = np.zeros((axes, smoothness + 1))
+        for i, (name, values) in enumerate(zip(NAMES, self._all(), strict=True)):
+            if values.ndim == 1 and values.size not in (1, axes):
+                raise InputError(
+                    f"limits.{name} has {values.size} values for {axes} axes; "
+                    "give one value, or one an axis"
+                )
+            if i <= smoothness:
+                table[:, i] = values
+            elif values.any():
+                raise InputError(
+                    f"limits.{name} cannot be kept with smoothness {smoothness}, where this "
+                    f"derivative is not bounded; raise smoothness to {i} or leave the limit out"
+                )
+        return table

@@ -1,0 +1,208 @@
+"""`plan`: waypoints and limits in, a verified trajectory out (section 3 of the paper)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from segfmu.errors import InfeasibleError, InputError
+from segfmu.kernels import backend
+from segfmu.planning.arrays import FloatArray, finite_vector
+from segfmu.planning.limits import Limits
+from segfmu.planning.messages import infeasible
+from segfmu.planning.trajectory import Trajectory
+from segfmu.planning.verify import require
+from segfmu.planning.waypoint import Waypoint
+
+SHAPES = {"smoothstep": 0, "plateau": 1}
+SYNCHRONIZATIONS = {"none": 0, "waypoints": 1, "total": 2}
+SMOOTHNESS = range(2, 7)
+
+
+def plan(
+    waypoints: Sequence[Waypoint],
+    limits: Limits,
+    *,
+    smoothness: int = 4,
+    shape: str = "plateau",
+    synchronize: str = "waypoints",
+    sample_time: float | None = None,
+    duration: float | None = None,
+    position_min: ArrayLike | None = None,
+    position_max: ArrayLike | None = None,
+    axis_names: Sequence[str] | None = None,
+) -> Trajectory:
+    """Plan a trajectory through waypoints within limits.
+
+    Parameters
+    ----------
+    waypoints : sequence of Waypoint
+        At least two, all with the same number of axes.
+    limits : Limits
+        Bounds on the derivatives; one of those from jerk on has to be given.
+    smoothness : int
+        n of the paper, 2 to 6: the trajectory is n times continuously differentiable.
+    shape : {"plateau", "smoothstep"}
+        Shape of the acceleration ramps; "smoothstep" is the paper's (12), "plateau" is faster.
+    synchronize : {"waypoints", "total", "none"}
+        All axes meet in every waypoint, only in the last one, or not at all.
+    sample_time : float, optional
+        Round the duration of every waypoint interval up to a multiple of it [s].
+    duration : float, optional
+        Total duration to take [s], dwells included.
+    position_min, position_max : array_like, scalar or shape (axes,), optional
+        Range that no axis may leave [m]; checked exactly.
+    axis_names : sequence of str, optional
+        Names for messages; x, y, z by default.
+
+    Returns
+    -------
+    Trajectory
+
+    Raises
+    ------
+    InputError
+        For arguments that no plan can be made of.
+    InfeasibleError
+        When the limits do not admit the plan; names axis, waypoint interval and limit.
+    """
+    points = _checked_waypoints(waypoints)
+    axes = points[0].axes
+    names = _names(axis_names, axes)
+    if smoothness not in SMOOTHNESS:
+        raise InputError(f"smoothness must be an integer from 2 to 6, got {smoothness!r}")
+    if not isinstance(limits, Limits):
+        raise InputError(f"limits must be a segfmu.Limits, got {type(limits).__name__}")
+    options = (
+        _choice("shape", shape, SHAPES),
+        _choice("synchronize", synchronize, SYNCHRONIZATIONS),
+        _time("sample_time", sample_time),
+        _time("duration", duration),
+    )
+    trajectory = _solve(points, limits, int(smoothness), shape, options, names)
+    require(trajectory)
+    _check_positions(trajectory, position_min, position_max)
+    return trajectory
+
+
+def _solve(
+    points: tuple[Waypoint, ...],
+    limits: Limits,
+    smoothness: int,
+    shape: str,
+    options: tuple[int, int, float, float],
+    names: tuple[str, ...],
+) -> Trajectory:
+    axes, intervals = points[0].axes, len(points) - 1
+    cells = axes * intervals
+    table = limits.table(axes, smoothness)
+    positions, velocities, accelerations = (
+        np.array([getattr(p, name) for p in points])
+        for name in ("position", "velocity", "acceleration")
+    )
+    dwells = np.array([p.dwell for p in points])
+    phases = np.zeros((2 * cells, 12, 4))
+    counts = np.zeros(2 * cells, dtype=np.int64)
+    weights = np.zeros(cells)
+    durations = np.zeros((intervals, axes))
+    report = np.zeros(4)
+    status = backend.plan_phases(
+        positions, velocities, accelerations, dwells, table, smoothness, *options,
+        np.zeros((axes, 48)), phases, counts, weights, np.zeros((intervals, axes)), durations,
+        np.zeros(intervals, dtype=np.int64), np.zeros((16, 4 + 2 * smoothness)), report,
+    )
+    if status < 0:
+        raise infeasible(status, report, points, table, names)
+    rows = backend.count_pieces(counts, cells) + axes * (len(points) + 1)
+    starts = np.zeros(rows)
+    coefficients = np.zeros((rows, 2 * smoothness))
+    offsets = np.zeros(axes + 1, dtype=np.int64)
+    times = np.zeros((len(points), axes))
+    used = backend.expand_plan(
+        positions, velocities, dwells, smoothness, options[0], phases, counts, weights, durations,
+        np.zeros(80), np.zeros((80, 16)), starts, coefficients, offsets, times,
+    )
+    arrays = starts[:used], coefficients[:used], offsets, times, times[-1] + dwells[-1]
+    for array in arrays:
+        array.flags.writeable = False
+    return Trajectory(points, limits, smoothness, shape, names, *arrays)
+
+
+def _checked_waypoints(waypoints: Sequence[Waypoint]) -> tuple[Waypoint, ...]:
+    try:
+        points = tuple(waypoints)
+    except TypeError:
+        raise InputError(f"waypoints must be a sequence, got {waypoints!r}") from None
+    for i, point in enumerate(points, 1):
+        if not isinstance(point, Waypoint):
+            raise InputError(f"waypoint {i} must be a segfmu.Waypoint, got {type(point).__name__}")
+        if point.axes != points[0].axes:
+            raise InputError(
+                f"waypoint {i} has {point.axes} axes, waypoint 1 has {points[0].axes}"
+            )
+    if len(points) < 2:
+        raise InputError(f"a plan needs at least 2 waypoints, got {len(points)}")
+    for i, (a, b) in enumerate(zip(points, points[1:], strict=False), 1):
+        if all(
+            np.array_equal(getattr(a, name), getattr(b, name))
+            for name in ("position", "velocity", "acceleration")
+        ):
+            raise InputError(
+                f"waypoints {i} and {i + 1} are the same; leave one out, or give it a dwell"
+            )
+    return points
+
+
+def _names(axis_names: Sequence[str] | None, axes: int) -> tuple[str, ...]:
+    if axis_names is None:
+        return ("x", "y", "z")[:axes] if axes <= 3 else tuple(str(i + 1) for i in range(axes))
+    names = tuple(axis_names)
+    if len(names) != axes:
+        raise InputError(f"axis_names has {len(names)} names for {axes} axes")
+    return names
+
+
+def _choice(name: str, value: str, choices: dict[str, int]) -> int:
+    if value not in choices:
+        raise InputError(f"{name} must be one of {', '.join(choices)}, got {value!r}")
+    return choices[value]
+
+
+def _time(name: str, value: float | None) -> float:
+    if value is None:
+        return 0.0
+    seconds = finite_vector(name, value)
+    if seconds.size != 1 or seconds[0] <= 0.0:
+        raise InputError(f"{name} must be a time > 0 s, got {value!r}")
+    return float(seconds[0])
+
+
+def _check_positions(
+    trajectory: Trajectory, position_min: ArrayLike | None, position_max: ArrayLike | None
+) -> None:
+    if position_min is None and position_max is None:
+        return
+    low, high = trajectory.extrema(0)
+    for name, given, reached, sign in (
+        ("position_min", position_min, low, -1.0),
+        ("position_max", position_max, high, 1.0),
+    ):
+        if given is None:
+            continue
+        bounds = _position_bounds(name, given, trajectory.axes)
+        margin = 1e-12 * np.maximum(np.abs(bounds), 1.0)
+        for axis in np.flatnonzero(sign * (reached - bounds) > margin):
+            raise InfeasibleError(
+                f"axis {trajectory.axis_names[axis]}: position reaches {reached[axis]:.6g} m, "
+                f"{name} is {bounds[axis]:.6g} m; move the waypoints or slow them down",
+                axis=int(axis), limit=name, value=float(reached[axis]), bound=float(bounds[axis]),
+            )
+
+
+def _position_bounds(name: str, given: ArrayLike, axes: int) -> FloatArray:
+    bounds = finite_vector(name, given)
+    if bounds.size not in (1, axes):
+        raise InputError(f"{name} has {bounds.size} values for {axes} axes")
+    return np.broadcast_to(bounds, (axes,))

@@ -1,0 +1,120 @@
+"""The planned trajectory: piecewise polynomials, evaluated and judged exactly."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from segfmu.errors import InputError
+from segfmu.kernels import backend
+from segfmu.planning.arrays import FloatArray
+from segfmu.planning.limits import Limits
+from segfmu.planning.polynomials import extrema
+from segfmu.planning.waypoint import Waypoint
+
+
+@dataclass(frozen=True, eq=False)
+class Trajectory:
+    """A trajectory y*(t) of several axes, y in C^n with n = `smoothness`.
+
+    Attributes
+    ----------
+    waypoints, limits, smoothness, shape
+        What was planned.
+    starts : ndarray, shape (pieces,)
+        Start times of the polynomial pieces, axis after axis [s].
+    coefficients : ndarray, shape (pieces, 2 * smoothness)
+        Position in the local time of each piece, ascending powers.
+    offsets : ndarray of int, shape (axes + 1,)
+        First piece of each axis.
+    axis_waypoint_times : ndarray, shape (waypoints, axes)
+        Arrival of each axis at each waypoint [s].
+    axis_durations : ndarray, shape (axes,)
+        End of the motion of each axis [s].
+    """
+
+    waypoints: tuple[Waypoint, ...]
+    limits: Limits
+    smoothness: int
+    shape: str
+    axis_names: tuple[str, ...]
+    starts: FloatArray
+    coefficients: FloatArray
+    offsets: NDArray[np.int64]
+    axis_waypoint_times: FloatArray
+    axis_durations: FloatArray
+
+    @property
+    def axes(self) -> int:
+        """Number of axes."""
+        return int(self.offsets.size - 1)
+
+    @property
+    def duration(self) -> float:
+        """Time from the first waypoint to the end of the motion [s]."""
+        return float(self.axis_durations.max())
+
+    @property
+    def waypoint_times(self) -> FloatArray:
+        """Time at which the last axis arrives at each waypoint [s], shape (waypoints,)."""
+        times: FloatArray = self.axis_waypoint_times.max(axis=1)
+        return times
+
+    def __call__(self, t: ArrayLike, derivative: int = 0) -> FloatArray:
+        """Value of a derivative at times t.
+
+        Parameters
+        ----------
+        t : array_like, shape (...)
+            Times [s]. Before its start and after its end an axis stays in its end position.
+        derivative : int
+            0 position [m], 1 velocity [m/s], ...
+
+        Returns
+        -------
+        ndarray, shape (..., axes)
+
+        Raises
+        ------
+        InputError
+            For times that are not finite numbers and a derivative below 0.
+        """
+        try:
+            times = np.asarray(t, dtype=np.float64)
+        except (TypeError, ValueError):
+            raise InputError(f"t must be a time or an array of times, got {t!r}") from None
+        if not np.isfinite(times).all():
+            raise InputError("t must be finite")
+        if isinstance(derivative, bool) or not isinstance(derivative, int | np.integer):
+            raise InputError(f"derivative must be an integer, got {derivative!r}")
+        if derivative < 0:
+            raise InputError(f"derivative must be at least 0, got {derivative}")
+        flat = np.ascontiguousarray(times.reshape(-1))
+        values = np.zeros((flat.size, self.axes))
+        if derivative < self.coefficients.shape[1]:
+            backend.evaluate(
+                flat, self.starts, self.coefficients, self.offsets, self.axis_durations,
+                int(derivative), values,
+            )
+        return values.reshape((*times.shape, self.axes))
+
+    def pieces(self, axis: int) -> tuple[FloatArray, FloatArray]:
+        """Breaks, shape (pieces + 1,), and coefficients of one axis, shape (pieces, width)."""
+        rows = slice(int(self.offsets[axis]), int(self.offsets[axis + 1]))
+        breaks = np.append(self.starts[rows], self.axis_durations[axis])
+        return breaks, self.coefficients[rows]
+
+    def extrema(self, derivative: int) -> tuple[FloatArray, FloatArray]:
+        """Exact minimum and maximum of a derivative, each of shape (axes,)."""
+        found = np.empty((self.axes, 2))
+        for axis in range(self.axes):
+            breaks, coefficients = self.pieces(axis)
+            found[axis] = extrema(coefficients, np.diff(breaks), derivative)
+        return found[:, 0], found[:, 1]
+
+    def interval(self, t: float) -> int:
+        """Waypoint interval, from 1, that is active at time t (a dwell belongs to the next)."""
+        passed = int(np.searchsorted(self.waypoint_times, t, side="right"))
+        return min(max(passed, 1), len(self.waypoints) - 1)

@@ -1,0 +1,63 @@
+"""A point that the trajectory passes, with the state it has there: P_j of section 3."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from segfmu.errors import InputError
+from segfmu.planning.arrays import FloatArray, finite_vector
+
+
+@dataclass(frozen=True, eq=False)
+class Waypoint:
+    """One point of a mission.
+
+    Parameters
+    ----------
+    position : array_like, shape (axes,)
+        Position [m].
+    velocity, acceleration : array_like, shape (axes,), optional
+        State at the point [m/s, m/s2]; rest if left out. The higher derivatives are zero.
+    dwell : float
+        Time to stay [s]; only at a point at rest.
+
+    Raises
+    ------
+    InputError
+        For shapes that differ and for numbers that are not finite.
+    """
+
+    position: FloatArray
+    velocity: FloatArray
+    acceleration: FloatArray
+    dwell: float = field(default=0.0)
+
+    def __init__(
+        self,
+        position: ArrayLike,
+        velocity: ArrayLike | None = None,
+        acceleration: ArrayLike | None = None,
+        dwell: float = 0.0,
+    ) -> None:
+        values = finite_vector("position", position)
+        object.__setattr__(self, "position", values)
+        for name, given in (("velocity", velocity), ("acceleration", acceleration)):
+            vector = finite_vector(name, np.zeros(values.size) if given is None else given)
+            if vector.size != values.size:
+                raise InputError(
+                    f"{name} has {vector.size} values, position has {values.size}; "
+                    "give one value an axis"
+                )
+            object.__setattr__(self, name, vector)
+        rest = finite_vector("dwell", dwell)
+        if rest.size != 1 or rest[0] < 0.0:
+            raise InputError(f"dwell must be a time >= 0 s, got {dwell!r}")
+        object.__setattr__(self, "dwell", float(rest[0]))
+
+    @property
+    def axes(self) -> int:
+        """Number of axes."""
+        return int(self.position.size)
