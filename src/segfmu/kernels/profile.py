@@ -143,9 +143,9 @@ def meets(
     most = limit * (1.0 + 1e-12)
     if lowest < -most or highest > most:
         return -1.0
-    if abs(end - w) > 1e-11 * limit:
+    if abs(end - w) > 1e-12 * limit:
         return -1.0
-    if abs(y - distance) > 2e-11 * (abs(distance) + limit * duration):
+    if abs(y - distance) > 1e-12 * (abs(distance) + limit * duration):
         return -1.0
     return duration
 
@@ -219,6 +219,11 @@ def shortest_between(
     ramp: 'float[:]',
 ) -> int:
     """The shortest candidate between two boundary states taken as they are; 0 if none holds."""
+    # nothing is faster than one ramp: phase I.1 alone, where the points are consistent with it
+    count = append_change(phases, 0, a, b, ramp)
+    if count > 0 and abs(v + 0.5 * (a + b) * phases[0, 0] - w) <= 1e-13 * velocity_limit:
+        if meets(phases, count, v, w, distance, velocity_limit, ramp) >= 0.0:
+            return count
     for side in range(2):
         cruise = velocity_limit * (1 - 2 * side)
         count = with_cruise(phases, cruise, v, a, w, b, distance, top, ramp)

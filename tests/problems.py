@@ -1,0 +1,72 @@
+"""Boundary problems biased to the places where planners break: zeros, ties and limits."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from hypothesis import strategies as st
+
+from segfmu.kernels.transition import ramp_parameters
+
+
+@dataclass(frozen=True)
+class AxisProblem:
+    """One axis: (0, v, a) -> (distance, w, b) with limits c_1 .. c_{n+1}, 0 where absent."""
+
+    smoothness: int
+    shape: int
+    limits: tuple[float, ...]
+    v: float
+    a: float
+    w: float
+    b: float
+    distance: float
+
+    def ramp(self) -> np.ndarray:
+        """The packed ramp parameters."""
+        n = self.smoothness
+        ramp = np.zeros(48)
+        status = ramp_parameters(
+            n, self.shape, np.array(self.limits), np.zeros(2 * n + 2), np.zeros(n + 2), ramp
+        )
+        assert status == 0
+        return ramp
+
+
+def degenerate_share(draw: st.DrawFn) -> float:
+    """A number in [-1, 1] with a taste for 0, +-1, quarters and tiny values."""
+    kind = draw(st.integers(0, 5))
+    if kind == 0:
+        return 0.0
+    if kind == 1:
+        return draw(st.sampled_from([-1.0, 1.0]))
+    if kind == 2:
+        return draw(st.integers(-4, 4)) / 4.0
+    if kind == 3:
+        return draw(st.sampled_from([-1.0, 1.0])) * 10.0 ** draw(st.integers(-12, -1))
+    return draw(st.floats(-1.0, 1.0))
+
+
+@st.composite
+def axis_problems(draw: st.DrawFn, smoothness: int | None = None) -> AxisProblem:
+    """Problems of every smoothness and shape, boundary states within the limits."""
+    n = smoothness or draw(st.integers(2, 6))
+    limits = [
+        draw(st.sampled_from([0.5, 1.0, 2.0]) | st.floats(0.03, 30.0)) for _ in range(n)
+    ]
+    limits.append(draw(st.sampled_from([1.0, 10.0])) if n == 2 else 0.0)
+    for i in range(2, n):
+        if draw(st.integers(0, 5)) == 0 and any(limits[j] for j in range(2, n + 1) if j != i):
+            limits[i] = 0.0
+    v, w = (degenerate_share(draw) * limits[0] for _ in range(2))
+    a, b = (degenerate_share(draw) * limits[1] for _ in range(2))
+    tie = draw(st.integers(0, 7))
+    if tie == 0:
+        w = v
+    elif tie == 1:
+        b = a
+    elif tie == 2:
+        b = -a
+    distance = degenerate_share(draw) * 10.0 ** draw(st.integers(-3, 2))
+    return AxisProblem(n, draw(st.integers(0, 1)), tuple(limits), v, a, w, b, distance)
