@@ -1,1 +1,1 @@
-"""codegen."""
+"""SymPy -> typed Python: the only writer of generated files."""
