@@ -4,6 +4,7 @@ See README.md for a tour. Importing this package loads neither SymPy, fmpy, pyth
 Matplotlib.
 """
 
+from segfmu.crane import Crane, FlatInverse
 from segfmu.errors import (
     BuildError,
     InfeasibleError,
@@ -16,6 +17,8 @@ from segfmu.planning.verify import Verification, verify
 
 __all__ = [
     "BuildError",
+    "Crane",
+    "FlatInverse",
     "InfeasibleError",
     "InputError",
     "Limits",

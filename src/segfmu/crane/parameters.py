@@ -1,0 +1,118 @@
+"""The crane as its users describe it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import isfinite
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from segfmu.errors import InputError
+from segfmu.kernels._crane import crane_load, crane_rhs
+from segfmu.planning.arrays import FloatArray, finite_vector
+
+
+@dataclass(frozen=True)
+class Crane:
+    """Masses, gravity and rope range of a 3-DOF gantry crane (Fig. 5).
+
+    The bridge moves in x and carries the trolley, which moves in y (errata E6): the mass that
+    moves in x is bridge_mass + trolley_mass, in y trolley_mass.
+
+    Parameters
+    ----------
+    bridge_mass, trolley_mass, payload_mass : float
+        Masses [kg], positive.
+    gravity : float
+        [m/s2], positive.
+    rope_min, rope_max : float, optional
+        Range of the rope length [m]; None where there is no bound.
+
+    Raises
+    ------
+    InputError
+        For values that are not finite, masses that are not positive and an empty rope range.
+    """
+
+    bridge_mass: float
+    trolley_mass: float
+    payload_mass: float
+    gravity: float = 9.81
+    rope_min: float | None = None
+    rope_max: float | None = None
+
+    def __post_init__(self) -> None:
+        for name in ("bridge_mass", "trolley_mass", "payload_mass", "gravity"):
+            _require_positive(name, getattr(self, name))
+        for name in ("rope_min", "rope_max"):
+            if getattr(self, name) is not None:
+                _require_positive(name, getattr(self, name))
+        if self.rope_min is not None and self.rope_max is not None:
+            if self.rope_min >= self.rope_max:
+                raise InputError(
+                    f"rope_min {self.rope_min} m must be less than rope_max {self.rope_max} m"
+                )
+
+    @property
+    def masses(self) -> tuple[float, float, float, float]:
+        """Bridge, trolley and payload mass [kg] and gravity [m/s2], as the kernels take them."""
+        return (
+            float(self.bridge_mass),
+            float(self.trolley_mass),
+            float(self.payload_mass),
+            float(self.gravity),
+        )
+
+    def rhs(
+        self, state: ArrayLike, force: ArrayLike, load_force: ArrayLike = (0.0, 0.0, 0.0)
+    ) -> FloatArray:
+        """Time derivative of the state, equation (1).
+
+        Parameters
+        ----------
+        state : array_like, shape (10,)
+            x_t, y_t, l, phi_x, phi_y and their rates [m, rad, m/s, rad/s].
+        force : array_like, shape (3,)
+            F_x on the bridge, F_y on the trolley, F_l along the rope (tension < 0) [N].
+        load_force : array_like, shape (3,)
+            Force on the load [N].
+
+        Returns
+        -------
+        ndarray, shape (10,)
+        """
+        generalized = np.zeros(5)
+        generalized[:3] = _sized("force", force, 3)
+        derivative = np.zeros(10)
+        crane_rhs(
+            _sized("state", state, 10), generalized, _sized("load_force", load_force, 3),
+            *self.masses, derivative,
+        )
+        return derivative
+
+    def load(self, state: ArrayLike) -> FloatArray:
+        """Position and velocity of the load, (16); shape (2, 3) [m, m/s]."""
+        load = np.zeros((2, 3))
+        crane_load(_sized("state", state, 10), load)
+        return load
+
+    def hanging(self, position: ArrayLike) -> FloatArray:
+        """State of the load hanging at rest at a position (3,), the trolley above it; (10,)."""
+        x, y, z = _sized("position", position, 3)
+        if z >= 0.0:
+            raise InputError(f"position z {z} m must be below the trolley, z < 0")
+        return np.array([x, y, -z, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0])
+
+
+def _require_positive(name: str, value: object) -> None:
+    number = isinstance(value, int | float | np.integer | np.floating)
+    if not number or isinstance(value, bool) or not isfinite(value) or value <= 0:  # type: ignore[arg-type,operator]
+        raise InputError(f"{name} must be a finite number > 0, got {value!r}")
+
+
+def _sized(name: str, value: ArrayLike, size: int) -> FloatArray:
+    vector = finite_vector(name, value)
+    if vector.size != size:
+        raise InputError(f"{name} must have {size} values, got {vector.size}")
+    return vector
