@@ -100,7 +100,7 @@ def _driven() -> str:
         "crane_driven(\n    state: 'float[:]', carriage: 'float[:]', "
         "generalized_force: 'float[:]',\n    load_force: 'float[:]',"
         f"\n    {MASSES},\n    derivative: 'float[:]', force: 'float[:]',\n)",
-        "The same with prescribed accelerations of bridge, trolley and rope; force: what they need.",
+        "The same for given accelerations of bridge, trolley and rope; force: what they need.",
         inputs,
         outputs,
     )

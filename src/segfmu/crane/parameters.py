@@ -48,11 +48,11 @@ class Crane:
         for name in ("rope_min", "rope_max"):
             if getattr(self, name) is not None:
                 _require_positive(name, getattr(self, name))
-        if self.rope_min is not None and self.rope_max is not None:
-            if self.rope_min >= self.rope_max:
-                raise InputError(
-                    f"rope_min {self.rope_min} m must be less than rope_max {self.rope_max} m"
-                )
+        shortest = self.rope_min or 0.0
+        if self.rope_max is not None and shortest >= self.rope_max:
+            raise InputError(
+                f"rope_min {shortest} m must be less than rope_max {self.rope_max} m"
+            )
 
     @property
     def masses(self) -> tuple[float, float, float, float]:

@@ -75,7 +75,7 @@ def crane_driven(
     bridge_mass: float, trolley_mass: float, payload_mass: float, gravity: float,
     derivative: 'float[:]', force: 'float[:]',
 ) -> None:
-    """The same with prescribed accelerations of bridge, trolley and rope; force: what they need."""
+    """The same for given accelerations of bridge, trolley and rope; force: what they need."""
     l = state[2]
     phi_x = state[3]
     phi_y = state[4]

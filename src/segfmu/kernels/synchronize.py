@@ -12,8 +12,7 @@ E10); outside the gaps the profile is, in this order:
 * the weighted mean of two profiles that last T, one short of the distance and one beyond it.
 """
 
-from segfmu.kernels.phases import append_change, append_hold, copy_phases, insert_hold
-from segfmu.kernels.phases import measure_phases
+from segfmu.kernels.phases import append_change, copy_phases, insert_hold, measure_phases
 from segfmu.kernels.profile import cruise_form, merged_form
 from segfmu.kernels.transition import ramp_duration
 

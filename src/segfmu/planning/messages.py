@@ -1,4 +1,4 @@
-"""Status codes of the planning kernels -> errors that name axis, interval, value, limit, remedy."""
+"""Status codes of the planning kernels -> errors that say what, where and what to do."""
 
 from __future__ import annotations
 

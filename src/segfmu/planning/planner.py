@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -144,7 +145,7 @@ def _checked_waypoints(waypoints: Sequence[Waypoint]) -> tuple[Waypoint, ...]:
             )
     if len(points) < 2:
         raise InputError(f"a plan needs at least 2 waypoints, got {len(points)}")
-    for i, (a, b) in enumerate(zip(points, points[1:], strict=False), 1):
+    for i, (a, b) in enumerate(pairwise(points), 1):
         if all(
             np.array_equal(getattr(a, name), getattr(b, name))
             for name in ("position", "velocity", "acceleration")

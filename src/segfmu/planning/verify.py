@@ -103,7 +103,7 @@ def _jumps(trajectory: Trajectory, limits: FloatArray, peaks: FloatArray) -> Flo
 def _waypoint_error(trajectory: Trajectory, limits: FloatArray) -> float:
     worst = 0.0
     for axis in range(trajectory.axes):
-        breaks, coefficients = trajectory.pieces(axis)
+        breaks = trajectory.pieces(axis)[0]
         left, right = _states(trajectory, axis, 3)
         low, high = trajectory.extrema(0)
         scale = np.array([max(high[axis] - low[axis], 1.0), limits[0, axis], limits[1, axis]])

@@ -1,0 +1,44 @@
+# make demo and make test set up everything themselves, in a virtual environment in .venv.
+PYTHON ?= $(shell for p in python3.13 python3.12 python3.11 python3 python; do \
+	command -v $$p >/dev/null 2>&1 && $$p -c 'import sys; sys.exit(sys.version_info < (3, 11))' \
+	>/dev/null 2>&1 && { echo $$p; break; }; done)
+VENV := .venv
+BIN := $(VENV)/bin
+OUT ?= out
+
+.PHONY: demo test lint examples generate golden lock clean
+.DEFAULT_GOAL := demo
+
+$(VENV)/installed: pyproject.toml requirements-dev.lock
+	@test -n "$(PYTHON)" || { echo "segfmu needs Python 3.11 or newer; none was found"; exit 1; }
+	@command -v cc >/dev/null 2>&1 || echo "note: no C compiler found; it is optional"
+	@test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check \
+		--constraint requirements-dev.lock --editable '.[dev]'
+	@touch $@
+
+demo: $(VENV)/installed ## plan, invert, pack, co-simulate and judge the paper's mission
+	$(BIN)/segfmu plan models/paper.toml --output $(OUT)
+	$(BIN)/segfmu simulate models/paper.toml --output $(OUT)
+
+test: $(VENV)/installed ## run the tests
+	$(BIN)/python -m pytest -q
+
+lint: $(VENV)/installed ## static checks
+	$(BIN)/ruff check .
+	$(BIN)/mypy
+
+examples: $(VENV)/installed ## run every example
+	@set -e; for example in examples/[0-9]*.py; do echo "$$example"; $(BIN)/python $$example; done
+
+generate: $(VENV)/installed ## write the generated files again
+	$(BIN)/python -m segfmu.codegen.crane
+
+golden: $(VENV)/installed ## write the golden files again
+	SEGFMU_UPDATE_GOLDEN=1 $(BIN)/python -m pytest -q tests/golden
+
+lock: $(VENV)/installed ## write the development lock file again
+	$(BIN)/python -m pip freeze --exclude-editable > requirements-dev.lock
+
+clean:
+	rm -rf $(VENV) $(OUT) build

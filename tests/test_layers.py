@@ -1,0 +1,86 @@
+"""The layers: who may import whom, and what importing segfmu must not load."""
+
+from __future__ import annotations
+
+import ast
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+SOURCE = Path(__file__).parents[1] / "src" / "segfmu"
+
+ALLOWED = {
+    "errors": set(),
+    "kernels": {"errors"},
+    "planning": {"errors", "kernels"},
+    "crane": {"errors", "kernels", "planning"},
+    "codegen": {"errors", "kernels", "planning", "crane"},
+    "fmu": {"errors", "kernels", "planning", "crane"},
+    "cosim": {"errors", "kernels", "planning", "crane", "fmu"},
+    "validation": {"errors", "kernels", "planning", "crane", "fmu", "cosim"},
+    "cli": {"errors", "kernels", "planning", "crane", "fmu", "cosim", "validation"},
+    "__init__": {"errors", "planning", "crane"},
+}
+
+EXTERNAL = {
+    "sympy": {"crane/lagrangian.py", "crane/flatness.py", "codegen"},
+    "fmpy": {"cosim"},
+    "pythonfmu": {"fmu"},
+    "matplotlib": {"validation"},
+}
+
+FILES = sorted(SOURCE.rglob("*.py"))
+
+
+def imports(path: Path) -> set[str]:
+    """Full names of all modules that a file imports, wherever in the file."""
+    found = set()
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            found.update(alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0, f"{path}: imports are absolute"
+            found.add(node.module or "")
+            found.update(f"{node.module}.{alias.name}" for alias in node.names)
+    return found
+
+
+def layer(path: Path) -> str:
+    """The layer of a file: its folder below segfmu, or its own name."""
+    parts = path.relative_to(SOURCE).parts
+    return parts[0] if len(parts) > 1 else path.stem
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda p: str(p.relative_to(SOURCE)))
+def test_imports_point_one_way(path: Path) -> None:
+    own = layer(path)
+    used = {name.split(".")[1] for name in imports(path) if name.startswith("segfmu.")}
+    # `from segfmu import x` would hide the layer
+    assert "segfmu" not in imports(path)
+    assert used - {own} <= ALLOWED[own]
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda p: str(p.relative_to(SOURCE)))
+def test_heavy_packages_stay_in_their_place(path: Path) -> None:
+    relative = path.relative_to(SOURCE).as_posix()
+    for name in imports(path):
+        places = EXTERNAL.get(name.split(".")[0])
+        assert places is None or any(
+            relative == place or relative.startswith(f"{place}/") for place in places
+        ), f"{relative} imports {name}"
+
+
+def test_the_rules_see_an_import_inside_a_function(tmp_path: Path) -> None:
+    module = tmp_path / "module.py"
+    module.write_text("def f():\n    from sympy import Symbol\n", encoding="utf-8")
+    assert "sympy" in imports(module)
+
+
+def test_importing_segfmu_loads_nothing_heavy() -> None:
+    code = f"import segfmu, sys; print(sorted(set(sys.modules) & set({list(EXTERNAL)!r})))"
+    result = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=60
+    )
+    assert result.stdout.strip() == "[]"
