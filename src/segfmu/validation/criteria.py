@@ -1,0 +1,77 @@
+"""Judgement of a co-simulated mission: tracking, residual sway, peaks."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from segfmu.errors import InputError
+
+DRIVES = ("bridge", "trolley", "hoist")
+RATES = {"bridge": "bridge.velocity", "trolley": "trolley.velocity", "hoist": "rope.velocity"}
+
+
+@dataclass(frozen=True)
+class Criteria:
+    """What a run is judged by.
+
+    Attributes
+    ----------
+    duration : float
+        Planned duration [s].
+    peak_force, peak_velocity : dict
+        Largest magnitude per drive [N], [m/s].
+    tracking_error : float
+        Largest distance of the load from its reference [m].
+    residual_sway : float
+        Largest sway angle after the planned duration [deg].
+    """
+
+    duration: float
+    peak_force: dict[str, float]
+    peak_velocity: dict[str, float]
+    tracking_error: float
+    residual_sway: float
+    tracking_tolerance: float
+    sway_tolerance: float
+
+    @property
+    def passed(self) -> bool:
+        """The verdict."""
+        return (
+            self.tracking_error <= self.tracking_tolerance
+            and self.residual_sway <= self.sway_tolerance
+        )
+
+
+def judge(
+    rows: NDArray[np.void], duration: float, tracking_tolerance: float, sway_tolerance: float
+) -> Criteria:
+    """Judge the rows of a co-simulation, a structured array with the FMUs' variable names.
+
+    Raises
+    ------
+    InputError
+        When the run ends before the plan does.
+    """
+    after = rows["time"] >= duration - 1e-9
+    if not after.any():
+        raise InputError(
+            f"the run ends at {rows['time'][-1]:.3f} s, before the plan does at {duration:.3f} s"
+        )
+    sway = np.maximum(np.abs(rows["sway.x.angle"]), np.abs(rows["sway.y.angle"]))
+    return Criteria(
+        duration=duration,
+        peak_force={d: _peak(rows[f"drive.{d}.force"]) for d in DRIVES},
+        peak_velocity={d: _peak(rows[RATES[d]]) for d in DRIVES},
+        tracking_error=_peak(rows["error.load.norm"]),
+        residual_sway=float(np.degrees(sway[after].max())),
+        tracking_tolerance=tracking_tolerance,
+        sway_tolerance=sway_tolerance,
+    )
+
+
+def _peak(values: NDArray[np.float64]) -> float:
+    return float(np.abs(values).max())

@@ -1,0 +1,207 @@
+"""Mission and crane files (TOML), validated: one clear line for whatever is wrong."""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
+
+from segfmu.crane import Crane
+from segfmu.errors import InputError
+from segfmu.planning import Limits, Trajectory, Waypoint, plan
+
+MAX_WAYPOINTS = 16
+AXES = ("x", "y", "z")
+
+Positive = Annotated[float, Field(gt=0.0)]
+NotNegative = Annotated[float, Field(ge=0.0)]
+Triple = Annotated[list[float], Field(min_length=3, max_length=3)]
+
+
+class _Strict(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
+    @model_validator(mode="before")
+    @classmethod
+    def _no_lax_numbers(cls, data: Any) -> Any:
+        """Refuse booleans and strings where numbers belong; TOML tells them apart."""
+        if isinstance(data, dict):
+            for key, value in data.items():
+                values = value if isinstance(value, list) else [value]
+                field = cls.model_fields.get(key)
+                numeric = field is not None and "float" in str(field.annotation)
+                if numeric and any(isinstance(v, bool | str) for v in values):
+                    raise ValueError(f"{key} must be a number, not {value!r}")
+        return data
+
+
+class CraneFile(_Strict):
+    """Masses [kg], gravity [m/s2] and rope range [m]."""
+
+    bridge_mass: Positive
+    trolley_mass: Positive
+    payload_mass: Positive
+    gravity: Positive = 9.81
+    rope_min: Positive | None = None
+    rope_max: Positive | None = None
+
+
+class AxisLimits(_Strict):
+    """Limits of one axis; absent from jerk on means unbounded."""
+
+    velocity: Positive
+    acceleration: Positive
+    jerk: Positive | None = None
+    snap: Positive | None = None
+
+
+class LimitsTable(_Strict):
+    """Limits of the three axes."""
+
+    x: AxisLimits
+    y: AxisLimits
+    z: AxisLimits
+
+
+class WaypointEntry(_Strict):
+    """One waypoint; rest where velocity and acceleration are left out."""
+
+    position: Triple
+    velocity: Triple = [0.0, 0.0, 0.0]
+    acceleration: Triple = [0.0, 0.0, 0.0]
+    dwell: NotNegative = 0.0
+
+
+class SimulationEntry(_Strict):
+    """How `segfmu simulate` runs the mission."""
+
+    step: Annotated[float, Field(gt=0.0, le=0.1)] = 0.001
+    settle: NotNegative = 3.0
+    feedback: bool = True
+    drive: Literal["force", "velocity"] = "force"
+    initial_sway: Annotated[
+        list[Annotated[float, Field(ge=-45.0, le=45.0)]], Field(min_length=2, max_length=2)
+    ] = [0.0, 0.0]
+    tracking_tolerance: Positive = 0.001
+    sway_tolerance: Positive = 0.02
+
+
+class Mission(_Strict):
+    """A whole mission file."""
+
+    name: str = "mission"
+    crane: CraneFile
+    limits: LimitsTable
+    waypoints: Annotated[list[WaypointEntry], Field(min_length=2, max_length=MAX_WAYPOINTS)]
+    smoothness: Annotated[int, Field(ge=4, le=6, strict=True)] = 4
+    shape: Literal["plateau", "smoothstep"] = "plateau"
+    synchronization: Literal["waypoints", "total", "none"] = "waypoints"
+    sample_time: Positive | None = None
+    duration: Positive | None = None
+    simulation: SimulationEntry = SimulationEntry()
+
+    def build_crane(self) -> Crane:
+        """The crane of the mission."""
+        return Crane(**self.crane.model_dump())
+
+    def build_limits(self) -> Limits:
+        """Limits of the axes x, y, z."""
+        axes = [getattr(self.limits, axis) for axis in AXES]
+        return Limits(
+            *(
+                [getattr(axis, name) for axis in axes]
+                for name in ("velocity", "acceleration", "jerk", "snap")
+            )
+        )
+
+    def plan(self) -> Trajectory:
+        """Plan the mission's trajectory of x, y and z."""
+        points = [Waypoint(**entry.model_dump()) for entry in self.waypoints]
+        return plan(
+            points,
+            self.build_limits(),
+            smoothness=self.smoothness,
+            shape=self.shape,
+            synchronize=self.synchronization,
+            sample_time=self.sample_time,
+            duration=self.duration,
+            axis_names=AXES,
+        )
+
+
+def load_mission(path: Path) -> Mission:
+    """Read and check a mission file.
+
+    Raises
+    ------
+    InputError
+        One line with the file, the key, the value and what is allowed.
+    """
+    data = _read(path)
+    reference = data.get("crane")
+    if isinstance(reference, str):
+        data["crane"] = _read(path.parent / reference)
+    try:
+        mission = Mission.model_validate(data)
+    except ValidationError as error:
+        raise InputError(f"{path}: {_first_problem(error)}") from None
+    try:
+        mission.build_crane()
+        _check_waypoints(mission)
+    except InputError as error:
+        raise InputError(f"{path}: {error}") from None
+    return mission
+
+
+def _read(path: Path) -> dict[str, Any]:
+    try:
+        return tomllib.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
+    except UnicodeDecodeError:
+        raise InputError(f"{path}: not a text file in UTF-8") from None
+    except (tomllib.TOMLDecodeError, RecursionError) as error:
+        raise InputError(f"{path}: not valid TOML: {error}".splitlines()[0]) from None
+
+
+def _first_problem(error: ValidationError) -> str:
+    """The first finding as `key: what is wrong, got value`."""
+    problems = error.errors(include_url=False)
+    first = problems[0]
+    key = ".".join(str(p + 1) if isinstance(p, int) else str(p) for p in first["loc"])
+    text = first["msg"].replace("Value error, ", "")
+    more = f" (and {len(problems) - 1} more)" if len(problems) > 1 else ""
+    if first["type"] == "missing":
+        return f"{key}: this key is missing{more}"
+    if first["type"] == "extra_forbidden":
+        return f"{key}: unknown key{more}"
+    shown = repr(first["input"])
+    shown = shown if len(shown) <= 60 else f"{shown[:57]}..."
+    return f"{key or 'file'}: {text}, got {shown}{more}".replace("\n", " ")
+
+
+def _check_waypoints(mission: Mission) -> None:
+    """What can be told without planning: waypoint states against their limits, repetitions."""
+    for i, entry in enumerate(mission.waypoints, 1):
+        for axis, name in enumerate(AXES):
+            limits = getattr(mission.limits, name)
+            for quantity, unit in (("velocity", "m/s"), ("acceleration", "m/s2")):
+                value, bound = getattr(entry, quantity)[axis], getattr(limits, quantity)
+                if abs(value) > bound:
+                    raise InputError(
+                        f"waypoints.{i}.{quantity}: axis {name}: {value} {unit} exceeds "
+                        f"limits.{name}.{quantity} {bound} {unit}"
+                    )
+        moving = any(entry.velocity) or any(entry.acceleration)
+        if entry.dwell > 0.0 and moving:
+            raise InputError(f"waypoints.{i}.dwell: only a waypoint at rest can have a dwell")
+        if entry.position[2] >= 0.0:
+            raise InputError(
+                f"waypoints.{i}.position: z {entry.position[2]} m must be below the trolley, z < 0"
+            )
+        if i > 1 and entry.model_dump(exclude={"dwell"}) == mission.waypoints[i - 2].model_dump(
+            exclude={"dwell"}
+        ):
+            raise InputError(f"waypoints.{i}: the same as waypoint {i - 1}; use dwell to wait")
