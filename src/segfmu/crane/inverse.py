@@ -66,22 +66,22 @@ class FlatInverse:
 
     def force(self, t: ArrayLike) -> FloatArray:
         """Drive forces F_x, F_y, F_l [N] at times t, shape (..., 3)."""
-        return self._evaluate(t)[..., :3]
+        return self.evaluate(t)[..., :3]
 
     def velocity(self, t: ArrayLike) -> FloatArray:
         """Velocities of bridge, trolley and rope [m/s] at times t, shape (..., 3)."""
-        return self._evaluate(t)[..., 8:11]
+        return self.evaluate(t)[..., 8:11]
 
     def state(self, t: ArrayLike) -> FloatArray:
         """State x_t, y_t, l, phi_x, phi_y and rates at times t, shape (..., 10)."""
-        return self._evaluate(t)[..., 3:13]
+        return self.evaluate(t)[..., 3:13]
 
     def acceleration(self, t: ArrayLike) -> FloatArray:
         """Second derivatives of x_t, y_t, l, phi_x, phi_y at times t, shape (..., 5)."""
-        return self._evaluate(t)[..., 13:]
+        return self.evaluate(t)[..., 13:]
 
-    def _evaluate(self, t: ArrayLike) -> FloatArray:
-        """Forces, state and accelerations side by side, shape (..., 18)."""
+    def evaluate(self, t: ArrayLike) -> FloatArray:
+        """Forces (3), state (10) and accelerations (5) side by side, shape (..., 18)."""
         flat = np.stack([self.trajectory(t, d) for d in range(ORDERS)], axis=-2)
         results = np.empty((*flat.shape[:-2], 18))
         for row, values in zip(

@@ -1,1 +1,1 @@
-"""fmu."""
+"""The two FMUs: interface specifications, model descriptions, and the PythonFMU backend."""

@@ -1,0 +1,141 @@
+"""The master: two FMUs, the first one's outputs are the second one's inputs by their names.
+
+In every communication step the source steps first and its outputs at the end of the step are
+handed to the sink, which then makes the same step.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from math import ceil, isfinite
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from segfmu.cosim.unit import Channel, Unit
+from segfmu.errors import InputError
+
+
+def simulate(
+    source: Path,
+    sink: Path,
+    *,
+    stop_time: float,
+    step: float,
+    start_time: float = 0.0,
+    source_values: Mapping[str, Any] | None = None,
+    sink_values: Mapping[str, Any] | None = None,
+    progress: Callable[[float], None] = lambda _: None,
+) -> NDArray[np.void]:
+    """Co-simulate two FMUs.
+
+    Parameters
+    ----------
+    source, sink : Path
+        FMI 2.0 co-simulation FMUs. Outputs of the source are connected to the inputs of the sink
+        that have the same name.
+    stop_time, step, start_time : float
+        [s]; the last step is shorter where the step does not divide the time.
+    source_values, sink_values : mapping of str to number or str
+        Parameters, start values and constant inputs; enumerations by the name of an item.
+    progress : callable
+        Gets the share done, now and then.
+
+    Returns
+    -------
+    ndarray, structured, shape (steps + 1,)
+        "time" and all outputs of both FMUs; row i belongs to time start_time + i * step.
+
+    Raises
+    ------
+    InputError
+        For values and files that are not usable.
+    SimulationError
+        When an FMU reports an error, with its message.
+    """
+    times = _times(start_time, stop_time, step)
+    with Unit(source) as first, Unit(sink) as second:
+        first.set(dict(source_values or {}))
+        second.set(dict(sink_values or {}))
+        for unit in (first, second):
+            unit.enter_initialization(start_time, stop_time)
+        link = _Link(first, second)
+        first.exit_initialization()
+        link.transfer()
+        second.exit_initialization()
+        table = _Table(times, first, second)
+        table.record(0)
+        for i in range(1, times.size):
+            time, length = float(times[i - 1]), float(times[i] - times[i - 1])
+            first.step(time, length)
+            link.transfer()
+            second.step(time, length)
+            table.record(i)
+            if i % 100 == 0:
+                progress(i / (times.size - 1))
+    progress(1.0)
+    return table.rows
+
+
+def _times(start: float, stop: float, step: float) -> NDArray[np.float64]:
+    """Communication points start + i * step, the last one at stop."""
+    if not (isfinite(step) and step > 0.0):
+        raise InputError(f"step must be a time > 0 s, got {step!r}")
+    if not (isfinite(start) and isfinite(stop) and stop > start):
+        raise InputError(f"stop_time {stop!r} s must be after start_time {start!r} s")
+    count = ceil((stop - start) / step - 1e-9)
+    times = start + np.arange(count + 1) * step
+    times[-1] = stop
+    return times
+
+
+class _Link:
+    """Equal names: outputs of one unit to inputs of the other."""
+
+    def __init__(self, first: Unit, second: Unit) -> None:
+        inputs = {
+            v.name: v.type for v in second.description.modelVariables if v.causality == "input"
+        }
+        names = [n for n in first.outputs() if n in inputs]
+        for name in names:
+            if first.variables[name].type != inputs[name]:
+                raise InputError(f"{name}: types of output and input differ")
+        sources, sinks = first.channel(names), second.channel(names)
+        self._pairs: list[tuple[Channel, Channel]] = [(sources[g], sinks[g]) for g in sources]
+
+    def transfer(self) -> None:
+        for source, sink in self._pairs:
+            source.read()
+            sink.values[:] = source.values
+            sink.write()
+
+
+class _Table:
+    """Rows of the result: time and all outputs."""
+
+    def __init__(self, times: NDArray[np.float64], *units: Unit) -> None:
+        fields: list[tuple[str, type]] = [("time", np.float64)]
+        self._sources: list[tuple[Channel, list[str]]] = []
+        for unit in units:
+            names = unit.outputs()
+            for group, channel in unit.channel(names).items():
+                own = [n for n in names if _group(unit, n) == group]
+                kind = {"Real": np.float64, "Integer": np.int32, "Boolean": np.bool_}[group]
+                fields += [(n, kind) for n in own]
+                self._sources.append((channel, own))
+        self.rows: NDArray[np.void] = np.zeros(times.size, dtype=fields)
+        self.rows["time"] = times
+
+    def record(self, i: int) -> None:
+        row = self.rows[i]
+        for channel, names in self._sources:
+            channel.read()
+            for name, value in zip(names, channel.values, strict=True):
+                row[name] = value
+
+
+def _group(unit: Unit, name: str) -> str:
+    kind = unit.variables[name].type
+    return "Integer" if kind == "Enumeration" else str(kind)

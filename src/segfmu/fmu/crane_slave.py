@@ -1,0 +1,80 @@
+"""GantryCrane on PythonFMU: the plant with its sampled feedback."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from segfmu.crane import Crane
+from segfmu.crane.feedback import Weights, design
+from segfmu.crane.plant import Plant, Setpoints
+from segfmu.errors import InputError
+from segfmu.fmu import gantry_crane
+from segfmu.fmu.slave import SpecSlave, crane_from
+
+STATE = gantry_crane.STATE
+FORCE = tuple(f"force.{d}" for d in gantry_crane.DRIVES)
+VELOCITY = tuple(f"velocity.{d}" for d in gantry_crane.DRIVES)
+REFERENCE = tuple(f"reference.{name}" for name in STATE)
+TARGET = tuple(f"reference.load.position.{a}" for a in "xyz")
+WIND = tuple(f"wind.{a}" for a in "xyz")
+MEASURED = tuple(f"measured.{name}" for name in STATE[:5])
+LOAD = tuple(f"load.{d}.{a}" for d in ("position", "velocity") for a in "xyz")
+ERROR = (*(f"error.load.{a}" for a in "xyz"), "error.load.norm")
+DRIVE = tuple(f"drive.{d}.force" for d in gantry_crane.DRIVES)
+ENERGY = ("energy.kinetic", "energy.potential", "energy.work")
+WEIGHTS = ("position", "angle", "velocity", "rate", "effort")
+
+
+class CraneSlave(SpecSlave):
+    """The slave: a thin shell around `segfmu.crane.plant.Plant`."""
+
+    spec = gantry_crane.spec()
+
+    def __init__(self, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self._plant: Plant | None = None
+
+    def initialise(self) -> None:
+        """Design the feedback and put the crane into its initial state."""
+        crane = Crane(**crane_from(self))  # type: ignore[arg-type]
+        state = self._vector(STATE)
+        if state[2] <= 0.0:
+            raise InputError(f"rope.length must start above 0 m, got {state[2]}")
+        driven = gantry_crane.MODES.items[int(self.value("drive.mode")) - 1] == "velocity"
+        feedback = design(
+            crane,
+            sample_time=float(self.value("feedback.sample_time")),
+            shortest=crane.rope_min or 0.2 * state[2],
+            longest=crane.rope_max or 5.0 * state[2],
+            weights=Weights(*(float(self.value(f"feedback.weight.{n}")) for n in WEIGHTS)),
+            driven=driven,
+        )
+        self._plant = Plant(crane, state, self._setpoints(), feedback, driven=driven)
+        self._show(self._plant)
+
+    def advance(self, time: float, step: float) -> None:
+        """Step the plant to the setpoints now set."""
+        plant = self._plant
+        if plant is None:
+            raise AssertionError("a step before the end of initialisation")
+        plant.enabled = bool(self.value("feedback.enabled"))
+        plant.step(step, self._setpoints())
+        self._show(plant)
+
+    def _vector(self, names: tuple[str, ...]) -> Any:
+        return np.array([float(self.value(n)) for n in names])
+
+    def _setpoints(self) -> Setpoints:
+        return Setpoints(*(self._vector(n) for n in (FORCE, VELOCITY, REFERENCE, WIND)))
+
+    def _show(self, plant: Plant) -> None:
+        state, load = plant.state, plant.load
+        error = load[0] - self._vector(TARGET)
+        self.assign(STATE, state)
+        self.assign(MEASURED, state[:5])
+        self.assign(LOAD, load.reshape(-1))
+        self.assign(ERROR, (*error, np.linalg.norm(error)))
+        self.assign(DRIVE, plant.drive_force)
+        self.assign(ENERGY, (*plant.energy, plant.work))

@@ -1,0 +1,104 @@
+"""GantryFeedforward on PythonFMU: plans at the end of initialisation, then evaluates."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from segfmu.crane import Crane, FlatInverse
+from segfmu.fmu import gantry_feedforward
+from segfmu.fmu.slave import SpecSlave, crane_from
+from segfmu.planning import Limits, Trajectory, Waypoint, plan
+
+AXES = ("x", "y", "z")
+DERIVATIVES = ("position", "velocity", "acceleration", "jerk", "snap")
+
+FORCE = tuple(f"force.{d}" for d in ("bridge", "trolley", "hoist"))
+VELOCITY = tuple(f"velocity.{d}" for d in ("bridge", "trolley", "hoist"))
+STATE = (
+    "reference.bridge.position", "reference.trolley.position", "reference.rope.length",
+    "reference.sway.x.angle", "reference.sway.y.angle",
+    "reference.bridge.velocity", "reference.trolley.velocity", "reference.rope.velocity",
+    "reference.sway.x.rate", "reference.sway.y.rate",
+)
+ACCELERATION = tuple(f"reference.{p}.acceleration" for p in ("bridge", "trolley", "rope"))
+LOAD = tuple(tuple(f"reference.load.{d}.{a}" for a in AXES) for d in DERIVATIVES)
+
+
+class FeedforwardSlave(SpecSlave):
+    """The slave; its outputs are functions of time and parameters alone."""
+
+    spec = gantry_feedforward.spec()
+
+    def __init__(self, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self._inverse: FlatInverse | None = None
+        self._trajectory: Trajectory | None = None
+        self._initialising = False
+
+    def enter_initialization_mode(self) -> None:
+        self._initialising = True
+
+    def initialise(self) -> None:
+        """Plan and invert; the outputs take their values at the start time."""
+        self._plan()
+        self._initialising = False
+
+    def advance(self, time: float, step: float) -> None:
+        """Evaluate at the end of the step."""
+        self._evaluate(time + step)
+
+    def _get(self, kind: str, references: list[int]) -> list[Any]:
+        """In initialisation mode an importer may ask for outputs: plan when it does."""
+        causalities = {self.spec.variables[r].causality for r in references if r < self._size}
+        if self._initialising and not causalities.isdisjoint({"output", "calculatedParameter"}):
+            self._plan()
+        return super()._get(kind, references)
+
+    @property
+    def _size(self) -> int:
+        return len(self.spec.variables)
+
+    def _plan(self) -> None:
+        count = int(self.value("waypoint.count"))
+        names = gantry_feedforward.SHAPES.items, gantry_feedforward.SYNCHRONIZATIONS.items
+        trajectory = plan(
+            [self._waypoint(i) for i in range(1, count + 1)],
+            Limits(*(self._limit(d) for d in DERIVATIVES[1:])),
+            smoothness=int(self.value("planner.smoothness")),
+            shape=names[0][int(self.value("planner.shape")) - 1],
+            synchronize=names[1][int(self.value("planner.synchronization")) - 1],
+            sample_time=float(self.value("planner.sample_time")) or None,
+            axis_names=AXES,
+        )
+        self._inverse = FlatInverse(Crane(**crane_from(self)), trajectory)  # type: ignore[arg-type]
+        self._trajectory = trajectory
+        self.assign(("plan.duration",), (trajectory.duration,))
+        self._evaluate(self.start_time)
+
+    def _limit(self, name: str) -> list[float | None]:
+        return [float(self.value(f"limits.{a}.{name}")) or None for a in AXES]
+
+    def _waypoint(self, i: int) -> Waypoint:
+        return Waypoint(
+            *(
+                [float(self.value(f"waypoint[{i}].{name}.{a}")) for a in AXES]
+                for name in DERIVATIVES[:3]
+            ),
+            dwell=float(self.value(f"waypoint[{i}].dwell")),
+        )
+
+    def _evaluate(self, time: float) -> None:
+        inverse, trajectory = self._inverse, self._trajectory
+        if inverse is None or trajectory is None:
+            raise AssertionError("a step before the end of initialisation")
+        t = time - float(self.value("planner.start_time"))
+        values = inverse.evaluate(t)
+        self.assign(FORCE, values[:3])
+        self.assign(STATE, values[3:13])
+        self.assign(VELOCITY, values[8:11])
+        self.assign(ACCELERATION, values[13:16])
+        for order, names in enumerate(LOAD):
+            self.assign(names, trajectory(t, order))
+        self.assign(
+            ("plan.interval", "plan.done"), (trajectory.interval(t), t >= trajectory.duration)
+        )

@@ -1,0 +1,134 @@
+"""What an FMU shows to its importer, as plain data; every description is generated from it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Literal
+
+Kind = Literal["Real", "Integer", "Boolean", "Enumeration"]
+Causality = Literal["input", "output", "parameter", "calculatedParameter"]
+Variability = Literal["continuous", "discrete", "fixed", "tunable"]
+Value = float | int | bool
+
+
+@dataclass(frozen=True)
+class Enumeration:
+    """An enumeration type; items count from 1."""
+
+    name: str
+    items: tuple[str, ...]
+    description: str
+
+
+@dataclass(frozen=True)
+class Variable:
+    """One variable. `start` is None exactly where the FMU calculates the initial value."""
+
+    name: str
+    kind: Kind
+    causality: Causality
+    variability: Variability
+    description: str
+    start: Value | None = None
+    unit: str | None = None
+    minimum: float | None = None
+    maximum: float | None = None
+    nominal: float | None = None
+    enumeration: Enumeration | None = None
+
+    @property
+    def initial(self) -> str | None:
+        """The FMI attribute `initial`; inputs have none."""
+        if self.causality == "input":
+            return None
+        return "calculated" if self.start is None else "exact"
+
+
+@dataclass(frozen=True)
+class Spec:
+    """One FMU: its variables in the order of their value references."""
+
+    name: str
+    description: str
+    variables: tuple[Variable, ...]
+    stop_time: float
+    step_size: float
+    references: dict[str, int] = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        references = {v.name: i for i, v in enumerate(self.variables)}
+        if len(references) != len(self.variables):
+            raise AssertionError("variable names are unique by construction")
+        object.__setattr__(self, "references", references)
+
+    def where(self, *causalities: Causality) -> tuple[Variable, ...]:
+        """The variables with one of the given causalities."""
+        return tuple(v for v in self.variables if v.causality in causalities)
+
+    @property
+    def enumerations(self) -> tuple[Enumeration, ...]:
+        """Enumeration types in use, in the order of their first use."""
+        return tuple(dict.fromkeys(v.enumeration for v in self.variables if v.enumeration))
+
+
+def output(
+    name: str, unit: str | None, description: str, *, nominal: float | None = None,
+    start: float | None = None, kind: Kind = "Real",
+) -> Variable:
+    """An output: continuous if real, else discrete."""
+    variability: Variability = "continuous" if kind == "Real" else "discrete"
+    return Variable(
+        name, kind, "output", variability, description, start, unit, nominal=nominal
+    )
+
+
+def signal(name: str, unit: str, description: str) -> Variable:
+    """A continuous real input that starts at zero."""
+    return Variable(name, "Real", "input", "continuous", description, 0.0, unit)
+
+
+def parameter(
+    name: str, start: Value, unit: str | None, description: str, *,
+    minimum: float | None = None, maximum: float | None = None, kind: Kind = "Real",
+    tunable: bool = False,
+) -> Variable:
+    """A fixed or tunable parameter."""
+    return Variable(
+        name, kind, "parameter", "tunable" if tunable else "fixed", description, start, unit,
+        minimum, maximum,
+    )
+
+
+def choice(name: str, enumeration: Enumeration, start: str, description: str) -> Variable:
+    """A fixed enumeration parameter."""
+    return Variable(
+        name, "Enumeration", "parameter", "fixed", description,
+        enumeration.items.index(start) + 1, enumeration=enumeration,
+    )
+
+
+def triple(
+    prefix: str, unit: str, description: str, names: Sequence[str] = ("x", "y", "z"),
+    *, suffix: str = "",
+) -> list[Variable]:
+    """Three outputs of one quantity."""
+    return [output(f"{prefix}.{n}{suffix}", unit, f"{description}, {n}") for n in names]
+
+
+def crane_parameters(which: str) -> list[Variable]:
+    """`crane.*`, the same in both FMUs; `which` crane it is goes into the descriptions."""
+    masses = (
+        ("bridge_mass", 2.2, "mass of the bridge, which moves in x together with the trolley"),
+        ("trolley_mass", 1.155, "mass of the trolley, which moves in y on the bridge"),
+        ("payload_mass", 1.0, "mass of the load"),
+    )
+    return [
+        *(
+            parameter(f"crane.{n}", start, "kg", f"{which}: {text}", minimum=1e-9)
+            for n, start, text in masses
+        ),
+        parameter("crane.gravity", 9.81, "m/s2", f"{which}: gravity", minimum=1e-9),
+        parameter("crane.rope_min", 0.16, "m", f"{which}: shortest rope; 0: no bound", minimum=0.0),
+        parameter("crane.rope_max", 1.5, "m", f"{which}: longest rope; 0: no bound", minimum=0.0),
+    ]

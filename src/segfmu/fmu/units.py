@@ -1,0 +1,25 @@
+"""SI units of the interfaces: exponents of the base units, and display units."""
+
+from __future__ import annotations
+
+from math import degrees
+
+BASE_UNITS: dict[str, dict[str, int]] = {
+    "m": {"m": 1},
+    "m/s": {"m": 1, "s": -1},
+    "m/s2": {"m": 1, "s": -2},
+    "m/s3": {"m": 1, "s": -3},
+    "m/s4": {"m": 1, "s": -4},
+    "s": {"s": 1},
+    "kg": {"kg": 1},
+    "N": {"kg": 1, "m": 1, "s": -2},
+    "J": {"kg": 1, "m": 2, "s": -2},
+    "rad": {"rad": 1},
+    "rad/s": {"rad": 1, "s": -1},
+}
+
+# unit -> (display unit, factor from the unit to it)
+DISPLAY_UNITS: dict[str, tuple[str, float]] = {
+    "rad": ("deg", degrees(1.0)),
+    "rad/s": ("deg/s", degrees(1.0)),
+}
