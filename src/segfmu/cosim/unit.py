@@ -100,7 +100,8 @@ class Unit:
     def _call(self, doing: str, function: Any, *arguments: Any, **named: Any) -> None:
         try:
             function(*arguments, **named)
-        except (FMICallException, OSError) as error:
+        except Exception as error:
+            # fmpy raises bare exceptions beside its own
             name = getattr(self, "name", "FMU")
             told = self.messages[0].splitlines()[-1] if self.messages else str(error)
             raise SimulationError(f"{name} could not {doing}: {told}") from None

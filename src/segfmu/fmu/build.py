@@ -36,9 +36,18 @@ SCRIPT = '''"""{name} as an FMU; the implementation is in the installed package 
 
 from {module} import {base}
 
+# PythonFMU 0.7 releases one reference to this module's names too many per instance, and the names
+# vanish with the last one. One reference is kept here for the first instance, and every instance
+# keeps one for the next.
+REFERENCES = [globals()]
+
 
 class {name}({base}):
     """See {module}."""
+
+    def __init__(self, **kwargs):
+        REFERENCES.append(globals())
+        super().__init__(**kwargs)
 '''
 
 
