@@ -68,6 +68,7 @@ class FeedforwardSlave(SpecSlave):
             shape=names[0][int(self.value("planner.shape")) - 1],
             synchronize=names[1][int(self.value("planner.synchronization")) - 1],
             sample_time=float(self.value("planner.sample_time")) or None,
+            duration=float(self.value("planner.duration")) or None,
             axis_names=AXES,
         )
         self._inverse = FlatInverse(Crane(**crane_from(self)), trajectory)  # type: ignore[arg-type]

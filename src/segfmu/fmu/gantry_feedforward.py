@@ -113,6 +113,9 @@ def _planner() -> list[Variable]:
             "planner.sample_time", 0.0, "s",
             "waypoint intervals become multiples of it; 0: any duration", minimum=0.0,
         ),
+        parameter(
+            "planner.duration", 0.0, "s", "duration to take; 0: the shortest one", minimum=0.0
+        ),
         parameter("planner.start_time", 0.0, "s", "time at which the motion starts"),
     ]
 

@@ -1,0 +1,171 @@
+"""The command line: plan, build, simulate."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Annotated
+
+import numpy as np
+import typer
+from numpy.typing import NDArray
+from rich.console import Console
+from rich.progress import Progress
+
+from segfmu.crane import FlatInverse
+from segfmu.errors import BuildError, InputError, SegfmuError
+from segfmu.planning import Trajectory
+from segfmu.planning.verify import verify
+from segfmu.validation.mission import Mission, load_mission
+
+app = typer.Typer(
+    add_completion=False,
+    no_args_is_help=True,
+    rich_markup_mode="markdown",
+    help="Plan a crane load's motion, build the FMUs, co-simulate and judge them.\n\n"
+    "Exit codes: 0 done, 1 infeasible or judged as failed, 2 unusable input.",
+)
+console = Console()
+
+MissionFile = Annotated[Path, typer.Argument(help="Mission file (TOML); see models/ for examples.")]
+
+
+@app.command(epilog="Example: segfmu plan models/paper.toml --output out")
+def plan(
+    mission: MissionFile,
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", help="Folder for plan.csv and plots.")
+    ] = None,
+) -> None:
+    """Plan a mission and show every peak against its limit."""
+    task = load_mission(mission)
+    trajectory = _planned(task)
+    from segfmu.validation.report import plan_table
+
+    console.print(plan_table(task.name, trajectory, verify(trajectory)))
+    if output is not None:
+        _write_plan(task, trajectory, output)
+
+
+@app.command(epilog="Example: segfmu build --output fmus/dist")
+def build(
+    output: Annotated[
+        Path, typer.Option("--output", "-o", help="Folder for the two archives.")
+    ] = Path("fmus/dist"),
+) -> None:
+    """Build GantryFeedforward.fmu and GantryCrane.fmu (FMI 2.0 co-simulation)."""
+    for path in _built(output):
+        console.print(f"{path}  {path.stat().st_size / 1024:.0f} KiB", highlight=False)
+
+
+@app.command(epilog="Example: segfmu simulate models/paper.toml --output out")
+def simulate(
+    mission: MissionFile,
+    output: Annotated[
+        Path, typer.Option("--output", "-o", help="Folder for FMUs, run.csv and plots.")
+    ] = Path("out"),
+    step: Annotated[
+        float | None, typer.Option(help="Communication step [s] in place of the mission's.")
+    ] = None,
+) -> None:
+    """Build the FMUs, co-simulate a mission, write results and judge them."""
+    task = load_mission(mission)
+    if step is not None:
+        if not 0.0 < step <= 0.1:
+            raise InputError(f"--step must be above 0 and at most 0.1 s, got {step}")
+        simulation = task.simulation.model_copy(update={"step": step})
+        task = task.model_copy(update={"simulation": simulation})
+    trajectory = _planned(task)
+    feedforward, crane = _built(output)
+    rows = _run(task, trajectory, feedforward, crane)
+    from segfmu.cosim import write_csv
+    from segfmu.validation.criteria import judge
+    from segfmu.validation.plots import plot_run, save
+    from segfmu.validation.report import run_table
+
+    write_csv(output / "run.csv", rows)
+    save(plot_run(rows, trajectory.waypoint_times, task.name), output / "run.png")
+    limits = task.simulation
+    found = judge(rows, trajectory.duration, limits.tracking_tolerance, limits.sway_tolerance)
+    console.print(run_table(task.name, found))
+    console.print(f"FMUs, run.csv and run.png are in {output}", highlight=False)
+    if not found.passed:
+        raise typer.Exit(1)
+
+
+def _planned(task: Mission) -> Trajectory:
+    """Plan, and let the flat inverse refuse what the crane cannot do."""
+    trajectory = task.plan()
+    FlatInverse(task.build_crane(), trajectory)
+    return trajectory
+
+
+def _write_plan(task: Mission, trajectory: Trajectory, output: Path) -> None:
+    from segfmu.cosim import write_csv
+    from segfmu.validation.plots import plot_path, plot_plan, save
+
+    write_csv(output / "plan.csv", _samples(task, trajectory))
+    save(plot_plan(trajectory, task.name), output / "plan.png")
+    save(plot_path(trajectory, task.name), output / "path.png")
+    console.print(f"plan.csv, plan.png and path.png are in {output}", highlight=False)
+
+
+def _samples(task: Mission, trajectory: Trajectory) -> NDArray[np.void]:
+    """The plan and its feedforward at the mission's communication step."""
+    times = np.append(
+        np.arange(0.0, trajectory.duration, task.simulation.step), trajectory.duration
+    )
+    columns = {"time": times}
+    for order, name in enumerate(("position", "velocity", "acceleration", "jerk", "snap")):
+        for axis, values in zip("xyz", trajectory(times, order).T, strict=True):
+            columns[f"reference.load.{name}.{axis}"] = values
+    inverse = FlatInverse(task.build_crane(), trajectory)
+    for kind, table in (("force", inverse.force(times)), ("velocity", inverse.velocity(times))):
+        for drive, values in zip(("bridge", "trolley", "hoist"), table.T, strict=True):
+            columns[f"{kind}.{drive}"] = values
+    rows = np.zeros(times.size, dtype=[(n, np.float64) for n in columns])
+    for name, values in columns.items():
+        rows[name] = values
+    return rows
+
+
+def _built(folder: Path) -> tuple[Path, Path]:
+    from segfmu.fmu.build import build_all
+
+    with console.status("building the FMUs") as status:
+        feedforward, crane = build_all(folder, status.update)
+    return feedforward, crane
+
+
+def _run(
+    task: Mission, trajectory: Trajectory, feedforward: Path, crane: Path
+) -> NDArray[np.void]:
+    from segfmu.validation.scenario import run
+
+    with Progress(console=console, transient=True) as progress:
+        bar = progress.add_task("co-simulating", total=1.0)
+        return run(
+            task, feedforward, crane, trajectory.duration,
+            lambda share: progress.update(bar, completed=share),
+        )
+
+
+@contextmanager
+def _one_line_errors() -> Iterator[None]:
+    """Turn segfmu's errors into one line on stderr and an exit code."""
+    try:
+        yield
+    except SegfmuError as error:
+        print(f"segfmu: {error}", file=sys.stderr)
+        sys.exit(2 if isinstance(error, InputError | BuildError) else 1)
+    except KeyboardInterrupt:
+        print("segfmu: interrupted", file=sys.stderr)
+        sys.exit(130)
+
+
+def main() -> None:
+    """Entry point of the command `segfmu`."""
+    with _one_line_errors():
+        app()

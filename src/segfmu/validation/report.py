@@ -1,0 +1,49 @@
+"""Tables for the terminal."""
+
+from __future__ import annotations
+
+import numpy as np
+from rich.table import Table
+
+from segfmu.planning import Trajectory
+from segfmu.planning.limits import NAMES, UNITS
+from segfmu.planning.verify import Verification
+from segfmu.validation.criteria import DRIVES, Criteria
+
+
+def plan_table(name: str, trajectory: Trajectory, found: Verification) -> Table:
+    """Peaks of every derivative against the limits, per axis."""
+    times = ", ".join(f"{t:.3f}" for t in trajectory.waypoint_times)
+    table = Table(title=f"{name}: {trajectory.duration:.3f} s, waypoints at {times} s")
+    table.add_column("peak")
+    for axis in trajectory.axis_names:
+        table.add_column(f"{axis}, of its limit", justify="right")
+    for order, (quantity, unit) in enumerate(zip(NAMES, UNITS, strict=True)):
+        if order < min(trajectory.smoothness, 4):
+            cells = [
+                f"{peak:.4g} of {limit:.4g}" if np.isfinite(limit) else f"{peak:.4g}, free"
+                for peak, limit in zip(found.peaks[order], found.limits[order], strict=True)
+            ]
+            table.add_row(f"{quantity} [{unit}]".replace("[", "\\["), *cells)
+    return table
+
+
+def run_table(name: str, found: Criteria) -> Table:
+    """Duration, peaks, tracking error, residual sway and the verdict."""
+    table = Table(title=name, show_header=False)
+    table.add_column("quantity")
+    table.add_column("value", justify="right")
+    table.add_row("duration", f"{found.duration:.3f} s")
+    for drive in DRIVES:
+        force, velocity = found.peak_force[drive], found.peak_velocity[drive]
+        table.add_row(f"peak force, {drive}", f"{force:.3f} N")
+        table.add_row(f"peak velocity, {drive}", f"{velocity:.3f} m/s")
+    table.add_row(
+        "largest tracking error",
+        f"{1e3 * found.tracking_error:.4f} mm (at most {1e3 * found.tracking_tolerance:g})",
+    )
+    table.add_row(
+        "residual sway", f"{found.residual_sway:.5f} deg (at most {found.sway_tolerance:g})"
+    )
+    table.add_row("verdict", "[green]passed[/]" if found.passed else "[red]failed[/]")
+    return table
