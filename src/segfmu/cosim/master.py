@@ -86,7 +86,7 @@ def _times(start: float, stop: float, step: float) -> NDArray[np.float64]:
     if not (isfinite(start) and isfinite(stop) and stop > start):
         raise InputError(f"stop_time {stop!r} s must be after start_time {start!r} s")
     count = ceil((stop - start) / step - 1e-9)
-    times = start + np.arange(count + 1) * step
+    times: NDArray[np.float64] = start + np.arange(count + 1, dtype=np.float64) * step
     times[-1] = stop
     return times
 

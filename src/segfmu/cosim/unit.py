@@ -12,7 +12,6 @@ from typing import Any
 
 import numpy as np
 from fmpy import extract, read_model_description
-from fmpy.fmi1 import FMICallException
 from fmpy.fmi2 import (
     FMU2Slave,
     fmi2CallbackFunctions,
@@ -131,7 +130,9 @@ class Unit:
         try:
             number = float(value)
         except (TypeError, ValueError):
-            raise InputError(f"{self.name}: {variable.name} takes a number, got {value!r}") from None
+            raise InputError(
+                f"{self.name}: {variable.name} takes a number, got {value!r}"
+            ) from None
         if variable.type == "Real":
             return number
         if number != int(number):

@@ -6,7 +6,6 @@ from typing import Any
 
 import numpy as np
 
-from segfmu.crane import Crane
 from segfmu.crane.feedback import Weights, design
 from segfmu.crane.plant import Plant, Setpoints
 from segfmu.errors import InputError
@@ -38,7 +37,7 @@ class CraneSlave(SpecSlave):
 
     def initialise(self) -> None:
         """Design the feedback and put the crane into its initial state."""
-        crane = Crane(**crane_from(self))  # type: ignore[arg-type]
+        crane = crane_from(self)
         state = self._vector(STATE)
         if state[2] <= 0.0:
             raise InputError(f"rope.length must start above 0 m, got {state[2]}")

@@ -20,8 +20,9 @@ pre { background: #f2f5f8; padding: .8rem; overflow-x: auto; }
 ABOUT = {
     "GantryFeedforward": """
 <p>At the end of initialisation the waypoints and limits are turned into a trajectory of the load
-made of segmented transition polynomials: every derivative up to the order <code>planner.smoothness
-</code> is continuous, every limit is kept, every waypoint is met with its velocity and acceleration.
+made of segmented transition polynomials: every derivative up to the order
+<code>planner.smoothness</code> is continuous, every limit is kept, every waypoint is met with its
+velocity and acceleration.
 The crane is differentially flat, so forces, velocities and the whole state follow from the load's
 position and its derivatives without integration.</p>
 <p>All outputs are functions of time and of the parameters alone: any communication step is exact,

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from math import inf
 from typing import Any
 
-from segfmu.crane import Crane, FlatInverse
+from segfmu.crane import FlatInverse
 from segfmu.fmu import gantry_feedforward
 from segfmu.fmu.slave import SpecSlave, crane_from
 from segfmu.planning import Limits, Trajectory, Waypoint, plan
@@ -63,7 +64,7 @@ class FeedforwardSlave(SpecSlave):
         names = gantry_feedforward.SHAPES.items, gantry_feedforward.SYNCHRONIZATIONS.items
         trajectory = plan(
             [self._waypoint(i) for i in range(1, count + 1)],
-            Limits(*(self._limit(d) for d in DERIVATIVES[1:])),
+            self._limits(),
             smoothness=int(self.value("planner.smoothness")),
             shape=names[0][int(self.value("planner.shape")) - 1],
             synchronize=names[1][int(self.value("planner.synchronization")) - 1],
@@ -71,22 +72,27 @@ class FeedforwardSlave(SpecSlave):
             duration=float(self.value("planner.duration")) or None,
             axis_names=AXES,
         )
-        self._inverse = FlatInverse(Crane(**crane_from(self)), trajectory)  # type: ignore[arg-type]
+        self._inverse = FlatInverse(crane_from(self), trajectory)
         self._trajectory = trajectory
         self.assign(("plan.duration",), (trajectory.duration,))
         self._evaluate(self.start_time)
 
-    def _limit(self, name: str) -> list[float | None]:
-        return [float(self.value(f"limits.{a}.{name}")) or None for a in AXES]
+    def _limits(self) -> Limits:
+        velocity, acceleration = (self._vector(f"limits.{{}}.{d}") for d in DERIVATIVES[1:3])
+        jerk, snap = (
+            [v or inf for v in self._vector(f"limits.{{}}.{d}")] for d in DERIVATIVES[3:]
+        )
+        return Limits(velocity, acceleration, jerk, snap)
 
     def _waypoint(self, i: int) -> Waypoint:
-        return Waypoint(
-            *(
-                [float(self.value(f"waypoint[{i}].{name}.{a}")) for a in AXES]
-                for name in DERIVATIVES[:3]
-            ),
-            dwell=float(self.value(f"waypoint[{i}].dwell")),
+        position, velocity, acceleration = (
+            self._vector(f"waypoint[{i}].{d}.{{}}") for d in DERIVATIVES[:3]
         )
+        dwell = float(self.value(f"waypoint[{i}].dwell"))
+        return Waypoint(position, velocity, acceleration, dwell)
+
+    def _vector(self, pattern: str) -> list[float]:
+        return [float(self.value(pattern.format(a))) for a in AXES]
 
     def _evaluate(self, time: float) -> None:
         inverse, trajectory = self._inverse, self._trajectory

@@ -66,7 +66,8 @@ def model_description(spec: Spec, version: str) -> bytes:
         variables.append(_variable(reference, variable))
     _structure(root, spec)
     ET.indent(root)
-    return b'<?xml version="1.0" encoding="UTF-8"?>\n' + ET.tostring(root, "utf-8") + b"\n"
+    text: bytes = ET.tostring(root, "utf-8")
+    return b'<?xml version="1.0" encoding="UTF-8"?>\n' + text + b"\n"
 
 
 def _units(root: ET.Element, spec: Spec) -> None:

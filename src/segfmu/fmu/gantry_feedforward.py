@@ -52,8 +52,9 @@ def _outputs() -> list[Variable]:
         for name, unit in ((quantity, "m"), ("velocity", "m/s"), ("acceleration", "m/s2")):
             rows.append(output(f"reference.{part}.{name}", unit, f"planned {part} {name}"))
     for axis in "xy":
-        rows.append(output(f"reference.sway.{axis}.angle", "rad", f"planned sway angle phi_{axis}"))
-        rows.append(output(f"reference.sway.{axis}.rate", "rad/s", f"planned sway rate of phi_{axis}"))
+        sway = f"reference.sway.{axis}"
+        rows.append(output(f"{sway}.angle", "rad", f"planned sway angle phi_{axis}"))
+        rows.append(output(f"{sway}.rate", "rad/s", f"planned rate of phi_{axis}"))
     rows.append(output("plan.interval", None, "active waypoint interval, from 1", kind="Integer"))
     rows.append(output("plan.done", None, "the planned motion has ended", kind="Boolean"))
     return rows

@@ -7,6 +7,7 @@ from typing import Any
 from pythonfmu import Fmi2Slave
 from pythonfmu.enums import Fmi2Status
 
+from segfmu.crane import Crane
 from segfmu.errors import SegfmuError
 from segfmu.fmu.spec import Spec, Value
 
@@ -18,7 +19,7 @@ KINDS = {
 }
 
 
-class SpecSlave(Fmi2Slave):
+class SpecSlave(Fmi2Slave):  # type: ignore[misc]
     """A slave whose variables are those of a specification.
 
     Subclasses implement `initialise` (at the end of initialisation) and `advance` (a step), and
@@ -115,8 +116,11 @@ class SpecSlave(Fmi2Slave):
         self._set("string", vrs, values)
 
 
-def crane_from(slave: SpecSlave) -> dict[str, float | None]:
-    """The arguments of `Crane` from the slave's `crane.*` parameters; a rope bound of 0 is none."""
-    names = ("bridge_mass", "trolley_mass", "payload_mass", "gravity", "rope_min", "rope_max")
-    values = {n: float(slave.value(f"crane.{n}")) for n in names}
-    return {n: v if not n.startswith("rope") or v != 0.0 else None for n, v in values.items()}
+def crane_from(slave: SpecSlave) -> Crane:
+    """The crane of the slave's `crane.*` parameters; a rope bound of 0 means none."""
+    masses = ("bridge_mass", "trolley_mass", "payload_mass", "gravity")
+    return Crane(
+        *(float(slave.value(f"crane.{name}")) for name in masses),
+        rope_min=float(slave.value("crane.rope_min")) or None,
+        rope_max=float(slave.value("crane.rope_max")) or None,
+    )
