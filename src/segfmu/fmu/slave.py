@@ -118,9 +118,7 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
 
 def crane_from(slave: SpecSlave) -> Crane:
     """The crane of the slave's `crane.*` parameters; a rope bound of 0 means none."""
-    masses = ("bridge_mass", "trolley_mass", "payload_mass", "gravity")
-    return Crane(
-        *(float(slave.value(f"crane.{name}")) for name in masses),
-        rope_min=float(slave.value("crane.rope_min")) or None,
-        rope_max=float(slave.value("crane.rope_max")) or None,
-    )
+    names = ("bridge_mass", "trolley_mass", "payload_mass", "gravity", "rope_min", "rope_max")
+    *masses, shortest, longest = (float(slave.value(f"crane.{name}")) for name in names)
+    bridge, trolley, payload, gravity = masses
+    return Crane(bridge, trolley, payload, gravity, shortest or None, longest or None)

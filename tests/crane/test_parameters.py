@@ -1,0 +1,35 @@
+"""The crane's parameters and the errors for bad ones."""
+
+from __future__ import annotations
+
+import pytest
+
+from segfmu import Crane, InputError
+
+
+@pytest.mark.parametrize("name", ["bridge_mass", "trolley_mass", "payload_mass", "gravity"])
+@pytest.mark.parametrize("value", [0.0, -1.0, float("nan"), float("inf"), "1", None, True])
+def test_bad_mass_is_named(name: str, value: object) -> None:
+    good = {"bridge_mass": 1.0, "trolley_mass": 1.0, "payload_mass": 1.0, "gravity": 9.81}
+    with pytest.raises(InputError, match=name):
+        Crane(**{**good, name: value})
+
+
+def test_empty_rope_range_is_refused() -> None:
+    with pytest.raises(InputError, match="rope_min"):
+        Crane(1.0, 1.0, 1.0, rope_min=2.0, rope_max=1.0)
+
+
+def test_wrong_sizes_are_named() -> None:
+    crane = Crane(1.0, 1.0, 1.0)
+    with pytest.raises(InputError, match="state must have 10 values"):
+        crane.rhs([0.0] * 9, [0.0] * 3)
+    with pytest.raises(InputError, match="force must have 3 values"):
+        crane.rhs([0.0] * 10, [0.0] * 2)
+
+
+def test_hanging_state_puts_the_load_where_asked() -> None:
+    crane = Crane(1.0, 1.0, 1.0)
+    assert crane.load(crane.hanging([1.0, -2.0, -3.0]))[0].tolist() == [1.0, -2.0, -3.0]
+    with pytest.raises(InputError, match="below the trolley"):
+        crane.hanging([0.0, 0.0, 0.1])
