@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +12,27 @@ import numpy as np
 from numpy.typing import NDArray
 
 from segfmu.errors import InputError
+
+
+@contextmanager
+def replacing(path: Path) -> Iterator[Path]:
+    """Give a path beside `path` to write to; it takes the place of `path` when all went well.
+
+    Raises
+    ------
+    InputError
+        When the file cannot be written.
+    """
+    temporary = path.with_name(f"{path.name}.part")
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        try:
+            yield temporary
+            os.replace(temporary, path)
+        finally:
+            temporary.unlink(missing_ok=True)
+    except OSError as error:
+        raise InputError(f"{path}: cannot be written: {error.strerror}") from None
 
 
 def write_csv(path: Path, rows: NDArray[Any]) -> None:
@@ -20,16 +43,10 @@ def write_csv(path: Path, rows: NDArray[Any]) -> None:
     InputError
         When the file cannot be written.
     """
-    temporary = path.with_name(f"{path.name}.part")
     names = rows.dtype.names or ()
     columns = np.column_stack([rows[n].astype(np.float64) for n in names])
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
+    header = ",".join(f'"{n}"' for n in names)
+    with replacing(path) as temporary:
         np.savetxt(
-            temporary, columns, fmt="%.17g", delimiter=",", comments="",
-            header=",".join(f'"{n}"' for n in names),
+            temporary, columns, fmt="%.17g", delimiter=",", comments="", header=header
         )
-        os.replace(temporary, path)
-    except OSError as error:
-        temporary.unlink(missing_ok=True)
-        raise InputError(f"{path}: cannot be written: {error.strerror}") from None

@@ -21,6 +21,9 @@ from numpy.typing import NDArray
 
 from segfmu.errors import InputError, SimulationError
 
+# fmi2Status
+ERROR, FATAL = 3, 4
+
 GROUPS = {"Real": "Real", "Integer": "Integer", "Enumeration": "Integer", "Boolean": "Boolean"}
 
 
@@ -56,6 +59,7 @@ class Unit:
         self.messages: list[str] = []
         self._folder = Path(tempfile.mkdtemp(prefix="segfmu_fmu_"))
         self._instantiated = self._initialised = False
+        self._worst = 0
         try:
             self._load(path)
         except BaseException:
@@ -87,7 +91,9 @@ class Unit:
         )
         self._callbacks = fmi2CallbackFunctions()
         self._callbacks.logger = fmi2CallbackLoggerTYPE(self._log)
-        self._call("be instantiated", self.fmu.instantiate, callbacks=self._callbacks)
+        self._call(
+            "be instantiated", self.fmu.instantiate, callbacks=self._callbacks, loggingOn=True
+        )
         self._instantiated = True
 
     def _log(
@@ -101,6 +107,7 @@ class Unit:
             function(*arguments, **named)
         except Exception as error:
             # fmpy raises bare exceptions beside its own
+            self._worst = max(self._worst, getattr(error, "status", ERROR))
             name = getattr(self, "name", "FMU")
             told = self.messages[0].splitlines()[-1] if self.messages else str(error)
             raise SimulationError(f"{name} could not {doing}: {told}") from None
@@ -177,9 +184,11 @@ class Unit:
         """Free the instance and remove the unpacked archive; safe to call in any state."""
         if self._instantiated:
             self._instantiated = False
-            if self._initialised and not self.messages:
+            # after an error only freeing is allowed, after a fatal one nothing at all
+            if self._initialised and self._worst < ERROR:
                 self._call("terminate", self.fmu.terminate)
-            self.fmu.freeInstance()
+            if self._worst < FATAL:
+                self.fmu.freeInstance()
         shutil.rmtree(self._folder, ignore_errors=True)
 
     def __enter__(self) -> Unit:

@@ -8,7 +8,7 @@ from pythonfmu import Fmi2Slave
 from pythonfmu.enums import Fmi2Status
 
 from segfmu.crane import Crane
-from segfmu.errors import SegfmuError
+from segfmu.errors import InputError, SegfmuError
 from segfmu.fmu.spec import Spec, Value
 
 KINDS = {
@@ -61,6 +61,7 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
 
     def exit_initialization_mode(self) -> None:
         try:
+            self._require_ranges()
             self.initialise()
         except SegfmuError as error:
             self.log(f"initialisation failed: {error}", Fmi2Status.error)
@@ -73,6 +74,18 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
             self.log(str(error), Fmi2Status.error)
             return False
         return True
+
+    def _require_ranges(self) -> None:
+        """Raise InputError for a parameter outside the range that the specification gives."""
+        for variable, value in zip(self.spec.variables, self._values, strict=True):
+            least, most = variable.minimum, variable.maximum
+            if variable.enumeration is not None:
+                least, most = 1, len(variable.enumeration.items)
+            if (least is not None and not value >= least) or (
+                most is not None and not value <= most
+            ):
+                bounds = f"at least {least:g}" + ("" if most is None else f" and at most {most:g}")
+                raise InputError(f"{variable.name} must be {bounds}, got {value:g}")
 
     def _get(self, kind: str, references: list[int]) -> list[Any]:
         self._check(kind, references)

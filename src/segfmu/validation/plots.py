@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +15,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from segfmu.errors import InputError
+from segfmu.cosim.result import replacing
 from segfmu.planning import Trajectory
 
 COLOURS = ("#1f6fb2", "#d9662b", "#3a9b5c")
@@ -29,14 +28,9 @@ SAMPLES = 3000
 
 def save(figure: Figure, path: Path) -> None:
     """Write a figure as PNG; the file appears when it is complete."""
-    temporary = path.with_name(f"{path.name}.part")
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        figure.savefig(temporary, format="png", dpi=130)
-        os.replace(temporary, path)
-    except OSError as error:
-        temporary.unlink(missing_ok=True)
-        raise InputError(f"{path}: cannot be written: {error.strerror}") from None
+        with replacing(path) as temporary:
+            figure.savefig(temporary, format="png", dpi=130)
     finally:
         plt.close(figure)
 
