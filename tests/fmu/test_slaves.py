@@ -60,7 +60,10 @@ def test_outputs_are_there_in_initialisation_mode(fmus: tuple[Path, Path]) -> No
     ("values", "words"),
     [
         ({"waypoint[2].velocity.y": 0.5}, "axis y, waypoint 2: velocity 0.5 m/s exceeds the limit"),
-        ({"waypoint[2].velocity.x": 0.99, "limits.x.jerk": 0.1}, "axis x, waypoints 2 -> 3: braking the first"),
+        (
+            {"waypoint[2].velocity.x": 0.99, "limits.x.jerk": 0.1},
+            "axis x, waypoints 2 -> 3: braking the first",
+        ),
         ({"crane.rope_max": 0.3}, "rope_max"),
         ({"limits.x.velocity": 0.0}, "limits.velocity"),
         ({"waypoint[3].position.z": 0.4}, "trolley's height"),

@@ -6,7 +6,7 @@ import tomllib
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
 
 from segfmu.crane import Crane
 from segfmu.errors import InputError
@@ -15,26 +15,22 @@ from segfmu.planning import Limits, Trajectory, Waypoint, plan
 MAX_WAYPOINTS = 16
 AXES = ("x", "y", "z")
 
-Positive = Annotated[float, Field(gt=0.0)]
-NotNegative = Annotated[float, Field(ge=0.0)]
-Triple = Annotated[list[float], Field(min_length=3, max_length=3)]
+
+def _number(value: Any) -> Any:
+    """Refuse booleans and strings where numbers belong; TOML tells them apart."""
+    if isinstance(value, bool | str):
+        raise ValueError("must be a number")
+    return value
+
+
+Number = Annotated[float, BeforeValidator(_number)]
+Positive = Annotated[Number, Field(gt=0.0)]
+NotNegative = Annotated[Number, Field(ge=0.0)]
+Triple = Annotated[list[Number], Field(min_length=3, max_length=3)]
 
 
 class _Strict(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
-
-    @model_validator(mode="before")
-    @classmethod
-    def _no_lax_numbers(cls, data: Any) -> Any:
-        """Refuse booleans and strings where numbers belong; TOML tells them apart."""
-        if isinstance(data, dict):
-            for key, value in data.items():
-                values = value if isinstance(value, list) else [value]
-                field = cls.model_fields.get(key)
-                numeric = field is not None and "float" in str(field.annotation)
-                if numeric and any(isinstance(v, bool | str) for v in values):
-                    raise ValueError(f"{key} must be a number, not {value!r}")
-        return data
 
 
 class CraneFile(_Strict):
@@ -77,12 +73,12 @@ class WaypointEntry(_Strict):
 class SimulationEntry(_Strict):
     """How `segfmu simulate` runs the mission."""
 
-    step: Annotated[float, Field(gt=0.0, le=0.1)] = 0.001
+    step: Annotated[Number, Field(gt=0.0, le=0.1)] = 0.001
     settle: NotNegative = 3.0
     feedback: bool = True
     drive: Literal["force", "velocity"] = "force"
     initial_sway: Annotated[
-        list[Annotated[float, Field(ge=-45.0, le=45.0)]], Field(min_length=2, max_length=2)
+        list[Annotated[Number, Field(ge=-45.0, le=45.0)]], Field(min_length=2, max_length=2)
     ] = [0.0, 0.0]
     tracking_tolerance: Positive = 0.001
     sway_tolerance: Positive = 0.02

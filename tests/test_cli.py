@@ -1,0 +1,189 @@
+"""The command line: what it prints and writes, and one clear line for every bad file."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from segfmu import cli
+
+MODELS = Path(__file__).parents[1] / "models"
+CRANE = "[crane]\nbridge_mass = 2.2\ntrolley_mass = 1.155\npayload_mass = 1.0\n"
+LIMITS = "".join(
+    f"[limits.{a}]\nvelocity = 1.0\nacceleration = 1.0\njerk = 2.0\nsnap = 20.0\n" for a in "xyz"
+)
+POINTS = (
+    "[[waypoints]]\nposition = [0.0, 0.0, -0.5]\n"
+    "[[waypoints]]\nposition = [0.3, 0.2, -0.5]\n"
+)
+GOOD = CRANE + LIMITS + POINTS
+
+
+def invoke(monkeypatch, capsys, *arguments: str) -> tuple[int, str, str]:
+    """Exit code, standard output and standard error of the command."""
+    monkeypatch.setattr(sys, "argv", ["segfmu", *arguments])
+    with pytest.raises(SystemExit) as stopped:
+        cli.main()
+    captured = capsys.readouterr()
+    return int(stopped.value.code or 0), captured.out, captured.err
+
+
+def replaced(old: str, new: str) -> str:
+    assert old in GOOD
+    return GOOD.replace(old, new, 1)
+
+
+MALFORMED = {
+    "empty": ("", "crane"),
+    "broken TOML": ("[crane\n", "not valid TOML"),
+    "duplicate key": (GOOD.replace("[crane]\n", "[crane]\nbridge_mass = 1.0\n"), "TOML"),
+    "missing crane": (LIMITS + POINTS, "crane"),
+    "missing mass": (replaced("payload_mass = 1.0\n", ""), "payload_mass"),
+    "missing limits": (CRANE + POINTS, "limits"),
+    "missing axis": (replaced("[limits.z]", "[limits.w]"), "limits.z"),
+    "missing velocity": (replaced("velocity = 1.0\n", ""), "limits.x.velocity"),
+    "missing waypoints": (CRANE + LIMITS, "waypoints"),
+    "missing position": (GOOD + "[[waypoints]]\ndwell = 1.0\n", "waypoints.3.position"),
+    "mass is text": (replaced("2.2", '"2.2"'), "bridge_mass"),
+    "mass is a flag": (replaced("2.2", "true"), "bridge_mass"),
+    "mass is a list": (replaced("2.2", "[2.2]"), "bridge_mass"),
+    "mass is negative": (replaced("2.2", "-2.2"), "bridge_mass"),
+    "mass is zero": (replaced("2.2", "0.0"), "bridge_mass"),
+    "mass is nan": (replaced("2.2", "nan"), "bridge_mass"),
+    "mass is infinite": (replaced("2.2", "inf"), "bridge_mass"),
+    "limit is zero": (replaced("jerk = 2.0", "jerk = 0.0"), "limits.x.jerk"),
+    "limit is negative": (replaced("snap = 20.0", "snap = -1.0"), "limits.x.snap"),
+    "limit is nan": (replaced("acceleration = 1.0", "acceleration = nan"), "acceleration"),
+    "limit is infinite": (replaced("velocity = 1.0", "velocity = inf"), "limits.x.velocity"),
+    "unknown key": ("colour = 1\n" + GOOD, "colour"),
+    "unknown limit": (replaced("snap = 20.0", "snop = 20.0"), "limits.x.snop"),
+    "unknown shape": ('shape = "round"\n' + GOOD, "shape"),
+    "unknown synchronization": ('synchronization = "all"\n' + GOOD, "synchronization"),
+    "smoothness too low": ("smoothness = 3\n" + GOOD, "smoothness"),
+    "smoothness too high": ("smoothness = 7\n" + GOOD, "smoothness"),
+    "smoothness is a fraction": ("smoothness = 4.5\n" + GOOD, "smoothness"),
+    "duration is negative": ("duration = -1.0\n" + GOOD, "duration"),
+    "sample time is zero": ("sample_time = 0.0\n" + GOOD, "sample_time"),
+    "one waypoint": (CRANE + LIMITS + POINTS[: POINTS.rindex("[[")], "waypoints"),
+    "too many waypoints": (
+        CRANE + LIMITS + "".join(
+            f"[[waypoints]]\nposition = [{i}.0, 0.0, -0.5]\n" for i in range(17)
+        ),
+        "waypoints",
+    ),
+    "duplicate waypoint": (replaced("[0.3, 0.2, -0.5]", "[0.0, 0.0, -0.5]"), "waypoints.2"),
+    "two coordinates": (replaced("[0.3, 0.2, -0.5]", "[0.3, 0.2]"), "waypoints.2.position"),
+    "position is text": (replaced("[0.3, 0.2", '["a", 0.2'), "waypoints.2.position"),
+    "position is nan": (replaced("[0.3", "[nan"), "waypoints.2.position"),
+    "position above the trolley": (replaced("0.2, -0.5]", "0.2, 0.5]"), "waypoints.2.position"),
+    "velocity beyond its limit": (
+        GOOD + "velocity = [1.5, 0.0, 0.0]\n", "waypoints.2.velocity: axis x",
+    ),
+    "acceleration beyond its limit": (
+        GOOD + "acceleration = [0.0, 0.0, -1.5]\n", "waypoints.2.acceleration: axis z",
+    ),
+    "dwell while moving": (GOOD + "velocity = [0.5, 0.0, 0.0]\ndwell = 1.0\n", "waypoints.2.dwell"),
+    "dwell is negative": (GOOD + "dwell = -1.0\n", "waypoints.2.dwell"),
+    "rope range is empty": (
+        replaced("payload_mass = 1.0\n", "payload_mass = 1.0\nrope_min = 2.0\nrope_max = 1.0\n"),
+        "rope_min",
+    ),
+    "step is zero": (GOOD + "[simulation]\nstep = 0.0\n", "simulation.step"),
+    "crane file missing": ('crane = "nowhere.toml"\n' + LIMITS + POINTS, "nowhere.toml"),
+    "waypoints are no list": ("waypoints = 3\n" + CRANE + LIMITS, "waypoints"),
+    "limits are a number": ("limits = 3\n" + CRANE + POINTS, "limits"),
+}
+
+
+@pytest.mark.parametrize("name", MALFORMED)
+def test_malformed_mission_gives_one_line_and_code_2(
+    name: str, tmp_path: Path, monkeypatch, capsys
+) -> None:
+    text, words = MALFORMED[name]
+    mission = tmp_path / "mission.toml"
+    mission.write_text(text, encoding="utf-8")
+    for command in ("plan", "simulate"):
+        out = tmp_path / "out"
+        code, printed, error = invoke(monkeypatch, capsys, command, str(mission), "-o", str(out))
+        assert code == 2
+        assert printed == ""
+        assert error.count("\n") == 1
+        assert words in error
+        assert not out.exists()
+
+
+@pytest.mark.parametrize("kind", ["absent", "folder", "binary"])
+def test_unreadable_mission_gives_one_line_and_code_2(
+    kind: str, tmp_path: Path, monkeypatch, capsys
+) -> None:
+    mission = tmp_path / "mission.toml"
+    if kind == "folder":
+        mission.mkdir()
+    elif kind == "binary":
+        mission.write_bytes(bytes(range(256)))
+    code, _, error = invoke(monkeypatch, capsys, "plan", str(mission))
+    assert code == 2
+    assert error.count("\n") == 1
+    assert "mission.toml" in error
+
+
+def test_infeasible_mission_gives_one_line_and_code_1(tmp_path, monkeypatch, capsys) -> None:
+    mission = tmp_path / "mission.toml"
+    mission.write_text("duration = 0.1\n" + GOOD, encoding="utf-8")
+    code, _, error = invoke(monkeypatch, capsys, "plan", str(mission))
+    assert code == 1
+    assert error.count("\n") == 1
+    assert "duration 0.1 s is shorter" in error
+
+
+@pytest.mark.parametrize("name", ["paper", "pick_and_place", "inteco"])
+def test_every_mission_plans(name: str, tmp_path, monkeypatch, capsys) -> None:
+    code, printed, error = invoke(
+        monkeypatch, capsys, "plan", str(MODELS / f"{name}.toml"), "-o", str(tmp_path)
+    )
+    assert (code, error) == (0, "")
+    assert "velocity" in printed
+    assert {p.name for p in tmp_path.iterdir()} == {"plan.csv", "plan.png", "path.png"}
+    assert (tmp_path / "plan.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_simulate_judges_and_writes_everything(tmp_path, monkeypatch, capsys) -> None:
+    mission = str(MODELS / "pick_and_place.toml")
+    code, printed, _ = invoke(
+        monkeypatch, capsys, "simulate", mission, "-o", str(tmp_path), "--step", "0.005"
+    )
+    assert code == 0
+    assert "passed" in printed
+    names = {p.name for p in tmp_path.iterdir()}
+    assert names == {"GantryFeedforward.fmu", "GantryCrane.fmu", "run.csv", "run.png"}
+
+
+def test_failed_verdict_gives_code_1(tmp_path, monkeypatch, capsys) -> None:
+    mission = tmp_path / "mission.toml"
+    text = GOOD + "[simulation]\nstep = 0.01\nfeedback = false\ninitial_sway = [5.0, 0.0]\n"
+    mission.write_text(text, encoding="utf-8")
+    code, printed, _ = invoke(
+        monkeypatch, capsys, "simulate", str(mission), "-o", str(tmp_path / "out")
+    )
+    assert code == 1
+    assert "failed" in printed
+
+
+def test_help_teaches(monkeypatch, capsys) -> None:
+    for command in ([], ["plan"], ["build"], ["simulate"]):
+        result = subprocess.run(
+            [sys.executable, "-c", "from segfmu.cli import main; main()", *command, "--help"],
+            capture_output=True, text=True, check=True, timeout=60,
+        )
+        assert "Usage" in result.stdout
+    assert "Example" in result.stdout
+
+
+def test_build_into_a_file_is_refused(tmp_path, monkeypatch, capsys) -> None:
+    (tmp_path / "taken").write_text("x", encoding="utf-8")
+    code, _, error = invoke(monkeypatch, capsys, "build", "-o", str(tmp_path / "taken"))
+    assert code == 2
+    assert error.count("\n") == 1
