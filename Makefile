@@ -6,7 +6,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 OUT ?= out
 
-.PHONY: demo test lint examples generate lock clean
+.PHONY: demo test lint examples generate golden lock clean
 .DEFAULT_GOAL := demo
 
 $(VENV)/installed: pyproject.toml requirements-dev.lock
@@ -33,6 +33,9 @@ examples: $(VENV)/installed ## run every example
 
 generate: $(VENV)/installed ## write the generated files again
 	$(BIN)/python -m segfmu.codegen.crane
+
+golden: $(VENV)/installed ## write the golden files again
+	SEGFMU_UPDATE_GOLDEN=1 $(BIN)/python -m pytest -q tests/golden
 
 lock: $(VENV)/installed ## write the development lock file again
 	$(BIN)/python -m pip freeze --exclude-editable > requirements-dev.lock

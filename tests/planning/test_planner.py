@@ -144,7 +144,9 @@ def missions(draw: st.DrawFn):
 
 
 @settings(max_examples=60, deadline=None)
-@given(missions(), st.sampled_from(["plateau", "smoothstep"]), st.sampled_from(["waypoints", "total"]))
+@given(
+    missions(), st.sampled_from(["plateau", "smoothstep"]), st.sampled_from(["waypoints", "total"])
+)
 def test_random_missions_are_valid_or_refused_by_name(mission, shape: str, mode: str) -> None:
     points, limits, n = mission
     try:
