@@ -1,0 +1,58 @@
+"""Phases to pieces to values, against numerical integration of the acceleration."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from segfmu.kernels.evaluate import evaluate, expand_phases, find_piece
+
+
+@pytest.mark.parametrize("shape", [0, 1])
+@pytest.mark.parametrize("smoothness", [2, 3, 4, 5, 6])
+def test_pieces_join_and_integrate(smoothness: int, shape: int) -> None:
+    phases = np.array(
+        [[0.5, 0.1, 0.0, 0.8], [0.3, 0.0, 0.8, 0.0], [0.7, 0.35, 0.8, -1.1], [0.2, 0.0, -0.3, 0.0]]
+    )
+    starts, coefficients = np.zeros(12), np.zeros((12, 2 * smoothness))
+    state = np.array([1.0, -0.2, 0.0, 0.0, 2.0])
+    rows = expand_phases(
+        phases, 4, smoothness, shape, np.zeros(2 * smoothness), state, starts, coefficients, 0
+    )
+    end = state[4]
+    assert end == pytest.approx(3.7)
+    times = np.linspace(2.0, end, 40001)
+    values = {d: np.zeros((times.size, 1)) for d in range(smoothness + 1)}
+    for d, found in values.items():
+        evaluate(
+            times, starts, coefficients, np.array([0, rows]), np.array([end]), d, found
+        )
+    assert values[0][0, 0] == 1.0
+    assert values[1][0, 0] == pytest.approx(-0.2)
+    # every derivative below the n-th one is the integral of the next
+    step = times[1] - times[0]
+    for d in range(smoothness):
+        middle = 0.5 * (values[d + 1][1:] + values[d + 1][:-1])
+        integral = values[d][0] + np.cumsum(middle, axis=0) * step
+        scale = max(1.0, np.abs(values[d]).max())
+        # the n-th derivative of n = 2 jumps nowhere, but its kinks cost the sum its order
+        assert np.abs(values[d][1:] - integral).max() < 2e-4 * scale
+    assert values[2][-1, 0] == pytest.approx(-0.3)
+
+
+def test_outside_it_stays_in_the_end_position() -> None:
+    starts, coefficients = np.array([0.0]), np.array([[1.0, 2.0, 0.0, 0.0]])
+    found = np.zeros((4, 1))
+    arguments = (starts, coefficients, np.array([0, 1]), np.array([1.0]))
+    evaluate(np.array([-1.0, 0.0, 1.0, 2.0]), *arguments, 0, found)
+    assert found[:, 0].tolist() == [1.0, 1.0, 3.0, 3.0]
+    evaluate(np.array([-1.0, 0.0, 1.0, 2.0]), *arguments, 1, found)
+    assert found[:, 0].tolist() == [0.0, 2.0, 2.0, 0.0]
+
+
+def test_piece_is_found_by_its_start() -> None:
+    starts = np.array([0.0, 1.0, 2.0, 0.0, 5.0])
+    assert [find_piece(t, starts, 0, 3) for t in (-1.0, 0.0, 0.9, 1.0, 2.0, 9.0)] == [
+        0, 0, 0, 1, 2, 2,
+    ]
+    assert [find_piece(t, starts, 3, 5) for t in (1.0, 5.0)] == [3, 4]
