@@ -8,16 +8,20 @@ import pytest
 from segfmu.kernels.evaluate import evaluate, expand_phases, find_piece
 
 
-@pytest.mark.parametrize("shape", [0, 1])
-@pytest.mark.parametrize("smoothness", [2, 3, 4, 5, 6])
-def test_pieces_join_and_integrate(smoothness: int, shape: int) -> None:
+@pytest.mark.parametrize(
+    ("smoothness", "shape", "share"),
+    [(n, shape, 0.0) for n in range(2, 7) for shape in (0, 1)]
+    + [(n, 1, share) for n in range(4, 7) for share in (0.1, 0.3)],
+)
+def test_pieces_join_and_integrate(smoothness: int, shape: int, share: float) -> None:
     phases = np.array(
         [[0.5, 0.1, 0.0, 0.8], [0.3, 0.0, 0.8, 0.0], [0.7, 0.35, 0.8, -1.1], [0.2, 0.0, -0.3, 0.0]]
     )
-    starts, coefficients = np.zeros(12), np.zeros((12, 2 * smoothness))
+    starts, coefficients = np.zeros(28), np.zeros((28, 2 * smoothness))
     state = np.array([1.0, -0.2, 0.0, 0.0, 2.0])
     rows = expand_phases(
-        phases, 4, smoothness, shape, np.zeros(2 * smoothness), state, starts, coefficients, 0
+        phases, 4, smoothness, shape, share, np.zeros(2 * smoothness), state, starts,
+        coefficients, 0,
     )
     end = state[4]
     assert end == pytest.approx(3.7)

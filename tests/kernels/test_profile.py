@@ -31,11 +31,12 @@ def solve(problem: AxisProblem) -> tuple[int, np.ndarray]:
 def sampled(problem: AxisProblem, phases: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """End state (position, velocity, acceleration) and peaks of derivatives 1 .. n + 1."""
     n = problem.smoothness
-    rows = 3 * len(phases)
+    rows = 7 * len(phases)
     starts, coefficients = np.zeros(rows), np.zeros((rows, 2 * n))
     state = np.array([0.0, problem.v, problem.a, 0.0, 0.0])
     used = expand_phases(
-        phases, len(phases), n, problem.shape, np.zeros(2 * n + 2), state, starts, coefficients, 0
+        phases, len(phases), n, problem.shape, float(problem.ramp()[40]), np.zeros(2 * n + 2), state,
+        starts, coefficients, 0,
     )
     ends = np.append(starts[1:used], state[4])[:used]
     peaks = np.zeros(n + 1)
@@ -89,13 +90,16 @@ def ratios(shape: int) -> np.ndarray:
 
 def test_reference_problems_with_plateau() -> None:
     found = ratios(1)
-    assert found.min() > 0.995
-    assert np.median(found) < 1.03
+    # the optimum itself is known to about 0.5 %
+    assert found.min() > 0.99
+    assert np.median(found) < 1.015
+    assert np.quantile(found, 0.95) < 1.05
+    assert found.max() < 1.3
 
 
 def test_reference_problems_with_smoothstep() -> None:
     found = ratios(0)
-    assert found.min() > 0.995
+    assert found.min() > 0.99
     assert np.median(found) < 1.09
 
 

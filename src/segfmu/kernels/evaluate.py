@@ -3,7 +3,8 @@
 A phase is a row [duration, rise, acceleration at its start, acceleration change]: a hold when
 the change is zero, else a ramp of (11a-d). Its integrals (15a-g, errata E4) become polynomial
 pieces of the position in local time, ascending powers, 2 n coefficients each: one for a hold
-or a smoothstep ramp, up to three (jerk rises, stays, falls) for a plateau ramp.
+or a smoothstep ramp, up to three (jerk rises, stays, falls) for a plateau ramp, each rise being
+three where the snap has a plateau as well.
 """
 
 from segfmu.kernels.transition import transition_coefficients
@@ -17,7 +18,7 @@ def append_piece(
     width: int,
     state: 'float[:]',
 ) -> int:
-    """Close the piece in `row`, whose powers >= 4 are set; fill 0..3 from `state`, advance it.
+    """Close the piece in `row`: add position to jerk from `state`, which is advanced.
 
     state = position, velocity, acceleration, jerk and time at the start of the piece. Returns
     row + 1.
@@ -36,6 +37,8 @@ def append_piece(
             v = v * duration + i * coefficients[row, i]
     state[0] = y
     state[1] = v
+    state[2] = evaluate_piece(coefficients, row, width, duration, 2)
+    state[3] = evaluate_piece(coefficients, row, width, duration, 3)
     state[4] = state[4] + duration
     return row + 1
 
@@ -55,11 +58,51 @@ def add_rise(
         coefficients[row, i + 3] = coefficients[row, i + 3] + scale / rise**i
 
 
+def add_snap(
+    snap: float, rise: float, order: int, psi: 'float[:]', coefficients: 'float[:,:]', row: int
+) -> None:
+    """Add to a piece the fourfold integral of snap * Psi(t, rise) with Psi of the given order."""
+    for i in range(order + 1, 2 * order + 2):
+        scale = snap * psi[i] / ((i + 1.0) * (i + 2.0) * (i + 3.0) * (i + 4.0))
+        coefficients[row, i + 4] = coefficients[row, i + 4] + scale / rise**i
+
+
+def expand_jerk_change(
+    jerk: float,
+    rise: float,
+    share: float,
+    order: int,
+    psi: 'float[:]',
+    state: 'float[:]',
+    starts: 'float[:]',
+    coefficients: 'float[:,:]',
+    row: int,
+    width: int,
+) -> int:
+    """Pieces in which the jerk changes by `jerk` within `rise`; returns the row after them."""
+    clear_piece(coefficients, row)
+    if share <= 0.0:
+        add_rise(jerk, rise, order, psi, coefficients, row)
+        return append_piece(rise, starts, coefficients, row, width, state)
+    snap = jerk / (rise * (1.0 - share))
+    edge = share * rise
+    add_snap(snap, edge, order, psi, coefficients, row)
+    row = append_piece(edge, starts, coefficients, row, width, state)
+    clear_piece(coefficients, row)
+    coefficients[row, 4] = snap / 24.0
+    row = append_piece(rise - 2.0 * edge, starts, coefficients, row, width, state)
+    clear_piece(coefficients, row)
+    coefficients[row, 4] = snap / 24.0
+    add_snap(-snap, edge, order, psi, coefficients, row)
+    return append_piece(edge, starts, coefficients, row, width, state)
+
+
 def expand_phases(
     phases: 'float[:,:]',
     count: int,
     smoothness: int,
     shape: int,
+    share: float,
     psi: 'float[:]',
     state: 'float[:]',
     starts: 'float[:]',
@@ -69,7 +112,8 @@ def expand_phases(
     """Expand `count` phases into pieces from `row` on; returns the row after the last one.
 
     state holds position and velocity, and in state[4] the time, at the start, and is advanced
-    to the end; psi is work space for 2 n numbers.
+    to the end; psi is work space for 2 n numbers; share is the one of the snap's rise in that of
+    the jerk, 0 where the snap has no plateau.
     """
     width = 2 * smoothness
     k = smoothness - 2
@@ -77,6 +121,8 @@ def expand_phases(
     order = k
     if plateau:
         order = k - 1
+        if share > 0.0:
+            order = k - 2
     transition_coefficients(order, psi)
     for i in range(count):
         duration = phases[i, 0]
@@ -95,17 +141,19 @@ def expand_phases(
         else:
             jerk = change / (duration - rise)
             flat = duration - 2.0 * rise
-            add_rise(jerk, rise, order, psi, coefficients, row)
-            row = append_piece(rise, starts, coefficients, row, width, state)
+            row = expand_jerk_change(
+                jerk, rise, share, order, psi, state, starts, coefficients, row, width
+            )
             state[2] = a + 0.5 * jerk * rise
             state[3] = jerk
             if flat > 0.0:
                 clear_piece(coefficients, row)
                 row = append_piece(flat, starts, coefficients, row, width, state)
                 state[2] = a + change - 0.5 * jerk * rise
-            clear_piece(coefficients, row)
-            add_rise(-jerk, rise, order, psi, coefficients, row)
-            row = append_piece(rise, starts, coefficients, row, width, state)
+                state[3] = jerk
+            row = expand_jerk_change(
+                -jerk, rise, share, order, psi, state, starts, coefficients, row, width
+            )
         state[2] = a + change
         state[3] = 0.0
     return row

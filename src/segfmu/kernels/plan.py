@@ -247,10 +247,10 @@ def synchronize_plan(
 
 
 def count_pieces(counts: 'int[:]', cells: int) -> int:
-    """An upper bound of the number of pieces: three a phase, and one a dwell."""
+    """An upper bound of the number of pieces: seven a phase, and one a dwell."""
     total = cells + 1
     for i in range(2 * cells):
-        total = total + 3 * counts[i]
+        total = total + 7 * counts[i]
     return total
 
 
@@ -320,6 +320,7 @@ def expand_plan(
     counts: 'int[:]',
     weights: 'float[:]',
     durations: 'float[:,:]',
+    ramps: 'float[:,:]',
     scratch_starts: 'float[:]',
     scratch: 'float[:,:]',
     starts: 'float[:]',
@@ -330,8 +331,8 @@ def expand_plan(
     """Expand a plan into the pieces of every axis; returns the number of pieces.
 
     times[j, axis] becomes the arrival at waypoint j; offsets (axes + 1,); starts and
-    coefficients (.., 2 smoothness) hold at least count_pieces rows, the scratch arrays (80,) and
-    (80, 16), of which the last two rows serve as work space.
+    coefficients (.., 2 smoothness) hold at least count_pieces rows, the scratch arrays (200,) and
+    (200, 16), of which the last two rows serve as work space.
     """
     intervals = durations.shape[0]
     axes = durations.shape[1]
@@ -352,7 +353,7 @@ def expand_plan(
             if j < intervals:
                 row = expand_interval(
                     j, axis, axes, now, positions, velocities, smoothness, shape, phases, counts,
-                    weights, durations, scratch_starts, scratch, starts, coefficients, row,
+                    weights, durations, ramps, scratch_starts, scratch, starts, coefficients, row,
                 )
                 now = now + durations[j, axis]
     offsets[axes] = row
@@ -372,6 +373,7 @@ def expand_interval(
     counts: 'int[:]',
     weights: 'float[:]',
     durations: 'float[:,:]',
+    ramps: 'float[:,:]',
     scratch_starts: 'float[:]',
     scratch: 'float[:,:]',
     starts: 'float[:]',
@@ -381,8 +383,8 @@ def expand_interval(
     """Expand one interval of one axis from `row` on; returns the row after its last piece."""
     cell = interval * axes + axis
     weight = weights[cell]
-    state = scratch[79, :]
-    psi = scratch[78, :]
+    state = scratch[199, :]
+    psi = scratch[198, :]
     state[0] = positions[interval, axis]
     state[1] = velocities[interval, axis]
     state[4] = now
@@ -391,19 +393,19 @@ def expand_interval(
         if weight >= 1.0:
             which = which + 1
         return expand_phases(
-            phases[which, :, :], counts[which], smoothness, shape, psi, state, starts,
-            coefficients, row,
+            phases[which, :, :], counts[which], smoothness, shape, ramps[axis, 40], psi, state,
+            starts, coefficients, row,
         )
     middle = expand_phases(
-        phases[2 * cell, :, :], counts[2 * cell], smoothness, shape, psi, state,
+        phases[2 * cell, :, :], counts[2 * cell], smoothness, shape, ramps[axis, 40], psi, state,
         scratch_starts, scratch, 0,
     )
     state[0] = positions[interval, axis]
     state[1] = velocities[interval, axis]
     state[4] = now
     last = expand_phases(
-        phases[2 * cell + 1, :, :], counts[2 * cell + 1], smoothness, shape, psi, state,
-        scratch_starts, scratch, middle,
+        phases[2 * cell + 1, :, :], counts[2 * cell + 1], smoothness, shape, ramps[axis, 40], psi,
+        state, scratch_starts, scratch, middle,
     )
     return merge_pieces(
         weight, now + durations[interval, axis], 0, middle, last, scratch_starts, scratch,

@@ -3,13 +3,16 @@
 A ramp takes the acceleration from one level to another, as in (11a-d). Two shapes exist:
 
 * smoothstep (shape 0): the paper's polynomial Psi of (12) with k = n - 2 (errata E1, E2);
-* plateau (shape 1): the jerk rises with the polynomial of order k - 1, stays, and falls.
+* plateau (shape 1): the jerk rises with the polynomial of order k - 1, stays, and falls. Where
+  no limit above the snap is given, the snap has a plateau in the same way: within each rise of
+  the jerk it rises with the polynomial of order k - 2 in a tenth of the time, stays, and falls.
 
 Both are symmetric, so a ramp from a to b lasting tau gains the velocity (a + b) / 2 * tau and,
 from (15), the distance v tau + a tau^2 / 2 + (b - a) (tau^2 / 8 + V / 2), where V is the
 variance of the jerk seen as a density in time: tau^2 / (4 (2 k + 3)) for the polynomial, and
-(tau - rise)^2 / 12 + rise^2 / (4 (2 k + 1)) for the plateau, which is a box convolved with the
-density of its rise.
+(tau - rise)^2 / 12 + rise^2 R for the plateau, which is a box convolved with the density of its
+rise. That density has the variance R = 1 / (4 (2 k + 1)) or, with a plateau of the snap whose rise
+takes the share s, R = (1 - s)^2 / 12 + s^2 / (4 (2 k - 1)).
 
 The duration of a ramp respects every limit c_3 .. c_{n+1} (errata E3); its parameters are
 packed once per axis by `ramp_parameters`:
@@ -21,7 +24,8 @@ packed once per axis by `ramp_parameters`:
     8 .. 15 q_e: the ramp (plateau: its rise) lasts at least (q_e * change)^(1/e), e = 1 ..,
     16 .. the polynomial of the curved part, ascending, in the share s of its duration: the
        acceleration as a share of the change (smoothstep), or the acceleration gained in a rise
-       as a share of jerk * rise (plateau); 2 smoothness numbers
+       as a share of jerk * rise (plateau), or with a plateau of the snap that of its rise,
+    40 share of the rise of the snap in that of the jerk (0: the snap has no plateau)
 """
 
 from math import sqrt
@@ -92,7 +96,7 @@ def transition_peaks(order: int, coefficients: 'float[:]', peaks: 'float[:]') ->
 
 
 def free_rise_share() -> float:
-    """Share of a ramp that each jerk rise takes when no limit above the jerk bounds it."""
+    """Share of a plateau that each of its rises takes when no limit bounds that rise."""
     return 0.1
 
 
@@ -129,10 +133,24 @@ def ramp_parameters(
         ramp[1] = limits[2]
         ramp[4] = 1.0 / 12.0
         ramp[5] = 1.0 / (4.0 * (2 * k + 1))
-        transition_peaks(k - 1, work, peaks)
-        ramp[7] = 2.0 * k + 1.0
-        for j in range(2 * k):
-            ramp[17 + j] = work[j] / (j + 1.0)
+        steep = k > 1 and limits[3] > 0.0
+        for j in range(4, k + 3):
+            if limits[j] > 0.0:
+                steep = False
+        if steep:
+            share = free_rise_share()
+            transition_coefficients(k - 2, work)
+            peaks[1] = 1.0 / (1.0 - share)
+            ramp[5] = (1.0 - share) * (1.0 - share) / 12.0 + share * share / (4.0 * (2 * k - 1))
+            ramp[7] = 2.0 * k - 2.0
+            ramp[40] = share
+            for j in range(2 * k - 2):
+                ramp[16 + j] = work[j]
+        else:
+            transition_peaks(k - 1, work, peaks)
+            ramp[7] = 2.0 * k + 1.0
+            for j in range(2 * k):
+                ramp[17 + j] = work[j] / (j + 1.0)
         rise = 0.0
         for j in range(1, k + 1):
             if limits[j + 2] > 0.0:
@@ -232,6 +250,18 @@ def ramp_distance(
 
 def curved_part(s: float, ramp: 'float[:]') -> 'tuple[float, float, float]':
     """Polynomial of the curved part at s, its derivative and its integral from 0."""
+    if ramp[40] > 0.0:
+        if s > 0.5:
+            # the rise is symmetric: what is gained from s on follows from what is gained to 1 - s
+            value, slope, integral = snap_plateau_half(1.0 - s, ramp)
+            middle, rate, half = snap_plateau_half(0.5, ramp)
+            whole = 2.0 * half + 0.125
+            return (
+                s - 0.5 + value,
+                1.0 - slope,
+                whole - 0.5 * s * (1.0 - s) - integral,
+            )
+        return snap_plateau_half(s, ramp)
     count = int(ramp[7])
     value = 0.0
     slope = 0.0
@@ -243,6 +273,31 @@ def curved_part(s: float, ramp: 'float[:]') -> 'tuple[float, float, float]':
         if i > 0:
             slope = slope * s + i * ramp[16 + i]
     return value, slope, integral * s
+
+
+def snap_plateau_half(s: float, ramp: 'float[:]') -> 'tuple[float, float, float]':
+    """`curved_part` for s <= 1/2 of a jerk rise whose snap has a plateau."""
+    share = ramp[40]
+    count = int(ramp[7])
+    peak = 1.0 / (1.0 - share)
+    u = min(s / share, 1.0)
+    first = 0.0
+    second = 0.0
+    third = 0.0
+    for j in range(count):
+        i = count - 1 - j
+        first = first * u + ramp[16 + i] / (i + 1.0)
+        second = second * u + ramp[16 + i] / ((i + 1.0) * (i + 2.0))
+        third = third * u + ramp[16 + i] / ((i + 1.0) * (i + 2.0) * (i + 3.0))
+    first = peak * share * u * first
+    second = peak * share * share * u * u * second
+    third = peak * share * share * share * u * u * u * third
+    rest = max(s - share, 0.0)
+    return (
+        second + first * rest + 0.5 * peak * rest * rest,
+        first + peak * rest,
+        third + second * rest + 0.5 * first * rest * rest + peak * rest * rest * rest / 6.0,
+    )
 
 
 def invert_curved_part(value: float, upper: float, ramp: 'float[:]') -> float:

@@ -109,9 +109,10 @@ def _solve(
     weights = np.zeros(cells)
     durations = np.zeros((intervals, axes))
     report = np.zeros(4)
+    ramps = np.zeros((axes, 48))
     status = backend.plan_phases(
         positions, velocities, accelerations, dwells, table, smoothness, *options,
-        np.zeros((axes, 48)), phases, counts, weights, np.zeros((intervals, axes)), durations,
+        ramps, phases, counts, weights, np.zeros((intervals, axes)), durations,
         np.zeros(intervals, dtype=np.int64), np.zeros((16, 4 + 2 * smoothness)), report,
     )
     if status < 0:
@@ -123,7 +124,7 @@ def _solve(
     times = np.zeros((len(points), axes))
     used = backend.expand_plan(
         positions, velocities, dwells, smoothness, options[0], phases, counts, weights, durations,
-        np.zeros(80), np.zeros((80, 16)), starts, coefficients, offsets, times,
+        ramps, np.zeros(200), np.zeros((200, 16)), starts, coefficients, offsets, times,
     )
     arrays = starts[:used], coefficients[:used], offsets, times, times[-1] + dwells[-1]
     for array in arrays:

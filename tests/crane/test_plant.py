@@ -1,0 +1,72 @@
+"""The stepping plant: sampling, switching the feedback, independence of the step."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from segfmu import Crane
+from segfmu.crane.feedback import design
+from segfmu.crane.plant import Plant, Setpoints
+from segfmu.errors import SimulationError
+
+CRANE = Crane(2.2, 1.155, 1.0)
+HANGING = CRANE.hanging([0.0, 0.0, -0.5])
+HOLD = Setpoints(force=np.array([0.0, 0.0, -9.81]), reference=HANGING)
+
+
+def plant(sway: float = 0.05, **options) -> Plant:
+    start = HANGING.copy()
+    start[3] = sway
+    feedback = design(CRANE, sample_time=0.01, shortest=0.2, longest=1.0)
+    return Plant(CRANE, start, HOLD, feedback, **options)
+
+
+def test_feedback_acts_only_while_enabled() -> None:
+    swinging = plant()
+    swinging.step(0.05, HOLD)
+    assert np.abs(swinging.drive_force[:2]).max() > 0.01
+    swinging.enabled = False
+    swinging.step(0.02, HOLD)
+    assert swinging.drive_force == pytest.approx([0.0, 0.0, -9.81], abs=1e-15)
+
+
+def test_correction_holds_between_samples() -> None:
+    swinging = plant()
+    swinging.step(0.004, HOLD)
+    first = swinging.drive_force.copy()
+    swinging.step(0.004, HOLD)
+    assert swinging.drive_force.tolist() == first.tolist()
+    swinging.step(0.004, HOLD)
+    assert swinging.drive_force.tolist() != first.tolist()
+
+
+@pytest.mark.parametrize("driven", [False, True])
+def test_communication_step_does_not_matter(driven: bool) -> None:
+    ends = []
+    for steps in (10, 50, 63, 200):
+        swinging = plant(driven=driven)
+        for _ in range(steps):
+            swinging.step(1.0 / steps, HOLD)
+        ends.append(swinging.state)
+    for end in ends[1:]:
+        assert end == pytest.approx(ends[0], abs=1e-8)
+
+
+def test_work_and_energy_balance() -> None:
+    swinging = plant()
+    before = swinging.energy.sum()
+    for _ in range(100):
+        swinging.step(0.01, HOLD)
+    assert swinging.energy.sum() - before == pytest.approx(swinging.work, abs=1e-8)
+
+
+@pytest.mark.parametrize(
+    ("sway", "words"), [(0.0, "the rope's length came to zero"), (0.05, "a sway angle came to 90")]
+)
+def test_failure_names_what_and_when(sway: float, words: str) -> None:
+    falling = plant(sway, enabled=False)
+    pull = Setpoints(force=np.array([0.0, 0.0, -60.0]), reference=HANGING)
+    with pytest.raises(SimulationError, match=rf"at 0\.\d+ s: {words}"):
+        for _ in range(100):
+            falling.step(0.01, pull)
