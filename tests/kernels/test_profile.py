@@ -35,8 +35,8 @@ def sampled(problem: AxisProblem, phases: np.ndarray) -> tuple[np.ndarray, np.nd
     starts, coefficients = np.zeros(rows), np.zeros((rows, 2 * n))
     state = np.array([0.0, problem.v, problem.a, 0.0, 0.0])
     used = expand_phases(
-        phases, len(phases), n, problem.shape, float(problem.ramp()[40]), np.zeros(2 * n + 2), state,
-        starts, coefficients, 0,
+        phases, len(phases), n, problem.shape, float(problem.ramp()[40]), np.zeros(2 * n + 2),
+        state, starts, coefficients, 0,
     )
     ends = np.append(starts[1:used], state[4])[:used]
     peaks = np.zeros(n + 1)
