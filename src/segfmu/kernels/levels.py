@@ -183,18 +183,21 @@ def bracketed_root(
     t_top: float,
     ramp: 'float[:]',
 ) -> float:
-    """Regula falsi (Anderson-Bjoerck) on the canonical family; f_lower < target <= f_upper."""
+    """Regula falsi (Anderson-Bjoerck) on the canonical family; f_lower < target <= f_upper.
+
+    `lower` and `upper` name the values, not the order of the parameters.
+    """
     e_lower = f_lower - target
     e_upper = f_upper - target
     side = 0
     p = upper
     for i in range(200):
-        if e_upper == 0.0 or upper - lower <= 2e-16 * upper:
+        if e_upper == 0.0 or abs(upper - lower) <= 2e-16 * abs(upper):
             return upper
         p = upper - e_upper * (upper - lower) / (e_upper - e_lower)
-        if i > 40 or p <= lower or p >= upper:
+        if i > 40 or (p - lower) * (p - upper) >= 0.0:
             p = 0.5 * (lower + upper)
-            if p <= lower or p >= upper:
+            if (p - lower) * (p - upper) >= 0.0:
                 return upper
         value, duration = canonical_value(p, by_time, v, a, w, b, top, t_top, ramp)
         error = value - target
@@ -237,8 +240,24 @@ def first_window(
     """Search the members whose second level lies between the end acceleration and zero.
 
     Returns the parameter or -1, and t_zero if the family goes on there, else -1: a positive
-    second level gains velocity, which can leave no room for the first one.
+    second level gains velocity, which can leave no room for the first one. Where the motion
+    starts backwards the distance can rise and fall again, so the members between are looked at.
     """
+    if v < 0.0:
+        samples = 8
+        lower = 0.0
+        f_lower = f_start
+        for i in range(1, samples):
+            p = t_zero * i / samples
+            value, duration = canonical_value(p, by_time, v, a, w, b, top, t_top, ramp)
+            if duration < 0.0:
+                break
+            if value >= target and value > f_lower:
+                return bracketed_root(
+                    lower, p, f_lower, value, target, by_time, v, a, w, b, top, t_top, ramp
+                ), t_zero
+            lower = p
+            f_lower = value
     value, duration = canonical_value(t_zero, by_time, v, a, w, b, top, t_top, ramp)
     end = t_zero
     if duration < 0.0:
@@ -255,6 +274,34 @@ def first_window(
     return -1.0, going_on
 
 
+def dip(
+    target: float,
+    f_start: float,
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    top: float,
+    t_top: float,
+    ramp: 'float[:]',
+) -> float:
+    """Parameter of a member that covers less than the first one, and just the target; or -1.
+
+    Going on for longer covers less distance while the velocity in between is negative.
+    """
+    samples = 12
+    for i in range(1, samples + 1):
+        p = t_top * i * i / (samples * samples)
+        value, duration = canonical_value(p, False, v, a, w, b, top, t_top, ramp)
+        if duration < 0.0:
+            return -1.0
+        if value <= target:
+            return bracketed_root(
+                p, 0.0, value, f_start, target, False, v, a, w, b, top, t_top, ramp
+            )
+    return -1.0
+
+
 def canonical_search(
     target: float,
     by_time: bool,
@@ -268,10 +315,14 @@ def canonical_search(
 ) -> float:
     """Parameter of the first canonical member with the target distance (or duration), or -1."""
     f_lower, duration = canonical_value(0.0, by_time, v, a, w, b, top, t_top, ramp)
-    if duration < 0.0 or f_lower > target:
+    if duration < 0.0:
         return -1.0
     if f_lower == target:
         return 0.0
+    if f_lower > target:
+        if by_time or (v >= 0.0 and w >= 0.0):
+            return -1.0
+        return dip(target, f_lower, v, a, w, b, top, t_top, ramp)
     lower = 0.0
     if b > 0.0:
         t_zero, rise, slope = ramp_duration(b, ramp)
