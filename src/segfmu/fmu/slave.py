@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from typing import Any
 
 from pythonfmu import Fmi2Slave
@@ -36,13 +37,13 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
         ]
         self.start_time = 0.0
 
+    @abstractmethod
     def initialise(self) -> None:
         """Compute everything that follows from parameters and start values."""
-        raise NotImplementedError
 
+    @abstractmethod
     def advance(self, time: float, step: float) -> None:
         """Advance from `time` by `step`."""
-        raise NotImplementedError
 
     def value(self, name: str) -> Any:
         """Value of a variable."""
