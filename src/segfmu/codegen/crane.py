@@ -1,16 +1,19 @@
 """SymPy -> kernels/_crane.py: `python -m segfmu.codegen.crane`.
 
 Common subexpressions are eliminated over all results of a function; every function is plain
-typed Python that writes into arrays of its caller.
+typed Python that writes into arrays of its caller. Powers become products and square roots, whose
+results are the same on every platform, which those of pow are not.
 """
 
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import sympy as sp
+from sympy.printing.pycode import PythonCodePrinter
 
 from segfmu.crane import flatness, lagrangian
 
@@ -22,15 +25,15 @@ Sources: crane/lagrangian.py and crane/flatness.py. state = x_t, y_t, l, phi_x, 
 rates; generalized_force = F_x, F_y, F_l (tension negative) and the torques on phi_x and phi_y.
 """
 
-from math import atan2, cos, sin, sqrt
-'''
+from math import atan2, cos, sin, sqrt'''
 
 MASSES = "bridge_mass: float, trolley_mass: float, payload_mass: float, gravity: float"
 
 
 def generate() -> str:
     """Return the text of kernels/_crane.py."""
-    return "\n\n".join([BANNER, *(f() for f in (_rhs, _driven, _inverse, _load, _energy))]) + "\n"
+    functions = [f() for f in (_rhs, _driven, _inverse, _load, _energy)]
+    return "\n\n\n".join([BANNER, *functions]) + "\n"
 
 
 def write(target: Path = TARGET) -> None:
@@ -40,10 +43,60 @@ def write(target: Path = TARGET) -> None:
     os.replace(temporary, target)
 
 
+class _Printer(PythonCodePrinter):  # type: ignore[misc]  # SymPy has no types
+    """Python text in which a power of a symbol is a product."""
+
+    def _print_Pow(self, power: sp.Pow, rational: bool = False) -> str:
+        if _is_plain(power):
+            text: str = super()._print_Pow(power, rational=rational)
+            return text
+        whole, half = divmod(abs(power.exp), 1)
+        factors = [str(power.base)] * int(whole) + [f"sqrt({power.base})"] * bool(half)
+        product = f"({'*'.join(factors)})"
+        return product if power.exp > 0 else f"(1/{product})"
+
+
+def _is_plain(power: sp.Pow) -> bool:
+    """Whether SymPy prints the power as a square root, a reciprocal or both."""
+    return power.exp in (-1, sp.Rational(1, 2), sp.Rational(-1, 2))
+
+
 def _code(expression: sp.Expr) -> str:
-    """Python text of an expression; squares and reciprocals without calls of pow."""
-    text: str = sp.pycode(expression, fully_qualified_modules=False)
-    return text
+    text = str(_Printer({"fully_qualified_modules": False}).doprint(expression))
+    return text[1:-1] if expression.is_Pow and not _is_plain(expression) else text
+
+
+Steps = list[tuple[sp.Symbol, sp.Expr]]
+
+
+def _named_bases(expression: sp.Expr, names: Iterator[sp.Symbol]) -> tuple[Steps, sp.Expr]:
+    """Give a name to every base that a product repeats; returns the names and the rest."""
+    named: Steps = []
+
+    def name(power: sp.Pow) -> sp.Expr:
+        named.append((next(names), power.base))
+        return named[-1][0] ** power.exp
+
+    rest = expression.replace(
+        lambda e: e.is_Pow and not _is_plain(e) and not e.base.is_Symbol, name
+    )
+    return named, rest
+
+
+def _eliminated(values: Sequence[sp.Expr]) -> tuple[Steps, list[sp.Expr]]:
+    """Common subexpressions and, in terms of them, the values."""
+    names = sp.numbered_symbols("c")
+    common, results = sp.cse(values, symbols=names, optimizations="basic")
+    steps: Steps = []
+    for symbol, value in common:
+        named, rest = _named_bases(value, names)
+        steps += [*named, (symbol, rest)]
+    rests = []
+    for result in results:
+        named, rest = _named_bases(result, names)
+        steps += named
+        rests.append(rest)
+    return steps, rests
 
 
 def _function(
@@ -53,9 +106,7 @@ def _function(
     outputs: Sequence[tuple[str, sp.Expr]],
 ) -> str:
     """One kernel: read the inputs used, the common subexpressions, write the outputs."""
-    steps, results = sp.cse(
-        [value for _, value in outputs], symbols=sp.numbered_symbols("c"), optimizations="basic"
-    )
+    steps, results = _eliminated([value for _, value in outputs])
     used = set().union(*(r.free_symbols for r in results), *(v.free_symbols for _, v in steps))
     lines = [f"def {head} -> None:", f'    """{doc}"""']
     lines += [f"    {symbol} = {source}" for symbol, source in inputs if symbol in used]
@@ -71,12 +122,19 @@ def _state_inputs(s: lagrangian.Symbols) -> list[tuple[sp.Expr, str]]:
     return [(v, f"state[{i}]") for i, v in enumerate([*s.q, *s.rate])]
 
 
+def _require_solution(s: lagrangian.Symbols, motion: sp.Matrix) -> None:
+    if not lagrangian.is_solution(s, motion):
+        raise AssertionError("accelerations that do not satisfy Lagrange's equations (20)")
+
+
 def _rhs() -> str:
     s = lagrangian.symbols()
     inputs = _state_inputs(s)
     inputs += [(v, f"generalized_force[{i}]") for i, v in enumerate(s.force)]
     inputs += [(v, f"load_force[{i}]") for i, v in enumerate(s.load_force)]
-    values = [*s.rate, *lagrangian.accelerations(s)]
+    motion = lagrangian.accelerations(s)
+    _require_solution(s, motion)
+    values = [*s.rate, *motion]
     return _function(
         "crane_rhs(\n    state: 'float[:]', generalized_force: 'float[:]', load_force: 'float[:]',"
         f"\n    {MASSES},\n    derivative: 'float[:]',\n)",
@@ -90,6 +148,7 @@ def _driven() -> str:
     s = lagrangian.symbols()
     carriage = sp.Matrix(sp.symbols("a_x a_y a_l", real=True))
     motion, forces = lagrangian.driven_accelerations(s, carriage)
+    _require_solution(replace(s, force=forces.col_join(s.force[3:, :])), motion)
     inputs = _state_inputs(s)
     inputs += [(v, f"carriage[{i}]") for i, v in enumerate(carriage)]
     inputs += [(v, f"generalized_force[{i}]") for i, v in enumerate(s.force)]

@@ -79,6 +79,19 @@ def residual(s: Symbols, acceleration: sp.Matrix) -> sp.Matrix:
     return change - sp.Matrix([lagrangian]).jacobian(s.q).T - work
 
 
+def is_solution(s: Symbols, acceleration: sp.Matrix) -> bool:
+    """Whether accelerations satisfy (20), in exact arithmetic at a point in general position."""
+    phi_x, phi_y = s.q[3], s.q[4]
+    angles = {
+        sp.sin(phi_x): sp.Rational(3, 5), sp.cos(phi_x): sp.Rational(4, 5),
+        sp.sin(phi_y): sp.Rational(-5, 13), sp.cos(phi_y): sp.Rational(12, 13),
+    }
+    rest = residual(s, acceleration).subs(angles)
+    names = sorted(rest.free_symbols, key=str)
+    point = {name: sp.Rational(sp.prime(i + 4), 7) for i, name in enumerate(names)}
+    return all(value.subs(point) == 0 for value in rest)
+
+
 def _suspension(s: Symbols) -> tuple[sp.Matrix, sp.Matrix, sp.Matrix]:
     """Columns d p / d (l, phi_x, phi_y), their Gram matrix, and the velocity-dependent part of p''.
 

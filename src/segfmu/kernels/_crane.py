@@ -69,6 +69,7 @@ def crane_rhs(
     derivative[8] = -c3*(c12*c28 + c19*c2 + c26*c27)
     derivative[9] = c10*(-c27*c7 + c28*c9)
 
+
 def crane_driven(
     state: 'float[:]', carriage: 'float[:]', generalized_force: 'float[:]',
     load_force: 'float[:]',
@@ -92,7 +93,7 @@ def crane_driven(
     w_x = load_force[0]
     w_y = load_force[1]
     w_z = load_force[2]
-    c0 = l**(-2)
+    c0 = 1/(l*l)
     c1 = 1/payload_mass
     c2 = cos(phi_x)
     c3 = sin(phi_x)
@@ -136,10 +137,11 @@ def crane_driven(
     derivative[6] = a_y
     derivative[7] = a_l
     derivative[8] = -c0*c24
-    derivative[9] = c0*c25/c2**2
+    derivative[9] = c0*c25/(c2*c2)
     force[0] = a_x*(bridge_mass + trolley_mass) + payload_mass*(-c24*c28 + c26 + c8) - w_x
     force[1] = a_y*trolley_mass + payload_mass*(c19 - c24*c33 + c31) - w_y
     force[2] = payload_mass*(-c11*c2*(c20 + c31 + c33*c34) - c12*c2*(c23 + c29*c3*c34 + c30*c32) + c3*(c26 + c28*c34 + c9))
+
 
 def crane_flat_inverse(
     flat: 'float[:,:]', bridge_mass: float, trolley_mass: float, payload_mass: float, gravity: float,
@@ -166,7 +168,7 @@ def crane_flat_inverse(
     c2 = c1*p0z
     c3 = c1*p2z
     c4 = p0z*p4z
-    c5 = c0**2
+    c5 = c0*c0
     c6 = 1/c5
     c7 = c6*p2x
     c8 = c1*p3z
@@ -184,8 +186,8 @@ def crane_flat_inverse(
     c20 = p1z*p2y
     c21 = 2*c18
     c22 = c10*(c1*c18 - p3y) + c11*p3y + c14*(c19 - c2*c21 + c20) + c16*c17 - c2*p4y - c3*p2y + p2y
-    c23 = p2x**2
-    c24 = p2y**2
+    c23 = p2x*p2x
+    c24 = p2y*p2y
     c25 = c24 + c5
     c26 = c23 + c25
     c27 = sqrt(c26)
@@ -215,7 +217,7 @@ def crane_flat_inverse(
     c51 = c30*c41
     c52 = c32*c41
     c53 = p2x*p2y
-    c54 = c26**(-3/2)
+    c54 = 1/(c26*sqrt(c26))
     c55 = c44*p2x
     c56 = c46*p2x
     c57 = 2*c41
@@ -223,7 +225,7 @@ def crane_flat_inverse(
     c59 = c23*c57
     c60 = c43*p2x
     c61 = c60*p3y
-    c62 = p2x/c25**(3/2)
+    c62 = p2x/(c25*sqrt(c25))
     c63 = c0*c18
     c64 = c60*p3z
     c65 = c0*p3y
@@ -244,9 +246,10 @@ def crane_flat_inverse(
     state[9] = c48*(c0*p3y - c18)
     acceleration[0] = c15
     acceleration[1] = c22
-    acceleration[2] = -c27*c3 - c29*c35*p4x + c34*p3x*(c23*c51 + c31 + c40*c50*p2x + c52*c53) + c34*p3y*(c18*c50*p0z + c24*c52 + c33 + c51*c53) - c39*c4 - c49*p0z*p4y - p1z*(c35*p2x*p3x + c39*p3z + c49*p3y) + p3z*(c12*c34*c7 + c34*c37*c6 - c34*p1z + c36*c54 + c37*c54 + c38*p1z - c40*(-c0*c54 - c35 + 2*c27/c0**3))
+    acceleration[2] = -c27*c3 - c29*c35*p4x + c34*p3x*(c23*c51 + c31 + c40*c50*p2x + c52*c53) + c34*p3y*(c18*c50*p0z + c24*c52 + c33 + c51*c53) - c39*c4 - c49*p0z*p4y - p1z*(c35*p2x*p3x + c39*p3z + c49*p3y) + p3z*(c12*c34*c7 + c34*c37*c6 - c34*p1z + c36*c54 + c37*c54 + c38*p1z - c40*(-c0*c54 - c35 + 2*c27/(c0*c0*c0)))
     acceleration[3] = c41*(-c28*p4x + c55*p4y + c56*p4z + p3x*(-c45*c59 + c45 - c47*c59 + c47 + c58*p2x) - p3y*(c21*c41*c56 + c24*c57*c61 + c24*c62*p3y + c44*p3x - c58*p2y - c61 + c62*c63) - p3z*(-c0*c58 + c46*p3x + c5*c57*c64 + c5*c62*p3z + c55*c57*c65 + c62*c66 - c64))
     acceleration[4] = c48*(c0*p4y - c16 - p3y*(-c24*c67*p3z + c66*c67 + p3z) + p3z*(-c5*c67*p3y + c63*c67 + p3y))
+
 
 def crane_load(state: 'float[:]', load: 'float[:,:]') -> None:
     """Position load[0] and velocity load[1] of the load, (16)."""
@@ -277,6 +280,7 @@ def crane_load(state: 'float[:]', load: 'float[:,:]') -> None:
     load[1, 1] = -c2*c8 + c2*c9 - c7*phi_y_rate + y_t_rate
     load[1, 2] = c5*phi_y_rate - c6*c8 + c6*c9
 
+
 def crane_energy(
     state: 'float[:]', bridge_mass: float, trolley_mass: float, payload_mass: float, gravity: float,
     energy: 'float[:]',
@@ -290,7 +294,7 @@ def crane_energy(
     l_rate = state[7]
     phi_x_rate = state[8]
     phi_y_rate = state[9]
-    c0 = x_t_rate**2
+    c0 = x_t_rate*x_t_rate
     c1 = sin(phi_x)
     c2 = cos(phi_x)
     c3 = l*phi_x_rate
@@ -300,5 +304,8 @@ def crane_energy(
     c7 = sin(phi_y)
     c8 = c2*l
     c9 = c8*phi_y_rate
-    energy[0] = (1/2)*bridge_mass*c0 + (1/2)*payload_mass*((c1*l_rate + c2*c3 + x_t_rate)**2 + (-c4*c5 + c4*c6 + c7*c9)**2 + (-c4*c9 - c5*c7 + c6*c7 + y_t_rate)**2) + (1/2)*trolley_mass*(c0 + y_t_rate**2)
+    c10 = c1*l_rate + c2*c3 + x_t_rate
+    c11 = -c4*c5 + c4*c6 + c7*c9
+    c12 = -c4*c9 - c5*c7 + c6*c7 + y_t_rate
+    energy[0] = (1/2)*bridge_mass*c0 + (1/2)*payload_mass*((c10*c10) + (c11*c11) + (c12*c12)) + (1/2)*trolley_mass*(c0 + (y_t_rate*y_t_rate))
     energy[1] = -c4*c8*gravity*payload_mass
