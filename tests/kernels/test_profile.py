@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 
 from segfmu.kernels.evaluate import expand_phases
 from segfmu.kernels.profile import shortest_profile
@@ -49,6 +49,9 @@ def sampled(problem: AxisProblem, phases: np.ndarray) -> tuple[np.ndarray, np.nd
 
 
 @settings(max_examples=400, deadline=None)
+@example(AxisProblem(6, 1, (0.5, 0.5, 0.0, 0.5, 0.0, 0.0, 0.0), -0.5, 6e-135, -0.5, 0.0, -1.0))
+@example(AxisProblem(6, 0, (0.5, 0.5, 0.0, 0.0, 0.0, 0.5, 0.0), 0.0, 0.0, 6e-135, 0.0, 0.0))
+@example(AxisProblem(4, 0, (0.5, 0.03, 0.0, 0.5, 0.0), 0.0, 0.0, 0.0, 0.0, 1.3e-134))
 @given(axis_problems())
 def test_boundary_is_met_within_every_limit_or_braking_is_impossible(
     problem: AxisProblem,

@@ -12,7 +12,7 @@ a ramp; 10 a dwell at a moving waypoint. report = axis, interval from 0, value, 
 
 from math import ceil
 
-from segfmu.kernels.phases import append_hold, measure_phases
+from segfmu.kernels.phases import append_hold, measure_phases, without_dust
 from segfmu.kernels.profile import shortest_profile
 from segfmu.kernels.synchronize import stretch_phases, timed_profile
 
@@ -82,13 +82,14 @@ def set_duration(
     distance = positions[interval + 1, axis] - positions[interval, axis]
     if target < shortest * (1.0 - 1e-13):
         return False
-    resting = v == 0.0 and a == 0.0 and w == 0.0 and b == 0.0
+    speed = without_dust(abs(v) + abs(w), limits[axis, 0])
+    resting = speed == 0.0 and without_dust(abs(a) + abs(b), limits[axis, 1]) == 0.0
     if resting or target <= shortest * (1.0 + 1e-13):
         status, duration = set_shortest(
             interval, axis, positions, velocities, accelerations, limits, ramps, phases,
             counts, weights, trial,
         )
-        if resting and distance == 0.0:
+        if resting and counts[2 * cell] == 0:
             counts[2 * cell] = append_hold(phases[2 * cell, :, :], 0, 0.0, target)
         elif resting:
             stretch_phases(phases[2 * cell, :, :], counts[2 * cell], target / duration)

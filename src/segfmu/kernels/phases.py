@@ -3,6 +3,13 @@
 from segfmu.kernels.transition import ramp_distance, ramp_duration, ramp_extreme_velocity
 
 
+def without_dust(value: float, scale: float) -> float:
+    """The value, or 0 where it is so small against its scale that its powers would underflow."""
+    if abs(value) <= 1e-30 * scale:
+        return 0.0
+    return value
+
+
 def append_ramp(
     phases: 'float[:,:]', count: int, a: float, b: float, duration: float, ramp: 'float[:]'
 ) -> int:

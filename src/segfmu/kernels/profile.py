@@ -24,6 +24,7 @@ from segfmu.kernels.phases import (
     measure_phases,
     mirror_phases,
     reverse_phases,
+    without_dust,
 )
 from segfmu.kernels.transition import ramp_duration
 
@@ -269,6 +270,11 @@ def shortest_profile(
     number of phases (0 when there is nothing to do), or -1 when braking the first acceleration
     to zero passes the velocity limit, -2 when building up the last one does, -3 otherwise.
     """
+    v = without_dust(v, velocity_limit)
+    w = without_dust(w, velocity_limit)
+    a = without_dust(a, top)
+    b = without_dust(b, top)
+    distance = without_dust(distance, velocity_limit * velocity_limit / top)
     if distance == 0.0 and v == 0.0 and w == 0.0 and a == 0.0 and b == 0.0:
         return 0
     t_start, rise, slope = ramp_duration(abs(a), ramp)

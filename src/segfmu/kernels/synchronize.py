@@ -12,7 +12,13 @@ E10); outside the gaps the profile is, in this order:
 * the weighted mean of two profiles that last T, one short of the distance and one beyond it.
 """
 
-from segfmu.kernels.phases import append_change, copy_phases, insert_hold, measure_phases
+from segfmu.kernels.phases import (
+    append_change,
+    copy_phases,
+    insert_hold,
+    measure_phases,
+    without_dust,
+)
 from segfmu.kernels.profile import cruise_form, merged_form
 from segfmu.kernels.transition import ramp_duration
 
@@ -209,6 +215,11 @@ def timed_profile(
     The motion is (1 - weight) * below + weight * above; found[0] and found[2] are the numbers
     of phases of the two (12 rows each).
     """
+    v = without_dust(v, velocity_limit)
+    w = without_dust(w, velocity_limit)
+    a = without_dust(a, top)
+    b = without_dust(b, top)
+    distance = without_dust(distance, velocity_limit * velocity_limit / top)
     for i in range(4):
         found[i] = 0.0
     for variant in range(4):
