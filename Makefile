@@ -9,12 +9,13 @@ OUT ?= out
 .PHONY: demo test lint examples generate golden lock clean
 .DEFAULT_GOAL := demo
 
-$(VENV)/installed: pyproject.toml requirements-dev.lock
+$(VENV)/installed: pyproject.toml setup.py requirements-dev.lock $(wildcard src/segfmu/kernels/c/*)
 	@test -n "$(PYTHON)" || { echo "segfmu needs Python 3.11 or newer; none was found"; exit 1; }
-	@command -v cc >/dev/null 2>&1 || echo "note: no C compiler found; it is optional"
 	@test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check \
 		--constraint requirements-dev.lock --editable '.[dev]'
+	@$(BIN)/python -c "from segfmu.kernels.backend import COMPILED; \
+		COMPILED or print('note: no C compiler found; the kernels run interpreted, only slower')"
 	@touch $@
 
 demo: $(VENV)/installed ## plan, invert, pack, co-simulate and judge the paper's mission
@@ -32,7 +33,7 @@ examples: $(VENV)/installed ## run every example
 	@set -e; for example in examples/[0-9]*.py; do echo "$$example"; $(BIN)/python $$example; done
 
 generate: $(VENV)/installed ## write the generated files again
-	$(BIN)/python -m segfmu.codegen.crane
+	$(BIN)/python -m segfmu.codegen
 
 golden: $(VENV)/installed ## write the golden files again
 	SEGFMU_UPDATE_GOLDEN=1 $(BIN)/python -m pytest -q tests/golden

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 from segfmu.crane.parameters import Crane
 from segfmu.crane.rope import LoadTrajectory, require_rope
 from segfmu.errors import InputError
-from segfmu.kernels._crane import crane_flat_inverse
+from segfmu.kernels import backend
 from segfmu.planning.arrays import FloatArray
 
 ORDERS = 5
@@ -67,5 +67,5 @@ class FlatInverse:
         for row, values in zip(
             results.reshape(-1, 18), flat.reshape(-1, ORDERS, 3), strict=True
         ):
-            crane_flat_inverse(values, *self.crane.masses, row[:3], row[3:13], row[13:])
+            backend.crane_flat_inverse(values, *self.crane.masses, row[:3], row[3:13], row[13:])
         return results

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from segfmu.errors import InputError
-from segfmu.kernels._crane import crane_load, crane_rhs
+from segfmu.kernels import backend
 from segfmu.planning.arrays import FloatArray, finite_vector
 
 
@@ -85,7 +85,7 @@ class Crane:
         generalized = np.zeros(5)
         generalized[:3] = _sized("force", force, 3)
         derivative = np.zeros(10)
-        crane_rhs(
+        backend.crane_rhs(
             _sized("state", state, 10), generalized, _sized("load_force", load_force, 3),
             *self.masses, derivative,
         )
@@ -94,7 +94,7 @@ class Crane:
     def load(self, state: ArrayLike) -> FloatArray:
         """Position and velocity of the load, (16); shape (2, 3) [m, m/s]."""
         load = np.zeros((2, 3))
-        crane_load(_sized("state", state, 10), load)
+        backend.crane_load(_sized("state", state, 10), load)
         return load
 
     def hanging(self, position: ArrayLike) -> FloatArray:

@@ -13,9 +13,7 @@ import numpy as np
 from segfmu.crane.feedback import SwayFeedback
 from segfmu.crane.parameters import Crane
 from segfmu.errors import SimulationError
-from segfmu.kernels._crane import crane_energy, crane_load
-from segfmu.kernels.feedback import feedback_correction
-from segfmu.kernels.integrate import crane_advance
+from segfmu.kernels import backend
 from segfmu.planning.arrays import FloatArray
 
 TOLERANCE = 1e-10
@@ -104,14 +102,14 @@ class Plant:
     def load(self) -> FloatArray:
         """Position and velocity of the load, shape (2, 3)."""
         load = np.zeros((2, 3))
-        crane_load(self._state, load)
+        backend.crane_load(self._state, load)
         return load
 
     @property
     def energy(self) -> FloatArray:
         """Kinetic and potential energy [J]."""
         energy = np.zeros(2)
-        crane_energy(self._state, *self.crane.masses, energy)
+        backend.crane_energy(self._state, *self.crane.masses, energy)
         return energy
 
     def step(self, duration: float, setpoints: Setpoints) -> None:
@@ -140,7 +138,7 @@ class Plant:
         self._correction[:] = 0.0
         if self.enabled:
             reference = _between(self._last.reference, setpoints.reference, share)
-            feedback_correction(
+            backend.feedback_correction(
                 self._state, reference, self._feedback.lengths, self._feedback.gains,
                 self._correction,
             )
@@ -158,7 +156,7 @@ class Plant:
             drive = _between(self._last.force, setpoints.force, done / duration)
             drive = drive + self._correction
             rate = (setpoints.force - self._last.force) / duration
-        status = crane_advance(
+        status = backend.crane_advance(
             self._driven, self._state, drive, rate, np.zeros(2), setpoints.wind,
             *self.crane.masses, length, TOLERANCE, self._work,
         )

@@ -1,7 +1,48 @@
-"""The entry points of the kernels that other layers call."""
+"""The entry points of the kernels that other layers call: compiled, or else interpreted.
 
-from segfmu.kernels.evaluate import evaluate
-from segfmu.kernels.expand import count_pieces, expand_plan
-from segfmu.kernels.plan import plan_phases
+Both give the same numbers. The compiled ones exist where a C compiler was found when the package
+was installed; SEGFMU_INTERPRETED=1 in the environment turns them off.
+"""
 
-__all__ = ["count_pieces", "evaluate", "expand_plan", "plan_phases"]
+import os
+from importlib.util import find_spec
+
+COMPILED = (
+    os.environ.get("SEGFMU_INTERPRETED", "0") in ("", "0")
+    and find_spec("segfmu.kernels._compiled") is not None
+)
+
+if COMPILED:
+    from segfmu.kernels._compiled import (
+        count_pieces,
+        crane_advance,
+        crane_energy,
+        crane_flat_inverse,
+        crane_load,
+        crane_rhs,
+        evaluate,
+        expand_plan,
+        feedback_correction,
+        plan_phases,
+    )
+else:
+    from segfmu.kernels._crane import crane_energy, crane_flat_inverse, crane_load, crane_rhs
+    from segfmu.kernels.evaluate import evaluate
+    from segfmu.kernels.expand import count_pieces, expand_plan
+    from segfmu.kernels.feedback import feedback_correction
+    from segfmu.kernels.integrate import crane_advance
+    from segfmu.kernels.plan import plan_phases
+
+__all__ = [
+    "COMPILED",
+    "count_pieces",
+    "crane_advance",
+    "crane_energy",
+    "crane_flat_inverse",
+    "crane_load",
+    "crane_rhs",
+    "evaluate",
+    "expand_plan",
+    "feedback_correction",
+    "plan_phases",
+]

@@ -58,7 +58,7 @@ def error_weights(row: 'float[:]') -> None:
     row[6] = -1.0 / 40.0
 
 
-def slope(
+def state_derivative(
     driven: bool,
     t: float,
     state: 'float[:]',
@@ -144,7 +144,7 @@ def crane_advance(
                 work[7, i] = value
             bounded = finite(work[7, :], 11)
             if bounded:
-                slope(
+                state_derivative(
                     driven, t + node * h, work[7, :], drive, drive_rate, torque, load_force,
                     bridge_mass, trolley_mass, payload_mass, gravity, work, work[stage, :],
                 )

@@ -1,0 +1,17 @@
+"""Write every generated file again: `python -m segfmu.codegen`."""
+
+from __future__ import annotations
+
+from segfmu.codegen import crane, glue, native
+from segfmu.codegen.files import write
+
+
+def main() -> None:
+    """The crane's equations first: the kernels in C contain them."""
+    write(crane.TARGET, crane.generate())
+    for name, text in (native.generate() | glue.generate()).items():
+        write(native.TARGET / name, text)
+
+
+if __name__ == "__main__":
+    main()

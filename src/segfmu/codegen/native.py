@@ -1,0 +1,133 @@
+"""kernels/*.py -> kernels/c/kernels.c and kernels.h, translated by Pyccel.
+
+All kernels become one C file: functions are static but for the entry points, so that a C compiler
+can inline them, and one archive of an FMU holds one source. Pyccel's span library is replaced by
+the few operations that occur, in the hand-written span.h; anything else fails here.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from segfmu.errors import BuildError
+
+KERNELS = Path(__file__).parents[1] / "kernels"
+TARGET = KERNELS / "c"
+
+# in the order in which they use each other
+MODULES = (
+    "transition", "phases", "levels", "profile", "synchronize", "intervals", "plan", "evaluate",
+    "expand", "feedback", "_crane", "integrate",
+)
+# what C programs and the compiled extension may call
+ENTRY_POINTS = (
+    "ramp_parameters", "ramp_duration", "measure_phases", "shortest_profile", "timed_profile",
+    "plan_phases", "count_pieces", "expand_plan", "evaluate", "feedback_correction", "crane_rhs",
+    "crane_driven", "crane_flat_inverse", "crane_load", "crane_energy", "crane_advance",
+)
+PREFIX = "segfmu_"
+
+BANNER = "/* Generated from the kernels in Python by `python -m segfmu.codegen`; never edited. */\n"
+
+
+def generate() -> dict[str, str]:
+    """Return the texts of the generated files, by name."""
+    with tempfile.TemporaryDirectory() as folder:
+        module = Path(folder) / "kernels.py"
+        module.write_text(amalgamate(), encoding="utf-8")
+        _translate(module)
+        body = (module.parent / "__pyccel__" / "kernels.c").read_text(encoding="utf-8")
+        header = (module.parent / "__pyccel__" / "kernels.h").read_text(encoding="utf-8")
+    lines = header.splitlines()
+    prototypes = [line for line in lines if re.match(r"\w[\w ]*\*? \w+\(.*\);$", line)]
+    public = [line for line in prototypes if _name(line) in ENTRY_POINTS]
+    private = [f"static {line}" for line in prototypes if _name(line) not in ENTRY_POINTS]
+    body = _static(_spans(body.removeprefix('#include "kernels.h"\n')))
+    source = f'{BANNER}#include "kernels.h"\n\n#include <math.h>\n\n'
+    return {
+        "kernels.c": source + _prefixed("\n".join(private) + "\n" + body.rstrip() + "\n"),
+        "kernels.h": _prefixed(_header(public)),
+    }
+
+
+def amalgamate() -> str:
+    """All kernels as one Python module."""
+    imported: set[str] = set()
+    texts = []
+    for name in MODULES:
+        text = (KERNELS / f"{name}.py").read_text(encoding="utf-8")
+        lines = text.splitlines()
+        for node in ast.parse(text).body:
+            module = node.module if isinstance(node, ast.ImportFrom) else None
+            if isinstance(node, ast.ImportFrom) and module == "math":
+                imported.update(alias.name for alias in node.names)
+            elif isinstance(node, ast.FunctionDef):
+                texts.append("\n".join(lines[node.lineno - 1 : node.end_lineno]))
+            elif not isinstance(node, ast.ImportFrom | ast.Expr):
+                raise BuildError(f"kernels/{name}.py:{node.lineno}: only functions translate")
+    head = f"from math import {', '.join(sorted(imported))}"
+    return "\n\n\n".join([head, *texts]) + "\n"
+
+
+def _translate(module: Path) -> None:
+    run = "from pyccel.commands.console import pyccel; pyccel()"
+    command = [sys.executable, "-c", run, "-t", "--language", "c", module.name]
+    done = subprocess.run(command, cwd=module.parent, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        raise BuildError(f"Pyccel: {(done.stdout + done.stderr).strip()}")
+
+
+def _name(prototype: str) -> str:
+    return prototype[: prototype.index("(")].split()[-1].lstrip("*")
+
+
+def _header(public: list[str]) -> str:
+    texts = "\n".join(public)
+    return (
+        f"{BANNER}#ifndef SEGFMU_KERNELS_H\n#define SEGFMU_KERNELS_H\n\n"
+        '#include <stdbool.h>\n#include <stdint.h>\n\n#include "span.h"\n\n'
+        f"{texts}\n\n#endif\n"
+    )
+
+
+def _spans(text: str) -> str:
+    """Replace the slices and the minima by the functions of span.h."""
+    every = r"\{c_ALL\}"
+    index = r"\{([^{},]+)\}"
+    rules = (
+        (rf"cspan_slice\(array_double_1d, (&\w+), {index}, {every}\)", r"span_row(\1, \2)"),
+        (rf"cspan_slice\(array_double_2d, (&\w+), {index}, {every}, {every}\)",
+         r"span_matrix(\1, \2)"),
+        (rf"cspan_slice\(array_double_2d, (&\w+), \{{([^{{}},]+), ([^{{}},]+)\}}, {every}\)",
+         r"span_rows(\1, \2, \3)"),
+        (r"\bdouble_(min|max)\(2, ", r"span_\1("),
+        (r"\bint64_t_(min|max)\(2, ", r"span_\1_int("),
+        (r"\bpy_floor_div_int64_t\(", "span_floor_div("),
+    )
+    for pattern, replacement in rules:
+        text = re.sub(pattern, replacement, text)
+    left = re.search(r"cspan_slice.*|\b(?:double|int64_t)_m\w+\(.*|\bpyc?_.*|\bmalloc.*", text)
+    if left:
+        raise BuildError(f"no rule for this text of Pyccel's: {left.group()}")
+    return text
+
+
+def _static(text: str) -> str:
+    """Make all functions static but for the entry points; drop the rules around comments."""
+    text = re.sub(r"/\*[._]+\*/\n", "", text)
+
+    def storage(match: re.Match[str]) -> str:
+        name = _name(match.group())
+        return match.group() if name in ENTRY_POINTS else f"static {match.group()}"
+
+    return re.sub(r"^(?:void|double|bool|int64_t) \w+\([^;]*?\)$", storage, text, flags=re.M)
+
+
+def _prefixed(text: str) -> str:
+    names = "|".join(ENTRY_POINTS)
+    return re.sub(rf"\b({names})\(", rf"{PREFIX}\1(", text)

@@ -1,0 +1,75 @@
+/* What the compiled Python module needs to take its arguments. */
+#ifndef SEGFMU_ARGUMENTS_H
+#define SEGFMU_ARGUMENTS_H
+
+#define PY_SSIZE_T_CLEAN
+#include <Python.h>
+#include <stdbool.h>
+
+#include "kernels.h"
+
+/* The arguments of one call, and the buffers that it holds. */
+typedef struct {
+    const char *function;
+    PyObject *const *values;
+    int buffers;
+    Py_buffer buffer[24];
+} arguments;
+
+static void release_arguments(arguments *call)
+{
+    while (call->buffers > 0) {
+        PyBuffer_Release(&call->buffer[--call->buffers]);
+    }
+}
+
+static bool take_count(const arguments *call, Py_ssize_t count, Py_ssize_t expected)
+{
+    if (count == expected) {
+        return true;
+    }
+    PyErr_Format(PyExc_TypeError, "%s() takes %zd arguments, got %zd", call->function, expected,
+                 count);
+    return false;
+}
+
+static bool take_float(const arguments *call, int index, double *value)
+{
+    *value = PyFloat_AsDouble(call->values[index]);
+    return !(*value == -1.0 && PyErr_Occurred());
+}
+
+static bool take_int(const arguments *call, int index, int64_t *value)
+{
+    *value = PyLong_AsLongLong(call->values[index]);
+    return !(*value == -1 && PyErr_Occurred());
+}
+
+static bool take_bool(const arguments *call, int index, bool *value)
+{
+    int truth = PyObject_IsTrue(call->values[index]);
+    *value = truth > 0;
+    return truth >= 0;
+}
+
+/* The array in argument `index`: C order, `rank` dimensions, 'd' double or 'l' 64-bit integer. */
+static Py_buffer *take_array(arguments *call, int index, int rank, char type, bool writable)
+{
+    int flags = PyBUF_C_CONTIGUOUS | PyBUF_FORMAT | (writable ? PyBUF_WRITABLE : 0);
+    Py_buffer *buffer = &call->buffer[call->buffers];
+    if (PyObject_GetBuffer(call->values[index], buffer, flags) != 0) {
+        return NULL;
+    }
+    call->buffers++;
+    const char *format = buffer->format ? buffer->format : "B";
+    bool fits = type == 'd' ? strcmp(format, "d") == 0
+                            : (strcmp(format, "l") == 0 || strcmp(format, "q") == 0);
+    if (buffer->ndim != rank || buffer->itemsize != 8 || !fits) {
+        PyErr_Format(PyExc_TypeError, "%s() argument %d: expected a %d-dimensional array of %s",
+                     call->function, index + 1, rank, type == 'd' ? "float64" : "int64");
+        return NULL;
+    }
+    return buffer;
+}
+
+#endif

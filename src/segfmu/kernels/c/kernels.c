@@ -1,0 +1,3593 @@
+/* Generated from the kernels in Python by `python -m segfmu.codegen`; never edited. */
+#include "kernels.h"
+
+#include <math.h>
+
+static void transition_coefficients(int64_t order, array_double_1d coefficients);
+static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s);
+static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks);
+static double free_rise_share(void);
+static int64_t slowest_root(double* result_0, double* result_1_0001, double change, int64_t first, array_double_1d ramp);
+static int64_t fastest_power(double* result_0, double* result_1_0001, double duration, int64_t first, array_double_1d ramp);
+static int64_t ramp_change(double* result_0, double* result_1, double duration, array_double_1d ramp);
+static double ramp_distance(double v, double a, double b, double duration, double rise, array_double_1d ramp);
+static int64_t snap_plateau_half(double* result_0_0001, double* result_1_0001, double* result_2_0001, double s, array_double_1d ramp);
+static int64_t curved_part(double* result_0, double* result_1, double* result_2, double s, array_double_1d ramp);
+static double invert_curved_part(double value, double upper, array_double_1d ramp);
+static double ramp_extreme_velocity_first_half(double v, double a, double b, double duration, double rise, array_double_1d ramp);
+static double ramp_extreme_velocity(double v, double a, double b, double duration, double rise, array_double_1d ramp);
+static double without_dust(double value, double scale);
+static int64_t append_ramp(array_double_2d phases, int64_t count, double a, double b, double duration, array_double_1d ramp);
+static int64_t append_change(array_double_2d phases, int64_t count, double a, double b, array_double_1d ramp);
+static int64_t append_hold(array_double_2d phases, int64_t count, double a, double duration);
+static int64_t insert_hold(array_double_2d phases, int64_t count, int64_t row, double a, double duration);
+static void copy_phases(array_double_2d source, array_double_2d target, int64_t count);
+static void mirror_phases(array_double_2d phases, int64_t count);
+static void swap_entries(array_double_2d phases, int64_t i, int64_t j, int64_t column);
+static void reverse_phases(array_double_2d phases, int64_t first, int64_t count);
+static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, array_double_1d ramp);
+static int64_t levels_distance(double* result_0_0001, double* result_1, double* result_2_0001, double v, double a, double t1, double hold1, double level1, double hold2, double level2, double t3, double b, array_double_1d ramp);
+static int64_t canonical_point(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, double* result_6, double* result_7, double p, double v, double a, double w, double b, double top, double t_top, array_double_1d ramp);
+static double window_edge(double inside, double outside, double v, double a, double w, double b, double top, double t_top, array_double_1d ramp);
+static int64_t canonical_value(double* result_0_0001, double* result_1, double p, bool by_time, double v, double a, double w, double b, double top, double t_top, array_double_1d ramp);
+static double bracketed_root(double lower, double upper, double f_lower, double f_upper, double target, bool by_time, double v, double a, double w, double b, double top, double t_top, array_double_1d ramp);
+static int64_t first_window(double* result_0, double* result_1_0001, double target, double f_start, bool by_time, double v, double a, double w, double b, double top, double t_top, double t_zero, array_double_1d ramp);
+static double dip(double target, double f_start, double v, double a, double w, double b, double top, double t_top, array_double_1d ramp);
+static double canonical_search(double target, bool by_time, double v, double a, double w, double b, double top, double t_top, array_double_1d ramp);
+static int64_t append_velocity_change(array_double_2d phases, int64_t count, double v, double a, double w, double top, array_double_1d ramp);
+static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_2, double* result_3, array_double_2d phases, double cruise, double v, double a, double w, double b, double top, array_double_1d ramp);
+static int64_t merged_form(array_double_2d phases, bool reverse, bool mirror, double target, bool by_time, double v, double a, double w, double b, double distance, double top, array_double_1d ramp);
+static double meets(array_double_2d phases, int64_t count, double v, double w, double distance, double limit, array_double_1d ramp);
+static int64_t with_cruise(array_double_2d phases, double cruise, double v, double a, double w, double b, double distance, double top, array_double_1d ramp);
+static int64_t slower_cruise(array_double_2d phases, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
+static int64_t shortest_between(array_double_2d phases, array_double_2d trial, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
+static void stretch_phases(array_double_2d phases, int64_t count, double factor);
+static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, double target, double v, double a, double w, double b, double top, array_double_1d ramp);
+static double cruise_range(array_double_2d phases, double middle, double limit, double target, double v, double a, double w, double b, double top, array_double_1d ramp);
+static void keep_nearest(array_double_2d trial, int64_t count, double target, double v, double w, double distance, double velocity_limit, array_double_1d found, array_double_2d below, array_double_2d above, array_double_1d ramp);
+static void timed_between(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial);
+static int64_t surround_phases(array_double_2d phases, int64_t count, bool brake_start, double a, bool brake_end, double b, array_double_1d ramp);
+static int64_t set_shortest(int64_t* result_0, double* result_1, int64_t interval, int64_t axis, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d trial);
+static bool set_duration(int64_t interval, int64_t axis, double target, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial);
+static double next_feasible(int64_t interval, int64_t axis, double start, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial);
+static double round_up(double duration, double sample_time);
+static double common_duration(int64_t interval, int64_t first, int64_t last, double start, double sample_time, array_double_2d shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial);
+static int64_t check_waypoints(array_double_2d velocities, array_double_2d accelerations, array_double_1d dwells, array_double_2d limits, array_double_1d report);
+static bool distribute(int64_t first, int64_t last, double target, array_double_2d shortest, array_double_2d durations, array_int64_t_1d active, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial);
+static bool rewrite_intervals(int64_t first, int64_t last, array_double_2d shortest, array_double_2d durations, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial);
+static int64_t synchronize_plan(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d dwells, array_double_2d limits, int64_t synchronization, double sample_time, double duration, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d shortest, array_double_2d durations, array_int64_t_1d active, array_double_2d work, array_double_1d report);
+static double evaluate_piece(array_double_2d coefficients, int64_t row, int64_t width, double t, int64_t derivative);
+static int64_t append_piece(double duration, array_double_1d starts, array_double_2d coefficients, int64_t row, int64_t width, array_double_1d state);
+static void clear_piece(array_double_2d coefficients, int64_t row);
+static void add_rise(double jerk, double rise, int64_t order, array_double_1d psi, array_double_2d coefficients, int64_t row);
+static void add_snap(double snap, double rise, int64_t order, array_double_1d psi, array_double_2d coefficients, int64_t row);
+static int64_t expand_jerk_change(double jerk, double rise, double share, int64_t order, array_double_1d psi, array_double_1d state, array_double_1d starts, array_double_2d coefficients, int64_t row, int64_t width);
+static int64_t expand_phases(array_double_2d phases, int64_t count, int64_t smoothness, int64_t shape, double share, array_double_1d psi, array_double_1d state, array_double_1d starts, array_double_2d coefficients, int64_t row);
+static int64_t find_piece(double time, array_double_1d starts, int64_t first, int64_t last);
+static void shift_piece(array_double_2d coefficients, int64_t source, int64_t width, double t, double weight, array_double_2d target, int64_t row);
+static int64_t merge_pieces(double weight, double end, int64_t first_a, int64_t last_a, int64_t last_b, array_double_1d scratch_starts, array_double_2d scratch, array_double_1d starts, array_double_2d coefficients, int64_t row);
+static int64_t expand_interval(int64_t interval, int64_t axis, int64_t axes, double now, array_double_2d positions, array_double_2d velocities, int64_t smoothness, int64_t shape, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d durations, array_double_2d ramps, array_double_1d scratch_starts, array_double_2d scratch, array_double_1d starts, array_double_2d coefficients, int64_t row);
+static double stage_row(int64_t stage, array_double_1d row);
+static void error_weights(array_double_1d row);
+static void state_derivative(bool driven, double t, array_double_1d state, array_double_1d drive, array_double_1d drive_rate, array_double_1d torque, array_double_1d load_force, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d work, array_double_1d derivative);
+static bool finite(array_double_1d values, int64_t count);
+static int64_t state_status(array_double_1d state);
+
+
+/*Coefficients of Psi(s, 1) of (12) in ascending powers of s; 2 order + 2 of them. */
+static void transition_coefficients(int64_t order, array_double_1d coefficients)
+{
+    int64_t i;
+    double scale;
+    double binomial;
+    for (i = INT64_C(0); i < INT64_C(2) * order + INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&coefficients, i)) = 0.0;
+    }
+    /*Psi' is (2k+1)!/(k!)^2 s^k (1-s)^k; expanding the binomial gives the sum in (12).*/
+    scale = 1.0;
+    for (i = INT64_C(1); i < order + INT64_C(1); i += INT64_C(1))
+    {
+        scale = scale * (order + INT64_C(1) + i) / i;
+    }
+    scale = scale * (order + INT64_C(1));
+    binomial = 1.0;
+    for (i = INT64_C(0); i < order + INT64_C(1); i += INT64_C(1))
+    {
+        (*cspan_at(&coefficients, order + INT64_C(1) + i)) = scale * binomial / (order + INT64_C(1) + i);
+        binomial = (-binomial) * (order - i) / (i + INT64_C(1));
+    }
+}
+/*Value at s of a derivative of the polynomial with `count` ascending coefficients.*/
+static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s)
+{
+    int64_t j;
+    int64_t i;
+    double factor;
+    int64_t m;
+    double value;
+    value = 0.0;
+    for (j = INT64_C(0); j < count - times; j += INT64_C(1))
+    {
+        i = count - INT64_C(1) - j;
+        factor = 1.0;
+        for (m = INT64_C(0); m < times; m += INT64_C(1))
+        {
+            factor = factor * (i - m);
+        }
+        value = value * s + factor * (*cspan_at(&coefficients, i));
+    }
+    return value;
+}
+/*M_j of errata E3: peaks[j] = max over [0, 1] of |d^j Psi / ds^j|, j = 1 .. order + 1.          */
+/*                                                                                               */
+/*    `coefficients` is work space for 2 order + 2 numbers. All extrema of these derivatives of  */
+/*    s^k (1-s)^k lie in [0, 1]; the largest is the first one, next to s = 0, or the end itself. */
+/*                                                                                               */
+static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks)
+{
+    int64_t count;
+    int64_t samples;
+    int64_t j;
+    double best;
+    int64_t at;
+    int64_t i;
+    double value;
+    double lower;
+    double upper;
+    double left;
+    double middle;
+    double slope;
+    count = INT64_C(2) * order + INT64_C(2);
+    transition_coefficients(order, coefficients);
+    (*cspan_at(&peaks, INT64_C(0))) = 1.0;
+    samples = INT64_C(64) * (order + INT64_C(1));
+    for (j = INT64_C(1); j < order + INT64_C(2); j += INT64_C(1))
+    {
+        best = 0.0;
+        at = INT64_C(0);
+        for (i = INT64_C(0); i < samples + INT64_C(1); i += INT64_C(1))
+        {
+            value = fabs(polynomial_derivative(coefficients, count, j, i / (2.0 * samples)));
+            if (value > best)
+            {
+                best = value;
+                at = i;
+            }
+        }
+        lower = (at - INT64_C(1)) / (2.0 * samples);
+        upper = (at + INT64_C(1)) / (2.0 * samples);
+        if (at == INT64_C(0))
+        {
+            lower = 0.0;
+        }
+        /*bisect the next derivative, which changes sign at an interior extremum*/
+        left = polynomial_derivative(coefficients, count, j + INT64_C(1), lower);
+        for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+        {
+            middle = 0.5 * (lower + upper);
+            slope = polynomial_derivative(coefficients, count, j + INT64_C(1), middle);
+            if (slope * left > 0.0)
+            {
+                lower = middle;
+            }
+            else
+            {
+                upper = middle;
+            }
+        }
+        value = fabs(polynomial_derivative(coefficients, count, j, 0.5 * (lower + upper)));
+        if (value > best)
+        {
+            best = value;
+        }
+        (*cspan_at(&peaks, j)) = best;
+    }
+}
+/*Share of a plateau that each of its rises takes when no limit bounds that rise.*/
+static double free_rise_share(void)
+{
+    double result;
+    return 0.1;
+}
+/*Pack the ramp parameters of one axis into `ramp` (48 numbers).                                   */
+/*                                                                                                 */
+/*    limits[i] is c_{i+1}, i = 0 .. smoothness, and 0 where it is absent. `work` holds            */
+/*    2 smoothness numbers, `peaks` smoothness + 1. Returns 0, or 1 when no limit bounds the ramp. */
+/*                                                                                                 */
+int64_t segfmu_ramp_parameters(int64_t smoothness, int64_t shape, array_double_1d limits, array_double_1d work, array_double_1d peaks, array_double_1d ramp)
+{
+    int64_t k;
+    int64_t i;
+    bool plateau;
+    bool bounded;
+    int64_t j;
+    bool steep;
+    double share;
+    double rise;
+    int64_t result;
+    k = smoothness - INT64_C(2);
+    for (i = INT64_C(0); i < INT64_C(48); i += INT64_C(1))
+    {
+        (*cspan_at(&ramp, i)) = 0.0;
+    }
+    plateau = (shape == INT64_C(1)) && (k > INT64_C(0));
+    bounded = 0;
+    if (!plateau)
+    {
+        transition_peaks(k, work, peaks);
+        (*cspan_at(&ramp, INT64_C(7))) = 2.0 * k + 2.0;
+        for (j = INT64_C(0); j < INT64_C(2) * k + INT64_C(2); j += INT64_C(1))
+        {
+            (*cspan_at(&ramp, INT64_C(16) + j)) = (*cspan_at(&work, j));
+        }
+        (*cspan_at(&ramp, INT64_C(4))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(3)));
+        for (j = INT64_C(1); j < k + INT64_C(2); j += INT64_C(1))
+        {
+            if ((*cspan_at(&limits, j + INT64_C(1))) > 0.0)
+            {
+                (*cspan_at(&ramp, INT64_C(7) + j)) = (*cspan_at(&peaks, j)) / (*cspan_at(&limits, j + INT64_C(1)));
+                bounded = 1;
+            }
+        }
+    }
+    else
+    {
+        (*cspan_at(&ramp, INT64_C(0))) = 1.0;
+        (*cspan_at(&ramp, INT64_C(1))) = (*cspan_at(&limits, INT64_C(2)));
+        (*cspan_at(&ramp, INT64_C(4))) = 1.0 / 12.0;
+        (*cspan_at(&ramp, INT64_C(5))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(1)));
+        steep = (k > INT64_C(1)) && ((*cspan_at(&limits, INT64_C(3))) > 0.0);
+        for (j = INT64_C(4); j < k + INT64_C(3); j += INT64_C(1))
+        {
+            if ((*cspan_at(&limits, j)) > 0.0)
+            {
+                steep = 0;
+            }
+        }
+        if (steep)
+        {
+            share = free_rise_share();
+            transition_coefficients(k - INT64_C(2), work);
+            (*cspan_at(&peaks, INT64_C(1))) = 1.0 / (1.0 - share);
+            (*cspan_at(&ramp, INT64_C(5))) = (1.0 - share) * (1.0 - share) / 12.0 + share * share / (4.0 * (INT64_C(2) * k - INT64_C(1)));
+            (*cspan_at(&ramp, INT64_C(7))) = 2.0 * k - 2.0;
+            (*cspan_at(&ramp, INT64_C(40))) = share;
+            for (j = INT64_C(0); j < INT64_C(2) * k - INT64_C(2); j += INT64_C(1))
+            {
+                (*cspan_at(&ramp, INT64_C(16) + j)) = (*cspan_at(&work, j));
+            }
+        }
+        else
+        {
+            transition_peaks(k - INT64_C(1), work, peaks);
+            (*cspan_at(&ramp, INT64_C(7))) = 2.0 * k + 1.0;
+            for (j = INT64_C(0); j < INT64_C(2) * k; j += INT64_C(1))
+            {
+                (*cspan_at(&ramp, INT64_C(17) + j)) = (*cspan_at(&work, j)) / (j + 1.0);
+            }
+        }
+        rise = 0.0;
+        for (j = INT64_C(1); j < k + INT64_C(1); j += INT64_C(1))
+        {
+            if ((*cspan_at(&limits, j + INT64_C(2))) > 0.0)
+            {
+                (*cspan_at(&ramp, INT64_C(8) + j)) = (*cspan_at(&peaks, j)) / (*cspan_at(&limits, j + INT64_C(2)));
+                rise = span_max(rise, pow(((*cspan_at(&limits, INT64_C(2))) * (*cspan_at(&ramp, INT64_C(8) + j))), (1.0 / j)));
+                bounded = 1;
+            }
+        }
+        if (((*cspan_at(&limits, INT64_C(2))) > 0.0) && (!bounded))
+        {
+            (*cspan_at(&ramp, INT64_C(6))) = free_rise_share();
+            bounded = 1;
+        }
+        (*cspan_at(&ramp, INT64_C(2))) = rise;
+        (*cspan_at(&ramp, INT64_C(3))) = (*cspan_at(&limits, INT64_C(2))) * rise;
+    }
+    if (bounded)
+    {
+        return INT64_C(0);
+    }
+    return INT64_C(1);
+}
+/*max over e >= first of (q_e change)^(1/e), and its derivative with the change. */
+static int64_t slowest_root(double* result_0, double* result_1_0001, double change, int64_t first, array_double_1d ramp)
+{
+    double slowest;
+    int64_t exponent;
+    double root;
+    int64_t e;
+    slowest = 0.0;
+    exponent = INT64_C(1);
+    if ((first <= INT64_C(1)) && ((*cspan_at(&ramp, INT64_C(8))) > 0.0))
+    {
+        slowest = (*cspan_at(&ramp, INT64_C(8))) * change;
+    }
+    if ((*cspan_at(&ramp, INT64_C(9))) > 0.0)
+    {
+        root = sqrt((*cspan_at(&ramp, INT64_C(9))) * change);
+        if (root > slowest)
+        {
+            slowest = root;
+            exponent = INT64_C(2);
+        }
+    }
+    for (e = INT64_C(3); e < INT64_C(9); e += INT64_C(1))
+    {
+        if ((*cspan_at(&ramp, INT64_C(7) + e)) > 0.0)
+        {
+            root = pow(((*cspan_at(&ramp, INT64_C(7) + e)) * change), (1.0 / e));
+            if (root > slowest)
+            {
+                slowest = root;
+                exponent = e;
+            }
+        }
+    }
+    (*result_0) = slowest;
+    (*result_1_0001) = slowest / (exponent * change);
+    return 0;
+}
+/*Duration of the ramp for an acceleration change >= 0, that of its jerk rise [s], and the */
+/*    derivative of the duration with the change (0 for no change, where it is not finite).*/
+int64_t segfmu_ramp_duration(double* result_0, double* result_1, double* result_2, double change, array_double_1d ramp)
+{
+    double root;
+    double slope;
+    if (change <= 0.0)
+    {
+        (*result_0) = 0.0;
+        (*result_1) = 0.0;
+        (*result_2) = 0.0;
+        return 0;
+    }
+    if ((*cspan_at(&ramp, INT64_C(0))) < 0.5)
+    {
+        slowest_root(&root, &slope, change, INT64_C(1), ramp);
+        (*result_0) = root;
+        (*result_1) = 0.0;
+        (*result_2) = slope;
+        return 0;
+    }
+    if ((*cspan_at(&ramp, INT64_C(6))) > 0.0)
+    {
+        slope = 1.0 / ((*cspan_at(&ramp, INT64_C(1))) * (1.0 - (*cspan_at(&ramp, INT64_C(6)))));
+        (*result_0) = change * slope;
+        (*result_1) = change * slope * (*cspan_at(&ramp, INT64_C(6)));
+        (*result_2) = slope;
+        return 0;
+    }
+    if (((*cspan_at(&ramp, INT64_C(1))) > 0.0) && (change >= (*cspan_at(&ramp, INT64_C(3)))))
+    {
+        (*result_0) = change / (*cspan_at(&ramp, INT64_C(1))) + (*cspan_at(&ramp, INT64_C(2)));
+        (*result_1) = (*cspan_at(&ramp, INT64_C(2)));
+        (*result_2) = 1.0 / (*cspan_at(&ramp, INT64_C(1)));
+        return 0;
+    }
+    slowest_root(&root, &slope, change, INT64_C(2), ramp);
+    (*result_0) = 2.0 * root;
+    (*result_1) = root;
+    (*result_2) = 2.0 * slope;
+    return 0;
+}
+/*Inverse of `slowest_root`: min over e >= first of duration^e / q_e, and its derivative.*/
+static int64_t fastest_power(double* result_0, double* result_1_0001, double duration, int64_t first, array_double_1d ramp)
+{
+    double fastest;
+    int64_t exponent;
+    double power;
+    int64_t e;
+    double change;
+    fastest = -1.0;
+    exponent = INT64_C(1);
+    power = 1.0;
+    for (e = INT64_C(1); e < INT64_C(9); e += INT64_C(1))
+    {
+        power = power * duration;
+        if ((e >= first) && ((*cspan_at(&ramp, INT64_C(7) + e)) > 0.0))
+        {
+            change = power / (*cspan_at(&ramp, INT64_C(7) + e));
+            if ((fastest < 0.0) || (change < fastest))
+            {
+                fastest = change;
+                exponent = e;
+            }
+        }
+    }
+    (*result_0) = fastest;
+    (*result_1_0001) = exponent * fastest / duration;
+    return 0;
+}
+/*Inverse of `ramp_duration`: the acceleration change of a ramp, and its derivative with */
+/*    the duration. Small ramps are solved for in their duration, which loses no digits. */
+static int64_t ramp_change(double* result_0, double* result_1, double duration, array_double_1d ramp)
+{
+    double slope;
+    double change;
+    if (duration <= 0.0)
+    {
+        (*result_0) = 0.0;
+        (*result_1) = 0.0;
+        return 0;
+    }
+    if ((*cspan_at(&ramp, INT64_C(0))) < 0.5)
+    {
+        fastest_power(result_0, result_1, duration, INT64_C(1), ramp);
+        return 0;
+    }
+    if ((*cspan_at(&ramp, INT64_C(6))) > 0.0)
+    {
+        slope = (*cspan_at(&ramp, INT64_C(1))) * (1.0 - (*cspan_at(&ramp, INT64_C(6))));
+        (*result_0) = duration * slope;
+        (*result_1) = slope;
+        return 0;
+    }
+    if (((*cspan_at(&ramp, INT64_C(1))) > 0.0) && (duration >= 2.0 * (*cspan_at(&ramp, INT64_C(2)))))
+    {
+        (*result_0) = (duration - (*cspan_at(&ramp, INT64_C(2)))) * (*cspan_at(&ramp, INT64_C(1)));
+        (*result_1) = (*cspan_at(&ramp, INT64_C(1)));
+        return 0;
+    }
+    fastest_power(&change, &slope, 0.5 * duration, INT64_C(2), ramp);
+    (*result_0) = change;
+    (*result_1) = 0.5 * slope;
+    return 0;
+}
+/*Distance covered by the ramp from acceleration a to b that starts with velocity v. */
+static double ramp_distance(double v, double a, double b, double duration, double rise, array_double_1d ramp)
+{
+    double flat;
+    double variance;
+    double result;
+    flat = duration - rise;
+    variance = (*cspan_at(&ramp, INT64_C(4))) * flat * flat + (*cspan_at(&ramp, INT64_C(5))) * rise * rise;
+    return v * duration + 0.5 * a * duration * duration + (b - a) * (0.125 * duration * duration + 0.5 * variance);
+}
+/*`curved_part` for s <= 1/2 of a jerk rise whose snap has a plateau.*/
+static int64_t snap_plateau_half(double* result_0_0001, double* result_1_0001, double* result_2_0001, double s, array_double_1d ramp)
+{
+    double share;
+    int64_t count;
+    double peak;
+    double u;
+    double first;
+    double second;
+    double third;
+    int64_t j;
+    int64_t i;
+    double rest;
+    share = (*cspan_at(&ramp, INT64_C(40)));
+    count = (int64_t)((*cspan_at(&ramp, INT64_C(7))));
+    peak = 1.0 / (1.0 - share);
+    u = span_min(s / share, 1.0);
+    first = 0.0;
+    second = 0.0;
+    third = 0.0;
+    for (j = INT64_C(0); j < count; j += INT64_C(1))
+    {
+        i = count - INT64_C(1) - j;
+        first = first * u + (*cspan_at(&ramp, INT64_C(16) + i)) / (i + 1.0);
+        second = second * u + (*cspan_at(&ramp, INT64_C(16) + i)) / ((i + 1.0) * (i + 2.0));
+        third = third * u + (*cspan_at(&ramp, INT64_C(16) + i)) / ((i + 1.0) * (i + 2.0) * (i + 3.0));
+    }
+    first = peak * share * u * first;
+    second = peak * share * share * u * u * second;
+    third = peak * share * share * share * u * u * u * third;
+    rest = span_max(s - share, 0.0);
+    (*result_0_0001) = second + first * rest + 0.5 * peak * rest * rest;
+    (*result_1_0001) = first + peak * rest;
+    (*result_2_0001) = third + second * rest + 0.5 * first * rest * rest + peak * rest * rest * rest / 6.0;
+    return 0;
+}
+/*Polynomial of the curved part at s, its derivative and its integral from 0.*/
+static int64_t curved_part(double* result_0, double* result_1, double* result_2, double s, array_double_1d ramp)
+{
+    double value;
+    double slope;
+    double integral;
+    double middle;
+    double rate;
+    double half;
+    double whole;
+    int64_t count;
+    int64_t j;
+    int64_t i;
+    if ((*cspan_at(&ramp, INT64_C(40))) > 0.0)
+    {
+        if (s > 0.5)
+        {
+            /*the rise is symmetric: what is gained from s on follows from what is gained to 1 - s*/
+            snap_plateau_half(&value, &slope, &integral, 1.0 - s, ramp);
+            snap_plateau_half(&middle, &rate, &half, 0.5, ramp);
+            whole = 2.0 * half + 0.125;
+            (*result_0) = s - 0.5 + value;
+            (*result_1) = 1.0 - slope;
+            (*result_2) = whole - 0.5 * s * (1.0 - s) - integral;
+            return 0;
+        }
+        snap_plateau_half(result_0, result_1, result_2, s, ramp);
+        return 0;
+    }
+    count = (int64_t)((*cspan_at(&ramp, INT64_C(7))));
+    value = 0.0;
+    slope = 0.0;
+    integral = 0.0;
+    for (j = INT64_C(0); j < count; j += INT64_C(1))
+    {
+        i = count - INT64_C(1) - j;
+        value = value * s + (*cspan_at(&ramp, INT64_C(16) + i));
+        integral = integral * s + (*cspan_at(&ramp, INT64_C(16) + i)) / (i + 1.0);
+        if (i > INT64_C(0))
+        {
+            slope = slope * s + i * (*cspan_at(&ramp, INT64_C(16) + i));
+        }
+    }
+    (*result_0) = value;
+    (*result_1) = slope;
+    (*result_2) = integral * s;
+    return 0;
+}
+/*The s in [0, upper] at which the increasing curved part has the given value. */
+static double invert_curved_part(double value, double upper, array_double_1d ramp)
+{
+    double low;
+    double high;
+    int64_t i;
+    double at;
+    double slope;
+    double integral;
+    double step;
+    double newton;
+    double s;
+    low = 0.0;
+    high = upper;
+    s = 0.5 * upper;
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
+    {
+        curved_part(&at, &slope, &integral, s, ramp);
+        if (at > value)
+        {
+            high = s;
+        }
+        else
+        {
+            low = s;
+        }
+        step = 0.5 * (low + high) - s;
+        if (slope > 0.0)
+        {
+            newton = (value - at) / slope;
+            if ((s + newton > low) && (s + newton < high))
+            {
+                step = newton;
+            }
+        }
+        s = s + step;
+        if (fabs(step) <= 1e-16)
+        {
+            return s;
+        }
+    }
+    return s;
+}
+/*`ramp_extreme_velocity` for |a| <= |b|.*/
+static double ramp_extreme_velocity_first_half(double v, double a, double b, double duration, double rise, array_double_1d ramp)
+{
+    double s;
+    double value;
+    double slope;
+    double integral;
+    double jerk;
+    double start;
+    double result;
+    if ((*cspan_at(&ramp, INT64_C(0))) < 0.5)
+    {
+        s = invert_curved_part(a / (a - b), 0.5, ramp);
+        curved_part(&value, &slope, &integral, s, ramp);
+        return v + duration * (a * s + (b - a) * integral);
+    }
+    jerk = (b - a) / (duration - rise);
+    if (fabs(a) <= 0.5 * fabs(jerk) * rise)
+    {
+        s = invert_curved_part((-a) / (jerk * rise), 1.0, ramp);
+        curved_part(&value, &slope, &integral, s, ramp);
+        return v + rise * (a * s + jerk * rise * integral);
+    }
+    curved_part(&value, &slope, &integral, 1.0, ramp);
+    start = a + 0.5 * jerk * rise;
+    return v + rise * (a + jerk * rise * integral) - 0.5 * start * start / jerk;
+}
+/*Velocity where the acceleration of a ramp from a to b, of opposite signs, is zero. */
+static double ramp_extreme_velocity(double v, double a, double b, double duration, double rise, array_double_1d ramp)
+{
+    double result;
+    if (fabs(a) > fabs(b))
+    {
+        /*the symmetric ramp, run backwards from its end, crosses zero in its first half*/
+        result = ramp_extreme_velocity_first_half(v + 0.5 * (a + b) * duration, -b, -a, duration, rise, ramp);
+        return result;
+    }
+    result = ramp_extreme_velocity_first_half(v, a, b, duration, rise, ramp);
+    return result;
+}
+/*The value, or 0 where it is so small against its scale that its powers would underflow.*/
+static double without_dust(double value, double scale)
+{
+    double result;
+    if (fabs(value) <= 1e-30 * scale)
+    {
+        return 0.0;
+    }
+    return value;
+}
+/*Append a ramp of known duration from a to b; nothing if it has none. */
+static int64_t append_ramp(array_double_2d phases, int64_t count, double a, double b, double duration, array_double_1d ramp)
+{
+    double nominal;
+    double rise;
+    double slope;
+    double share;
+    int64_t result;
+    if (duration <= 0.0)
+    {
+        return count;
+    }
+    segfmu_ramp_duration(&nominal, &rise, &slope, fabs(b - a), ramp);
+    share = 0.0;
+    if (nominal > 0.0)
+    {
+        share = rise / nominal;
+    }
+    (*cspan_at(&phases, count, INT64_C(0))) = duration;
+    (*cspan_at(&phases, count, INT64_C(1))) = share * duration;
+    (*cspan_at(&phases, count, INT64_C(2))) = a;
+    (*cspan_at(&phases, count, INT64_C(3))) = b - a;
+    return count + INT64_C(1);
+}
+/*Append the fastest ramp from a to b; nothing if they are equal.*/
+static int64_t append_change(array_double_2d phases, int64_t count, double a, double b, array_double_1d ramp)
+{
+    double duration;
+    double rise;
+    double slope;
+    int64_t result;
+    segfmu_ramp_duration(&duration, &rise, &slope, fabs(b - a), ramp);
+    result = append_ramp(phases, count, a, b, duration, ramp);
+    return result;
+}
+/*Append a phase of constant acceleration; nothing if it has no duration.*/
+static int64_t append_hold(array_double_2d phases, int64_t count, double a, double duration)
+{
+    int64_t result;
+    if (duration <= 0.0)
+    {
+        return count;
+    }
+    (*cspan_at(&phases, count, INT64_C(0))) = duration;
+    (*cspan_at(&phases, count, INT64_C(1))) = 0.0;
+    (*cspan_at(&phases, count, INT64_C(2))) = a;
+    (*cspan_at(&phases, count, INT64_C(3))) = 0.0;
+    return count + INT64_C(1);
+}
+/*Insert a phase of constant acceleration before `row`; nothing if it has no duration. */
+static int64_t insert_hold(array_double_2d phases, int64_t count, int64_t row, double a, double duration)
+{
+    int64_t j;
+    int64_t i;
+    int64_t column;
+    int64_t Dummy_0000;
+    int64_t result;
+    if (duration <= 0.0)
+    {
+        return count;
+    }
+    for (j = INT64_C(0); j < count - row; j += INT64_C(1))
+    {
+        i = count - INT64_C(1) - j;
+        for (column = INT64_C(0); column < INT64_C(4); column += INT64_C(1))
+        {
+            (*cspan_at(&phases, i + INT64_C(1), column)) = (*cspan_at(&phases, i, column));
+        }
+    }
+    Dummy_0000 = append_hold(phases, row, a, duration);
+    return count + INT64_C(1);
+}
+/*Copy the first rows of a list of phases. */
+static void copy_phases(array_double_2d source, array_double_2d target, int64_t count)
+{
+    int64_t i;
+    int64_t column;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        for (column = INT64_C(0); column < INT64_C(4); column += INT64_C(1))
+        {
+            (*cspan_at(&target, i, column)) = (*cspan_at(&source, i, column));
+        }
+    }
+}
+/*The same motion in the other direction.*/
+static void mirror_phases(array_double_2d phases, int64_t count)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&phases, i, INT64_C(2))) = -(*cspan_at(&phases, i, INT64_C(2)));
+        (*cspan_at(&phases, i, INT64_C(3))) = -(*cspan_at(&phases, i, INT64_C(3)));
+    }
+}
+/*Exchange one column of two rows. */
+static void swap_entries(array_double_2d phases, int64_t i, int64_t j, int64_t column)
+{
+    double kept;
+    kept = (*cspan_at(&phases, i, column));
+    (*cspan_at(&phases, i, column)) = (*cspan_at(&phases, j, column));
+    (*cspan_at(&phases, j, column)) = kept;
+}
+/*The same path run from its end, velocities kept: accelerations change their sign.*/
+/*                                                                                 */
+/*    y(t) becomes -y(T - t); rows first .. count - 1 are reversed.                */
+/*                                                                                 */
+static void reverse_phases(array_double_2d phases, int64_t first, int64_t count)
+{
+    int64_t i;
+    int64_t column;
+    for (i = INT64_C(0); i < span_floor_div((count - first), INT64_C(2)); i += INT64_C(1))
+    {
+        for (column = INT64_C(0); column < INT64_C(4); column += INT64_C(1))
+        {
+            swap_entries(phases, first + i, count - INT64_C(1) - i, column);
+        }
+    }
+    for (i = first; i < count; i += INT64_C(1))
+    {
+        /*a ramp from a to a + d, run backwards with the sign changed, goes from -(a + d) to -a*/
+        (*cspan_at(&phases, i, INT64_C(2))) = -((*cspan_at(&phases, i, INT64_C(2))) + (*cspan_at(&phases, i, INT64_C(3))));
+    }
+}
+/*Duration, distance, end velocity, lowest and highest velocity of a list of phases. */
+int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result_2_0001, double* result_3, double* result_4, array_double_2d phases, int64_t count, double v, array_double_1d ramp)
+{
+    double total;
+    double y;
+    double lowest;
+    double highest;
+    int64_t i;
+    double duration;
+    double a;
+    double b;
+    double bound;
+    double extreme;
+    total = 0.0;
+    y = 0.0;
+    lowest = v;
+    highest = v;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        duration = (*cspan_at(&phases, i, INT64_C(0)));
+        a = (*cspan_at(&phases, i, INT64_C(2)));
+        b = a + (*cspan_at(&phases, i, INT64_C(3)));
+        if (a * b < 0.0)
+        {
+            /*a quick bound first: the crossing comes before the end of the ramp*/
+            bound = v + a * duration;
+            if ((bound > highest) || (bound < lowest))
+            {
+                extreme = ramp_extreme_velocity(v, a, b, duration, (*cspan_at(&phases, i, INT64_C(1))), ramp);
+                lowest = span_min(lowest, extreme);
+                highest = span_max(highest, extreme);
+            }
+        }
+        y = y + ramp_distance(v, a, b, duration, (*cspan_at(&phases, i, INT64_C(1))), ramp);
+        v = v + 0.5 * (a + b) * duration;
+        lowest = span_min(lowest, v);
+        highest = span_max(highest, v);
+        total = total + duration;
+    }
+    (*result_0) = total;
+    (*result_1) = y;
+    (*result_2_0001) = v;
+    (*result_3) = lowest;
+    (*result_4) = highest;
+    return 0;
+}
+/*Ramp from a to a level in [low, high], hold it, ramp to b, and gain a velocity.                  */
+/*                                                                                                 */
+/*    low >= max(0, a, b), where the gain grows with the level. Returns the duration of the first  */
+/*    ramp, the hold (above zero only at `high`), and -1 in place of the hold when even the lowest */
+/*    level gains too much; last the level.                                                        */
+/*                                                                                                 */
+static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, array_double_1d ramp)
+{
+    double t_low;
+    double rise;
+    double slope;
+    double t_end;
+    double least;
+    double t_high;
+    double most;
+    double lower;
+    double upper;
+    double t;
+    double level;
+    int64_t i;
+    double change;
+    double growth;
+    double error;
+    double rate;
+    double following;
+    double newton;
+    double step;
+    segfmu_ramp_duration(&t_low, &rise, &slope, low - a, ramp);
+    segfmu_ramp_duration(&t_end, &rise, &slope, low - b, ramp);
+    least = 0.5 * (a + low) * t_low + 0.5 * (low + b) * t_end;
+    if (gain <= least)
+    {
+        /*a rounding error short of the lowest level is that level*/
+        if (gain < least - 1e-14 * (fabs(gain) + fabs(least)))
+        {
+            (*result_0_0001) = 0.0;
+            (*result_1_0001) = -1.0;
+            (*result_2_0001) = low;
+            return 0;
+        }
+        (*result_0_0001) = t_low;
+        (*result_1_0001) = 0.0;
+        (*result_2_0001) = low;
+        return 0;
+    }
+    segfmu_ramp_duration(&t_high, &rise, &slope, high - a, ramp);
+    segfmu_ramp_duration(&t_end, &rise, &slope, high - b, ramp);
+    most = 0.5 * (a + high) * t_high + 0.5 * (high + b) * t_end;
+    if (gain >= most)
+    {
+        (*result_0_0001) = t_high;
+        (*result_1_0001) = (gain - most) / high;
+        (*result_2_0001) = high;
+        return 0;
+    }
+    lower = t_low;
+    upper = t_high;
+    /*the gain is nearly quadratic in the duration of the ramp*/
+    t = t_low + (t_high - t_low) * pow(((gain - least) / (most - least)), 0.6);
+    level = low;
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
+    {
+        ramp_change(&change, &growth, t, ramp);
+        level = a + change;
+        segfmu_ramp_duration(&t_end, &rise, &slope, level - b, ramp);
+        error = 0.5 * (a + level) * t + 0.5 * (level + b) * t_end - gain;
+        if (error > 0.0)
+        {
+            upper = t;
+        }
+        else
+        {
+            lower = t;
+        }
+        rate = 0.5 * (a + level) + 0.5 * growth * (t + t_end + (level + b) * slope);
+        following = 0.5 * (lower + upper);
+        if (rate > 0.0)
+        {
+            newton = t - error / rate;
+            if ((newton > lower) && (newton < upper))
+            {
+                following = newton;
+            }
+        }
+        step = following - t;
+        t = following;
+        if (fabs(step) <= 4e-16 * t)
+        {
+            break;
+        }
+    }
+    ramp_change(&change, &growth, t, ramp);
+    (*result_0_0001) = t;
+    (*result_1_0001) = 0.0;
+    (*result_2_0001) = a + change;
+    return 0;
+}
+/*Duration, distance and end velocity of: ramp, hold, ramp, hold, ramp (merged form).*/
+static int64_t levels_distance(double* result_0_0001, double* result_1, double* result_2_0001, double v, double a, double t1, double hold1, double level1, double hold2, double level2, double t3, double b, array_double_1d ramp)
+{
+    double t2;
+    double rise2;
+    double slope;
+    double duration;
+    double rise1;
+    double rise3;
+    double y;
+    segfmu_ramp_duration(&t2, &rise2, &slope, fabs(level2 - level1), ramp);
+    segfmu_ramp_duration(&duration, &rise1, &slope, fabs(level1 - a), ramp);
+    segfmu_ramp_duration(&duration, &rise3, &slope, fabs(level2 - b), ramp);
+    y = ramp_distance(v, a, level1, t1, rise1, ramp);
+    v = v + 0.5 * (a + level1) * t1;
+    y = y + (v + 0.5 * level1 * hold1) * hold1;
+    v = v + level1 * hold1;
+    y = y + ramp_distance(v, level1, level2, t2, rise2, ramp);
+    v = v + 0.5 * (level1 + level2) * t2;
+    y = y + (v + 0.5 * level2 * hold2) * hold2;
+    v = v + level2 * hold2;
+    y = y + ramp_distance(v, level2, b, t3, rise3, ramp);
+    v = v + 0.5 * (level2 + b) * t3;
+    (*result_0_0001) = t1 + hold1 + t2 + hold2 + t3;
+    (*result_1) = y;
+    (*result_2_0001) = v;
+    return 0;
+}
+/*One member of the canonical family from (v, a) to (w, b).                                        */
+/*                                                                                                 */
+/*    p is the duration of the last ramp, from the second level up to b; beyond t_top, where that  */
+/*    level is -top, it goes on as the hold there. Returns duration (-1: no such member), distance,*/
+/*    t1, hold1, level1, hold2, level2, t3.                                                        */
+/*                                                                                                 */
+static int64_t canonical_point(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, double* result_6, double* result_7, double p, double v, double a, double w, double b, double top, double t_top, array_double_1d ramp)
+{
+    double hold2;
+    double t3;
+    double level2;
+    double change;
+    double slope;
+    double gain;
+    double low;
+    double t1;
+    double hold1;
+    double level1;
+    double duration;
+    double y;
+    double end;
+    hold2 = 0.0;
+    t3 = p;
+    if (p >= t_top)
+    {
+        t3 = t_top;
+        hold2 = p - t_top;
+        level2 = -top;
+    }
+    else
+    {
+        ramp_change(&change, &slope, p, ramp);
+        level2 = b - change;
+    }
+    gain = w - v - 0.5 * (level2 + b) * t3 - level2 * hold2;
+    low = span_max(0.0, span_max(a, level2));
+    solve_level(&t1, &hold1, &level1, gain, a, level2, low, top, ramp);
+    if (hold1 < 0.0)
+    {
+        (*result_0) = -1.0;
+        (*result_1) = 0.0;
+        (*result_2) = 0.0;
+        (*result_3) = 0.0;
+        (*result_4) = 0.0;
+        (*result_5) = 0.0;
+        (*result_6) = 0.0;
+        (*result_7) = 0.0;
+        return 0;
+    }
+    levels_distance(&duration, &y, &end, v, a, t1, hold1, level1, hold2, level2, t3, b, ramp);
+    (*result_0) = duration;
+    (*result_1) = y;
+    (*result_2) = t1;
+    (*result_3) = hold1;
+    (*result_4) = level1;
+    (*result_5) = hold2;
+    (*result_6) = level2;
+    (*result_7) = t3;
+    return 0;
+}
+/*Bisect between a parameter that has a canonical member and one that has none.*/
+static double window_edge(double inside, double outside, double v, double a, double w, double b, double top, double t_top, array_double_1d ramp)
+{
+    int64_t i;
+    double middle;
+    double duration;
+    double y;
+    double t1;
+    double hold1;
+    double level1;
+    double hold2;
+    double level2;
+    double t3;
+    double result;
+    for (i = INT64_C(0); i < INT64_C(80); i += INT64_C(1))
+    {
+        middle = 0.5 * (inside + outside);
+        if ((middle == inside) || (middle == outside))
+        {
+            break;
+        }
+        canonical_point(&duration, &y, &t1, &hold1, &level1, &hold2, &level2, &t3, middle, v, a, w, b, top, t_top, ramp);
+        if (duration >= 0.0)
+        {
+            inside = middle;
+        }
+        else
+        {
+            outside = middle;
+        }
+    }
+    return inside;
+}
+/*The searched quantity (duration or distance) of a member, and its duration or -1.*/
+static int64_t canonical_value(double* result_0_0001, double* result_1, double p, bool by_time, double v, double a, double w, double b, double top, double t_top, array_double_1d ramp)
+{
+    double duration;
+    double y;
+    double t1;
+    double hold1;
+    double level1;
+    double hold2;
+    double level2;
+    double t3;
+    canonical_point(&duration, &y, &t1, &hold1, &level1, &hold2, &level2, &t3, p, v, a, w, b, top, t_top, ramp);
+    if (by_time)
+    {
+        (*result_0_0001) = duration;
+        (*result_1) = duration;
+        return 0;
+    }
+    (*result_0_0001) = y;
+    (*result_1) = duration;
+    return 0;
+}
+/*Regula falsi (Anderson-Bjoerck) on the canonical family; f_lower < target <= f_upper.*/
+/*                                                                                     */
+/*    `lower` and `upper` name the values, not the order of the parameters.            */
+/*                                                                                     */
+static double bracketed_root(double lower, double upper, double f_lower, double f_upper, double target, bool by_time, double v, double a, double w, double b, double top, double t_top, array_double_1d ramp)
+{
+    double e_lower;
+    double e_upper;
+    int64_t side;
+    double p;
+    int64_t i;
+    double value;
+    double duration;
+    double error;
+    double factor;
+    double result;
+    e_lower = f_lower - target;
+    e_upper = f_upper - target;
+    side = INT64_C(0);
+    p = upper;
+    for (i = INT64_C(0); i < INT64_C(200); i += INT64_C(1))
+    {
+        if ((e_upper == 0.0) || (fabs(upper - lower) <= 2e-16 * fabs(upper)))
+        {
+            return upper;
+        }
+        p = upper - e_upper * (upper - lower) / (e_upper - e_lower);
+        if ((i > INT64_C(40)) || ((p - lower) * (p - upper) >= 0.0))
+        {
+            p = 0.5 * (lower + upper);
+            if ((p - lower) * (p - upper) >= 0.0)
+            {
+                return upper;
+            }
+        }
+        canonical_value(&value, &duration, p, by_time, v, a, w, b, top, t_top, ramp);
+        error = value - target;
+        if (fabs(error) <= 1e-15 * fabs(target))
+        {
+            return p;
+        }
+        if (error > 0.0)
+        {
+            if (side == INT64_C(1))
+            {
+                factor = 1.0 - error / e_upper;
+                if (factor <= 0.0)
+                {
+                    factor = 0.5;
+                }
+                e_lower = e_lower * factor;
+            }
+            upper = p;
+            e_upper = error;
+            side = INT64_C(1);
+        }
+        else
+        {
+            if (side == -INT64_C(1))
+            {
+                factor = 1.0 - error / e_lower;
+                if (factor <= 0.0)
+                {
+                    factor = 0.5;
+                }
+                e_upper = e_upper * factor;
+            }
+            lower = p;
+            e_lower = error;
+            side = -INT64_C(1);
+        }
+    }
+    return p;
+}
+/*Search the members whose second level lies between the end acceleration and zero.                */
+/*                                                                                                 */
+/*    Returns the parameter or -1, and t_zero if the family goes on there, else -1: a positive     */
+/*    second level gains velocity, which can leave no room for the first one. Where the motion     */
+/*    starts backwards the distance can rise and fall again, so the members between are looked at. */
+/*                                                                                                 */
+static int64_t first_window(double* result_0, double* result_1_0001, double target, double f_start, bool by_time, double v, double a, double w, double b, double top, double t_top, double t_zero, array_double_1d ramp)
+{
+    int64_t samples;
+    double lower;
+    double f_lower;
+    int64_t i;
+    double p;
+    double value;
+    double duration;
+    double end;
+    double going_on;
+    if (v < 0.0)
+    {
+        samples = INT64_C(8);
+        lower = 0.0;
+        f_lower = f_start;
+        for (i = INT64_C(1); i < samples; i += INT64_C(1))
+        {
+            p = t_zero * i / samples;
+            canonical_value(&value, &duration, p, by_time, v, a, w, b, top, t_top, ramp);
+            if (duration < 0.0)
+            {
+                break;
+            }
+            if ((value >= target) && (value > f_lower))
+            {
+                (*result_0) = bracketed_root(lower, p, f_lower, value, target, by_time, v, a, w, b, top, t_top, ramp);
+                (*result_1_0001) = t_zero;
+                return 0;
+            }
+            lower = p;
+            f_lower = value;
+        }
+    }
+    canonical_value(&value, &duration, t_zero, by_time, v, a, w, b, top, t_top, ramp);
+    end = t_zero;
+    if (duration < 0.0)
+    {
+        end = window_edge(0.0, t_zero, v, a, w, b, top, t_top, ramp);
+        canonical_value(&value, &duration, end, by_time, v, a, w, b, top, t_top, ramp);
+    }
+    going_on = -1.0;
+    if (end == t_zero)
+    {
+        going_on = t_zero;
+    }
+    if ((value >= target) && (value > f_start))
+    {
+        p = bracketed_root(0.0, end, f_start, value, target, by_time, v, a, w, b, top, t_top, ramp);
+        (*result_0) = p;
+        (*result_1_0001) = going_on;
+        return 0;
+    }
+    (*result_0) = -1.0;
+    (*result_1_0001) = going_on;
+    return 0;
+}
+/*Parameter of a member that covers less than the first one, and just the target; or -1. */
+/*                                                                                       */
+/*    Going on for longer covers less distance while the velocity in between is negative.*/
+/*                                                                                       */
+static double dip(double target, double f_start, double v, double a, double w, double b, double top, double t_top, array_double_1d ramp)
+{
+    int64_t samples;
+    int64_t i;
+    double p;
+    double value;
+    double duration;
+    double result;
+    samples = INT64_C(12);
+    for (i = INT64_C(1); i < samples + INT64_C(1); i += INT64_C(1))
+    {
+        p = t_top * i * i / (samples * samples);
+        canonical_value(&value, &duration, p, 0, v, a, w, b, top, t_top, ramp);
+        if (duration < 0.0)
+        {
+            return -1.0;
+        }
+        if (value <= target)
+        {
+            result = bracketed_root(p, 0.0, value, f_start, target, 0, v, a, w, b, top, t_top, ramp);
+            return result;
+        }
+    }
+    return -1.0;
+}
+/*Parameter of the first canonical member with the target distance (or duration), or -1. */
+static double canonical_search(double target, bool by_time, double v, double a, double w, double b, double top, double t_top, array_double_1d ramp)
+{
+    double f_lower;
+    double duration;
+    double lower;
+    double t_zero;
+    double rise;
+    double slope;
+    double upper;
+    double value;
+    int64_t i;
+    double f_upper;
+    double p;
+    canonical_value(&f_lower, &duration, 0.0, by_time, v, a, w, b, top, t_top, ramp);
+    if (duration < 0.0)
+    {
+        return -1.0;
+    }
+    if (f_lower == target)
+    {
+        return 0.0;
+    }
+    if (f_lower > target)
+    {
+        if (by_time || ((v >= 0.0) && (w >= 0.0)))
+        {
+            return -1.0;
+        }
+        p = dip(target, f_lower, v, a, w, b, top, t_top, ramp);
+        return p;
+    }
+    lower = 0.0;
+    if (b > 0.0)
+    {
+        segfmu_ramp_duration(&t_zero, &rise, &slope, b, ramp);
+        first_window(&p, &lower, target, f_lower, by_time, v, a, w, b, top, t_top, t_zero, ramp);
+        if (p >= 0.0)
+        {
+            return p;
+        }
+        if (lower < 0.0)
+        {
+            upper = t_top;
+            canonical_value(&value, &duration, upper, by_time, v, a, w, b, top, t_top, ramp);
+            for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+            {
+                if (duration >= 0.0)
+                {
+                    break;
+                }
+                upper = 2.0 * upper;
+                canonical_value(&value, &duration, upper, by_time, v, a, w, b, top, t_top, ramp);
+            }
+            lower = window_edge(upper, t_zero, v, a, w, b, top, t_top, ramp);
+        }
+        canonical_value(&f_lower, &duration, lower, by_time, v, a, w, b, top, t_top, ramp);
+        if (f_lower > target)
+        {
+            return -1.0;
+        }
+    }
+    upper = t_top;
+    if (upper <= lower)
+    {
+        upper = 2.0 * lower;
+    }
+    for (i = INT64_C(0); i < INT64_C(200); i += INT64_C(1))
+    {
+        canonical_value(&f_upper, &duration, upper, by_time, v, a, w, b, top, t_top, ramp);
+        if (f_upper >= target)
+        {
+            p = bracketed_root(lower, upper, f_lower, f_upper, target, by_time, v, a, w, b, top, t_top, ramp);
+            return p;
+        }
+        lower = upper;
+        f_lower = f_upper;
+        upper = 2.0 * upper;
+    }
+    return -1.0;
+}
+/*Append the fastest change from (v, a) to (w, 0) over one level; -1 if there is none. */
+static int64_t append_velocity_change(array_double_2d phases, int64_t count, double v, double a, double w, double top, array_double_1d ramp)
+{
+    double sign;
+    double t1;
+    double hold;
+    double level;
+    int64_t result;
+    sign = 1.0;
+    solve_level(&t1, &hold, &level, w - v, a, 0.0, span_max(0.0, a), top, ramp);
+    if (hold < 0.0)
+    {
+        sign = -1.0;
+        solve_level(&t1, &hold, &level, v - w, -a, 0.0, span_max(0.0, -a), top, ramp);
+        if (hold < 0.0)
+        {
+            return -INT64_C(1);
+        }
+    }
+    count = append_ramp(phases, count, a, sign * level, t1, ramp);
+    count = append_hold(phases, count, sign * level, hold);
+    result = append_change(phases, count, sign * level, 0.0, ramp);
+    return result;
+}
+/*The paper's form with a given cruise velocity, the cruise itself left out.                   */
+/*                                                                                             */
+/*    Returns the number of phases (-1: a velocity change does not exist), the row before which*/
+/*    the cruise belongs, duration and distance.                                               */
+/*                                                                                             */
+static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_2, double* result_3, array_double_2d phases, double cruise, double v, double a, double w, double b, double top, array_double_1d ramp)
+{
+    int64_t row;
+    int64_t count;
+    double duration;
+    double y;
+    double end;
+    double lowest;
+    double highest;
+    row = append_velocity_change(phases, INT64_C(0), v, a, cruise, top, ramp);
+    if (row < INT64_C(0))
+    {
+        (*result_0) = -INT64_C(1);
+        (*result_1) = INT64_C(0);
+        (*result_2) = 0.0;
+        (*result_3) = 0.0;
+        return 0;
+    }
+    /*the second part is the first part of the reversed problem*/
+    count = append_velocity_change(phases, row, w, -b, cruise, top, ramp);
+    if (count < INT64_C(0))
+    {
+        (*result_0) = -INT64_C(1);
+        (*result_1) = INT64_C(0);
+        (*result_2) = 0.0;
+        (*result_3) = 0.0;
+        return 0;
+    }
+    reverse_phases(phases, row, count);
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, ramp);
+    (*result_0) = count;
+    (*result_1) = row;
+    (*result_2) = duration;
+    (*result_3) = y;
+    return 0;
+}
+/*The merged form on one of its four branches; the number of phases, 0 if it has none.         */
+/*                                                                                             */
+/*    `target` is the duration if by_time, else unused. Reversal exchanges the boundary states,*/
+/*    mirroring their signs; together they reduce every branch to the canonical one.           */
+/*                                                                                             */
+static int64_t merged_form(array_double_2d phases, bool reverse, bool mirror, double target, bool by_time, double v, double a, double w, double b, double distance, double top, array_double_1d ramp)
+{
+    double v1;
+    double a1;
+    double v2;
+    double a2;
+    double goal;
+    double t_top;
+    double rise;
+    double slope;
+    double p;
+    double duration;
+    double y;
+    double t1;
+    double hold1;
+    double level1;
+    double hold2;
+    double level2;
+    double t3;
+    int64_t count;
+    v1 = v;
+    a1 = a;
+    v2 = w;
+    a2 = b;
+    if (reverse)
+    {
+        v1 = w;
+        a1 = -b;
+        v2 = v;
+        a2 = -a;
+    }
+    if (mirror)
+    {
+        v1 = -v1;
+        a1 = -a1;
+        v2 = -v2;
+        a2 = -a2;
+        distance = -distance;
+    }
+    goal = distance;
+    if (by_time)
+    {
+        goal = target;
+    }
+    segfmu_ramp_duration(&t_top, &rise, &slope, a2 + top, ramp);
+    p = canonical_search(goal, by_time, v1, a1, v2, a2, top, t_top, ramp);
+    if (p < 0.0)
+    {
+        return INT64_C(0);
+    }
+    canonical_point(&duration, &y, &t1, &hold1, &level1, &hold2, &level2, &t3, p, v1, a1, v2, a2, top, t_top, ramp);
+    if (duration < 0.0)
+    {
+        return INT64_C(0);
+    }
+    count = append_ramp(phases, INT64_C(0), a1, level1, t1, ramp);
+    count = append_hold(phases, count, level1, hold1);
+    count = append_change(phases, count, level1, level2, ramp);
+    count = append_hold(phases, count, level2, hold2);
+    count = append_ramp(phases, count, level2, a2, t3, ramp);
+    if (reverse)
+    {
+        reverse_phases(phases, INT64_C(0), count);
+    }
+    if (mirror)
+    {
+        mirror_phases(phases, count);
+    }
+    return count;
+}
+/*Duration of the phases if they meet the boundary within the velocity limit, else -1. */
+static double meets(array_double_2d phases, int64_t count, double v, double w, double distance, double limit, array_double_1d ramp)
+{
+    double y;
+    double end;
+    double lowest;
+    double highest;
+    double most;
+    double duration;
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, ramp);
+    most = limit * (1.0 + 1e-12);
+    if ((lowest < -most) || (highest > most))
+    {
+        return -1.0;
+    }
+    if (fabs(end - w) > 1e-12 * limit)
+    {
+        return -1.0;
+    }
+    if (fabs(y - distance) > 1e-12 * (fabs(distance) + limit * duration))
+    {
+        return -1.0;
+    }
+    return duration;
+}
+/*The paper's form with the cruise that covers the distance; 0 if it is overshot.*/
+static int64_t with_cruise(array_double_2d phases, double cruise, double v, double a, double w, double b, double distance, double top, array_double_1d ramp)
+{
+    int64_t count;
+    int64_t row;
+    double duration;
+    double y;
+    double hold;
+    int64_t result;
+    cruise_form(&count, &row, &duration, &y, phases, cruise, v, a, w, b, top, ramp);
+    if ((count < INT64_C(0)) || (cruise == 0.0))
+    {
+        return span_max_int(count, INT64_C(0));
+    }
+    hold = (distance - y) / cruise;
+    /*shorter than rounding: no cruise, and what it misses is judged by its caller*/
+    if ((hold < 0.0) && (fabs(distance - y) > 1e-13 * fabs(distance)))
+    {
+        return INT64_C(0);
+    }
+    result = insert_hold(phases, count, row, 0.0, hold);
+    return result;
+}
+/*The paper's form whose cruise velocity, below the limit, makes the cruise vanish.*/
+static int64_t slower_cruise(array_double_2d phases, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
+{
+    double lower;
+    double upper;
+    int64_t i;
+    double middle;
+    int64_t count;
+    int64_t row;
+    double duration;
+    double y;
+    double cruise;
+    int64_t result;
+    lower = -velocity_limit;
+    upper = velocity_limit;
+    for (i = INT64_C(0); i < INT64_C(200); i += INT64_C(1))
+    {
+        middle = 0.5 * (lower + upper);
+        if (i == INT64_C(0))
+        {
+            middle = span_max(v, w);
+        }
+        if ((middle <= lower) || (middle >= upper))
+        {
+            if (i > INT64_C(0))
+            {
+                break;
+            }
+            middle = 0.5 * (lower + upper);
+        }
+        cruise_form(&count, &row, &duration, &y, phases, middle, v, a, w, b, top, ramp);
+        if ((count < INT64_C(0)) || (y < distance))
+        {
+            lower = middle;
+        }
+        else
+        {
+            upper = middle;
+        }
+    }
+    /*the side whose rounding error a short cruise can make up*/
+    cruise = lower;
+    if (cruise < 0.0)
+    {
+        cruise = upper;
+    }
+    result = with_cruise(phases, cruise, v, a, w, b, distance, top, ramp);
+    return result;
+}
+/*The shortest candidate between two boundary states taken as they are; 0 if none holds. */
+static int64_t shortest_between(array_double_2d phases, array_double_2d trial, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
+{
+    int64_t count;
+    int64_t side;
+    double cruise;
+    int64_t best;
+    double shortest;
+    int64_t branch;
+    bool reverse;
+    bool mirror;
+    double duration;
+    int64_t result;
+    /*nothing is faster than one ramp: phase I.1 alone, where the points are consistent with it*/
+    count = append_change(phases, INT64_C(0), a, b, ramp);
+    if ((count > INT64_C(0)) && (fabs(v + 0.5 * (a + b) * (*cspan_at(&phases, INT64_C(0), INT64_C(0))) - w) <= 1e-13 * velocity_limit))
+    {
+        if (meets(phases, count, v, w, distance, velocity_limit, ramp) >= 0.0)
+        {
+            return count;
+        }
+    }
+    for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
+    {
+        cruise = velocity_limit * (INT64_C(1) - INT64_C(2) * side);
+        count = with_cruise(phases, cruise, v, a, w, b, distance, top, ramp);
+        if ((count > INT64_C(0)) && (meets(phases, count, v, w, distance, velocity_limit, ramp) >= 0.0))
+        {
+            return count;
+        }
+    }
+    best = INT64_C(0);
+    shortest = 0.0;
+    for (branch = INT64_C(0); branch < INT64_C(4); branch += INT64_C(1))
+    {
+        reverse = (branch == INT64_C(1)) || (branch == INT64_C(2));
+        mirror = branch >= INT64_C(2);
+        count = merged_form(trial, reverse, mirror, 0.0, 0, v, a, w, b, distance, top, ramp);
+        if (count > INT64_C(0))
+        {
+            duration = meets(trial, count, v, w, distance, velocity_limit, ramp);
+            if ((duration >= 0.0) && ((best == INT64_C(0)) || (duration < shortest)))
+            {
+                copy_phases(trial, phases, count);
+                best = count;
+                shortest = duration;
+            }
+        }
+    }
+    if (best > INT64_C(0))
+    {
+        return best;
+    }
+    count = slower_cruise(phases, v, a, w, b, distance, velocity_limit, top, ramp);
+    if ((count > INT64_C(0)) && (meets(phases, count, v, w, distance, velocity_limit, ramp) >= 0.0))
+    {
+        return count;
+    }
+    return INT64_C(0);
+}
+/*Phases of the shortest profile from (v, a) over a distance to (w, b).                            */
+/*                                                                                                 */
+/*    top is the acceleration limit; `phases` and the work space `trial` have 12 rows. Returns the */
+/*    number of phases (0 when there is nothing to do), or -1 when braking the first acceleration  */
+/*    to zero passes the velocity limit, -2 when building up the last one does, -3 otherwise.      */
+/*                                                                                                 */
+int64_t segfmu_shortest_profile(double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, array_double_2d trial)
+{
+    double t_start;
+    double rise;
+    double slope;
+    double t_end;
+    double v_braked;
+    double w_braked;
+    int64_t variant;
+    bool brake_start;
+    bool brake_end;
+    double v1;
+    double a1;
+    double w1;
+    double b1;
+    double rest;
+    int64_t first;
+    double duration;
+    double y;
+    double lowest;
+    double highest;
+    int64_t last;
+    double end;
+    int64_t Dummy_0000;
+    double most;
+    int64_t count;
+    v = without_dust(v, velocity_limit);
+    w = without_dust(w, velocity_limit);
+    a = without_dust(a, top);
+    b = without_dust(b, top);
+    distance = without_dust(distance, velocity_limit * velocity_limit / top);
+    if ((distance == 0.0) && (v == 0.0) && (w == 0.0) && (a == 0.0) && (b == 0.0))
+    {
+        return INT64_C(0);
+    }
+    segfmu_ramp_duration(&t_start, &rise, &slope, fabs(a), ramp);
+    segfmu_ramp_duration(&t_end, &rise, &slope, fabs(b), ramp);
+    v_braked = v + 0.5 * a * t_start;
+    w_braked = w - 0.5 * b * t_end;
+    for (variant = INT64_C(0); variant < INT64_C(4); variant += INT64_C(1))
+    {
+        brake_start = (variant == INT64_C(1)) || (variant == INT64_C(3));
+        brake_end = variant >= INT64_C(2);
+        if ((brake_start && (a == 0.0)) || (brake_end && (b == 0.0)))
+        {
+            continue;
+        }
+        v1 = v;
+        a1 = a;
+        w1 = w;
+        b1 = b;
+        rest = distance;
+        first = INT64_C(0);
+        if (brake_start)
+        {
+            first = append_change(trial, INT64_C(0), a, 0.0, ramp);
+            segfmu_measure_phases(&duration, &y, &v1, &lowest, &highest, trial, first, v, ramp);
+            rest = rest - y;
+            a1 = 0.0;
+        }
+        if (brake_end)
+        {
+            last = append_change(trial, INT64_C(0), 0.0, b, ramp);
+            w1 = w_braked;
+            segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, trial, last, w1, ramp);
+            rest = rest - y;
+            b1 = 0.0;
+        }
+        count = shortest_between(phases, trial, v1, a1, w1, b1, rest, velocity_limit, top, ramp);
+        if ((count == INT64_C(0)) && (!((rest == 0.0) && (v1 == w1) && (a1 == 0.0) && (b1 == 0.0))))
+        {
+            continue;
+        }
+        if (brake_start)
+        {
+            count = insert_hold(phases, count, INT64_C(0), 0.0, t_start);
+            Dummy_0000 = append_change(phases, INT64_C(0), a, 0.0, ramp);
+        }
+        if (brake_end)
+        {
+            count = append_change(phases, count, 0.0, b, ramp);
+        }
+        if (meets(phases, count, v, w, distance, velocity_limit, ramp) >= 0.0)
+        {
+            return count;
+        }
+    }
+    most = velocity_limit * (1.0 + 1e-12);
+    if (fabs(v_braked) > most)
+    {
+        return -INT64_C(1);
+    }
+    if (fabs(w_braked) > most)
+    {
+        return -INT64_C(2);
+    }
+    return -INT64_C(3);
+}
+/*Stretch phases that begin and end at rest in time; the distance stays (section 3.2). */
+static void stretch_phases(array_double_2d phases, int64_t count, double factor)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&phases, i, INT64_C(0))) = (*cspan_at(&phases, i, INT64_C(0))) * factor;
+        (*cspan_at(&phases, i, INT64_C(1))) = (*cspan_at(&phases, i, INT64_C(1))) * factor;
+        (*cspan_at(&phases, i, INT64_C(2))) = (*cspan_at(&phases, i, INT64_C(2))) / (factor * factor);
+        (*cspan_at(&phases, i, INT64_C(3))) = (*cspan_at(&phases, i, INT64_C(3))) / (factor * factor);
+    }
+}
+/*The paper's form with the cruise that makes it last `target`.                            */
+/*                                                                                         */
+/*    Returns the number of phases, the distance, and the duration of the cruise, which is */
+/*    negative where the form takes longer; the number is -1 where it does not exist.      */
+/*                                                                                         */
+static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, double target, double v, double a, double w, double b, double top, array_double_1d ramp)
+{
+    int64_t count;
+    int64_t row;
+    double duration;
+    double y;
+    double hold;
+    cruise_form(&count, &row, &duration, &y, phases, cruise, v, a, w, b, top, ramp);
+    if (count < INT64_C(0))
+    {
+        (*result_0) = -INT64_C(1);
+        (*result_1_0001) = 0.0;
+        (*result_2) = -1.0;
+        return 0;
+    }
+    hold = target - duration;
+    count = insert_hold(phases, count, row, 0.0, hold);
+    (*result_0) = count;
+    (*result_1_0001) = y + cruise * hold;
+    (*result_2) = hold;
+    return 0;
+}
+/*The cruise velocity nearest to `limit` that leaves a cruise; `middle` leaves one.*/
+static double cruise_range(array_double_2d phases, double middle, double limit, double target, double v, double a, double w, double b, double top, array_double_1d ramp)
+{
+    int64_t count;
+    double y;
+    double hold;
+    double inside;
+    double outside;
+    int64_t i;
+    double trial;
+    double result;
+    timed_cruise(&count, &y, &hold, phases, limit, target, v, a, w, b, top, ramp);
+    if ((count >= INT64_C(0)) && (hold >= 0.0))
+    {
+        return limit;
+    }
+    inside = middle;
+    outside = limit;
+    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    {
+        trial = 0.5 * (inside + outside);
+        if ((trial == inside) || (trial == outside))
+        {
+            break;
+        }
+        timed_cruise(&count, &y, &hold, phases, trial, target, v, a, w, b, top, ramp);
+        if ((count >= INT64_C(0)) && (hold >= 0.0))
+        {
+            inside = trial;
+        }
+        else
+        {
+            outside = trial;
+        }
+    }
+    return inside;
+}
+/*Keep a profile that lasts `target` if it is the nearest one below or above the distance. */
+/*                                                                                         */
+/*    found = number of phases below, their distance, number above, their distance.        */
+/*                                                                                         */
+static void keep_nearest(array_double_2d trial, int64_t count, double target, double v, double w, double distance, double velocity_limit, array_double_1d found, array_double_2d below, array_double_2d above, array_double_1d ramp)
+{
+    double duration;
+    double y;
+    double end;
+    double lowest;
+    double highest;
+    double most;
+    if (count <= INT64_C(0))
+    {
+        return;
+    }
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, trial, count, v, ramp);
+    most = velocity_limit * (1.0 + 1e-12);
+    if ((lowest < -most) || (highest > most))
+    {
+        return;
+    }
+    if ((fabs(duration - target) > 1e-12 * target) || (fabs(end - w) > 1e-11 * velocity_limit))
+    {
+        return;
+    }
+    if ((y <= distance) && (((*cspan_at(&found, INT64_C(0))) == 0.0) || (y > (*cspan_at(&found, INT64_C(1))))))
+    {
+        copy_phases(trial, below, count);
+        (*cspan_at(&found, INT64_C(0))) = count;
+        (*cspan_at(&found, INT64_C(1))) = y;
+    }
+    if ((y >= distance) && (((*cspan_at(&found, INT64_C(2))) == 0.0) || (y < (*cspan_at(&found, INT64_C(3))))))
+    {
+        copy_phases(trial, above, count);
+        (*cspan_at(&found, INT64_C(2))) = count;
+        (*cspan_at(&found, INT64_C(3))) = y;
+    }
+}
+/*Nearest profiles below and above the distance, from boundary states taken as they are. */
+static void timed_between(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial)
+{
+    double middle;
+    int64_t count;
+    double y;
+    double hold;
+    double lower;
+    double upper;
+    int64_t i;
+    double cruise;
+    int64_t branch;
+    bool reverse;
+    bool mirror;
+    middle = span_min(span_max(distance / target, span_min(v, w)), span_max(v, w));
+    timed_cruise(&count, &y, &hold, trial, middle, target, v, a, w, b, top, ramp);
+    if ((count >= INT64_C(0)) && (hold >= 0.0))
+    {
+        lower = cruise_range(trial, middle, -velocity_limit, target, v, a, w, b, top, ramp);
+        upper = cruise_range(trial, middle, velocity_limit, target, v, a, w, b, top, ramp);
+        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+        {
+            cruise = lower;
+            if (i == INT64_C(1))
+            {
+                cruise = upper;
+            }
+            timed_cruise(&count, &y, &hold, trial, cruise, target, v, a, w, b, top, ramp);
+            keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
+        }
+        if (((*cspan_at(&found, INT64_C(0))) > 0.0) && ((*cspan_at(&found, INT64_C(2))) > 0.0))
+        {
+            for (i = INT64_C(0); i < INT64_C(200); i += INT64_C(1))
+            {
+                cruise = 0.5 * (lower + upper);
+                if ((cruise == lower) || (cruise == upper))
+                {
+                    break;
+                }
+                timed_cruise(&count, &y, &hold, trial, cruise, target, v, a, w, b, top, ramp);
+                if (y < distance)
+                {
+                    lower = cruise;
+                }
+                else
+                {
+                    upper = cruise;
+                }
+                keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
+            }
+            return;
+        }
+    }
+    for (branch = INT64_C(0); branch < INT64_C(4); branch += INT64_C(1))
+    {
+        reverse = (branch == INT64_C(1)) || (branch == INT64_C(2));
+        mirror = branch >= INT64_C(2);
+        count = merged_form(trial, reverse, mirror, target, 1, v, a, w, b, distance, top, ramp);
+        keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
+    }
+}
+/*Put the braking of the initial and the build-up of the final acceleration around phases. */
+static int64_t surround_phases(array_double_2d phases, int64_t count, bool brake_start, double a, bool brake_end, double b, array_double_1d ramp)
+{
+    double duration;
+    double rise;
+    double slope;
+    int64_t Dummy_0000;
+    int64_t result;
+    if (brake_start && (a != 0.0))
+    {
+        segfmu_ramp_duration(&duration, &rise, &slope, fabs(a), ramp);
+        count = insert_hold(phases, count, INT64_C(0), 0.0, duration);
+        Dummy_0000 = append_change(phases, INT64_C(0), a, 0.0, ramp);
+    }
+    if (brake_end)
+    {
+        count = append_change(phases, count, 0.0, b, ramp);
+    }
+    return count;
+}
+/*Profiles that last `target`; returns the weight of `above`, or -1 if none is feasible.         */
+/*                                                                                               */
+/*    The motion is (1 - weight) * below + weight * above; found[0] and found[2] are the numbers */
+/*    of phases of the two (12 rows each).                                                       */
+/*                                                                                               */
+double segfmu_timed_profile(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial)
+{
+    int64_t i;
+    int64_t variant;
+    bool brake_start;
+    bool brake_end;
+    double time;
+    double rest;
+    double v1;
+    double a1;
+    double w1;
+    double b1;
+    int64_t count;
+    double duration;
+    double y;
+    double lowest;
+    double highest;
+    double end;
+    double span;
+    double tiny;
+    double weight;
+    v = without_dust(v, velocity_limit);
+    w = without_dust(w, velocity_limit);
+    a = without_dust(a, top);
+    b = without_dust(b, top);
+    distance = without_dust(distance, velocity_limit * velocity_limit / top);
+    for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
+    {
+        (*cspan_at(&found, i)) = 0.0;
+    }
+    for (variant = INT64_C(0); variant < INT64_C(4); variant += INT64_C(1))
+    {
+        brake_start = (variant == INT64_C(1)) || (variant == INT64_C(3));
+        brake_end = variant >= INT64_C(2);
+        if ((brake_start && (a == 0.0)) || (brake_end && (b == 0.0)))
+        {
+            continue;
+        }
+        time = target;
+        rest = distance;
+        v1 = v;
+        a1 = a;
+        w1 = w;
+        b1 = b;
+        if (brake_start)
+        {
+            count = append_change(trial, INT64_C(0), a, 0.0, ramp);
+            segfmu_measure_phases(&duration, &y, &v1, &lowest, &highest, trial, count, v, ramp);
+            time = time - duration;
+            rest = rest - y;
+            a1 = 0.0;
+        }
+        if (brake_end)
+        {
+            count = append_change(trial, INT64_C(0), 0.0, b, ramp);
+            w1 = w - 0.5 * b * (*cspan_at(&trial, INT64_C(0), INT64_C(0)));
+            segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, trial, count, w1, ramp);
+            time = time - duration;
+            rest = rest - y;
+            b1 = 0.0;
+        }
+        if (time <= 0.0)
+        {
+            continue;
+        }
+        (*cspan_at(&found, INT64_C(0))) = 0.0;
+        (*cspan_at(&found, INT64_C(2))) = 0.0;
+        timed_between(time, v1, a1, w1, b1, rest, velocity_limit, top, ramp, found, below, above, trial);
+        if (((*cspan_at(&found, INT64_C(0))) > 0.0) && ((*cspan_at(&found, INT64_C(2))) > 0.0))
+        {
+            span = (*cspan_at(&found, INT64_C(3))) - (*cspan_at(&found, INT64_C(1)));
+            weight = 0.0;
+            /*one profile is enough when it misses the distance by no more than rounding*/
+            tiny = 1e-14 * (fabs(rest) + velocity_limit * time);
+            if ((*cspan_at(&found, INT64_C(3))) - rest <= tiny)
+            {
+                weight = 1.0;
+            }
+            if ((rest - (*cspan_at(&found, INT64_C(1))) > tiny) && (weight < 1.0))
+            {
+                weight = (rest - (*cspan_at(&found, INT64_C(1)))) / span;
+            }
+            (*cspan_at(&found, INT64_C(0))) = surround_phases(below, (int64_t)((*cspan_at(&found, INT64_C(0)))), brake_start, a, brake_end, b, ramp);
+            (*cspan_at(&found, INT64_C(2))) = surround_phases(above, (int64_t)((*cspan_at(&found, INT64_C(2)))), brake_start, a, brake_end, b, ramp);
+            return weight;
+        }
+    }
+    return -1.0;
+}
+/*Write the shortest profile of one axis in one interval; returns status and duration. */
+static int64_t set_shortest(int64_t* result_0, double* result_1, int64_t interval, int64_t axis, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d trial)
+{
+    int64_t cell;
+    double v;
+    double distance;
+    int64_t count;
+    double duration;
+    double y;
+    double end;
+    double lowest;
+    double highest;
+    cell = interval * limits.shape[INT64_C(0)] + axis;
+    v = (*cspan_at(&velocities, interval, axis));
+    distance = (*cspan_at(&positions, interval + INT64_C(1), axis)) - (*cspan_at(&positions, interval, axis));
+    count = segfmu_shortest_profile(v, (*cspan_at(&accelerations, interval, axis)), (*cspan_at(&velocities, interval + INT64_C(1), axis)), (*cspan_at(&accelerations, interval + INT64_C(1), axis)), distance, (*cspan_at(&limits, axis, INT64_C(0))), (*cspan_at(&limits, axis, INT64_C(1))), span_row(&ramps, axis), span_matrix(&phases, INT64_C(2) * cell), trial);
+    (*cspan_at(&counts, INT64_C(2) * cell)) = span_max_int(count, INT64_C(0));
+    (*cspan_at(&counts, INT64_C(2) * cell + INT64_C(1))) = INT64_C(0);
+    (*cspan_at(&weights, cell)) = 0.0;
+    if (count < INT64_C(0))
+    {
+        (*result_0) = count;
+        (*result_1) = 0.0;
+        return 0;
+    }
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, span_matrix(&phases, INT64_C(2) * cell), count, v, span_row(&ramps, axis));
+    (*result_0) = INT64_C(0);
+    (*result_1) = duration;
+    return 0;
+}
+/*Write a profile of the given duration; False when that duration is not feasible. */
+static bool set_duration(int64_t interval, int64_t axis, double target, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial)
+{
+    int64_t cell;
+    double v;
+    double a;
+    double w;
+    double b;
+    double distance;
+    double speed;
+    bool resting;
+    int64_t status;
+    double duration;
+    double weight;
+    bool result;
+    cell = interval * limits.shape[INT64_C(0)] + axis;
+    v = (*cspan_at(&velocities, interval, axis));
+    a = (*cspan_at(&accelerations, interval, axis));
+    w = (*cspan_at(&velocities, interval + INT64_C(1), axis));
+    b = (*cspan_at(&accelerations, interval + INT64_C(1), axis));
+    distance = (*cspan_at(&positions, interval + INT64_C(1), axis)) - (*cspan_at(&positions, interval, axis));
+    if (target < shortest * (1.0 - 1e-13))
+    {
+        return 0;
+    }
+    speed = without_dust(fabs(v) + fabs(w), (*cspan_at(&limits, axis, INT64_C(0))));
+    resting = (speed == 0.0) && (without_dust(fabs(a) + fabs(b), (*cspan_at(&limits, axis, INT64_C(1)))) == 0.0);
+    if (resting || (target <= shortest * (1.0 + 1e-13)))
+    {
+        set_shortest(&status, &duration, interval, axis, positions, velocities, accelerations, limits, ramps, phases, counts, weights, trial);
+        if (resting && ((*cspan_at(&counts, INT64_C(2) * cell)) == INT64_C(0)))
+        {
+            (*cspan_at(&counts, INT64_C(2) * cell)) = append_hold(span_matrix(&phases, INT64_C(2) * cell), INT64_C(0), 0.0, target);
+        }
+        else if (resting)
+        {
+            stretch_phases(span_matrix(&phases, INT64_C(2) * cell), (*cspan_at(&counts, INT64_C(2) * cell)), target / duration);
+        }
+        return 1;
+    }
+    weight = segfmu_timed_profile(target, v, a, w, b, distance, (*cspan_at(&limits, axis, INT64_C(0))), (*cspan_at(&limits, axis, INT64_C(1))), span_row(&ramps, axis), found, span_matrix(&phases, INT64_C(2) * cell), span_matrix(&phases, INT64_C(2) * cell + INT64_C(1)), trial);
+    if (weight < 0.0)
+    {
+        return 0;
+    }
+    (*cspan_at(&weights, cell)) = weight;
+    (*cspan_at(&counts, INT64_C(2) * cell)) = (int64_t)((*cspan_at(&found, INT64_C(0))));
+    (*cspan_at(&counts, INT64_C(2) * cell + INT64_C(1))) = (int64_t)((*cspan_at(&found, INT64_C(2))));
+    return 1;
+}
+/*The end of the gap that holds the infeasible duration `start`; -1 if none is found.*/
+static double next_feasible(int64_t interval, int64_t axis, double start, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial)
+{
+    double outside;
+    double growth;
+    int64_t i;
+    double duration;
+    double inside;
+    outside = start;
+    inside = -1.0;
+    growth = 1.02;
+    for (i = INT64_C(0); i < INT64_C(400); i += INT64_C(1))
+    {
+        duration = outside * growth;
+        if (set_duration(interval, axis, duration, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial))
+        {
+            inside = duration;
+            break;
+        }
+        outside = duration;
+        if (i > INT64_C(150))
+        {
+            growth = 1.1;
+        }
+    }
+    if (inside < 0.0)
+    {
+        return -1.0;
+    }
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
+    {
+        duration = 0.5 * (outside + inside);
+        if (inside - outside <= 1e-12 * inside)
+        {
+            break;
+        }
+        if (set_duration(interval, axis, duration, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial))
+        {
+            inside = duration;
+        }
+        else
+        {
+            outside = duration;
+        }
+    }
+    return inside;
+}
+/*The next multiple of the sample time, or the duration itself if there is none. */
+static double round_up(double duration, double sample_time)
+{
+    double result;
+    if (sample_time <= 0.0)
+    {
+        return duration;
+    }
+    return (int64_t)ceil(duration / sample_time - 1e-09) * sample_time;
+}
+/*The shortest duration >= start that the axes first .. last - 1 all meet; -1 if none. */
+/*                                                                                     */
+/*    Their profiles of that duration are written.                                     */
+/*                                                                                     */
+static double common_duration(int64_t interval, int64_t first, int64_t last, double start, double sample_time, array_double_2d shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial)
+{
+    int64_t axis;
+    int64_t agreed;
+    int64_t i;
+    double duration;
+    duration = start;
+    for (axis = first; axis < last; axis += INT64_C(1))
+    {
+        duration = span_max(duration, (*cspan_at(&shortest, interval, axis)));
+    }
+    duration = round_up(duration, sample_time);
+    axis = first;
+    agreed = INT64_C(0);
+    for (i = INT64_C(0); i < INT64_C(100000); i += INT64_C(1))
+    {
+        if (agreed == last - first)
+        {
+            return duration;
+        }
+        if (set_duration(interval, axis, duration, (*cspan_at(&shortest, interval, axis)), positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial))
+        {
+            agreed = agreed + INT64_C(1);
+        }
+        else
+        {
+            duration = next_feasible(interval, axis, duration, (*cspan_at(&shortest, interval, axis)), positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial);
+            if (duration < 0.0)
+            {
+                return -1.0;
+            }
+            duration = round_up(duration, sample_time);
+            agreed = INT64_C(0);
+        }
+        axis = axis + INT64_C(1);
+        if (axis == last)
+        {
+            axis = first;
+        }
+    }
+    return -1.0;
+}
+/*Status 7, 8 or 10 (negative) when a waypoint breaks a limit or dwells while moving.*/
+static int64_t check_waypoints(array_double_2d velocities, array_double_2d accelerations, array_double_1d dwells, array_double_2d limits, array_double_1d report)
+{
+    int64_t j;
+    int64_t axis;
+    bool moving;
+    int64_t result;
+    for (j = INT64_C(0); j < velocities.shape[INT64_C(0)]; j += INT64_C(1))
+    {
+        for (axis = INT64_C(0); axis < limits.shape[INT64_C(0)]; axis += INT64_C(1))
+        {
+            (*cspan_at(&report, INT64_C(0))) = axis;
+            (*cspan_at(&report, INT64_C(1))) = j;
+            (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&velocities, j, axis));
+            (*cspan_at(&report, INT64_C(3))) = (*cspan_at(&limits, axis, INT64_C(0)));
+            if (fabs((*cspan_at(&velocities, j, axis))) > (*cspan_at(&limits, axis, INT64_C(0))))
+            {
+                return -INT64_C(7);
+            }
+            moving = ((*cspan_at(&velocities, j, axis)) != 0.0) || ((*cspan_at(&accelerations, j, axis)) != 0.0);
+            if (((*cspan_at(&dwells, j)) > 0.0) && moving)
+            {
+                return -INT64_C(10);
+            }
+            (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&accelerations, j, axis));
+            (*cspan_at(&report, INT64_C(3))) = (*cspan_at(&limits, axis, INT64_C(1)));
+            if (fabs((*cspan_at(&accelerations, j, axis))) > (*cspan_at(&limits, axis, INT64_C(1))))
+            {
+                return -INT64_C(8);
+            }
+        }
+    }
+    return INT64_C(0);
+}
+/*Prolong the intervals of some axes, in proportion, until their sum is `target`.                  */
+/*                                                                                                 */
+/*    An interval whose proportional share lies in a gap jumps to the end of the gap when there is */
+/*    time for it, and else keeps its duration. False when time is left that no interval takes.    */
+/*                                                                                                 */
+static bool distribute(int64_t first, int64_t last, double target, array_double_2d shortest, array_double_2d durations, array_int64_t_1d active, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial)
+{
+    int64_t intervals;
+    int64_t j;
+    int64_t sweep;
+    double base;
+    double rest;
+    double factor;
+    double wished;
+    double reached;
+    int64_t axis;
+    bool result;
+    intervals = durations.shape[INT64_C(0)];
+    for (j = INT64_C(0); j < intervals; j += INT64_C(1))
+    {
+        (*cspan_at(&active, j)) = INT64_C(1);
+    }
+    for (sweep = INT64_C(0); sweep < INT64_C(50); sweep += INT64_C(1))
+    {
+        base = 0.0;
+        rest = target;
+        for (j = INT64_C(0); j < intervals; j += INT64_C(1))
+        {
+            rest = rest - (*cspan_at(&durations, j, first));
+            if ((*cspan_at(&active, j)) == INT64_C(1))
+            {
+                base = base + (*cspan_at(&durations, j, first));
+            }
+        }
+        if (rest <= 1e-13 * target)
+        {
+            return 1;
+        }
+        if (base <= 0.0)
+        {
+            return 0;
+        }
+        factor = 1.0 + rest / base;
+        for (j = INT64_C(0); j < intervals; j += INT64_C(1))
+        {
+            if ((*cspan_at(&active, j)) == INT64_C(1))
+            {
+                wished = (*cspan_at(&durations, j, first)) * factor;
+                reached = common_duration(j, first, last, wished, 0.0, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial);
+                if ((reached < 0.0) || (reached - (*cspan_at(&durations, j, first)) > rest * (1.0 + 1e-13)))
+                {
+                    (*cspan_at(&active, j)) = INT64_C(0);
+                }
+                else
+                {
+                    rest = rest - (reached - (*cspan_at(&durations, j, first)));
+                    for (axis = first; axis < last; axis += INT64_C(1))
+                    {
+                        (*cspan_at(&durations, j, axis)) = reached;
+                    }
+                }
+            }
+        }
+    }
+    return 0;
+}
+/*Write the profiles of the durations that were settled on; False if one is infeasible.*/
+static bool rewrite_intervals(int64_t first, int64_t last, array_double_2d shortest, array_double_2d durations, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial)
+{
+    int64_t j;
+    int64_t axis;
+    bool result;
+    for (j = INT64_C(0); j < durations.shape[INT64_C(0)]; j += INT64_C(1))
+    {
+        for (axis = first; axis < last; axis += INT64_C(1))
+        {
+            if (!set_duration(j, axis, (*cspan_at(&durations, j, axis)), (*cspan_at(&shortest, j, axis)), positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial))
+            {
+                return 0;
+            }
+        }
+    }
+    return 1;
+}
+/*Bring the shortest profiles to common durations; status as in `plan_phases`. */
+static int64_t synchronize_plan(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d dwells, array_double_2d limits, int64_t synchronization, double sample_time, double duration, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d shortest, array_double_2d durations, array_int64_t_1d active, array_double_2d work, array_double_1d report)
+{
+    int64_t axes;
+    int64_t intervals;
+    int64_t group;
+    double resting;
+    int64_t j;
+    double longest;
+    int64_t axis;
+    double total;
+    double time;
+    int64_t i;
+    double target;
+    int64_t result;
+    axes = limits.shape[INT64_C(0)];
+    intervals = positions.shape[INT64_C(0)] - INT64_C(1);
+    group = INT64_C(1);
+    if (synchronization == INT64_C(1))
+    {
+        group = axes;
+    }
+    resting = 0.0;
+    for (j = INT64_C(0); j < intervals + INT64_C(1); j += INT64_C(1))
+    {
+        resting = resting + (*cspan_at(&dwells, j));
+    }
+    longest = 0.0;
+    for (axis = INT64_C(0); (group > 0) ? (axis < axes) : (axis > axes); axis += group)
+    {
+        total = 0.0;
+        for (j = INT64_C(0); j < intervals; j += INT64_C(1))
+        {
+            if ((synchronization == INT64_C(1)) || (sample_time > 0.0))
+            {
+                time = common_duration(j, axis, axis + group, 0.0, sample_time, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, span_row(&work, INT64_C(12)), span_rows(&work, INT64_C(0), INT64_C(12)));
+                (*cspan_at(&report, INT64_C(0))) = axis;
+                (*cspan_at(&report, INT64_C(1))) = j;
+                if (time < 0.0)
+                {
+                    return -INT64_C(4);
+                }
+                for (i = axis; i < axis + group; i += INT64_C(1))
+                {
+                    (*cspan_at(&durations, j, i)) = time;
+                }
+            }
+            total = total + (*cspan_at(&durations, j, axis));
+        }
+        longest = span_max(longest, total);
+    }
+    (*cspan_at(&report, INT64_C(2))) = longest + resting;
+    (*cspan_at(&report, INT64_C(3))) = duration;
+    target = longest;
+    if (duration > 0.0)
+    {
+        target = duration - resting;
+        if (target < longest * (1.0 - 1e-13))
+        {
+            return -INT64_C(5);
+        }
+    }
+    if ((synchronization < INT64_C(2)) && (duration <= 0.0))
+    {
+        return INT64_C(0);
+    }
+    for (axis = INT64_C(0); (group > 0) ? (axis < axes) : (axis > axes); axis += group)
+    {
+        (*cspan_at(&report, INT64_C(0))) = axis;
+        if (!distribute(axis, axis + group, target, shortest, durations, active, positions, velocities, accelerations, limits, ramps, phases, counts, weights, span_row(&work, INT64_C(12)), span_rows(&work, INT64_C(0), INT64_C(12))))
+        {
+            return -INT64_C(6);
+        }
+        if (!rewrite_intervals(axis, axis + group, shortest, durations, positions, velocities, accelerations, limits, ramps, phases, counts, weights, span_row(&work, INT64_C(12)), span_rows(&work, INT64_C(0), INT64_C(12))))
+        {
+            return -INT64_C(6);
+        }
+    }
+    return INT64_C(0);
+}
+/*Plan all intervals. Returns 0 or a negative status, with the details in `report`.            */
+/*                                                                                             */
+/*    m waypoints, k axes: positions, velocities, accelerations (m, k), dwells (m,), limits    */
+/*    (k, smoothness + 1) with 0 for absent, ramps (k, 48), phases (2 (m - 1) k, 12, 4), counts*/
+/*    (2 (m - 1) k,), weights ((m - 1) k,), shortest and durations (m - 1, k), active (m - 1,),*/
+/*    work (16, 4 + 2 smoothness), report (4,). synchronization: 0 none, 1 waypoints, 2 total; */
+/*    sample_time and duration: 0 for none.                                                    */
+/*                                                                                             */
+int64_t segfmu_plan_phases(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d dwells, array_double_2d limits, int64_t smoothness, int64_t shape, int64_t synchronization, double sample_time, double duration, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d shortest, array_double_2d durations, array_int64_t_1d active, array_double_2d work, array_double_1d report)
+{
+    int64_t axes;
+    int64_t intervals;
+    int64_t axis;
+    int64_t j;
+    double time;
+    int64_t status;
+    axes = limits.shape[INT64_C(0)];
+    intervals = positions.shape[INT64_C(0)] - INT64_C(1);
+    status = check_waypoints(velocities, accelerations, dwells, limits, report);
+    if (status < INT64_C(0))
+    {
+        return status;
+    }
+    for (axis = INT64_C(0); axis < axes; axis += INT64_C(1))
+    {
+        (*cspan_at(&report, INT64_C(0))) = axis;
+        status = segfmu_ramp_parameters(smoothness, shape, span_row(&limits, axis), span_row(&work, INT64_C(0)), span_row(&work, INT64_C(1)), span_row(&ramps, axis));
+        if (status > INT64_C(0))
+        {
+            return -INT64_C(9);
+        }
+    }
+    for (j = INT64_C(0); j < intervals; j += INT64_C(1))
+    {
+        for (axis = INT64_C(0); axis < axes; axis += INT64_C(1))
+        {
+            set_shortest(&status, &time, j, axis, positions, velocities, accelerations, limits, ramps, phases, counts, weights, work);
+            if (status < INT64_C(0))
+            {
+                (*cspan_at(&report, INT64_C(0))) = axis;
+                (*cspan_at(&report, INT64_C(1))) = j;
+                return status;
+            }
+            (*cspan_at(&shortest, j, axis)) = time;
+            (*cspan_at(&durations, j, axis)) = time;
+        }
+    }
+    status = synchronize_plan(positions, velocities, accelerations, dwells, limits, synchronization, sample_time, duration, ramps, phases, counts, weights, shortest, durations, active, work, report);
+    return status;
+}
+/*Value of a derivative of one piece at local time t.*/
+static double evaluate_piece(array_double_2d coefficients, int64_t row, int64_t width, double t, int64_t derivative)
+{
+    int64_t j;
+    int64_t i;
+    double factor;
+    int64_t m;
+    double value;
+    value = 0.0;
+    for (j = INT64_C(0); j < width - derivative; j += INT64_C(1))
+    {
+        i = width - INT64_C(1) - j;
+        factor = 1.0;
+        for (m = INT64_C(0); m < derivative; m += INT64_C(1))
+        {
+            factor = factor * (i - m);
+        }
+        value = value * t + factor * (*cspan_at(&coefficients, row, i));
+    }
+    return value;
+}
+/*Close the piece in `row`: add position to jerk from `state`, which is advanced.                */
+/*                                                                                               */
+/*    state = position, velocity, acceleration, jerk and time at the start of the piece. Returns */
+/*    row + 1.                                                                                   */
+/*                                                                                               */
+static int64_t append_piece(double duration, array_double_1d starts, array_double_2d coefficients, int64_t row, int64_t width, array_double_1d state)
+{
+    double y;
+    double v;
+    int64_t j;
+    int64_t i;
+    int64_t result;
+    (*cspan_at(&coefficients, row, INT64_C(0))) = (*cspan_at(&state, INT64_C(0)));
+    (*cspan_at(&coefficients, row, INT64_C(1))) = (*cspan_at(&state, INT64_C(1)));
+    (*cspan_at(&coefficients, row, INT64_C(2))) = 0.5 * (*cspan_at(&state, INT64_C(2)));
+    (*cspan_at(&coefficients, row, INT64_C(3))) = (*cspan_at(&coefficients, row, INT64_C(3))) + (*cspan_at(&state, INT64_C(3))) / 6.0;
+    (*cspan_at(&starts, row)) = (*cspan_at(&state, INT64_C(4)));
+    y = 0.0;
+    v = 0.0;
+    for (j = INT64_C(0); j < width; j += INT64_C(1))
+    {
+        i = width - INT64_C(1) - j;
+        y = y * duration + (*cspan_at(&coefficients, row, i));
+        if (i > INT64_C(0))
+        {
+            v = v * duration + i * (*cspan_at(&coefficients, row, i));
+        }
+    }
+    (*cspan_at(&state, INT64_C(0))) = y;
+    (*cspan_at(&state, INT64_C(1))) = v;
+    (*cspan_at(&state, INT64_C(2))) = evaluate_piece(coefficients, row, width, duration, INT64_C(2));
+    (*cspan_at(&state, INT64_C(3))) = evaluate_piece(coefficients, row, width, duration, INT64_C(3));
+    (*cspan_at(&state, INT64_C(4))) = (*cspan_at(&state, INT64_C(4))) + duration;
+    return row + INT64_C(1);
+}
+/*Set every coefficient of a piece to zero.*/
+static void clear_piece(array_double_2d coefficients, int64_t row)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < coefficients.shape[INT64_C(1)]; i += INT64_C(1))
+    {
+        (*cspan_at(&coefficients, row, i)) = 0.0;
+    }
+}
+/*Add to a piece the triple integral of jerk * Psi(t, rise) with Psi of the given order. */
+static void add_rise(double jerk, double rise, int64_t order, array_double_1d psi, array_double_2d coefficients, int64_t row)
+{
+    int64_t i;
+    double scale;
+    for (i = order + INT64_C(1); i < INT64_C(2) * order + INT64_C(2); i += INT64_C(1))
+    {
+        scale = jerk * (*cspan_at(&psi, i)) / ((i + 1.0) * (i + 2.0) * (i + 3.0));
+        (*cspan_at(&coefficients, row, i + INT64_C(3))) = (*cspan_at(&coefficients, row, i + INT64_C(3))) + scale / pow(rise, (double)(i));
+    }
+}
+/*Add to a piece the fourfold integral of snap * Psi(t, rise) with Psi of the given order. */
+static void add_snap(double snap, double rise, int64_t order, array_double_1d psi, array_double_2d coefficients, int64_t row)
+{
+    int64_t i;
+    double scale;
+    for (i = order + INT64_C(1); i < INT64_C(2) * order + INT64_C(2); i += INT64_C(1))
+    {
+        scale = snap * (*cspan_at(&psi, i)) / ((i + 1.0) * (i + 2.0) * (i + 3.0) * (i + 4.0));
+        (*cspan_at(&coefficients, row, i + INT64_C(4))) = (*cspan_at(&coefficients, row, i + INT64_C(4))) + scale / pow(rise, (double)(i));
+    }
+}
+/*Pieces in which the jerk changes by `jerk` within `rise`; returns the row after them.*/
+static int64_t expand_jerk_change(double jerk, double rise, double share, int64_t order, array_double_1d psi, array_double_1d state, array_double_1d starts, array_double_2d coefficients, int64_t row, int64_t width)
+{
+    double snap;
+    double edge;
+    int64_t result;
+    clear_piece(coefficients, row);
+    if (share <= 0.0)
+    {
+        add_rise(jerk, rise, order, psi, coefficients, row);
+        result = append_piece(rise, starts, coefficients, row, width, state);
+        return result;
+    }
+    snap = jerk / (rise * (1.0 - share));
+    edge = share * rise;
+    add_snap(snap, edge, order, psi, coefficients, row);
+    row = append_piece(edge, starts, coefficients, row, width, state);
+    clear_piece(coefficients, row);
+    (*cspan_at(&coefficients, row, INT64_C(4))) = snap / 24.0;
+    row = append_piece(rise - 2.0 * edge, starts, coefficients, row, width, state);
+    clear_piece(coefficients, row);
+    (*cspan_at(&coefficients, row, INT64_C(4))) = snap / 24.0;
+    add_snap(-snap, edge, order, psi, coefficients, row);
+    result = append_piece(edge, starts, coefficients, row, width, state);
+    return result;
+}
+/*Expand `count` phases into pieces from `row` on; returns the row after the last one.             */
+/*                                                                                                 */
+/*    state holds position and velocity, and in state[4] the time, at the start, and is advanced   */
+/*    to the end; psi is work space for 2 n numbers; share is the one of the snap's rise in that of*/
+/*    the jerk, 0 where the snap has no plateau.                                                   */
+/*                                                                                                 */
+static int64_t expand_phases(array_double_2d phases, int64_t count, int64_t smoothness, int64_t shape, double share, array_double_1d psi, array_double_1d state, array_double_1d starts, array_double_2d coefficients, int64_t row)
+{
+    int64_t width;
+    int64_t k;
+    bool plateau;
+    int64_t order;
+    int64_t i;
+    double duration;
+    double rise;
+    double a;
+    double change;
+    int64_t j;
+    double scale;
+    double jerk;
+    double flat;
+    int64_t result;
+    width = INT64_C(2) * smoothness;
+    k = smoothness - INT64_C(2);
+    plateau = (shape == INT64_C(1)) && (k > INT64_C(0));
+    order = k;
+    if (plateau)
+    {
+        order = k - INT64_C(1);
+        if (share > 0.0)
+        {
+            order = k - INT64_C(2);
+        }
+    }
+    transition_coefficients(order, psi);
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        duration = (*cspan_at(&phases, i, INT64_C(0)));
+        rise = (*cspan_at(&phases, i, INT64_C(1)));
+        a = (*cspan_at(&phases, i, INT64_C(2)));
+        change = (*cspan_at(&phases, i, INT64_C(3)));
+        (*cspan_at(&state, INT64_C(2))) = a;
+        (*cspan_at(&state, INT64_C(3))) = 0.0;
+        clear_piece(coefficients, row);
+        if ((change == 0.0) || (!plateau))
+        {
+            if (change != 0.0)
+            {
+                for (j = order + INT64_C(1); j < INT64_C(2) * order + INT64_C(2); j += INT64_C(1))
+                {
+                    scale = change * (*cspan_at(&psi, j)) / ((j + 1.0) * (j + 2.0));
+                    (*cspan_at(&coefficients, row, j + INT64_C(2))) = scale / pow(duration, (double)(j));
+                }
+            }
+            row = append_piece(duration, starts, coefficients, row, width, state);
+        }
+        else
+        {
+            jerk = change / (duration - rise);
+            flat = duration - 2.0 * rise;
+            row = expand_jerk_change(jerk, rise, share, order, psi, state, starts, coefficients, row, width);
+            (*cspan_at(&state, INT64_C(2))) = a + 0.5 * jerk * rise;
+            (*cspan_at(&state, INT64_C(3))) = jerk;
+            if (flat > 0.0)
+            {
+                clear_piece(coefficients, row);
+                row = append_piece(flat, starts, coefficients, row, width, state);
+                (*cspan_at(&state, INT64_C(2))) = a + change - 0.5 * jerk * rise;
+                (*cspan_at(&state, INT64_C(3))) = jerk;
+            }
+            row = expand_jerk_change(-jerk, rise, share, order, psi, state, starts, coefficients, row, width);
+        }
+        (*cspan_at(&state, INT64_C(2))) = a + change;
+        (*cspan_at(&state, INT64_C(3))) = 0.0;
+    }
+    return row;
+}
+/*The row of first .. last - 1 whose piece holds `time`, by bisection. */
+static int64_t find_piece(double time, array_double_1d starts, int64_t first, int64_t last)
+{
+    int64_t upper;
+    int64_t middle;
+    int64_t lower;
+    lower = first;
+    upper = last;
+    while(upper - lower > INT64_C(1))
+    {
+        middle = span_floor_div((lower + upper), INT64_C(2));
+        if (time >= (*cspan_at(&starts, middle)))
+        {
+            lower = middle;
+        }
+        else
+        {
+            upper = middle;
+        }
+    }
+    return lower;
+}
+/*One derivative of every axis at many times: values[time, axis].                                  */
+/*                                                                                                 */
+/*    The pieces of axis i are the rows offsets[i] .. offsets[i + 1] - 1; ends[i] is its duration. */
+/*    Before its start and after its end an axis stays in its end position, all derivatives zero.  */
+/*                                                                                                 */
+void segfmu_evaluate(array_double_1d times, array_double_1d starts, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, int64_t derivative, array_double_2d values)
+{
+    int64_t width;
+    int64_t axis;
+    int64_t first;
+    int64_t last;
+    int64_t row;
+    int64_t i;
+    double t;
+    width = coefficients.shape[INT64_C(1)];
+    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        first = (*cspan_at(&offsets, axis));
+        last = (*cspan_at(&offsets, axis + INT64_C(1)));
+        row = first;
+        for (i = INT64_C(0); i < times.shape[INT64_C(0)]; i += INT64_C(1))
+        {
+            t = span_min(span_max((*cspan_at(&times, i)), (*cspan_at(&starts, first))), (*cspan_at(&ends, axis)));
+            if ((t < (*cspan_at(&starts, row))) || ((row + INT64_C(1) < last) && (t >= (*cspan_at(&starts, row + INT64_C(1))))))
+            {
+                row = find_piece(t, starts, first, last);
+            }
+            if ((derivative > INT64_C(0)) && (t != (*cspan_at(&times, i))))
+            {
+                (*cspan_at(&values, i, axis)) = 0.0;
+            }
+            else
+            {
+                (*cspan_at(&values, i, axis)) = evaluate_piece(coefficients, row, width, t - (*cspan_at(&starts, row)), derivative);
+            }
+        }
+    }
+}
+/*An upper bound of the number of pieces: seven a phase, and one a dwell.*/
+int64_t segfmu_count_pieces(array_int64_t_1d counts, int64_t cells)
+{
+    int64_t i;
+    int64_t total;
+    total = cells + INT64_C(1);
+    for (i = INT64_C(0); i < INT64_C(2) * cells; i += INT64_C(1))
+    {
+        total = total + INT64_C(7) * (*cspan_at(&counts, i));
+    }
+    return total;
+}
+/*Add weight times a piece, taken from its local time t on, to another piece.*/
+static void shift_piece(array_double_2d coefficients, int64_t source, int64_t width, double t, double weight, array_double_2d target, int64_t row)
+{
+    double factorial;
+    int64_t i;
+    double value;
+    factorial = 1.0;
+    for (i = INT64_C(0); i < width; i += INT64_C(1))
+    {
+        if (i > INT64_C(0))
+        {
+            factorial = factorial * i;
+        }
+        value = evaluate_piece(coefficients, source, width, t, i) / factorial;
+        (*cspan_at(&target, row, i)) = (*cspan_at(&target, row, i)) + weight * value;
+    }
+}
+/*(1 - weight) * pieces first_a .. last_a - 1 + weight * pieces last_a .. last_b - 1.*/
+static int64_t merge_pieces(double weight, double end, int64_t first_a, int64_t last_a, int64_t last_b, array_double_1d scratch_starts, array_double_2d scratch, array_double_1d starts, array_double_2d coefficients, int64_t row)
+{
+    int64_t width;
+    int64_t a;
+    int64_t b;
+    double t;
+    int64_t i;
+    double next_a;
+    double next_b;
+    int64_t result;
+    width = coefficients.shape[INT64_C(1)];
+    a = first_a;
+    b = last_a;
+    t = (*cspan_at(&scratch_starts, a));
+    while(t < end)
+    {
+        for (i = INT64_C(0); i < width; i += INT64_C(1))
+        {
+            (*cspan_at(&coefficients, row, i)) = 0.0;
+        }
+        (*cspan_at(&starts, row)) = t;
+        shift_piece(scratch, a, width, t - (*cspan_at(&scratch_starts, a)), 1.0 - weight, coefficients, row);
+        shift_piece(scratch, b, width, t - (*cspan_at(&scratch_starts, b)), weight, coefficients, row);
+        row = row + INT64_C(1);
+        next_a = end;
+        next_b = end;
+        if (a + INT64_C(1) < last_a)
+        {
+            next_a = (*cspan_at(&scratch_starts, a + INT64_C(1)));
+        }
+        if (b + INT64_C(1) < last_b)
+        {
+            next_b = (*cspan_at(&scratch_starts, b + INT64_C(1)));
+        }
+        t = span_min(next_a, next_b);
+        if ((next_a <= t) && (a + INT64_C(1) < last_a))
+        {
+            a = a + INT64_C(1);
+        }
+        if ((next_b <= t) && (b + INT64_C(1) < last_b))
+        {
+            b = b + INT64_C(1);
+        }
+    }
+    return row;
+}
+/*Expand one interval of one axis from `row` on; returns the row after its last piece. */
+static int64_t expand_interval(int64_t interval, int64_t axis, int64_t axes, double now, array_double_2d positions, array_double_2d velocities, int64_t smoothness, int64_t shape, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d durations, array_double_2d ramps, array_double_1d scratch_starts, array_double_2d scratch, array_double_1d starts, array_double_2d coefficients, int64_t row)
+{
+    int64_t cell;
+    double weight;
+    array_double_1d state;
+    array_double_1d psi;
+    int64_t which;
+    int64_t middle;
+    int64_t last;
+    int64_t result;
+    cell = interval * axes + axis;
+    weight = (*cspan_at(&weights, cell));
+    state = span_row(&scratch, INT64_C(199));
+    psi = span_row(&scratch, INT64_C(198));
+    (*cspan_at(&state, INT64_C(0))) = (*cspan_at(&positions, interval, axis));
+    (*cspan_at(&state, INT64_C(1))) = (*cspan_at(&velocities, interval, axis));
+    (*cspan_at(&state, INT64_C(4))) = now;
+    if ((weight <= 0.0) || (weight >= 1.0))
+    {
+        which = INT64_C(2) * cell;
+        if (weight >= 1.0)
+        {
+            which = which + INT64_C(1);
+        }
+        result = expand_phases(span_matrix(&phases, which), (*cspan_at(&counts, which)), smoothness, shape, (*cspan_at(&ramps, axis, INT64_C(40))), psi, state, starts, coefficients, row);
+        return result;
+    }
+    middle = expand_phases(span_matrix(&phases, INT64_C(2) * cell), (*cspan_at(&counts, INT64_C(2) * cell)), smoothness, shape, (*cspan_at(&ramps, axis, INT64_C(40))), psi, state, scratch_starts, scratch, INT64_C(0));
+    (*cspan_at(&state, INT64_C(0))) = (*cspan_at(&positions, interval, axis));
+    (*cspan_at(&state, INT64_C(1))) = (*cspan_at(&velocities, interval, axis));
+    (*cspan_at(&state, INT64_C(4))) = now;
+    last = expand_phases(span_matrix(&phases, INT64_C(2) * cell + INT64_C(1)), (*cspan_at(&counts, INT64_C(2) * cell + INT64_C(1))), smoothness, shape, (*cspan_at(&ramps, axis, INT64_C(40))), psi, state, scratch_starts, scratch, middle);
+    result = merge_pieces(weight, now + (*cspan_at(&durations, interval, axis)), INT64_C(0), middle, last, scratch_starts, scratch, starts, coefficients, row);
+    return result;
+}
+/*Expand a plan into the pieces of every axis; returns the number of pieces.                         */
+/*                                                                                                   */
+/*    times[j, axis] becomes the arrival at waypoint j; offsets (axes + 1,); starts and              */
+/*    coefficients (.., 2 smoothness) hold at least count_pieces rows, the scratch arrays (200,) and */
+/*    (200, 16), of which the last two rows serve as work space.                                     */
+/*                                                                                                   */
+int64_t segfmu_expand_plan(array_double_2d positions, array_double_2d velocities, array_double_1d dwells, int64_t smoothness, int64_t shape, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d durations, array_double_2d ramps, array_double_1d scratch_starts, array_double_2d scratch, array_double_1d starts, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times)
+{
+    int64_t intervals;
+    int64_t axes;
+    int64_t axis;
+    double now;
+    int64_t j;
+    int64_t i;
+    int64_t row;
+    intervals = durations.shape[INT64_C(0)];
+    axes = durations.shape[INT64_C(1)];
+    row = INT64_C(0);
+    for (axis = INT64_C(0); axis < axes; axis += INT64_C(1))
+    {
+        (*cspan_at(&offsets, axis)) = row;
+        now = 0.0;
+        (*cspan_at(&times, INT64_C(0), axis)) = 0.0;
+        for (j = INT64_C(0); j < intervals + INT64_C(1); j += INT64_C(1))
+        {
+            (*cspan_at(&times, j, axis)) = now;
+            if (((*cspan_at(&dwells, j)) > 0.0) || ((j == intervals) && (row == (*cspan_at(&offsets, axis)))))
+            {
+                for (i = INT64_C(0); i < INT64_C(2) * smoothness; i += INT64_C(1))
+                {
+                    (*cspan_at(&coefficients, row, i)) = 0.0;
+                }
+                (*cspan_at(&coefficients, row, INT64_C(0))) = (*cspan_at(&positions, j, axis));
+                (*cspan_at(&starts, row)) = now;
+                now = now + (*cspan_at(&dwells, j));
+                row = row + INT64_C(1);
+            }
+            if (j < intervals)
+            {
+                row = expand_interval(j, axis, axes, now, positions, velocities, smoothness, shape, phases, counts, weights, durations, ramps, scratch_starts, scratch, starts, coefficients, row);
+                now = now + (*cspan_at(&durations, j, axis));
+            }
+        }
+    }
+    (*cspan_at(&offsets, axes)) = row;
+    return row;
+}
+/*-K(l) (x - x*), K interpolated linearly over rope length, constant outside the table.        */
+/*                                                                                             */
+/*    state and reference hold 10 numbers, lengths (rows,), gains (rows, 3, 10), correction 3. */
+/*                                                                                             */
+void segfmu_feedback_correction(array_double_1d state, array_double_1d reference, array_double_1d lengths, array_double_3d gains, array_double_1d correction)
+{
+    int64_t rows;
+    int64_t row;
+    double share;
+    int64_t following;
+    int64_t i;
+    double total;
+    int64_t j;
+    double k;
+    rows = lengths.shape[INT64_C(0)];
+    row = INT64_C(0);
+    while((row + INT64_C(2) < rows) && ((*cspan_at(&state, INT64_C(2))) > (*cspan_at(&lengths, row + INT64_C(1)))))
+    {
+        row = row + INT64_C(1);
+    }
+    share = 0.0;
+    following = row;
+    if (rows > INT64_C(1))
+    {
+        following = row + INT64_C(1);
+        share = ((*cspan_at(&state, INT64_C(2))) - (*cspan_at(&lengths, row))) / ((*cspan_at(&lengths, following)) - (*cspan_at(&lengths, row)));
+        share = span_min(span_max(share, 0.0), 1.0);
+    }
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        total = 0.0;
+        for (j = INT64_C(0); j < INT64_C(10); j += INT64_C(1))
+        {
+            k = (1.0 - share) * (*cspan_at(&gains, row, i, j)) + share * (*cspan_at(&gains, following, i, j));
+            total = total + k * ((*cspan_at(&state, j)) - (*cspan_at(&reference, j)));
+        }
+        (*cspan_at(&correction, i)) = -total;
+    }
+}
+/*Right-hand side of (1): derivative of the state under forces on every coordinate.*/
+void segfmu_crane_rhs(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_1d derivative)
+{
+    double l;
+    double phi_x;
+    double phi_y;
+    double x_t_rate;
+    double y_t_rate;
+    double l_rate;
+    double phi_x_rate;
+    double phi_y_rate;
+    double f_x_t;
+    double f_y_t;
+    double f_l;
+    double f_phi_x;
+    double f_phi_y;
+    double w_x;
+    double w_y;
+    double w_z;
+    double c0;
+    double c1;
+    double c2;
+    double c3;
+    double c4;
+    double c5;
+    double c6;
+    double c7;
+    double c8;
+    double c9;
+    double c10;
+    double c11;
+    double c12;
+    double c13;
+    double c14;
+    double c15;
+    double c16;
+    double c17;
+    double c18;
+    double c19;
+    double c20;
+    double c21;
+    double c22;
+    double c23;
+    double c24;
+    double c25;
+    double c26;
+    double c27;
+    double c28;
+    l = (*cspan_at(&state, INT64_C(2)));
+    phi_x = (*cspan_at(&state, INT64_C(3)));
+    phi_y = (*cspan_at(&state, INT64_C(4)));
+    x_t_rate = (*cspan_at(&state, INT64_C(5)));
+    y_t_rate = (*cspan_at(&state, INT64_C(6)));
+    l_rate = (*cspan_at(&state, INT64_C(7)));
+    phi_x_rate = (*cspan_at(&state, INT64_C(8)));
+    phi_y_rate = (*cspan_at(&state, INT64_C(9)));
+    f_x_t = (*cspan_at(&generalized_force, INT64_C(0)));
+    f_y_t = (*cspan_at(&generalized_force, INT64_C(1)));
+    f_l = (*cspan_at(&generalized_force, INT64_C(2)));
+    f_phi_x = (*cspan_at(&generalized_force, INT64_C(3)));
+    f_phi_y = (*cspan_at(&generalized_force, INT64_C(4)));
+    w_x = (*cspan_at(&load_force, INT64_C(0)));
+    w_y = (*cspan_at(&load_force, INT64_C(1)));
+    w_z = (*cspan_at(&load_force, INT64_C(2)));
+    c0 = INT64_C(1) / (bridge_mass + trolley_mass);
+    c1 = sin(phi_x);
+    c2 = cos(phi_x);
+    c3 = INT64_C(1) / l;
+    c4 = c3 * f_phi_x;
+    c5 = c1 * f_l + c2 * c4;
+    c6 = c5 - f_x_t;
+    c7 = sin(phi_y);
+    c8 = c2 * c7;
+    c9 = cos(phi_y);
+    c10 = c3 / c2;
+    c11 = c10 * f_phi_y;
+    c12 = c1 * c7;
+    c13 = c11 * c9 - c12 * c4 + c8 * f_l;
+    c14 = (c13 + f_y_t) / trolley_mass;
+    c15 = c2 * l_rate;
+    c16 = c1 * phi_x_rate;
+    c17 = c16 * l;
+    c18 = INT64_C(1) / payload_mass;
+    c19 = (-c0) * c6 + c15 * phi_x_rate - c18 * (c5 + w_x) + phi_x_rate * ((-c17) + c2 * l_rate);
+    c20 = c8 * phi_y_rate;
+    c21 = c1 * l_rate;
+    c22 = c2 * c9;
+    c23 = l * phi_x_rate;
+    c24 = l * phi_y_rate;
+    c25 = c22 * phi_y_rate;
+    c26 = c1 * c9;
+    c27 = (-c18) * (c11 * c7 - c22 * f_l + c26 * c4 + w_z) + gravity + l_rate * (c16 * c9 + c20) + phi_x_rate * ((-c12) * c24 + c21 * c9 + c22 * c23) + phi_y_rate * (c15 * c7 - c17 * c7 + c25 * l);
+    c28 = c14 - c18 * ((-c13) + w_y) + l_rate * (c16 * c7 - c25) + phi_x_rate * (c21 * c7 + c23 * c8 + c24 * c26) + phi_y_rate * ((-c15) * c9 + c17 * c9 + c20 * l);
+    (*cspan_at(&derivative, INT64_C(0))) = x_t_rate;
+    (*cspan_at(&derivative, INT64_C(1))) = y_t_rate;
+    (*cspan_at(&derivative, INT64_C(2))) = l_rate;
+    (*cspan_at(&derivative, INT64_C(3))) = phi_x_rate;
+    (*cspan_at(&derivative, INT64_C(4))) = phi_y_rate;
+    (*cspan_at(&derivative, INT64_C(5))) = (-c0) * c6;
+    (*cspan_at(&derivative, INT64_C(6))) = c14;
+    (*cspan_at(&derivative, INT64_C(7))) = (-c1) * c19 + c22 * c27 + c28 * c8;
+    (*cspan_at(&derivative, INT64_C(8))) = (-c3) * (c12 * c28 + c19 * c2 + c26 * c27);
+    (*cspan_at(&derivative, INT64_C(9))) = c10 * ((-c27) * c7 + c28 * c9);
+}
+/*The same for given accelerations of bridge, trolley and rope; force: what they need. */
+void segfmu_crane_driven(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_1d derivative, array_double_1d force)
+{
+    double l;
+    double phi_x;
+    double phi_y;
+    double x_t_rate;
+    double y_t_rate;
+    double l_rate;
+    double phi_x_rate;
+    double phi_y_rate;
+    double a_x;
+    double a_y;
+    double a_l;
+    double f_phi_x;
+    double f_phi_y;
+    double w_x;
+    double w_y;
+    double w_z;
+    double c0;
+    double c1;
+    double c2;
+    double c3;
+    double c4;
+    double c5;
+    double c6;
+    double c7;
+    double c8;
+    double c9;
+    double c10;
+    double c11;
+    double c12;
+    double c13;
+    double c14;
+    double c15;
+    double c16;
+    double c17;
+    double c18;
+    double c19;
+    double c20;
+    double c21;
+    double c22;
+    double c23;
+    double c24;
+    double c25;
+    double c26;
+    double c27;
+    double c28;
+    double c29;
+    double c30;
+    double c31;
+    double c32;
+    double c33;
+    double c34;
+    l = (*cspan_at(&state, INT64_C(2)));
+    phi_x = (*cspan_at(&state, INT64_C(3)));
+    phi_y = (*cspan_at(&state, INT64_C(4)));
+    x_t_rate = (*cspan_at(&state, INT64_C(5)));
+    y_t_rate = (*cspan_at(&state, INT64_C(6)));
+    l_rate = (*cspan_at(&state, INT64_C(7)));
+    phi_x_rate = (*cspan_at(&state, INT64_C(8)));
+    phi_y_rate = (*cspan_at(&state, INT64_C(9)));
+    a_x = (*cspan_at(&carriage, INT64_C(0)));
+    a_y = (*cspan_at(&carriage, INT64_C(1)));
+    a_l = (*cspan_at(&carriage, INT64_C(2)));
+    f_phi_x = (*cspan_at(&generalized_force, INT64_C(3)));
+    f_phi_y = (*cspan_at(&generalized_force, INT64_C(4)));
+    w_x = (*cspan_at(&load_force, INT64_C(0)));
+    w_y = (*cspan_at(&load_force, INT64_C(1)));
+    w_z = (*cspan_at(&load_force, INT64_C(2)));
+    c0 = INT64_C(1) / (l * l);
+    c1 = INT64_C(1) / payload_mass;
+    c2 = cos(phi_x);
+    c3 = sin(phi_x);
+    c4 = c3 * phi_x_rate;
+    c5 = c4 * l;
+    c6 = (-c2) * l_rate + c5;
+    c7 = c2 * l_rate;
+    c8 = a_l * c3 + a_x + c7 * phi_x_rate;
+    c9 = (-c1) * w_x + c8;
+    c10 = c2 * l;
+    c11 = sin(phi_y);
+    c12 = cos(phi_y);
+    c13 = c2 * phi_y_rate;
+    c14 = c3 * l_rate;
+    c15 = c10 * c11;
+    c16 = c3 * l;
+    c17 = c12 * phi_y_rate;
+    c18 = a_l * c2;
+    c19 = a_y - c11 * c18 + l_rate * (c11 * c4 - c12 * c13) + phi_x_rate * (c11 * c14 + c15 * phi_x_rate + c16 * c17) + phi_y_rate * (c12 * c5 - c12 * c7 + c15 * phi_y_rate);
+    c20 = (-c1) * w_y + c19;
+    c21 = c11 * c16;
+    c22 = c10 * c12;
+    c23 = (-c1) * w_z - c12 * c18 + gravity + l_rate * (c11 * c13 + c12 * c4) + phi_x_rate * (c12 * c14 - c21 * phi_y_rate + c22 * phi_x_rate) + phi_y_rate * (c10 * c17 - c11 * c5 + c11 * c7);
+    c24 = (-c1) * f_phi_x + c10 * ((-c6) * phi_x_rate + c9) + c12 * c16 * c23 + c20 * c21;
+    c25 = c1 * f_phi_y - c15 * c23 + c20 * c22;
+    c26 = (-c6) * phi_x_rate;
+    c27 = INT64_C(1) / l;
+    c28 = c2 * c27;
+    c29 = c12 * c27;
+    c30 = c25 / c2;
+    c31 = (-c29) * c30;
+    c32 = c11 * c27;
+    c33 = c3 * c32;
+    c34 = -c24;
+    (*cspan_at(&derivative, INT64_C(0))) = x_t_rate;
+    (*cspan_at(&derivative, INT64_C(1))) = y_t_rate;
+    (*cspan_at(&derivative, INT64_C(2))) = l_rate;
+    (*cspan_at(&derivative, INT64_C(3))) = phi_x_rate;
+    (*cspan_at(&derivative, INT64_C(4))) = phi_y_rate;
+    (*cspan_at(&derivative, INT64_C(5))) = a_x;
+    (*cspan_at(&derivative, INT64_C(6))) = a_y;
+    (*cspan_at(&derivative, INT64_C(7))) = a_l;
+    (*cspan_at(&derivative, INT64_C(8))) = (-c0) * c24;
+    (*cspan_at(&derivative, INT64_C(9))) = c0 * c25 / (c2 * c2);
+    (*cspan_at(&force, INT64_C(0))) = a_x * (bridge_mass + trolley_mass) + payload_mass * ((-c24) * c28 + c26 + c8) - w_x;
+    (*cspan_at(&force, INT64_C(1))) = a_y * trolley_mass + payload_mass * (c19 - c24 * c33 + c31) - w_y;
+    (*cspan_at(&force, INT64_C(2))) = payload_mass * ((-c11) * c2 * (c20 + c31 + c33 * c34) - c12 * c2 * (c23 + c29 * c3 * c34 + c30 * c32) + c3 * (c26 + c28 * c34 + c9));
+}
+/*Flat inverse (7): flat[d, i] is the d-th derivative of the load's position in axis i.*/
+void segfmu_crane_flat_inverse(array_double_2d flat, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_1d force, array_double_1d state, array_double_1d acceleration)
+{
+    double p0x;
+    double p0y;
+    double p0z;
+    double p1x;
+    double p1y;
+    double p1z;
+    double p2x;
+    double p2y;
+    double p2z;
+    double p3x;
+    double p3y;
+    double p3z;
+    double p4x;
+    double p4y;
+    double p4z;
+    double c0;
+    double c1;
+    double c2;
+    double c3;
+    double c4;
+    double c5;
+    double c6;
+    double c7;
+    double c8;
+    double c9;
+    double c10;
+    double c11;
+    double c12;
+    double c13;
+    double c14;
+    double c15;
+    double c16;
+    double c17;
+    double c18;
+    double c19;
+    double c20;
+    double c21;
+    double c22;
+    double c23;
+    double c24;
+    double c25;
+    double c26;
+    double c27;
+    double c28;
+    double c29;
+    double c30;
+    double c31;
+    double c32;
+    double c33;
+    double c34;
+    double c35;
+    double c36;
+    double c37;
+    double c38;
+    double c39;
+    double c40;
+    double c41;
+    double c42;
+    double c43;
+    double c44;
+    double c45;
+    double c46;
+    double c47;
+    double c48;
+    double c49;
+    double c50;
+    double c51;
+    double c52;
+    double c53;
+    double c54;
+    double c55;
+    double c56;
+    double c57;
+    double c58;
+    double c59;
+    double c60;
+    double c61;
+    double c62;
+    double c63;
+    double c64;
+    double c65;
+    double c66;
+    double c67;
+    p0x = (*cspan_at(&flat, INT64_C(0), INT64_C(0)));
+    p0y = (*cspan_at(&flat, INT64_C(0), INT64_C(1)));
+    p0z = (*cspan_at(&flat, INT64_C(0), INT64_C(2)));
+    p1x = (*cspan_at(&flat, INT64_C(1), INT64_C(0)));
+    p1y = (*cspan_at(&flat, INT64_C(1), INT64_C(1)));
+    p1z = (*cspan_at(&flat, INT64_C(1), INT64_C(2)));
+    p2x = (*cspan_at(&flat, INT64_C(2), INT64_C(0)));
+    p2y = (*cspan_at(&flat, INT64_C(2), INT64_C(1)));
+    p2z = (*cspan_at(&flat, INT64_C(2), INT64_C(2)));
+    p3x = (*cspan_at(&flat, INT64_C(3), INT64_C(0)));
+    p3y = (*cspan_at(&flat, INT64_C(3), INT64_C(1)));
+    p3z = (*cspan_at(&flat, INT64_C(3), INT64_C(2)));
+    p4x = (*cspan_at(&flat, INT64_C(4), INT64_C(0)));
+    p4y = (*cspan_at(&flat, INT64_C(4), INT64_C(1)));
+    p4z = (*cspan_at(&flat, INT64_C(4), INT64_C(2)));
+    c0 = gravity + p2z;
+    c1 = INT64_C(1) / c0;
+    c2 = c1 * p0z;
+    c3 = c1 * p2z;
+    c4 = p0z * p4z;
+    c5 = c0 * c0;
+    c6 = INT64_C(1) / c5;
+    c7 = c6 * p2x;
+    c8 = c1 * p3z;
+    c9 = c8 * p2x;
+    c10 = c1 * p1z;
+    c11 = c1 * (c8 * p0z - p1z);
+    c12 = p0z * p3x;
+    c13 = p1z * p2x;
+    c14 = c6 * p3z;
+    c15 = c10 * (c9 - p3x) + c11 * p3x + c14 * (c12 + c13 - INT64_C(2) * c9 * p0z) - c2 * p4x - c3 * p2x + c4 * c7 + p2x;
+    c16 = p2y * p4z;
+    c17 = c6 * p0z;
+    c18 = p2y * p3z;
+    c19 = p0z * p3y;
+    c20 = p1z * p2y;
+    c21 = INT64_C(2) * c18;
+    c22 = c10 * (c1 * c18 - p3y) + c11 * p3y + c14 * (c19 - c2 * c21 + c20) + c16 * c17 - c2 * p4y - c3 * p2y + p2y;
+    c23 = p2x * p2x;
+    c24 = p2y * p2y;
+    c25 = c24 + c5;
+    c26 = c23 + c25;
+    c27 = sqrt(c26);
+    c28 = sqrt(c25);
+    c29 = p0z * p2x;
+    c30 = c1 * c12;
+    c31 = (-c1) * c13 - c30;
+    c32 = c1 * c19;
+    c33 = (-c1) * c20 - c32;
+    c34 = INT64_C(1) / c27;
+    c35 = c1 * c34;
+    c36 = c12 * p2x;
+    c37 = c19 * p2y;
+    c38 = c27 * c6;
+    c39 = c34 - c38;
+    c40 = p0z * p3z;
+    c41 = INT64_C(1) / c26;
+    c42 = c28 * p3x;
+    c43 = INT64_C(1) / c28;
+    c44 = c43 * p2y;
+    c45 = c44 * p3y;
+    c46 = c0 * c43;
+    c47 = c46 * p3z;
+    c48 = INT64_C(1) / c25;
+    c49 = c35 * p2y;
+    c50 = c41 + c6;
+    c51 = c30 * c41;
+    c52 = c32 * c41;
+    c53 = p2x * p2y;
+    c54 = INT64_C(1) / (c26 * sqrt(c26));
+    c55 = c44 * p2x;
+    c56 = c46 * p2x;
+    c57 = INT64_C(2) * c41;
+    c58 = c42 * c57;
+    c59 = c23 * c57;
+    c60 = c43 * p2x;
+    c61 = c60 * p3y;
+    c62 = p2x / (c25 * sqrt(c25));
+    c63 = c0 * c18;
+    c64 = c60 * p3z;
+    c65 = c0 * p3y;
+    c66 = c65 * p2y;
+    c67 = INT64_C(2) * c48;
+    (*cspan_at(&force, INT64_C(0))) = c15 * (bridge_mass + trolley_mass) + p2x * payload_mass;
+    (*cspan_at(&force, INT64_C(1))) = c22 * trolley_mass + p2y * payload_mass;
+    (*cspan_at(&force, INT64_C(2))) = (-c27) * payload_mass;
+    (*cspan_at(&state, INT64_C(0))) = (-c2) * p2x + p0x;
+    (*cspan_at(&state, INT64_C(1))) = (-c2) * p2y + p0y;
+    (*cspan_at(&state, INT64_C(2))) = (-c2) * c27;
+    (*cspan_at(&state, INT64_C(3))) = atan2(-p2x, c28);
+    (*cspan_at(&state, INT64_C(4))) = atan2(p2y, c0);
+    (*cspan_at(&state, INT64_C(5))) = c14 * c29 + c31 + p1x;
+    (*cspan_at(&state, INT64_C(6))) = c17 * c18 + c33 + p1y;
+    (*cspan_at(&state, INT64_C(7))) = (-c10) * c27 - c35 * c36 - c35 * c37 - c39 * c40;
+    (*cspan_at(&state, INT64_C(8))) = c41 * ((-c42) + c45 * p2x + c47 * p2x);
+    (*cspan_at(&state, INT64_C(9))) = c48 * (c0 * p3y - c18);
+    (*cspan_at(&acceleration, INT64_C(0))) = c15;
+    (*cspan_at(&acceleration, INT64_C(1))) = c22;
+    (*cspan_at(&acceleration, INT64_C(2))) = (-c27) * c3 - c29 * c35 * p4x + c34 * p3x * (c23 * c51 + c31 + c40 * c50 * p2x + c52 * c53) + c34 * p3y * (c18 * c50 * p0z + c24 * c52 + c33 + c51 * c53) - c39 * c4 - c49 * p0z * p4y - p1z * (c35 * p2x * p3x + c39 * p3z + c49 * p3y) + p3z * (c12 * c34 * c7 + c34 * c37 * c6 - c34 * p1z + c36 * c54 + c37 * c54 + c38 * p1z - c40 * ((-c0) * c54 - c35 + INT64_C(2) * c27 / (c0 * c0 * c0)));
+    (*cspan_at(&acceleration, INT64_C(3))) = c41 * ((-c28) * p4x + c55 * p4y + c56 * p4z + p3x * ((-c45) * c59 + c45 - c47 * c59 + c47 + c58 * p2x) - p3y * (c21 * c41 * c56 + c24 * c57 * c61 + c24 * c62 * p3y + c44 * p3x - c58 * p2y - c61 + c62 * c63) - p3z * ((-c0) * c58 + c46 * p3x + c5 * c57 * c64 + c5 * c62 * p3z + c55 * c57 * c65 + c62 * c66 - c64));
+    (*cspan_at(&acceleration, INT64_C(4))) = c48 * (c0 * p4y - c16 - p3y * ((-c24) * c67 * p3z + c66 * c67 + p3z) + p3z * ((-c5) * c67 * p3y + c63 * c67 + p3y));
+}
+/*Position load[0] and velocity load[1] of the load, (16). */
+void segfmu_crane_load(array_double_1d state, array_double_2d load)
+{
+    double x_t;
+    double y_t;
+    double l;
+    double phi_x;
+    double phi_y;
+    double x_t_rate;
+    double y_t_rate;
+    double l_rate;
+    double phi_x_rate;
+    double phi_y_rate;
+    double c0;
+    double c1;
+    double c2;
+    double c3;
+    double c4;
+    double c5;
+    double c6;
+    double c7;
+    double c8;
+    double c9;
+    x_t = (*cspan_at(&state, INT64_C(0)));
+    y_t = (*cspan_at(&state, INT64_C(1)));
+    l = (*cspan_at(&state, INT64_C(2)));
+    phi_x = (*cspan_at(&state, INT64_C(3)));
+    phi_y = (*cspan_at(&state, INT64_C(4)));
+    x_t_rate = (*cspan_at(&state, INT64_C(5)));
+    y_t_rate = (*cspan_at(&state, INT64_C(6)));
+    l_rate = (*cspan_at(&state, INT64_C(7)));
+    phi_x_rate = (*cspan_at(&state, INT64_C(8)));
+    phi_y_rate = (*cspan_at(&state, INT64_C(9)));
+    c0 = sin(phi_x);
+    c1 = c0 * l;
+    c2 = sin(phi_y);
+    c3 = cos(phi_x);
+    c4 = c3 * l;
+    c5 = c2 * c4;
+    c6 = cos(phi_y);
+    c7 = c4 * c6;
+    c8 = c3 * l_rate;
+    c9 = c1 * phi_x_rate;
+    (*cspan_at(&load, INT64_C(0), INT64_C(0))) = c1 + x_t;
+    (*cspan_at(&load, INT64_C(0), INT64_C(1))) = (-c5) + y_t;
+    (*cspan_at(&load, INT64_C(0), INT64_C(2))) = -c7;
+    (*cspan_at(&load, INT64_C(1), INT64_C(0))) = c0 * l_rate + c4 * phi_x_rate + x_t_rate;
+    (*cspan_at(&load, INT64_C(1), INT64_C(1))) = (-c2) * c8 + c2 * c9 - c7 * phi_y_rate + y_t_rate;
+    (*cspan_at(&load, INT64_C(1), INT64_C(2))) = c5 * phi_y_rate - c6 * c8 + c6 * c9;
+}
+/*Kinetic and potential energy, (17a) and (17b). */
+void segfmu_crane_energy(array_double_1d state, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_1d energy)
+{
+    double l;
+    double phi_x;
+    double phi_y;
+    double x_t_rate;
+    double y_t_rate;
+    double l_rate;
+    double phi_x_rate;
+    double phi_y_rate;
+    double c0;
+    double c1;
+    double c2;
+    double c3;
+    double c4;
+    double c5;
+    double c6;
+    double c7;
+    double c8;
+    double c9;
+    double c10;
+    double c11;
+    double c12;
+    l = (*cspan_at(&state, INT64_C(2)));
+    phi_x = (*cspan_at(&state, INT64_C(3)));
+    phi_y = (*cspan_at(&state, INT64_C(4)));
+    x_t_rate = (*cspan_at(&state, INT64_C(5)));
+    y_t_rate = (*cspan_at(&state, INT64_C(6)));
+    l_rate = (*cspan_at(&state, INT64_C(7)));
+    phi_x_rate = (*cspan_at(&state, INT64_C(8)));
+    phi_y_rate = (*cspan_at(&state, INT64_C(9)));
+    c0 = x_t_rate * x_t_rate;
+    c1 = sin(phi_x);
+    c2 = cos(phi_x);
+    c3 = l * phi_x_rate;
+    c4 = cos(phi_y);
+    c5 = c2 * l_rate;
+    c6 = c1 * c3;
+    c7 = sin(phi_y);
+    c8 = c2 * l;
+    c9 = c8 * phi_y_rate;
+    c10 = c1 * l_rate + c2 * c3 + x_t_rate;
+    c11 = (-c4) * c5 + c4 * c6 + c7 * c9;
+    c12 = (-c4) * c9 - c5 * c7 + c6 * c7 + y_t_rate;
+    (*cspan_at(&energy, INT64_C(0))) = 1.0 / 2.0 * bridge_mass * c0 + 1.0 / 2.0 * payload_mass * (c10 * c10 + c11 * c11 + c12 * c12) + 1.0 / 2.0 * trolley_mass * (c0 + y_t_rate * y_t_rate);
+    (*cspan_at(&energy, INT64_C(1))) = (-c4) * c8 * gravity * payload_mass;
+}
+/*Coefficients a_ij of a stage (0 .. 6); returns its node c_i. */
+static double stage_row(int64_t stage, array_double_1d row)
+{
+    int64_t i;
+    double result;
+    for (i = INT64_C(0); i < INT64_C(7); i += INT64_C(1))
+    {
+        (*cspan_at(&row, i)) = 0.0;
+    }
+    if (stage == INT64_C(0))
+    {
+        return 0.0;
+    }
+    if (stage == INT64_C(1))
+    {
+        (*cspan_at(&row, INT64_C(0))) = 1.0 / 5.0;
+        return 1.0 / 5.0;
+    }
+    if (stage == INT64_C(2))
+    {
+        (*cspan_at(&row, INT64_C(0))) = 3.0 / 40.0;
+        (*cspan_at(&row, INT64_C(1))) = 9.0 / 40.0;
+        return 3.0 / 10.0;
+    }
+    if (stage == INT64_C(3))
+    {
+        (*cspan_at(&row, INT64_C(0))) = 44.0 / 45.0;
+        (*cspan_at(&row, INT64_C(1))) = (-56.0) / 15.0;
+        (*cspan_at(&row, INT64_C(2))) = 32.0 / 9.0;
+        return 4.0 / 5.0;
+    }
+    if (stage == INT64_C(4))
+    {
+        (*cspan_at(&row, INT64_C(0))) = 19372.0 / 6561.0;
+        (*cspan_at(&row, INT64_C(1))) = (-25360.0) / 2187.0;
+        (*cspan_at(&row, INT64_C(2))) = 64448.0 / 6561.0;
+        (*cspan_at(&row, INT64_C(3))) = (-212.0) / 729.0;
+        return 8.0 / 9.0;
+    }
+    if (stage == INT64_C(5))
+    {
+        (*cspan_at(&row, INT64_C(0))) = 9017.0 / 3168.0;
+        (*cspan_at(&row, INT64_C(1))) = (-355.0) / 33.0;
+        (*cspan_at(&row, INT64_C(2))) = 46732.0 / 5247.0;
+        (*cspan_at(&row, INT64_C(3))) = 49.0 / 176.0;
+        (*cspan_at(&row, INT64_C(4))) = (-5103.0) / 18656.0;
+        return 1.0;
+    }
+    (*cspan_at(&row, INT64_C(0))) = 35.0 / 384.0;
+    (*cspan_at(&row, INT64_C(2))) = 500.0 / 1113.0;
+    (*cspan_at(&row, INT64_C(3))) = 125.0 / 192.0;
+    (*cspan_at(&row, INT64_C(4))) = (-2187.0) / 6784.0;
+    (*cspan_at(&row, INT64_C(5))) = 11.0 / 84.0;
+    return 1.0;
+}
+/*Difference of the fifth- and the fourth-order weights. */
+static void error_weights(array_double_1d row)
+{
+    (*cspan_at(&row, INT64_C(0))) = 71.0 / 57600.0;
+    (*cspan_at(&row, INT64_C(1))) = 0.0;
+    (*cspan_at(&row, INT64_C(2))) = (-71.0) / 16695.0;
+    (*cspan_at(&row, INT64_C(3))) = 71.0 / 1920.0;
+    (*cspan_at(&row, INT64_C(4))) = (-17253.0) / 339200.0;
+    (*cspan_at(&row, INT64_C(5))) = 22.0 / 525.0;
+    (*cspan_at(&row, INT64_C(6))) = (-1.0) / 40.0;
+}
+/*Derivative of state and work at time t of the step; work[10, :3] gets the drive forces.*/
+static void state_derivative(bool driven, double t, array_double_1d state, array_double_1d drive, array_double_1d drive_rate, array_double_1d torque, array_double_1d load_force, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d work, array_double_1d derivative)
+{
+    array_double_2d load;
+    int64_t i;
+    double power;
+    load = span_rows(&work, INT64_C(11), INT64_C(13));
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(9), i)) = (*cspan_at(&drive, i)) + t * (*cspan_at(&drive_rate, i));
+        (*cspan_at(&work, INT64_C(10), i)) = (*cspan_at(&work, INT64_C(9), i));
+    }
+    (*cspan_at(&work, INT64_C(9), INT64_C(3))) = (*cspan_at(&torque, INT64_C(0)));
+    (*cspan_at(&work, INT64_C(9), INT64_C(4))) = (*cspan_at(&torque, INT64_C(1)));
+    if (driven)
+    {
+        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        {
+            (*cspan_at(&work, INT64_C(13), i)) = (*cspan_at(&work, INT64_C(9), i));
+        }
+        segfmu_crane_driven(state, span_row(&work, INT64_C(13)), span_row(&work, INT64_C(9)), load_force, bridge_mass, trolley_mass, payload_mass, gravity, derivative, span_row(&work, INT64_C(10)));
+    }
+    else
+    {
+        segfmu_crane_rhs(state, span_row(&work, INT64_C(9)), load_force, bridge_mass, trolley_mass, payload_mass, gravity, derivative);
+    }
+    segfmu_crane_load(state, load);
+    power = (*cspan_at(&torque, INT64_C(0))) * (*cspan_at(&state, INT64_C(8))) + (*cspan_at(&torque, INT64_C(1))) * (*cspan_at(&state, INT64_C(9)));
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        power = power + (*cspan_at(&work, INT64_C(10), i)) * (*cspan_at(&state, INT64_C(5) + i)) + (*cspan_at(&load_force, i)) * (*cspan_at(&load, INT64_C(1), i));
+    }
+    (*cspan_at(&derivative, INT64_C(10))) = power;
+}
+/*Whether the first values are numbers that can be computed with.*/
+static bool finite(array_double_1d values, int64_t count)
+{
+    int64_t i;
+    bool result;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        if (!(fabs((*cspan_at(&values, i))) < 1e+100))
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
+/*Status of `crane_advance` that a state has.*/
+static int64_t state_status(array_double_1d state)
+{
+    int64_t result;
+    if ((fabs((*cspan_at(&state, INT64_C(3)))) >= 1.57) || (fabs((*cspan_at(&state, INT64_C(4)))) >= 1.57))
+    {
+        return INT64_C(1);
+    }
+    if ((*cspan_at(&state, INT64_C(2))) <= 0.0)
+    {
+        return INT64_C(2);
+    }
+    return INT64_C(0);
+}
+/*Advance `state` (11 numbers: the crane's ten and the work done) by a duration, in place.       */
+/*                                                                                               */
+/*    drive and drive_rate: forces F_x, F_y, F_l [N] at the start and their rates, or, if driven,*/
+/*    accelerations of bridge, trolley and rope [m/s2] and their rates; torque: on the two sway  */
+/*    angles; tolerance: relative and absolute error a step. work (16, 11) is work space;        */
+/*    work[10, :3] ends as the drive forces at the end.                                          */
+/*                                                                                               */
+/*    Returns 0, or 1: an angle came to +-90 degrees, 2: the rope's length came to zero, 3: the  */
+/*    step size underflowed, 4: a value is not finite.                                           */
+/*                                                                                               */
+int64_t segfmu_crane_advance(bool driven, array_double_1d state, array_double_1d drive, array_double_1d drive_rate, array_double_1d torque, array_double_1d load_force, double bridge_mass, double trolley_mass, double payload_mass, double gravity, double duration, double tolerance, array_double_2d work)
+{
+    double t;
+    double h;
+    bool last;
+    bool bounded;
+    int64_t stage;
+    double node;
+    int64_t i;
+    double value;
+    int64_t j;
+    double error;
+    double factor;
+    int64_t status;
+    if ((!finite(state, INT64_C(11))) || (!finite(drive, INT64_C(3))) || (!finite(load_force, INT64_C(3))))
+    {
+        return INT64_C(4);
+    }
+    t = 0.0;
+    h = duration;
+    while(t < duration)
+    {
+        last = h >= duration - t;
+        if (last)
+        {
+            h = duration - t;
+        }
+        bounded = 1;
+        for (stage = INT64_C(0); stage < INT64_C(7); stage += INT64_C(1))
+        {
+            if (!bounded)
+            {
+                break;
+            }
+            node = stage_row(stage, span_row(&work, INT64_C(14)));
+            for (i = INT64_C(0); i < INT64_C(11); i += INT64_C(1))
+            {
+                value = (*cspan_at(&state, i));
+                for (j = INT64_C(0); j < stage; j += INT64_C(1))
+                {
+                    value = value + h * (*cspan_at(&work, INT64_C(14), j)) * (*cspan_at(&work, j, i));
+                }
+                (*cspan_at(&work, INT64_C(7), i)) = value;
+            }
+            bounded = finite(span_row(&work, INT64_C(7)), INT64_C(11));
+            if (bounded)
+            {
+                state_derivative(driven, t + node * h, span_row(&work, INT64_C(7)), drive, drive_rate, torque, load_force, bridge_mass, trolley_mass, payload_mass, gravity, work, span_row(&work, stage));
+            }
+        }
+        error_weights(span_row(&work, INT64_C(14)));
+        error = 0.0;
+        for (i = INT64_C(0); i < INT64_C(11); i += INT64_C(1))
+        {
+            value = 0.0;
+            for (j = INT64_C(0); j < INT64_C(7); j += INT64_C(1))
+            {
+                value = value + h * (*cspan_at(&work, INT64_C(14), j)) * (*cspan_at(&work, j, i));
+            }
+            error = span_max(error, fabs(value) / (1.0 + span_max(fabs((*cspan_at(&state, i))), fabs((*cspan_at(&work, INT64_C(7), i))))));
+        }
+        /*a stage out of all bounds is a step that was much too long*/
+        if ((!bounded) || (!(error < 1e+100)))
+        {
+            error = 1e+100;
+        }
+        if (error <= tolerance)
+        {
+            for (i = INT64_C(0); i < INT64_C(11); i += INT64_C(1))
+            {
+                (*cspan_at(&state, i)) = (*cspan_at(&work, INT64_C(7), i));
+            }
+            status = state_status(state);
+            if (status != INT64_C(0))
+            {
+                return status;
+            }
+            t = t + h;
+            if (last)
+            {
+                return INT64_C(0);
+            }
+        }
+        factor = 5.0;
+        if (error > 0.0)
+        {
+            factor = span_min(5.0, span_max(0.2, 0.9 * pow((tolerance / error), 0.2)));
+        }
+        h = h * factor;
+        if (h < 1e-12 * duration)
+        {
+            return INT64_C(3);
+        }
+    }
+    return INT64_C(0);
+}

@@ -1,0 +1,27 @@
+/* Generated from the kernels in Python by `python -m segfmu.codegen`; never edited. */
+#ifndef SEGFMU_KERNELS_H
+#define SEGFMU_KERNELS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "span.h"
+
+int64_t segfmu_ramp_parameters(int64_t smoothness, int64_t shape, array_double_1d limits, array_double_1d work, array_double_1d peaks, array_double_1d ramp);
+int64_t segfmu_ramp_duration(double* result_0, double* result_1, double* result_2, double change, array_double_1d ramp);
+int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result_2_0001, double* result_3, double* result_4, array_double_2d phases, int64_t count, double v, array_double_1d ramp);
+int64_t segfmu_shortest_profile(double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, array_double_2d trial);
+double segfmu_timed_profile(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial);
+int64_t segfmu_plan_phases(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d dwells, array_double_2d limits, int64_t smoothness, int64_t shape, int64_t synchronization, double sample_time, double duration, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d shortest, array_double_2d durations, array_int64_t_1d active, array_double_2d work, array_double_1d report);
+void segfmu_evaluate(array_double_1d times, array_double_1d starts, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, int64_t derivative, array_double_2d values);
+int64_t segfmu_count_pieces(array_int64_t_1d counts, int64_t cells);
+int64_t segfmu_expand_plan(array_double_2d positions, array_double_2d velocities, array_double_1d dwells, int64_t smoothness, int64_t shape, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d durations, array_double_2d ramps, array_double_1d scratch_starts, array_double_2d scratch, array_double_1d starts, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times);
+void segfmu_feedback_correction(array_double_1d state, array_double_1d reference, array_double_1d lengths, array_double_3d gains, array_double_1d correction);
+void segfmu_crane_rhs(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_1d derivative);
+void segfmu_crane_driven(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_1d derivative, array_double_1d force);
+void segfmu_crane_flat_inverse(array_double_2d flat, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_1d force, array_double_1d state, array_double_1d acceleration);
+void segfmu_crane_load(array_double_1d state, array_double_2d load);
+void segfmu_crane_energy(array_double_1d state, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_1d energy);
+int64_t segfmu_crane_advance(bool driven, array_double_1d state, array_double_1d drive, array_double_1d drive_rate, array_double_1d torque, array_double_1d load_force, double bridge_mass, double trolley_mass, double payload_mass, double gravity, double duration, double tolerance, array_double_2d work);
+
+#endif

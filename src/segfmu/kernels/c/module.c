@@ -1,0 +1,658 @@
+/* Generated from the kernels in Python by `python -m segfmu.codegen`; never edited. */
+#include "arguments.h"
+
+static PyObject *call_ramp_parameters(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "ramp_parameters", .values = values};
+    PyObject *answer = NULL;
+    int64_t in_smoothness;
+    int64_t in_shape;
+    Py_buffer *in_limits;
+    Py_buffer *in_work;
+    Py_buffer *in_peaks;
+    Py_buffer *in_ramp;
+    (void)self;
+    if (take_count(&call, count, 6)
+        && take_int(&call, 0, &in_smoothness)
+        && take_int(&call, 1, &in_shape)
+        && (in_limits = take_array(&call, 2, 1, 'd', false)) != NULL
+        && (in_work = take_array(&call, 3, 1, 'd', true)) != NULL
+        && (in_peaks = take_array(&call, 4, 1, 'd', true)) != NULL
+        && (in_ramp = take_array(&call, 5, 1, 'd', true)) != NULL) {
+        answer = PyLong_FromLongLong(segfmu_ramp_parameters(
+            in_smoothness,
+            in_shape,
+            (array_double_1d){in_limits->buf, {in_limits->shape[0]}},
+            (array_double_1d){in_work->buf, {in_work->shape[0]}},
+            (array_double_1d){in_peaks->buf, {in_peaks->shape[0]}},
+            (array_double_1d){in_ramp->buf, {in_ramp->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_ramp_duration(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "ramp_duration", .values = values};
+    PyObject *answer = NULL;
+    double in_change;
+    Py_buffer *in_ramp;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && take_float(&call, 0, &in_change)
+        && (in_ramp = take_array(&call, 1, 1, 'd', false)) != NULL) {
+        double result_0;
+        double result_1;
+        double result_2;
+        segfmu_ramp_duration(
+            &result_0,
+            &result_1,
+            &result_2,
+            in_change,
+            (array_double_1d){in_ramp->buf, {in_ramp->shape[0]}});
+        answer = Py_BuildValue("(ddd)", result_0, result_1, result_2);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_measure_phases(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "measure_phases", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_phases;
+    int64_t in_count;
+    double in_v;
+    Py_buffer *in_ramp;
+    (void)self;
+    if (take_count(&call, count, 4)
+        && (in_phases = take_array(&call, 0, 2, 'd', false)) != NULL
+        && take_int(&call, 1, &in_count)
+        && take_float(&call, 2, &in_v)
+        && (in_ramp = take_array(&call, 3, 1, 'd', false)) != NULL) {
+        double result_0;
+        double result_1;
+        double result_2;
+        double result_3;
+        double result_4;
+        segfmu_measure_phases(
+            &result_0,
+            &result_1,
+            &result_2,
+            &result_3,
+            &result_4,
+            (array_double_2d){in_phases->buf, {in_phases->shape[0], in_phases->shape[1]}},
+            in_count,
+            in_v,
+            (array_double_1d){in_ramp->buf, {in_ramp->shape[0]}});
+        answer = Py_BuildValue("(ddddd)", result_0, result_1, result_2, result_3, result_4);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_shortest_profile(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "shortest_profile", .values = values};
+    PyObject *answer = NULL;
+    double in_v;
+    double in_a;
+    double in_w;
+    double in_b;
+    double in_distance;
+    double in_velocity_limit;
+    double in_top;
+    Py_buffer *in_ramp;
+    Py_buffer *in_phases;
+    Py_buffer *in_trial;
+    (void)self;
+    if (take_count(&call, count, 10)
+        && take_float(&call, 0, &in_v)
+        && take_float(&call, 1, &in_a)
+        && take_float(&call, 2, &in_w)
+        && take_float(&call, 3, &in_b)
+        && take_float(&call, 4, &in_distance)
+        && take_float(&call, 5, &in_velocity_limit)
+        && take_float(&call, 6, &in_top)
+        && (in_ramp = take_array(&call, 7, 1, 'd', false)) != NULL
+        && (in_phases = take_array(&call, 8, 2, 'd', true)) != NULL
+        && (in_trial = take_array(&call, 9, 2, 'd', true)) != NULL) {
+        answer = PyLong_FromLongLong(segfmu_shortest_profile(
+            in_v,
+            in_a,
+            in_w,
+            in_b,
+            in_distance,
+            in_velocity_limit,
+            in_top,
+            (array_double_1d){in_ramp->buf, {in_ramp->shape[0]}},
+            (array_double_2d){in_phases->buf, {in_phases->shape[0], in_phases->shape[1]}},
+            (array_double_2d){in_trial->buf, {in_trial->shape[0], in_trial->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_timed_profile(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "timed_profile", .values = values};
+    PyObject *answer = NULL;
+    double in_target;
+    double in_v;
+    double in_a;
+    double in_w;
+    double in_b;
+    double in_distance;
+    double in_velocity_limit;
+    double in_top;
+    Py_buffer *in_ramp;
+    Py_buffer *in_found;
+    Py_buffer *in_below;
+    Py_buffer *in_above;
+    Py_buffer *in_trial;
+    (void)self;
+    if (take_count(&call, count, 13)
+        && take_float(&call, 0, &in_target)
+        && take_float(&call, 1, &in_v)
+        && take_float(&call, 2, &in_a)
+        && take_float(&call, 3, &in_w)
+        && take_float(&call, 4, &in_b)
+        && take_float(&call, 5, &in_distance)
+        && take_float(&call, 6, &in_velocity_limit)
+        && take_float(&call, 7, &in_top)
+        && (in_ramp = take_array(&call, 8, 1, 'd', false)) != NULL
+        && (in_found = take_array(&call, 9, 1, 'd', true)) != NULL
+        && (in_below = take_array(&call, 10, 2, 'd', true)) != NULL
+        && (in_above = take_array(&call, 11, 2, 'd', true)) != NULL
+        && (in_trial = take_array(&call, 12, 2, 'd', true)) != NULL) {
+        answer = PyFloat_FromDouble(segfmu_timed_profile(
+            in_target,
+            in_v,
+            in_a,
+            in_w,
+            in_b,
+            in_distance,
+            in_velocity_limit,
+            in_top,
+            (array_double_1d){in_ramp->buf, {in_ramp->shape[0]}},
+            (array_double_1d){in_found->buf, {in_found->shape[0]}},
+            (array_double_2d){in_below->buf, {in_below->shape[0], in_below->shape[1]}},
+            (array_double_2d){in_above->buf, {in_above->shape[0], in_above->shape[1]}},
+            (array_double_2d){in_trial->buf, {in_trial->shape[0], in_trial->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_plan_phases(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "plan_phases", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_positions;
+    Py_buffer *in_velocities;
+    Py_buffer *in_accelerations;
+    Py_buffer *in_dwells;
+    Py_buffer *in_limits;
+    int64_t in_smoothness;
+    int64_t in_shape;
+    int64_t in_synchronization;
+    double in_sample_time;
+    double in_duration;
+    Py_buffer *in_ramps;
+    Py_buffer *in_phases;
+    Py_buffer *in_counts;
+    Py_buffer *in_weights;
+    Py_buffer *in_shortest;
+    Py_buffer *in_durations;
+    Py_buffer *in_active;
+    Py_buffer *in_work;
+    Py_buffer *in_report;
+    (void)self;
+    if (take_count(&call, count, 19)
+        && (in_positions = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_velocities = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_accelerations = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_dwells = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_limits = take_array(&call, 4, 2, 'd', false)) != NULL
+        && take_int(&call, 5, &in_smoothness)
+        && take_int(&call, 6, &in_shape)
+        && take_int(&call, 7, &in_synchronization)
+        && take_float(&call, 8, &in_sample_time)
+        && take_float(&call, 9, &in_duration)
+        && (in_ramps = take_array(&call, 10, 2, 'd', true)) != NULL
+        && (in_phases = take_array(&call, 11, 3, 'd', true)) != NULL
+        && (in_counts = take_array(&call, 12, 1, 'l', true)) != NULL
+        && (in_weights = take_array(&call, 13, 1, 'd', true)) != NULL
+        && (in_shortest = take_array(&call, 14, 2, 'd', true)) != NULL
+        && (in_durations = take_array(&call, 15, 2, 'd', true)) != NULL
+        && (in_active = take_array(&call, 16, 1, 'l', true)) != NULL
+        && (in_work = take_array(&call, 17, 2, 'd', true)) != NULL
+        && (in_report = take_array(&call, 18, 1, 'd', true)) != NULL) {
+        answer = PyLong_FromLongLong(segfmu_plan_phases(
+            (array_double_2d){in_positions->buf, {in_positions->shape[0], in_positions->shape[1]}},
+            (array_double_2d){in_velocities->buf, {in_velocities->shape[0], in_velocities->shape[1]}},
+            (array_double_2d){in_accelerations->buf, {in_accelerations->shape[0], in_accelerations->shape[1]}},
+            (array_double_1d){in_dwells->buf, {in_dwells->shape[0]}},
+            (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
+            in_smoothness,
+            in_shape,
+            in_synchronization,
+            in_sample_time,
+            in_duration,
+            (array_double_2d){in_ramps->buf, {in_ramps->shape[0], in_ramps->shape[1]}},
+            (array_double_3d){in_phases->buf, {in_phases->shape[0], in_phases->shape[1], in_phases->shape[2]}},
+            (array_int64_t_1d){in_counts->buf, {in_counts->shape[0]}},
+            (array_double_1d){in_weights->buf, {in_weights->shape[0]}},
+            (array_double_2d){in_shortest->buf, {in_shortest->shape[0], in_shortest->shape[1]}},
+            (array_double_2d){in_durations->buf, {in_durations->shape[0], in_durations->shape[1]}},
+            (array_int64_t_1d){in_active->buf, {in_active->shape[0]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_1d){in_report->buf, {in_report->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_evaluate(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "evaluate", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_times;
+    Py_buffer *in_starts;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_ends;
+    int64_t in_derivative;
+    Py_buffer *in_values;
+    (void)self;
+    if (take_count(&call, count, 7)
+        && (in_times = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_starts = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
+        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
+        && take_int(&call, 5, &in_derivative)
+        && (in_values = take_array(&call, 6, 2, 'd', true)) != NULL) {
+        segfmu_evaluate(
+            (array_double_1d){in_times->buf, {in_times->shape[0]}},
+            (array_double_1d){in_starts->buf, {in_starts->shape[0]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
+            in_derivative,
+            (array_double_2d){in_values->buf, {in_values->shape[0], in_values->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_count_pieces(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "count_pieces", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_counts;
+    int64_t in_cells;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_counts = take_array(&call, 0, 1, 'l', false)) != NULL
+        && take_int(&call, 1, &in_cells)) {
+        answer = PyLong_FromLongLong(segfmu_count_pieces(
+            (array_int64_t_1d){in_counts->buf, {in_counts->shape[0]}},
+            in_cells));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_expand_plan(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "expand_plan", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_positions;
+    Py_buffer *in_velocities;
+    Py_buffer *in_dwells;
+    int64_t in_smoothness;
+    int64_t in_shape;
+    Py_buffer *in_phases;
+    Py_buffer *in_counts;
+    Py_buffer *in_weights;
+    Py_buffer *in_durations;
+    Py_buffer *in_ramps;
+    Py_buffer *in_scratch_starts;
+    Py_buffer *in_scratch;
+    Py_buffer *in_starts;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_times;
+    (void)self;
+    if (take_count(&call, count, 16)
+        && (in_positions = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_velocities = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_dwells = take_array(&call, 2, 1, 'd', false)) != NULL
+        && take_int(&call, 3, &in_smoothness)
+        && take_int(&call, 4, &in_shape)
+        && (in_phases = take_array(&call, 5, 3, 'd', false)) != NULL
+        && (in_counts = take_array(&call, 6, 1, 'l', false)) != NULL
+        && (in_weights = take_array(&call, 7, 1, 'd', false)) != NULL
+        && (in_durations = take_array(&call, 8, 2, 'd', false)) != NULL
+        && (in_ramps = take_array(&call, 9, 2, 'd', false)) != NULL
+        && (in_scratch_starts = take_array(&call, 10, 1, 'd', true)) != NULL
+        && (in_scratch = take_array(&call, 11, 2, 'd', true)) != NULL
+        && (in_starts = take_array(&call, 12, 1, 'd', true)) != NULL
+        && (in_coefficients = take_array(&call, 13, 2, 'd', true)) != NULL
+        && (in_offsets = take_array(&call, 14, 1, 'l', true)) != NULL
+        && (in_times = take_array(&call, 15, 2, 'd', true)) != NULL) {
+        answer = PyLong_FromLongLong(segfmu_expand_plan(
+            (array_double_2d){in_positions->buf, {in_positions->shape[0], in_positions->shape[1]}},
+            (array_double_2d){in_velocities->buf, {in_velocities->shape[0], in_velocities->shape[1]}},
+            (array_double_1d){in_dwells->buf, {in_dwells->shape[0]}},
+            in_smoothness,
+            in_shape,
+            (array_double_3d){in_phases->buf, {in_phases->shape[0], in_phases->shape[1], in_phases->shape[2]}},
+            (array_int64_t_1d){in_counts->buf, {in_counts->shape[0]}},
+            (array_double_1d){in_weights->buf, {in_weights->shape[0]}},
+            (array_double_2d){in_durations->buf, {in_durations->shape[0], in_durations->shape[1]}},
+            (array_double_2d){in_ramps->buf, {in_ramps->shape[0], in_ramps->shape[1]}},
+            (array_double_1d){in_scratch_starts->buf, {in_scratch_starts->shape[0]}},
+            (array_double_2d){in_scratch->buf, {in_scratch->shape[0], in_scratch->shape[1]}},
+            (array_double_1d){in_starts->buf, {in_starts->shape[0]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_feedback_correction(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "feedback_correction", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_state;
+    Py_buffer *in_reference;
+    Py_buffer *in_lengths;
+    Py_buffer *in_gains;
+    Py_buffer *in_correction;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_reference = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_lengths = take_array(&call, 2, 1, 'd', false)) != NULL
+        && (in_gains = take_array(&call, 3, 3, 'd', false)) != NULL
+        && (in_correction = take_array(&call, 4, 1, 'd', true)) != NULL) {
+        segfmu_feedback_correction(
+            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+            (array_double_1d){in_reference->buf, {in_reference->shape[0]}},
+            (array_double_1d){in_lengths->buf, {in_lengths->shape[0]}},
+            (array_double_3d){in_gains->buf, {in_gains->shape[0], in_gains->shape[1], in_gains->shape[2]}},
+            (array_double_1d){in_correction->buf, {in_correction->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_crane_rhs(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "crane_rhs", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_state;
+    Py_buffer *in_generalized_force;
+    Py_buffer *in_load_force;
+    double in_bridge_mass;
+    double in_trolley_mass;
+    double in_payload_mass;
+    double in_gravity;
+    Py_buffer *in_derivative;
+    (void)self;
+    if (take_count(&call, count, 8)
+        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_generalized_force = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_load_force = take_array(&call, 2, 1, 'd', false)) != NULL
+        && take_float(&call, 3, &in_bridge_mass)
+        && take_float(&call, 4, &in_trolley_mass)
+        && take_float(&call, 5, &in_payload_mass)
+        && take_float(&call, 6, &in_gravity)
+        && (in_derivative = take_array(&call, 7, 1, 'd', true)) != NULL) {
+        segfmu_crane_rhs(
+            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+            (array_double_1d){in_generalized_force->buf, {in_generalized_force->shape[0]}},
+            (array_double_1d){in_load_force->buf, {in_load_force->shape[0]}},
+            in_bridge_mass,
+            in_trolley_mass,
+            in_payload_mass,
+            in_gravity,
+            (array_double_1d){in_derivative->buf, {in_derivative->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_crane_driven(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "crane_driven", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_state;
+    Py_buffer *in_carriage;
+    Py_buffer *in_generalized_force;
+    Py_buffer *in_load_force;
+    double in_bridge_mass;
+    double in_trolley_mass;
+    double in_payload_mass;
+    double in_gravity;
+    Py_buffer *in_derivative;
+    Py_buffer *in_force;
+    (void)self;
+    if (take_count(&call, count, 10)
+        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_carriage = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_generalized_force = take_array(&call, 2, 1, 'd', false)) != NULL
+        && (in_load_force = take_array(&call, 3, 1, 'd', false)) != NULL
+        && take_float(&call, 4, &in_bridge_mass)
+        && take_float(&call, 5, &in_trolley_mass)
+        && take_float(&call, 6, &in_payload_mass)
+        && take_float(&call, 7, &in_gravity)
+        && (in_derivative = take_array(&call, 8, 1, 'd', true)) != NULL
+        && (in_force = take_array(&call, 9, 1, 'd', true)) != NULL) {
+        segfmu_crane_driven(
+            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+            (array_double_1d){in_carriage->buf, {in_carriage->shape[0]}},
+            (array_double_1d){in_generalized_force->buf, {in_generalized_force->shape[0]}},
+            (array_double_1d){in_load_force->buf, {in_load_force->shape[0]}},
+            in_bridge_mass,
+            in_trolley_mass,
+            in_payload_mass,
+            in_gravity,
+            (array_double_1d){in_derivative->buf, {in_derivative->shape[0]}},
+            (array_double_1d){in_force->buf, {in_force->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_crane_flat_inverse(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "crane_flat_inverse", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_flat;
+    double in_bridge_mass;
+    double in_trolley_mass;
+    double in_payload_mass;
+    double in_gravity;
+    Py_buffer *in_force;
+    Py_buffer *in_state;
+    Py_buffer *in_acceleration;
+    (void)self;
+    if (take_count(&call, count, 8)
+        && (in_flat = take_array(&call, 0, 2, 'd', false)) != NULL
+        && take_float(&call, 1, &in_bridge_mass)
+        && take_float(&call, 2, &in_trolley_mass)
+        && take_float(&call, 3, &in_payload_mass)
+        && take_float(&call, 4, &in_gravity)
+        && (in_force = take_array(&call, 5, 1, 'd', true)) != NULL
+        && (in_state = take_array(&call, 6, 1, 'd', true)) != NULL
+        && (in_acceleration = take_array(&call, 7, 1, 'd', true)) != NULL) {
+        segfmu_crane_flat_inverse(
+            (array_double_2d){in_flat->buf, {in_flat->shape[0], in_flat->shape[1]}},
+            in_bridge_mass,
+            in_trolley_mass,
+            in_payload_mass,
+            in_gravity,
+            (array_double_1d){in_force->buf, {in_force->shape[0]}},
+            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+            (array_double_1d){in_acceleration->buf, {in_acceleration->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_crane_load(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "crane_load", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_state;
+    Py_buffer *in_load;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_load = take_array(&call, 1, 2, 'd', true)) != NULL) {
+        segfmu_crane_load(
+            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+            (array_double_2d){in_load->buf, {in_load->shape[0], in_load->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_crane_energy(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "crane_energy", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_state;
+    double in_bridge_mass;
+    double in_trolley_mass;
+    double in_payload_mass;
+    double in_gravity;
+    Py_buffer *in_energy;
+    (void)self;
+    if (take_count(&call, count, 6)
+        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
+        && take_float(&call, 1, &in_bridge_mass)
+        && take_float(&call, 2, &in_trolley_mass)
+        && take_float(&call, 3, &in_payload_mass)
+        && take_float(&call, 4, &in_gravity)
+        && (in_energy = take_array(&call, 5, 1, 'd', true)) != NULL) {
+        segfmu_crane_energy(
+            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+            in_bridge_mass,
+            in_trolley_mass,
+            in_payload_mass,
+            in_gravity,
+            (array_double_1d){in_energy->buf, {in_energy->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_crane_advance(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "crane_advance", .values = values};
+    PyObject *answer = NULL;
+    bool in_driven;
+    Py_buffer *in_state;
+    Py_buffer *in_drive;
+    Py_buffer *in_drive_rate;
+    Py_buffer *in_torque;
+    Py_buffer *in_load_force;
+    double in_bridge_mass;
+    double in_trolley_mass;
+    double in_payload_mass;
+    double in_gravity;
+    double in_duration;
+    double in_tolerance;
+    Py_buffer *in_work;
+    (void)self;
+    if (take_count(&call, count, 13)
+        && take_bool(&call, 0, &in_driven)
+        && (in_state = take_array(&call, 1, 1, 'd', true)) != NULL
+        && (in_drive = take_array(&call, 2, 1, 'd', false)) != NULL
+        && (in_drive_rate = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_torque = take_array(&call, 4, 1, 'd', false)) != NULL
+        && (in_load_force = take_array(&call, 5, 1, 'd', false)) != NULL
+        && take_float(&call, 6, &in_bridge_mass)
+        && take_float(&call, 7, &in_trolley_mass)
+        && take_float(&call, 8, &in_payload_mass)
+        && take_float(&call, 9, &in_gravity)
+        && take_float(&call, 10, &in_duration)
+        && take_float(&call, 11, &in_tolerance)
+        && (in_work = take_array(&call, 12, 2, 'd', true)) != NULL) {
+        answer = PyLong_FromLongLong(segfmu_crane_advance(
+            in_driven,
+            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+            (array_double_1d){in_drive->buf, {in_drive->shape[0]}},
+            (array_double_1d){in_drive_rate->buf, {in_drive_rate->shape[0]}},
+            (array_double_1d){in_torque->buf, {in_torque->shape[0]}},
+            (array_double_1d){in_load_force->buf, {in_load_force->shape[0]}},
+            in_bridge_mass,
+            in_trolley_mass,
+            in_payload_mass,
+            in_gravity,
+            in_duration,
+            in_tolerance,
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyMethodDef methods[] = {
+    {"ramp_parameters", (PyCFunction)(void (*)(void))call_ramp_parameters, METH_FASTCALL, NULL},
+    {"ramp_duration", (PyCFunction)(void (*)(void))call_ramp_duration, METH_FASTCALL, NULL},
+    {"measure_phases", (PyCFunction)(void (*)(void))call_measure_phases, METH_FASTCALL, NULL},
+    {"shortest_profile", (PyCFunction)(void (*)(void))call_shortest_profile, METH_FASTCALL, NULL},
+    {"timed_profile", (PyCFunction)(void (*)(void))call_timed_profile, METH_FASTCALL, NULL},
+    {"plan_phases", (PyCFunction)(void (*)(void))call_plan_phases, METH_FASTCALL, NULL},
+    {"evaluate", (PyCFunction)(void (*)(void))call_evaluate, METH_FASTCALL, NULL},
+    {"count_pieces", (PyCFunction)(void (*)(void))call_count_pieces, METH_FASTCALL, NULL},
+    {"expand_plan", (PyCFunction)(void (*)(void))call_expand_plan, METH_FASTCALL, NULL},
+    {"feedback_correction", (PyCFunction)(void (*)(void))call_feedback_correction, METH_FASTCALL, NULL},
+    {"crane_rhs", (PyCFunction)(void (*)(void))call_crane_rhs, METH_FASTCALL, NULL},
+    {"crane_driven", (PyCFunction)(void (*)(void))call_crane_driven, METH_FASTCALL, NULL},
+    {"crane_flat_inverse", (PyCFunction)(void (*)(void))call_crane_flat_inverse, METH_FASTCALL, NULL},
+    {"crane_load", (PyCFunction)(void (*)(void))call_crane_load, METH_FASTCALL, NULL},
+    {"crane_energy", (PyCFunction)(void (*)(void))call_crane_energy, METH_FASTCALL, NULL},
+    {"crane_advance", (PyCFunction)(void (*)(void))call_crane_advance, METH_FASTCALL, NULL},
+    {NULL, NULL, 0, NULL},
+};
+
+static struct PyModuleDef definition = {
+    PyModuleDef_HEAD_INIT, "_compiled", "The kernels, compiled.", 0, methods, NULL,
+    NULL, NULL, NULL,
+};
+
+PyMODINIT_FUNC PyInit__compiled(void)
+{
+    return PyModuleDef_Init(&definition);
+}

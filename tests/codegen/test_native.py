@@ -1,0 +1,46 @@
+"""The committed C is what the generator writes now, and says what it was made from."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from segfmu.codegen import glue, native
+
+FLAGS = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]
+
+
+def test_generated_c_is_up_to_date() -> None:
+    for name, text in (native.generate() | glue.generate()).items():
+        assert (native.TARGET / name).read_text(encoding="utf-8") == text, name
+
+
+def test_entry_points_alone_are_visible() -> None:
+    header = (native.TARGET / "kernels.h").read_text(encoding="utf-8")
+    for name in native.ENTRY_POINTS:
+        assert f" {native.PREFIX}{name}(" in header
+    assert header.count(native.PREFIX) == len(native.ENTRY_POINTS)
+
+
+def test_what_a_kernel_writes_to_is_known() -> None:
+    functions = {f.name: f for f in glue._functions()}
+    assert functions["evaluate"].written == {"values"}
+    assert functions["crane_rhs"].written == {"derivative"}
+    assert {"phases", "trial"} == functions["shortest_profile"].written
+    # through a view of its row
+    assert "scratch" in functions["expand_interval"].written
+
+
+def test_c_compiles_without_warning_but_for_unused_variables(tmp_path: Path) -> None:
+    compiler = shutil.which("cc")
+    if compiler is None:
+        pytest.skip("no C compiler found")
+    unused = ["-Wno-unused-variable", "-Wno-unused-but-set-variable"]
+    subprocess.run(
+        [compiler, *FLAGS, *unused, "-c", str(native.TARGET / "kernels.c"), "-o",
+         str(tmp_path / "kernels.o")],
+        check=True,
+    )

@@ -1,0 +1,165 @@
+"""The compiled kernels give the numbers of the interpreted ones, and refuse wrong arguments."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from segfmu import Limits, Waypoint, plan
+from segfmu.kernels import _crane, backend, evaluate, expand, feedback, integrate
+from segfmu.kernels import plan as plan_kernel
+from segfmu.kernels.profile import shortest_profile
+from segfmu.kernels.synchronize import timed_profile
+from segfmu.kernels.transition import ramp_parameters
+from tests.problems import AxisProblem, axis_problems
+
+compiled = pytest.importorskip(
+    "segfmu.kernels._compiled", reason="the kernels were installed without a C compiler"
+)
+MASSES = (2.2, 1.155, 1.0, 9.81)
+
+
+def close(a, b) -> bool:
+    return np.allclose(a, b, rtol=1e-12, atol=1e-14)
+
+
+@settings(max_examples=150, deadline=None)
+@given(axis_problems())
+def test_shortest_profiles_agree(problem: AxisProblem) -> None:
+    results = []
+    for shortest, parameters in (
+        (shortest_profile, ramp_parameters),
+        (compiled.shortest_profile, compiled.ramp_parameters),
+    ):
+        n = problem.smoothness
+        ramp, phases = np.zeros(48), np.zeros((12, 4))
+        parameters(
+            n, problem.shape, np.array(problem.limits), np.zeros(2 * n + 2), np.zeros(n + 2), ramp
+        )
+        count = shortest(
+            problem.v, problem.a, problem.w, problem.b, problem.distance, problem.limits[0],
+            problem.limits[1], ramp, phases, np.zeros((12, 4)),
+        )
+        results.append((count, ramp, phases[: max(count, 0)]))
+    assert results[0][0] == results[1][0]
+    assert close(results[0][1], results[1][1])
+    assert close(results[0][2], results[1][2])
+
+
+@settings(max_examples=40, deadline=None)
+@given(axis_problems(smoothness=4), st.floats(1.0, 4.0))
+def test_timed_profiles_agree(problem: AxisProblem, factor: float) -> None:
+    ramp, phases = problem.ramp(), np.zeros((12, 4))
+    state = problem.v, problem.a, problem.w, problem.b, problem.distance
+    limits = problem.limits[:2]
+    count = compiled.shortest_profile(*state, *limits, ramp, phases, np.zeros((12, 4)))
+    target = factor * phases[: max(count, 0), 0].sum()
+    if target <= 0.0:
+        return
+    results = []
+    for timed in (timed_profile, compiled.timed_profile):
+        found, below, above = np.zeros(4), np.zeros((12, 4)), np.zeros((12, 4))
+        weight = timed(
+            target, *state, *limits, ramp, found, below, above, np.zeros((12, 4))
+        )
+        results.append(np.concatenate([[weight], found, below.ravel(), above.ravel()]))
+    assert close(*results)
+
+
+def test_plans_agree(monkeypatch: pytest.MonkeyPatch) -> None:
+    points = [
+        Waypoint([0.0, 0.0, -1.0]), Waypoint([0.07, 0.055, -0.9], [0.2, 0.1, 0.0], [0.3, 0.2, 0.0]),
+        Waypoint([1.0, 0.8, -0.5], dwell=0.3), Waypoint([1.4, 0.8, -0.9]),
+    ]
+    limits = Limits([1.0, 0.4, 0.5], [1.0, 0.5, 0.8], [1.0, 0.5, 4.0], [10.0, 5.0, 30.0])
+    fast = plan(points, limits, sample_time=0.01)
+    times = np.linspace(-0.1, fast.duration + 0.1, 999)
+    values = fast(times, 2)
+    monkeypatch.setattr(backend, "plan_phases", plan_kernel.plan_phases)
+    monkeypatch.setattr(backend, "expand_plan", expand.expand_plan)
+    monkeypatch.setattr(backend, "count_pieces", expand.count_pieces)
+    monkeypatch.setattr(backend, "evaluate", evaluate.evaluate)
+    slow = plan(points, limits, sample_time=0.01)
+    assert close(fast.starts, slow.starts)
+    assert close(fast.coefficients, slow.coefficients)
+    assert close(values, slow(times, 2))
+
+
+def test_crane_kernels_agree() -> None:
+    random = np.random.default_rng(3)
+    for _ in range(50):
+        state = np.append(random.uniform(-0.5, 0.5, 10), 0.0)
+        state[2] = random.uniform(0.3, 3.0)
+        force, wind, rate = random.uniform(-9.0, 9.0, (3, 3))
+        generalized = np.append(force, [0.1, -0.2])
+        flat = random.uniform(-1.0, 1.0, (5, 3)) + np.array([[0.0, 0.0, -2.0]] + [[0.0] * 3] * 4)
+        outputs = []
+        for module, advance in ((_crane, integrate.crane_advance), (compiled, None)):
+            results = [np.zeros(10), np.zeros(2), np.zeros((2, 3)), np.zeros(3), np.zeros(10)]
+            accelerations, moved, work = np.zeros(5), state.copy(), np.zeros((16, 11))
+            module.crane_rhs(state, generalized, wind, *MASSES, results[0])
+            module.crane_energy(state, *MASSES, results[1])
+            module.crane_load(state, results[2])
+            module.crane_flat_inverse(flat, *MASSES, results[3], results[4], accelerations)
+            status = (advance or compiled.crane_advance)(
+                False, moved, force, rate, np.zeros(2), wind, *MASSES, 0.02, 1e-10, work
+            )
+            assert status == 0
+            results += [accelerations, moved, work[10, :3]]
+            outputs.append(np.concatenate([r.ravel() for r in results]))
+        assert close(*outputs)
+
+
+def test_feedback_agrees() -> None:
+    random = np.random.default_rng(4)
+    lengths, gains = np.array([0.5, 1.0, 2.0]), random.uniform(-1.0, 1.0, (3, 3, 10))
+    for length in (0.1, 0.5, 0.7, 1.0, 1.9, 2.0, 5.0):
+        state, reference = random.uniform(-1.0, 1.0, (2, 10))
+        state[2] = length
+        results = np.zeros((2, 3))
+        feedback.feedback_correction(state, reference, lengths, gains, results[0])
+        compiled.feedback_correction(state, reference, lengths, gains, results[1])
+        assert close(*results)
+
+
+def readonly(shape: tuple[int, ...]) -> np.ndarray:
+    array = np.zeros(shape)
+    array.flags.writeable = False
+    return array
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        (),
+        (np.zeros(11),),
+        (np.zeros(11), np.zeros((2, 3)), 1),
+        (np.zeros(11), np.zeros(6)),
+        (np.zeros(11, dtype=np.float32), np.zeros((2, 3))),
+        (np.zeros(11, dtype=np.int64), np.zeros((2, 3))),
+        (np.zeros(22)[::2], np.zeros((2, 3))),
+        (np.zeros(11), np.zeros((3, 2)).T),
+        (np.zeros(11), readonly((2, 3))),
+        ([0.0] * 11, np.zeros((2, 3))),
+        (None, np.zeros((2, 3))),
+    ],
+)
+def test_wrong_arguments_raise(arguments) -> None:
+    with pytest.raises((TypeError, ValueError, BufferError)):
+        compiled.crane_load(*arguments)
+
+
+@pytest.mark.parametrize(("value", "expected"), [("1", "False"), ("0", "True"), ("", "True")])
+def test_environment_chooses(value: str, expected: str) -> None:
+    code = "from segfmu.kernels import backend; print(backend.COMPILED)"
+    done = subprocess.run(
+        [sys.executable, "-c", code], env={**os.environ, "SEGFMU_INTERPRETED": value},
+        capture_output=True, text=True, check=True,
+    )
+    assert done.stdout.strip() == expected
