@@ -124,7 +124,7 @@ def crane_advance(
     Returns 0, or 1: an angle came to +-90 degrees, 2: the rope's length came to zero, 3: the
     step size underflowed, 4: a value is not finite.
     """
-    if not finite(state, 11) or not finite(drive, 3) or not finite(load_force, 3):
+    if not all_finite(state, 11) or not all_finite(drive, 3) or not all_finite(load_force, 3):
         return 4
     t = 0.0
     h = duration
@@ -142,7 +142,7 @@ def crane_advance(
                 for j in range(stage):
                     value = value + h * work[14, j] * work[j, i]
                 work[7, i] = value
-            bounded = finite(work[7, :], 11)
+            bounded = all_finite(work[7, :], 11)
             if bounded:
                 state_derivative(
                     driven, t + node * h, work[7, :], drive, drive_rate, torque, load_force,
@@ -176,7 +176,7 @@ def crane_advance(
     return 0
 
 
-def finite(values: 'float[:]', count: int) -> bool:
+def all_finite(values: 'float[:]', count: int) -> bool:
     """Whether the first values are numbers that can be computed with."""
     for i in range(count):
         if not abs(values[i]) < 1e100:

@@ -9,11 +9,9 @@ falls from the end acceleration, and the first one follows from the velocity bal
 monotone there because ramps never take longer in proportion to a larger change.
 """
 
-from segfmu.kernels.transition import (
-    ramp_change,
-    ramp_distance,
-    ramp_duration,
-)
+from math import sqrt
+
+from segfmu.kernels.transition import ramp_change, ramp_distance, ramp_duration, ramp_rise
 
 
 def solve_level(
@@ -38,16 +36,50 @@ def solve_level(
     most = 0.5 * (a + high) * t_high + 0.5 * (high + b) * t_end
     if gain >= most:
         return t_high, (gain - most) / high, high
-    lower = t_low
-    upper = t_high
-    # the gain is nearly quadratic in the duration of the ramp
-    t = t_low + (t_high - t_low) * ((gain - least) / (most - least)) ** 0.6
-    level = low
+    if ramp[3] >= 0.0:
+        level = linear_level(gain, a, b, ramp)
+        if level >= max(a, b) + ramp[3] and level >= low and level <= high:
+            return (level - a) * ramp[41] + ramp[42], 0.0, level
+    share = (gain - least) / (most - least)
+    t, level = root_level(gain, a, b, t_low, t_high, share, ramp)
+    return t, 0.0, level
+
+
+def linear_level(gain: float, a: float, b: float, ramp: 'float[:]') -> float:
+    """The level of `solve_level` where the durations of both ramps are linear in their change.
+
+    slope level^2 + constant level = gain + slope (a^2 + b^2) / 2 - constant (a + b) / 2; -1 where
+    that has no root.
+    """
+    slope = ramp[41]
+    half = 0.5 * ramp[42]
+    rest = gain + 0.5 * slope * (a * a + b * b) - half * (a + b)
+    square = half * half + slope * rest
+    if square <= 0.0:
+        return -1.0
+    # the form without a difference of nearly equal numbers
+    return rest / (half + sqrt(square))
+
+
+def root_level(
+    gain: float, a: float, b: float, lower: float, upper: float, share: float, ramp: 'float[:]'
+) -> 'tuple[float, float]':
+    """Duration of the first ramp of `solve_level` in [lower, upper] by Newton's method; level.
+
+    share is where the gain lies between those of the two durations; the gain is nearly quadratic
+    in the duration.
+    """
+    t = lower + (upper - lower) * sqrt(share)
+    level = a
     for i in range(100):
         change, growth = ramp_change(t, ramp)
         level = a + change
         t_end, rise, slope = ramp_duration(level - b, ramp)
-        error = 0.5 * (a + level) * t + 0.5 * (level + b) * t_end - gain
+        first = 0.5 * (a + level) * t
+        second = 0.5 * (level + b) * t_end
+        error = first + second - gain
+        if abs(error) <= 2e-16 * (abs(first) + abs(second)):
+            return t, level
         if error > 0.0:
             upper = t
         else:
@@ -58,12 +90,10 @@ def solve_level(
             newton = t - error / rate
             if newton > lower and newton < upper:
                 following = newton
-        step = following - t
+        if abs(following - t) <= 4e-16 * t:
+            return t, level
         t = following
-        if abs(step) <= 4e-16 * t:
-            break
-    change, growth = ramp_change(t, ramp)
-    return t, 0.0, a + change
+    return t, level
 
 
 def levels_distance(
@@ -77,22 +107,21 @@ def levels_distance(
     t3: float,
     b: float,
     ramp: 'float[:]',
-) -> 'tuple[float, float, float]':
-    """Duration, distance and end velocity of: ramp, hold, ramp, hold, ramp (merged form)."""
-    t2, rise2, slope = ramp_duration(abs(level2 - level1), ramp)
-    duration, rise1, slope = ramp_duration(abs(level1 - a), ramp)
-    duration, rise3, slope = ramp_duration(abs(level2 - b), ramp)
-    y = ramp_distance(v, a, level1, t1, rise1, ramp)
+) -> 'tuple[float, float]':
+    """Duration and distance of: ramp, hold, ramp, hold, ramp (merged form)."""
+    t2, rise, slope = ramp_duration(abs(level2 - level1), ramp)
+    y = ramp_distance(v, a, level1, t1, ramp_rise(t1, ramp), ramp)
     v = v + 0.5 * (a + level1) * t1
-    y = y + (v + 0.5 * level1 * hold1) * hold1
-    v = v + level1 * hold1
-    y = y + ramp_distance(v, level1, level2, t2, rise2, ramp)
+    if hold1 > 0.0:
+        y = y + (v + 0.5 * level1 * hold1) * hold1
+        v = v + level1 * hold1
+    y = y + ramp_distance(v, level1, level2, t2, rise, ramp)
     v = v + 0.5 * (level1 + level2) * t2
-    y = y + (v + 0.5 * level2 * hold2) * hold2
-    v = v + level2 * hold2
-    y = y + ramp_distance(v, level2, b, t3, rise3, ramp)
-    v = v + 0.5 * (level2 + b) * t3
-    return t1 + hold1 + t2 + hold2 + t3, y, v
+    if hold2 > 0.0:
+        y = y + (v + 0.5 * level2 * hold2) * hold2
+        v = v + level2 * hold2
+    y = y + ramp_distance(v, level2, b, t3, ramp_rise(t3, ramp), ramp)
+    return t1 + hold1 + t2 + hold2 + t3, y
 
 
 def canonical_point(
@@ -118,7 +147,7 @@ def canonical_point(
     t1, hold1, level1 = solve_level(gain, a, level2, low, top, ramp)
     if hold1 < 0.0:
         return -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-    duration, y, end = levels_distance(v, a, t1, hold1, level1, hold2, level2, t3, b, ramp)
+    duration, y = levels_distance(v, a, t1, hold1, level1, hold2, level2, t3, b, ramp)
     return duration, y, t1, hold1, level1, hold2, level2, t3
 
 
@@ -168,6 +197,16 @@ def canonical_value(
     return y, duration
 
 
+def falsi_weight(error: float, previous: float) -> float:
+    """Weight of the other side's error when one side is replaced twice (Anderson-Bjoerck)."""
+    if previous == 0.0:
+        return 0.5
+    weight = 1.0 - error / previous
+    if weight <= 0.0:
+        return 0.5
+    return weight
+
+
 def bracketed_root(
     lower: float,
     upper: float,
@@ -205,19 +244,13 @@ def bracketed_root(
             return p
         if error > 0.0:
             if side == 1:
-                factor = 1.0 - error / e_upper
-                if factor <= 0.0:
-                    factor = 0.5
-                e_lower = e_lower * factor
+                e_lower = e_lower * falsi_weight(error, e_upper)
             upper = p
             e_upper = error
             side = 1
         else:
             if side == -1:
-                factor = 1.0 - error / e_lower
-                if factor <= 0.0:
-                    factor = 0.5
-                e_upper = e_upper * factor
+                e_upper = e_upper * falsi_weight(error, e_lower)
             lower = p
             e_lower = error
             side = -1

@@ -14,7 +14,12 @@ form always exists: its distance is continuous in the cruise velocity and unboun
 limits (docs/planner.md).
 """
 
-from segfmu.kernels.levels import canonical_point, canonical_search, solve_level
+from segfmu.kernels.levels import (
+    canonical_point,
+    canonical_search,
+    falsi_weight,
+    solve_level,
+)
 from segfmu.kernels.phases import (
     append_change,
     append_hold,
@@ -162,22 +167,50 @@ def slower_cruise(
     top: float,
     ramp: 'float[:]',
 ) -> int:
-    """The paper's form whose cruise velocity, below the limit, makes the cruise vanish."""
+    """The paper's form whose cruise velocity, below the limit, makes the cruise vanish.
+
+    Regula falsi (Anderson-Bjoerck) on the distance between the two limits, of which one falls
+    short and the other one is too far; bisection where the form does not exist.
+    """
     lower = -velocity_limit
     upper = velocity_limit
+    e_lower = 0.0
+    e_upper = 0.0
+    side = 0
+    middle = max(v, w)
     for i in range(200):
-        middle = 0.5 * (lower + upper)
-        if i == 0:
-            middle = max(v, w)
+        if i > 0:
+            middle = 0.5 * (lower + upper)
+            if e_lower < 0.0 and e_upper > 0.0 and i < 60:
+                falsi = upper - e_upper * (upper - lower) / (e_upper - e_lower)
+                if falsi > lower and falsi < upper:
+                    middle = falsi
         if middle <= lower or middle >= upper:
             if i > 0:
                 break
-            middle = 0.5 * (lower + upper)
+            middle = 0.0
         count, row, duration, y = cruise_form(phases, middle, v, a, w, b, top, ramp)
-        if count < 0 or y < distance:
+        error = y - distance
+        if count < 0:
+            error = -1.0
+        if count >= 0 and abs(error) <= 1e-15 * abs(distance):
             lower = middle
-        else:
             upper = middle
+            break
+        if error < 0.0:
+            if side == -1:
+                e_upper = e_upper * falsi_weight(error, e_lower)
+            lower = middle
+            e_lower = error
+            side = -1
+            if count < 0:
+                e_lower = 0.0
+        else:
+            if side == 1:
+                e_lower = e_lower * falsi_weight(error, e_upper)
+            upper = middle
+            e_upper = error
+            side = 1
     # the side whose rounding error a short cruise can make up
     cruise = lower
     if cruise < 0.0:

@@ -17,15 +17,17 @@ takes the share s, R = (1 - s)^2 / 12 + s^2 / (4 (2 k - 1)).
 The duration of a ramp respects every limit c_3 .. c_{n+1} (errata E3); its parameters are
 packed once per axis by `ramp_parameters`:
 
-    0 shape, 1 jerk limit (0: none), 2 rise at the jerk limit, 3 acceleration change above which
-    the jerk limit is reached, 4 and 5 the factors of (tau - rise)^2 and rise^2 in V,
+    0 shape, 1 jerk limit (0: none), 2 rise at the jerk limit, 3 acceleration change from which on
+    the jerk limit rules and the duration is linear in the change (-1: nowhere), 4 and 5 the
+    factors of (tau - rise)^2 and rise^2 in V,
     6 share of the rise in a ramp whose rise no limit bounds (0: a limit does), 7 number of
     coefficients from 16 on,
     8 .. 15 q_e: the ramp (plateau: its rise) lasts at least (q_e * change)^(1/e), e = 1 ..,
     16 .. the polynomial of the curved part, ascending, in the share s of its duration: the
        acceleration as a share of the change (smoothstep), or the acceleration gained in a rise
        as a share of jerk * rise (plateau), or with a plateau of the snap that of its rise,
-    40 share of the rise of the snap in that of the jerk (0: the snap has no plateau)
+    40 share of the rise of the snap in that of the jerk (0: the snap has no plateau),
+    41 and 42 the slope and the constant of the duration where it is linear in the change
 """
 
 from math import sqrt
@@ -128,6 +130,14 @@ def ramp_parameters(
             if limits[j + 1] > 0.0:
                 ramp[7 + j] = peaks[j] / limits[j + 1]
                 bounded = True
+        ramp[3] = -1.0
+        if ramp[8] > 0.0:
+            ramp[3] = 0.0
+            ramp[41] = ramp[8]
+            for e in range(2, k + 2):
+                # where the root of the order e is no longer than the linear duration
+                change = (ramp[7 + e] / ramp[8] ** e) ** (1.0 / (e - 1))
+                ramp[3] = max(ramp[3], change)
     else:
         ramp[0] = 1.0
         ramp[1] = limits[2]
@@ -161,7 +171,11 @@ def ramp_parameters(
             ramp[6] = free_rise_share()
             bounded = True
         ramp[2] = rise
-        ramp[3] = limits[2] * rise
+        ramp[3] = -1.0
+        if limits[2] > 0.0:
+            ramp[3] = limits[2] * rise
+            ramp[41] = 1.0 / (limits[2] * (1.0 - ramp[6]))
+            ramp[42] = rise
     if bounded:
         return 0
     return 1
@@ -192,16 +206,23 @@ def ramp_duration(change: float, ramp: 'float[:]') -> 'tuple[float, float, float
     derivative of the duration with the change (0 for no change, where it is not finite)."""
     if change <= 0.0:
         return 0.0, 0.0, 0.0
+    if ramp[3] >= 0.0 and change >= ramp[3]:
+        duration = change * ramp[41] + ramp[42]
+        return duration, ramp[2] + ramp[6] * duration, ramp[41]
     if ramp[0] < 0.5:
         root, slope = slowest_root(change, 1, ramp)
         return root, 0.0, slope
-    if ramp[6] > 0.0:
-        slope = 1.0 / (ramp[1] * (1.0 - ramp[6]))
-        return change * slope, change * slope * ramp[6], slope
-    if ramp[1] > 0.0 and change >= ramp[3]:
-        return change / ramp[1] + ramp[2], ramp[2], 1.0 / ramp[1]
     root, slope = slowest_root(change, 2, ramp)
     return 2.0 * root, root, 2.0 * slope
+
+
+def ramp_rise(duration: float, ramp: 'float[:]') -> float:
+    """Duration of the jerk rise of the ramp that lasts `duration`."""
+    if ramp[0] < 0.5:
+        return 0.0
+    if ramp[3] >= 0.0 and duration >= 2.0 * ramp[2]:
+        return ramp[2] + ramp[6] * duration
+    return 0.5 * duration
 
 
 def fastest_power(duration: float, first: int, ramp: 'float[:]') -> 'tuple[float, float]':
@@ -224,13 +245,10 @@ def ramp_change(duration: float, ramp: 'float[:]') -> 'tuple[float, float]':
     the duration. Small ramps are solved for in their duration, which loses no digits."""
     if duration <= 0.0:
         return 0.0, 0.0
+    if ramp[3] >= 0.0 and duration >= ramp[3] * ramp[41] + ramp[42]:
+        return (duration - ramp[42]) / ramp[41], 1.0 / ramp[41]
     if ramp[0] < 0.5:
         return fastest_power(duration, 1, ramp)
-    if ramp[6] > 0.0:
-        slope = ramp[1] * (1.0 - ramp[6])
-        return duration * slope, slope
-    if ramp[1] > 0.0 and duration >= 2.0 * ramp[2]:
-        return (duration - ramp[2]) * ramp[1], ramp[1]
     change, slope = fastest_power(0.5 * duration, 2, ramp)
     return change, 0.5 * slope
 
@@ -301,7 +319,10 @@ def snap_plateau_half(s: float, ramp: 'float[:]') -> 'tuple[float, float, float]
 
 
 def invert_curved_part(value: float, upper: float, ramp: 'float[:]') -> float:
-    """The s in [0, upper] at which the increasing curved part has the given value."""
+    """The s in [0, upper] at which the increasing curved part has the given value.
+
+    Close enough for an extremum, of which an error in s has only its square.
+    """
     low = 0.0
     high = upper
     s = 0.5 * upper
@@ -317,7 +338,7 @@ def invert_curved_part(value: float, upper: float, ramp: 'float[:]') -> float:
             if s + newton > low and s + newton < high:
                 step = newton
         s = s + step
-        if abs(step) <= 1e-16:
+        if abs(step) <= 1e-9:
             return s
     return s
 
@@ -339,6 +360,8 @@ def ramp_extreme_velocity_first_half(
 ) -> float:
     """`ramp_extreme_velocity` for |a| <= |b|."""
     if ramp[0] < 0.5:
+        if ramp[7] == 2.0:
+            return v - 0.5 * a * a * duration / (b - a)
         s = invert_curved_part(a / (a - b), 0.5, ramp)
         value, slope, integral = curved_part(s, ramp)
         return v + duration * (a * s + (b - a) * integral)

@@ -8,6 +8,7 @@ static double polynomial_derivative(array_double_1d coefficients, int64_t count,
 static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks);
 static double free_rise_share(void);
 static int64_t slowest_root(double* result_0, double* result_1_0001, double change, int64_t first, array_double_1d ramp);
+static double ramp_rise(double duration, array_double_1d ramp);
 static int64_t fastest_power(double* result_0, double* result_1_0001, double duration, int64_t first, array_double_1d ramp);
 static int64_t ramp_change(double* result_0, double* result_1, double duration, array_double_1d ramp);
 static double ramp_distance(double v, double a, double b, double duration, double rise, array_double_1d ramp);
@@ -25,11 +26,14 @@ static void copy_phases(array_double_2d source, array_double_2d target, int64_t 
 static void mirror_phases(array_double_2d phases, int64_t count);
 static void swap_entries(array_double_2d phases, int64_t i, int64_t j, int64_t column);
 static void reverse_phases(array_double_2d phases, int64_t first, int64_t count);
+static double linear_level(double gain, double a, double b, array_double_1d ramp);
+static int64_t root_level(double* result_0, double* result_1, double gain, double a, double b, double lower, double upper, double share, array_double_1d ramp);
 static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, array_double_1d ramp);
-static int64_t levels_distance(double* result_0_0001, double* result_1, double* result_2_0001, double v, double a, double t1, double hold1, double level1, double hold2, double level2, double t3, double b, array_double_1d ramp);
+static int64_t levels_distance(double* result_0_0001, double* result_1, double v, double a, double t1, double hold1, double level1, double hold2, double level2, double t3, double b, array_double_1d ramp);
 static int64_t canonical_point(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, double* result_6, double* result_7, double p, double v, double a, double w, double b, double top, double t_top, array_double_1d ramp);
 static double window_edge(double inside, double outside, double v, double a, double w, double b, double top, double t_top, array_double_1d ramp);
 static int64_t canonical_value(double* result_0_0001, double* result_1, double p, bool by_time, double v, double a, double w, double b, double top, double t_top, array_double_1d ramp);
+static double falsi_weight(double error, double previous);
 static double bracketed_root(double lower, double upper, double f_lower, double f_upper, double target, bool by_time, double v, double a, double w, double b, double top, double t_top, array_double_1d ramp);
 static int64_t first_window(double* result_0, double* result_1_0001, double target, double f_start, bool by_time, double v, double a, double w, double b, double top, double t_top, double t_zero, array_double_1d ramp);
 static double dip(double target, double f_start, double v, double a, double w, double b, double top, double t_top, array_double_1d ramp);
@@ -70,7 +74,7 @@ static int64_t expand_interval(int64_t interval, int64_t axis, int64_t axes, dou
 static double stage_row(int64_t stage, array_double_1d row);
 static void error_weights(array_double_1d row);
 static void state_derivative(bool driven, double t, array_double_1d state, array_double_1d drive, array_double_1d drive_rate, array_double_1d torque, array_double_1d load_force, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d work, array_double_1d derivative);
-static bool finite(array_double_1d values, int64_t count);
+static bool all_finite(array_double_1d values, int64_t count);
 static int64_t state_status(array_double_1d state);
 
 
@@ -202,6 +206,8 @@ int64_t segfmu_ramp_parameters(int64_t smoothness, int64_t shape, array_double_1
     bool plateau;
     bool bounded;
     int64_t j;
+    int64_t e;
+    double change;
     bool steep;
     double share;
     double rise;
@@ -230,9 +236,21 @@ int64_t segfmu_ramp_parameters(int64_t smoothness, int64_t shape, array_double_1
                 bounded = 1;
             }
         }
+        (*cspan_at(&ramp, INT64_C(3))) = -1.0;
+        if ((*cspan_at(&ramp, INT64_C(8))) > 0.0)
+        {
+            (*cspan_at(&ramp, INT64_C(3))) = 0.0;
+            (*cspan_at(&ramp, INT64_C(41))) = (*cspan_at(&ramp, INT64_C(8)));
+            for (e = INT64_C(2); e < k + INT64_C(2); e += INT64_C(1))
+            {
+                change = pow(((*cspan_at(&ramp, INT64_C(7) + e)) / pow((*cspan_at(&ramp, INT64_C(8))), (double)(e))), (1.0 / (e - INT64_C(1))));
+                (*cspan_at(&ramp, INT64_C(3))) = span_max((*cspan_at(&ramp, INT64_C(3))), change);
+            }
+        }
     }
     else
     {
+        /*where the root of the order e is no longer than the linear duration*/
         (*cspan_at(&ramp, INT64_C(0))) = 1.0;
         (*cspan_at(&ramp, INT64_C(1))) = (*cspan_at(&limits, INT64_C(2)));
         (*cspan_at(&ramp, INT64_C(4))) = 1.0 / 12.0;
@@ -283,7 +301,13 @@ int64_t segfmu_ramp_parameters(int64_t smoothness, int64_t shape, array_double_1
             bounded = 1;
         }
         (*cspan_at(&ramp, INT64_C(2))) = rise;
-        (*cspan_at(&ramp, INT64_C(3))) = (*cspan_at(&limits, INT64_C(2))) * rise;
+        (*cspan_at(&ramp, INT64_C(3))) = -1.0;
+        if ((*cspan_at(&limits, INT64_C(2))) > 0.0)
+        {
+            (*cspan_at(&ramp, INT64_C(3))) = (*cspan_at(&limits, INT64_C(2))) * rise;
+            (*cspan_at(&ramp, INT64_C(41))) = 1.0 / ((*cspan_at(&limits, INT64_C(2))) * (1.0 - (*cspan_at(&ramp, INT64_C(6)))));
+            (*cspan_at(&ramp, INT64_C(42))) = rise;
+        }
     }
     if (bounded)
     {
@@ -331,45 +355,54 @@ static int64_t slowest_root(double* result_0, double* result_1_0001, double chan
 }
 /*Duration of the ramp for an acceleration change >= 0, that of its jerk rise [s], and the */
 /*    derivative of the duration with the change (0 for no change, where it is not finite).*/
-int64_t segfmu_ramp_duration(double* result_0, double* result_1, double* result_2, double change, array_double_1d ramp)
+int64_t segfmu_ramp_duration(double* result_0_0001, double* result_1, double* result_2, double change, array_double_1d ramp)
 {
+    double duration;
     double root;
     double slope;
     if (change <= 0.0)
     {
-        (*result_0) = 0.0;
+        (*result_0_0001) = 0.0;
         (*result_1) = 0.0;
         (*result_2) = 0.0;
+        return 0;
+    }
+    if (((*cspan_at(&ramp, INT64_C(3))) >= 0.0) && (change >= (*cspan_at(&ramp, INT64_C(3)))))
+    {
+        duration = change * (*cspan_at(&ramp, INT64_C(41))) + (*cspan_at(&ramp, INT64_C(42)));
+        (*result_0_0001) = duration;
+        (*result_1) = (*cspan_at(&ramp, INT64_C(2))) + (*cspan_at(&ramp, INT64_C(6))) * duration;
+        (*result_2) = (*cspan_at(&ramp, INT64_C(41)));
         return 0;
     }
     if ((*cspan_at(&ramp, INT64_C(0))) < 0.5)
     {
         slowest_root(&root, &slope, change, INT64_C(1), ramp);
-        (*result_0) = root;
+        (*result_0_0001) = root;
         (*result_1) = 0.0;
         (*result_2) = slope;
         return 0;
     }
-    if ((*cspan_at(&ramp, INT64_C(6))) > 0.0)
-    {
-        slope = 1.0 / ((*cspan_at(&ramp, INT64_C(1))) * (1.0 - (*cspan_at(&ramp, INT64_C(6)))));
-        (*result_0) = change * slope;
-        (*result_1) = change * slope * (*cspan_at(&ramp, INT64_C(6)));
-        (*result_2) = slope;
-        return 0;
-    }
-    if (((*cspan_at(&ramp, INT64_C(1))) > 0.0) && (change >= (*cspan_at(&ramp, INT64_C(3)))))
-    {
-        (*result_0) = change / (*cspan_at(&ramp, INT64_C(1))) + (*cspan_at(&ramp, INT64_C(2)));
-        (*result_1) = (*cspan_at(&ramp, INT64_C(2)));
-        (*result_2) = 1.0 / (*cspan_at(&ramp, INT64_C(1)));
-        return 0;
-    }
     slowest_root(&root, &slope, change, INT64_C(2), ramp);
-    (*result_0) = 2.0 * root;
+    (*result_0_0001) = 2.0 * root;
     (*result_1) = root;
     (*result_2) = 2.0 * slope;
     return 0;
+}
+/*Duration of the jerk rise of the ramp that lasts `duration`. */
+static double ramp_rise(double duration, array_double_1d ramp)
+{
+    double result;
+    if ((*cspan_at(&ramp, INT64_C(0))) < 0.5)
+    {
+        return 0.0;
+    }
+    if (((*cspan_at(&ramp, INT64_C(3))) >= 0.0) && (duration >= 2.0 * (*cspan_at(&ramp, INT64_C(2)))))
+    {
+        result = (*cspan_at(&ramp, INT64_C(2))) + (*cspan_at(&ramp, INT64_C(6))) * duration;
+        return result;
+    }
+    return 0.5 * duration;
 }
 /*Inverse of `slowest_root`: min over e >= first of duration^e / q_e, and its derivative.*/
 static int64_t fastest_power(double* result_0, double* result_1_0001, double duration, int64_t first, array_double_1d ramp)
@@ -403,30 +436,23 @@ static int64_t fastest_power(double* result_0, double* result_1_0001, double dur
 /*    the duration. Small ramps are solved for in their duration, which loses no digits. */
 static int64_t ramp_change(double* result_0, double* result_1, double duration, array_double_1d ramp)
 {
-    double slope;
     double change;
+    double slope;
     if (duration <= 0.0)
     {
         (*result_0) = 0.0;
         (*result_1) = 0.0;
         return 0;
     }
+    if (((*cspan_at(&ramp, INT64_C(3))) >= 0.0) && (duration >= (*cspan_at(&ramp, INT64_C(3))) * (*cspan_at(&ramp, INT64_C(41))) + (*cspan_at(&ramp, INT64_C(42)))))
+    {
+        (*result_0) = (duration - (*cspan_at(&ramp, INT64_C(42)))) / (*cspan_at(&ramp, INT64_C(41)));
+        (*result_1) = 1.0 / (*cspan_at(&ramp, INT64_C(41)));
+        return 0;
+    }
     if ((*cspan_at(&ramp, INT64_C(0))) < 0.5)
     {
         fastest_power(result_0, result_1, duration, INT64_C(1), ramp);
-        return 0;
-    }
-    if ((*cspan_at(&ramp, INT64_C(6))) > 0.0)
-    {
-        slope = (*cspan_at(&ramp, INT64_C(1))) * (1.0 - (*cspan_at(&ramp, INT64_C(6))));
-        (*result_0) = duration * slope;
-        (*result_1) = slope;
-        return 0;
-    }
-    if (((*cspan_at(&ramp, INT64_C(1))) > 0.0) && (duration >= 2.0 * (*cspan_at(&ramp, INT64_C(2)))))
-    {
-        (*result_0) = (duration - (*cspan_at(&ramp, INT64_C(2)))) * (*cspan_at(&ramp, INT64_C(1)));
-        (*result_1) = (*cspan_at(&ramp, INT64_C(1)));
         return 0;
     }
     fastest_power(&change, &slope, 0.5 * duration, INT64_C(2), ramp);
@@ -529,6 +555,9 @@ static int64_t curved_part(double* result_0, double* result_1, double* result_2,
     return 0;
 }
 /*The s in [0, upper] at which the increasing curved part has the given value. */
+/*                                                                             */
+/*    Close enough for an extremum, of which an error in s has only its square.*/
+/*                                                                             */
 static double invert_curved_part(double value, double upper, array_double_1d ramp)
 {
     double low;
@@ -564,7 +593,7 @@ static double invert_curved_part(double value, double upper, array_double_1d ram
             }
         }
         s = s + step;
-        if (fabs(step) <= 1e-16)
+        if (fabs(step) <= 1e-09)
         {
             return s;
         }
@@ -583,6 +612,10 @@ static double ramp_extreme_velocity_first_half(double v, double a, double b, dou
     double result;
     if ((*cspan_at(&ramp, INT64_C(0))) < 0.5)
     {
+        if ((*cspan_at(&ramp, INT64_C(7))) == 2.0)
+        {
+            return v - 0.5 * a * a * duration / (b - a);
+        }
         s = invert_curved_part(a / (a - b), 0.5, ramp);
         curved_part(&value, &slope, &integral, s, ramp);
         return v + duration * (a * s + (b - a) * integral);
@@ -791,6 +824,96 @@ int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result
     (*result_4) = highest;
     return 0;
 }
+/*The level of `solve_level` where the durations of both ramps are linear in their change.           */
+/*                                                                                                   */
+/*    slope level^2 + constant level = gain + slope (a^2 + b^2) / 2 - constant (a + b) / 2; -1 where */
+/*    that has no root.                                                                              */
+/*                                                                                                   */
+static double linear_level(double gain, double a, double b, array_double_1d ramp)
+{
+    double slope;
+    double half;
+    double rest;
+    double square;
+    double result;
+    slope = (*cspan_at(&ramp, INT64_C(41)));
+    half = 0.5 * (*cspan_at(&ramp, INT64_C(42)));
+    rest = gain + 0.5 * slope * (a * a + b * b) - half * (a + b);
+    square = half * half + slope * rest;
+    if (square <= 0.0)
+    {
+        return -1.0;
+    }
+    /*the form without a difference of nearly equal numbers*/
+    return rest / (half + sqrt(square));
+}
+/*Duration of the first ramp of `solve_level` in [lower, upper] by Newton's method; level.         */
+/*                                                                                                 */
+/*    share is where the gain lies between those of the two durations; the gain is nearly quadratic*/
+/*    in the duration.                                                                             */
+/*                                                                                                 */
+static int64_t root_level(double* result_0, double* result_1, double gain, double a, double b, double lower, double upper, double share, array_double_1d ramp)
+{
+    double t;
+    double level;
+    int64_t i;
+    double change;
+    double growth;
+    double t_end;
+    double rise;
+    double slope;
+    double first;
+    double second;
+    double error;
+    double rate;
+    double following;
+    double newton;
+    t = lower + (upper - lower) * sqrt(share);
+    level = a;
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
+    {
+        ramp_change(&change, &growth, t, ramp);
+        level = a + change;
+        segfmu_ramp_duration(&t_end, &rise, &slope, level - b, ramp);
+        first = 0.5 * (a + level) * t;
+        second = 0.5 * (level + b) * t_end;
+        error = first + second - gain;
+        if (fabs(error) <= 2e-16 * (fabs(first) + fabs(second)))
+        {
+            (*result_0) = t;
+            (*result_1) = level;
+            return 0;
+        }
+        if (error > 0.0)
+        {
+            upper = t;
+        }
+        else
+        {
+            lower = t;
+        }
+        rate = 0.5 * (a + level) + 0.5 * growth * (t + t_end + (level + b) * slope);
+        following = 0.5 * (lower + upper);
+        if (rate > 0.0)
+        {
+            newton = t - error / rate;
+            if ((newton > lower) && (newton < upper))
+            {
+                following = newton;
+            }
+        }
+        if (fabs(following - t) <= 4e-16 * t)
+        {
+            (*result_0) = t;
+            (*result_1) = level;
+            return 0;
+        }
+        t = following;
+    }
+    (*result_0) = t;
+    (*result_1) = level;
+    return 0;
+}
 /*Ramp from a to a level in [low, high], hold it, ramp to b, and gain a velocity.                  */
 /*                                                                                                 */
 /*    low >= max(0, a, b), where the gain grows with the level. Returns the duration of the first  */
@@ -806,18 +929,9 @@ static int64_t solve_level(double* result_0_0001, double* result_1_0001, double*
     double least;
     double t_high;
     double most;
-    double lower;
-    double upper;
-    double t;
     double level;
-    int64_t i;
-    double change;
-    double growth;
-    double error;
-    double rate;
-    double following;
-    double newton;
-    double step;
+    double share;
+    double t;
     segfmu_ramp_duration(&t_low, &rise, &slope, low - a, ramp);
     segfmu_ramp_duration(&t_end, &rise, &slope, low - b, ramp);
     least = 0.5 * (a + low) * t_low + 0.5 * (low + b) * t_end;
@@ -846,74 +960,49 @@ static int64_t solve_level(double* result_0_0001, double* result_1_0001, double*
         (*result_2_0001) = high;
         return 0;
     }
-    lower = t_low;
-    upper = t_high;
-    /*the gain is nearly quadratic in the duration of the ramp*/
-    t = t_low + (t_high - t_low) * pow(((gain - least) / (most - least)), 0.6);
-    level = low;
-    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
+    if ((*cspan_at(&ramp, INT64_C(3))) >= 0.0)
     {
-        ramp_change(&change, &growth, t, ramp);
-        level = a + change;
-        segfmu_ramp_duration(&t_end, &rise, &slope, level - b, ramp);
-        error = 0.5 * (a + level) * t + 0.5 * (level + b) * t_end - gain;
-        if (error > 0.0)
+        level = linear_level(gain, a, b, ramp);
+        if ((level >= span_max(a, b) + (*cspan_at(&ramp, INT64_C(3)))) && (level >= low) && (level <= high))
         {
-            upper = t;
-        }
-        else
-        {
-            lower = t;
-        }
-        rate = 0.5 * (a + level) + 0.5 * growth * (t + t_end + (level + b) * slope);
-        following = 0.5 * (lower + upper);
-        if (rate > 0.0)
-        {
-            newton = t - error / rate;
-            if ((newton > lower) && (newton < upper))
-            {
-                following = newton;
-            }
-        }
-        step = following - t;
-        t = following;
-        if (fabs(step) <= 4e-16 * t)
-        {
-            break;
+            (*result_0_0001) = (level - a) * (*cspan_at(&ramp, INT64_C(41))) + (*cspan_at(&ramp, INT64_C(42)));
+            (*result_1_0001) = 0.0;
+            (*result_2_0001) = level;
+            return 0;
         }
     }
-    ramp_change(&change, &growth, t, ramp);
+    share = (gain - least) / (most - least);
+    root_level(&t, &level, gain, a, b, t_low, t_high, share, ramp);
     (*result_0_0001) = t;
     (*result_1_0001) = 0.0;
-    (*result_2_0001) = a + change;
+    (*result_2_0001) = level;
     return 0;
 }
-/*Duration, distance and end velocity of: ramp, hold, ramp, hold, ramp (merged form).*/
-static int64_t levels_distance(double* result_0_0001, double* result_1, double* result_2_0001, double v, double a, double t1, double hold1, double level1, double hold2, double level2, double t3, double b, array_double_1d ramp)
+/*Duration and distance of: ramp, hold, ramp, hold, ramp (merged form).*/
+static int64_t levels_distance(double* result_0_0001, double* result_1, double v, double a, double t1, double hold1, double level1, double hold2, double level2, double t3, double b, array_double_1d ramp)
 {
     double t2;
-    double rise2;
+    double rise;
     double slope;
-    double duration;
-    double rise1;
-    double rise3;
     double y;
-    segfmu_ramp_duration(&t2, &rise2, &slope, fabs(level2 - level1), ramp);
-    segfmu_ramp_duration(&duration, &rise1, &slope, fabs(level1 - a), ramp);
-    segfmu_ramp_duration(&duration, &rise3, &slope, fabs(level2 - b), ramp);
-    y = ramp_distance(v, a, level1, t1, rise1, ramp);
+    segfmu_ramp_duration(&t2, &rise, &slope, fabs(level2 - level1), ramp);
+    y = ramp_distance(v, a, level1, t1, ramp_rise(t1, ramp), ramp);
     v = v + 0.5 * (a + level1) * t1;
-    y = y + (v + 0.5 * level1 * hold1) * hold1;
-    v = v + level1 * hold1;
-    y = y + ramp_distance(v, level1, level2, t2, rise2, ramp);
+    if (hold1 > 0.0)
+    {
+        y = y + (v + 0.5 * level1 * hold1) * hold1;
+        v = v + level1 * hold1;
+    }
+    y = y + ramp_distance(v, level1, level2, t2, rise, ramp);
     v = v + 0.5 * (level1 + level2) * t2;
-    y = y + (v + 0.5 * level2 * hold2) * hold2;
-    v = v + level2 * hold2;
-    y = y + ramp_distance(v, level2, b, t3, rise3, ramp);
-    v = v + 0.5 * (level2 + b) * t3;
+    if (hold2 > 0.0)
+    {
+        y = y + (v + 0.5 * level2 * hold2) * hold2;
+        v = v + level2 * hold2;
+    }
+    y = y + ramp_distance(v, level2, b, t3, ramp_rise(t3, ramp), ramp);
     (*result_0_0001) = t1 + hold1 + t2 + hold2 + t3;
     (*result_1) = y;
-    (*result_2_0001) = v;
     return 0;
 }
 /*One member of the canonical family from (v, a) to (w, b).                                        */
@@ -936,7 +1025,6 @@ static int64_t canonical_point(double* result_0, double* result_1, double* resul
     double level1;
     double duration;
     double y;
-    double end;
     hold2 = 0.0;
     t3 = p;
     if (p >= t_top)
@@ -965,7 +1053,7 @@ static int64_t canonical_point(double* result_0, double* result_1, double* resul
         (*result_7) = 0.0;
         return 0;
     }
-    levels_distance(&duration, &y, &end, v, a, t1, hold1, level1, hold2, level2, t3, b, ramp);
+    levels_distance(&duration, &y, v, a, t1, hold1, level1, hold2, level2, t3, b, ramp);
     (*result_0) = duration;
     (*result_1) = y;
     (*result_2) = t1;
@@ -1031,6 +1119,21 @@ static int64_t canonical_value(double* result_0_0001, double* result_1, double p
     (*result_1) = duration;
     return 0;
 }
+/*Weight of the other side's error when one side is replaced twice (Anderson-Bjoerck). */
+static double falsi_weight(double error, double previous)
+{
+    double weight;
+    if (previous == 0.0)
+    {
+        return 0.5;
+    }
+    weight = 1.0 - error / previous;
+    if (weight <= 0.0)
+    {
+        return 0.5;
+    }
+    return weight;
+}
 /*Regula falsi (Anderson-Bjoerck) on the canonical family; f_lower < target <= f_upper.*/
 /*                                                                                     */
 /*    `lower` and `upper` name the values, not the order of the parameters.            */
@@ -1045,7 +1148,6 @@ static double bracketed_root(double lower, double upper, double f_lower, double 
     double value;
     double duration;
     double error;
-    double factor;
     double result;
     e_lower = f_lower - target;
     e_upper = f_upper - target;
@@ -1076,12 +1178,7 @@ static double bracketed_root(double lower, double upper, double f_lower, double 
         {
             if (side == INT64_C(1))
             {
-                factor = 1.0 - error / e_upper;
-                if (factor <= 0.0)
-                {
-                    factor = 0.5;
-                }
-                e_lower = e_lower * factor;
+                e_lower = e_lower * falsi_weight(error, e_upper);
             }
             upper = p;
             e_upper = error;
@@ -1091,12 +1188,7 @@ static double bracketed_root(double lower, double upper, double f_lower, double 
         {
             if (side == -INT64_C(1))
             {
-                factor = 1.0 - error / e_lower;
-                if (factor <= 0.0)
-                {
-                    factor = 0.5;
-                }
-                e_upper = e_upper * factor;
+                e_upper = e_upper * falsi_weight(error, e_lower);
             }
             lower = p;
             e_lower = error;
@@ -1466,27 +1558,47 @@ static int64_t with_cruise(array_double_2d phases, double cruise, double v, doub
     result = insert_hold(phases, count, row, 0.0, hold);
     return result;
 }
-/*The paper's form whose cruise velocity, below the limit, makes the cruise vanish.*/
+/*The paper's form whose cruise velocity, below the limit, makes the cruise vanish.              */
+/*                                                                                               */
+/*    Regula falsi (Anderson-Bjoerck) on the distance between the two limits, of which one falls */
+/*    short and the other one is too far; bisection where the form does not exist.               */
+/*                                                                                               */
 static int64_t slower_cruise(array_double_2d phases, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
 {
     double lower;
     double upper;
-    int64_t i;
+    double e_lower;
+    double e_upper;
+    int64_t side;
     double middle;
+    int64_t i;
+    double falsi;
     int64_t count;
     int64_t row;
     double duration;
     double y;
+    double error;
     double cruise;
     int64_t result;
     lower = -velocity_limit;
     upper = velocity_limit;
+    e_lower = 0.0;
+    e_upper = 0.0;
+    side = INT64_C(0);
+    middle = span_max(v, w);
     for (i = INT64_C(0); i < INT64_C(200); i += INT64_C(1))
     {
-        middle = 0.5 * (lower + upper);
-        if (i == INT64_C(0))
+        if (i > INT64_C(0))
         {
-            middle = span_max(v, w);
+            middle = 0.5 * (lower + upper);
+            if ((e_lower < 0.0) && (e_upper > 0.0) && (i < INT64_C(60)))
+            {
+                falsi = upper - e_upper * (upper - lower) / (e_upper - e_lower);
+                if ((falsi > lower) && (falsi < upper))
+                {
+                    middle = falsi;
+                }
+            }
         }
         if ((middle <= lower) || (middle >= upper))
         {
@@ -1494,16 +1606,43 @@ static int64_t slower_cruise(array_double_2d phases, double v, double a, double 
             {
                 break;
             }
-            middle = 0.5 * (lower + upper);
+            middle = 0.0;
         }
         cruise_form(&count, &row, &duration, &y, phases, middle, v, a, w, b, top, ramp);
-        if ((count < INT64_C(0)) || (y < distance))
+        error = y - distance;
+        if (count < INT64_C(0))
+        {
+            error = -1.0;
+        }
+        if ((count >= INT64_C(0)) && (fabs(error) <= 1e-15 * fabs(distance)))
         {
             lower = middle;
+            upper = middle;
+            break;
+        }
+        if (error < 0.0)
+        {
+            if (side == -INT64_C(1))
+            {
+                e_upper = e_upper * falsi_weight(error, e_lower);
+            }
+            lower = middle;
+            e_lower = error;
+            side = -INT64_C(1);
+            if (count < INT64_C(0))
+            {
+                e_lower = 0.0;
+            }
         }
         else
         {
+            if (side == INT64_C(1))
+            {
+                e_lower = e_lower * falsi_weight(error, e_upper);
+            }
             upper = middle;
+            e_upper = error;
+            side = INT64_C(1);
         }
     }
     /*the side whose rounding error a short cruise can make up*/
@@ -3458,7 +3597,7 @@ static void state_derivative(bool driven, double t, array_double_1d state, array
     (*cspan_at(&derivative, INT64_C(10))) = power;
 }
 /*Whether the first values are numbers that can be computed with.*/
-static bool finite(array_double_1d values, int64_t count)
+static bool all_finite(array_double_1d values, int64_t count)
 {
     int64_t i;
     bool result;
@@ -3509,7 +3648,7 @@ int64_t segfmu_crane_advance(bool driven, array_double_1d state, array_double_1d
     double error;
     double factor;
     int64_t status;
-    if ((!finite(state, INT64_C(11))) || (!finite(drive, INT64_C(3))) || (!finite(load_force, INT64_C(3))))
+    if ((!all_finite(state, INT64_C(11))) || (!all_finite(drive, INT64_C(3))) || (!all_finite(load_force, INT64_C(3))))
     {
         return INT64_C(4);
     }
@@ -3539,7 +3678,7 @@ int64_t segfmu_crane_advance(bool driven, array_double_1d state, array_double_1d
                 }
                 (*cspan_at(&work, INT64_C(7), i)) = value;
             }
-            bounded = finite(span_row(&work, INT64_C(7)), INT64_C(11));
+            bounded = all_finite(span_row(&work, INT64_C(7)), INT64_C(11));
             if (bounded)
             {
                 state_derivative(driven, t + node * h, span_row(&work, INT64_C(7)), drive, drive_rate, torque, load_force, bridge_mass, trolley_mass, payload_mass, gravity, work, span_row(&work, stage));
