@@ -33,7 +33,7 @@ examples: $(VENV)/installed ## run every example
 	@set -e; for example in examples/[0-9]*.py; do echo "$$example"; $(BIN)/python $$example; done
 
 generate: $(VENV)/installed ## write the generated files again
-	$(BIN)/python -m segfmu.codegen
+	SEGFMU_INTERPRETED=1 $(BIN)/python -m segfmu.codegen
 
 golden: $(VENV)/installed ## write the golden files again
 	SEGFMU_UPDATE_GOLDEN=1 $(BIN)/python -m pytest -q tests/golden

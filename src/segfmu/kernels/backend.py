@@ -14,6 +14,7 @@ COMPILED = (
 
 if COMPILED:
     from segfmu.kernels._compiled import (
+        check_plan,
         count_pieces,
         crane_advance,
         crane_energy,
@@ -27,6 +28,7 @@ if COMPILED:
     )
 else:
     from segfmu.kernels._crane import crane_energy, crane_flat_inverse, crane_load, crane_rhs
+    from segfmu.kernels.check import check_plan
     from segfmu.kernels.evaluate import evaluate
     from segfmu.kernels.expand import count_pieces, expand_plan
     from segfmu.kernels.feedback import feedback_correction
@@ -35,6 +37,7 @@ else:
 
 __all__ = [
     "COMPILED",
+    "check_plan",
     "count_pieces",
     "crane_advance",
     "crane_energy",

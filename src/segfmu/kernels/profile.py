@@ -14,6 +14,7 @@ form always exists: its distance is continuous in the cruise velocity and unboun
 limits (docs/planner.md).
 """
 
+from segfmu.kernels.braking import brake, surround
 from segfmu.kernels.levels import (
     canonical_point,
     canonical_search,
@@ -300,8 +301,8 @@ def shortest_profile(
     """Phases of the shortest profile from (v, a) over a distance to (w, b).
 
     top is the acceleration limit; `phases` and the work space `trial` have 12 rows. Returns the
-    number of phases (0 when there is nothing to do), or -1 when braking the first acceleration
-    to zero passes the velocity limit, -2 when building up the last one does, -3 otherwise.
+    number of phases (0 when there is nothing to do), or -1 when bringing the first acceleration to
+    zero passes the velocity limit, -2 when building up the last one does, -3 otherwise.
     """
     v = without_dust(v, velocity_limit)
     w = without_dust(w, velocity_limit)
@@ -310,10 +311,6 @@ def shortest_profile(
     distance = without_dust(distance, velocity_limit * velocity_limit / top)
     if distance == 0.0 and v == 0.0 and w == 0.0 and a == 0.0 and b == 0.0:
         return 0
-    t_start, rise, slope = ramp_duration(abs(a), ramp)
-    t_end, rise, slope = ramp_duration(abs(b), ramp)
-    v_braked = v + 0.5 * a * t_start
-    w_braked = w - 0.5 * b * t_end
     for variant in range(4):
         brake_start = variant == 1 or variant == 3
         brake_end = variant >= 2
@@ -324,16 +321,16 @@ def shortest_profile(
         w1 = w
         b1 = b
         rest = distance
-        first = 0
         if brake_start:
-            first = append_change(trial, 0, a, 0.0, ramp)
-            duration, y, v1, lowest, highest = measure_phases(trial, first, v, ramp)
+            first, duration, y, v1 = brake(v, a, velocity_limit, top, ramp, trial)
+            if first < 0:
+                return -1
             rest = rest - y
             a1 = 0.0
         if brake_end:
-            last = append_change(trial, 0, 0.0, b, ramp)
-            w1 = w_braked
-            duration, y, end, lowest, highest = measure_phases(trial, last, w1, ramp)
+            last, duration, y, w1 = brake(w, -b, velocity_limit, top, ramp, trial)
+            if last < 0:
+                return -2
             rest = rest - y
             b1 = 0.0
         count = shortest_between(
@@ -341,16 +338,9 @@ def shortest_profile(
         )
         if count == 0 and not (rest == 0.0 and v1 == w1 and a1 == 0.0 and b1 == 0.0):
             continue
-        if brake_start:
-            count = insert_hold(phases, count, 0, 0.0, t_start)
-            append_change(phases, 0, a, 0.0, ramp)
-        if brake_end:
-            count = append_change(phases, count, 0.0, b, ramp)
+        count = surround(
+            phases, count, brake_start, v, a, brake_end, w, b, velocity_limit, top, ramp, trial
+        )
         if meets(phases, count, v, w, distance, velocity_limit, ramp) >= 0.0:
             return count
-    most = velocity_limit * (1.0 + 1e-12)
-    if abs(v_braked) > most:
-        return -1
-    if abs(w_braked) > most:
-        return -2
     return -3

@@ -12,15 +12,14 @@ E10); outside the gaps the profile is, in this order:
 * the weighted mean of two profiles that last T, one short of the distance and one beyond it.
 """
 
+from segfmu.kernels.braking import brake, surround
 from segfmu.kernels.phases import (
-    append_change,
     copy_phases,
     insert_hold,
     measure_phases,
     without_dust,
 )
 from segfmu.kernels.profile import cruise_form, merged_form
-from segfmu.kernels.transition import ramp_duration
 
 
 def stretch_phases(phases: 'float[:,:]', count: int, factor: float) -> None:
@@ -176,25 +175,6 @@ def timed_between(
         )
 
 
-def surround_phases(
-    phases: 'float[:,:]',
-    count: int,
-    brake_start: bool,
-    a: float,
-    brake_end: bool,
-    b: float,
-    ramp: 'float[:]',
-) -> int:
-    """Put the braking of the initial and the build-up of the final acceleration around phases."""
-    if brake_start and a != 0.0:
-        duration, rise, slope = ramp_duration(abs(a), ramp)
-        count = insert_hold(phases, count, 0, 0.0, duration)
-        append_change(phases, 0, a, 0.0, ramp)
-    if brake_end:
-        count = append_change(phases, count, 0.0, b, ramp)
-    return count
-
-
 def timed_profile(
     target: float,
     v: float,
@@ -234,15 +214,16 @@ def timed_profile(
         w1 = w
         b1 = b
         if brake_start:
-            count = append_change(trial, 0, a, 0.0, ramp)
-            duration, y, v1, lowest, highest = measure_phases(trial, count, v, ramp)
+            count, duration, y, v1 = brake(v, a, velocity_limit, top, ramp, trial)
+            if count < 0:
+                return -1.0
             time = time - duration
             rest = rest - y
             a1 = 0.0
         if brake_end:
-            count = append_change(trial, 0, 0.0, b, ramp)
-            w1 = w - 0.5 * b * trial[0, 0]
-            duration, y, end, lowest, highest = measure_phases(trial, count, w1, ramp)
+            count, duration, y, w1 = brake(w, -b, velocity_limit, top, ramp, trial)
+            if count < 0:
+                return -1.0
             time = time - duration
             rest = rest - y
             b1 = 0.0
@@ -262,7 +243,13 @@ def timed_profile(
                 weight = 1.0
             if rest - found[1] > tiny and weight < 1.0:
                 weight = (rest - found[1]) / span
-            found[0] = surround_phases(below, int(found[0]), brake_start, a, brake_end, b, ramp)
-            found[2] = surround_phases(above, int(found[2]), brake_start, a, brake_end, b, ramp)
+            found[0] = surround(
+                below, int(found[0]), brake_start, v, a, brake_end, w, b, velocity_limit, top,
+                ramp, trial,
+            )
+            found[2] = surround(
+                above, int(found[2]), brake_start, v, a, brake_end, w, b, velocity_limit, top,
+                ramp, trial,
+            )
             return weight
     return -1.0

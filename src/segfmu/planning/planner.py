@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import pairwise
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -14,7 +13,7 @@ from segfmu.planning.arrays import FloatArray, finite_vector
 from segfmu.planning.limits import Limits
 from segfmu.planning.messages import infeasible
 from segfmu.planning.trajectory import Trajectory
-from segfmu.planning.verify import require
+from segfmu.planning.verify import TOLERANCE, require
 from segfmu.planning.waypoint import Waypoint
 
 SHAPES = {"smoothstep": 0, "plateau": 1}
@@ -83,7 +82,6 @@ def plan(
         _time("duration", duration),
     )
     trajectory = _solve(points, limits, int(smoothness), shape, options, names)
-    require(trajectory)
     _check_positions(trajectory, position_min, position_max)
     return trajectory
 
@@ -99,12 +97,11 @@ def _solve(
     axes, intervals = points[0].axes, len(points) - 1
     cells = axes * intervals
     table = limits.table(axes, smoothness)
-    positions, velocities, accelerations = (
-        np.array([getattr(p, name) for p in points])
-        for name in ("position", "velocity", "acceleration")
-    )
+    state = np.array([(p.position, p.velocity, p.acceleration) for p in points])
+    positions, velocities, accelerations = np.ascontiguousarray(state.transpose(1, 0, 2))
+    _check_different(state)
     dwells = np.array([p.dwell for p in points])
-    phases = np.zeros((2 * cells, 12, 4))
+    phases = np.empty((2 * cells, 12, 4))
     counts = np.zeros(2 * cells, dtype=np.int64)
     weights = np.zeros(cells)
     durations = np.zeros((intervals, axes))
@@ -118,18 +115,34 @@ def _solve(
     if status < 0:
         raise infeasible(status, report, points, table, names)
     rows = backend.count_pieces(counts, cells) + axes * (len(points) + 1)
-    starts = np.zeros(rows)
-    coefficients = np.zeros((rows, 2 * smoothness))
+    starts = np.empty(rows)
+    coefficients = np.empty((rows, 2 * smoothness))
     offsets = np.zeros(axes + 1, dtype=np.int64)
     times = np.zeros((len(points), axes))
     used = backend.expand_plan(
         positions, velocities, dwells, smoothness, options[0], phases, counts, weights, durations,
-        ramps, np.zeros(200), np.zeros((200, 16)), starts, coefficients, offsets, times,
+        ramps, np.empty(200), np.empty((200, 16)), starts, coefficients, offsets, times,
     )
     arrays = starts[:used], coefficients[:used], offsets, times, times[-1] + dwells[-1]
     for array in arrays:
         array.flags.writeable = False
-    return Trajectory(points, limits, smoothness, shape, names, *arrays)
+    trajectory = Trajectory(points, limits, smoothness, shape, names, *arrays)
+    if backend.check_plan(
+        positions, velocities, accelerations, times, *arrays[:3], arrays[4], table, TOLERANCE,
+        np.empty((42, 14)),
+    ):
+        require(trajectory)
+    return trajectory
+
+
+def _check_different(state: FloatArray) -> None:
+    """Two waypoints that follow each other differ in something."""
+    same = (state[1:] == state[:-1]).all(axis=(1, 2))
+    if same.any():
+        i = int(same.argmax()) + 1
+        raise InputError(
+            f"waypoints {i} and {i + 1} are the same; leave one out, or give it a dwell"
+        )
 
 
 def _checked_waypoints(waypoints: Sequence[Waypoint]) -> tuple[Waypoint, ...]:
@@ -146,14 +159,6 @@ def _checked_waypoints(waypoints: Sequence[Waypoint]) -> tuple[Waypoint, ...]:
             )
     if len(points) < 2:
         raise InputError(f"a plan needs at least 2 waypoints, got {len(points)}")
-    for i, (a, b) in enumerate(pairwise(points), 1):
-        if all(
-            np.array_equal(getattr(a, name), getattr(b, name))
-            for name in ("position", "velocity", "acceleration")
-        ):
-            raise InputError(
-                f"waypoints {i} and {i + 1} are the same; leave one out, or give it a dwell"
-            )
     return points
 
 

@@ -26,6 +26,10 @@ static void copy_phases(array_double_2d source, array_double_2d target, int64_t 
 static void mirror_phases(array_double_2d phases, int64_t count);
 static void swap_entries(array_double_2d phases, int64_t i, int64_t j, int64_t column);
 static void reverse_phases(array_double_2d phases, int64_t first, int64_t count);
+static double peak_past_zero(double v, double a, double level, array_double_1d ramp);
+static double level_past_zero(double v, double a, double velocity_limit, double top, array_double_1d ramp);
+static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases);
+static int64_t surround(array_double_2d phases, int64_t count, bool brake_start, double v, double a, bool brake_end, double w, double b, double velocity_limit, double top, array_double_1d ramp, array_double_2d trial);
 static double linear_level(double gain, double a, double b, array_double_1d ramp);
 static int64_t root_level(double* result_0, double* result_1, double gain, double a, double b, double lower, double upper, double share, array_double_1d ramp);
 static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, array_double_1d ramp);
@@ -50,7 +54,6 @@ static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* re
 static double cruise_range(array_double_2d phases, double middle, double limit, double target, double v, double a, double w, double b, double top, array_double_1d ramp);
 static void keep_nearest(array_double_2d trial, int64_t count, double target, double v, double w, double distance, double velocity_limit, array_double_1d found, array_double_2d below, array_double_2d above, array_double_1d ramp);
 static void timed_between(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial);
-static int64_t surround_phases(array_double_2d phases, int64_t count, bool brake_start, double a, bool brake_end, double b, array_double_1d ramp);
 static int64_t set_shortest(int64_t* result_0, double* result_1, int64_t interval, int64_t axis, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d trial);
 static bool set_duration(int64_t interval, int64_t axis, double target, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial);
 static double next_feasible(int64_t interval, int64_t axis, double start, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial);
@@ -66,11 +69,15 @@ static void clear_piece(array_double_2d coefficients, int64_t row);
 static void add_rise(double jerk, double rise, int64_t order, array_double_1d psi, array_double_2d coefficients, int64_t row);
 static void add_snap(double snap, double rise, int64_t order, array_double_1d psi, array_double_2d coefficients, int64_t row);
 static int64_t expand_jerk_change(double jerk, double rise, double share, int64_t order, array_double_1d psi, array_double_1d state, array_double_1d starts, array_double_2d coefficients, int64_t row, int64_t width);
-static int64_t expand_phases(array_double_2d phases, int64_t count, int64_t smoothness, int64_t shape, double share, array_double_1d psi, array_double_1d state, array_double_1d starts, array_double_2d coefficients, int64_t row);
 static int64_t find_piece(double time, array_double_1d starts, int64_t first, int64_t last);
 static void shift_piece(array_double_2d coefficients, int64_t source, int64_t width, double t, double weight, array_double_2d target, int64_t row);
 static int64_t merge_pieces(double weight, double end, int64_t first_a, int64_t last_a, int64_t last_b, array_double_1d scratch_starts, array_double_2d scratch, array_double_1d starts, array_double_2d coefficients, int64_t row);
 static int64_t expand_interval(int64_t interval, int64_t axis, int64_t axes, double now, array_double_2d positions, array_double_2d velocities, int64_t smoothness, int64_t shape, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d durations, array_double_2d ramps, array_double_1d scratch_starts, array_double_2d scratch, array_double_1d starts, array_double_2d coefficients, int64_t row);
+static int64_t bernstein_coefficients(array_double_2d coefficients, int64_t row, int64_t width, int64_t derivative, double length, array_double_2d hull);
+static void split_hull(array_double_2d hull, int64_t row, int64_t count);
+static bool within(array_double_2d hull, int64_t count, double limit);
+static void local_state(array_double_2d coefficients, int64_t row, int64_t width, double t, int64_t count, array_double_1d state);
+static bool check_axis(int64_t axis, array_double_1d starts, array_double_2d coefficients, int64_t first, int64_t last, double end, array_double_2d limits, double tolerance, array_double_2d work);
 static double stage_row(int64_t stage, array_double_1d row);
 static void error_weights(array_double_1d row);
 static void state_derivative(bool driven, double t, array_double_1d state, array_double_1d drive, array_double_1d drive_rate, array_double_1d torque, array_double_1d load_force, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d work, array_double_1d derivative);
@@ -823,6 +830,167 @@ int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result
     (*result_3) = lowest;
     (*result_4) = highest;
     return 0;
+}
+/*Extreme velocity of the ramp from a > 0 to a level <= 0 that starts with velocity v. */
+static double peak_past_zero(double v, double a, double level, array_double_1d ramp)
+{
+    double duration;
+    double rise;
+    double slope;
+    double result;
+    segfmu_ramp_duration(&duration, &rise, &slope, a - level, ramp);
+    if (level >= 0.0)
+    {
+        return v + 0.5 * a * duration;
+    }
+    result = ramp_extreme_velocity(v, a, level, duration, rise, ramp);
+    return result;
+}
+/*The level next to zero past which a ramp from a > 0 keeps the limit; 1 if there is none. */
+static double level_past_zero(double v, double a, double velocity_limit, double top, array_double_1d ramp)
+{
+    double shrink;
+    double lower;
+    double upper;
+    int64_t i;
+    double inner;
+    double outer;
+    double deepest;
+    double outside;
+    double level;
+    double inside;
+    shrink = 0.6180339887498949;
+    lower = -top;
+    upper = 0.0;
+    /*golden section: the extreme velocity falls with the depth of the level, and may rise again*/
+    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    {
+        inner = upper - shrink * (upper - lower);
+        outer = lower + shrink * (upper - lower);
+        if (peak_past_zero(v, a, inner, ramp) < peak_past_zero(v, a, outer, ramp))
+        {
+            upper = outer;
+        }
+        else
+        {
+            lower = inner;
+        }
+    }
+    deepest = 0.5 * (lower + upper);
+    if (peak_past_zero(v, a, -top, ramp) < peak_past_zero(v, a, deepest, ramp))
+    {
+        deepest = -top;
+    }
+    if (peak_past_zero(v, a, deepest, ramp) > velocity_limit)
+    {
+        return 1.0;
+    }
+    inside = deepest;
+    outside = 0.0;
+    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    {
+        level = 0.5 * (inside + outside);
+        if (peak_past_zero(v, a, level, ramp) <= velocity_limit)
+        {
+            inside = level;
+        }
+        else
+        {
+            outside = level;
+        }
+    }
+    return inside;
+}
+/*Phases from (v, a) to zero acceleration; their number (-1: the limit does not admit them). */
+/*                                                                                           */
+/*    Also returns duration, distance and end velocity.                                      */
+/*                                                                                           */
+static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases)
+{
+    int64_t count;
+    double duration;
+    double y;
+    double end;
+    double lowest;
+    double highest;
+    double sign;
+    double level;
+    count = append_change(phases, INT64_C(0), a, 0.0, ramp);
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, ramp);
+    if (fabs(end) > velocity_limit * (1.0 + 1e-12))
+    {
+        sign = 1.0;
+        if (a < 0.0)
+        {
+            sign = -1.0;
+        }
+        level = sign * level_past_zero(sign * v, sign * a, velocity_limit, top, ramp);
+        if (level * sign > 0.0)
+        {
+            (*result_0) = -INT64_C(1);
+            (*result_1) = 0.0;
+            (*result_2) = 0.0;
+            (*result_3) = 0.0;
+            return 0;
+        }
+        count = append_change(phases, INT64_C(0), a, level, ramp);
+        count = append_change(phases, count, level, 0.0, ramp);
+        segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, ramp);
+        if (fabs(end) > velocity_limit)
+        {
+            (*result_0) = -INT64_C(1);
+            (*result_1) = 0.0;
+            (*result_2) = 0.0;
+            (*result_3) = 0.0;
+            return 0;
+        }
+    }
+    (*result_0) = count;
+    (*result_1) = duration;
+    (*result_2) = y;
+    (*result_3) = end;
+    return 0;
+}
+/*Put the braking of the initial and the build-up of the final acceleration around phases. */
+static int64_t surround(array_double_2d phases, int64_t count, bool brake_start, double v, double a, bool brake_end, double w, double b, double velocity_limit, double top, array_double_1d ramp, array_double_2d trial)
+{
+    int64_t first;
+    double duration;
+    double y;
+    double end;
+    int64_t j;
+    int64_t i;
+    int64_t column;
+    int64_t last;
+    int64_t result;
+    if (brake_start)
+    {
+        brake(&first, &duration, &y, &end, v, a, velocity_limit, top, ramp, trial);
+        for (j = INT64_C(0); j < count; j += INT64_C(1))
+        {
+            i = count - INT64_C(1) - j;
+            for (column = INT64_C(0); column < INT64_C(4); column += INT64_C(1))
+            {
+                (*cspan_at(&phases, first + i, column)) = (*cspan_at(&phases, i, column));
+            }
+        }
+        copy_phases(trial, phases, first);
+        count = first + count;
+    }
+    if (brake_end)
+    {
+        brake(&last, &duration, &y, &end, w, -b, velocity_limit, top, ramp, trial);
+        reverse_phases(trial, INT64_C(0), last);
+        for (i = INT64_C(0); i < last; i += INT64_C(1))
+        {
+            for (column = INT64_C(0); column < INT64_C(4); column += INT64_C(1))
+            {
+                (*cspan_at(&phases, count + i, column)) = (*cspan_at(&trial, i, column));
+            }
+        }
+        count = count + last;
+    }
+    return count;
 }
 /*The level of `solve_level` where the durations of both ramps are linear in their change.           */
 /*                                                                                                   */
@@ -1714,20 +1882,14 @@ static int64_t shortest_between(array_double_2d phases, array_double_2d trial, d
     }
     return INT64_C(0);
 }
-/*Phases of the shortest profile from (v, a) over a distance to (w, b).                            */
-/*                                                                                                 */
-/*    top is the acceleration limit; `phases` and the work space `trial` have 12 rows. Returns the */
-/*    number of phases (0 when there is nothing to do), or -1 when braking the first acceleration  */
-/*    to zero passes the velocity limit, -2 when building up the last one does, -3 otherwise.      */
-/*                                                                                                 */
+/*Phases of the shortest profile from (v, a) over a distance to (w, b).                              */
+/*                                                                                                   */
+/*    top is the acceleration limit; `phases` and the work space `trial` have 12 rows. Returns the   */
+/*    number of phases (0 when there is nothing to do), or -1 when bringing the first acceleration to*/
+/*    zero passes the velocity limit, -2 when building up the last one does, -3 otherwise.           */
+/*                                                                                                   */
 int64_t segfmu_shortest_profile(double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, array_double_2d trial)
 {
-    double t_start;
-    double rise;
-    double slope;
-    double t_end;
-    double v_braked;
-    double w_braked;
     int64_t variant;
     bool brake_start;
     bool brake_end;
@@ -1739,12 +1901,7 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
     int64_t first;
     double duration;
     double y;
-    double lowest;
-    double highest;
     int64_t last;
-    double end;
-    int64_t Dummy_0000;
-    double most;
     int64_t count;
     v = without_dust(v, velocity_limit);
     w = without_dust(w, velocity_limit);
@@ -1755,10 +1912,6 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
     {
         return INT64_C(0);
     }
-    segfmu_ramp_duration(&t_start, &rise, &slope, fabs(a), ramp);
-    segfmu_ramp_duration(&t_end, &rise, &slope, fabs(b), ramp);
-    v_braked = v + 0.5 * a * t_start;
-    w_braked = w - 0.5 * b * t_end;
     for (variant = INT64_C(0); variant < INT64_C(4); variant += INT64_C(1))
     {
         brake_start = (variant == INT64_C(1)) || (variant == INT64_C(3));
@@ -1772,19 +1925,23 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
         w1 = w;
         b1 = b;
         rest = distance;
-        first = INT64_C(0);
         if (brake_start)
         {
-            first = append_change(trial, INT64_C(0), a, 0.0, ramp);
-            segfmu_measure_phases(&duration, &y, &v1, &lowest, &highest, trial, first, v, ramp);
+            brake(&first, &duration, &y, &v1, v, a, velocity_limit, top, ramp, trial);
+            if (first < INT64_C(0))
+            {
+                return -INT64_C(1);
+            }
             rest = rest - y;
             a1 = 0.0;
         }
         if (brake_end)
         {
-            last = append_change(trial, INT64_C(0), 0.0, b, ramp);
-            w1 = w_braked;
-            segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, trial, last, w1, ramp);
+            brake(&last, &duration, &y, &w1, w, -b, velocity_limit, top, ramp, trial);
+            if (last < INT64_C(0))
+            {
+                return -INT64_C(2);
+            }
             rest = rest - y;
             b1 = 0.0;
         }
@@ -1793,28 +1950,11 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
         {
             continue;
         }
-        if (brake_start)
-        {
-            count = insert_hold(phases, count, INT64_C(0), 0.0, t_start);
-            Dummy_0000 = append_change(phases, INT64_C(0), a, 0.0, ramp);
-        }
-        if (brake_end)
-        {
-            count = append_change(phases, count, 0.0, b, ramp);
-        }
+        count = surround(phases, count, brake_start, v, a, brake_end, w, b, velocity_limit, top, ramp, trial);
         if (meets(phases, count, v, w, distance, velocity_limit, ramp) >= 0.0)
         {
             return count;
         }
-    }
-    most = velocity_limit * (1.0 + 1e-12);
-    if (fabs(v_braked) > most)
-    {
-        return -INT64_C(1);
-    }
-    if (fabs(w_braked) > most)
-    {
-        return -INT64_C(2);
     }
     return -INT64_C(3);
 }
@@ -1994,26 +2134,6 @@ static void timed_between(double target, double v, double a, double w, double b,
         keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
     }
 }
-/*Put the braking of the initial and the build-up of the final acceleration around phases. */
-static int64_t surround_phases(array_double_2d phases, int64_t count, bool brake_start, double a, bool brake_end, double b, array_double_1d ramp)
-{
-    double duration;
-    double rise;
-    double slope;
-    int64_t Dummy_0000;
-    int64_t result;
-    if (brake_start && (a != 0.0))
-    {
-        segfmu_ramp_duration(&duration, &rise, &slope, fabs(a), ramp);
-        count = insert_hold(phases, count, INT64_C(0), 0.0, duration);
-        Dummy_0000 = append_change(phases, INT64_C(0), a, 0.0, ramp);
-    }
-    if (brake_end)
-    {
-        count = append_change(phases, count, 0.0, b, ramp);
-    }
-    return count;
-}
 /*Profiles that last `target`; returns the weight of `above`, or -1 if none is feasible.         */
 /*                                                                                               */
 /*    The motion is (1 - weight) * below + weight * above; found[0] and found[2] are the numbers */
@@ -2034,9 +2154,6 @@ double segfmu_timed_profile(double target, double v, double a, double w, double 
     int64_t count;
     double duration;
     double y;
-    double lowest;
-    double highest;
-    double end;
     double span;
     double tiny;
     double weight;
@@ -2065,17 +2182,22 @@ double segfmu_timed_profile(double target, double v, double a, double w, double 
         b1 = b;
         if (brake_start)
         {
-            count = append_change(trial, INT64_C(0), a, 0.0, ramp);
-            segfmu_measure_phases(&duration, &y, &v1, &lowest, &highest, trial, count, v, ramp);
+            brake(&count, &duration, &y, &v1, v, a, velocity_limit, top, ramp, trial);
+            if (count < INT64_C(0))
+            {
+                return -1.0;
+            }
             time = time - duration;
             rest = rest - y;
             a1 = 0.0;
         }
         if (brake_end)
         {
-            count = append_change(trial, INT64_C(0), 0.0, b, ramp);
-            w1 = w - 0.5 * b * (*cspan_at(&trial, INT64_C(0), INT64_C(0)));
-            segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, trial, count, w1, ramp);
+            brake(&count, &duration, &y, &w1, w, -b, velocity_limit, top, ramp, trial);
+            if (count < INT64_C(0))
+            {
+                return -1.0;
+            }
             time = time - duration;
             rest = rest - y;
             b1 = 0.0;
@@ -2101,8 +2223,8 @@ double segfmu_timed_profile(double target, double v, double a, double w, double 
             {
                 weight = (rest - (*cspan_at(&found, INT64_C(1)))) / span;
             }
-            (*cspan_at(&found, INT64_C(0))) = surround_phases(below, (int64_t)((*cspan_at(&found, INT64_C(0)))), brake_start, a, brake_end, b, ramp);
-            (*cspan_at(&found, INT64_C(2))) = surround_phases(above, (int64_t)((*cspan_at(&found, INT64_C(2)))), brake_start, a, brake_end, b, ramp);
+            (*cspan_at(&found, INT64_C(0))) = surround(below, (int64_t)((*cspan_at(&found, INT64_C(0)))), brake_start, v, a, brake_end, w, b, velocity_limit, top, ramp, trial);
+            (*cspan_at(&found, INT64_C(2))) = surround(above, (int64_t)((*cspan_at(&found, INT64_C(2)))), brake_start, v, a, brake_end, w, b, velocity_limit, top, ramp, trial);
             return weight;
         }
     }
@@ -2658,7 +2780,7 @@ static int64_t expand_jerk_change(double jerk, double rise, double share, int64_
 /*    to the end; psi is work space for 2 n numbers; share is the one of the snap's rise in that of*/
 /*    the jerk, 0 where the snap has no plateau.                                                   */
 /*                                                                                                 */
-static int64_t expand_phases(array_double_2d phases, int64_t count, int64_t smoothness, int64_t shape, double share, array_double_1d psi, array_double_1d state, array_double_1d starts, array_double_2d coefficients, int64_t row)
+int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, int64_t smoothness, int64_t shape, double share, array_double_1d psi, array_double_1d state, array_double_1d starts, array_double_2d coefficients, int64_t row)
 {
     int64_t width;
     int64_t k;
@@ -2890,14 +3012,14 @@ static int64_t expand_interval(int64_t interval, int64_t axis, int64_t axes, dou
         {
             which = which + INT64_C(1);
         }
-        result = expand_phases(span_matrix(&phases, which), (*cspan_at(&counts, which)), smoothness, shape, (*cspan_at(&ramps, axis, INT64_C(40))), psi, state, starts, coefficients, row);
+        result = segfmu_expand_phases(span_matrix(&phases, which), (*cspan_at(&counts, which)), smoothness, shape, (*cspan_at(&ramps, axis, INT64_C(40))), psi, state, starts, coefficients, row);
         return result;
     }
-    middle = expand_phases(span_matrix(&phases, INT64_C(2) * cell), (*cspan_at(&counts, INT64_C(2) * cell)), smoothness, shape, (*cspan_at(&ramps, axis, INT64_C(40))), psi, state, scratch_starts, scratch, INT64_C(0));
+    middle = segfmu_expand_phases(span_matrix(&phases, INT64_C(2) * cell), (*cspan_at(&counts, INT64_C(2) * cell)), smoothness, shape, (*cspan_at(&ramps, axis, INT64_C(40))), psi, state, scratch_starts, scratch, INT64_C(0));
     (*cspan_at(&state, INT64_C(0))) = (*cspan_at(&positions, interval, axis));
     (*cspan_at(&state, INT64_C(1))) = (*cspan_at(&velocities, interval, axis));
     (*cspan_at(&state, INT64_C(4))) = now;
-    last = expand_phases(span_matrix(&phases, INT64_C(2) * cell + INT64_C(1)), (*cspan_at(&counts, INT64_C(2) * cell + INT64_C(1))), smoothness, shape, (*cspan_at(&ramps, axis, INT64_C(40))), psi, state, scratch_starts, scratch, middle);
+    last = segfmu_expand_phases(span_matrix(&phases, INT64_C(2) * cell + INT64_C(1)), (*cspan_at(&counts, INT64_C(2) * cell + INT64_C(1))), smoothness, shape, (*cspan_at(&ramps, axis, INT64_C(40))), psi, state, scratch_starts, scratch, middle);
     result = merge_pieces(weight, now + (*cspan_at(&durations, interval, axis)), INT64_C(0), middle, last, scratch_starts, scratch, starts, coefficients, row);
     return result;
 }
@@ -2947,6 +3069,236 @@ int64_t segfmu_expand_plan(array_double_2d positions, array_double_2d velocities
     }
     (*cspan_at(&offsets, axes)) = row;
     return row;
+}
+/*Bernstein coefficients of a derivative of one piece on [0, length] in hull[0, :].*/
+/*                                                                                 */
+/*    Returns their number.                                                        */
+/*                                                                                 */
+static int64_t bernstein_coefficients(array_double_2d coefficients, int64_t row, int64_t width, int64_t derivative, double length, array_double_2d hull)
+{
+    double power;
+    double binomial;
+    int64_t i;
+    double factor;
+    int64_t m;
+    int64_t r;
+    int64_t j;
+    int64_t count;
+    count = width - derivative;
+    power = 1.0;
+    binomial = 1.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        factor = 1.0;
+        for (m = INT64_C(0); m < derivative; m += INT64_C(1))
+        {
+            factor = factor * (i + derivative - m);
+        }
+        (*cspan_at(&hull, INT64_C(0), i)) = factor * (*cspan_at(&coefficients, row, i + derivative)) * power / binomial;
+        power = power * length;
+        binomial = binomial * (count - INT64_C(1) - i) / (i + INT64_C(1));
+    }
+    for (r = INT64_C(1); r < count; r += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < count - r; j += INT64_C(1))
+        {
+            i = count - INT64_C(1) - j;
+            (*cspan_at(&hull, INT64_C(0), i)) = (*cspan_at(&hull, INT64_C(0), i)) + (*cspan_at(&hull, INT64_C(0), i - INT64_C(1)));
+        }
+    }
+    return count;
+}
+/*Halve row `row` by de Casteljau's scheme: its first half stays, the second one follows.*/
+static void split_hull(array_double_2d hull, int64_t row, int64_t count)
+{
+    int64_t i;
+    int64_t r;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&hull, row + INT64_C(1), i)) = (*cspan_at(&hull, row, i));
+    }
+    /*the last coefficients of the shrinking triangle are those of the second half, reversed*/
+    for (r = INT64_C(1); r < count; r += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < count - r; i += INT64_C(1))
+        {
+            (*cspan_at(&hull, row + INT64_C(1), i)) = 0.5 * ((*cspan_at(&hull, row + INT64_C(1), i)) + (*cspan_at(&hull, row + INT64_C(1), i + INT64_C(1))));
+        }
+        (*cspan_at(&hull, row, r)) = (*cspan_at(&hull, row + INT64_C(1), INT64_C(0)));
+    }
+}
+/*Whether a polynomial given by the Bernstein coefficients hull[0, :] keeps a limit. */
+/*                                                                                   */
+/*    hull (40, 14) is work space.                                                   */
+/*                                                                                   */
+static bool within(array_double_2d hull, int64_t count, double limit)
+{
+    int64_t rows;
+    int64_t row;
+    double largest;
+    double total;
+    int64_t i;
+    double ends;
+    double depth;
+    bool result;
+    rows = INT64_C(1);
+    (*cspan_at(&hull, INT64_C(0), INT64_C(13))) = 0.0;
+    while(rows > INT64_C(0))
+    {
+        row = rows - INT64_C(1);
+        largest = 0.0;
+        total = 0.0;
+        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        {
+            largest = span_max(largest, fabs((*cspan_at(&hull, row, i))));
+            total = total + fabs((*cspan_at(&hull, row, i)));
+        }
+        /*the sum is for values that are no numbers, which no comparison holds for*/
+        if ((largest <= limit) && (total <= count * limit))
+        {
+            rows = rows - INT64_C(1);
+            continue;
+        }
+        ends = span_max(fabs((*cspan_at(&hull, row, INT64_C(0)))), fabs((*cspan_at(&hull, row, count - INT64_C(1)))));
+        depth = (*cspan_at(&hull, row, INT64_C(13)));
+        if ((!(ends <= limit)) || (depth > 34.0))
+        {
+            return 0;
+        }
+        split_hull(hull, row, count);
+        (*cspan_at(&hull, row, INT64_C(13))) = depth + 1.0;
+        (*cspan_at(&hull, row + INT64_C(1), INT64_C(13))) = depth + 1.0;
+        rows = rows + INT64_C(1);
+    }
+    return 1;
+}
+/*Derivatives 0 .. count - 1 of one piece at local time t. */
+static void local_state(array_double_2d coefficients, int64_t row, int64_t width, double t, int64_t count, array_double_1d state)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&state, i)) = evaluate_piece(coefficients, row, width, t, i);
+    }
+}
+/*Whether the pieces first .. last - 1 of one axis keep its limits and join smoothly.*/
+static bool check_axis(int64_t axis, array_double_1d starts, array_double_2d coefficients, int64_t first, int64_t last, double end, array_double_2d limits, double tolerance, array_double_2d work)
+{
+    int64_t width;
+    int64_t order;
+    array_double_2d hull;
+    int64_t i;
+    int64_t row;
+    double length;
+    int64_t d;
+    double bound;
+    int64_t count;
+    double low;
+    double high;
+    double following;
+    bool result;
+    width = coefficients.shape[INT64_C(1)];
+    order = limits.shape[INT64_C(1)];
+    hull = span_rows(&work, INT64_C(0), INT64_C(40));
+    for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(41), i)) = 0.0;
+    }
+    for (row = first; row < last; row += INT64_C(1))
+    {
+        length = end - (*cspan_at(&starts, row));
+        if (row + INT64_C(1) < last)
+        {
+            length = (*cspan_at(&starts, row + INT64_C(1))) - (*cspan_at(&starts, row));
+        }
+        for (d = INT64_C(1); d < order + INT64_C(1); d += INT64_C(1))
+        {
+            bound = (*cspan_at(&limits, axis, d - INT64_C(1)));
+            if (bound > 0.0)
+            {
+                count = bernstein_coefficients(coefficients, row, width, d, length, hull);
+                if (!within(hull, count, bound * (1.0 + tolerance)))
+                {
+                    return 0;
+                }
+            }
+        }
+        local_state(coefficients, row, width, 0.0, order, span_row(&work, INT64_C(40)));
+        for (i = INT64_C(0); i < order; i += INT64_C(1))
+        {
+            (*cspan_at(&work, INT64_C(41), i)) = span_max((*cspan_at(&work, INT64_C(41), i)), fabs((*cspan_at(&work, INT64_C(40), i))));
+        }
+    }
+    low = (*cspan_at(&coefficients, first, INT64_C(0)));
+    high = low;
+    for (row = first; row < last; row += INT64_C(1))
+    {
+        low = span_min(low, (*cspan_at(&coefficients, row, INT64_C(0))));
+        high = span_max(high, (*cspan_at(&coefficients, row, INT64_C(0))));
+    }
+    (*cspan_at(&work, INT64_C(41), INT64_C(0))) = span_max(1.0, high - low);
+    for (row = first + INT64_C(1); row < last; row += INT64_C(1))
+    {
+        local_state(coefficients, row - INT64_C(1), width, (*cspan_at(&starts, row)) - (*cspan_at(&starts, row - INT64_C(1))), order, span_row(&work, INT64_C(40)));
+        for (i = INT64_C(0); i < order; i += INT64_C(1))
+        {
+            following = evaluate_piece(coefficients, row, width, 0.0, i);
+            if (!(fabs((*cspan_at(&work, INT64_C(40), i)) - following) <= tolerance * (*cspan_at(&work, INT64_C(41), i))))
+            {
+                return 0;
+            }
+        }
+    }
+    return 1;
+}
+/*Judge the pieces of every axis: 0, or 1 + the first axis that is not surely right.               */
+/*                                                                                                 */
+/*    Limits hold up to the relative tolerance, the derivatives 0 .. n are continuous up to it (in */
+/*    units of the range of the position, at least 1 m, and of the peaks of the others), and the   */
+/*    waypoints are met up to it. Arrays as in `expand_plan`; work is (42, 14).                    */
+/*                                                                                                 */
+int64_t segfmu_check_plan(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d times, array_double_1d starts, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d limits, double tolerance, array_double_2d work)
+{
+    int64_t width;
+    int64_t points;
+    int64_t axis;
+    int64_t first;
+    int64_t last;
+    int64_t j;
+    int64_t point;
+    double time;
+    int64_t row;
+    double missed;
+    int64_t result;
+    width = coefficients.shape[INT64_C(1)];
+    points = positions.shape[INT64_C(0)];
+    for (axis = INT64_C(0); axis < limits.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        first = (*cspan_at(&offsets, axis));
+        last = (*cspan_at(&offsets, axis + INT64_C(1)));
+        if (!check_axis(axis, starts, coefficients, first, last, (*cspan_at(&ends, axis)), limits, tolerance, work))
+        {
+            return INT64_C(1) + axis;
+        }
+        for (j = INT64_C(0); j < points + INT64_C(1); j += INT64_C(1))
+        {
+            /*the last waypoint is met on arrival and, after its dwell, at the end*/
+            point = span_min_int(j, points - INT64_C(1));
+            time = (*cspan_at(&times, point, axis));
+            if (j == points)
+            {
+                time = (*cspan_at(&ends, axis));
+            }
+            row = find_piece(time, starts, first, last);
+            local_state(coefficients, row, width, time - (*cspan_at(&starts, row)), INT64_C(3), span_row(&work, INT64_C(40)));
+            missed = span_max(fabs((*cspan_at(&work, INT64_C(40), INT64_C(0))) - (*cspan_at(&positions, point, axis))) / (*cspan_at(&work, INT64_C(41), INT64_C(0))), span_max(fabs((*cspan_at(&work, INT64_C(40), INT64_C(1))) - (*cspan_at(&velocities, point, axis))) / (*cspan_at(&limits, axis, INT64_C(0))), fabs((*cspan_at(&work, INT64_C(40), INT64_C(2))) - (*cspan_at(&accelerations, point, axis))) / (*cspan_at(&limits, axis, INT64_C(1)))));
+            if (!(missed <= tolerance))
+            {
+                return INT64_C(1) + axis;
+            }
+        }
+    }
+    return INT64_C(0);
 }
 /*-K(l) (x - x*), K interpolated linearly over rope length, constant outside the table.        */
 /*                                                                                             */

@@ -259,6 +259,49 @@ static PyObject *call_plan_phases(
     return answer;
 }
 
+static PyObject *call_expand_phases(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "expand_phases", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_phases;
+    int64_t in_count;
+    int64_t in_smoothness;
+    int64_t in_shape;
+    double in_share;
+    Py_buffer *in_psi;
+    Py_buffer *in_state;
+    Py_buffer *in_starts;
+    Py_buffer *in_coefficients;
+    int64_t in_row;
+    (void)self;
+    if (take_count(&call, count, 10)
+        && (in_phases = take_array(&call, 0, 2, 'd', false)) != NULL
+        && take_int(&call, 1, &in_count)
+        && take_int(&call, 2, &in_smoothness)
+        && take_int(&call, 3, &in_shape)
+        && take_float(&call, 4, &in_share)
+        && (in_psi = take_array(&call, 5, 1, 'd', true)) != NULL
+        && (in_state = take_array(&call, 6, 1, 'd', true)) != NULL
+        && (in_starts = take_array(&call, 7, 1, 'd', true)) != NULL
+        && (in_coefficients = take_array(&call, 8, 2, 'd', true)) != NULL
+        && take_int(&call, 9, &in_row)) {
+        answer = PyLong_FromLongLong(segfmu_expand_phases(
+            (array_double_2d){in_phases->buf, {in_phases->shape[0], in_phases->shape[1]}},
+            in_count,
+            in_smoothness,
+            in_shape,
+            in_share,
+            (array_double_1d){in_psi->buf, {in_psi->shape[0]}},
+            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+            (array_double_1d){in_starts->buf, {in_starts->shape[0]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            in_row));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_evaluate(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -369,6 +412,52 @@ static PyObject *call_expand_plan(
             (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
             (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
             (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_check_plan(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "check_plan", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_positions;
+    Py_buffer *in_velocities;
+    Py_buffer *in_accelerations;
+    Py_buffer *in_times;
+    Py_buffer *in_starts;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_ends;
+    Py_buffer *in_limits;
+    double in_tolerance;
+    Py_buffer *in_work;
+    (void)self;
+    if (take_count(&call, count, 11)
+        && (in_positions = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_velocities = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_accelerations = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_times = take_array(&call, 3, 2, 'd', false)) != NULL
+        && (in_starts = take_array(&call, 4, 1, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 5, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 6, 1, 'l', false)) != NULL
+        && (in_ends = take_array(&call, 7, 1, 'd', false)) != NULL
+        && (in_limits = take_array(&call, 8, 2, 'd', false)) != NULL
+        && take_float(&call, 9, &in_tolerance)
+        && (in_work = take_array(&call, 10, 2, 'd', true)) != NULL) {
+        answer = PyLong_FromLongLong(segfmu_check_plan(
+            (array_double_2d){in_positions->buf, {in_positions->shape[0], in_positions->shape[1]}},
+            (array_double_2d){in_velocities->buf, {in_velocities->shape[0], in_velocities->shape[1]}},
+            (array_double_2d){in_accelerations->buf, {in_accelerations->shape[0], in_accelerations->shape[1]}},
+            (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}},
+            (array_double_1d){in_starts->buf, {in_starts->shape[0]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
+            (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
+            in_tolerance,
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
     }
     release_arguments(&call);
     return answer;
@@ -634,9 +723,11 @@ static PyMethodDef methods[] = {
     {"shortest_profile", (PyCFunction)(void (*)(void))call_shortest_profile, METH_FASTCALL, NULL},
     {"timed_profile", (PyCFunction)(void (*)(void))call_timed_profile, METH_FASTCALL, NULL},
     {"plan_phases", (PyCFunction)(void (*)(void))call_plan_phases, METH_FASTCALL, NULL},
+    {"expand_phases", (PyCFunction)(void (*)(void))call_expand_phases, METH_FASTCALL, NULL},
     {"evaluate", (PyCFunction)(void (*)(void))call_evaluate, METH_FASTCALL, NULL},
     {"count_pieces", (PyCFunction)(void (*)(void))call_count_pieces, METH_FASTCALL, NULL},
     {"expand_plan", (PyCFunction)(void (*)(void))call_expand_plan, METH_FASTCALL, NULL},
+    {"check_plan", (PyCFunction)(void (*)(void))call_check_plan, METH_FASTCALL, NULL},
     {"feedback_correction", (PyCFunction)(void (*)(void))call_feedback_correction, METH_FASTCALL, NULL},
     {"crane_rhs", (PyCFunction)(void (*)(void))call_crane_rhs, METH_FASTCALL, NULL},
     {"crane_driven", (PyCFunction)(void (*)(void))call_crane_driven, METH_FASTCALL, NULL},

@@ -1,0 +1,106 @@
+"""Bringing a boundary acceleration to zero without passing the velocity limit.
+
+One ramp to zero is the obvious way. Where that ends beyond the velocity limit, a ramp past zero and
+back can still stay within it: it crosses zero while its jerk is high, and so gains less before.
+If no level beyond zero helps, no profile of ramps keeps the limit and the problem is refused; what
+comes after the acceleration is zero can always be planned (docs/planner.md).
+"""
+
+from segfmu.kernels.phases import append_change, copy_phases, measure_phases, reverse_phases
+from segfmu.kernels.transition import ramp_duration, ramp_extreme_velocity
+
+
+def peak_past_zero(v: float, a: float, level: float, ramp: 'float[:]') -> float:
+    """Extreme velocity of the ramp from a > 0 to a level <= 0 that starts with velocity v."""
+    duration, rise, slope = ramp_duration(a - level, ramp)
+    if level >= 0.0:
+        return v + 0.5 * a * duration
+    return ramp_extreme_velocity(v, a, level, duration, rise, ramp)
+
+
+def level_past_zero(
+    v: float, a: float, velocity_limit: float, top: float, ramp: 'float[:]'
+) -> float:
+    """The level next to zero past which a ramp from a > 0 keeps the limit; 1 if there is none."""
+    shrink = 0.6180339887498949
+    lower = -top
+    upper = 0.0
+    # golden section: the extreme velocity falls with the depth of the level, and may rise again
+    for i in range(60):
+        inner = upper - shrink * (upper - lower)
+        outer = lower + shrink * (upper - lower)
+        if peak_past_zero(v, a, inner, ramp) < peak_past_zero(v, a, outer, ramp):
+            upper = outer
+        else:
+            lower = inner
+    deepest = 0.5 * (lower + upper)
+    if peak_past_zero(v, a, -top, ramp) < peak_past_zero(v, a, deepest, ramp):
+        deepest = -top
+    if peak_past_zero(v, a, deepest, ramp) > velocity_limit:
+        return 1.0
+    inside = deepest
+    outside = 0.0
+    for i in range(60):
+        level = 0.5 * (inside + outside)
+        if peak_past_zero(v, a, level, ramp) <= velocity_limit:
+            inside = level
+        else:
+            outside = level
+    return inside
+
+
+def brake(
+    v: float, a: float, velocity_limit: float, top: float, ramp: 'float[:]', phases: 'float[:,:]'
+) -> 'tuple[int, float, float, float]':
+    """Phases from (v, a) to zero acceleration; their number (-1: the limit does not admit them).
+
+    Also returns duration, distance and end velocity.
+    """
+    count = append_change(phases, 0, a, 0.0, ramp)
+    duration, y, end, lowest, highest = measure_phases(phases, count, v, ramp)
+    if abs(end) > velocity_limit * (1.0 + 1e-12):
+        sign = 1.0
+        if a < 0.0:
+            sign = -1.0
+        level = sign * level_past_zero(sign * v, sign * a, velocity_limit, top, ramp)
+        if level * sign > 0.0:
+            return -1, 0.0, 0.0, 0.0
+        count = append_change(phases, 0, a, level, ramp)
+        count = append_change(phases, count, level, 0.0, ramp)
+        duration, y, end, lowest, highest = measure_phases(phases, count, v, ramp)
+        if abs(end) > velocity_limit:
+            return -1, 0.0, 0.0, 0.0
+    return count, duration, y, end
+
+
+def surround(
+    phases: 'float[:,:]',
+    count: int,
+    brake_start: bool,
+    v: float,
+    a: float,
+    brake_end: bool,
+    w: float,
+    b: float,
+    velocity_limit: float,
+    top: float,
+    ramp: 'float[:]',
+    trial: 'float[:,:]',
+) -> int:
+    """Put the braking of the initial and the build-up of the final acceleration around phases."""
+    if brake_start:
+        first, duration, y, end = brake(v, a, velocity_limit, top, ramp, trial)
+        for j in range(count):
+            i = count - 1 - j
+            for column in range(4):
+                phases[first + i, column] = phases[i, column]
+        copy_phases(trial, phases, first)
+        count = first + count
+    if brake_end:
+        last, duration, y, end = brake(w, -b, velocity_limit, top, ramp, trial)
+        reverse_phases(trial, 0, last)
+        for i in range(last):
+            for column in range(4):
+                phases[count + i, column] = trial[i, column]
+        count = count + last
+    return count

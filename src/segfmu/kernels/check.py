@@ -1,0 +1,180 @@
+"""A plan's pieces against its limits and waypoints, from the polynomials alone.
+
+A polynomial on [0, h] lies in the hull of its Bernstein coefficients. Where the hull passes a
+limit the interval is halved, until every part is within it or one of its ends is not. So the answer
+is exact, up to the tolerance that is allowed for rounding.
+"""
+
+from segfmu.kernels.evaluate import evaluate_piece, find_piece
+
+
+def bernstein_coefficients(
+    coefficients: 'float[:,:]',
+    row: int,
+    width: int,
+    derivative: int,
+    length: float,
+    hull: 'float[:,:]',
+) -> int:
+    """Bernstein coefficients of a derivative of one piece on [0, length] in hull[0, :].
+
+    Returns their number.
+    """
+    count = width - derivative
+    power = 1.0
+    binomial = 1.0
+    for i in range(count):
+        factor = 1.0
+        for m in range(derivative):
+            factor = factor * (i + derivative - m)
+        hull[0, i] = factor * coefficients[row, i + derivative] * power / binomial
+        power = power * length
+        binomial = binomial * (count - 1 - i) / (i + 1)
+    for r in range(1, count):
+        for j in range(count - r):
+            i = count - 1 - j
+            hull[0, i] = hull[0, i] + hull[0, i - 1]
+    return count
+
+
+def split_hull(hull: 'float[:,:]', row: int, count: int) -> None:
+    """Halve row `row` by de Casteljau's scheme: its first half stays, the second one follows."""
+    for i in range(count):
+        hull[row + 1, i] = hull[row, i]
+    # the last coefficients of the shrinking triangle are those of the second half, reversed
+    for r in range(1, count):
+        for i in range(count - r):
+            hull[row + 1, i] = 0.5 * (hull[row + 1, i] + hull[row + 1, i + 1])
+        hull[row, r] = hull[row + 1, 0]
+
+
+def within(hull: 'float[:,:]', count: int, limit: float) -> bool:
+    """Whether a polynomial given by the Bernstein coefficients hull[0, :] keeps a limit.
+
+    hull (40, 14) is work space.
+    """
+    rows = 1
+    hull[0, 13] = 0.0
+    while rows > 0:
+        row = rows - 1
+        largest = 0.0
+        total = 0.0
+        for i in range(count):
+            largest = max(largest, abs(hull[row, i]))
+            total = total + abs(hull[row, i])
+        # the sum is for values that are no numbers, which no comparison holds for
+        if largest <= limit and total <= count * limit:
+            rows = rows - 1
+            continue
+        ends = max(abs(hull[row, 0]), abs(hull[row, count - 1]))
+        depth = hull[row, 13]
+        if not ends <= limit or depth > 34.0:
+            return False
+        split_hull(hull, row, count)
+        hull[row, 13] = depth + 1.0
+        hull[row + 1, 13] = depth + 1.0
+        rows = rows + 1
+    return True
+
+
+def local_state(
+    coefficients: 'float[:,:]', row: int, width: int, t: float, count: int, state: 'float[:]'
+) -> None:
+    """Derivatives 0 .. count - 1 of one piece at local time t."""
+    for i in range(count):
+        state[i] = evaluate_piece(coefficients, row, width, t, i)
+
+
+def check_axis(
+    axis: int,
+    starts: 'float[:]',
+    coefficients: 'float[:,:]',
+    first: int,
+    last: int,
+    end: float,
+    limits: 'float[:,:]',
+    tolerance: float,
+    work: 'float[:,:]',
+) -> bool:
+    """Whether the pieces first .. last - 1 of one axis keep its limits and join smoothly."""
+    width = coefficients.shape[1]
+    order = limits.shape[1]
+    hull = work[0:40, :]
+    for i in range(14):
+        work[41, i] = 0.0
+    for row in range(first, last):
+        length = end - starts[row]
+        if row + 1 < last:
+            length = starts[row + 1] - starts[row]
+        for d in range(1, order + 1):
+            bound = limits[axis, d - 1]
+            if bound > 0.0:
+                count = bernstein_coefficients(coefficients, row, width, d, length, hull)
+                if not within(hull, count, bound * (1.0 + tolerance)):
+                    return False
+        local_state(coefficients, row, width, 0.0, order, work[40, :])
+        for i in range(order):
+            work[41, i] = max(work[41, i], abs(work[40, i]))
+    low = coefficients[first, 0]
+    high = low
+    for row in range(first, last):
+        low = min(low, coefficients[row, 0])
+        high = max(high, coefficients[row, 0])
+    work[41, 0] = max(1.0, high - low)
+    for row in range(first + 1, last):
+        local_state(
+            coefficients, row - 1, width, starts[row] - starts[row - 1], order, work[40, :]
+        )
+        for i in range(order):
+            following = evaluate_piece(coefficients, row, width, 0.0, i)
+            if not abs(work[40, i] - following) <= tolerance * work[41, i]:
+                return False
+    return True
+
+
+def check_plan(
+    positions: 'float[:,:]',
+    velocities: 'float[:,:]',
+    accelerations: 'float[:,:]',
+    times: 'float[:,:]',
+    starts: 'float[:]',
+    coefficients: 'float[:,:]',
+    offsets: 'int[:]',
+    ends: 'float[:]',
+    limits: 'float[:,:]',
+    tolerance: float,
+    work: 'float[:,:]',
+) -> int:
+    """Judge the pieces of every axis: 0, or 1 + the first axis that is not surely right.
+
+    Limits hold up to the relative tolerance, the derivatives 0 .. n are continuous up to it (in
+    units of the range of the position, at least 1 m, and of the peaks of the others), and the
+    waypoints are met up to it. Arrays as in `expand_plan`; work is (42, 14).
+    """
+    width = coefficients.shape[1]
+    points = positions.shape[0]
+    for axis in range(limits.shape[0]):
+        first = offsets[axis]
+        last = offsets[axis + 1]
+        if not check_axis(
+            axis, starts, coefficients, first, last, ends[axis], limits, tolerance, work
+        ):
+            return 1 + axis
+        for j in range(points + 1):
+            # the last waypoint is met on arrival and, after its dwell, at the end
+            point = min(j, points - 1)
+            time = times[point, axis]
+            if j == points:
+                time = ends[axis]
+            row = find_piece(time, starts, first, last)
+            local_state(coefficients, row, width, time - starts[row], 3, work[40, :])
+            missed = max(
+                abs(work[40, 0] - positions[point, axis]) / work[41, 0],
+                max(
+                    abs(work[40, 1] - velocities[point, axis]) / limits[axis, 0],
+                    abs(work[40, 2] - accelerations[point, axis]) / limits[axis, 1],
+                ),
+            )
+            if not missed <= tolerance:
+                return 1 + axis
+    return 0
