@@ -32,7 +32,8 @@ def judged(change=lambda arrays: None, limits: Limits = LIMITS) -> int:
         "limits": limits.table(2, 4),
     }
     change(arrays)
-    return check_plan(*arrays.values(), 1e-9, np.zeros((42, 14)))
+    with np.errstate(all="ignore"):
+        return check_plan(*arrays.values(), 1e-9, np.zeros((42, 14)))
 
 
 def test_a_plan_passes() -> None:
