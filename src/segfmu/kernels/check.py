@@ -121,6 +121,8 @@ def check_axis(
         low = min(low, coefficients[row, 0])
         high = max(high, coefficients[row, 0])
     work[41, 0] = max(1.0, high - low)
+    if not work[41, 0] < 1e300:
+        return False
     for row in range(first + 1, last):
         local_state(
             coefficients, row - 1, width, starts[row] - starts[row - 1], order, work[40, :]

@@ -3237,6 +3237,10 @@ static bool check_axis(int64_t axis, array_double_1d starts, array_double_2d coe
         high = span_max(high, (*cspan_at(&coefficients, row, INT64_C(0))));
     }
     (*cspan_at(&work, INT64_C(41), INT64_C(0))) = span_max(1.0, high - low);
+    if (!((*cspan_at(&work, INT64_C(41), INT64_C(0))) < 1e+300))
+    {
+        return 0;
+    }
     for (row = first + INT64_C(1); row < last; row += INT64_C(1))
     {
         local_state(coefficients, row - INT64_C(1), width, (*cspan_at(&starts, row)) - (*cspan_at(&starts, row - INT64_C(1))), order, span_row(&work, INT64_C(40)));
