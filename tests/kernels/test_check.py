@@ -25,7 +25,7 @@ def judged(change=lambda arrays: None, limits: Limits = LIMITS) -> int:
         "velocities": np.array([p.velocity for p in POINTS]),
         "accelerations": np.array([p.acceleration for p in POINTS]),
         "times": trajectory.axis_waypoint_times.copy(),
-        "starts": trajectory.starts.copy(),
+        "timing": trajectory.timing.copy(),
         "coefficients": trajectory.coefficients.copy(),
         "offsets": trajectory.offsets.copy(),
         "ends": trajectory.axis_durations.copy(),

@@ -17,10 +17,10 @@ def test_pieces_join_and_integrate(smoothness: int, shape: int, share: float) ->
     phases = np.array(
         [[0.5, 0.1, 0.0, 0.8], [0.3, 0.0, 0.8, 0.0], [0.7, 0.35, 0.8, -1.1], [0.2, 0.0, -0.3, 0.0]]
     )
-    starts, coefficients = np.zeros(28), np.zeros((28, 2 * smoothness))
+    timing, coefficients = np.zeros((28, 2)), np.zeros((28, 2 * smoothness))
     state = np.array([1.0, -0.2, 0.0, 0.0, 2.0])
     rows = expand_phases(
-        phases, 4, smoothness, shape, share, np.zeros(2 * smoothness), state, starts,
+        phases, 4, smoothness, shape, share, np.zeros(2 * smoothness), state, timing,
         coefficients, 0,
     )
     end = state[4]
@@ -29,7 +29,7 @@ def test_pieces_join_and_integrate(smoothness: int, shape: int, share: float) ->
     values = {d: np.zeros((times.size, 1)) for d in range(smoothness + 1)}
     for d, found in values.items():
         evaluate(
-            times, starts, coefficients, np.array([0, rows]), np.array([end]), d, found
+            times, timing, coefficients, np.array([0, rows]), np.array([end]), d, found
         )
     assert values[0][0, 0] == 1.0
     assert values[1][0, 0] == pytest.approx(-0.2)
@@ -45,9 +45,9 @@ def test_pieces_join_and_integrate(smoothness: int, shape: int, share: float) ->
 
 
 def test_outside_it_stays_in_the_end_position() -> None:
-    starts, coefficients = np.array([0.0]), np.array([[1.0, 2.0, 0.0, 0.0]])
+    timing, coefficients = np.array([[0.0, 1.0]]), np.array([[1.0, 2.0, 0.0, 0.0]])
     found = np.zeros((4, 1))
-    arguments = (starts, coefficients, np.array([0, 1]), np.array([1.0]))
+    arguments = (timing, coefficients, np.array([0, 1]), np.array([1.0]))
     evaluate(np.array([-1.0, 0.0, 1.0, 2.0]), *arguments, 0, found)
     assert found[:, 0].tolist() == [1.0, 1.0, 3.0, 3.0]
     evaluate(np.array([-1.0, 0.0, 1.0, 2.0]), *arguments, 1, found)
@@ -55,8 +55,19 @@ def test_outside_it_stays_in_the_end_position() -> None:
 
 
 def test_piece_is_found_by_its_start() -> None:
-    starts = np.array([0.0, 1.0, 2.0, 0.0, 5.0])
-    assert [find_piece(t, starts, 0, 3) for t in (-1.0, 0.0, 0.9, 1.0, 2.0, 9.0)] == [
+    timing = np.zeros((5, 2))
+    timing[:, 0] = [0.0, 1.0, 2.0, 0.0, 5.0]
+    assert [find_piece(t, timing, 0, 3) for t in (-1.0, 0.0, 0.9, 1.0, 2.0, 9.0)] == [
         0, 0, 0, 1, 2, 2,
     ]
-    assert [find_piece(t, starts, 3, 5) for t in (1.0, 5.0)] == [3, 4]
+    assert [find_piece(t, timing, 3, 5) for t in (1.0, 5.0)] == [3, 4]
+
+
+def test_a_piece_does_not_go_on_beyond_its_length() -> None:
+    # as where the clock of late starts is coarser than a piece is long
+    timing, coefficients = np.array([[0.0, 0.5], [1.0, 1.0]]), np.array([[0.0, 1.0], [0.5, 1.0]])
+    found = np.zeros((2, 1))
+    evaluate(
+        np.array([0.4, 0.9]), timing, coefficients, np.array([0, 2]), np.array([2.0]), 0, found
+    )
+    assert found[:, 0].tolist() == [0.4, 0.5]

@@ -32,17 +32,16 @@ def sampled(problem: AxisProblem, phases: np.ndarray) -> tuple[np.ndarray, np.nd
     """End state (position, velocity, acceleration) and peaks of derivatives 1 .. n + 1."""
     n = problem.smoothness
     rows = 7 * len(phases)
-    starts, coefficients = np.zeros(rows), np.zeros((rows, 2 * n))
+    timing, coefficients = np.zeros((rows, 2)), np.zeros((rows, 2 * n))
     state = np.array([0.0, problem.v, problem.a, 0.0, 0.0])
     used = expand_phases(
         phases, len(phases), n, problem.shape, float(problem.ramp()[40]), np.zeros(2 * n + 2),
-        state, starts, coefficients, 0,
+        state, timing, coefficients, 0,
     )
-    ends = np.append(starts[1:used], state[4])[:used]
     peaks = np.zeros(n + 1)
-    for start, end, row in zip(starts[:used], ends, coefficients[:used], strict=True):
+    for length, row in zip(timing[:used, 1], coefficients[:used], strict=True):
         piece = np.polynomial.Polynomial(row)
-        times = (end - start) * np.linspace(0.0, 1.0, 33)
+        times = length * np.linspace(0.0, 1.0, 33)
         for d in range(1, n + 2):
             peaks[d - 1] = max(peaks[d - 1], np.abs(piece.deriv(d)(times)).max())
     return state[:3], peaks

@@ -66,8 +66,8 @@ def test_errata_e9_one_ramp_alone() -> None:
         limits = Limits(1.0, 1.0, 1.875 * acceleration / time)
         trajectory = plan(points, limits, shape="smoothstep")
         assert trajectory.waypoint_times[1] == pytest.approx(time, rel=1e-12)
-        breaks, _ = trajectory.pieces(0)
-        assert np.count_nonzero(breaks < time * (1.0 - 1e-12)) == 1
+        starts, _, _ = trajectory.pieces(0)
+        assert np.count_nonzero(starts < time * (1.0 - 1e-12)) == 1
 
 
 def test_axes_meet_where_asked() -> None:

@@ -45,8 +45,8 @@ class LoadTrajectory(Protocol):
     def __call__(self, t: ArrayLike, derivative: int = 0) -> FloatArray:
         """Value of a derivative, shape (..., axes)."""
 
-    def pieces(self, axis: int) -> tuple[FloatArray, FloatArray]:
-        """Breaks, shape (pieces + 1,), and ascending coefficients, shape (pieces, width)."""
+    def pieces(self, axis: int) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Starts (pieces,), lengths (pieces,) and ascending coefficients (pieces, width)."""
 
 
 @dataclass(frozen=True)
@@ -71,7 +71,8 @@ def require_rope(crane: Crane, trajectory: LoadTrajectory) -> None:
     InfeasibleError
         With the time from which on this fails, and the worst value after it.
     """
-    breaks = np.unique(np.concatenate([trajectory.pieces(i)[0] for i in range(3)]))
+    ends = [np.append(p[0], p[0][-1] + p[1][-1]) for p in map(trajectory.pieces, range(3))]
+    breaks = np.unique(np.concatenate(ends))
     for demand in _demands(crane, trajectory, breaks):
         time = _first_negative(demand.polynomial, breaks)
         if time is None:
@@ -132,18 +133,19 @@ def _demands(crane: Crane, trajectory: LoadTrajectory, breaks: FloatArray) -> It
 
 def _local_pieces(trajectory: LoadTrajectory, axis: int, breaks: FloatArray) -> FloatArray:
     """Position of one axis as polynomials in the local time of every interval of `breaks`."""
-    own, coefficients = trajectory.pieces(axis)
+    own, lengths, coefficients = trajectory.pieces(axis)
     middles = 0.5 * (breaks[:-1] + breaks[1:])
-    rows = np.clip(np.searchsorted(own, middles, side="right") - 1, 0, own.size - 2)
+    rows = np.clip(np.searchsorted(own, middles, side="right") - 1, 0, own.size - 1)
     offsets = breaks[:-1] - own[rows]
     width = coefficients.shape[1]
     local = np.zeros((rows.size, width))
     for i in range(width):
         for j in range(i, width):
             local[:, i] += comb(j, i) * coefficients[rows, j] * offsets ** (j - i)
-    ended = middles > own[-1]
+    end = own[-1] + lengths[-1]
+    ended = middles > end
     local[ended] = 0.0
-    local[ended, 0] = trajectory(own[-1])[axis]
+    local[ended, 0] = trajectory(end)[axis]
     return local
 
 

@@ -87,11 +87,10 @@ def local_state(
 
 def check_axis(
     axis: int,
-    starts: 'float[:]',
+    timing: 'float[:,:]',
     coefficients: 'float[:,:]',
     first: int,
     last: int,
-    end: float,
     limits: 'float[:,:]',
     tolerance: float,
     work: 'float[:,:]',
@@ -103,9 +102,7 @@ def check_axis(
     for i in range(14):
         work[41, i] = 0.0
     for row in range(first, last):
-        length = end - starts[row]
-        if row + 1 < last:
-            length = starts[row + 1] - starts[row]
+        length = timing[row, 1]
         for d in range(1, order + 1):
             bound = limits[axis, d - 1]
             if bound > 0.0:
@@ -125,7 +122,7 @@ def check_axis(
         return False
     for row in range(first + 1, last):
         local_state(
-            coefficients, row - 1, width, starts[row] - starts[row - 1], order, work[40, :]
+            coefficients, row - 1, width, timing[row - 1, 1], order, work[40, :]
         )
         for i in range(order):
             following = evaluate_piece(coefficients, row, width, 0.0, i)
@@ -139,7 +136,7 @@ def check_plan(
     velocities: 'float[:,:]',
     accelerations: 'float[:,:]',
     times: 'float[:,:]',
-    starts: 'float[:]',
+    timing: 'float[:,:]',
     coefficients: 'float[:,:]',
     offsets: 'int[:]',
     ends: 'float[:]',
@@ -159,7 +156,7 @@ def check_plan(
         first = offsets[axis]
         last = offsets[axis + 1]
         if not check_axis(
-            axis, starts, coefficients, first, last, ends[axis], limits, tolerance, work
+            axis, timing, coefficients, first, last, limits, tolerance, work
         ):
             return 1 + axis
         for j in range(points + 1):
@@ -168,8 +165,9 @@ def check_plan(
             time = times[point, axis]
             if j == points:
                 time = ends[axis]
-            row = find_piece(time, starts, first, last)
-            local_state(coefficients, row, width, time - starts[row], 3, work[40, :])
+            row = find_piece(time, timing, first, last)
+            local = min(time - timing[row, 0], timing[row, 1])
+            local_state(coefficients, row, width, local, 3, work[40, :])
             missed = max(
                 abs(work[40, 0] - positions[point, axis]) / work[41, 0],
                 max(

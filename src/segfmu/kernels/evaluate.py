@@ -4,7 +4,8 @@ A phase is a row [duration, rise, acceleration at its start, acceleration change
 the change is zero, else a ramp of (11a-d). Its integrals (15a-g, errata E4) become polynomial
 pieces of the position in local time, ascending powers, 2 n coefficients each: one for a hold
 or a smoothstep ramp, up to three (jerk rises, stays, falls) for a plateau ramp, each rise being
-three where the snap has a plateau as well.
+three where the snap has a plateau as well. timing[row] is [start, length] of a piece: the length
+is kept beside the starts, as the difference of two late starts would not be exact.
 """
 
 from segfmu.kernels.transition import transition_coefficients
@@ -12,7 +13,7 @@ from segfmu.kernels.transition import transition_coefficients
 
 def append_piece(
     duration: float,
-    starts: 'float[:]',
+    timing: 'float[:,:]',
     coefficients: 'float[:,:]',
     row: int,
     width: int,
@@ -27,7 +28,8 @@ def append_piece(
     coefficients[row, 1] = state[1]
     coefficients[row, 2] = 0.5 * state[2]
     coefficients[row, 3] = coefficients[row, 3] + state[3] / 6.0
-    starts[row] = state[4]
+    timing[row, 0] = state[4]
+    timing[row, 1] = duration
     y = 0.0
     v = 0.0
     for j in range(width):
@@ -74,7 +76,7 @@ def expand_jerk_change(
     order: int,
     psi: 'float[:]',
     state: 'float[:]',
-    starts: 'float[:]',
+    timing: 'float[:,:]',
     coefficients: 'float[:,:]',
     row: int,
     width: int,
@@ -83,18 +85,18 @@ def expand_jerk_change(
     clear_piece(coefficients, row)
     if share <= 0.0:
         add_rise(jerk, rise, order, psi, coefficients, row)
-        return append_piece(rise, starts, coefficients, row, width, state)
+        return append_piece(rise, timing, coefficients, row, width, state)
     snap = jerk / (rise * (1.0 - share))
     edge = share * rise
     add_snap(snap, edge, order, psi, coefficients, row)
-    row = append_piece(edge, starts, coefficients, row, width, state)
+    row = append_piece(edge, timing, coefficients, row, width, state)
     clear_piece(coefficients, row)
     coefficients[row, 4] = snap / 24.0
-    row = append_piece(rise - 2.0 * edge, starts, coefficients, row, width, state)
+    row = append_piece(rise - 2.0 * edge, timing, coefficients, row, width, state)
     clear_piece(coefficients, row)
     coefficients[row, 4] = snap / 24.0
     add_snap(-snap, edge, order, psi, coefficients, row)
-    return append_piece(edge, starts, coefficients, row, width, state)
+    return append_piece(edge, timing, coefficients, row, width, state)
 
 
 def expand_phases(
@@ -105,7 +107,7 @@ def expand_phases(
     share: float,
     psi: 'float[:]',
     state: 'float[:]',
-    starts: 'float[:]',
+    timing: 'float[:,:]',
     coefficients: 'float[:,:]',
     row: int,
 ) -> int:
@@ -137,35 +139,35 @@ def expand_phases(
                 for j in range(order + 1, 2 * order + 2):
                     scale = change * psi[j] / ((j + 1.0) * (j + 2.0))
                     coefficients[row, j + 2] = scale / duration**j
-            row = append_piece(duration, starts, coefficients, row, width, state)
+            row = append_piece(duration, timing, coefficients, row, width, state)
         else:
             jerk = change / (duration - rise)
             flat = duration - 2.0 * rise
             row = expand_jerk_change(
-                jerk, rise, share, order, psi, state, starts, coefficients, row, width
+                jerk, rise, share, order, psi, state, timing, coefficients, row, width
             )
             state[2] = a + 0.5 * jerk * rise
             state[3] = jerk
             if flat > 0.0:
                 clear_piece(coefficients, row)
-                row = append_piece(flat, starts, coefficients, row, width, state)
+                row = append_piece(flat, timing, coefficients, row, width, state)
                 state[2] = a + change - 0.5 * jerk * rise
                 state[3] = jerk
             row = expand_jerk_change(
-                -jerk, rise, share, order, psi, state, starts, coefficients, row, width
+                -jerk, rise, share, order, psi, state, timing, coefficients, row, width
             )
         state[2] = a + change
         state[3] = 0.0
     return row
 
 
-def find_piece(time: float, starts: 'float[:]', first: int, last: int) -> int:
+def find_piece(time: float, timing: 'float[:,:]', first: int, last: int) -> int:
     """The row of first .. last - 1 whose piece holds `time`, by bisection."""
     lower = first
     upper = last
     while upper - lower > 1:
         middle = (lower + upper) // 2
-        if time >= starts[middle]:
+        if time >= timing[middle, 0]:
             lower = middle
         else:
             upper = middle
@@ -188,7 +190,7 @@ def evaluate_piece(
 
 def evaluate(
     times: 'float[:]',
-    starts: 'float[:]',
+    timing: 'float[:,:]',
     coefficients: 'float[:,:]',
     offsets: 'int[:]',
     ends: 'float[:]',
@@ -206,12 +208,12 @@ def evaluate(
         last = offsets[axis + 1]
         row = first
         for i in range(times.shape[0]):
-            t = min(max(times[i], starts[first]), ends[axis])
-            if t < starts[row] or (row + 1 < last and t >= starts[row + 1]):
-                row = find_piece(t, starts, first, last)
+            t = min(max(times[i], timing[first, 0]), ends[axis])
+            if t < timing[row, 0] or (row + 1 < last and t >= timing[row + 1, 0]):
+                row = find_piece(t, timing, first, last)
             if derivative > 0 and t != times[i]:
                 values[i, axis] = 0.0
             else:
-                values[i, axis] = evaluate_piece(
-                    coefficients, row, width, t - starts[row], derivative
-                )
+                # where the clock is coarser than a piece is long, the piece must not go on
+                local = min(t - timing[row, 0], timing[row, 1])
+                values[i, axis] = evaluate_piece(coefficients, row, width, local, derivative)

@@ -35,13 +35,13 @@ def shift_piece(
 
 def merge_pieces(
     weight: float,
-    end: float,
+    now: float,
     first_a: int,
     last_a: int,
     last_b: int,
-    scratch_starts: 'float[:]',
+    scratch_timing: 'float[:,:]',
     scratch: 'float[:,:]',
-    starts: 'float[:]',
+    timing: 'float[:,:]',
     coefficients: 'float[:,:]',
     row: int,
 ) -> int:
@@ -49,25 +49,29 @@ def merge_pieces(
     width = coefficients.shape[1]
     a = first_a
     b = last_a
-    t = scratch_starts[a]
-    while t < end:
+    t = now
+    t_a = 0.0
+    t_b = 0.0
+    while a < last_a and b < last_b:
         for i in range(width):
             coefficients[row, i] = 0.0
-        starts[row] = t
-        shift_piece(scratch, a, width, t - scratch_starts[a], 1.0 - weight, coefficients, row)
-        shift_piece(scratch, b, width, t - scratch_starts[b], weight, coefficients, row)
+        shift_piece(scratch, a, width, t_a, 1.0 - weight, coefficients, row)
+        shift_piece(scratch, b, width, t_b, weight, coefficients, row)
+        rest_a = scratch_timing[a, 1] - t_a
+        rest_b = scratch_timing[b, 1] - t_b
+        step = min(rest_a, rest_b)
+        timing[row, 0] = t
+        timing[row, 1] = step
+        t = t + step
+        t_a = t_a + step
+        t_b = t_b + step
         row = row + 1
-        next_a = end
-        next_b = end
-        if a + 1 < last_a:
-            next_a = scratch_starts[a + 1]
-        if b + 1 < last_b:
-            next_b = scratch_starts[b + 1]
-        t = min(next_a, next_b)
-        if next_a <= t and a + 1 < last_a:
+        if rest_a <= step:
             a = a + 1
-        if next_b <= t and b + 1 < last_b:
+            t_a = 0.0
+        if rest_b <= step:
             b = b + 1
+            t_b = 0.0
     return row
 
 
@@ -82,16 +86,16 @@ def expand_plan(
     weights: 'float[:]',
     durations: 'float[:,:]',
     ramps: 'float[:,:]',
-    scratch_starts: 'float[:]',
+    scratch_timing: 'float[:,:]',
     scratch: 'float[:,:]',
-    starts: 'float[:]',
+    timing: 'float[:,:]',
     coefficients: 'float[:,:]',
     offsets: 'int[:]',
     times: 'float[:,:]',
 ) -> int:
     """Expand a plan into the pieces of every axis; returns the number of pieces.
 
-    times[j, axis] becomes the arrival at waypoint j; offsets (axes + 1,); starts and
+    times[j, axis] becomes the arrival at waypoint j; offsets (axes + 1,); timing and
     coefficients (.., 2 smoothness) hold at least count_pieces rows, the scratch arrays (200,) and
     (200, 16), of which the last two rows serve as work space.
     """
@@ -108,13 +112,14 @@ def expand_plan(
                 for i in range(2 * smoothness):
                     coefficients[row, i] = 0.0
                 coefficients[row, 0] = positions[j, axis]
-                starts[row] = now
+                timing[row, 0] = now
+                timing[row, 1] = dwells[j]
                 now = now + dwells[j]
                 row = row + 1
             if j < intervals:
                 row = expand_interval(
                     j, axis, axes, now, positions, velocities, smoothness, shape, phases, counts,
-                    weights, durations, ramps, scratch_starts, scratch, starts, coefficients, row,
+                    weights, ramps, scratch_timing, scratch, timing, coefficients, row,
                 )
                 now = now + durations[j, axis]
     offsets[axes] = row
@@ -133,11 +138,10 @@ def expand_interval(
     phases: 'float[:,:,:]',
     counts: 'int[:]',
     weights: 'float[:]',
-    durations: 'float[:,:]',
     ramps: 'float[:,:]',
-    scratch_starts: 'float[:]',
+    scratch_timing: 'float[:,:]',
     scratch: 'float[:,:]',
-    starts: 'float[:]',
+    timing: 'float[:,:]',
     coefficients: 'float[:,:]',
     row: int,
 ) -> int:
@@ -155,20 +159,20 @@ def expand_interval(
             which = which + 1
         return expand_phases(
             phases[which, :, :], counts[which], smoothness, shape, ramps[axis, 40], psi, state,
-            starts, coefficients, row,
+            timing, coefficients, row,
         )
     middle = expand_phases(
         phases[2 * cell, :, :], counts[2 * cell], smoothness, shape, ramps[axis, 40], psi, state,
-        scratch_starts, scratch, 0,
+        scratch_timing, scratch, 0,
     )
     state[0] = positions[interval, axis]
     state[1] = velocities[interval, axis]
     state[4] = now
     last = expand_phases(
         phases[2 * cell + 1, :, :], counts[2 * cell + 1], smoothness, shape, ramps[axis, 40], psi,
-        state, scratch_starts, scratch, middle,
+        state, scratch_timing, scratch, middle,
     )
     return merge_pieces(
-        weight, now + durations[interval, axis], 0, middle, last, scratch_starts, scratch,
-        starts, coefficients, row,
+        weight, now, 0, middle, last, scratch_timing, scratch,
+        timing, coefficients, row,
     )

@@ -1,6 +1,12 @@
 """Lists of phases: rows [duration, rise, acceleration at the start, acceleration change]."""
 
-from segfmu.kernels.transition import ramp_distance, ramp_duration, ramp_extreme_velocity
+from segfmu.kernels.transition import (
+    ramp_change,
+    ramp_distance,
+    ramp_duration,
+    ramp_extreme_velocity,
+    ramp_rise,
+)
 
 
 def without_dust(value: float, scale: float) -> float:
@@ -13,17 +19,20 @@ def without_dust(value: float, scale: float) -> float:
 def append_ramp(
     phases: 'float[:,:]', count: int, a: float, b: float, duration: float, ramp: 'float[:]'
 ) -> int:
-    """Append a ramp of known duration from a to b; nothing if it has none."""
+    """Append the ramp from a to b whose duration was solved for; nothing if it has none.
+
+    The change follows from the duration, not from b - a: the rounding error of that difference
+    would be large against a small change, and break the limits of the ramp.
+    """
     if duration <= 0.0:
         return count
-    nominal, rise, slope = ramp_duration(abs(b - a), ramp)
-    share = 0.0
-    if nominal > 0.0:
-        share = rise / nominal
+    change, slope = ramp_change(duration, ramp)
+    if b < a:
+        change = -change
     phases[count, 0] = duration
-    phases[count, 1] = share * duration
+    phases[count, 1] = ramp_rise(duration, ramp)
     phases[count, 2] = a
-    phases[count, 3] = b - a
+    phases[count, 3] = change
     return count + 1
 
 
@@ -32,7 +41,13 @@ def append_change(
 ) -> int:
     """Append the fastest ramp from a to b; nothing if they are equal."""
     duration, rise, slope = ramp_duration(abs(b - a), ramp)
-    return append_ramp(phases, count, a, b, duration, ramp)
+    if duration <= 0.0:
+        return count
+    phases[count, 0] = duration
+    phases[count, 1] = rise
+    phases[count, 2] = a
+    phases[count, 3] = b - a
+    return count + 1
 
 
 def append_hold(phases: 'float[:,:]', count: int, a: float, duration: float) -> int:

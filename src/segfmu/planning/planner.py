@@ -115,15 +115,15 @@ def _solve(
     if status < 0:
         raise infeasible(status, report, points, table, names)
     rows = backend.count_pieces(counts, cells) + axes * (len(points) + 1)
-    starts = np.empty(rows)
+    timing = np.empty((rows, 2))
     coefficients = np.empty((rows, 2 * smoothness))
     offsets = np.zeros(axes + 1, dtype=np.int64)
     times = np.zeros((len(points), axes))
     used = backend.expand_plan(
         positions, velocities, dwells, smoothness, options[0], phases, counts, weights, durations,
-        ramps, np.empty(200), np.empty((200, 16)), starts, coefficients, offsets, times,
+        ramps, np.empty((200, 2)), np.empty((200, 16)), timing, coefficients, offsets, times,
     )
-    arrays = starts[:used], coefficients[:used], offsets, times, times[-1] + dwells[-1]
+    arrays = timing[:used], coefficients[:used], offsets, times, times[-1] + dwells[-1]
     for array in arrays:
         array.flags.writeable = False
     trajectory = Trajectory(points, limits, smoothness, shape, names, *arrays)

@@ -23,8 +23,8 @@ class Trajectory:
     ----------
     waypoints, limits, smoothness, shape
         What was planned.
-    starts : ndarray, shape (pieces,)
-        Start times of the polynomial pieces, axis after axis [s].
+    timing : ndarray, shape (pieces, 2)
+        Start and length of the polynomial pieces, axis after axis [s].
     coefficients : ndarray, shape (pieces, 2 * smoothness)
         Position in the local time of each piece, ascending powers.
     offsets : ndarray of int, shape (axes + 1,)
@@ -40,7 +40,7 @@ class Trajectory:
     smoothness: int
     shape: str
     axis_names: tuple[str, ...]
-    starts: FloatArray
+    timing: FloatArray
     coefficients: FloatArray
     offsets: NDArray[np.int64]
     axis_waypoint_times: FloatArray
@@ -95,23 +95,22 @@ class Trajectory:
         values = np.zeros((flat.size, self.axes))
         if derivative < self.coefficients.shape[1]:
             backend.evaluate(
-                flat, self.starts, self.coefficients, self.offsets, self.axis_durations,
+                flat, self.timing, self.coefficients, self.offsets, self.axis_durations,
                 int(derivative), values,
             )
         return values.reshape((*times.shape, self.axes))
 
-    def pieces(self, axis: int) -> tuple[FloatArray, FloatArray]:
-        """Breaks, shape (pieces + 1,), and coefficients of one axis, shape (pieces, width)."""
+    def pieces(self, axis: int) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Starts (pieces,), lengths (pieces,) and coefficients (pieces, width) of one axis."""
         rows = slice(int(self.offsets[axis]), int(self.offsets[axis + 1]))
-        breaks = np.append(self.starts[rows], self.axis_durations[axis])
-        return breaks, self.coefficients[rows]
+        return self.timing[rows, 0], self.timing[rows, 1], self.coefficients[rows]
 
     def extrema(self, derivative: int) -> tuple[FloatArray, FloatArray]:
         """Exact minimum and maximum of a derivative, each of shape (axes,)."""
         found = np.empty((self.axes, 2))
         for axis in range(self.axes):
-            breaks, coefficients = self.pieces(axis)
-            found[axis] = extrema(coefficients, np.diff(breaks), derivative)
+            _, lengths, coefficients = self.pieces(axis)
+            found[axis] = extrema(coefficients, lengths, derivative)
         return found[:, 0], found[:, 1]
 
     def interval(self, t: float) -> int:

@@ -75,8 +75,7 @@ def _magnitude(trajectory: Trajectory, derivative: int) -> FloatArray:
 
 def _states(trajectory: Trajectory, axis: int, count: int) -> tuple[FloatArray, FloatArray]:
     """Derivatives 0 .. count - 1 at both ends of every piece, each (count, pieces)."""
-    breaks, coefficients = trajectory.pieces(axis)
-    lengths = np.diff(breaks)
+    _, lengths, coefficients = trajectory.pieces(axis)
     left = np.empty((count, lengths.size))
     right = np.empty((count, lengths.size))
     for d in range(count):
@@ -103,17 +102,17 @@ def _jumps(trajectory: Trajectory, limits: FloatArray, peaks: FloatArray) -> Flo
 def _waypoint_error(trajectory: Trajectory, limits: FloatArray) -> float:
     worst = 0.0
     for axis in range(trajectory.axes):
-        breaks = trajectory.pieces(axis)[0]
+        starts = trajectory.pieces(axis)[0]
         left, right = _states(trajectory, axis, 3)
         low, high = trajectory.extrema(0)
         scale = np.array([max(high[axis] - low[axis], 1.0), limits[0, axis], limits[1, axis]])
         for j, waypoint in enumerate(trajectory.waypoints):
             time = trajectory.axis_waypoint_times[j, axis]
-            row = int(np.searchsorted(breaks[:-1], time, side="left"))
+            row = int(np.searchsorted(starts, time, side="left"))
             asked = np.array(
                 [waypoint.position[axis], waypoint.velocity[axis], waypoint.acceleration[axis]]
             )
-            sides = [left[:, row]] if row < breaks.size - 1 else []
+            sides = [left[:, row]] if row < starts.size else []
             sides += [right[:, row - 1]] if row > 0 else []
             worst = max([worst, *(float(np.max(np.abs(s - asked) / scale)) for s in sides)])
     return worst

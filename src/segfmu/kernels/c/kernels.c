@@ -64,20 +64,20 @@ static bool distribute(int64_t first, int64_t last, double target, array_double_
 static bool rewrite_intervals(int64_t first, int64_t last, array_double_2d shortest, array_double_2d durations, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial);
 static int64_t synchronize_plan(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d dwells, array_double_2d limits, int64_t synchronization, double sample_time, double duration, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d shortest, array_double_2d durations, array_int64_t_1d active, array_double_2d work, array_double_1d report);
 static double evaluate_piece(array_double_2d coefficients, int64_t row, int64_t width, double t, int64_t derivative);
-static int64_t append_piece(double duration, array_double_1d starts, array_double_2d coefficients, int64_t row, int64_t width, array_double_1d state);
+static int64_t append_piece(double duration, array_double_2d timing, array_double_2d coefficients, int64_t row, int64_t width, array_double_1d state);
 static void clear_piece(array_double_2d coefficients, int64_t row);
 static void add_rise(double jerk, double rise, int64_t order, array_double_1d psi, array_double_2d coefficients, int64_t row);
 static void add_snap(double snap, double rise, int64_t order, array_double_1d psi, array_double_2d coefficients, int64_t row);
-static int64_t expand_jerk_change(double jerk, double rise, double share, int64_t order, array_double_1d psi, array_double_1d state, array_double_1d starts, array_double_2d coefficients, int64_t row, int64_t width);
-static int64_t find_piece(double time, array_double_1d starts, int64_t first, int64_t last);
+static int64_t expand_jerk_change(double jerk, double rise, double share, int64_t order, array_double_1d psi, array_double_1d state, array_double_2d timing, array_double_2d coefficients, int64_t row, int64_t width);
+static int64_t find_piece(double time, array_double_2d timing, int64_t first, int64_t last);
 static void shift_piece(array_double_2d coefficients, int64_t source, int64_t width, double t, double weight, array_double_2d target, int64_t row);
-static int64_t merge_pieces(double weight, double end, int64_t first_a, int64_t last_a, int64_t last_b, array_double_1d scratch_starts, array_double_2d scratch, array_double_1d starts, array_double_2d coefficients, int64_t row);
-static int64_t expand_interval(int64_t interval, int64_t axis, int64_t axes, double now, array_double_2d positions, array_double_2d velocities, int64_t smoothness, int64_t shape, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d durations, array_double_2d ramps, array_double_1d scratch_starts, array_double_2d scratch, array_double_1d starts, array_double_2d coefficients, int64_t row);
+static int64_t merge_pieces(double weight, double now, int64_t first_a, int64_t last_a, int64_t last_b, array_double_2d scratch_timing, array_double_2d scratch, array_double_2d timing, array_double_2d coefficients, int64_t row);
+static int64_t expand_interval(int64_t interval, int64_t axis, int64_t axes, double now, array_double_2d positions, array_double_2d velocities, int64_t smoothness, int64_t shape, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d ramps, array_double_2d scratch_timing, array_double_2d scratch, array_double_2d timing, array_double_2d coefficients, int64_t row);
 static int64_t bernstein_coefficients(array_double_2d coefficients, int64_t row, int64_t width, int64_t derivative, double length, array_double_2d hull);
 static void split_hull(array_double_2d hull, int64_t row, int64_t count);
 static bool within(array_double_2d hull, int64_t count, double limit);
 static void local_state(array_double_2d coefficients, int64_t row, int64_t width, double t, int64_t count, array_double_1d state);
-static bool check_axis(int64_t axis, array_double_1d starts, array_double_2d coefficients, int64_t first, int64_t last, double end, array_double_2d limits, double tolerance, array_double_2d work);
+static bool check_axis(int64_t axis, array_double_2d timing, array_double_2d coefficients, int64_t first, int64_t last, array_double_2d limits, double tolerance, array_double_2d work);
 static double stage_row(int64_t stage, array_double_1d row);
 static void error_weights(array_double_1d row);
 static void state_derivative(bool driven, double t, array_double_1d state, array_double_1d drive, array_double_1d drive_rate, array_double_1d torque, array_double_1d load_force, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d work, array_double_1d derivative);
@@ -661,28 +661,29 @@ static double without_dust(double value, double scale)
     }
     return value;
 }
-/*Append a ramp of known duration from a to b; nothing if it has none. */
+/*Append the ramp from a to b whose duration was solved for; nothing if it has none.             */
+/*                                                                                               */
+/*    The change follows from the duration, not from b - a: the rounding error of that difference*/
+/*    would be large against a small change, and break the limits of the ramp.                   */
+/*                                                                                               */
 static int64_t append_ramp(array_double_2d phases, int64_t count, double a, double b, double duration, array_double_1d ramp)
 {
-    double nominal;
-    double rise;
+    double change;
     double slope;
-    double share;
     int64_t result;
     if (duration <= 0.0)
     {
         return count;
     }
-    segfmu_ramp_duration(&nominal, &rise, &slope, fabs(b - a), ramp);
-    share = 0.0;
-    if (nominal > 0.0)
+    ramp_change(&change, &slope, duration, ramp);
+    if (b < a)
     {
-        share = rise / nominal;
+        change = -change;
     }
     (*cspan_at(&phases, count, INT64_C(0))) = duration;
-    (*cspan_at(&phases, count, INT64_C(1))) = share * duration;
+    (*cspan_at(&phases, count, INT64_C(1))) = ramp_rise(duration, ramp);
     (*cspan_at(&phases, count, INT64_C(2))) = a;
-    (*cspan_at(&phases, count, INT64_C(3))) = b - a;
+    (*cspan_at(&phases, count, INT64_C(3))) = change;
     return count + INT64_C(1);
 }
 /*Append the fastest ramp from a to b; nothing if they are equal.*/
@@ -693,8 +694,15 @@ static int64_t append_change(array_double_2d phases, int64_t count, double a, do
     double slope;
     int64_t result;
     segfmu_ramp_duration(&duration, &rise, &slope, fabs(b - a), ramp);
-    result = append_ramp(phases, count, a, b, duration, ramp);
-    return result;
+    if (duration <= 0.0)
+    {
+        return count;
+    }
+    (*cspan_at(&phases, count, INT64_C(0))) = duration;
+    (*cspan_at(&phases, count, INT64_C(1))) = rise;
+    (*cspan_at(&phases, count, INT64_C(2))) = a;
+    (*cspan_at(&phases, count, INT64_C(3))) = b - a;
+    return count + INT64_C(1);
 }
 /*Append a phase of constant acceleration; nothing if it has no duration.*/
 static int64_t append_hold(array_double_2d phases, int64_t count, double a, double duration)
@@ -2687,7 +2695,7 @@ static double evaluate_piece(array_double_2d coefficients, int64_t row, int64_t 
 /*    state = position, velocity, acceleration, jerk and time at the start of the piece. Returns */
 /*    row + 1.                                                                                   */
 /*                                                                                               */
-static int64_t append_piece(double duration, array_double_1d starts, array_double_2d coefficients, int64_t row, int64_t width, array_double_1d state)
+static int64_t append_piece(double duration, array_double_2d timing, array_double_2d coefficients, int64_t row, int64_t width, array_double_1d state)
 {
     double y;
     double v;
@@ -2698,7 +2706,8 @@ static int64_t append_piece(double duration, array_double_1d starts, array_doubl
     (*cspan_at(&coefficients, row, INT64_C(1))) = (*cspan_at(&state, INT64_C(1)));
     (*cspan_at(&coefficients, row, INT64_C(2))) = 0.5 * (*cspan_at(&state, INT64_C(2)));
     (*cspan_at(&coefficients, row, INT64_C(3))) = (*cspan_at(&coefficients, row, INT64_C(3))) + (*cspan_at(&state, INT64_C(3))) / 6.0;
-    (*cspan_at(&starts, row)) = (*cspan_at(&state, INT64_C(4)));
+    (*cspan_at(&timing, row, INT64_C(0))) = (*cspan_at(&state, INT64_C(4)));
+    (*cspan_at(&timing, row, INT64_C(1))) = duration;
     y = 0.0;
     v = 0.0;
     for (j = INT64_C(0); j < width; j += INT64_C(1))
@@ -2749,7 +2758,7 @@ static void add_snap(double snap, double rise, int64_t order, array_double_1d ps
     }
 }
 /*Pieces in which the jerk changes by `jerk` within `rise`; returns the row after them.*/
-static int64_t expand_jerk_change(double jerk, double rise, double share, int64_t order, array_double_1d psi, array_double_1d state, array_double_1d starts, array_double_2d coefficients, int64_t row, int64_t width)
+static int64_t expand_jerk_change(double jerk, double rise, double share, int64_t order, array_double_1d psi, array_double_1d state, array_double_2d timing, array_double_2d coefficients, int64_t row, int64_t width)
 {
     double snap;
     double edge;
@@ -2758,20 +2767,20 @@ static int64_t expand_jerk_change(double jerk, double rise, double share, int64_
     if (share <= 0.0)
     {
         add_rise(jerk, rise, order, psi, coefficients, row);
-        result = append_piece(rise, starts, coefficients, row, width, state);
+        result = append_piece(rise, timing, coefficients, row, width, state);
         return result;
     }
     snap = jerk / (rise * (1.0 - share));
     edge = share * rise;
     add_snap(snap, edge, order, psi, coefficients, row);
-    row = append_piece(edge, starts, coefficients, row, width, state);
+    row = append_piece(edge, timing, coefficients, row, width, state);
     clear_piece(coefficients, row);
     (*cspan_at(&coefficients, row, INT64_C(4))) = snap / 24.0;
-    row = append_piece(rise - 2.0 * edge, starts, coefficients, row, width, state);
+    row = append_piece(rise - 2.0 * edge, timing, coefficients, row, width, state);
     clear_piece(coefficients, row);
     (*cspan_at(&coefficients, row, INT64_C(4))) = snap / 24.0;
     add_snap(-snap, edge, order, psi, coefficients, row);
-    result = append_piece(edge, starts, coefficients, row, width, state);
+    result = append_piece(edge, timing, coefficients, row, width, state);
     return result;
 }
 /*Expand `count` phases into pieces from `row` on; returns the row after the last one.             */
@@ -2780,7 +2789,7 @@ static int64_t expand_jerk_change(double jerk, double rise, double share, int64_
 /*    to the end; psi is work space for 2 n numbers; share is the one of the snap's rise in that of*/
 /*    the jerk, 0 where the snap has no plateau.                                                   */
 /*                                                                                                 */
-int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, int64_t smoothness, int64_t shape, double share, array_double_1d psi, array_double_1d state, array_double_1d starts, array_double_2d coefficients, int64_t row)
+int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, int64_t smoothness, int64_t shape, double share, array_double_1d psi, array_double_1d state, array_double_2d timing, array_double_2d coefficients, int64_t row)
 {
     int64_t width;
     int64_t k;
@@ -2828,23 +2837,23 @@ int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, int64_t smoo
                     (*cspan_at(&coefficients, row, j + INT64_C(2))) = scale / pow(duration, (double)(j));
                 }
             }
-            row = append_piece(duration, starts, coefficients, row, width, state);
+            row = append_piece(duration, timing, coefficients, row, width, state);
         }
         else
         {
             jerk = change / (duration - rise);
             flat = duration - 2.0 * rise;
-            row = expand_jerk_change(jerk, rise, share, order, psi, state, starts, coefficients, row, width);
+            row = expand_jerk_change(jerk, rise, share, order, psi, state, timing, coefficients, row, width);
             (*cspan_at(&state, INT64_C(2))) = a + 0.5 * jerk * rise;
             (*cspan_at(&state, INT64_C(3))) = jerk;
             if (flat > 0.0)
             {
                 clear_piece(coefficients, row);
-                row = append_piece(flat, starts, coefficients, row, width, state);
+                row = append_piece(flat, timing, coefficients, row, width, state);
                 (*cspan_at(&state, INT64_C(2))) = a + change - 0.5 * jerk * rise;
                 (*cspan_at(&state, INT64_C(3))) = jerk;
             }
-            row = expand_jerk_change(-jerk, rise, share, order, psi, state, starts, coefficients, row, width);
+            row = expand_jerk_change(-jerk, rise, share, order, psi, state, timing, coefficients, row, width);
         }
         (*cspan_at(&state, INT64_C(2))) = a + change;
         (*cspan_at(&state, INT64_C(3))) = 0.0;
@@ -2852,7 +2861,7 @@ int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, int64_t smoo
     return row;
 }
 /*The row of first .. last - 1 whose piece holds `time`, by bisection. */
-static int64_t find_piece(double time, array_double_1d starts, int64_t first, int64_t last)
+static int64_t find_piece(double time, array_double_2d timing, int64_t first, int64_t last)
 {
     int64_t upper;
     int64_t middle;
@@ -2862,7 +2871,7 @@ static int64_t find_piece(double time, array_double_1d starts, int64_t first, in
     while(upper - lower > INT64_C(1))
     {
         middle = span_floor_div((lower + upper), INT64_C(2));
-        if (time >= (*cspan_at(&starts, middle)))
+        if (time >= (*cspan_at(&timing, middle, INT64_C(0))))
         {
             lower = middle;
         }
@@ -2878,7 +2887,7 @@ static int64_t find_piece(double time, array_double_1d starts, int64_t first, in
 /*    The pieces of axis i are the rows offsets[i] .. offsets[i + 1] - 1; ends[i] is its duration. */
 /*    Before its start and after its end an axis stays in its end position, all derivatives zero.  */
 /*                                                                                                 */
-void segfmu_evaluate(array_double_1d times, array_double_1d starts, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, int64_t derivative, array_double_2d values)
+void segfmu_evaluate(array_double_1d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, int64_t derivative, array_double_2d values)
 {
     int64_t width;
     int64_t axis;
@@ -2887,6 +2896,7 @@ void segfmu_evaluate(array_double_1d times, array_double_1d starts, array_double
     int64_t row;
     int64_t i;
     double t;
+    double local;
     width = coefficients.shape[INT64_C(1)];
     for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
     {
@@ -2895,10 +2905,10 @@ void segfmu_evaluate(array_double_1d times, array_double_1d starts, array_double
         row = first;
         for (i = INT64_C(0); i < times.shape[INT64_C(0)]; i += INT64_C(1))
         {
-            t = span_min(span_max((*cspan_at(&times, i)), (*cspan_at(&starts, first))), (*cspan_at(&ends, axis)));
-            if ((t < (*cspan_at(&starts, row))) || ((row + INT64_C(1) < last) && (t >= (*cspan_at(&starts, row + INT64_C(1))))))
+            t = span_min(span_max((*cspan_at(&times, i)), (*cspan_at(&timing, first, INT64_C(0)))), (*cspan_at(&ends, axis)));
+            if ((t < (*cspan_at(&timing, row, INT64_C(0)))) || ((row + INT64_C(1) < last) && (t >= (*cspan_at(&timing, row + INT64_C(1), INT64_C(0))))))
             {
-                row = find_piece(t, starts, first, last);
+                row = find_piece(t, timing, first, last);
             }
             if ((derivative > INT64_C(0)) && (t != (*cspan_at(&times, i))))
             {
@@ -2906,7 +2916,9 @@ void segfmu_evaluate(array_double_1d times, array_double_1d starts, array_double
             }
             else
             {
-                (*cspan_at(&values, i, axis)) = evaluate_piece(coefficients, row, width, t - (*cspan_at(&starts, row)), derivative);
+                /*where the clock is coarser than a piece is long, the piece must not go on*/
+                local = span_min(t - (*cspan_at(&timing, row, INT64_C(0))), (*cspan_at(&timing, row, INT64_C(1))));
+                (*cspan_at(&values, i, axis)) = evaluate_piece(coefficients, row, width, local, derivative);
             }
         }
     }
@@ -2941,54 +2953,57 @@ static void shift_piece(array_double_2d coefficients, int64_t source, int64_t wi
     }
 }
 /*(1 - weight) * pieces first_a .. last_a - 1 + weight * pieces last_a .. last_b - 1.*/
-static int64_t merge_pieces(double weight, double end, int64_t first_a, int64_t last_a, int64_t last_b, array_double_1d scratch_starts, array_double_2d scratch, array_double_1d starts, array_double_2d coefficients, int64_t row)
+static int64_t merge_pieces(double weight, double now, int64_t first_a, int64_t last_a, int64_t last_b, array_double_2d scratch_timing, array_double_2d scratch, array_double_2d timing, array_double_2d coefficients, int64_t row)
 {
     int64_t width;
     int64_t a;
     int64_t b;
     double t;
+    double t_a;
+    double t_b;
     int64_t i;
-    double next_a;
-    double next_b;
+    double rest_a;
+    double rest_b;
+    double step;
     int64_t result;
     width = coefficients.shape[INT64_C(1)];
     a = first_a;
     b = last_a;
-    t = (*cspan_at(&scratch_starts, a));
-    while(t < end)
+    t = now;
+    t_a = 0.0;
+    t_b = 0.0;
+    while((a < last_a) && (b < last_b))
     {
         for (i = INT64_C(0); i < width; i += INT64_C(1))
         {
             (*cspan_at(&coefficients, row, i)) = 0.0;
         }
-        (*cspan_at(&starts, row)) = t;
-        shift_piece(scratch, a, width, t - (*cspan_at(&scratch_starts, a)), 1.0 - weight, coefficients, row);
-        shift_piece(scratch, b, width, t - (*cspan_at(&scratch_starts, b)), weight, coefficients, row);
+        shift_piece(scratch, a, width, t_a, 1.0 - weight, coefficients, row);
+        shift_piece(scratch, b, width, t_b, weight, coefficients, row);
+        rest_a = (*cspan_at(&scratch_timing, a, INT64_C(1))) - t_a;
+        rest_b = (*cspan_at(&scratch_timing, b, INT64_C(1))) - t_b;
+        step = span_min(rest_a, rest_b);
+        (*cspan_at(&timing, row, INT64_C(0))) = t;
+        (*cspan_at(&timing, row, INT64_C(1))) = step;
+        t = t + step;
+        t_a = t_a + step;
+        t_b = t_b + step;
         row = row + INT64_C(1);
-        next_a = end;
-        next_b = end;
-        if (a + INT64_C(1) < last_a)
-        {
-            next_a = (*cspan_at(&scratch_starts, a + INT64_C(1)));
-        }
-        if (b + INT64_C(1) < last_b)
-        {
-            next_b = (*cspan_at(&scratch_starts, b + INT64_C(1)));
-        }
-        t = span_min(next_a, next_b);
-        if ((next_a <= t) && (a + INT64_C(1) < last_a))
+        if (rest_a <= step)
         {
             a = a + INT64_C(1);
+            t_a = 0.0;
         }
-        if ((next_b <= t) && (b + INT64_C(1) < last_b))
+        if (rest_b <= step)
         {
             b = b + INT64_C(1);
+            t_b = 0.0;
         }
     }
     return row;
 }
 /*Expand one interval of one axis from `row` on; returns the row after its last piece. */
-static int64_t expand_interval(int64_t interval, int64_t axis, int64_t axes, double now, array_double_2d positions, array_double_2d velocities, int64_t smoothness, int64_t shape, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d durations, array_double_2d ramps, array_double_1d scratch_starts, array_double_2d scratch, array_double_1d starts, array_double_2d coefficients, int64_t row)
+static int64_t expand_interval(int64_t interval, int64_t axis, int64_t axes, double now, array_double_2d positions, array_double_2d velocities, int64_t smoothness, int64_t shape, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d ramps, array_double_2d scratch_timing, array_double_2d scratch, array_double_2d timing, array_double_2d coefficients, int64_t row)
 {
     int64_t cell;
     double weight;
@@ -3012,24 +3027,24 @@ static int64_t expand_interval(int64_t interval, int64_t axis, int64_t axes, dou
         {
             which = which + INT64_C(1);
         }
-        result = segfmu_expand_phases(span_matrix(&phases, which), (*cspan_at(&counts, which)), smoothness, shape, (*cspan_at(&ramps, axis, INT64_C(40))), psi, state, starts, coefficients, row);
+        result = segfmu_expand_phases(span_matrix(&phases, which), (*cspan_at(&counts, which)), smoothness, shape, (*cspan_at(&ramps, axis, INT64_C(40))), psi, state, timing, coefficients, row);
         return result;
     }
-    middle = segfmu_expand_phases(span_matrix(&phases, INT64_C(2) * cell), (*cspan_at(&counts, INT64_C(2) * cell)), smoothness, shape, (*cspan_at(&ramps, axis, INT64_C(40))), psi, state, scratch_starts, scratch, INT64_C(0));
+    middle = segfmu_expand_phases(span_matrix(&phases, INT64_C(2) * cell), (*cspan_at(&counts, INT64_C(2) * cell)), smoothness, shape, (*cspan_at(&ramps, axis, INT64_C(40))), psi, state, scratch_timing, scratch, INT64_C(0));
     (*cspan_at(&state, INT64_C(0))) = (*cspan_at(&positions, interval, axis));
     (*cspan_at(&state, INT64_C(1))) = (*cspan_at(&velocities, interval, axis));
     (*cspan_at(&state, INT64_C(4))) = now;
-    last = segfmu_expand_phases(span_matrix(&phases, INT64_C(2) * cell + INT64_C(1)), (*cspan_at(&counts, INT64_C(2) * cell + INT64_C(1))), smoothness, shape, (*cspan_at(&ramps, axis, INT64_C(40))), psi, state, scratch_starts, scratch, middle);
-    result = merge_pieces(weight, now + (*cspan_at(&durations, interval, axis)), INT64_C(0), middle, last, scratch_starts, scratch, starts, coefficients, row);
+    last = segfmu_expand_phases(span_matrix(&phases, INT64_C(2) * cell + INT64_C(1)), (*cspan_at(&counts, INT64_C(2) * cell + INT64_C(1))), smoothness, shape, (*cspan_at(&ramps, axis, INT64_C(40))), psi, state, scratch_timing, scratch, middle);
+    result = merge_pieces(weight, now, INT64_C(0), middle, last, scratch_timing, scratch, timing, coefficients, row);
     return result;
 }
 /*Expand a plan into the pieces of every axis; returns the number of pieces.                         */
 /*                                                                                                   */
-/*    times[j, axis] becomes the arrival at waypoint j; offsets (axes + 1,); starts and              */
+/*    times[j, axis] becomes the arrival at waypoint j; offsets (axes + 1,); timing and              */
 /*    coefficients (.., 2 smoothness) hold at least count_pieces rows, the scratch arrays (200,) and */
 /*    (200, 16), of which the last two rows serve as work space.                                     */
 /*                                                                                                   */
-int64_t segfmu_expand_plan(array_double_2d positions, array_double_2d velocities, array_double_1d dwells, int64_t smoothness, int64_t shape, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d durations, array_double_2d ramps, array_double_1d scratch_starts, array_double_2d scratch, array_double_1d starts, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times)
+int64_t segfmu_expand_plan(array_double_2d positions, array_double_2d velocities, array_double_1d dwells, int64_t smoothness, int64_t shape, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d durations, array_double_2d ramps, array_double_2d scratch_timing, array_double_2d scratch, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times)
 {
     int64_t intervals;
     int64_t axes;
@@ -3056,13 +3071,14 @@ int64_t segfmu_expand_plan(array_double_2d positions, array_double_2d velocities
                     (*cspan_at(&coefficients, row, i)) = 0.0;
                 }
                 (*cspan_at(&coefficients, row, INT64_C(0))) = (*cspan_at(&positions, j, axis));
-                (*cspan_at(&starts, row)) = now;
+                (*cspan_at(&timing, row, INT64_C(0))) = now;
+                (*cspan_at(&timing, row, INT64_C(1))) = (*cspan_at(&dwells, j));
                 now = now + (*cspan_at(&dwells, j));
                 row = row + INT64_C(1);
             }
             if (j < intervals)
             {
-                row = expand_interval(j, axis, axes, now, positions, velocities, smoothness, shape, phases, counts, weights, durations, ramps, scratch_starts, scratch, starts, coefficients, row);
+                row = expand_interval(j, axis, axes, now, positions, velocities, smoothness, shape, phases, counts, weights, ramps, scratch_timing, scratch, timing, coefficients, row);
                 now = now + (*cspan_at(&durations, j, axis));
             }
         }
@@ -3182,7 +3198,7 @@ static void local_state(array_double_2d coefficients, int64_t row, int64_t width
     }
 }
 /*Whether the pieces first .. last - 1 of one axis keep its limits and join smoothly.*/
-static bool check_axis(int64_t axis, array_double_1d starts, array_double_2d coefficients, int64_t first, int64_t last, double end, array_double_2d limits, double tolerance, array_double_2d work)
+static bool check_axis(int64_t axis, array_double_2d timing, array_double_2d coefficients, int64_t first, int64_t last, array_double_2d limits, double tolerance, array_double_2d work)
 {
     int64_t width;
     int64_t order;
@@ -3206,11 +3222,7 @@ static bool check_axis(int64_t axis, array_double_1d starts, array_double_2d coe
     }
     for (row = first; row < last; row += INT64_C(1))
     {
-        length = end - (*cspan_at(&starts, row));
-        if (row + INT64_C(1) < last)
-        {
-            length = (*cspan_at(&starts, row + INT64_C(1))) - (*cspan_at(&starts, row));
-        }
+        length = (*cspan_at(&timing, row, INT64_C(1)));
         for (d = INT64_C(1); d < order + INT64_C(1); d += INT64_C(1))
         {
             bound = (*cspan_at(&limits, axis, d - INT64_C(1)));
@@ -3243,7 +3255,7 @@ static bool check_axis(int64_t axis, array_double_1d starts, array_double_2d coe
     }
     for (row = first + INT64_C(1); row < last; row += INT64_C(1))
     {
-        local_state(coefficients, row - INT64_C(1), width, (*cspan_at(&starts, row)) - (*cspan_at(&starts, row - INT64_C(1))), order, span_row(&work, INT64_C(40)));
+        local_state(coefficients, row - INT64_C(1), width, (*cspan_at(&timing, row - INT64_C(1), INT64_C(1))), order, span_row(&work, INT64_C(40)));
         for (i = INT64_C(0); i < order; i += INT64_C(1))
         {
             following = evaluate_piece(coefficients, row, width, 0.0, i);
@@ -3261,7 +3273,7 @@ static bool check_axis(int64_t axis, array_double_1d starts, array_double_2d coe
 /*    units of the range of the position, at least 1 m, and of the peaks of the others), and the   */
 /*    waypoints are met up to it. Arrays as in `expand_plan`; work is (42, 14).                    */
 /*                                                                                                 */
-int64_t segfmu_check_plan(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d times, array_double_1d starts, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d limits, double tolerance, array_double_2d work)
+int64_t segfmu_check_plan(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d limits, double tolerance, array_double_2d work)
 {
     int64_t width;
     int64_t points;
@@ -3272,6 +3284,7 @@ int64_t segfmu_check_plan(array_double_2d positions, array_double_2d velocities,
     int64_t point;
     double time;
     int64_t row;
+    double local;
     double missed;
     int64_t result;
     width = coefficients.shape[INT64_C(1)];
@@ -3280,7 +3293,7 @@ int64_t segfmu_check_plan(array_double_2d positions, array_double_2d velocities,
     {
         first = (*cspan_at(&offsets, axis));
         last = (*cspan_at(&offsets, axis + INT64_C(1)));
-        if (!check_axis(axis, starts, coefficients, first, last, (*cspan_at(&ends, axis)), limits, tolerance, work))
+        if (!check_axis(axis, timing, coefficients, first, last, limits, tolerance, work))
         {
             return INT64_C(1) + axis;
         }
@@ -3293,8 +3306,9 @@ int64_t segfmu_check_plan(array_double_2d positions, array_double_2d velocities,
             {
                 time = (*cspan_at(&ends, axis));
             }
-            row = find_piece(time, starts, first, last);
-            local_state(coefficients, row, width, time - (*cspan_at(&starts, row)), INT64_C(3), span_row(&work, INT64_C(40)));
+            row = find_piece(time, timing, first, last);
+            local = span_min(time - (*cspan_at(&timing, row, INT64_C(0))), (*cspan_at(&timing, row, INT64_C(1))));
+            local_state(coefficients, row, width, local, INT64_C(3), span_row(&work, INT64_C(40)));
             missed = span_max(fabs((*cspan_at(&work, INT64_C(40), INT64_C(0))) - (*cspan_at(&positions, point, axis))) / (*cspan_at(&work, INT64_C(41), INT64_C(0))), span_max(fabs((*cspan_at(&work, INT64_C(40), INT64_C(1))) - (*cspan_at(&velocities, point, axis))) / (*cspan_at(&limits, axis, INT64_C(0))), fabs((*cspan_at(&work, INT64_C(40), INT64_C(2))) - (*cspan_at(&accelerations, point, axis))) / (*cspan_at(&limits, axis, INT64_C(1)))));
             if (!(missed <= tolerance))
             {

@@ -271,7 +271,7 @@ static PyObject *call_expand_phases(
     double in_share;
     Py_buffer *in_psi;
     Py_buffer *in_state;
-    Py_buffer *in_starts;
+    Py_buffer *in_timing;
     Py_buffer *in_coefficients;
     int64_t in_row;
     (void)self;
@@ -283,7 +283,7 @@ static PyObject *call_expand_phases(
         && take_float(&call, 4, &in_share)
         && (in_psi = take_array(&call, 5, 1, 'd', true)) != NULL
         && (in_state = take_array(&call, 6, 1, 'd', true)) != NULL
-        && (in_starts = take_array(&call, 7, 1, 'd', true)) != NULL
+        && (in_timing = take_array(&call, 7, 2, 'd', true)) != NULL
         && (in_coefficients = take_array(&call, 8, 2, 'd', true)) != NULL
         && take_int(&call, 9, &in_row)) {
         answer = PyLong_FromLongLong(segfmu_expand_phases(
@@ -294,7 +294,7 @@ static PyObject *call_expand_phases(
             in_share,
             (array_double_1d){in_psi->buf, {in_psi->shape[0]}},
             (array_double_1d){in_state->buf, {in_state->shape[0]}},
-            (array_double_1d){in_starts->buf, {in_starts->shape[0]}},
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
             (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
             in_row));
     }
@@ -308,7 +308,7 @@ static PyObject *call_evaluate(
     arguments call = {.function = "evaluate", .values = values};
     PyObject *answer = NULL;
     Py_buffer *in_times;
-    Py_buffer *in_starts;
+    Py_buffer *in_timing;
     Py_buffer *in_coefficients;
     Py_buffer *in_offsets;
     Py_buffer *in_ends;
@@ -317,7 +317,7 @@ static PyObject *call_evaluate(
     (void)self;
     if (take_count(&call, count, 7)
         && (in_times = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_starts = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_timing = take_array(&call, 1, 2, 'd', false)) != NULL
         && (in_coefficients = take_array(&call, 2, 2, 'd', false)) != NULL
         && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
         && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
@@ -325,7 +325,7 @@ static PyObject *call_evaluate(
         && (in_values = take_array(&call, 6, 2, 'd', true)) != NULL) {
         segfmu_evaluate(
             (array_double_1d){in_times->buf, {in_times->shape[0]}},
-            (array_double_1d){in_starts->buf, {in_starts->shape[0]}},
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
             (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
             (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
             (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
@@ -371,9 +371,9 @@ static PyObject *call_expand_plan(
     Py_buffer *in_weights;
     Py_buffer *in_durations;
     Py_buffer *in_ramps;
-    Py_buffer *in_scratch_starts;
+    Py_buffer *in_scratch_timing;
     Py_buffer *in_scratch;
-    Py_buffer *in_starts;
+    Py_buffer *in_timing;
     Py_buffer *in_coefficients;
     Py_buffer *in_offsets;
     Py_buffer *in_times;
@@ -389,9 +389,9 @@ static PyObject *call_expand_plan(
         && (in_weights = take_array(&call, 7, 1, 'd', false)) != NULL
         && (in_durations = take_array(&call, 8, 2, 'd', false)) != NULL
         && (in_ramps = take_array(&call, 9, 2, 'd', false)) != NULL
-        && (in_scratch_starts = take_array(&call, 10, 1, 'd', true)) != NULL
+        && (in_scratch_timing = take_array(&call, 10, 2, 'd', true)) != NULL
         && (in_scratch = take_array(&call, 11, 2, 'd', true)) != NULL
-        && (in_starts = take_array(&call, 12, 1, 'd', true)) != NULL
+        && (in_timing = take_array(&call, 12, 2, 'd', true)) != NULL
         && (in_coefficients = take_array(&call, 13, 2, 'd', true)) != NULL
         && (in_offsets = take_array(&call, 14, 1, 'l', true)) != NULL
         && (in_times = take_array(&call, 15, 2, 'd', true)) != NULL) {
@@ -406,9 +406,9 @@ static PyObject *call_expand_plan(
             (array_double_1d){in_weights->buf, {in_weights->shape[0]}},
             (array_double_2d){in_durations->buf, {in_durations->shape[0], in_durations->shape[1]}},
             (array_double_2d){in_ramps->buf, {in_ramps->shape[0], in_ramps->shape[1]}},
-            (array_double_1d){in_scratch_starts->buf, {in_scratch_starts->shape[0]}},
+            (array_double_2d){in_scratch_timing->buf, {in_scratch_timing->shape[0], in_scratch_timing->shape[1]}},
             (array_double_2d){in_scratch->buf, {in_scratch->shape[0], in_scratch->shape[1]}},
-            (array_double_1d){in_starts->buf, {in_starts->shape[0]}},
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
             (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
             (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
             (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}}));
@@ -426,7 +426,7 @@ static PyObject *call_check_plan(
     Py_buffer *in_velocities;
     Py_buffer *in_accelerations;
     Py_buffer *in_times;
-    Py_buffer *in_starts;
+    Py_buffer *in_timing;
     Py_buffer *in_coefficients;
     Py_buffer *in_offsets;
     Py_buffer *in_ends;
@@ -439,7 +439,7 @@ static PyObject *call_check_plan(
         && (in_velocities = take_array(&call, 1, 2, 'd', false)) != NULL
         && (in_accelerations = take_array(&call, 2, 2, 'd', false)) != NULL
         && (in_times = take_array(&call, 3, 2, 'd', false)) != NULL
-        && (in_starts = take_array(&call, 4, 1, 'd', false)) != NULL
+        && (in_timing = take_array(&call, 4, 2, 'd', false)) != NULL
         && (in_coefficients = take_array(&call, 5, 2, 'd', false)) != NULL
         && (in_offsets = take_array(&call, 6, 1, 'l', false)) != NULL
         && (in_ends = take_array(&call, 7, 1, 'd', false)) != NULL
@@ -451,7 +451,7 @@ static PyObject *call_check_plan(
             (array_double_2d){in_velocities->buf, {in_velocities->shape[0], in_velocities->shape[1]}},
             (array_double_2d){in_accelerations->buf, {in_accelerations->shape[0], in_accelerations->shape[1]}},
             (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}},
-            (array_double_1d){in_starts->buf, {in_starts->shape[0]}},
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
             (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
             (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
             (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
