@@ -44,7 +44,7 @@ def test_shortest_profiles_agree(problem: AxisProblem) -> None:
         )
         count = shortest(
             problem.v, problem.a, problem.w, problem.b, problem.distance, problem.limits[0],
-            problem.limits[1], ramp, phases, np.zeros((12, 4)),
+            problem.limits[1], ramp, phases, np.zeros((24, 4)),
         )
         results.append((count, ramp, phases[: max(count, 0)]))
     assert results[0][0] == results[1][0]
@@ -58,7 +58,7 @@ def test_timed_profiles_agree(problem: AxisProblem, factor: float) -> None:
     ramp, phases = problem.ramp(), np.zeros((12, 4))
     state = problem.v, problem.a, problem.w, problem.b, problem.distance
     limits = problem.limits[:2]
-    count = compiled.shortest_profile(*state, *limits, ramp, phases, np.zeros((12, 4)))
+    count = compiled.shortest_profile(*state, *limits, ramp, phases, np.zeros((24, 4)))
     target = factor * phases[: max(count, 0), 0].sum()
     if target <= 0.0:
         return

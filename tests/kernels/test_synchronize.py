@@ -32,7 +32,7 @@ def shortest(problem: AxisProblem) -> float:
     phases, ramp = np.zeros((12, 4)), problem.ramp()
     count = shortest_profile(
         problem.v, problem.a, problem.w, problem.b, problem.distance, problem.limits[0],
-        problem.limits[1], ramp, phases, np.zeros((12, 4)),
+        problem.limits[1], ramp, phases, np.zeros((24, 4)),
     )
     return -1.0 if count < 0 else float(phases[:count, 0].sum())
 
@@ -82,7 +82,7 @@ def test_stretching_keeps_the_distance() -> None:
     problem = AxisProblem(5, 1, (1.0, 1.0, 2.0, 10.0, 90.0, 0.0), 0.0, 0.0, 0.0, 0.0, 0.7)
     phases, ramp = np.zeros((12, 4)), problem.ramp()
     count = shortest_profile(
-        0.0, 0.0, 0.0, 0.0, 0.7, 1.0, 1.0, ramp, phases, np.zeros((12, 4))
+        0.0, 0.0, 0.0, 0.0, 0.7, 1.0, 1.0, ramp, phases, np.zeros((24, 4))
     )
     before = measure_phases(phases, count, 0.0, ramp)
     stretch_phases(phases, count, 2.5)

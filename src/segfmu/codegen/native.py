@@ -21,8 +21,8 @@ TARGET = KERNELS / "c"
 
 # in the order in which they use each other
 MODULES = (
-    "transition", "phases", "braking", "levels", "profile", "synchronize", "intervals", "plan",
-    "evaluate", "expand", "check", "feedback", "_crane", "integrate",
+    "transition", "phases", "braking", "levels", "search", "profile", "synchronize", "intervals",
+    "plan", "evaluate", "expand", "check", "feedback", "_crane", "integrate",
 )
 # what C programs and the compiled extension may call
 ENTRY_POINTS = (
@@ -109,6 +109,7 @@ def _spans(text: str) -> str:
         (r"\bdouble_(min|max)\(2, ", r"span_\1("),
         (r"\bint64_t_(min|max)\(2, ", r"span_\1_int("),
         (r"\bpy_floor_div_int64_t\(", "span_floor_div("),
+        (r"\bpyc_modulo\(", "span_floor_mod("),
     )
     for pattern, replacement in rules:
         text = re.sub(pattern, replacement, text)

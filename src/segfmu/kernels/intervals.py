@@ -125,8 +125,8 @@ def next_feasible(
     """The end of the gap that holds the infeasible duration `start`; -1 if none is found."""
     outside = start
     inside = -1.0
-    growth = 1.02
-    for i in range(400):
+    growth = 1.005
+    for i in range(500):
         duration = outside * growth
         if set_duration(
             interval, axis, duration, shortest, positions, velocities, accelerations, limits,
@@ -135,7 +135,9 @@ def next_feasible(
             inside = duration
             break
         outside = duration
-        if i > 150:
+        if i > 140:
+            growth = 1.02
+        if i > 260:
             growth = 1.1
     if inside < 0.0:
         return -1.0

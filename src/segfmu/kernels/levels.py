@@ -125,13 +125,22 @@ def levels_distance(
 
 
 def canonical_point(
-    p: float, v: float, a: float, w: float, b: float, top: float, t_top: float, ramp: 'float[:]'
+    p: float,
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    high: float,
+    top: float,
+    t_top: float,
+    ramp: 'float[:]',
 ) -> 'tuple[float, float, float, float, float, float, float, float]':
     """One member of the canonical family from (v, a) to (w, b).
 
     p is the duration of the last ramp, from the second level up to b; beyond t_top, where that
-    level is -top, it goes on as the hold there. Returns duration (-1: no such member), distance,
-    t1, hold1, level1, hold2, level2, t3.
+    level is -top, it goes on as the hold there. The first level is at most `high`: `top`, or less
+    to keep the velocity down between the levels, but not less than a and b. Returns duration
+    (-1: no such member), distance, t1, hold1, level1, hold2, level2, t3.
     """
     hold2 = 0.0
     t3 = p
@@ -144,248 +153,8 @@ def canonical_point(
         level2 = b - change
     gain = w - v - 0.5 * (level2 + b) * t3 - level2 * hold2
     low = max(0.0, max(a, level2))
-    t1, hold1, level1 = solve_level(gain, a, level2, low, top, ramp)
+    t1, hold1, level1 = solve_level(gain, a, level2, low, high, ramp)
     if hold1 < 0.0:
         return -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     duration, y = levels_distance(v, a, t1, hold1, level1, hold2, level2, t3, b, ramp)
     return duration, y, t1, hold1, level1, hold2, level2, t3
-
-
-def window_edge(
-    inside: float,
-    outside: float,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    top: float,
-    t_top: float,
-    ramp: 'float[:]',
-) -> float:
-    """Bisect between a parameter that has a canonical member and one that has none."""
-    for i in range(80):
-        middle = 0.5 * (inside + outside)
-        if middle == inside or middle == outside:
-            break
-        duration, y, t1, hold1, level1, hold2, level2, t3 = canonical_point(
-            middle, v, a, w, b, top, t_top, ramp
-        )
-        if duration >= 0.0:
-            inside = middle
-        else:
-            outside = middle
-    return inside
-
-
-def canonical_value(
-    p: float,
-    by_time: bool,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    top: float,
-    t_top: float,
-    ramp: 'float[:]',
-) -> 'tuple[float, float]':
-    """The searched quantity (duration or distance) of a member, and its duration or -1."""
-    duration, y, t1, hold1, level1, hold2, level2, t3 = canonical_point(
-        p, v, a, w, b, top, t_top, ramp
-    )
-    if by_time:
-        return duration, duration
-    return y, duration
-
-
-def falsi_weight(error: float, previous: float) -> float:
-    """Weight of the other side's error when one side is replaced twice (Anderson-Bjoerck)."""
-    if previous == 0.0:
-        return 0.5
-    weight = 1.0 - error / previous
-    if weight <= 0.0:
-        return 0.5
-    return weight
-
-
-def bracketed_root(
-    lower: float,
-    upper: float,
-    f_lower: float,
-    f_upper: float,
-    target: float,
-    by_time: bool,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    top: float,
-    t_top: float,
-    ramp: 'float[:]',
-) -> float:
-    """Regula falsi (Anderson-Bjoerck) on the canonical family; f_lower < target <= f_upper.
-
-    `lower` and `upper` name the values, not the order of the parameters.
-    """
-    e_lower = f_lower - target
-    e_upper = f_upper - target
-    side = 0
-    p = upper
-    for i in range(200):
-        if e_upper == 0.0 or abs(upper - lower) <= 2e-16 * abs(upper):
-            return upper
-        p = upper - e_upper * (upper - lower) / (e_upper - e_lower)
-        if i > 40 or (p - lower) * (p - upper) >= 0.0:
-            p = 0.5 * (lower + upper)
-            if (p - lower) * (p - upper) >= 0.0:
-                return upper
-        value, duration = canonical_value(p, by_time, v, a, w, b, top, t_top, ramp)
-        error = value - target
-        if abs(error) <= 1e-15 * abs(target):
-            return p
-        if error > 0.0:
-            if side == 1:
-                e_lower = e_lower * falsi_weight(error, e_upper)
-            upper = p
-            e_upper = error
-            side = 1
-        else:
-            if side == -1:
-                e_upper = e_upper * falsi_weight(error, e_lower)
-            lower = p
-            e_lower = error
-            side = -1
-    return p
-
-
-def first_window(
-    target: float,
-    f_start: float,
-    by_time: bool,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    top: float,
-    t_top: float,
-    t_zero: float,
-    ramp: 'float[:]',
-) -> 'tuple[float, float]':
-    """Search the members whose second level lies between the end acceleration and zero.
-
-    Returns the parameter or -1, and t_zero if the family goes on there, else -1: a positive
-    second level gains velocity, which can leave no room for the first one. Where the motion
-    starts backwards the distance can rise and fall again, so the members between are looked at.
-    """
-    if v < 0.0:
-        samples = 8
-        lower = 0.0
-        f_lower = f_start
-        for i in range(1, samples):
-            p = t_zero * i / samples
-            value, duration = canonical_value(p, by_time, v, a, w, b, top, t_top, ramp)
-            if duration < 0.0:
-                break
-            if value >= target and value > f_lower:
-                return bracketed_root(
-                    lower, p, f_lower, value, target, by_time, v, a, w, b, top, t_top, ramp
-                ), t_zero
-            lower = p
-            f_lower = value
-    value, duration = canonical_value(t_zero, by_time, v, a, w, b, top, t_top, ramp)
-    end = t_zero
-    if duration < 0.0:
-        end = window_edge(0.0, t_zero, v, a, w, b, top, t_top, ramp)
-        value, duration = canonical_value(end, by_time, v, a, w, b, top, t_top, ramp)
-    going_on = -1.0
-    if end == t_zero:
-        going_on = t_zero
-    if value >= target and value > f_start:
-        p = bracketed_root(
-            0.0, end, f_start, value, target, by_time, v, a, w, b, top, t_top, ramp
-        )
-        return p, going_on
-    return -1.0, going_on
-
-
-def dip(
-    target: float,
-    f_start: float,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    top: float,
-    t_top: float,
-    ramp: 'float[:]',
-) -> float:
-    """Parameter of a member that covers less than the first one, and just the target; or -1.
-
-    Going on for longer covers less distance while the velocity in between is negative.
-    """
-    samples = 12
-    for i in range(1, samples + 1):
-        p = t_top * i * i / (samples * samples)
-        value, duration = canonical_value(p, False, v, a, w, b, top, t_top, ramp)
-        if duration < 0.0:
-            return -1.0
-        if value <= target:
-            return bracketed_root(
-                p, 0.0, value, f_start, target, False, v, a, w, b, top, t_top, ramp
-            )
-    return -1.0
-
-
-def canonical_search(
-    target: float,
-    by_time: bool,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    top: float,
-    t_top: float,
-    ramp: 'float[:]',
-) -> float:
-    """Parameter of the first canonical member with the target distance (or duration), or -1."""
-    f_lower, duration = canonical_value(0.0, by_time, v, a, w, b, top, t_top, ramp)
-    if duration < 0.0:
-        return -1.0
-    if f_lower == target:
-        return 0.0
-    if f_lower > target:
-        if by_time or (v >= 0.0 and w >= 0.0):
-            return -1.0
-        return dip(target, f_lower, v, a, w, b, top, t_top, ramp)
-    lower = 0.0
-    if b > 0.0:
-        t_zero, rise, slope = ramp_duration(b, ramp)
-        p, lower = first_window(
-            target, f_lower, by_time, v, a, w, b, top, t_top, t_zero, ramp
-        )
-        if p >= 0.0:
-            return p
-        if lower < 0.0:
-            upper = t_top
-            value, duration = canonical_value(upper, by_time, v, a, w, b, top, t_top, ramp)
-            for i in range(60):
-                if duration >= 0.0:
-                    break
-                upper = 2.0 * upper
-                value, duration = canonical_value(upper, by_time, v, a, w, b, top, t_top, ramp)
-            lower = window_edge(upper, t_zero, v, a, w, b, top, t_top, ramp)
-        f_lower, duration = canonical_value(lower, by_time, v, a, w, b, top, t_top, ramp)
-        if f_lower > target:
-            return -1.0
-    upper = t_top
-    if upper <= lower:
-        upper = 2.0 * lower
-    for i in range(200):
-        f_upper, duration = canonical_value(upper, by_time, v, a, w, b, top, t_top, ramp)
-        if f_upper >= target:
-            return bracketed_root(
-                lower, upper, f_lower, f_upper, target, by_time, v, a, w, b, top, t_top, ramp
-            )
-        lower = upper
-        f_lower = f_upper
-        upper = 2.0 * upper
-    return -1.0

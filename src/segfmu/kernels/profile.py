@@ -15,12 +15,7 @@ limits (docs/planner.md).
 """
 
 from segfmu.kernels.braking import brake, surround
-from segfmu.kernels.levels import (
-    canonical_point,
-    canonical_search,
-    falsi_weight,
-    solve_level,
-)
+from segfmu.kernels.levels import canonical_point, solve_level
 from segfmu.kernels.phases import (
     append_change,
     append_hold,
@@ -32,6 +27,7 @@ from segfmu.kernels.phases import (
     reverse_phases,
     without_dust,
 )
+from segfmu.kernels.search import canonical_search, falsi_weight, timed_search
 from segfmu.kernels.transition import ramp_duration
 
 
@@ -82,20 +78,23 @@ def merged_form(
     phases: 'float[:,:]',
     reverse: bool,
     mirror: bool,
+    which: int,
     target: float,
-    by_time: bool,
     v: float,
     a: float,
     w: float,
     b: float,
     distance: float,
+    high: float,
     top: float,
     ramp: 'float[:]',
 ) -> int:
     """The merged form on one of its four branches; the number of phases, 0 if it has none.
 
-    `target` is the duration if by_time, else unused. Reversal exchanges the boundary states,
-    mirroring their signs; together they reduce every branch to the canonical one.
+    which >= 0 takes the which-th member that lasts `target`, which < 0 the first one that covers
+    the distance. Reversal exchanges the boundary states,
+    mirroring their signs; together they reduce every branch to the canonical one, whose first
+    level is at most `high`.
     """
     v1 = v
     a1 = a
@@ -112,15 +111,15 @@ def merged_form(
         v2 = -v2
         a2 = -a2
         distance = -distance
-    goal = distance
-    if by_time:
-        goal = target
     t_top, rise, slope = ramp_duration(a2 + top, ramp)
-    p = canonical_search(goal, by_time, v1, a1, v2, a2, top, t_top, ramp)
+    if which < 0:
+        p = canonical_search(distance, v1, a1, v2, a2, high, top, t_top, ramp)
+    else:
+        p = timed_search(which, target, v1, a1, v2, a2, high, top, t_top, ramp)
     if p < 0.0:
         return 0
     duration, y, t1, hold1, level1, hold2, level2, t3 = canonical_point(
-        p, v1, a1, v2, a2, top, t_top, ramp
+        p, v1, a1, v2, a2, high, top, t_top, ramp
     )
     if duration < 0.0:
         return 0
@@ -134,6 +133,64 @@ def merged_form(
     if mirror:
         mirror_phases(phases, count)
     return count
+
+
+def keeps_velocity(
+    phases: 'float[:,:]', count: int, v: float, limit: float, ramp: 'float[:]'
+) -> bool:
+    """Whether the phases that start with velocity v keep the velocity limit."""
+    duration, y, end, lowest, highest = measure_phases(phases, count, v, ramp)
+    most = limit * (1.0 + 1e-12)
+    return lowest >= -most and highest <= most
+
+
+def tempered_form(
+    phases: 'float[:,:]',
+    reverse: bool,
+    mirror: bool,
+    which: int,
+    target: float,
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    distance: float,
+    velocity_limit: float,
+    top: float,
+    ramp: 'float[:]',
+) -> int:
+    """The merged form that keeps the velocity limit; the number of phases, 0 if it has none.
+
+    Between its levels the velocity has a peak. Where that passes the limit, the first level is
+    lowered, and held, until the peak is at the limit; as far as 16 bisections tell.
+    """
+    count = merged_form(
+        phases, reverse, mirror, which, target, v, a, w, b, distance, top, top, ramp
+    )
+    if count == 0 or keeps_velocity(phases, count, v, velocity_limit, ramp):
+        return count
+    inside = max(a, b)
+    if reverse != mirror:
+        inside = -min(a, b)
+    inside = max(inside, 0.001 * top)
+    outside = top
+    count = merged_form(
+        phases, reverse, mirror, which, target, v, a, w, b, distance, inside, top, ramp
+    )
+    if count == 0 or not keeps_velocity(phases, count, v, velocity_limit, ramp):
+        return 0
+    for i in range(16):
+        high = 0.5 * (inside + outside)
+        count = merged_form(
+            phases, reverse, mirror, which, target, v, a, w, b, distance, high, top, ramp
+        )
+        if count > 0 and keeps_velocity(phases, count, v, velocity_limit, ramp):
+            inside = high
+        else:
+            outside = high
+    return merged_form(
+        phases, reverse, mirror, which, target, v, a, w, b, distance, inside, top, ramp
+    )
 
 
 def meets(
@@ -242,6 +299,7 @@ def with_cruise(
 
 
 def shortest_between(
+    attempt: int,
     phases: 'float[:,:]',
     trial: 'float[:,:]',
     v: float,
@@ -253,37 +311,44 @@ def shortest_between(
     top: float,
     ramp: 'float[:]',
 ) -> int:
-    """The shortest candidate between two boundary states taken as they are; 0 if none holds."""
-    # nothing is faster than one ramp: phase I.1 alone, where the points are consistent with it
-    count = append_change(phases, 0, a, b, ramp)
-    if count > 0 and abs(v + 0.5 * (a + b) * phases[0, 0] - w) <= 1e-13 * velocity_limit:
-        if meets(phases, count, v, w, distance, velocity_limit, ramp) >= 0.0:
-            return count
-    for side in range(2):
-        cruise = velocity_limit * (1 - 2 * side)
-        count = with_cruise(phases, cruise, v, a, w, b, distance, top, ramp)
-        if count > 0 and meets(phases, count, v, w, distance, velocity_limit, ramp) >= 0.0:
-            return count
+    """The shortest candidate between two boundary states taken as they are; 0 if none holds.
+
+    The first attempt (0) is for the forms that nothing is shorter than; the second one takes
+    those that keep the velocity limit at some price.
+    """
+    if attempt == 0:
+        # nothing is faster than one ramp: phase I.1 alone, where the points are consistent
+        count = append_change(phases, 0, a, b, ramp)
+        if count > 0 and abs(v + 0.5 * (a + b) * phases[0, 0] - w) <= 1e-13 * velocity_limit:
+            if meets(phases, count, v, w, distance, velocity_limit, ramp) >= 0.0:
+                return count
+        for side in range(2):
+            cruise = velocity_limit * (1 - 2 * side)
+            count = with_cruise(phases, cruise, v, a, w, b, distance, top, ramp)
+            if count > 0 and meets(phases, count, v, w, distance, velocity_limit, ramp) >= 0.0:
+                return count
     best = 0
     shortest = 0.0
-    for branch in range(4):
+    for branch in range(4 + attempt):
         reverse = branch == 1 or branch == 2
         mirror = branch >= 2
-        count = merged_form(
-            trial, reverse, mirror, 0.0, False, v, a, w, b, distance, top, ramp
-        )
+        if branch == 4:
+            count = slower_cruise(trial, v, a, w, b, distance, velocity_limit, top, ramp)
+        elif attempt == 0:
+            count = merged_form(
+                trial, reverse, mirror, -1, 0.0, v, a, w, b, distance, top, top, ramp
+            )
+        else:
+            count = tempered_form(
+                trial, reverse, mirror, -1, 0.0, v, a, w, b, distance, velocity_limit, top, ramp
+            )
         if count > 0:
             duration = meets(trial, count, v, w, distance, velocity_limit, ramp)
             if duration >= 0.0 and (best == 0 or duration < shortest):
                 copy_phases(trial, phases, count)
                 best = count
                 shortest = duration
-    if best > 0:
-        return best
-    count = slower_cruise(phases, v, a, w, b, distance, velocity_limit, top, ramp)
-    if count > 0 and meets(phases, count, v, w, distance, velocity_limit, ramp) >= 0.0:
-        return count
-    return 0
+    return best
 
 
 def shortest_profile(
@@ -296,13 +361,13 @@ def shortest_profile(
     top: float,
     ramp: 'float[:]',
     phases: 'float[:,:]',
-    trial: 'float[:,:]',
+    work: 'float[:,:]',
 ) -> int:
     """Phases of the shortest profile from (v, a) over a distance to (w, b).
 
-    top is the acceleration limit; `phases` and the work space `trial` have 12 rows. Returns the
-    number of phases (0 when there is nothing to do), or -1 when bringing the first acceleration to
-    zero passes the velocity limit, -2 when building up the last one does, -3 otherwise.
+    top is the acceleration limit; `phases` has 12 rows and `work` 24. Returns the number of
+    phases (0 when there is nothing to do), or -1 when bringing the first acceleration to zero
+    passes the velocity limit, -2 when building up the last one does, -3 otherwise.
     """
     v = without_dust(v, velocity_limit)
     w = without_dust(w, velocity_limit)
@@ -311,9 +376,21 @@ def shortest_profile(
     distance = without_dust(distance, velocity_limit * velocity_limit / top)
     if distance == 0.0 and v == 0.0 and w == 0.0 and a == 0.0 and b == 0.0:
         return 0
-    for variant in range(4):
-        brake_start = variant == 1 or variant == 3
-        brake_end = variant >= 2
+    trial = work[0:12, :]
+    found = work[12:24, :]
+    count = shortest_between(0, phases, trial, v, a, w, b, distance, velocity_limit, top, ramp)
+    if count > 0:
+        return count
+    best = 0
+    shortest = 0.0
+    for variant in range(1, 8):
+        # variants 0 to 3: braking none, the first, the last or both of the accelerations to zero;
+        # 4 to 7 the same with the second attempt, of which the last three are the way out
+        attempt = variant // 4
+        if variant > 4 and best > 0:
+            break
+        brake_start = variant % 2 == 1
+        brake_end = variant % 4 >= 2
         if (brake_start and a == 0.0) or (brake_end and b == 0.0):
             continue
         v1 = v
@@ -322,25 +399,30 @@ def shortest_profile(
         b1 = b
         rest = distance
         if brake_start:
-            first, duration, y, v1 = brake(v, a, velocity_limit, top, ramp, trial)
-            if first < 0:
+            count, duration, y, v1 = brake(v, a, velocity_limit, top, ramp, trial)
+            if count < 0:
                 return -1
             rest = rest - y
             a1 = 0.0
         if brake_end:
-            last, duration, y, w1 = brake(w, -b, velocity_limit, top, ramp, trial)
-            if last < 0:
+            count, duration, y, w1 = brake(w, -b, velocity_limit, top, ramp, trial)
+            if count < 0:
                 return -2
             rest = rest - y
             b1 = 0.0
         count = shortest_between(
-            phases, trial, v1, a1, w1, b1, rest, velocity_limit, top, ramp
+            attempt, found, trial, v1, a1, w1, b1, rest, velocity_limit, top, ramp
         )
         if count == 0 and not (rest == 0.0 and v1 == w1 and a1 == 0.0 and b1 == 0.0):
             continue
         count = surround(
-            phases, count, brake_start, v, a, brake_end, w, b, velocity_limit, top, ramp, trial
+            found, count, brake_start, v, a, brake_end, w, b, velocity_limit, top, ramp, trial
         )
-        if meets(phases, count, v, w, distance, velocity_limit, ramp) >= 0.0:
-            return count
-    return -3
+        duration = meets(found, count, v, w, distance, velocity_limit, ramp)
+        if duration >= 0.0 and (best == 0 or duration < shortest):
+            copy_phases(found, phases, count)
+            best = count
+            shortest = duration
+    if best == 0:
+        return -3
+    return best

@@ -19,7 +19,7 @@ from segfmu.kernels.phases import (
     measure_phases,
     without_dust,
 )
-from segfmu.kernels.profile import cruise_form, merged_form
+from segfmu.kernels.profile import cruise_form, tempered_form
 
 
 def stretch_phases(phases: 'float[:,:]', count: int, factor: float) -> None:
@@ -136,9 +136,16 @@ def timed_between(
     trial: 'float[:,:]',
 ) -> None:
     """Nearest profiles below and above the distance, from boundary states taken as they are."""
-    middle = min(max(distance / target, min(v, w)), max(v, w))
-    count, y, hold = timed_cruise(trial, middle, target, v, a, w, b, top, ramp)
-    if count >= 0 and hold >= 0.0:
+    clipped = min(max(distance / target, min(v, w)), max(v, w))
+    for start in range(3):
+        middle = clipped
+        if start == 1:
+            middle = velocity_limit
+        elif start == 2:
+            middle = -velocity_limit
+        count, y, hold = timed_cruise(trial, middle, target, v, a, w, b, top, ramp)
+        if count < 0 or hold < 0.0:
+            continue
         lower = cruise_range(trial, middle, -velocity_limit, target, v, a, w, b, top, ramp)
         upper = cruise_range(trial, middle, velocity_limit, target, v, a, w, b, top, ramp)
         for i in range(2):
@@ -164,11 +171,12 @@ def timed_between(
                     ramp,
                 )
             return
-    for branch in range(4):
-        reverse = branch == 1 or branch == 2
-        mirror = branch >= 2
-        count = merged_form(
-            trial, reverse, mirror, target, True, v, a, w, b, distance, top, ramp
+    for branch in range(8):
+        reverse = branch % 4 == 1 or branch % 4 == 2
+        mirror = branch % 4 >= 2
+        count = tempered_form(
+            trial, reverse, mirror, branch // 4, target, v, a, w, b, distance, velocity_limit,
+            top, ramp,
         )
         keep_nearest(
             trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp

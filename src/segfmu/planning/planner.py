@@ -110,7 +110,7 @@ def _solve(
     status = backend.plan_phases(
         positions, velocities, accelerations, dwells, table, smoothness, *options,
         ramps, phases, counts, weights, np.zeros((intervals, axes)), durations,
-        np.zeros(intervals, dtype=np.int64), np.zeros((16, 4 + 2 * smoothness)), report,
+        np.zeros(intervals, dtype=np.int64), np.zeros((25, 4 + 2 * smoothness)), report,
     )
     if status < 0:
         raise infeasible(status, report, points, table, names)

@@ -34,21 +34,24 @@ static double linear_level(double gain, double a, double b, array_double_1d ramp
 static int64_t root_level(double* result_0, double* result_1, double gain, double a, double b, double lower, double upper, double share, array_double_1d ramp);
 static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, array_double_1d ramp);
 static int64_t levels_distance(double* result_0_0001, double* result_1, double v, double a, double t1, double hold1, double level1, double hold2, double level2, double t3, double b, array_double_1d ramp);
-static int64_t canonical_point(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, double* result_6, double* result_7, double p, double v, double a, double w, double b, double top, double t_top, array_double_1d ramp);
-static double window_edge(double inside, double outside, double v, double a, double w, double b, double top, double t_top, array_double_1d ramp);
-static int64_t canonical_value(double* result_0_0001, double* result_1, double p, bool by_time, double v, double a, double w, double b, double top, double t_top, array_double_1d ramp);
+static int64_t canonical_point(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, double* result_6, double* result_7, double p, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
+static double window_edge(double inside, double outside, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
+static int64_t canonical_value(double* result_0_0001, double* result_1, double p, bool by_time, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
 static double falsi_weight(double error, double previous);
-static double bracketed_root(double lower, double upper, double f_lower, double f_upper, double target, bool by_time, double v, double a, double w, double b, double top, double t_top, array_double_1d ramp);
-static int64_t first_window(double* result_0, double* result_1_0001, double target, double f_start, bool by_time, double v, double a, double w, double b, double top, double t_top, double t_zero, array_double_1d ramp);
-static double dip(double target, double f_start, double v, double a, double w, double b, double top, double t_top, array_double_1d ramp);
-static double canonical_search(double target, bool by_time, double v, double a, double w, double b, double top, double t_top, array_double_1d ramp);
+static double bracketed_root(double lower, double upper, double f_lower, double f_upper, double target, bool by_time, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
+static int64_t first_window(double* result_0, double* result_1_0001, double target, double f_start, double v, double a, double w, double b, double high, double top, double t_top, double t_zero, array_double_1d ramp);
+static double dip(double target, double f_start, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
+static double canonical_search(double target, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
+static double timed_search(int64_t which, double target, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
 static int64_t append_velocity_change(array_double_2d phases, int64_t count, double v, double a, double w, double top, array_double_1d ramp);
 static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_2, double* result_3, array_double_2d phases, double cruise, double v, double a, double w, double b, double top, array_double_1d ramp);
-static int64_t merged_form(array_double_2d phases, bool reverse, bool mirror, double target, bool by_time, double v, double a, double w, double b, double distance, double top, array_double_1d ramp);
+static int64_t merged_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, double target, double v, double a, double w, double b, double distance, double high, double top, array_double_1d ramp);
+static bool keeps_velocity(array_double_2d phases, int64_t count, double v, double limit, array_double_1d ramp);
+static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
 static double meets(array_double_2d phases, int64_t count, double v, double w, double distance, double limit, array_double_1d ramp);
 static int64_t with_cruise(array_double_2d phases, double cruise, double v, double a, double w, double b, double distance, double top, array_double_1d ramp);
 static int64_t slower_cruise(array_double_2d phases, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
-static int64_t shortest_between(array_double_2d phases, array_double_2d trial, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
+static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_double_2d trial, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
 static void stretch_phases(array_double_2d phases, int64_t count, double factor);
 static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, double target, double v, double a, double w, double b, double top, array_double_1d ramp);
 static double cruise_range(array_double_2d phases, double middle, double limit, double target, double v, double a, double w, double b, double top, array_double_1d ramp);
@@ -1181,13 +1184,14 @@ static int64_t levels_distance(double* result_0_0001, double* result_1, double v
     (*result_1) = y;
     return 0;
 }
-/*One member of the canonical family from (v, a) to (w, b).                                        */
-/*                                                                                                 */
-/*    p is the duration of the last ramp, from the second level up to b; beyond t_top, where that  */
-/*    level is -top, it goes on as the hold there. Returns duration (-1: no such member), distance,*/
-/*    t1, hold1, level1, hold2, level2, t3.                                                        */
-/*                                                                                                 */
-static int64_t canonical_point(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, double* result_6, double* result_7, double p, double v, double a, double w, double b, double top, double t_top, array_double_1d ramp)
+/*One member of the canonical family from (v, a) to (w, b).                                          */
+/*                                                                                                   */
+/*    p is the duration of the last ramp, from the second level up to b; beyond t_top, where that    */
+/*    level is -top, it goes on as the hold there. The first level is at most `high`: `top`, or less */
+/*    to keep the velocity down between the levels, but not less than a and b. Returns duration      */
+/*    (-1: no such member), distance, t1, hold1, level1, hold2, level2, t3.                          */
+/*                                                                                                   */
+static int64_t canonical_point(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, double* result_6, double* result_7, double p, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
 {
     double hold2;
     double t3;
@@ -1216,7 +1220,7 @@ static int64_t canonical_point(double* result_0, double* result_1, double* resul
     }
     gain = w - v - 0.5 * (level2 + b) * t3 - level2 * hold2;
     low = span_max(0.0, span_max(a, level2));
-    solve_level(&t1, &hold1, &level1, gain, a, level2, low, top, ramp);
+    solve_level(&t1, &hold1, &level1, gain, a, level2, low, high, ramp);
     if (hold1 < 0.0)
     {
         (*result_0) = -1.0;
@@ -1241,7 +1245,7 @@ static int64_t canonical_point(double* result_0, double* result_1, double* resul
     return 0;
 }
 /*Bisect between a parameter that has a canonical member and one that has none.*/
-static double window_edge(double inside, double outside, double v, double a, double w, double b, double top, double t_top, array_double_1d ramp)
+static double window_edge(double inside, double outside, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
 {
     int64_t i;
     double middle;
@@ -1261,7 +1265,7 @@ static double window_edge(double inside, double outside, double v, double a, dou
         {
             break;
         }
-        canonical_point(&duration, &y, &t1, &hold1, &level1, &hold2, &level2, &t3, middle, v, a, w, b, top, t_top, ramp);
+        canonical_point(&duration, &y, &t1, &hold1, &level1, &hold2, &level2, &t3, middle, v, a, w, b, high, top, t_top, ramp);
         if (duration >= 0.0)
         {
             inside = middle;
@@ -1274,7 +1278,7 @@ static double window_edge(double inside, double outside, double v, double a, dou
     return inside;
 }
 /*The searched quantity (duration or distance) of a member, and its duration or -1.*/
-static int64_t canonical_value(double* result_0_0001, double* result_1, double p, bool by_time, double v, double a, double w, double b, double top, double t_top, array_double_1d ramp)
+static int64_t canonical_value(double* result_0_0001, double* result_1, double p, bool by_time, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
 {
     double duration;
     double y;
@@ -1284,7 +1288,7 @@ static int64_t canonical_value(double* result_0_0001, double* result_1, double p
     double hold2;
     double level2;
     double t3;
-    canonical_point(&duration, &y, &t1, &hold1, &level1, &hold2, &level2, &t3, p, v, a, w, b, top, t_top, ramp);
+    canonical_point(&duration, &y, &t1, &hold1, &level1, &hold2, &level2, &t3, p, v, a, w, b, high, top, t_top, ramp);
     if (by_time)
     {
         (*result_0_0001) = duration;
@@ -1314,7 +1318,7 @@ static double falsi_weight(double error, double previous)
 /*                                                                                     */
 /*    `lower` and `upper` name the values, not the order of the parameters.            */
 /*                                                                                     */
-static double bracketed_root(double lower, double upper, double f_lower, double f_upper, double target, bool by_time, double v, double a, double w, double b, double top, double t_top, array_double_1d ramp)
+static double bracketed_root(double lower, double upper, double f_lower, double f_upper, double target, bool by_time, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
 {
     double e_lower;
     double e_upper;
@@ -1344,7 +1348,7 @@ static double bracketed_root(double lower, double upper, double f_lower, double 
                 return upper;
             }
         }
-        canonical_value(&value, &duration, p, by_time, v, a, w, b, top, t_top, ramp);
+        canonical_value(&value, &duration, p, by_time, v, a, w, b, high, top, t_top, ramp);
         error = value - target;
         if (fabs(error) <= 1e-15 * fabs(target))
         {
@@ -1379,7 +1383,7 @@ static double bracketed_root(double lower, double upper, double f_lower, double 
 /*    second level gains velocity, which can leave no room for the first one. Where the motion     */
 /*    starts backwards the distance can rise and fall again, so the members between are looked at. */
 /*                                                                                                 */
-static int64_t first_window(double* result_0, double* result_1_0001, double target, double f_start, bool by_time, double v, double a, double w, double b, double top, double t_top, double t_zero, array_double_1d ramp)
+static int64_t first_window(double* result_0, double* result_1_0001, double target, double f_start, double v, double a, double w, double b, double high, double top, double t_top, double t_zero, array_double_1d ramp)
 {
     int64_t samples;
     double lower;
@@ -1398,14 +1402,14 @@ static int64_t first_window(double* result_0, double* result_1_0001, double targ
         for (i = INT64_C(1); i < samples; i += INT64_C(1))
         {
             p = t_zero * i / samples;
-            canonical_value(&value, &duration, p, by_time, v, a, w, b, top, t_top, ramp);
+            canonical_value(&value, &duration, p, 0, v, a, w, b, high, top, t_top, ramp);
             if (duration < 0.0)
             {
                 break;
             }
             if ((value >= target) && (value > f_lower))
             {
-                (*result_0) = bracketed_root(lower, p, f_lower, value, target, by_time, v, a, w, b, top, t_top, ramp);
+                (*result_0) = bracketed_root(lower, p, f_lower, value, target, 0, v, a, w, b, high, top, t_top, ramp);
                 (*result_1_0001) = t_zero;
                 return 0;
             }
@@ -1413,12 +1417,12 @@ static int64_t first_window(double* result_0, double* result_1_0001, double targ
             f_lower = value;
         }
     }
-    canonical_value(&value, &duration, t_zero, by_time, v, a, w, b, top, t_top, ramp);
+    canonical_value(&value, &duration, t_zero, 0, v, a, w, b, high, top, t_top, ramp);
     end = t_zero;
     if (duration < 0.0)
     {
-        end = window_edge(0.0, t_zero, v, a, w, b, top, t_top, ramp);
-        canonical_value(&value, &duration, end, by_time, v, a, w, b, top, t_top, ramp);
+        end = window_edge(0.0, t_zero, v, a, w, b, high, top, t_top, ramp);
+        canonical_value(&value, &duration, end, 0, v, a, w, b, high, top, t_top, ramp);
     }
     going_on = -1.0;
     if (end == t_zero)
@@ -1427,7 +1431,7 @@ static int64_t first_window(double* result_0, double* result_1_0001, double targ
     }
     if ((value >= target) && (value > f_start))
     {
-        p = bracketed_root(0.0, end, f_start, value, target, by_time, v, a, w, b, top, t_top, ramp);
+        p = bracketed_root(0.0, end, f_start, value, target, 0, v, a, w, b, high, top, t_top, ramp);
         (*result_0) = p;
         (*result_1_0001) = going_on;
         return 0;
@@ -1440,7 +1444,7 @@ static int64_t first_window(double* result_0, double* result_1_0001, double targ
 /*                                                                                       */
 /*    Going on for longer covers less distance while the velocity in between is negative.*/
 /*                                                                                       */
-static double dip(double target, double f_start, double v, double a, double w, double b, double top, double t_top, array_double_1d ramp)
+static double dip(double target, double f_start, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
 {
     int64_t samples;
     int64_t i;
@@ -1452,21 +1456,21 @@ static double dip(double target, double f_start, double v, double a, double w, d
     for (i = INT64_C(1); i < samples + INT64_C(1); i += INT64_C(1))
     {
         p = t_top * i * i / (samples * samples);
-        canonical_value(&value, &duration, p, 0, v, a, w, b, top, t_top, ramp);
+        canonical_value(&value, &duration, p, 0, v, a, w, b, high, top, t_top, ramp);
         if (duration < 0.0)
         {
             return -1.0;
         }
         if (value <= target)
         {
-            result = bracketed_root(p, 0.0, value, f_start, target, 0, v, a, w, b, top, t_top, ramp);
+            result = bracketed_root(p, 0.0, value, f_start, target, 0, v, a, w, b, high, top, t_top, ramp);
             return result;
         }
     }
     return -1.0;
 }
-/*Parameter of the first canonical member with the target distance (or duration), or -1. */
-static double canonical_search(double target, bool by_time, double v, double a, double w, double b, double top, double t_top, array_double_1d ramp)
+/*Parameter of the first canonical member that covers the target distance, or -1.*/
+static double canonical_search(double target, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
 {
     double f_lower;
     double duration;
@@ -1479,7 +1483,7 @@ static double canonical_search(double target, bool by_time, double v, double a, 
     int64_t i;
     double f_upper;
     double p;
-    canonical_value(&f_lower, &duration, 0.0, by_time, v, a, w, b, top, t_top, ramp);
+    canonical_value(&f_lower, &duration, 0.0, 0, v, a, w, b, high, top, t_top, ramp);
     if (duration < 0.0)
     {
         return -1.0;
@@ -1490,18 +1494,18 @@ static double canonical_search(double target, bool by_time, double v, double a, 
     }
     if (f_lower > target)
     {
-        if (by_time || ((v >= 0.0) && (w >= 0.0)))
+        if ((v >= 0.0) && (w >= 0.0))
         {
             return -1.0;
         }
-        p = dip(target, f_lower, v, a, w, b, top, t_top, ramp);
+        p = dip(target, f_lower, v, a, w, b, high, top, t_top, ramp);
         return p;
     }
     lower = 0.0;
     if (b > 0.0)
     {
         segfmu_ramp_duration(&t_zero, &rise, &slope, b, ramp);
-        first_window(&p, &lower, target, f_lower, by_time, v, a, w, b, top, t_top, t_zero, ramp);
+        first_window(&p, &lower, target, f_lower, v, a, w, b, high, top, t_top, t_zero, ramp);
         if (p >= 0.0)
         {
             return p;
@@ -1509,7 +1513,7 @@ static double canonical_search(double target, bool by_time, double v, double a, 
         if (lower < 0.0)
         {
             upper = t_top;
-            canonical_value(&value, &duration, upper, by_time, v, a, w, b, top, t_top, ramp);
+            canonical_value(&value, &duration, upper, 0, v, a, w, b, high, top, t_top, ramp);
             for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
             {
                 if (duration >= 0.0)
@@ -1517,11 +1521,11 @@ static double canonical_search(double target, bool by_time, double v, double a, 
                     break;
                 }
                 upper = 2.0 * upper;
-                canonical_value(&value, &duration, upper, by_time, v, a, w, b, top, t_top, ramp);
+                canonical_value(&value, &duration, upper, 0, v, a, w, b, high, top, t_top, ramp);
             }
-            lower = window_edge(upper, t_zero, v, a, w, b, top, t_top, ramp);
+            lower = window_edge(upper, t_zero, v, a, w, b, high, top, t_top, ramp);
         }
-        canonical_value(&f_lower, &duration, lower, by_time, v, a, w, b, top, t_top, ramp);
+        canonical_value(&f_lower, &duration, lower, 0, v, a, w, b, high, top, t_top, ramp);
         if (f_lower > target)
         {
             return -1.0;
@@ -1534,15 +1538,84 @@ static double canonical_search(double target, bool by_time, double v, double a, 
     }
     for (i = INT64_C(0); i < INT64_C(200); i += INT64_C(1))
     {
-        canonical_value(&f_upper, &duration, upper, by_time, v, a, w, b, top, t_top, ramp);
+        canonical_value(&f_upper, &duration, upper, 0, v, a, w, b, high, top, t_top, ramp);
         if (f_upper >= target)
         {
-            p = bracketed_root(lower, upper, f_lower, f_upper, target, by_time, v, a, w, b, top, t_top, ramp);
+            p = bracketed_root(lower, upper, f_lower, f_upper, target, 0, v, a, w, b, high, top, t_top, ramp);
             return p;
         }
         lower = upper;
         f_lower = f_upper;
         upper = 2.0 * upper;
+    }
+    return -1.0;
+}
+/*Parameter of the which-th canonical member (from 0) that lasts `target`, or -1.                */
+/*                                                                                               */
+/*    The duration falls and rises again along the family where a first level that takes long to */
+/*    come back from is traded for a shorter one, so the members are looked at one by one.       */
+/*                                                                                               */
+static double timed_search(int64_t which, double target, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
+{
+    double scale;
+    int64_t found;
+    double previous;
+    double lower;
+    double t_lower;
+    double p;
+    int64_t i;
+    double t;
+    double duration;
+    double upper;
+    bool inside;
+    double result;
+    scale = span_max(t_top, 0.1 * target);
+    found = INT64_C(0);
+    previous = 0.0;
+    lower = -1.0;
+    t_lower = 0.0;
+    p = 0.0;
+    for (i = INT64_C(0); i < INT64_C(36); i += INT64_C(1))
+    {
+        p = scale * i * i / 144.0;
+        canonical_value(&t, &duration, p, 1, v, a, w, b, high, top, t_top, ramp);
+        upper = p;
+        inside = duration >= 0.0;
+        if (inside && (lower < 0.0) && (i > INT64_C(0)))
+        {
+            lower = window_edge(p, previous, v, a, w, b, high, top, t_top, ramp);
+            canonical_value(&t_lower, &duration, lower, 1, v, a, w, b, high, top, t_top, ramp);
+        }
+        if ((!inside) && (lower >= 0.0))
+        {
+            upper = window_edge(lower, p, v, a, w, b, high, top, t_top, ramp);
+            canonical_value(&t, &duration, upper, 1, v, a, w, b, high, top, t_top, ramp);
+        }
+        if ((lower >= 0.0) && ((t_lower - target) * (t - target) <= 0.0) && (t != t_lower))
+        {
+            if ((found == which) && (t > t_lower))
+            {
+                result = bracketed_root(lower, upper, t_lower, t, target, 1, v, a, w, b, high, top, t_top, ramp);
+                return result;
+            }
+            if (found == which)
+            {
+                result = bracketed_root(upper, lower, t, t_lower, target, 1, v, a, w, b, high, top, t_top, ramp);
+                return result;
+            }
+            found = found + INT64_C(1);
+        }
+        lower = -1.0;
+        if (inside)
+        {
+            lower = p;
+            t_lower = t;
+            if ((i > INT64_C(12)) && (t > target))
+            {
+                return -1.0;
+            }
+        }
+        previous = p;
     }
     return -1.0;
 }
@@ -1611,18 +1684,19 @@ static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_
     (*result_3) = y;
     return 0;
 }
-/*The merged form on one of its four branches; the number of phases, 0 if it has none.         */
-/*                                                                                             */
-/*    `target` is the duration if by_time, else unused. Reversal exchanges the boundary states,*/
-/*    mirroring their signs; together they reduce every branch to the canonical one.           */
-/*                                                                                             */
-static int64_t merged_form(array_double_2d phases, bool reverse, bool mirror, double target, bool by_time, double v, double a, double w, double b, double distance, double top, array_double_1d ramp)
+/*The merged form on one of its four branches; the number of phases, 0 if it has none.             */
+/*                                                                                                 */
+/*    which >= 0 takes the which-th member that lasts `target`, which < 0 the first one that covers*/
+/*    the distance. Reversal exchanges the boundary states,                                        */
+/*    mirroring their signs; together they reduce every branch to the canonical one, whose first   */
+/*    level is at most `high`.                                                                     */
+/*                                                                                                 */
+static int64_t merged_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, double target, double v, double a, double w, double b, double distance, double high, double top, array_double_1d ramp)
 {
     double v1;
     double a1;
     double v2;
     double a2;
-    double goal;
     double t_top;
     double rise;
     double slope;
@@ -1655,18 +1729,20 @@ static int64_t merged_form(array_double_2d phases, bool reverse, bool mirror, do
         a2 = -a2;
         distance = -distance;
     }
-    goal = distance;
-    if (by_time)
-    {
-        goal = target;
-    }
     segfmu_ramp_duration(&t_top, &rise, &slope, a2 + top, ramp);
-    p = canonical_search(goal, by_time, v1, a1, v2, a2, top, t_top, ramp);
+    if (which < INT64_C(0))
+    {
+        p = canonical_search(distance, v1, a1, v2, a2, high, top, t_top, ramp);
+    }
+    else
+    {
+        p = timed_search(which, target, v1, a1, v2, a2, high, top, t_top, ramp);
+    }
     if (p < 0.0)
     {
         return INT64_C(0);
     }
-    canonical_point(&duration, &y, &t1, &hold1, &level1, &hold2, &level2, &t3, p, v1, a1, v2, a2, top, t_top, ramp);
+    canonical_point(&duration, &y, &t1, &hold1, &level1, &hold2, &level2, &t3, p, v1, a1, v2, a2, high, top, t_top, ramp);
     if (duration < 0.0)
     {
         return INT64_C(0);
@@ -1684,6 +1760,65 @@ static int64_t merged_form(array_double_2d phases, bool reverse, bool mirror, do
     {
         mirror_phases(phases, count);
     }
+    return count;
+}
+/*Whether the phases that start with velocity v keep the velocity limit. */
+static bool keeps_velocity(array_double_2d phases, int64_t count, double v, double limit, array_double_1d ramp)
+{
+    double duration;
+    double y;
+    double end;
+    double lowest;
+    double highest;
+    double most;
+    bool result;
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, ramp);
+    most = limit * (1.0 + 1e-12);
+    return (lowest >= -most) && (highest <= most);
+}
+/*The merged form that keeps the velocity limit; the number of phases, 0 if it has none.         */
+/*                                                                                               */
+/*    Between its levels the velocity has a peak. Where that passes the limit, the first level is*/
+/*    lowered, and held, until the peak is at the limit; as far as 16 bisections tell.           */
+/*                                                                                               */
+static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
+{
+    double inside;
+    double outside;
+    int64_t i;
+    double high;
+    int64_t count;
+    count = merged_form(phases, reverse, mirror, which, target, v, a, w, b, distance, top, top, ramp);
+    if ((count == INT64_C(0)) || keeps_velocity(phases, count, v, velocity_limit, ramp))
+    {
+        return count;
+    }
+    inside = span_max(a, b);
+    if (reverse != mirror)
+    {
+        inside = -span_min(a, b);
+    }
+    inside = span_max(inside, 0.001 * top);
+    outside = top;
+    count = merged_form(phases, reverse, mirror, which, target, v, a, w, b, distance, inside, top, ramp);
+    if ((count == INT64_C(0)) || (!keeps_velocity(phases, count, v, velocity_limit, ramp)))
+    {
+        return INT64_C(0);
+    }
+    for (i = INT64_C(0); i < INT64_C(16); i += INT64_C(1))
+    {
+        high = 0.5 * (inside + outside);
+        count = merged_form(phases, reverse, mirror, which, target, v, a, w, b, distance, high, top, ramp);
+        if ((count > INT64_C(0)) && keeps_velocity(phases, count, v, velocity_limit, ramp))
+        {
+            inside = high;
+        }
+        else
+        {
+            outside = high;
+        }
+    }
+    count = merged_form(phases, reverse, mirror, which, target, v, a, w, b, distance, inside, top, ramp);
     return count;
 }
 /*Duration of the phases if they meet the boundary within the velocity limit, else -1. */
@@ -1830,8 +1965,12 @@ static int64_t slower_cruise(array_double_2d phases, double v, double a, double 
     result = with_cruise(phases, cruise, v, a, w, b, distance, top, ramp);
     return result;
 }
-/*The shortest candidate between two boundary states taken as they are; 0 if none holds. */
-static int64_t shortest_between(array_double_2d phases, array_double_2d trial, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
+/*The shortest candidate between two boundary states taken as they are; 0 if none holds.       */
+/*                                                                                             */
+/*    The first attempt (0) is for the forms that nothing is shorter than; the second one takes*/
+/*    those that keep the velocity limit at some price.                                        */
+/*                                                                                             */
+static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_double_2d trial, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
 {
     int64_t count;
     int64_t side;
@@ -1843,31 +1982,45 @@ static int64_t shortest_between(array_double_2d phases, array_double_2d trial, d
     bool mirror;
     double duration;
     int64_t result;
-    /*nothing is faster than one ramp: phase I.1 alone, where the points are consistent with it*/
-    count = append_change(phases, INT64_C(0), a, b, ramp);
-    if ((count > INT64_C(0)) && (fabs(v + 0.5 * (a + b) * (*cspan_at(&phases, INT64_C(0), INT64_C(0))) - w) <= 1e-13 * velocity_limit))
+    if (attempt == INT64_C(0))
     {
-        if (meets(phases, count, v, w, distance, velocity_limit, ramp) >= 0.0)
+        /*nothing is faster than one ramp: phase I.1 alone, where the points are consistent*/
+        count = append_change(phases, INT64_C(0), a, b, ramp);
+        if ((count > INT64_C(0)) && (fabs(v + 0.5 * (a + b) * (*cspan_at(&phases, INT64_C(0), INT64_C(0))) - w) <= 1e-13 * velocity_limit))
         {
-            return count;
+            if (meets(phases, count, v, w, distance, velocity_limit, ramp) >= 0.0)
+            {
+                return count;
+            }
         }
-    }
-    for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
-    {
-        cruise = velocity_limit * (INT64_C(1) - INT64_C(2) * side);
-        count = with_cruise(phases, cruise, v, a, w, b, distance, top, ramp);
-        if ((count > INT64_C(0)) && (meets(phases, count, v, w, distance, velocity_limit, ramp) >= 0.0))
+        for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
         {
-            return count;
+            cruise = velocity_limit * (INT64_C(1) - INT64_C(2) * side);
+            count = with_cruise(phases, cruise, v, a, w, b, distance, top, ramp);
+            if ((count > INT64_C(0)) && (meets(phases, count, v, w, distance, velocity_limit, ramp) >= 0.0))
+            {
+                return count;
+            }
         }
     }
     best = INT64_C(0);
     shortest = 0.0;
-    for (branch = INT64_C(0); branch < INT64_C(4); branch += INT64_C(1))
+    for (branch = INT64_C(0); branch < INT64_C(4) + attempt; branch += INT64_C(1))
     {
         reverse = (branch == INT64_C(1)) || (branch == INT64_C(2));
         mirror = branch >= INT64_C(2);
-        count = merged_form(trial, reverse, mirror, 0.0, 0, v, a, w, b, distance, top, ramp);
+        if (branch == INT64_C(4))
+        {
+            count = slower_cruise(trial, v, a, w, b, distance, velocity_limit, top, ramp);
+        }
+        else if (attempt == INT64_C(0))
+        {
+            count = merged_form(trial, reverse, mirror, -INT64_C(1), 0.0, v, a, w, b, distance, top, top, ramp);
+        }
+        else
+        {
+            count = tempered_form(trial, reverse, mirror, -INT64_C(1), 0.0, v, a, w, b, distance, velocity_limit, top, ramp);
+        }
         if (count > INT64_C(0))
         {
             duration = meets(trial, count, v, w, distance, velocity_limit, ramp);
@@ -1879,26 +2032,23 @@ static int64_t shortest_between(array_double_2d phases, array_double_2d trial, d
             }
         }
     }
-    if (best > INT64_C(0))
-    {
-        return best;
-    }
-    count = slower_cruise(phases, v, a, w, b, distance, velocity_limit, top, ramp);
-    if ((count > INT64_C(0)) && (meets(phases, count, v, w, distance, velocity_limit, ramp) >= 0.0))
-    {
-        return count;
-    }
-    return INT64_C(0);
+    return best;
 }
-/*Phases of the shortest profile from (v, a) over a distance to (w, b).                              */
-/*                                                                                                   */
-/*    top is the acceleration limit; `phases` and the work space `trial` have 12 rows. Returns the   */
-/*    number of phases (0 when there is nothing to do), or -1 when bringing the first acceleration to*/
-/*    zero passes the velocity limit, -2 when building up the last one does, -3 otherwise.           */
-/*                                                                                                   */
-int64_t segfmu_shortest_profile(double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, array_double_2d trial)
+/*Phases of the shortest profile from (v, a) over a distance to (w, b).                          */
+/*                                                                                               */
+/*    top is the acceleration limit; `phases` has 12 rows and `work` 24. Returns the number of   */
+/*    phases (0 when there is nothing to do), or -1 when bringing the first acceleration to zero */
+/*    passes the velocity limit, -2 when building up the last one does, -3 otherwise.            */
+/*                                                                                               */
+int64_t segfmu_shortest_profile(double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, array_double_2d work)
 {
+    array_double_2d trial;
+    array_double_2d found;
+    int64_t count;
+    int64_t best;
+    double shortest;
     int64_t variant;
+    int64_t attempt;
     bool brake_start;
     bool brake_end;
     double v1;
@@ -1906,11 +2056,9 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
     double w1;
     double b1;
     double rest;
-    int64_t first;
     double duration;
     double y;
-    int64_t last;
-    int64_t count;
+    int64_t result;
     v = without_dust(v, velocity_limit);
     w = without_dust(w, velocity_limit);
     a = without_dust(a, top);
@@ -1920,10 +2068,26 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
     {
         return INT64_C(0);
     }
-    for (variant = INT64_C(0); variant < INT64_C(4); variant += INT64_C(1))
+    trial = span_rows(&work, INT64_C(0), INT64_C(12));
+    found = span_rows(&work, INT64_C(12), INT64_C(24));
+    count = shortest_between(INT64_C(0), phases, trial, v, a, w, b, distance, velocity_limit, top, ramp);
+    if (count > INT64_C(0))
     {
-        brake_start = (variant == INT64_C(1)) || (variant == INT64_C(3));
-        brake_end = variant >= INT64_C(2);
+        return count;
+    }
+    best = INT64_C(0);
+    shortest = 0.0;
+    for (variant = INT64_C(1); variant < INT64_C(8); variant += INT64_C(1))
+    {
+        /*variants 0 to 3: braking none, the first, the last or both of the accelerations to zero;*/
+        /*4 to 7 the same with the second attempt, of which the last three are the way out*/
+        attempt = span_floor_div(variant, INT64_C(4));
+        if ((variant > INT64_C(4)) && (best > INT64_C(0)))
+        {
+            break;
+        }
+        brake_start = span_floor_mod(variant, INT64_C(2)) == INT64_C(1);
+        brake_end = span_floor_mod(variant, INT64_C(4)) >= INT64_C(2);
         if ((brake_start && (a == 0.0)) || (brake_end && (b == 0.0)))
         {
             continue;
@@ -1935,8 +2099,8 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
         rest = distance;
         if (brake_start)
         {
-            brake(&first, &duration, &y, &v1, v, a, velocity_limit, top, ramp, trial);
-            if (first < INT64_C(0))
+            brake(&count, &duration, &y, &v1, v, a, velocity_limit, top, ramp, trial);
+            if (count < INT64_C(0))
             {
                 return -INT64_C(1);
             }
@@ -1945,26 +2109,33 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
         }
         if (brake_end)
         {
-            brake(&last, &duration, &y, &w1, w, -b, velocity_limit, top, ramp, trial);
-            if (last < INT64_C(0))
+            brake(&count, &duration, &y, &w1, w, -b, velocity_limit, top, ramp, trial);
+            if (count < INT64_C(0))
             {
                 return -INT64_C(2);
             }
             rest = rest - y;
             b1 = 0.0;
         }
-        count = shortest_between(phases, trial, v1, a1, w1, b1, rest, velocity_limit, top, ramp);
+        count = shortest_between(attempt, found, trial, v1, a1, w1, b1, rest, velocity_limit, top, ramp);
         if ((count == INT64_C(0)) && (!((rest == 0.0) && (v1 == w1) && (a1 == 0.0) && (b1 == 0.0))))
         {
             continue;
         }
-        count = surround(phases, count, brake_start, v, a, brake_end, w, b, velocity_limit, top, ramp, trial);
-        if (meets(phases, count, v, w, distance, velocity_limit, ramp) >= 0.0)
+        count = surround(found, count, brake_start, v, a, brake_end, w, b, velocity_limit, top, ramp, trial);
+        duration = meets(found, count, v, w, distance, velocity_limit, ramp);
+        if ((duration >= 0.0) && ((best == INT64_C(0)) || (duration < shortest)))
         {
-            return count;
+            copy_phases(found, phases, count);
+            best = count;
+            shortest = duration;
         }
     }
-    return -INT64_C(3);
+    if (best == INT64_C(0))
+    {
+        return -INT64_C(3);
+    }
+    return best;
 }
 /*Stretch phases that begin and end at rest in time; the distance stays (section 3.2). */
 static void stretch_phases(array_double_2d phases, int64_t count, double factor)
@@ -2084,6 +2255,8 @@ static void keep_nearest(array_double_2d trial, int64_t count, double target, do
 /*Nearest profiles below and above the distance, from boundary states taken as they are. */
 static void timed_between(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial)
 {
+    double clipped;
+    int64_t start;
     double middle;
     int64_t count;
     double y;
@@ -2095,10 +2268,23 @@ static void timed_between(double target, double v, double a, double w, double b,
     int64_t branch;
     bool reverse;
     bool mirror;
-    middle = span_min(span_max(distance / target, span_min(v, w)), span_max(v, w));
-    timed_cruise(&count, &y, &hold, trial, middle, target, v, a, w, b, top, ramp);
-    if ((count >= INT64_C(0)) && (hold >= 0.0))
+    clipped = span_min(span_max(distance / target, span_min(v, w)), span_max(v, w));
+    for (start = INT64_C(0); start < INT64_C(3); start += INT64_C(1))
     {
+        middle = clipped;
+        if (start == INT64_C(1))
+        {
+            middle = velocity_limit;
+        }
+        else if (start == INT64_C(2))
+        {
+            middle = -velocity_limit;
+        }
+        timed_cruise(&count, &y, &hold, trial, middle, target, v, a, w, b, top, ramp);
+        if ((count < INT64_C(0)) || (hold < 0.0))
+        {
+            continue;
+        }
         lower = cruise_range(trial, middle, -velocity_limit, target, v, a, w, b, top, ramp);
         upper = cruise_range(trial, middle, velocity_limit, target, v, a, w, b, top, ramp);
         for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
@@ -2134,11 +2320,11 @@ static void timed_between(double target, double v, double a, double w, double b,
             return;
         }
     }
-    for (branch = INT64_C(0); branch < INT64_C(4); branch += INT64_C(1))
+    for (branch = INT64_C(0); branch < INT64_C(8); branch += INT64_C(1))
     {
-        reverse = (branch == INT64_C(1)) || (branch == INT64_C(2));
-        mirror = branch >= INT64_C(2);
-        count = merged_form(trial, reverse, mirror, target, 1, v, a, w, b, distance, top, ramp);
+        reverse = (span_floor_mod(branch, INT64_C(4)) == INT64_C(1)) || (span_floor_mod(branch, INT64_C(4)) == INT64_C(2));
+        mirror = span_floor_mod(branch, INT64_C(4)) >= INT64_C(2);
+        count = tempered_form(trial, reverse, mirror, span_floor_div(branch, INT64_C(4)), target, v, a, w, b, distance, velocity_limit, top, ramp);
         keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
     }
 }
@@ -2328,8 +2514,8 @@ static double next_feasible(int64_t interval, int64_t axis, double start, double
     double inside;
     outside = start;
     inside = -1.0;
-    growth = 1.02;
-    for (i = INT64_C(0); i < INT64_C(400); i += INT64_C(1))
+    growth = 1.005;
+    for (i = INT64_C(0); i < INT64_C(500); i += INT64_C(1))
     {
         duration = outside * growth;
         if (set_duration(interval, axis, duration, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial))
@@ -2338,7 +2524,11 @@ static double next_feasible(int64_t interval, int64_t axis, double start, double
             break;
         }
         outside = duration;
-        if (i > INT64_C(150))
+        if (i > INT64_C(140))
+        {
+            growth = 1.02;
+        }
+        if (i > INT64_C(260))
         {
             growth = 1.1;
         }
@@ -2574,7 +2764,7 @@ static int64_t synchronize_plan(array_double_2d positions, array_double_2d veloc
         {
             if ((synchronization == INT64_C(1)) || (sample_time > 0.0))
             {
-                time = common_duration(j, axis, axis + group, 0.0, sample_time, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, span_row(&work, INT64_C(12)), span_rows(&work, INT64_C(0), INT64_C(12)));
+                time = common_duration(j, axis, axis + group, 0.0, sample_time, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, span_row(&work, INT64_C(24)), span_rows(&work, INT64_C(0), INT64_C(24)));
                 (*cspan_at(&report, INT64_C(0))) = axis;
                 (*cspan_at(&report, INT64_C(1))) = j;
                 if (time < 0.0)
@@ -2608,11 +2798,11 @@ static int64_t synchronize_plan(array_double_2d positions, array_double_2d veloc
     for (axis = INT64_C(0); (group > 0) ? (axis < axes) : (axis > axes); axis += group)
     {
         (*cspan_at(&report, INT64_C(0))) = axis;
-        if (!distribute(axis, axis + group, target, shortest, durations, active, positions, velocities, accelerations, limits, ramps, phases, counts, weights, span_row(&work, INT64_C(12)), span_rows(&work, INT64_C(0), INT64_C(12))))
+        if (!distribute(axis, axis + group, target, shortest, durations, active, positions, velocities, accelerations, limits, ramps, phases, counts, weights, span_row(&work, INT64_C(24)), span_rows(&work, INT64_C(0), INT64_C(24))))
         {
             return -INT64_C(6);
         }
-        if (!rewrite_intervals(axis, axis + group, shortest, durations, positions, velocities, accelerations, limits, ramps, phases, counts, weights, span_row(&work, INT64_C(12)), span_rows(&work, INT64_C(0), INT64_C(12))))
+        if (!rewrite_intervals(axis, axis + group, shortest, durations, positions, velocities, accelerations, limits, ramps, phases, counts, weights, span_row(&work, INT64_C(24)), span_rows(&work, INT64_C(0), INT64_C(24))))
         {
             return -INT64_C(6);
         }
@@ -2624,7 +2814,7 @@ static int64_t synchronize_plan(array_double_2d positions, array_double_2d veloc
 /*    m waypoints, k axes: positions, velocities, accelerations (m, k), dwells (m,), limits    */
 /*    (k, smoothness + 1) with 0 for absent, ramps (k, 48), phases (2 (m - 1) k, 12, 4), counts*/
 /*    (2 (m - 1) k,), weights ((m - 1) k,), shortest and durations (m - 1, k), active (m - 1,),*/
-/*    work (16, 4 + 2 smoothness), report (4,). synchronization: 0 none, 1 waypoints, 2 total; */
+/*    work (25, 4 + 2 smoothness), report (4,). synchronization: 0 none, 1 waypoints, 2 total; */
 /*    sample_time and duration: 0 for none.                                                    */
 /*                                                                                             */
 int64_t segfmu_plan_phases(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d dwells, array_double_2d limits, int64_t smoothness, int64_t shape, int64_t synchronization, double sample_time, double duration, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d shortest, array_double_2d durations, array_int64_t_1d active, array_double_2d work, array_double_1d report)

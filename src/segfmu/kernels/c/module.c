@@ -108,7 +108,7 @@ static PyObject *call_shortest_profile(
     double in_top;
     Py_buffer *in_ramp;
     Py_buffer *in_phases;
-    Py_buffer *in_trial;
+    Py_buffer *in_work;
     (void)self;
     if (take_count(&call, count, 10)
         && take_float(&call, 0, &in_v)
@@ -120,7 +120,7 @@ static PyObject *call_shortest_profile(
         && take_float(&call, 6, &in_top)
         && (in_ramp = take_array(&call, 7, 1, 'd', false)) != NULL
         && (in_phases = take_array(&call, 8, 2, 'd', true)) != NULL
-        && (in_trial = take_array(&call, 9, 2, 'd', true)) != NULL) {
+        && (in_work = take_array(&call, 9, 2, 'd', true)) != NULL) {
         answer = PyLong_FromLongLong(segfmu_shortest_profile(
             in_v,
             in_a,
@@ -131,7 +131,7 @@ static PyObject *call_shortest_profile(
             in_top,
             (array_double_1d){in_ramp->buf, {in_ramp->shape[0]}},
             (array_double_2d){in_phases->buf, {in_phases->shape[0], in_phases->shape[1]}},
-            (array_double_2d){in_trial->buf, {in_trial->shape[0], in_trial->shape[1]}}));
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
     }
     release_arguments(&call);
     return answer;

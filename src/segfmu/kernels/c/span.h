@@ -70,4 +70,11 @@ static inline int64_t span_floor_div(int64_t a, int64_t b)
     return a % b != 0 && (a < 0) != (b < 0) ? quotient - 1 : quotient;
 }
 
+/* a % b of Python: with the sign of b. */
+static inline int64_t span_floor_mod(int64_t a, int64_t b)
+{
+    int64_t rest = a % b;
+    return rest != 0 && (rest < 0) != (b < 0) ? rest + b : rest;
+}
+
 #endif

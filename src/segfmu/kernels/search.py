@@ -1,0 +1,306 @@
+"""Searches along the canonical family of levels.py: by the distance, and by the duration."""
+
+from segfmu.kernels.levels import canonical_point
+from segfmu.kernels.transition import ramp_duration
+
+
+def window_edge(
+    inside: float,
+    outside: float,
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    high: float,
+    top: float,
+    t_top: float,
+    ramp: 'float[:]',
+) -> float:
+    """Bisect between a parameter that has a canonical member and one that has none."""
+    for i in range(80):
+        middle = 0.5 * (inside + outside)
+        if middle == inside or middle == outside:
+            break
+        duration, y, t1, hold1, level1, hold2, level2, t3 = canonical_point(
+            middle, v, a, w, b, high, top, t_top, ramp
+        )
+        if duration >= 0.0:
+            inside = middle
+        else:
+            outside = middle
+    return inside
+
+
+def canonical_value(
+    p: float,
+    by_time: bool,
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    high: float,
+    top: float,
+    t_top: float,
+    ramp: 'float[:]',
+) -> 'tuple[float, float]':
+    """The searched quantity (duration or distance) of a member, and its duration or -1."""
+    duration, y, t1, hold1, level1, hold2, level2, t3 = canonical_point(
+        p, v, a, w, b, high, top, t_top, ramp
+    )
+    if by_time:
+        return duration, duration
+    return y, duration
+
+
+def falsi_weight(error: float, previous: float) -> float:
+    """Weight of the other side's error when one side is replaced twice (Anderson-Bjoerck)."""
+    if previous == 0.0:
+        return 0.5
+    weight = 1.0 - error / previous
+    if weight <= 0.0:
+        return 0.5
+    return weight
+
+
+def bracketed_root(
+    lower: float,
+    upper: float,
+    f_lower: float,
+    f_upper: float,
+    target: float,
+    by_time: bool,
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    high: float,
+    top: float,
+    t_top: float,
+    ramp: 'float[:]',
+) -> float:
+    """Regula falsi (Anderson-Bjoerck) on the canonical family; f_lower < target <= f_upper.
+
+    `lower` and `upper` name the values, not the order of the parameters.
+    """
+    e_lower = f_lower - target
+    e_upper = f_upper - target
+    side = 0
+    p = upper
+    for i in range(200):
+        if e_upper == 0.0 or abs(upper - lower) <= 2e-16 * abs(upper):
+            return upper
+        p = upper - e_upper * (upper - lower) / (e_upper - e_lower)
+        if i > 40 or (p - lower) * (p - upper) >= 0.0:
+            p = 0.5 * (lower + upper)
+            if (p - lower) * (p - upper) >= 0.0:
+                return upper
+        value, duration = canonical_value(p, by_time, v, a, w, b, high, top, t_top, ramp)
+        error = value - target
+        if abs(error) <= 1e-15 * abs(target):
+            return p
+        if error > 0.0:
+            if side == 1:
+                e_lower = e_lower * falsi_weight(error, e_upper)
+            upper = p
+            e_upper = error
+            side = 1
+        else:
+            if side == -1:
+                e_upper = e_upper * falsi_weight(error, e_lower)
+            lower = p
+            e_lower = error
+            side = -1
+    return p
+
+
+def first_window(
+    target: float,
+    f_start: float,
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    high: float,
+    top: float,
+    t_top: float,
+    t_zero: float,
+    ramp: 'float[:]',
+) -> 'tuple[float, float]':
+    """Search the members whose second level lies between the end acceleration and zero.
+
+    Returns the parameter or -1, and t_zero if the family goes on there, else -1: a positive
+    second level gains velocity, which can leave no room for the first one. Where the motion
+    starts backwards the distance can rise and fall again, so the members between are looked at.
+    """
+    if v < 0.0:
+        samples = 8
+        lower = 0.0
+        f_lower = f_start
+        for i in range(1, samples):
+            p = t_zero * i / samples
+            value, duration = canonical_value(p, False, v, a, w, b, high, top, t_top, ramp)
+            if duration < 0.0:
+                break
+            if value >= target and value > f_lower:
+                return bracketed_root(
+                    lower, p, f_lower, value, target, False, v, a, w, b, high, top, t_top, ramp
+                ), t_zero
+            lower = p
+            f_lower = value
+    value, duration = canonical_value(t_zero, False, v, a, w, b, high, top, t_top, ramp)
+    end = t_zero
+    if duration < 0.0:
+        end = window_edge(0.0, t_zero, v, a, w, b, high, top, t_top, ramp)
+        value, duration = canonical_value(end, False, v, a, w, b, high, top, t_top, ramp)
+    going_on = -1.0
+    if end == t_zero:
+        going_on = t_zero
+    if value >= target and value > f_start:
+        p = bracketed_root(
+            0.0, end, f_start, value, target, False, v, a, w, b, high, top, t_top, ramp
+        )
+        return p, going_on
+    return -1.0, going_on
+
+
+def dip(
+    target: float,
+    f_start: float,
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    high: float,
+    top: float,
+    t_top: float,
+    ramp: 'float[:]',
+) -> float:
+    """Parameter of a member that covers less than the first one, and just the target; or -1.
+
+    Going on for longer covers less distance while the velocity in between is negative.
+    """
+    samples = 12
+    for i in range(1, samples + 1):
+        p = t_top * i * i / (samples * samples)
+        value, duration = canonical_value(p, False, v, a, w, b, high, top, t_top, ramp)
+        if duration < 0.0:
+            return -1.0
+        if value <= target:
+            return bracketed_root(
+                p, 0.0, value, f_start, target, False, v, a, w, b, high, top, t_top, ramp
+            )
+    return -1.0
+
+
+def canonical_search(
+    target: float,
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    high: float,
+    top: float,
+    t_top: float,
+    ramp: 'float[:]',
+) -> float:
+    """Parameter of the first canonical member that covers the target distance, or -1."""
+    f_lower, duration = canonical_value(0.0, False, v, a, w, b, high, top, t_top, ramp)
+    if duration < 0.0:
+        return -1.0
+    if f_lower == target:
+        return 0.0
+    if f_lower > target:
+        if v >= 0.0 and w >= 0.0:
+            return -1.0
+        return dip(target, f_lower, v, a, w, b, high, top, t_top, ramp)
+    lower = 0.0
+    if b > 0.0:
+        t_zero, rise, slope = ramp_duration(b, ramp)
+        p, lower = first_window(
+            target, f_lower, v, a, w, b, high, top, t_top, t_zero, ramp
+        )
+        if p >= 0.0:
+            return p
+        if lower < 0.0:
+            upper = t_top
+            value, duration = canonical_value(upper, False, v, a, w, b, high, top, t_top, ramp)
+            for i in range(60):
+                if duration >= 0.0:
+                    break
+                upper = 2.0 * upper
+                value, duration = canonical_value(
+                    upper, False, v, a, w, b, high, top, t_top, ramp
+                )
+            lower = window_edge(upper, t_zero, v, a, w, b, high, top, t_top, ramp)
+        f_lower, duration = canonical_value(lower, False, v, a, w, b, high, top, t_top, ramp)
+        if f_lower > target:
+            return -1.0
+    upper = t_top
+    if upper <= lower:
+        upper = 2.0 * lower
+    for i in range(200):
+        f_upper, duration = canonical_value(upper, False, v, a, w, b, high, top, t_top, ramp)
+        if f_upper >= target:
+            return bracketed_root(
+                lower, upper, f_lower, f_upper, target, False, v, a, w, b, high, top, t_top, ramp
+            )
+        lower = upper
+        f_lower = f_upper
+        upper = 2.0 * upper
+    return -1.0
+
+
+def timed_search(
+    which: int,
+    target: float,
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    high: float,
+    top: float,
+    t_top: float,
+    ramp: 'float[:]',
+) -> float:
+    """Parameter of the which-th canonical member (from 0) that lasts `target`, or -1.
+
+    The duration falls and rises again along the family where a first level that takes long to
+    come back from is traded for a shorter one, so the members are looked at one by one.
+    """
+    scale = max(t_top, 0.1 * target)
+    found = 0
+    previous = 0.0
+    lower = -1.0
+    t_lower = 0.0
+    p = 0.0
+    for i in range(36):
+        p = scale * i * i / 144.0
+        t, duration = canonical_value(p, True, v, a, w, b, high, top, t_top, ramp)
+        upper = p
+        inside = duration >= 0.0
+        if inside and lower < 0.0 and i > 0:
+            lower = window_edge(p, previous, v, a, w, b, high, top, t_top, ramp)
+            t_lower, duration = canonical_value(
+                lower, True, v, a, w, b, high, top, t_top, ramp
+            )
+        if not inside and lower >= 0.0:
+            upper = window_edge(lower, p, v, a, w, b, high, top, t_top, ramp)
+            t, duration = canonical_value(upper, True, v, a, w, b, high, top, t_top, ramp)
+        if lower >= 0.0 and (t_lower - target) * (t - target) <= 0.0 and t != t_lower:
+            if found == which and t > t_lower:
+                return bracketed_root(
+                    lower, upper, t_lower, t, target, True, v, a, w, b, high, top, t_top, ramp
+                )
+            if found == which:
+                return bracketed_root(
+                    upper, lower, t, t_lower, target, True, v, a, w, b, high, top, t_top, ramp
+                )
+            found = found + 1
+        lower = -1.0
+        if inside:
+            lower = p
+            t_lower = t
+            if i > 12 and t > target:
+                return -1.0
+        previous = p
+    return -1.0
