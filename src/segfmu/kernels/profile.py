@@ -374,7 +374,7 @@ def shortest_profile(
     a = without_dust(a, top)
     b = without_dust(b, top)
     distance = without_dust(distance, velocity_limit * velocity_limit / top)
-    if distance == 0.0 and v == 0.0 and w == 0.0 and a == 0.0 and b == 0.0:
+    if distance == 0.0 and v == w and a == b:
         return 0
     trial = work[0:12, :]
     found = work[12:24, :]

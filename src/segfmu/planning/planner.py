@@ -8,16 +8,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from segfmu.errors import InfeasibleError, InputError
-from segfmu.kernels import backend
 from segfmu.planning.arrays import FloatArray, finite_vector
+from segfmu.planning.free import choose_states
 from segfmu.planning.limits import Limits
-from segfmu.planning.messages import infeasible
+from segfmu.planning.solver import SHAPES, SYNCHRONIZATIONS, Options, solve, states
 from segfmu.planning.trajectory import Trajectory
-from segfmu.planning.verify import TOLERANCE, require
 from segfmu.planning.waypoint import Waypoint
 
-SHAPES = {"smoothstep": 0, "plateau": 1}
-SYNCHRONIZATIONS = {"none": 0, "waypoints": 1, "total": 2}
 SMOOTHNESS = range(2, 7)
 
 
@@ -75,69 +72,22 @@ def plan(
         raise InputError(f"smoothness must be an integer from 2 to 6, got {smoothness!r}")
     if not isinstance(limits, Limits):
         raise InputError(f"limits must be a segfmu.Limits, got {type(limits).__name__}")
-    options = (
-        _choice("shape", shape, SHAPES),
+    options = Options(
+        int(smoothness), _choice("shape", shape, SHAPES),
         _choice("synchronize", synchronize, SYNCHRONIZATIONS),
-        _time("sample_time", sample_time),
-        _time("duration", duration),
+        _time("sample_time", sample_time), _time("duration", duration),
     )
-    trajectory = _solve(points, limits, int(smoothness), shape, options, names)
+    points = choose_states(points, limits, options)
+    _check_different(points)
+    trajectory = solve(points, limits, options, names)
     _check_positions(trajectory, position_min, position_max)
     return trajectory
 
 
-def _solve(
-    points: tuple[Waypoint, ...],
-    limits: Limits,
-    smoothness: int,
-    shape: str,
-    options: tuple[int, int, float, float],
-    names: tuple[str, ...],
-) -> Trajectory:
-    axes, intervals = points[0].axes, len(points) - 1
-    cells = axes * intervals
-    table = limits.table(axes, smoothness)
-    state = np.array([(p.position, p.velocity, p.acceleration) for p in points])
-    positions, velocities, accelerations = np.ascontiguousarray(state.transpose(1, 0, 2))
-    _check_different(state)
-    dwells = np.array([p.dwell for p in points])
-    phases = np.empty((2 * cells, 12, 4))
-    counts = np.zeros(2 * cells, dtype=np.int64)
-    weights = np.zeros(cells)
-    durations = np.zeros((intervals, axes))
-    report = np.zeros(4)
-    ramps = np.zeros((axes, 48))
-    status = backend.plan_phases(
-        positions, velocities, accelerations, dwells, table, smoothness, *options,
-        ramps, phases, counts, weights, np.zeros((intervals, axes)), durations,
-        np.zeros(intervals, dtype=np.int64), np.zeros((25, 4 + 2 * smoothness)), report,
-    )
-    if status < 0:
-        raise infeasible(status, report, points, table, names)
-    rows = backend.count_pieces(counts, cells) + axes * (len(points) + 1)
-    timing = np.empty((rows, 2))
-    coefficients = np.empty((rows, 2 * smoothness))
-    offsets = np.zeros(axes + 1, dtype=np.int64)
-    times = np.zeros((len(points), axes))
-    used = backend.expand_plan(
-        positions, velocities, dwells, smoothness, options[0], phases, counts, weights, durations,
-        ramps, np.empty((200, 2)), np.empty((200, 16)), timing, coefficients, offsets, times,
-    )
-    arrays = timing[:used], coefficients[:used], offsets, times, times[-1] + dwells[-1]
-    for array in arrays:
-        array.flags.writeable = False
-    trajectory = Trajectory(points, limits, smoothness, shape, names, *arrays)
-    if backend.check_plan(
-        positions, velocities, accelerations, times, *arrays[:3], arrays[4], table, TOLERANCE,
-        np.empty((42, 14)),
-    ):
-        require(trajectory)
-    return trajectory
-
-
-def _check_different(state: FloatArray) -> None:
+def _check_different(points: tuple[Waypoint, ...]) -> None:
     """Two waypoints that follow each other differ in something."""
-    same = (state[1:] == state[:-1]).all(axis=(1, 2))
+    state = states(points)
+    same = (state[:, 1:] == state[:, :-1]).all(axis=(0, 2))
     if same.any():
         i = int(same.argmax()) + 1
         raise InputError(
@@ -171,10 +121,10 @@ def _names(axis_names: Sequence[str] | None, axes: int) -> tuple[str, ...]:
     return names
 
 
-def _choice(name: str, value: str, choices: dict[str, int]) -> int:
+def _choice(name: str, value: str, choices: tuple[str, ...]) -> str:
     if value not in choices:
         raise InputError(f"{name} must be one of {', '.join(choices)}, got {value!r}")
-    return choices[value]
+    return value
 
 
 def _time(name: str, value: float | None) -> float:

@@ -19,8 +19,9 @@ class Waypoint:
     ----------
     position : array_like, shape (axes,)
         Position [m].
-    velocity, acceleration : array_like, shape (axes,), optional
-        State at the point [m/s, m/s2]; rest if left out. The higher derivatives are zero.
+    velocity, acceleration : array_like, shape (axes,), or "free", optional
+        State at the point [m/s, m/s2]; rest if left out. With "free", or None for one of the
+        axes, `plan` chooses what is fast; until then it is NaN. The higher derivatives are zero.
     dwell : float
         Time to stay [s]; only at a point at rest.
 
@@ -38,14 +39,14 @@ class Waypoint:
     def __init__(
         self,
         position: ArrayLike,
-        velocity: ArrayLike | None = None,
-        acceleration: ArrayLike | None = None,
+        velocity: ArrayLike | str | None = None,
+        acceleration: ArrayLike | str | None = None,
         dwell: float = 0.0,
     ) -> None:
         values = finite_vector("position", position)
         object.__setattr__(self, "position", values)
         for name, given in (("velocity", velocity), ("acceleration", acceleration)):
-            vector = finite_vector(name, np.zeros(values.size) if given is None else given)
+            vector = _state(name, given, values.size)
             if vector.size != values.size:
                 raise InputError(
                     f"{name} has {vector.size} values, position has {values.size}; "
@@ -61,3 +62,21 @@ class Waypoint:
     def axes(self) -> int:
         """Number of axes."""
         return int(self.position.size)
+
+
+def _state(name: str, given: ArrayLike | str | None, axes: int) -> FloatArray:
+    """Finite numbers, and NaN where the state is free."""
+    if given is None:
+        return finite_vector(name, np.zeros(axes))
+    if isinstance(given, str):
+        if given != "free":
+            raise InputError(f'{name} must be numbers or "free", got {given!r}')
+        vector = np.full(axes, np.nan)
+        vector.flags.writeable = False
+        return vector
+    if not isinstance(given, list | tuple) or None not in given:
+        return finite_vector(name, given)
+    vector = finite_vector(name, [0.0 if v is None else v for v in given]).copy()
+    vector[[v is None for v in given]] = np.nan
+    vector.flags.writeable = False
+    return vector

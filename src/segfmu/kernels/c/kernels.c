@@ -2064,7 +2064,7 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
     a = without_dust(a, top);
     b = without_dust(b, top);
     distance = without_dust(distance, velocity_limit * velocity_limit / top);
-    if ((distance == 0.0) && (v == 0.0) && (w == 0.0) && (a == 0.0) && (b == 0.0))
+    if ((distance == 0.0) && (v == w) && (a == b))
     {
         return INT64_C(0);
     }
