@@ -18,7 +18,8 @@ from segfmu.planning.solver import Options, plan_phases, states, total_duration
 from segfmu.planning.waypoint import Waypoint
 
 SWEEPS = 4
-STEPS = (0.3, 0.1, 0.03, 0.01)  # in units of the limit; every sweep starts one later
+# in units of the limit; every sweep leaves out one more of the first
+STEPS = (0.3, 0.1, 0.03, 0.01, 0.003, 0.001)
 
 
 def choose_states(
