@@ -28,7 +28,7 @@ class AxisProblem:
         n = self.smoothness
         ramp = np.zeros(48)
         status = ramp_parameters(
-            n, self.shape, np.array(self.limits), np.zeros(2 * n + 2), np.zeros(n + 2), ramp
+            n, self.shape, 0.1, np.array(self.limits), np.zeros(2 * n + 2), np.zeros(n + 2), ramp
         )
         assert status == 0
         return ramp

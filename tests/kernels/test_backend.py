@@ -40,7 +40,8 @@ def test_shortest_profiles_agree(problem: AxisProblem) -> None:
         n = problem.smoothness
         ramp, phases = np.zeros(48), np.zeros((12, 4))
         parameters(
-            n, problem.shape, np.array(problem.limits), np.zeros(2 * n + 2), np.zeros(n + 2), ramp
+            n, problem.shape, 0.1, np.array(problem.limits), np.zeros(2 * n + 2),
+            np.zeros(n + 2), ramp,
         )
         count = shortest(
             problem.v, problem.a, problem.w, problem.b, problem.distance, problem.limits[0],

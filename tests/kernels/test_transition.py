@@ -66,7 +66,7 @@ def packed(smoothness: int, shape: int, limits: list[float]) -> np.ndarray:
     ramp = np.zeros(48)
     n = smoothness
     status = ramp_parameters(
-        n, shape, np.array(limits), np.zeros(2 * n + 2), np.zeros(n + 2), ramp
+        n, shape, 0.1, np.array(limits), np.zeros(2 * n + 2), np.zeros(n + 2), ramp
     )
     assert status == 0
     return ramp
@@ -173,4 +173,4 @@ def test_no_limit_on_the_ramp_is_reported() -> None:
     ramp = np.zeros(48)
     limits = np.array([1.0, 1.0, 0.0, 0.0, 0.0])
     for shape in (0, 1):
-        assert ramp_parameters(4, shape, limits, np.zeros(10), np.zeros(6), ramp) == 1
+        assert ramp_parameters(4, shape, 0.1, limits, np.zeros(10), np.zeros(6), ramp) == 1

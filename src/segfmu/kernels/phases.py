@@ -16,6 +16,11 @@ def without_dust(value: float, scale: float) -> float:
     return value
 
 
+def without_excess(value: float, limit: float) -> float:
+    """A boundary value without dust, and clamped where it passes its limit by rounding."""
+    return min(max(without_dust(value, limit), -limit), limit)
+
+
 def append_ramp(
     phases: 'float[:,:]', count: int, a: float, b: float, duration: float, ramp: 'float[:]'
 ) -> int:

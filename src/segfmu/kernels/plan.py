@@ -23,14 +23,14 @@ def check_waypoints(
             report[1] = j
             report[2] = velocities[j, axis]
             report[3] = limits[axis, 0]
-            if abs(velocities[j, axis]) > limits[axis, 0]:
+            if abs(velocities[j, axis]) > limits[axis, 0] * (1.0 + 1e-12):
                 return -7
             moving = velocities[j, axis] != 0.0 or accelerations[j, axis] != 0.0
             if dwells[j] > 0.0 and moving:
                 return -10
             report[2] = accelerations[j, axis]
             report[3] = limits[axis, 1]
-            if abs(accelerations[j, axis]) > limits[axis, 1]:
+            if abs(accelerations[j, axis]) > limits[axis, 1] * (1.0 + 1e-12):
                 return -8
     return 0
 
@@ -116,6 +116,42 @@ def rewrite_intervals(
     return True
 
 
+def plan_axis(
+    axis: int,
+    share: float,
+    positions: 'float[:,:]',
+    velocities: 'float[:,:]',
+    accelerations: 'float[:,:]',
+    limits: 'float[:,:]',
+    smoothness: int,
+    shape: int,
+    ramps: 'float[:,:]',
+    phases: 'float[:,:,:]',
+    counts: 'int[:]',
+    weights: 'float[:]',
+    shortest: 'float[:,:]',
+    work: 'float[:,:]',
+    report: 'float[:]',
+) -> int:
+    """Ramp parameters and shortest profiles of one axis; status as in `plan_phases`."""
+    report[0] = axis
+    status = ramp_parameters(
+        smoothness, shape, share, limits[axis, :], work[0, :], work[1, :], ramps[axis, :]
+    )
+    if status > 0:
+        return -9
+    for j in range(positions.shape[0] - 1):
+        report[1] = j
+        status, time = set_shortest(
+            j, axis, positions, velocities, accelerations, limits, ramps, phases, counts,
+            weights, work,
+        )
+        if status < 0:
+            return status
+        shortest[j, axis] = time
+    return 0
+
+
 def plan_phases(
     positions: 'float[:,:]',
     velocities: 'float[:,:]',
@@ -151,24 +187,20 @@ def plan_phases(
     if status < 0:
         return status
     for axis in range(axes):
-        report[0] = axis
-        status = ramp_parameters(
-            smoothness, shape, limits[axis, :], work[0, :], work[1, :], ramps[axis, :]
+        status = plan_axis(
+            axis, 0.1, positions, velocities, accelerations, limits, smoothness, shape, ramps,
+            phases, counts, weights, shortest, work, report,
         )
-        if status > 0:
-            return -9
-    for j in range(intervals):
-        for axis in range(axes):
-            status, time = set_shortest(
-                j, axis, positions, velocities, accelerations, limits, ramps, phases, counts,
-                weights, work,
+        if status == -1 or status == -2:
+            # braking just fails: the steepest ramps decide whether the limits admit it
+            status = plan_axis(
+                axis, 0.004, positions, velocities, accelerations, limits, smoothness, shape,
+                ramps, phases, counts, weights, shortest, work, report,
             )
-            if status < 0:
-                report[0] = axis
-                report[1] = j
-                return status
-            shortest[j, axis] = time
-            durations[j, axis] = time
+        if status < 0:
+            return status
+        for j in range(intervals):
+            durations[j, axis] = shortest[j, axis]
     return synchronize_plan(
         positions, velocities, accelerations, dwells, limits, synchronization, sample_time,
         duration, ramps, phases, counts, weights, shortest, durations, active, work, report,

@@ -26,6 +26,7 @@ from segfmu.kernels.phases import (
     mirror_phases,
     reverse_phases,
     without_dust,
+    without_excess,
 )
 from segfmu.kernels.search import canonical_search, falsi_weight, timed_search
 from segfmu.kernels.transition import ramp_duration
@@ -369,10 +370,10 @@ def shortest_profile(
     phases (0 when there is nothing to do), or -1 when bringing the first acceleration to zero
     passes the velocity limit, -2 when building up the last one does, -3 otherwise.
     """
-    v = without_dust(v, velocity_limit)
-    w = without_dust(w, velocity_limit)
-    a = without_dust(a, top)
-    b = without_dust(b, top)
+    v = without_excess(v, velocity_limit)
+    w = without_excess(w, velocity_limit)
+    a = without_excess(a, top)
+    b = without_excess(b, top)
     distance = without_dust(distance, velocity_limit * velocity_limit / top)
     if distance == 0.0 and v == w and a == b:
         return 0

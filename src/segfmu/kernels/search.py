@@ -180,8 +180,9 @@ def dip(
     Going on for longer covers less distance while the velocity in between is negative.
     """
     samples = 12
+    span, rise, slope = ramp_duration(top, ramp)
     for i in range(1, samples + 1):
-        p = t_top * i * i / (samples * samples)
+        p = max(t_top, span) * i * i / (samples * samples)
         value, duration = canonical_value(p, False, v, a, w, b, high, top, t_top, ramp)
         if duration < 0.0:
             return -1.0
@@ -207,7 +208,8 @@ def canonical_search(
     f_lower, duration = canonical_value(0.0, False, v, a, w, b, high, top, t_top, ramp)
     if duration < 0.0:
         return -1.0
-    if f_lower == target:
+    # a target that only rounding keeps from the first member is met by it
+    if abs(f_lower - target) <= 1e-14 * (abs(v) + abs(w)) * duration:
         return 0.0
     if f_lower > target:
         if v >= 0.0 and w >= 0.0:
@@ -235,7 +237,9 @@ def canonical_search(
         f_lower, duration = canonical_value(lower, False, v, a, w, b, high, top, t_top, ramp)
         if f_lower > target:
             return -1.0
-    upper = t_top
+    # where the last acceleration is at its limit, t_top is no scale of the family
+    span, rise, slope = ramp_duration(top, ramp)
+    upper = max(t_top, span)
     if upper <= lower:
         upper = 2.0 * lower
     for i in range(200):

@@ -18,6 +18,7 @@ from segfmu.kernels.phases import (
     insert_hold,
     measure_phases,
     without_dust,
+    without_excess,
 )
 from segfmu.kernels.profile import cruise_form, tempered_form
 
@@ -29,6 +30,16 @@ def stretch_phases(phases: 'float[:,:]', count: int, factor: float) -> None:
         phases[i, 1] = phases[i, 1] * factor
         phases[i, 2] = phases[i, 2] / (factor * factor)
         phases[i, 3] = phases[i, 3] / (factor * factor)
+
+
+def fit_duration(phases: 'float[:,:]', count: int, target: float) -> None:
+    """Remove the rounding error of the total duration, which two averaged profiles must share."""
+    total = 0.0
+    for i in range(count):
+        total = total + phases[i, 0]
+    for i in range(count):
+        phases[i, 0] = phases[i, 0] * (target / total)
+        phases[i, 1] = phases[i, 1] * (target / total)
 
 
 def timed_cruise(
@@ -203,10 +214,10 @@ def timed_profile(
     The motion is (1 - weight) * below + weight * above; found[0] and found[2] are the numbers
     of phases of the two (12 rows each).
     """
-    v = without_dust(v, velocity_limit)
-    w = without_dust(w, velocity_limit)
-    a = without_dust(a, top)
-    b = without_dust(b, top)
+    v = without_excess(v, velocity_limit)
+    w = without_excess(w, velocity_limit)
+    a = without_excess(a, top)
+    b = without_excess(b, top)
     distance = without_dust(distance, velocity_limit * velocity_limit / top)
     for i in range(4):
         found[i] = 0.0
@@ -259,5 +270,7 @@ def timed_profile(
                 above, int(found[2]), brake_start, v, a, brake_end, w, b, velocity_limit, top,
                 ramp, trial,
             )
+            fit_duration(below, int(found[0]), target)
+            fit_duration(above, int(found[2]), target)
             return weight
     return -1.0

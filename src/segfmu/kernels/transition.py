@@ -5,7 +5,7 @@ A ramp takes the acceleration from one level to another, as in (11a-d). Two shap
 * smoothstep (shape 0): the paper's polynomial Psi of (12) with k = n - 2 (errata E1, E2);
 * plateau (shape 1): the jerk rises with the polynomial of order k - 1, stays, and falls. Where
   no limit above the snap is given, the snap has a plateau in the same way: within each rise of
-  the jerk it rises with the polynomial of order k - 2 in a tenth of the time, stays, and falls.
+  the jerk it rises with the polynomial of order k - 2 in a share of the time, stays, and falls.
 
 Both are symmetric, so a ramp from a to b lasting tau gains the velocity (a + b) / 2 * tau and,
 from (15), the distance v tau + a tau^2 / 2 + (b - a) (tau^2 / 8 + V / 2), where V is the
@@ -97,14 +97,10 @@ def transition_peaks(order: int, coefficients: 'float[:]', peaks: 'float[:]') ->
         peaks[j] = best
 
 
-def free_rise_share() -> float:
-    """Share of a plateau that each of its rises takes when no limit bounds that rise."""
-    return 0.1
-
-
 def ramp_parameters(
     smoothness: int,
     shape: int,
+    share: float,
     limits: 'float[:]',
     work: 'float[:]',
     peaks: 'float[:]',
@@ -112,7 +108,9 @@ def ramp_parameters(
 ) -> int:
     """Pack the ramp parameters of one axis into `ramp` (48 numbers).
 
-    limits[i] is c_{i+1}, i = 0 .. smoothness, and 0 where it is absent. `work` holds
+    share is that of a plateau which each of its rises takes when no limit bounds that rise: the
+    smaller, the faster, and the larger the derivatives that are not bounded. limits[i] is c_{i+1},
+    i = 0 .. smoothness, and 0 where it is absent. `work` holds
     2 smoothness numbers, `peaks` smoothness + 1. Returns 0, or 1 when no limit bounds the ramp.
     """
     k = smoothness - 2
@@ -148,7 +146,6 @@ def ramp_parameters(
             if limits[j] > 0.0:
                 steep = False
         if steep:
-            share = free_rise_share()
             transition_coefficients(k - 2, work)
             peaks[1] = 1.0 / (1.0 - share)
             ramp[5] = (1.0 - share) * (1.0 - share) / 12.0 + share * share / (4.0 * (2 * k - 1))
@@ -168,7 +165,7 @@ def ramp_parameters(
                 rise = max(rise, (limits[2] * ramp[8 + j]) ** (1.0 / j))
                 bounded = True
         if limits[2] > 0.0 and not bounded:
-            ramp[6] = free_rise_share()
+            ramp[6] = share
             bounded = True
         ramp[2] = rise
         ramp[3] = -1.0

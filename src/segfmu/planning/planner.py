@@ -85,9 +85,10 @@ def plan(
 
 
 def _check_different(points: tuple[Waypoint, ...]) -> None:
-    """Two waypoints that follow each other differ in something."""
+    """Two waypoints that follow each other differ in something that doubles can tell."""
     state = states(points)
-    same = (state[:, 1:] == state[:, :-1]).all(axis=(0, 2))
+    size = np.maximum(np.abs(state), 1.0)[:, 1:]
+    same = (np.abs(state[:, 1:] - state[:, :-1]) <= 1e-15 * size).all(axis=(0, 2))
     if same.any():
         i = int(same.argmax()) + 1
         raise InputError(

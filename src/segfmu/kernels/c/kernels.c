@@ -6,7 +6,6 @@
 static void transition_coefficients(int64_t order, array_double_1d coefficients);
 static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s);
 static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks);
-static double free_rise_share(void);
 static int64_t slowest_root(double* result_0, double* result_1_0001, double change, int64_t first, array_double_1d ramp);
 static double ramp_rise(double duration, array_double_1d ramp);
 static int64_t fastest_power(double* result_0, double* result_1_0001, double duration, int64_t first, array_double_1d ramp);
@@ -18,6 +17,7 @@ static double invert_curved_part(double value, double upper, array_double_1d ram
 static double ramp_extreme_velocity_first_half(double v, double a, double b, double duration, double rise, array_double_1d ramp);
 static double ramp_extreme_velocity(double v, double a, double b, double duration, double rise, array_double_1d ramp);
 static double without_dust(double value, double scale);
+static double without_excess(double value, double limit);
 static int64_t append_ramp(array_double_2d phases, int64_t count, double a, double b, double duration, array_double_1d ramp);
 static int64_t append_change(array_double_2d phases, int64_t count, double a, double b, array_double_1d ramp);
 static int64_t append_hold(array_double_2d phases, int64_t count, double a, double duration);
@@ -53,6 +53,7 @@ static int64_t with_cruise(array_double_2d phases, double cruise, double v, doub
 static int64_t slower_cruise(array_double_2d phases, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
 static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_double_2d trial, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
 static void stretch_phases(array_double_2d phases, int64_t count, double factor);
+static void fit_duration(array_double_2d phases, int64_t count, double target);
 static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, double target, double v, double a, double w, double b, double top, array_double_1d ramp);
 static double cruise_range(array_double_2d phases, double middle, double limit, double target, double v, double a, double w, double b, double top, array_double_1d ramp);
 static void keep_nearest(array_double_2d trial, int64_t count, double target, double v, double w, double distance, double velocity_limit, array_double_1d found, array_double_2d below, array_double_2d above, array_double_1d ramp);
@@ -65,6 +66,7 @@ static double common_duration(int64_t interval, int64_t first, int64_t last, dou
 static int64_t check_waypoints(array_double_2d velocities, array_double_2d accelerations, array_double_1d dwells, array_double_2d limits, array_double_1d report);
 static bool distribute(int64_t first, int64_t last, double target, array_double_2d shortest, array_double_2d durations, array_int64_t_1d active, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial);
 static bool rewrite_intervals(int64_t first, int64_t last, array_double_2d shortest, array_double_2d durations, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial);
+static int64_t plan_axis(int64_t axis, double share, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, int64_t smoothness, int64_t shape, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d shortest, array_double_2d work, array_double_1d report);
 static int64_t synchronize_plan(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d dwells, array_double_2d limits, int64_t synchronization, double sample_time, double duration, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d shortest, array_double_2d durations, array_int64_t_1d active, array_double_2d work, array_double_1d report);
 static double evaluate_piece(array_double_2d coefficients, int64_t row, int64_t width, double t, int64_t derivative);
 static int64_t append_piece(double duration, array_double_2d timing, array_double_2d coefficients, int64_t row, int64_t width, array_double_1d state);
@@ -198,18 +200,14 @@ static void transition_peaks(int64_t order, array_double_1d coefficients, array_
         (*cspan_at(&peaks, j)) = best;
     }
 }
-/*Share of a plateau that each of its rises takes when no limit bounds that rise.*/
-static double free_rise_share(void)
-{
-    double result;
-    return 0.1;
-}
-/*Pack the ramp parameters of one axis into `ramp` (48 numbers).                                   */
-/*                                                                                                 */
-/*    limits[i] is c_{i+1}, i = 0 .. smoothness, and 0 where it is absent. `work` holds            */
-/*    2 smoothness numbers, `peaks` smoothness + 1. Returns 0, or 1 when no limit bounds the ramp. */
-/*                                                                                                 */
-int64_t segfmu_ramp_parameters(int64_t smoothness, int64_t shape, array_double_1d limits, array_double_1d work, array_double_1d peaks, array_double_1d ramp)
+/*Pack the ramp parameters of one axis into `ramp` (48 numbers).                                     */
+/*                                                                                                   */
+/*    share is that of a plateau which each of its rises takes when no limit bounds that rise: the   */
+/*    smaller, the faster, and the larger the derivatives that are not bounded. limits[i] is c_{i+1},*/
+/*    i = 0 .. smoothness, and 0 where it is absent. `work` holds                                    */
+/*    2 smoothness numbers, `peaks` smoothness + 1. Returns 0, or 1 when no limit bounds the ramp.   */
+/*                                                                                                   */
+int64_t segfmu_ramp_parameters(int64_t smoothness, int64_t shape, double share, array_double_1d limits, array_double_1d work, array_double_1d peaks, array_double_1d ramp)
 {
     int64_t k;
     int64_t i;
@@ -219,7 +217,6 @@ int64_t segfmu_ramp_parameters(int64_t smoothness, int64_t shape, array_double_1
     int64_t e;
     double change;
     bool steep;
-    double share;
     double rise;
     int64_t result;
     k = smoothness - INT64_C(2);
@@ -275,7 +272,6 @@ int64_t segfmu_ramp_parameters(int64_t smoothness, int64_t shape, array_double_1
         }
         if (steep)
         {
-            share = free_rise_share();
             transition_coefficients(k - INT64_C(2), work);
             (*cspan_at(&peaks, INT64_C(1))) = 1.0 / (1.0 - share);
             (*cspan_at(&ramp, INT64_C(5))) = (1.0 - share) * (1.0 - share) / 12.0 + share * share / (4.0 * (INT64_C(2) * k - INT64_C(1)));
@@ -307,7 +303,7 @@ int64_t segfmu_ramp_parameters(int64_t smoothness, int64_t shape, array_double_1
         }
         if (((*cspan_at(&limits, INT64_C(2))) > 0.0) && (!bounded))
         {
-            (*cspan_at(&ramp, INT64_C(6))) = free_rise_share();
+            (*cspan_at(&ramp, INT64_C(6))) = share;
             bounded = 1;
         }
         (*cspan_at(&ramp, INT64_C(2))) = rise;
@@ -663,6 +659,12 @@ static double without_dust(double value, double scale)
         return 0.0;
     }
     return value;
+}
+/*A boundary value without dust, and clamped where it passes its limit by rounding.*/
+static double without_excess(double value, double limit)
+{
+    double result;
+    return span_min(span_max(without_dust(value, limit), -limit), limit);
 }
 /*Append the ramp from a to b whose duration was solved for; nothing if it has none.             */
 /*                                                                                               */
@@ -1447,15 +1449,19 @@ static int64_t first_window(double* result_0, double* result_1_0001, double targ
 static double dip(double target, double f_start, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
 {
     int64_t samples;
+    double span;
+    double rise;
+    double slope;
     int64_t i;
     double p;
     double value;
     double duration;
     double result;
     samples = INT64_C(12);
+    segfmu_ramp_duration(&span, &rise, &slope, top, ramp);
     for (i = INT64_C(1); i < samples + INT64_C(1); i += INT64_C(1))
     {
-        p = t_top * i * i / (samples * samples);
+        p = span_max(t_top, span) * i * i / (samples * samples);
         canonical_value(&value, &duration, p, 0, v, a, w, b, high, top, t_top, ramp);
         if (duration < 0.0)
         {
@@ -1481,6 +1487,7 @@ static double canonical_search(double target, double v, double a, double w, doub
     double upper;
     double value;
     int64_t i;
+    double span;
     double f_upper;
     double p;
     canonical_value(&f_lower, &duration, 0.0, 0, v, a, w, b, high, top, t_top, ramp);
@@ -1488,7 +1495,8 @@ static double canonical_search(double target, double v, double a, double w, doub
     {
         return -1.0;
     }
-    if (f_lower == target)
+    /*a target that only rounding keeps from the first member is met by it*/
+    if (fabs(f_lower - target) <= 1e-14 * (fabs(v) + fabs(w)) * duration)
     {
         return 0.0;
     }
@@ -1531,7 +1539,9 @@ static double canonical_search(double target, double v, double a, double w, doub
             return -1.0;
         }
     }
-    upper = t_top;
+    /*where the last acceleration is at its limit, t_top is no scale of the family*/
+    segfmu_ramp_duration(&span, &rise, &slope, top, ramp);
+    upper = span_max(t_top, span);
     if (upper <= lower)
     {
         upper = 2.0 * lower;
@@ -2059,10 +2069,10 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
     double duration;
     double y;
     int64_t result;
-    v = without_dust(v, velocity_limit);
-    w = without_dust(w, velocity_limit);
-    a = without_dust(a, top);
-    b = without_dust(b, top);
+    v = without_excess(v, velocity_limit);
+    w = without_excess(w, velocity_limit);
+    a = without_excess(a, top);
+    b = without_excess(b, top);
     distance = without_dust(distance, velocity_limit * velocity_limit / top);
     if ((distance == 0.0) && (v == w) && (a == b))
     {
@@ -2147,6 +2157,22 @@ static void stretch_phases(array_double_2d phases, int64_t count, double factor)
         (*cspan_at(&phases, i, INT64_C(1))) = (*cspan_at(&phases, i, INT64_C(1))) * factor;
         (*cspan_at(&phases, i, INT64_C(2))) = (*cspan_at(&phases, i, INT64_C(2))) / (factor * factor);
         (*cspan_at(&phases, i, INT64_C(3))) = (*cspan_at(&phases, i, INT64_C(3))) / (factor * factor);
+    }
+}
+/*Remove the rounding error of the total duration, which two averaged profiles must share. */
+static void fit_duration(array_double_2d phases, int64_t count, double target)
+{
+    double total;
+    int64_t i;
+    total = 0.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        total = total + (*cspan_at(&phases, i, INT64_C(0)));
+    }
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&phases, i, INT64_C(0))) = (*cspan_at(&phases, i, INT64_C(0))) * (target / total);
+        (*cspan_at(&phases, i, INT64_C(1))) = (*cspan_at(&phases, i, INT64_C(1))) * (target / total);
     }
 }
 /*The paper's form with the cruise that makes it last `target`.                            */
@@ -2351,10 +2377,10 @@ double segfmu_timed_profile(double target, double v, double a, double w, double 
     double span;
     double tiny;
     double weight;
-    v = without_dust(v, velocity_limit);
-    w = without_dust(w, velocity_limit);
-    a = without_dust(a, top);
-    b = without_dust(b, top);
+    v = without_excess(v, velocity_limit);
+    w = without_excess(w, velocity_limit);
+    a = without_excess(a, top);
+    b = without_excess(b, top);
     distance = without_dust(distance, velocity_limit * velocity_limit / top);
     for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
     {
@@ -2419,6 +2445,8 @@ double segfmu_timed_profile(double target, double v, double a, double w, double 
             }
             (*cspan_at(&found, INT64_C(0))) = surround(below, (int64_t)((*cspan_at(&found, INT64_C(0)))), brake_start, v, a, brake_end, w, b, velocity_limit, top, ramp, trial);
             (*cspan_at(&found, INT64_C(2))) = surround(above, (int64_t)((*cspan_at(&found, INT64_C(2)))), brake_start, v, a, brake_end, w, b, velocity_limit, top, ramp, trial);
+            fit_duration(below, (int64_t)((*cspan_at(&found, INT64_C(0)))), target);
+            fit_duration(above, (int64_t)((*cspan_at(&found, INT64_C(2)))), target);
             return weight;
         }
     }
@@ -2626,7 +2654,7 @@ static int64_t check_waypoints(array_double_2d velocities, array_double_2d accel
             (*cspan_at(&report, INT64_C(1))) = j;
             (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&velocities, j, axis));
             (*cspan_at(&report, INT64_C(3))) = (*cspan_at(&limits, axis, INT64_C(0)));
-            if (fabs((*cspan_at(&velocities, j, axis))) > (*cspan_at(&limits, axis, INT64_C(0))))
+            if (fabs((*cspan_at(&velocities, j, axis))) > (*cspan_at(&limits, axis, INT64_C(0))) * (1.0 + 1e-12))
             {
                 return -INT64_C(7);
             }
@@ -2637,7 +2665,7 @@ static int64_t check_waypoints(array_double_2d velocities, array_double_2d accel
             }
             (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&accelerations, j, axis));
             (*cspan_at(&report, INT64_C(3))) = (*cspan_at(&limits, axis, INT64_C(1)));
-            if (fabs((*cspan_at(&accelerations, j, axis))) > (*cspan_at(&limits, axis, INT64_C(1))))
+            if (fabs((*cspan_at(&accelerations, j, axis))) > (*cspan_at(&limits, axis, INT64_C(1))) * (1.0 + 1e-12))
             {
                 return -INT64_C(8);
             }
@@ -2728,6 +2756,30 @@ static bool rewrite_intervals(int64_t first, int64_t last, array_double_2d short
         }
     }
     return 1;
+}
+/*Ramp parameters and shortest profiles of one axis; status as in `plan_phases`. */
+static int64_t plan_axis(int64_t axis, double share, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, int64_t smoothness, int64_t shape, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d shortest, array_double_2d work, array_double_1d report)
+{
+    int64_t j;
+    double time;
+    int64_t status;
+    (*cspan_at(&report, INT64_C(0))) = axis;
+    status = segfmu_ramp_parameters(smoothness, shape, share, span_row(&limits, axis), span_row(&work, INT64_C(0)), span_row(&work, INT64_C(1)), span_row(&ramps, axis));
+    if (status > INT64_C(0))
+    {
+        return -INT64_C(9);
+    }
+    for (j = INT64_C(0); j < positions.shape[INT64_C(0)] - INT64_C(1); j += INT64_C(1))
+    {
+        (*cspan_at(&report, INT64_C(1))) = j;
+        set_shortest(&status, &time, j, axis, positions, velocities, accelerations, limits, ramps, phases, counts, weights, work);
+        if (status < INT64_C(0))
+        {
+            return status;
+        }
+        (*cspan_at(&shortest, j, axis)) = time;
+    }
+    return INT64_C(0);
 }
 /*Bring the shortest profiles to common durations; status as in `plan_phases`. */
 static int64_t synchronize_plan(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d dwells, array_double_2d limits, int64_t synchronization, double sample_time, double duration, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d shortest, array_double_2d durations, array_int64_t_1d active, array_double_2d work, array_double_1d report)
@@ -2823,7 +2875,6 @@ int64_t segfmu_plan_phases(array_double_2d positions, array_double_2d velocities
     int64_t intervals;
     int64_t axis;
     int64_t j;
-    double time;
     int64_t status;
     axes = limits.shape[INT64_C(0)];
     intervals = positions.shape[INT64_C(0)] - INT64_C(1);
@@ -2834,26 +2885,19 @@ int64_t segfmu_plan_phases(array_double_2d positions, array_double_2d velocities
     }
     for (axis = INT64_C(0); axis < axes; axis += INT64_C(1))
     {
-        (*cspan_at(&report, INT64_C(0))) = axis;
-        status = segfmu_ramp_parameters(smoothness, shape, span_row(&limits, axis), span_row(&work, INT64_C(0)), span_row(&work, INT64_C(1)), span_row(&ramps, axis));
-        if (status > INT64_C(0))
+        status = plan_axis(axis, 0.1, positions, velocities, accelerations, limits, smoothness, shape, ramps, phases, counts, weights, shortest, work, report);
+        if ((status == -INT64_C(1)) || (status == -INT64_C(2)))
         {
-            return -INT64_C(9);
+            /*braking just fails: the steepest ramps decide whether the limits admit it*/
+            status = plan_axis(axis, 0.004, positions, velocities, accelerations, limits, smoothness, shape, ramps, phases, counts, weights, shortest, work, report);
         }
-    }
-    for (j = INT64_C(0); j < intervals; j += INT64_C(1))
-    {
-        for (axis = INT64_C(0); axis < axes; axis += INT64_C(1))
+        if (status < INT64_C(0))
         {
-            set_shortest(&status, &time, j, axis, positions, velocities, accelerations, limits, ramps, phases, counts, weights, work);
-            if (status < INT64_C(0))
-            {
-                (*cspan_at(&report, INT64_C(0))) = axis;
-                (*cspan_at(&report, INT64_C(1))) = j;
-                return status;
-            }
-            (*cspan_at(&shortest, j, axis)) = time;
-            (*cspan_at(&durations, j, axis)) = time;
+            return status;
+        }
+        for (j = INT64_C(0); j < intervals; j += INT64_C(1))
+        {
+            (*cspan_at(&durations, j, axis)) = (*cspan_at(&shortest, j, axis));
         }
     }
     status = synchronize_plan(positions, velocities, accelerations, dwells, limits, synchronization, sample_time, duration, ramps, phases, counts, weights, shortest, durations, active, work, report);

@@ -7,7 +7,7 @@
 
 #include "span.h"
 
-int64_t segfmu_ramp_parameters(int64_t smoothness, int64_t shape, array_double_1d limits, array_double_1d work, array_double_1d peaks, array_double_1d ramp);
+int64_t segfmu_ramp_parameters(int64_t smoothness, int64_t shape, double share, array_double_1d limits, array_double_1d work, array_double_1d peaks, array_double_1d ramp);
 int64_t segfmu_ramp_duration(double* result_0_0001, double* result_1, double* result_2, double change, array_double_1d ramp);
 int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result_2_0001, double* result_3, double* result_4, array_double_2d phases, int64_t count, double v, array_double_1d ramp);
 int64_t segfmu_shortest_profile(double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, array_double_2d work);

@@ -8,21 +8,24 @@ static PyObject *call_ramp_parameters(
     PyObject *answer = NULL;
     int64_t in_smoothness;
     int64_t in_shape;
+    double in_share;
     Py_buffer *in_limits;
     Py_buffer *in_work;
     Py_buffer *in_peaks;
     Py_buffer *in_ramp;
     (void)self;
-    if (take_count(&call, count, 6)
+    if (take_count(&call, count, 7)
         && take_int(&call, 0, &in_smoothness)
         && take_int(&call, 1, &in_shape)
-        && (in_limits = take_array(&call, 2, 1, 'd', false)) != NULL
-        && (in_work = take_array(&call, 3, 1, 'd', true)) != NULL
-        && (in_peaks = take_array(&call, 4, 1, 'd', true)) != NULL
-        && (in_ramp = take_array(&call, 5, 1, 'd', true)) != NULL) {
+        && take_float(&call, 2, &in_share)
+        && (in_limits = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_work = take_array(&call, 4, 1, 'd', true)) != NULL
+        && (in_peaks = take_array(&call, 5, 1, 'd', true)) != NULL
+        && (in_ramp = take_array(&call, 6, 1, 'd', true)) != NULL) {
         answer = PyLong_FromLongLong(segfmu_ramp_parameters(
             in_smoothness,
             in_shape,
+            in_share,
             (array_double_1d){in_limits->buf, {in_limits->shape[0]}},
             (array_double_1d){in_work->buf, {in_work->shape[0]}},
             (array_double_1d){in_peaks->buf, {in_peaks->shape[0]}},

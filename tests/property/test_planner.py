@@ -1,0 +1,113 @@
+"""What must hold for every plan: symmetries, scales, monotonicity, derivatives."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from segfmu import InfeasibleError, Limits, Trajectory, Waypoint, plan
+from segfmu.planning.limits import NAMES
+from tests.problems import AxisProblem, axis_problems
+
+# A candidate that keeps the velocity limit is found to 2^-16 of the acceleration limit.
+TOLERANCE = 1e-3
+
+
+def planned(problem: AxisProblem, **changes) -> Trajectory:
+    """The plan of one axis problem; problems without a plan are left out."""
+    problem = replace(problem, **changes)
+    start = Waypoint([0.0], [problem.v], [problem.a])
+    end = Waypoint([problem.distance], [problem.w], [problem.b])
+    change = max(abs(problem.v - problem.w), abs(problem.a - problem.b))
+    assume(max(abs(problem.distance), change) > 1e-9)
+    limits = Limits(*(c or None for c in problem.limits[:6]))
+    shape = ("smoothstep", "plateau")[problem.shape]
+    try:
+        return plan([start, end], limits, smoothness=problem.smoothness, shape=shape)
+    except InfeasibleError as error:
+        assert error.limit == "velocity"
+        assume(False)
+        raise
+
+
+@settings(max_examples=150, deadline=None)
+@given(axis_problems())
+def test_time_reversal(problem: AxisProblem) -> None:
+    reversed_ = planned(problem, v=problem.w, w=problem.v, a=-problem.b, b=-problem.a)
+    assert reversed_.duration == pytest.approx(planned(problem).duration, rel=TOLERANCE)
+
+
+@settings(max_examples=150, deadline=None)
+@given(axis_problems())
+def test_mirror(problem: AxisProblem) -> None:
+    trajectory = planned(problem)
+    mirrored = planned(
+        problem, v=-problem.v, w=-problem.w, a=-problem.a, b=-problem.b,
+        distance=-problem.distance,
+    )
+    assert mirrored.duration == pytest.approx(trajectory.duration, rel=TOLERANCE)
+
+
+@settings(max_examples=100, deadline=None)
+@given(axis_problems(), st.floats(0.1, 10.0), st.floats(0.01, 100.0))
+def test_scaling_of_time_and_length(problem: AxisProblem, time: float, length: float) -> None:
+    scaled = planned(
+        problem,
+        v=problem.v * length / time, w=problem.w * length / time,
+        a=problem.a * length / time**2, b=problem.b * length / time**2,
+        distance=problem.distance * length,
+        limits=tuple(c * length / time ** (i + 1) for i, c in enumerate(problem.limits)),
+    )
+    trajectory = planned(problem)
+    assert scaled.duration == pytest.approx(time * trajectory.duration, rel=1e-6, abs=1e-9 * time)
+
+
+@settings(max_examples=100, deadline=None)
+@given(axis_problems(), st.integers(0, 6), st.floats(0.5, 0.99))
+def test_tightening_a_limit_never_shortens(problem: AxisProblem, order: int, share: float) -> None:
+    order = order % len(problem.limits)
+    tight = [c * share if i == order else c for i, c in enumerate(problem.limits)]
+    assume(tight[0] >= max(abs(problem.v), abs(problem.w)))
+    assume(tight[1] >= max(abs(problem.a), abs(problem.b)))
+    loose = planned(problem)
+    # ramps are shaped, so a candidate of other limits can be shorter by a little
+    assert planned(problem, limits=tuple(tight)).duration >= loose.duration * (1.0 - 0.05)
+
+
+@settings(max_examples=60, deadline=None)
+@given(axis_problems(smoothness=4), st.floats(0.05, 0.95))
+def test_split_and_join(problem: AxisProblem, share: float) -> None:
+    # a state while cruising or at the acceleration limit is a waypoint that costs nothing
+    trajectory = planned(problem)
+    starts, lengths, coefficients = trajectory.pieces(0)
+    level = 2.0 * np.abs(coefficients[:, 2]) / problem.limits[1]
+    calm = ~coefficients[:, 3:].any(axis=1) & ((level == 0.0) | (level > 1.0 - 1e-9))
+    holds = np.flatnonzero(calm & (lengths > 0.01))
+    assume(holds.size)
+    time = float(starts[holds[0]] + share * lengths[holds[0]])
+    middle = Waypoint(*(trajectory(time, d) for d in range(3)))
+    joined = plan(
+        [trajectory.waypoints[0], middle, trajectory.waypoints[1]], trajectory.limits,
+        shape=trajectory.shape,
+    )
+    # where the velocity limit is touched without a cruise, the candidates are near optimal only
+    assert joined.duration <= trajectory.duration * (1.0 + 0.02) + 1e-9
+
+
+@settings(max_examples=60, deadline=None)
+@given(axis_problems())
+def test_derivatives_belong_together(problem: AxisProblem) -> None:
+    trajectory = planned(problem)
+    assume(trajectory.duration > 0.0)
+    times = np.linspace(0.0, trajectory.duration, 4001)
+    for d in range(problem.smoothness):
+        value, slope = trajectory(times, d)[:, 0], trajectory(times, d + 1)[:, 0]
+        integral = value[0] + np.concatenate(
+            [[0.0], np.cumsum(0.5 * (slope[1:] + slope[:-1]) * np.diff(times))]
+        )
+        bound = np.abs(slope).max() * trajectory.duration
+        assert np.abs(value - integral).max() <= 2e-2 * bound + 1e-9, NAMES[max(d - 1, 0)]

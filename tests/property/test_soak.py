@@ -1,0 +1,26 @@
+"""A few thousand of the problems that the soak runs take by the million."""
+
+from __future__ import annotations
+
+import pytest
+
+from segfmu.kernels.backend import COMPILED
+from tests.property.soak import soak
+from tests.property.soak_axes import soak_axes
+
+# the interpreted kernels take a hundred times as long
+PROBLEMS = 3000 if COMPILED else 60
+
+
+@pytest.mark.parametrize("shape", [0, 1])
+@pytest.mark.parametrize("smoothness", [2, 3, 4, 5, 6])
+def test_plans_are_valid(smoothness: int, shape: int) -> None:
+    tally = soak(smoothness, shape, PROBLEMS, seed=7)
+    assert tally.planned > PROBLEMS / 4
+    assert tally.invalid == []
+
+
+def test_axes_meet_as_early_as_they_can() -> None:
+    planned, _, wrong = soak_axes(PROBLEMS // 20, seed=7)
+    assert planned > PROBLEMS // 60
+    assert wrong == []
