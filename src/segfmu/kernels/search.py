@@ -209,7 +209,7 @@ def canonical_search(
     if duration < 0.0:
         return -1.0
     # a target that only rounding keeps from the first member is met by it
-    if abs(f_lower - target) <= 1e-14 * (abs(v) + abs(w)) * duration:
+    if abs(f_lower - target) <= 1e-14 * (abs(target) + (abs(v) + abs(w)) * duration):
         return 0.0
     if f_lower > target:
         if v >= 0.0 and w >= 0.0:

@@ -1496,7 +1496,7 @@ static double canonical_search(double target, double v, double a, double w, doub
         return -1.0;
     }
     /*a target that only rounding keeps from the first member is met by it*/
-    if (fabs(f_lower - target) <= 1e-14 * (fabs(v) + fabs(w)) * duration)
+    if (fabs(f_lower - target) <= 1e-14 * (fabs(target) + (fabs(v) + fabs(w)) * duration))
     {
         return 0.0;
     }
