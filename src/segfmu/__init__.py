@@ -4,7 +4,7 @@ See README.md for a tour. Importing this package loads neither SymPy, fmpy, pyth
 Matplotlib.
 """
 
-from segfmu.crane import Crane, FlatInverse
+from segfmu.crane import ActuatedPlan, ActuatorBounds, Crane, FlatInverse, plan_actuated
 from segfmu.errors import (
     BuildError,
     InfeasibleError,
@@ -16,6 +16,8 @@ from segfmu.planning import Limits, Trajectory, Waypoint, plan
 from segfmu.planning.verify import Verification, verify
 
 __all__ = [
+    "ActuatedPlan",
+    "ActuatorBounds",
     "BuildError",
     "Crane",
     "FlatInverse",
@@ -28,5 +30,6 @@ __all__ = [
     "Verification",
     "Waypoint",
     "plan",
+    "plan_actuated",
     "verify",
 ]
