@@ -147,7 +147,7 @@ def _run(
     with Progress(console=console, transient=True) as progress:
         bar = progress.add_task("co-simulating", total=1.0)
         return run(
-            task, feedforward, crane, trajectory.duration,
+            task, feedforward, crane, trajectory,
             lambda share: progress.update(bar, completed=share),
         )
 

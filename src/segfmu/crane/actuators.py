@@ -1,8 +1,8 @@
 """Plans that a crane's drives can follow: limits scaled until every bound of the drives holds.
 
 Scaling the limit c_i of the i-th derivative by lambda^i is scaling time by 1 / lambda (section
-3.2), so one number slows a plan down consistently. The largest lambda up to 1 is sought at which drive
-forces, velocities, accelerations and sway angles of the flat inverse keep their bounds.
+3.2), so one number slows a plan down consistently. The largest lambda up to 1 is sought at which
+drive forces, velocities, accelerations and sway angles of the flat inverse keep their bounds.
 """
 
 from __future__ import annotations

@@ -6,9 +6,10 @@ import tomllib
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
+import numpy as np
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
 
-from segfmu.crane import Crane
+from segfmu.crane import ActuatorBounds, Crane, plan_actuated
 from segfmu.errors import InputError
 from segfmu.planning import Limits, Trajectory, Waypoint, plan
 
@@ -27,6 +28,18 @@ Number = Annotated[float, BeforeValidator(_number)]
 Positive = Annotated[Number, Field(gt=0.0)]
 NotNegative = Annotated[Number, Field(ge=0.0)]
 Triple = Annotated[list[Number], Field(min_length=3, max_length=3)]
+PositiveTriple = Annotated[list[Positive], Field(min_length=3, max_length=3)]
+PositivePair = Annotated[list[Positive], Field(min_length=2, max_length=2)]
+
+
+def _state(value: Any) -> Any:
+    """Words other than "free" are refused here, so that the message does not list both kinds."""
+    if isinstance(value, str) and value != "free":
+        raise ValueError('must be three numbers or "free"')
+    return value
+
+
+State = Annotated[Triple | Literal["free"], BeforeValidator(_state)]
 
 
 class _Strict(BaseModel):
@@ -62,12 +75,21 @@ class LimitsTable(_Strict):
 
 
 class WaypointEntry(_Strict):
-    """One waypoint; rest where velocity and acceleration are left out."""
+    """One waypoint; rest where velocity and acceleration are left out, chosen where "free"."""
 
     position: Triple
-    velocity: Triple = [0.0, 0.0, 0.0]
-    acceleration: Triple = [0.0, 0.0, 0.0]
+    velocity: State = [0.0, 0.0, 0.0]
+    acceleration: State = [0.0, 0.0, 0.0]
     dwell: NotNegative = 0.0
+
+
+class ActuatorEntry(_Strict):
+    """Bounds of bridge, trolley and hoist [N], [m/s], [m/s2], and of the sway angles [deg]."""
+
+    force: PositiveTriple | None = None
+    velocity: PositiveTriple | None = None
+    acceleration: PositiveTriple | None = None
+    sway_angle: PositivePair | None = None
 
 
 class SimulationEntry(_Strict):
@@ -96,6 +118,7 @@ class Mission(_Strict):
     synchronization: Literal["waypoints", "total", "none"] = "waypoints"
     sample_time: Positive | None = None
     duration: Positive | None = None
+    actuators: ActuatorEntry | None = None
     simulation: SimulationEntry = SimulationEntry()
 
     def build_crane(self) -> Crane:
@@ -115,16 +138,19 @@ class Mission(_Strict):
     def plan(self) -> Trajectory:
         """Plan the mission's trajectory of x, y and z."""
         points = [Waypoint(**entry.model_dump()) for entry in self.waypoints]
-        return plan(
-            points,
-            self.build_limits(),
-            smoothness=self.smoothness,
-            shape=self.shape,
-            synchronize=self.synchronization,
-            sample_time=self.sample_time,
-            duration=self.duration,
-            axis_names=AXES,
-        )
+        options: dict[str, Any] = {
+            "smoothness": self.smoothness, "shape": self.shape,
+            "synchronize": self.synchronization, "sample_time": self.sample_time,
+            "duration": self.duration, "axis_names": AXES,
+        }
+        if self.actuators is None:
+            return plan(points, self.build_limits(), **options)
+        given = self.actuators.model_dump()
+        if given["sway_angle"] is not None:
+            given["sway_angle"] = np.deg2rad(given["sway_angle"])
+        return plan_actuated(
+            self.build_crane(), points, self.build_limits(), ActuatorBounds(**given), **options
+        ).trajectory
 
 
 def load_mission(path: Path) -> Mission:
@@ -184,13 +210,14 @@ def _check_waypoints(mission: Mission) -> None:
         for axis, name in enumerate(AXES):
             limits = getattr(mission.limits, name)
             for quantity, unit in (("velocity", "m/s"), ("acceleration", "m/s2")):
-                value, bound = getattr(entry, quantity)[axis], getattr(limits, quantity)
+                state, bound = getattr(entry, quantity), getattr(limits, quantity)
+                value = 0.0 if state == "free" else state[axis]
                 if abs(value) > bound:
                     raise InputError(
                         f"waypoints.{i}.{quantity}: axis {name}: {value} {unit} exceeds "
                         f"limits.{name}.{quantity} {bound} {unit}"
                     )
-        moving = any(entry.velocity) or any(entry.acceleration)
+        moving = any(s != "free" and any(s) for s in (entry.velocity, entry.acceleration))
         if entry.dwell > 0.0 and moving:
             raise InputError(f"waypoints.{i}.dwell: only a waypoint at rest can have a dwell")
         if entry.position[2] >= 0.0:

@@ -10,24 +10,29 @@ import numpy as np
 from numpy.typing import NDArray
 
 from segfmu.cosim import simulate
+from segfmu.planning import Trajectory
 from segfmu.validation.mission import AXES, Mission
 
 QUANTITIES = ("position", "velocity", "acceleration")
 
 
-def feedforward_values(mission: Mission) -> dict[str, float | str]:
-    """Parameters of GantryFeedforward for a mission."""
+def feedforward_values(mission: Mission, trajectory: Trajectory) -> dict[str, float | str]:
+    """Parameters of GantryFeedforward: what the mission's trajectory was planned with.
+
+    Waypoint states that the mission leaves free, and limits that its actuators scale, are those of
+    the trajectory.
+    """
     values = _crane_values(mission)
-    for axis in AXES:
-        limits = getattr(mission.limits, axis)
-        for name in ("velocity", "acceleration", "jerk", "snap"):
-            values[f"limits.{axis}.{name}"] = getattr(limits, name) or 0.0
-    values["waypoint.count"] = len(mission.waypoints)
-    for i, entry in enumerate(mission.waypoints, 1):
+    for name in ("velocity", "acceleration", "jerk", "snap"):
+        bounds = np.broadcast_to(getattr(trajectory.limits, name), (3,))
+        for axis, number in zip(AXES, bounds, strict=True):
+            values[f"limits.{axis}.{name}"] = float(number)
+    values["waypoint.count"] = len(trajectory.waypoints)
+    for i, point in enumerate(trajectory.waypoints, 1):
         for quantity in QUANTITIES:
-            for axis, number in zip(AXES, getattr(entry, quantity), strict=True):
-                values[f"waypoint[{i}].{quantity}.{axis}"] = number
-        values[f"waypoint[{i}].dwell"] = entry.dwell
+            for axis, number in zip(AXES, getattr(point, quantity), strict=True):
+                values[f"waypoint[{i}].{quantity}.{axis}"] = float(number)
+        values[f"waypoint[{i}].dwell"] = point.dwell
     values["planner.smoothness"] = mission.smoothness
     values["planner.shape"] = mission.shape
     values["planner.synchronization"] = mission.synchronization
@@ -66,16 +71,16 @@ def run(
     mission: Mission,
     feedforward: Path,
     crane: Path,
-    duration: float,
+    trajectory: Trajectory,
     progress: Callable[[float], None] = lambda _: None,
 ) -> NDArray[np.void]:
-    """Co-simulate a mission; `duration` is the planned one, to which the settling time is added."""
+    """Co-simulate a mission and its trajectory, to whose duration the settling time is added."""
     return simulate(
         feedforward,
         crane,
-        stop_time=duration + mission.simulation.settle,
+        stop_time=trajectory.duration + mission.simulation.settle,
         step=mission.simulation.step,
-        source_values=feedforward_values(mission),
+        source_values=feedforward_values(mission, trajectory),
         sink_values=crane_values(mission),
         progress=progress,
     )
