@@ -105,13 +105,11 @@ def check_axis(
         length = timing[row, 1]
         for d in range(1, order + 1):
             bound = limits[axis, d - 1]
-            if bound > 0.0:
-                count = bernstein_coefficients(coefficients, row, width, d, length, hull)
-                if not within(hull, count, bound * (1.0 + tolerance)):
-                    return False
-        local_state(coefficients, row, width, 0.0, order, work[40, :])
-        for i in range(order):
-            work[41, i] = max(work[41, i], abs(work[40, i]))
+            count = bernstein_coefficients(coefficients, row, width, d, length, hull)
+            for i in range(count):
+                work[41, d] = max(work[41, d], abs(hull[0, i]))
+            if bound > 0.0 and not within(hull, count, bound * (1.0 + tolerance)):
+                return False
     low = coefficients[first, 0]
     high = low
     for row in range(first, last):

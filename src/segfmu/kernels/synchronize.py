@@ -21,6 +21,7 @@ from segfmu.kernels.phases import (
     without_excess,
 )
 from segfmu.kernels.profile import cruise_form, tempered_form
+from segfmu.kernels.search import falsi_weight
 
 
 def stretch_phases(phases: 'float[:,:]', count: int, factor: float) -> None:
@@ -84,7 +85,7 @@ def cruise_range(
         return limit
     inside = middle
     outside = limit
-    for i in range(60):
+    for i in range(45):
         trial = 0.5 * (inside + outside)
         if trial == inside or trial == outside:
             break
@@ -131,6 +132,58 @@ def keep_nearest(
         found[3] = y
 
 
+def between_cruises(
+    lower: float,
+    y_lower: float,
+    upper: float,
+    y_upper: float,
+    target: float,
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    distance: float,
+    velocity_limit: float,
+    top: float,
+    ramp: 'float[:]',
+    found: 'float[:]',
+    below: 'float[:,:]',
+    above: 'float[:,:]',
+    trial: 'float[:,:]',
+) -> None:
+    """Close in on the cruise velocity that covers the distance, by regula falsi."""
+    e_lower = y_lower - distance
+    e_upper = y_upper - distance
+    side = 0
+    for i in range(100):
+        if e_lower == 0.0 or e_upper == 0.0:
+            return
+        cruise = upper - e_upper * (upper - lower) / (e_upper - e_lower)
+        if i > 30 or (cruise - lower) * (cruise - upper) >= 0.0:
+            cruise = 0.5 * (lower + upper)
+            if cruise == lower or cruise == upper:
+                return
+        count, y, hold = timed_cruise(trial, cruise, target, v, a, w, b, top, ramp)
+        keep_nearest(
+            trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp
+        )
+        error = y - distance
+        if abs(error) <= 1e-15 * abs(distance):
+            return
+        if error * e_lower > 0.0:
+            if side == -1:
+                e_upper = e_upper * falsi_weight(error, e_lower)
+            lower = cruise
+            e_lower = error
+            side = -1
+        else:
+            if side == 1:
+                e_lower = e_lower * falsi_weight(error, e_upper)
+            upper = cruise
+            e_upper = error
+            side = 1
+
+
 def timed_between(
     target: float,
     v: float,
@@ -157,30 +210,22 @@ def timed_between(
         count, y, hold = timed_cruise(trial, middle, target, v, a, w, b, top, ramp)
         if count < 0 or hold < 0.0:
             continue
-        lower = cruise_range(trial, middle, -velocity_limit, target, v, a, w, b, top, ramp)
-        upper = cruise_range(trial, middle, velocity_limit, target, v, a, w, b, top, ramp)
-        for i in range(2):
-            cruise = lower
-            if i == 1:
-                cruise = upper
-            count, y, hold = timed_cruise(trial, cruise, target, v, a, w, b, top, ramp)
-            keep_nearest(
-                trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp
-            )
+        keep_nearest(
+            trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp
+        )
+        limit = velocity_limit
+        if y > distance:
+            limit = -velocity_limit
+        edge = cruise_range(trial, middle, limit, target, v, a, w, b, top, ramp)
+        count, y_edge, hold = timed_cruise(trial, edge, target, v, a, w, b, top, ramp)
+        keep_nearest(
+            trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp
+        )
         if found[0] > 0.0 and found[2] > 0.0:
-            for i in range(200):
-                cruise = 0.5 * (lower + upper)
-                if cruise == lower or cruise == upper:
-                    break
-                count, y, hold = timed_cruise(trial, cruise, target, v, a, w, b, top, ramp)
-                if y < distance:
-                    lower = cruise
-                else:
-                    upper = cruise
-                keep_nearest(
-                    trial, count, target, v, w, distance, velocity_limit, found, below, above,
-                    ramp,
-                )
+            between_cruises(
+                middle, y, edge, y_edge, target, v, a, w, b, distance, velocity_limit, top, ramp,
+                found, below, above, trial,
+            )
             return
     for branch in range(8):
         reverse = branch % 4 == 1 or branch % 4 == 2

@@ -57,6 +57,7 @@ static void fit_duration(array_double_2d phases, int64_t count, double target);
 static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, double target, double v, double a, double w, double b, double top, array_double_1d ramp);
 static double cruise_range(array_double_2d phases, double middle, double limit, double target, double v, double a, double w, double b, double top, array_double_1d ramp);
 static void keep_nearest(array_double_2d trial, int64_t count, double target, double v, double w, double distance, double velocity_limit, array_double_1d found, array_double_2d below, array_double_2d above, array_double_1d ramp);
+static void between_cruises(double lower, double y_lower, double upper, double y_upper, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial);
 static void timed_between(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial);
 static int64_t set_shortest(int64_t* result_0, double* result_1, int64_t interval, int64_t axis, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d trial);
 static bool set_duration(int64_t interval, int64_t axis, double target, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial);
@@ -2220,7 +2221,7 @@ static double cruise_range(array_double_2d phases, double middle, double limit, 
     }
     inside = middle;
     outside = limit;
-    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(45); i += INT64_C(1))
     {
         trial = 0.5 * (inside + outside);
         if ((trial == inside) || (trial == outside))
@@ -2278,6 +2279,65 @@ static void keep_nearest(array_double_2d trial, int64_t count, double target, do
         (*cspan_at(&found, INT64_C(3))) = y;
     }
 }
+/*Close in on the cruise velocity that covers the distance, by regula falsi. */
+static void between_cruises(double lower, double y_lower, double upper, double y_upper, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial)
+{
+    double e_lower;
+    double e_upper;
+    int64_t side;
+    int64_t i;
+    double cruise;
+    int64_t count;
+    double y;
+    double hold;
+    double error;
+    e_lower = y_lower - distance;
+    e_upper = y_upper - distance;
+    side = INT64_C(0);
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
+    {
+        if ((e_lower == 0.0) || (e_upper == 0.0))
+        {
+            return;
+        }
+        cruise = upper - e_upper * (upper - lower) / (e_upper - e_lower);
+        if ((i > INT64_C(30)) || ((cruise - lower) * (cruise - upper) >= 0.0))
+        {
+            cruise = 0.5 * (lower + upper);
+            if ((cruise == lower) || (cruise == upper))
+            {
+                return;
+            }
+        }
+        timed_cruise(&count, &y, &hold, trial, cruise, target, v, a, w, b, top, ramp);
+        keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
+        error = y - distance;
+        if (fabs(error) <= 1e-15 * fabs(distance))
+        {
+            return;
+        }
+        if (error * e_lower > 0.0)
+        {
+            if (side == -INT64_C(1))
+            {
+                e_upper = e_upper * falsi_weight(error, e_lower);
+            }
+            lower = cruise;
+            e_lower = error;
+            side = -INT64_C(1);
+        }
+        else
+        {
+            if (side == INT64_C(1))
+            {
+                e_lower = e_lower * falsi_weight(error, e_upper);
+            }
+            upper = cruise;
+            e_upper = error;
+            side = INT64_C(1);
+        }
+    }
+}
 /*Nearest profiles below and above the distance, from boundary states taken as they are. */
 static void timed_between(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial)
 {
@@ -2287,10 +2347,9 @@ static void timed_between(double target, double v, double a, double w, double b,
     int64_t count;
     double y;
     double hold;
-    double lower;
-    double upper;
-    int64_t i;
-    double cruise;
+    double limit;
+    double edge;
+    double y_edge;
     int64_t branch;
     bool reverse;
     bool mirror;
@@ -2311,38 +2370,18 @@ static void timed_between(double target, double v, double a, double w, double b,
         {
             continue;
         }
-        lower = cruise_range(trial, middle, -velocity_limit, target, v, a, w, b, top, ramp);
-        upper = cruise_range(trial, middle, velocity_limit, target, v, a, w, b, top, ramp);
-        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+        keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
+        limit = velocity_limit;
+        if (y > distance)
         {
-            cruise = lower;
-            if (i == INT64_C(1))
-            {
-                cruise = upper;
-            }
-            timed_cruise(&count, &y, &hold, trial, cruise, target, v, a, w, b, top, ramp);
-            keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
+            limit = -velocity_limit;
         }
+        edge = cruise_range(trial, middle, limit, target, v, a, w, b, top, ramp);
+        timed_cruise(&count, &y_edge, &hold, trial, edge, target, v, a, w, b, top, ramp);
+        keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
         if (((*cspan_at(&found, INT64_C(0))) > 0.0) && ((*cspan_at(&found, INT64_C(2))) > 0.0))
         {
-            for (i = INT64_C(0); i < INT64_C(200); i += INT64_C(1))
-            {
-                cruise = 0.5 * (lower + upper);
-                if ((cruise == lower) || (cruise == upper))
-                {
-                    break;
-                }
-                timed_cruise(&count, &y, &hold, trial, cruise, target, v, a, w, b, top, ramp);
-                if (y < distance)
-                {
-                    lower = cruise;
-                }
-                else
-                {
-                    upper = cruise;
-                }
-                keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
-            }
+            between_cruises(middle, y, edge, y_edge, target, v, a, w, b, distance, velocity_limit, top, ramp, found, below, above, trial);
             return;
         }
     }
@@ -3460,19 +3499,15 @@ static bool check_axis(int64_t axis, array_double_2d timing, array_double_2d coe
         for (d = INT64_C(1); d < order + INT64_C(1); d += INT64_C(1))
         {
             bound = (*cspan_at(&limits, axis, d - INT64_C(1)));
-            if (bound > 0.0)
+            count = bernstein_coefficients(coefficients, row, width, d, length, hull);
+            for (i = INT64_C(0); i < count; i += INT64_C(1))
             {
-                count = bernstein_coefficients(coefficients, row, width, d, length, hull);
-                if (!within(hull, count, bound * (1.0 + tolerance)))
-                {
-                    return 0;
-                }
+                (*cspan_at(&work, INT64_C(41), d)) = span_max((*cspan_at(&work, INT64_C(41), d)), fabs((*cspan_at(&hull, INT64_C(0), i))));
             }
-        }
-        local_state(coefficients, row, width, 0.0, order, span_row(&work, INT64_C(40)));
-        for (i = INT64_C(0); i < order; i += INT64_C(1))
-        {
-            (*cspan_at(&work, INT64_C(41), i)) = span_max((*cspan_at(&work, INT64_C(41), i)), fabs((*cspan_at(&work, INT64_C(40), i))));
+            if ((bound > 0.0) && (!within(hull, count, bound * (1.0 + tolerance))))
+            {
+                return 0;
+            }
         }
     }
     low = (*cspan_at(&coefficients, first, INT64_C(0)));

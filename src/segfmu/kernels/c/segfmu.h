@@ -1,0 +1,75 @@
+/* Planning in plain C: no allocation, no global state, no exceptions; any number of threads.
+
+   A program brings a problem and one block of work space, and gets a trajectory whose arrays lie in
+   that block:
+
+       size_t size = segfmu_plan_size(points, axes, smoothness);
+       double *space = malloc(size * sizeof(double));
+       segfmu_trajectory trajectory;
+       int status = segfmu_plan(&problem, space, &trajectory);
+       if (status == 0)
+           segfmu_value(&trajectory, t, derivative, values);
+
+   Compile it with kernels.c and plan.c, -ffp-contract=off, and the math library. */
+#ifndef SEGFMU_H
+#define SEGFMU_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum { SEGFMU_SMOOTHSTEP = 0, SEGFMU_PLATEAU = 1 };
+enum { SEGFMU_NONE = 0, SEGFMU_WAYPOINTS = 1, SEGFMU_TOTAL = 2 };
+
+/* What to plan, SI units. Arrays are in C order; m waypoints, k axes. */
+typedef struct {
+    int64_t points;              /* m, at least 2 */
+    int64_t axes;                /* k, at least 1 */
+    int64_t smoothness;          /* n, 2 to 6: the trajectory is in C^n */
+    int64_t shape;               /* of the ramps */
+    int64_t synchronization;     /* of the axes */
+    double sample_time;          /* s; intervals last a multiple of it; 0: any time */
+    double duration;             /* s, in total; 0: the shortest */
+    const double *positions;     /* (m, k) */
+    const double *velocities;    /* (m, k) */
+    const double *accelerations; /* (m, k) */
+    const double *dwells;        /* (m,) s, only at rest */
+    const double *limits;        /* (k, n + 1): c_1 .. c_{n+1} of each axis, 0 where absent */
+} segfmu_problem;
+
+/* What was planned; the arrays lie in the caller's work space. */
+typedef struct {
+    int64_t points, axes, smoothness;
+    int64_t pieces;              /* number of polynomial pieces of all axes */
+    double duration;             /* s, of the slowest axis */
+    const double *timing;        /* (pieces, 2): start and length [s] */
+    const double *coefficients;  /* (pieces, 2 n): position in local time, ascending powers */
+    const int64_t *offsets;      /* (k + 1,): first piece of each axis */
+    const double *times;         /* (m, k): arrival of each axis at each waypoint [s] */
+    const double *ends;          /* (k,): end of each axis [s] */
+    double report[4];            /* of a refusal: axis, interval (both from 0), value, bound */
+} segfmu_trajectory;
+
+/* Number of doubles of work space for a problem of this size. */
+size_t segfmu_plan_size(int64_t points, int64_t axes, int64_t smoothness);
+
+/* Plan and judge. Returns 0, or what is wrong; `report` of the trajectory says where:
+   -1 braking the first, -2 building up the last acceleration passes the velocity limit,
+   -3 no profile was found, -4 no common duration was found, -5 duration is too short,
+   -6 exactly this duration does not exist, -7 a velocity, -8 an acceleration of a waypoint is
+   beyond its limit, -9 no limit bounds a ramp, -10 a dwell at a moving waypoint,
+   -11 sizes or choices out of range, -12 the plan found does not pass its check. */
+int segfmu_plan(const segfmu_problem *problem, double *space, segfmu_trajectory *trajectory);
+
+/* values[axis] = a derivative (0 to 2 n - 1) of every axis at time t. */
+void segfmu_value(
+    const segfmu_trajectory *trajectory, double t, int64_t derivative, double *values);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

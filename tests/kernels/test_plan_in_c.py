@@ -1,0 +1,87 @@
+"""The pure-C entry point, in a program without Python, gives what `plan` gives."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from segfmu import Limits, Waypoint, plan
+from segfmu.codegen.native import TARGET
+from segfmu.planning.solver import SHAPES, SYNCHRONIZATIONS
+
+COMPILER = shutil.which("cc")
+POINTS = [
+    Waypoint([0.0, 0.0, -1.0]), Waypoint([0.07, 0.055, -0.9], [0.2, 0.1, 0.0], [0.3, 0.2, 0.0]),
+    Waypoint([1.0, 0.8, -0.5], dwell=0.3), Waypoint([1.4, 0.8, -0.9]),
+]
+LIMITS = Limits([1.0, 0.4, 0.5], [1.0, 0.5, 0.8], [1.0, 0.5, 4.0], [10.0, 5.0, 30.0])
+
+pytestmark = pytest.mark.skipif(COMPILER is None, reason="no C compiler found")
+
+
+@pytest.fixture(scope="module")
+def driver(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The driver, compiled from the sources that ship."""
+    program = tmp_path_factory.mktemp("driver") / "driver"
+    sources = [Path(__file__).with_name("plan_driver.c"), TARGET / "plan.c", TARGET / "kernels.c"]
+    flags = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-ffp-contract=off", "-O1"]
+    unused = ["-Wno-unused-variable", "-Wno-unused-but-set-variable"]
+    subprocess.run(
+        [COMPILER, *flags, *unused, f"-I{TARGET}", *sources, "-lm", "-o", program], check=True
+    )
+    return program
+
+
+def run(driver: Path, points, limits, *, smoothness=4, shape="plateau",
+        synchronize="waypoints", sample_time=0.0, duration=0.0) -> list[list[float]]:
+    axes = points[0].axes
+    head = [len(points), axes, smoothness]
+    head += [SHAPES.index(shape), SYNCHRONIZATIONS.index(synchronize)]
+    states = [np.ravel([getattr(p, q) for p in points]) for q in
+              ("position", "velocity", "acceleration", "dwell")]
+    numbers = np.concatenate(
+        [[sample_time, duration], *states, limits.table(axes, smoothness).ravel()]
+    )
+    text = " ".join([str(h) for h in head] + [float(x).hex() for x in numbers])
+    done = subprocess.run(
+        [driver], input=text, capture_output=True, text=True, check=True, timeout=20
+    )
+    return [[float(x) for x in line.split()] for line in done.stdout.splitlines()]
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        {}, {"shape": "smoothstep"}, {"synchronize": "total"}, {"synchronize": "none"},
+        {"sample_time": 0.02}, {"duration": 12.0}, {"smoothness": 6},
+    ],
+)
+def test_the_same_trajectory(driver: Path, options) -> None:
+    found = run(driver, POINTS, LIMITS, **options)
+    trajectory = plan(POINTS, LIMITS, **options)
+    assert found[0] == [0, pytest.approx(trajectory.duration, rel=1e-12)]
+    times = trajectory.duration * np.arange(50) / 49.0
+    values = np.concatenate([trajectory(times, d) for d in range(3)], axis=1)
+    assert np.allclose(found[1:], values, rtol=1e-12, atol=1e-12)
+
+
+def test_many_waypoints_fit_the_space(driver: Path) -> None:
+    random = np.random.default_rng(2)
+    places = np.cumsum(random.uniform(0.1, 1.0, (16, 3)), axis=0)
+    points = [Waypoint(places[0])]
+    points += [Waypoint(p, random.uniform(0.0, 0.2, 3)) for p in places[1:-1]]
+    points.append(Waypoint(places[-1]))
+    found = run(driver, points, LIMITS)
+    assert found[0] == [0, pytest.approx(plan(points, LIMITS).duration, rel=1e-12)]
+
+
+def test_refusals_carry_their_code(driver: Path) -> None:
+    fast = [POINTS[0], Waypoint([1.0, 0.5, -1.0], [0.0, 0.5, 0.0])]
+    assert run(driver, fast, LIMITS)[0] == [-7, 1]
+    assert run(driver, POINTS, LIMITS, duration=1.0)[0][0] == -5
+    braking = [Waypoint([0.0], [0.99], [1.0]), Waypoint([9.0])]
+    assert run(driver, braking, Limits(1.0, 1.0, 1.0, 10.0))[0] == [-1, 0]
