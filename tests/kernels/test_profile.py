@@ -96,13 +96,16 @@ def test_reference_problems_with_plateau() -> None:
     assert found.min() > 0.99
     assert np.median(found) < 1.015
     assert np.quantile(found, 0.95) < 1.05
-    assert found.max() < 1.3
+    assert found.max() < 1.21
 
 
 def test_reference_problems_with_smoothstep() -> None:
     found = ratios(0)
     assert found.min() > 0.99
     assert np.median(found) < 1.09
+    # what sequences of the paper's ramps can do at all: docs/planner.md
+    assert np.quantile(found, 0.95) < 1.36
+    assert found.max() < 1.80
 
 
 @pytest.mark.parametrize("sign", [1.0, -1.0])
