@@ -103,7 +103,7 @@ def test_gap_of_the_design_is_jumped() -> None:
     limits = Limits(1.0, 1.0, 2.0, 10.0)
     points = [Waypoint([0.0], [0.5]), Waypoint([0.3], [0.5])]
     assert plan(points, limits).duration < 0.65
-    with pytest.raises(InfeasibleError, match="no plan of exactly the duration"):
+    with pytest.raises(InfeasibleError, match="cannot be prolonged to exactly"):
         plan(points, limits, duration=1.5)
     assert plan(points, limits, duration=4.0).duration == pytest.approx(4.0)
     slow = [Waypoint([0.0, 0.0], [0.5, 0.0]), Waypoint([0.3, 0.6], [0.5, 0.0])]
@@ -243,3 +243,11 @@ def test_evaluation_clamps_and_keeps_shapes() -> None:
             trajectory(bad)
     with pytest.raises(InputError, match="derivative"):
         trajectory(0.0, -1)
+
+
+def test_an_axis_that_never_moves_waits_for_the_others() -> None:
+    points = [Waypoint([0.0, 1.0]), Waypoint([0.5, 1.0]), Waypoint([1.0, 1.0])]
+    for options in ({"synchronize": "total"}, {"synchronize": "none", "duration": 20.0}):
+        trajectory = plan(points, Limits(1.0, 1.0, 1.0, 10.0), **options)
+        assert np.ptp(trajectory.axis_waypoint_times[-1]) < 1e-9
+        assert not np.ptp(trajectory(np.linspace(0.0, 20.0, 50))[:, 1])

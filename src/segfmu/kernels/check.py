@@ -77,14 +77,6 @@ def within(hull: 'float[:,:]', count: int, limit: float) -> bool:
     return True
 
 
-def local_state(
-    coefficients: 'float[:,:]', row: int, width: int, t: float, count: int, state: 'float[:]'
-) -> None:
-    """Derivatives 0 .. count - 1 of one piece at local time t."""
-    for i in range(count):
-        state[i] = evaluate_piece(coefficients, row, width, t, i)
-
-
 def check_axis(
     axis: int,
     timing: 'float[:,:]',
@@ -95,38 +87,45 @@ def check_axis(
     tolerance: float,
     work: 'float[:,:]',
 ) -> bool:
-    """Whether the pieces first .. last - 1 of one axis keep its limits and join smoothly."""
-    width = coefficients.shape[1]
+    """Whether the pieces first .. last - 1 of one axis keep its limits and join smoothly.
+
+    work[41, d] becomes the peak of the d-th derivative, or for the position its range, at least 1.
+    """
     order = limits.shape[1]
     hull = work[0:40, :]
     for i in range(14):
         work[41, i] = 0.0
-    for row in range(first, last):
-        length = timing[row, 1]
-        for d in range(1, order + 1):
-            bound = limits[axis, d - 1]
-            count = bernstein_coefficients(coefficients, row, width, d, length, hull)
-            for i in range(count):
-                work[41, d] = max(work[41, d], abs(hull[0, i]))
-            if bound > 0.0 and not within(hull, count, bound * (1.0 + tolerance)):
-                return False
+        work[42, i] = 0.0
     low = coefficients[first, 0]
     high = low
     for row in range(first, last):
+        length = timing[row, 1]
         low = min(low, coefficients[row, 0])
         high = max(high, coefficients[row, 0])
-    work[41, 0] = max(1.0, high - low)
-    if not work[41, 0] < 1e300:
-        return False
-    for row in range(first + 1, last):
-        local_state(
-            coefficients, row - 1, width, timing[row - 1, 1], order, work[40, :]
-        )
-        for i in range(order):
-            following = evaluate_piece(coefficients, row, width, 0.0, i)
-            if not abs(work[40, i] - following) <= tolerance * work[41, i]:
+        degree = coefficients.shape[1] - 1
+        while degree > 0 and coefficients[row, degree] == 0.0:
+            degree = degree - 1
+        for d in range(order + 1):
+            hull[0, 0] = 0.0
+            count = 1
+            if d <= degree:
+                count = bernstein_coefficients(coefficients, row, degree + 1, d, length, hull)
+            for i in range(count):
+                work[41, d] = max(work[41, d], abs(hull[0, i]))
+            if row > first:
+                work[42, d] = max(work[42, d], abs(hull[0, 0] - work[40, d]))
+            # not max(), which a value that is no number would leave as it is
+            if not abs(hull[0, 0]) < 1e300:
                 return False
-    return True
+            work[40, d] = hull[0, count - 1]
+            if d > 0 and limits[axis, d - 1] > 0.0:
+                if not within(hull, count, limits[axis, d - 1] * (1.0 + tolerance)):
+                    return False
+    work[41, 0] = max(1.0, high - low)
+    for d in range(order):
+        if not work[42, d] <= tolerance * work[41, d]:
+            return False
+    return work[41, 0] < 1e300
 
 
 def check_plan(
@@ -146,7 +145,7 @@ def check_plan(
 
     Limits hold up to the relative tolerance, the derivatives 0 .. n are continuous up to it (in
     units of the range of the position, at least 1 m, and of the peaks of the others), and the
-    waypoints are met up to it. Arrays as in `expand_plan`; work is (42, 14).
+    waypoints are met up to it. Arrays as in `expand_plan`; work is (43, 14).
     """
     width = coefficients.shape[1]
     points = positions.shape[0]
@@ -165,14 +164,13 @@ def check_plan(
                 time = ends[axis]
             row = find_piece(time, timing, first, last)
             local = min(time - timing[row, 0], timing[row, 1])
-            local_state(coefficients, row, width, local, 3, work[40, :])
-            missed = max(
-                abs(work[40, 0] - positions[point, axis]) / work[41, 0],
-                max(
-                    abs(work[40, 1] - velocities[point, axis]) / limits[axis, 0],
-                    abs(work[40, 2] - accelerations[point, axis]) / limits[axis, 1],
-                ),
-            )
-            if not missed <= tolerance:
+            y = evaluate_piece(coefficients, row, width, local, 0)
+            v = evaluate_piece(coefficients, row, width, local, 1)
+            a = evaluate_piece(coefficients, row, width, local, 2)
+            if not abs(y - positions[point, axis]) <= tolerance * work[41, 0]:
+                return 1 + axis
+            if not abs(v - velocities[point, axis]) <= tolerance * limits[axis, 0]:
+                return 1 + axis
+            if not abs(a - accelerations[point, axis]) <= tolerance * limits[axis, 1]:
                 return 1 + axis
     return 0

@@ -55,27 +55,34 @@ def distribute(
 ) -> bool:
     """Prolong the intervals of some axes, in proportion, until their sum is `target`.
 
-    An interval whose proportional share lies in a gap jumps to the end of the gap when there is
-    time for it, and else keeps its duration. False when time is left that no interval takes.
+    Intervals that take no time share it equally. An interval whose share lies in a gap jumps to the
+    end of the gap when there is time for it, and else keeps its duration. False when time is left
+    that no interval takes.
     """
     intervals = durations.shape[0]
     for j in range(intervals):
         active[j] = 1
     for sweep in range(50):
         base = 0.0
+        open_intervals = 0
         rest = target
         for j in range(intervals):
             rest = rest - durations[j, first]
             if active[j] == 1:
                 base = base + durations[j, first]
+                open_intervals = open_intervals + 1
         if rest <= 1e-13 * target:
             return True
-        if base <= 0.0:
+        if open_intervals == 0:
             return False
-        factor = 1.0 + rest / base
+        factor = 1.0
+        extra = rest / open_intervals
+        if base > 0.0:
+            factor = 1.0 + rest / base
+            extra = 0.0
         for j in range(intervals):
             if active[j] == 1:
-                wished = durations[j, first] * factor
+                wished = durations[j, first] * factor + extra
                 reached = common_duration(
                     j, first, last, wished, 0.0, shortest, positions, velocities, accelerations,
                     limits, ramps, phases, counts, weights, found, trial,
@@ -262,6 +269,7 @@ def synchronize_plan(
             return -5
     if synchronization < 2 and duration <= 0.0:
         return 0
+    report[2] = target + resting
     for axis in range(0, axes, group):
         report[0] = axis
         if not distribute(

@@ -58,17 +58,9 @@ def _with_states(points: tuple[Waypoint, ...], state: FloatArray) -> tuple[Waypo
 
 
 def _duration(state: FloatArray, dwells: FloatArray, table: FloatArray, options: Options) -> float:
-    """Duration of the plan as asked for: that of the slowest axis."""
-    if options.synchronize == "waypoints":
-        return total_duration(state, dwells, table, options)
-    axes = state.shape[2]
-    return max(
-        total_duration(
-            np.ascontiguousarray(state[:, :, i : i + 1]), dwells,
-            np.ascontiguousarray(table[i : i + 1]), replace(options, synchronize="waypoints"),
-        )
-        for i in range(axes)
-    )
+    """Duration of the plan exactly as asked for, infinite where there is none."""
+    found = plan_phases(state, dwells, table, options)
+    return float("inf") if found.status < 0 else float(found.durations.sum(axis=0).max())
 
 
 def _guess(state: FloatArray, free: FloatArray, table: FloatArray) -> FloatArray:

@@ -42,8 +42,9 @@ def infeasible(
         )
     if status == -6:
         return InfeasibleError(
-            f"axis {names[axis]}: no plan of exactly the duration asked for exists between moving "
-            "waypoints; change the duration or let the waypoints rest",
+            f"axis {names[axis]}: between its moving waypoints it cannot be prolonged to exactly "
+            f"{value:.9g} s; change the duration, let waypoints rest, or use "
+            "synchronize='waypoints'",
             axis=axis, limit="duration",
         )
     if status in (-7, -8):

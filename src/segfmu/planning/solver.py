@@ -104,7 +104,7 @@ def solve(
     )
     if backend.check_plan(
         state[0], state[1], state[2], times, timing, coefficients, offsets, ends, table,
-        TOLERANCE, np.empty((42, 14)),
+        TOLERANCE, np.empty((43, 14)),
     ):
         require(trajectory)
     return trajectory

@@ -82,7 +82,6 @@ static int64_t expand_interval(int64_t interval, int64_t axis, int64_t axes, dou
 static int64_t bernstein_coefficients(array_double_2d coefficients, int64_t row, int64_t width, int64_t derivative, double length, array_double_2d hull);
 static void split_hull(array_double_2d hull, int64_t row, int64_t count);
 static bool within(array_double_2d hull, int64_t count, double limit);
-static void local_state(array_double_2d coefficients, int64_t row, int64_t width, double t, int64_t count, array_double_1d state);
 static bool check_axis(int64_t axis, array_double_2d timing, array_double_2d coefficients, int64_t first, int64_t last, array_double_2d limits, double tolerance, array_double_2d work);
 static double stage_row(int64_t stage, array_double_1d row);
 static void error_weights(array_double_1d row);
@@ -2712,19 +2711,22 @@ static int64_t check_waypoints(array_double_2d velocities, array_double_2d accel
     }
     return INT64_C(0);
 }
-/*Prolong the intervals of some axes, in proportion, until their sum is `target`.                  */
-/*                                                                                                 */
-/*    An interval whose proportional share lies in a gap jumps to the end of the gap when there is */
-/*    time for it, and else keeps its duration. False when time is left that no interval takes.    */
-/*                                                                                                 */
+/*Prolong the intervals of some axes, in proportion, until their sum is `target`.                      */
+/*                                                                                                     */
+/*    Intervals that take no time share it equally. An interval whose share lies in a gap jumps to the */
+/*    end of the gap when there is time for it, and else keeps its duration. False when time is left   */
+/*    that no interval takes.                                                                          */
+/*                                                                                                     */
 static bool distribute(int64_t first, int64_t last, double target, array_double_2d shortest, array_double_2d durations, array_int64_t_1d active, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial)
 {
     int64_t intervals;
     int64_t j;
     int64_t sweep;
     double base;
+    int64_t open_intervals;
     double rest;
     double factor;
+    double extra;
     double wished;
     double reached;
     int64_t axis;
@@ -2737,6 +2739,7 @@ static bool distribute(int64_t first, int64_t last, double target, array_double_
     for (sweep = INT64_C(0); sweep < INT64_C(50); sweep += INT64_C(1))
     {
         base = 0.0;
+        open_intervals = INT64_C(0);
         rest = target;
         for (j = INT64_C(0); j < intervals; j += INT64_C(1))
         {
@@ -2744,22 +2747,29 @@ static bool distribute(int64_t first, int64_t last, double target, array_double_
             if ((*cspan_at(&active, j)) == INT64_C(1))
             {
                 base = base + (*cspan_at(&durations, j, first));
+                open_intervals = open_intervals + INT64_C(1);
             }
         }
         if (rest <= 1e-13 * target)
         {
             return 1;
         }
-        if (base <= 0.0)
+        if (open_intervals == INT64_C(0))
         {
             return 0;
         }
-        factor = 1.0 + rest / base;
+        factor = 1.0;
+        extra = rest / open_intervals;
+        if (base > 0.0)
+        {
+            factor = 1.0 + rest / base;
+            extra = 0.0;
+        }
         for (j = INT64_C(0); j < intervals; j += INT64_C(1))
         {
             if ((*cspan_at(&active, j)) == INT64_C(1))
             {
-                wished = (*cspan_at(&durations, j, first)) * factor;
+                wished = (*cspan_at(&durations, j, first)) * factor + extra;
                 reached = common_duration(j, first, last, wished, 0.0, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial);
                 if ((reached < 0.0) || (reached - (*cspan_at(&durations, j, first)) > rest * (1.0 + 1e-13)))
                 {
@@ -2886,6 +2896,7 @@ static int64_t synchronize_plan(array_double_2d positions, array_double_2d veloc
     {
         return INT64_C(0);
     }
+    (*cspan_at(&report, INT64_C(2))) = target + resting;
     for (axis = INT64_C(0); (group > 0) ? (axis < axes) : (axis > axes); axis += group)
     {
         (*cspan_at(&report, INT64_C(0))) = axis;
@@ -3461,86 +3472,89 @@ static bool within(array_double_2d hull, int64_t count, double limit)
     }
     return 1;
 }
-/*Derivatives 0 .. count - 1 of one piece at local time t. */
-static void local_state(array_double_2d coefficients, int64_t row, int64_t width, double t, int64_t count, array_double_1d state)
-{
-    int64_t i;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        (*cspan_at(&state, i)) = evaluate_piece(coefficients, row, width, t, i);
-    }
-}
-/*Whether the pieces first .. last - 1 of one axis keep its limits and join smoothly.*/
+/*Whether the pieces first .. last - 1 of one axis keep its limits and join smoothly.                */
+/*                                                                                                   */
+/*    work[41, d] becomes the peak of the d-th derivative, or for the position its range, at least 1.*/
+/*                                                                                                   */
 static bool check_axis(int64_t axis, array_double_2d timing, array_double_2d coefficients, int64_t first, int64_t last, array_double_2d limits, double tolerance, array_double_2d work)
 {
-    int64_t width;
     int64_t order;
     array_double_2d hull;
     int64_t i;
-    int64_t row;
-    double length;
-    int64_t d;
-    double bound;
-    int64_t count;
     double low;
     double high;
-    double following;
+    int64_t row;
+    double length;
+    int64_t degree;
+    int64_t d;
+    int64_t count;
     bool result;
-    width = coefficients.shape[INT64_C(1)];
     order = limits.shape[INT64_C(1)];
     hull = span_rows(&work, INT64_C(0), INT64_C(40));
     for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
     {
         (*cspan_at(&work, INT64_C(41), i)) = 0.0;
-    }
-    for (row = first; row < last; row += INT64_C(1))
-    {
-        length = (*cspan_at(&timing, row, INT64_C(1)));
-        for (d = INT64_C(1); d < order + INT64_C(1); d += INT64_C(1))
-        {
-            bound = (*cspan_at(&limits, axis, d - INT64_C(1)));
-            count = bernstein_coefficients(coefficients, row, width, d, length, hull);
-            for (i = INT64_C(0); i < count; i += INT64_C(1))
-            {
-                (*cspan_at(&work, INT64_C(41), d)) = span_max((*cspan_at(&work, INT64_C(41), d)), fabs((*cspan_at(&hull, INT64_C(0), i))));
-            }
-            if ((bound > 0.0) && (!within(hull, count, bound * (1.0 + tolerance))))
-            {
-                return 0;
-            }
-        }
+        (*cspan_at(&work, INT64_C(42), i)) = 0.0;
     }
     low = (*cspan_at(&coefficients, first, INT64_C(0)));
     high = low;
     for (row = first; row < last; row += INT64_C(1))
     {
+        length = (*cspan_at(&timing, row, INT64_C(1)));
         low = span_min(low, (*cspan_at(&coefficients, row, INT64_C(0))));
         high = span_max(high, (*cspan_at(&coefficients, row, INT64_C(0))));
-    }
-    (*cspan_at(&work, INT64_C(41), INT64_C(0))) = span_max(1.0, high - low);
-    if (!((*cspan_at(&work, INT64_C(41), INT64_C(0))) < 1e+300))
-    {
-        return 0;
-    }
-    for (row = first + INT64_C(1); row < last; row += INT64_C(1))
-    {
-        local_state(coefficients, row - INT64_C(1), width, (*cspan_at(&timing, row - INT64_C(1), INT64_C(1))), order, span_row(&work, INT64_C(40)));
-        for (i = INT64_C(0); i < order; i += INT64_C(1))
+        degree = coefficients.shape[INT64_C(1)] - INT64_C(1);
+        while((degree > INT64_C(0)) && ((*cspan_at(&coefficients, row, degree)) == 0.0))
         {
-            following = evaluate_piece(coefficients, row, width, 0.0, i);
-            if (!(fabs((*cspan_at(&work, INT64_C(40), i)) - following) <= tolerance * (*cspan_at(&work, INT64_C(41), i))))
+            degree = degree - INT64_C(1);
+        }
+        for (d = INT64_C(0); d < order + INT64_C(1); d += INT64_C(1))
+        {
+            (*cspan_at(&hull, INT64_C(0), INT64_C(0))) = 0.0;
+            count = INT64_C(1);
+            if (d <= degree)
+            {
+                count = bernstein_coefficients(coefficients, row, degree + INT64_C(1), d, length, hull);
+            }
+            for (i = INT64_C(0); i < count; i += INT64_C(1))
+            {
+                (*cspan_at(&work, INT64_C(41), d)) = span_max((*cspan_at(&work, INT64_C(41), d)), fabs((*cspan_at(&hull, INT64_C(0), i))));
+            }
+            if (row > first)
+            {
+                (*cspan_at(&work, INT64_C(42), d)) = span_max((*cspan_at(&work, INT64_C(42), d)), fabs((*cspan_at(&hull, INT64_C(0), INT64_C(0))) - (*cspan_at(&work, INT64_C(40), d))));
+            }
+            /*not max(), which a value that is no number would leave as it is*/
+            if (!(fabs((*cspan_at(&hull, INT64_C(0), INT64_C(0)))) < 1e+300))
             {
                 return 0;
             }
+            (*cspan_at(&work, INT64_C(40), d)) = (*cspan_at(&hull, INT64_C(0), count - INT64_C(1)));
+            if ((d > INT64_C(0)) && ((*cspan_at(&limits, axis, d - INT64_C(1))) > 0.0))
+            {
+                if (!within(hull, count, (*cspan_at(&limits, axis, d - INT64_C(1))) * (1.0 + tolerance)))
+                {
+                    return 0;
+                }
+            }
         }
     }
-    return 1;
+    (*cspan_at(&work, INT64_C(41), INT64_C(0))) = span_max(1.0, high - low);
+    for (d = INT64_C(0); d < order; d += INT64_C(1))
+    {
+        if (!((*cspan_at(&work, INT64_C(42), d)) <= tolerance * (*cspan_at(&work, INT64_C(41), d))))
+        {
+            return 0;
+        }
+    }
+    result = (*cspan_at(&work, INT64_C(41), INT64_C(0))) < 1e+300;
+    return result;
 }
 /*Judge the pieces of every axis: 0, or 1 + the first axis that is not surely right.               */
 /*                                                                                                 */
 /*    Limits hold up to the relative tolerance, the derivatives 0 .. n are continuous up to it (in */
 /*    units of the range of the position, at least 1 m, and of the peaks of the others), and the   */
-/*    waypoints are met up to it. Arrays as in `expand_plan`; work is (42, 14).                    */
+/*    waypoints are met up to it. Arrays as in `expand_plan`; work is (43, 14).                    */
 /*                                                                                                 */
 int64_t segfmu_check_plan(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d limits, double tolerance, array_double_2d work)
 {
@@ -3554,7 +3568,9 @@ int64_t segfmu_check_plan(array_double_2d positions, array_double_2d velocities,
     double time;
     int64_t row;
     double local;
-    double missed;
+    double y;
+    double v;
+    double a;
     int64_t result;
     width = coefficients.shape[INT64_C(1)];
     points = positions.shape[INT64_C(0)];
@@ -3577,9 +3593,18 @@ int64_t segfmu_check_plan(array_double_2d positions, array_double_2d velocities,
             }
             row = find_piece(time, timing, first, last);
             local = span_min(time - (*cspan_at(&timing, row, INT64_C(0))), (*cspan_at(&timing, row, INT64_C(1))));
-            local_state(coefficients, row, width, local, INT64_C(3), span_row(&work, INT64_C(40)));
-            missed = span_max(fabs((*cspan_at(&work, INT64_C(40), INT64_C(0))) - (*cspan_at(&positions, point, axis))) / (*cspan_at(&work, INT64_C(41), INT64_C(0))), span_max(fabs((*cspan_at(&work, INT64_C(40), INT64_C(1))) - (*cspan_at(&velocities, point, axis))) / (*cspan_at(&limits, axis, INT64_C(0))), fabs((*cspan_at(&work, INT64_C(40), INT64_C(2))) - (*cspan_at(&accelerations, point, axis))) / (*cspan_at(&limits, axis, INT64_C(1)))));
-            if (!(missed <= tolerance))
+            y = evaluate_piece(coefficients, row, width, local, INT64_C(0));
+            v = evaluate_piece(coefficients, row, width, local, INT64_C(1));
+            a = evaluate_piece(coefficients, row, width, local, INT64_C(2));
+            if (!(fabs(y - (*cspan_at(&positions, point, axis))) <= tolerance * (*cspan_at(&work, INT64_C(41), INT64_C(0)))))
+            {
+                return INT64_C(1) + axis;
+            }
+            if (!(fabs(v - (*cspan_at(&velocities, point, axis))) <= tolerance * (*cspan_at(&limits, axis, INT64_C(0)))))
+            {
+                return INT64_C(1) + axis;
+            }
+            if (!(fabs(a - (*cspan_at(&accelerations, point, axis))) <= tolerance * (*cspan_at(&limits, axis, INT64_C(1)))))
             {
                 return INT64_C(1) + axis;
             }

@@ -49,7 +49,7 @@ size_t segfmu_plan_size(int64_t points, int64_t axes, int64_t smoothness)
     int64_t planned = axes * RAMP + 2 * cells * ROWS * COLUMNS + 2 * cells + 3 * cells
         + (points - 1) + 25 * (4 + 2 * smoothness);
     int64_t expanded = most_pieces(points, axes) * (2 + 2 * smoothness) + (axes + 1)
-        + points * axes + axes + 200 * 2 + 200 * 16 + 42 * 14;
+        + points * axes + axes + 200 * 2 + 200 * 16 + 43 * 14;
     return (size_t)(planned + expanded);
 }
 
@@ -115,7 +115,7 @@ int segfmu_plan(const segfmu_problem *p, double *space, segfmu_trajectory *traje
         ends.data[axis] = times.data[(m - 1) * k + axis] + p->dwells[m - 1];
         trajectory->duration = span_max(trajectory->duration, ends.data[axis]);
     }
-    array_double_2d check = matrix(take(&space, 42 * 14), 42, 14);
+    array_double_2d check = matrix(take(&space, 43 * 14), 43, 14);
     return segfmu_check_plan(positions, velocities, accelerations, times, timing, coefficients,
                              offsets, ends, limits, 1e-9, check) == 0 ? 0 : -12;
 }
