@@ -1,0 +1,107 @@
+"""Time of one plan without Python: segfmu's compiled kernels beside Ruckig in C++."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from benchmarks.drivers import Driver, DriverError, ruckig_library, segfmu_library
+from benchmarks.problems import Problems, random_problems
+from benchmarks.report import Part, Record, Section, Settings
+from benchmarks.timing import ratios
+
+FloatArray = NDArray[np.float64]
+SEED = 23
+BLOCK = 100
+PLATEAU = 1
+TITLE = "Planning time in C and C++, -O3"
+
+
+@dataclass(frozen=True)
+class Contestant:
+    """A function of a driver."""
+
+    name: str
+    library: str
+    function: str
+    smoothness: int
+
+
+RUCKIG = Contestant("Ruckig in C++", "ruckig", "run_ruckig", 2)
+ONE_AXIS = (
+    RUCKIG,
+    Contestant("segfmu profile, n = 2", "segfmu", "run_profile", 2),
+    Contestant("segfmu profile, n = 4", "segfmu", "run_profile", 4),
+    Contestant("segfmu_plan, n = 2", "segfmu", "run_plan", 2),
+    Contestant("segfmu_plan, n = 4", "segfmu", "run_plan", 4),
+)
+THREE_AXES = (RUCKIG, *ONE_AXIS[3:])
+
+
+def measure(settings: Settings) -> Part:
+    """Times of 1 and 3 axes, rest to rest and moving; one line where nothing can be compiled."""
+    try:
+        libraries = {
+            "segfmu": segfmu_library(settings.folder), "ruckig": ruckig_library(settings.folder)
+        }
+    except DriverError as problem:
+        return Part(TITLE, (), (f"not measured: {problem}",))
+    sections = []
+    for axes, contestants in ((1, ONE_AXIS), (3, THREE_AXES)):
+        for kind in ("rest to rest", "moving"):
+            problems = random_problems(kind, axes, 4 * settings.samples, SEED)
+            sections.append(_section(kind, problems, contestants, libraries, settings))
+    return Part(
+        TITLE,
+        sections,
+        (
+            f"mean and ratio of means: {settings.repetitions} passes in interleaved blocks of "
+            f"{BLOCK} problems, the clock read once a block; median and 99 %: read at every call",
+            "profile: phases of the shortest profile, what Ruckig computes; segfmu_plan: "
+            "synchronised, expanded to polynomials and checked against every limit",
+        ),
+    )
+
+
+def _section(kind, problems: Problems, contestants, libraries, settings: Settings) -> Section:
+    def drivers(some: Problems) -> list[Driver]:
+        return [
+            Driver(libraries[c.library], c.function, some, c.smoothness, PLATEAU)
+            for c in contestants
+        ]
+
+    tried = drivers(problems)
+    for driver in tried:
+        driver()
+    solved = problems.pick(np.isfinite([d.durations for d in tried]).all(axis=0))
+    blocks = [
+        drivers(solved.pick(np.arange(solved.count) // BLOCK == b))
+        for b in range(-(-solved.count // BLOCK))
+    ]
+    means = _block_means(blocks, settings.repetitions) / solved.count
+    records: list[Record] = []
+    for row, (contestant, driver) in enumerate(zip(contestants, drivers(solved), strict=True)):
+        single = np.zeros(solved.count)
+        driver(single)
+        records.append({
+            "planner": contestant.name,
+            "mean us": float(np.median(means[row])),
+            "median us": float(np.median(single)),
+            "99 % us": float(np.quantile(single, 0.99)),
+            **ratios(means[row], means[0]),
+        })
+    plural = "axis" if problems.axes == 1 else "axes"
+    return Section(f"{problems.axes} {plural}, {kind}, {solved.count} problems", records)
+
+
+def _block_means(blocks: list[list[Driver]], repetitions: int) -> FloatArray:
+    """Time of all blocks [us], shape (contestants, repetitions); contestants take turns."""
+    total = np.zeros((len(blocks[0]), repetitions))
+    for repetition in range(repetitions):
+        for turn, block in enumerate(blocks):
+            for i in range(len(block)):
+                row = (i + turn) % len(block)
+                total[row, repetition] += block[row]()
+    return total
