@@ -39,6 +39,22 @@ class Batch(ctypes.Structure):
     ]
 
 
+class Problem(ctypes.Structure):
+    """`segfmu_problem` of segfmu.h."""
+
+    _fields_ = [
+        *(
+            (name, ctypes.c_int64)
+            for name in ("points", "axes", "smoothness", "shape", "synchronization")
+        ),
+        *((name, ctypes.c_double) for name in ("sample_time", "duration")),
+        *(
+            (name, ctypes.c_void_p)
+            for name in ("positions", "velocities", "accelerations", "dwells", "limits")
+        ),
+    ]
+
+
 class Driver:
     """One function of a driver, on one batch of problems.
 
@@ -65,6 +81,21 @@ class Driver:
         arrays = [a.ctypes.data for a in (*self._arrays, self.durations)]
         given = Batch(*self._sizes, *arrays, None if times is None else times.ctypes.data)
         return float(self._call(ctypes.byref(given)))
+
+
+def mission_time(library: ctypes.CDLL, states: FloatArray, limits: FloatArray) -> float:
+    """Time of one `segfmu_plan` with plateau ramps and axes that meet in all waypoints [us].
+
+    states (3, waypoints, axes): positions, velocities, accelerations; limits (axes, n + 1).
+    Negative: the status of a refusal.
+    """
+    points, axes = states.shape[1:]
+    arrays = (*(np.ascontiguousarray(s) for s in states), np.zeros(points), limits)
+    given = Problem(
+        points, axes, limits.shape[1] - 1, 1, 1, 0.0, 0.0, *(a.ctypes.data for a in arrays)
+    )
+    library.run_mission.restype = ctypes.c_double
+    return float(library.run_mission(ctypes.byref(given)))
 
 
 def segfmu_library(folder: Path) -> ctypes.CDLL:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from ctypes import CDLL
 from dataclasses import dataclass
 
 import numpy as np
@@ -58,14 +60,21 @@ def measure(settings: Settings) -> Part:
         sections,
         (
             f"mean and ratio of means: {settings.repetitions} passes in interleaved blocks of "
-            f"{BLOCK} problems, the clock read once a block; median and 99 %: read at every call",
+            f"{BLOCK} problems, the clock read once a block; median and 99 %: one pass in which "
+            "it is read at every call",
             "profile: phases of the shortest profile, what Ruckig computes; segfmu_plan: "
             "synchronised, expanded to polynomials and checked against every limit",
         ),
     )
 
 
-def _section(kind, problems: Problems, contestants, libraries, settings: Settings) -> Section:
+def _section(
+    kind: str,
+    problems: Problems,
+    contestants: Sequence[Contestant],
+    libraries: dict[str, CDLL],
+    settings: Settings,
+) -> Section:
     def drivers(some: Problems) -> list[Driver]:
         return [
             Driver(libraries[c.library], c.function, some, c.smoothness, PLATEAU)
@@ -80,14 +89,15 @@ def _section(kind, problems: Problems, contestants, libraries, settings: Setting
         drivers(solved.pick(np.arange(solved.count) // BLOCK == b))
         for b in range(-(-solved.count // BLOCK))
     ]
-    means = _block_means(blocks, settings.repetitions) / solved.count
+    times = _block_times(blocks, settings.repetitions)
+    means = times.sum(axis=1) / solved.count
     records: list[Record] = []
     for row, (contestant, driver) in enumerate(zip(contestants, drivers(solved), strict=True)):
         single = np.zeros(solved.count)
         driver(single)
         records.append({
             "planner": contestant.name,
-            "mean us": float(np.median(means[row])),
+            "mean us": float(np.median(times[row], axis=1).sum() / solved.count),
             "median us": float(np.median(single)),
             "99 % us": float(np.quantile(single, 0.99)),
             **ratios(means[row], means[0]),
@@ -96,12 +106,12 @@ def _section(kind, problems: Problems, contestants, libraries, settings: Setting
     return Section(f"{problems.axes} {plural}, {kind}, {solved.count} problems", records)
 
 
-def _block_means(blocks: list[list[Driver]], repetitions: int) -> FloatArray:
-    """Time of all blocks [us], shape (contestants, repetitions); contestants take turns."""
-    total = np.zeros((len(blocks[0]), repetitions))
-    for repetition in range(repetitions):
+def _block_times(blocks: list[list[Driver]], repetitions: int) -> FloatArray:
+    """Time of every block [us], shape (contestants, blocks, repetitions), after one warm-up."""
+    times = np.zeros((len(blocks[0]), len(blocks), repetitions))
+    for repetition in range(-1, repetitions):
         for turn, block in enumerate(blocks):
             for i in range(len(block)):
                 row = (i + turn) % len(block)
-                total[row, repetition] += block[row]()
-    return total
+                times[row, turn, repetition] = block[row]()
+    return times

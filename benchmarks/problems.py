@@ -87,14 +87,16 @@ def random_problems(kind: str, axes: int, count: int, seed: int) -> Problems:
     low, high = [0.3, 0.3, 0.3, 2.0], [3.0, 3.0, 6.0, 30.0]
     limits = random.uniform(low, high, (count, axes, 4))
     share = random.uniform(-1.0, 1.0, (3, count, 2, axes))
+    share[0, :, 0] = 0.0
     if kind == "rest to rest":
         share[1:] = 0.0
     elif kind == "moving":
         share[1:] *= 0.6
     else:
         share[random.random(share.shape) < 0.3] = 0.0
+        # a problem with nothing to do is none
+        share[0, (share == 0.0).all(axis=(0, 2, 3)), 1] = 0.5
     positions = 5.0 * share[0]
-    positions[:, 0] = 0.0
     rates = limits[:, None, :, :2] * np.moveaxis(share[1:], 0, -1)
     velocities, accelerations = (np.ascontiguousarray(rates[..., d]) for d in (0, 1))
     return Problems(limits, positions, velocities, accelerations)
