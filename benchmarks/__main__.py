@@ -21,11 +21,11 @@ PARTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "f": ("evaluation", ()),
 }
 
+LIST = ", ".join(f"{letter} {module}" for letter, (module, _) in PARTS.items())
+
 
 def main(
-    only: Annotated[
-        str, typer.Option(help="Parts to run: " + ", ".join(f"{k} {v[0]}" for k, v in PARTS.items()))
-    ] = ",".join(PARTS),
+    only: Annotated[str, typer.Option(help=f"Parts to run: {LIST}.")] = ",".join(PARTS),
     problems: Annotated[
         int, typer.Option(min=1, help="Random problems of the comparison of durations.")
     ] = 10_000,

@@ -19,7 +19,7 @@ def interleaved(
 ) -> dict[str, FloatArray]:
     """Time every call on every problem [us], shape (repetitions, problems) each.
 
-    A problem is given to one contestant after the other; who begins changes from problem to problem.
+    A problem is given to one contestant after the other, and every time another one begins.
     """
     for call in calls.values():
         for i in range(min(WARM_UP, problems)):
