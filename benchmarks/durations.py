@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from collections import Counter
 from pathlib import Path
 from typing import Any
 
@@ -72,13 +71,20 @@ def _share(item: dict[str, Any], shape: str) -> float | None:
 
 def _against_ruckig(problems: Problems) -> Section:
     ours, theirs = _segfmu_durations(problems), _ruckig_durations(problems)
-    count = Counter(_outcome(problems, i, ours[i], theirs[i]) for i in range(problems.count))
-    both = [(a, b) for a, b in zip(ours, theirs, strict=True) if a is not None and b is not None]
-    records: list[Record] = [
-        {"n = 2, limits up to jerk": name, "problems": count[name],
-         "share of both planned": count[name] / len(both) if i < 4 else None}
-        for i, name in enumerate(OUTCOMES)
-    ]
+    groups: dict[str, list[float]] = {name: [] for name in OUTCOMES}
+    for i, (a, b) in enumerate(zip(ours, theirs, strict=True)):
+        difference = abs(a - b) if a is not None and b is not None else 0.0
+        groups[_outcome(problems, i, a, b)].append(difference)
+    both = sum(len(groups[name]) for name in OUTCOMES[:4])
+    records: list[Record] = []
+    for i, (name, differences) in enumerate(groups.items()):
+        planned = i < 4 and both > 0
+        records.append({
+            "n = 2, limits up to jerk": name,
+            "problems": len(differences),
+            "of both planned": f"{len(differences) / both:.3%}" if planned else None,
+            "largest difference s": max(differences, default=0.0) if planned else None,
+        })
     return Section(f"{problems.count} random problems, 1 axis, against Ruckig", records)
 
 

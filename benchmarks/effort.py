@@ -35,7 +35,7 @@ def measure(settings: Settings) -> Part:
     repetitions = max(3, settings.repetitions // 2)
     built = {n: _timed(partial(ShootingProblem, n), 3) for n in GRIDS}
     sections = []
-    for transition in _transitions():
+    for transition in transitions():
         lower, best = OPTIMA[transition.name]
         records = [_planned(transition, shape, repetitions) for shape in ("plateau", "smoothstep")]
         for n in GRIDS:
@@ -57,7 +57,7 @@ def measure(settings: Settings) -> Part:
     )
 
 
-def _transitions() -> list[Transition]:
+def transitions() -> list[Transition]:
     mission = tomllib.loads(MISSION.read_text(encoding="utf-8"))
     return [
         Transition(

@@ -66,7 +66,8 @@ class ShootingProblem:
         program: Any = {
             "x": ca.vertcat(duration, ca.vec(states), snap), "f": duration, "g": ca.vertcat(*gaps),
         }
-        quiet = {"print_time": False, "ipopt": {"print_level": 0, "sb": "yes", "max_iter": 1000}}
+        ipopt = {"print_level": 0, "sb": "yes", "max_iter": 1000}
+        quiet: Any = {"print_time": False, "ipopt": ipopt}
         self._solver: Any = ca.nlpsol("transition", "ipopt", program, quiet)
 
     def solve(self, transition: Transition) -> float | None:

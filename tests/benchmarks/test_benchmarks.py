@@ -13,7 +13,7 @@ import pytest
 import typer
 from benchmarks import __main__ as command
 from benchmarks.drivers import KERNELS, NATIVE
-from benchmarks.effort import OPTIMA, TOLERANCE, _transitions
+from benchmarks.effort import OPTIMA, TOLERANCE, transitions
 from benchmarks.optimal_control import Transition, linear_program
 from benchmarks.problems import KINDS, random_problems
 from benchmarks.timing import interleaved, ratios
@@ -89,8 +89,8 @@ def test_linear_programs_find_the_optimum_of_snap_alone() -> None:
 
 
 def test_the_table_of_optima_belongs_to_the_mission_file() -> None:
-    assert [t.name for t in _transitions()] == list(OPTIMA)
-    assert [t.limits[3] for t in _transitions()] == [10.0, 10.0, 5.0, 5.0]
+    assert [t.name for t in transitions()] == list(OPTIMA)
+    assert [t.limits[3] for t in transitions()] == [10.0, 10.0, 5.0, 5.0]
 
 
 @pytest.mark.skipif(COMPILER is None, reason="no C compiler found")
