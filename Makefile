@@ -6,7 +6,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 OUT ?= out
 
-.PHONY: demo test lint examples generate golden lock clean
+.PHONY: demo test lint examples bench generate golden lock clean
 .DEFAULT_GOAL := demo
 
 $(VENV)/installed: pyproject.toml setup.py requirements-dev.lock $(wildcard src/segfmu/kernels/c/*)
@@ -31,6 +31,14 @@ lint: $(VENV)/installed ## static checks
 
 examples: $(VENV)/installed ## run every example
 	@set -e; for example in examples/[0-9]*.py; do echo "$$example"; $(BIN)/python $$example; done
+
+$(VENV)/installed-bench: $(VENV)/installed
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check \
+		--constraint requirements-dev.lock --editable '.[dev,bench]'
+	@touch $@
+
+bench: $(VENV)/installed-bench ## measure beside the peers; BENCH="--quick --only a,b"
+	$(BIN)/python -m benchmarks --output $(OUT)/benchmarks.json $(BENCH)
 
 generate: $(VENV)/installed ## write the generated files again
 	SEGFMU_INTERPRETED=1 $(BIN)/python -m segfmu.codegen

@@ -1,0 +1,139 @@
+"""Minimum-time transitions of one axis without a planner: casadi with ipopt, and HiGHS.
+
+Both discretise the integrator chain position .. jerk with snap constant on a uniform grid, which is
+exact; velocity and acceleration are bounded at the nodes only, jerk and snap everywhere.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import factorial
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import linprog
+
+FloatArray = NDArray[np.float64]
+ORDER = 4
+
+
+@dataclass(frozen=True)
+class Transition:
+    """One axis between two waypoints; the jerk is zero at both.
+
+    Attributes
+    ----------
+    start, end : tuple of float
+        Position, velocity, acceleration.
+    limits : tuple of float
+        Velocity, acceleration, jerk, snap.
+    """
+
+    name: str
+    start: tuple[float, float, float]
+    end: tuple[float, float, float]
+    limits: tuple[float, float, float, float]
+
+    @property
+    def slow(self) -> float:
+        """A time that surely suffices between points of one direction [s]: rises and a cruise."""
+        velocity, acceleration, jerk, snap = self.limits
+        distance = abs(self.end[0] - self.start[0])
+        rises = velocity / acceleration + acceleration / jerk + jerk / snap
+        return distance / velocity + 2.0 * rises
+
+
+class ShootingProblem:
+    """Multiple shooting with a free duration, for ipopt: built once, solved for any transition."""
+
+    def __init__(self, intervals: int) -> None:
+        import casadi as ca
+
+        self._intervals = intervals
+        duration = ca.SX.sym("duration")
+        states = ca.SX.sym("states", ORDER, intervals + 1)
+        snap = ca.SX.sym("snap", intervals)
+        h = duration / intervals
+        gaps = []
+        for k in range(intervals):
+            for i in range(ORDER):
+                taylor = sum(
+                    (states[i + j, k] * h**j / factorial(j) for j in range(ORDER - i)), ca.SX(0)
+                )
+                rest = snap[k] * h ** (ORDER - i) / factorial(ORDER - i)
+                gaps.append(states[i, k + 1] - taylor - rest)
+        program: Any = {
+            "x": ca.vertcat(duration, ca.vec(states), snap), "f": duration, "g": ca.vertcat(*gaps),
+        }
+        ipopt = {"print_level": 0, "sb": "yes", "max_iter": 1000}
+        quiet: Any = {"print_time": False, "ipopt": ipopt}
+        self._solver: Any = ca.nlpsol("transition", "ipopt", program, quiet)
+
+    def solve(self, transition: Transition) -> float | None:
+        """Shortest duration found [s]; None where ipopt does not converge."""
+        nodes = self._intervals + 1
+        lower, upper = np.full((2, nodes, ORDER), np.inf) * np.array([-1.0, 1.0])[:, None, None]
+        lower[:, 1:] = -np.array(transition.limits[:3])
+        upper[:, 1:] = transition.limits[:3]
+        ends = np.array([[*transition.start, 0.0], [*transition.end, 0.0]])
+        lower[[0, -1]] = upper[[0, -1]] = ends
+        guess = ends[0] + np.linspace(0.0, 1.0, nodes)[:, None] * (ends[1] - ends[0])
+        snap = np.full(self._intervals, transition.limits[3])
+        found = self._solver(
+            x0=np.concatenate([[transition.slow], guess.ravel(), 0.0 * snap]),
+            lbx=np.concatenate([[1e-3], lower.ravel(), -snap]),
+            ubx=np.concatenate([[np.inf], upper.ravel(), snap]),
+            lbg=0.0, ubg=0.0,
+        )
+        return float(found["f"]) if self._solver.stats()["success"] else None
+
+
+def linear_program(transition: Transition, intervals: int, tolerance: float) -> tuple[float, int]:
+    """Shortest feasible duration [s] by bisection to a relative tolerance, and the programs solved.
+
+    For a given duration everything is linear in the snap.
+    """
+    low, high, solved = 0.0, transition.slow, 1
+    while not _feasible(transition, high, intervals):
+        low, high, solved = high, 2.0 * high, solved + 1
+    while high - low > tolerance * high:
+        middle = 0.5 * (low + high)
+        solved += 1
+        if _feasible(transition, middle, intervals):
+            high = middle
+        else:
+            low = middle
+    return high, solved
+
+
+def _feasible(transition: Transition, duration: float, intervals: int) -> bool:
+    limits = np.array(transition.limits)
+    h = duration / intervals
+    step = np.array([
+        [h ** (j - i) / factorial(j - i) if j >= i else 0.0 for j in range(ORDER)]
+        for i in range(ORDER)
+    ])
+    gain = np.array([h ** (ORDER - i) / factorial(ORDER - i) for i in range(ORDER)])
+    # states[k] = effect[k] @ (snap / limit) + free[k]
+    effect = np.zeros((intervals + 1, ORDER, intervals))
+    free = np.zeros((intervals + 1, ORDER))
+    free[0, :3] = transition.start
+    for k in range(intervals):
+        effect[k + 1] = step @ effect[k]
+        effect[k + 1, :, k] += gain * limits[3]
+        free[k + 1] = step @ free[k]
+    inner = effect[1:-1, 1:] / limits[:3, None]
+    offset = free[1:-1, 1:] / limits[:3]
+    rows = inner.reshape(-1, intervals)
+    scale = np.array([limits[0] * duration, *limits[:3]])
+    found = linprog(
+        np.zeros(intervals),
+        A_ub=np.vstack([rows, -rows]),
+        b_ub=np.concatenate([1.0 - offset.ravel(), 1.0 + offset.ravel()]),
+        A_eq=effect[-1] / scale[:, None],
+        b_eq=(np.array([*transition.end, 0.0]) - free[-1]) / scale,
+        bounds=(-1.0, 1.0),
+        method="highs",
+    )
+    return bool(found.status == 0)
