@@ -299,6 +299,43 @@ def with_cruise(
     return insert_hold(phases, count, row, 0.0, hold)
 
 
+def direct_form(
+    phases: 'float[:,:]',
+    from_start: bool,
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    distance: float,
+    velocity_limit: float,
+    top: float,
+    ramp: 'float[:]',
+) -> int:
+    """The paper's form around the velocity that one ramp to zero reaches from one end, or 0.
+
+    The distance has a kink there, which can be the only member that covers it: a state on the
+    way of another profile leads to such problems.
+    """
+    end = abs(b)
+    cruise = w
+    if from_start:
+        end = abs(a)
+        cruise = v
+    if end == 0.0:
+        return 0
+    t, rise, slope = ramp_duration(end, ramp)
+    if from_start:
+        cruise = v + 0.5 * a * t
+    else:
+        cruise = w - 0.5 * b * t
+    if abs(cruise) > velocity_limit:
+        return 0
+    count, row, duration, y = cruise_form(phases, cruise, v, a, w, b, top, ramp)
+    if abs(y - distance) > 1e-14 * (abs(distance) + (abs(v) + abs(w)) * duration):
+        return 0
+    return max(count, 0)
+
+
 def shortest_between(
     attempt: int,
     phases: 'float[:,:]',
@@ -330,11 +367,15 @@ def shortest_between(
                 return count
     best = 0
     shortest = 0.0
-    for branch in range(4 + attempt):
+    for branch in range(6 - attempt):
         reverse = branch == 1 or branch == 2
         mirror = branch >= 2
-        if branch == 4:
+        if branch == 4 and attempt == 1:
             count = slower_cruise(trial, v, a, w, b, distance, velocity_limit, top, ramp)
+        elif branch >= 4:
+            count = direct_form(
+                trial, branch == 4, v, a, w, b, distance, velocity_limit, top, ramp
+            )
         elif attempt == 0:
             count = merged_form(
                 trial, reverse, mirror, -1, 0.0, v, a, w, b, distance, top, top, ramp

@@ -51,6 +51,7 @@ static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, 
 static double meets(array_double_2d phases, int64_t count, double v, double w, double distance, double limit, array_double_1d ramp);
 static int64_t with_cruise(array_double_2d phases, double cruise, double v, double a, double w, double b, double distance, double top, array_double_1d ramp);
 static int64_t slower_cruise(array_double_2d phases, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
+static int64_t direct_form(array_double_2d phases, bool from_start, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
 static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_double_2d trial, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
 static void stretch_phases(array_double_2d phases, int64_t count, double factor);
 static void fit_duration(array_double_2d phases, int64_t count, double target);
@@ -1975,6 +1976,54 @@ static int64_t slower_cruise(array_double_2d phases, double v, double a, double 
     result = with_cruise(phases, cruise, v, a, w, b, distance, top, ramp);
     return result;
 }
+/*The paper's form around the velocity that one ramp to zero reaches from one end, or 0.         */
+/*                                                                                               */
+/*    The distance has a kink there, which can be the only member that covers it: a state on the */
+/*    way of another profile leads to such problems.                                             */
+/*                                                                                               */
+static int64_t direct_form(array_double_2d phases, bool from_start, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
+{
+    double end;
+    double cruise;
+    double t;
+    double rise;
+    double slope;
+    int64_t count;
+    int64_t row;
+    double duration;
+    double y;
+    int64_t result;
+    end = fabs(b);
+    cruise = w;
+    if (from_start)
+    {
+        end = fabs(a);
+        cruise = v;
+    }
+    if (end == 0.0)
+    {
+        return INT64_C(0);
+    }
+    segfmu_ramp_duration(&t, &rise, &slope, end, ramp);
+    if (from_start)
+    {
+        cruise = v + 0.5 * a * t;
+    }
+    else
+    {
+        cruise = w - 0.5 * b * t;
+    }
+    if (fabs(cruise) > velocity_limit)
+    {
+        return INT64_C(0);
+    }
+    cruise_form(&count, &row, &duration, &y, phases, cruise, v, a, w, b, top, ramp);
+    if (fabs(y - distance) > 1e-14 * (fabs(distance) + (fabs(v) + fabs(w)) * duration))
+    {
+        return INT64_C(0);
+    }
+    return span_max_int(count, INT64_C(0));
+}
 /*The shortest candidate between two boundary states taken as they are; 0 if none holds.       */
 /*                                                                                             */
 /*    The first attempt (0) is for the forms that nothing is shorter than; the second one takes*/
@@ -2015,13 +2064,17 @@ static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_d
     }
     best = INT64_C(0);
     shortest = 0.0;
-    for (branch = INT64_C(0); branch < INT64_C(4) + attempt; branch += INT64_C(1))
+    for (branch = INT64_C(0); branch < INT64_C(6) - attempt; branch += INT64_C(1))
     {
         reverse = (branch == INT64_C(1)) || (branch == INT64_C(2));
         mirror = branch >= INT64_C(2);
-        if (branch == INT64_C(4))
+        if ((branch == INT64_C(4)) && (attempt == INT64_C(1)))
         {
             count = slower_cruise(trial, v, a, w, b, distance, velocity_limit, top, ramp);
+        }
+        else if (branch >= INT64_C(4))
+        {
+            count = direct_form(trial, branch == INT64_C(4), v, a, w, b, distance, velocity_limit, top, ramp);
         }
         else if (attempt == INT64_C(0))
         {
