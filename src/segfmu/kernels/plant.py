@@ -16,8 +16,9 @@ Parameters (37), triples in the order bridge, trolley, rope; 0 where a bound or 
     33     its shape, 0: 1 - cosine, 1: half a sine             34:37  its force [N]
 
 Work space (16, 13): 0:7 derivatives of the stages, 7 trial state, 8 coefficients of the pair,
-9 generalised forces, 10 results as in `driven_derivative`, 11 wind, 12:14 position and velocity of
-the load, 14 commands and accelerations, 15 friction and scratch.
+9 generalised forces, 10 results as in `driven_derivative` and, from 9 on, its flags at the step's
+start, 11 wind, 12:14 position and velocity of the load, 14 commands and accelerations, 15 friction
+and scratch.
 """
 
 from segfmu.kernels._crane import crane_load
@@ -91,6 +92,9 @@ def plant_attempt(
             parameters, components, time, elapsed + node * h, work[7, :], command, rate,
             load_force, work, work[stage, :],
         )
+        if stage == 0:
+            for i in range(3):
+                work[10, 9 + i] = work[10, 3 + i]
     error_weights(work[8, :])
     error = 0.0
     for i in range(13):
@@ -124,8 +128,9 @@ def plant_advance(
     absolute error of a step. report (10): forces of the drives (3), whether they were at a bound
     (3), force on the rope, power of the wind and of friction [W], time advanced.
 
-    Returns `plant_status`, or 3: the step size underflowed, 4: a value is not finite. What has a
-    status is approached until within 0.1 us of it; the state is the last one without.
+    Returns `plant_status`, or 3: the steps became too small (for stiff friction, too many), 4: a
+    value is not finite. What has a status is approached until within 0.1 us of it; the state is
+    the last one without.
     """
     for i in range(10):
         report[i] = 0.0
@@ -133,7 +138,7 @@ def plant_advance(
         return 4
     t = 0.0
     h = duration
-    while t < duration:
+    for _ in range(200000):
         last = h >= duration - t
         if last:
             h = duration - t
@@ -156,7 +161,7 @@ def plant_advance(
         accept(state, work, t, report)
         if last:
             return 0
-    return 0
+    return 3
 
 
 def accept(state: 'float[:]', work: 'float[:,:]', elapsed: float, report: 'float[:]') -> None:
@@ -165,7 +170,7 @@ def accept(state: 'float[:]', work: 'float[:,:]', elapsed: float, report: 'float
         state[i] = work[7, i]
     for i in range(3):
         report[i] = work[10, i]
-        report[3 + i] = max(report[3 + i], work[10, 3 + i])
+        report[3 + i] = max(report[3 + i], max(work[10, 3 + i], work[10, 9 + i]))
     report[6] = work[10, 6]
     report[7] = work[6, 11]
     report[8] = work[6, 12]

@@ -3889,6 +3889,13 @@ static double plant_attempt(array_double_1d parameters, array_double_2d componen
             return 1e+100;
         }
         plant_derivative(parameters, components, time, elapsed + node * h, span_row(&work, INT64_C(7)), command, rate, load_force, work, span_row(&work, stage));
+        if (stage == INT64_C(0))
+        {
+            for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+            {
+                (*cspan_at(&work, INT64_C(10), INT64_C(9) + i)) = (*cspan_at(&work, INT64_C(10), INT64_C(3) + i));
+            }
+        }
     }
     error_weights(span_row(&work, INT64_C(8)));
     error = 0.0;
@@ -3953,7 +3960,7 @@ static void accept(array_double_1d state, array_double_2d work, double elapsed, 
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         (*cspan_at(&report, i)) = (*cspan_at(&work, INT64_C(10), i));
-        (*cspan_at(&report, INT64_C(3) + i)) = span_max((*cspan_at(&report, INT64_C(3) + i)), (*cspan_at(&work, INT64_C(10), INT64_C(3) + i)));
+        (*cspan_at(&report, INT64_C(3) + i)) = span_max((*cspan_at(&report, INT64_C(3) + i)), span_max((*cspan_at(&work, INT64_C(10), INT64_C(3) + i)), (*cspan_at(&work, INT64_C(10), INT64_C(9) + i))));
     }
     (*cspan_at(&report, INT64_C(6))) = (*cspan_at(&work, INT64_C(10), INT64_C(6)));
     (*cspan_at(&report, INT64_C(7))) = (*cspan_at(&work, INT64_C(6), INT64_C(11)));
@@ -3968,14 +3975,17 @@ static void accept(array_double_1d state, array_double_2d work, double elapsed, 
 /*    absolute error of a step. report (10): forces of the drives (3), whether they were at a bound*/
 /*    (3), force on the rope, power of the wind and of friction [W], time advanced.                */
 /*                                                                                                 */
-/*    Returns `plant_status`, or 3: the step size underflowed, 4: a value is not finite. What has a*/
-/*    status is approached until within 0.1 us of it; the state is the last one without.           */
+/*    Returns `plant_status`, or 3: the steps became too small (for stiff friction, too many), 4: a*/
+/*    value is not finite. What has a status is approached until within 0.1 us of it; the state is */
+/*    the last one without.                                                                        */
 /*                                                                                                 */
 int64_t segfmu_plant_advance(array_double_1d parameters, array_double_2d components, double time, array_double_1d state, array_double_1d command, array_double_1d rate, array_double_1d load_force, double duration, double tolerance, array_double_2d work, array_double_1d report)
 {
     int64_t i;
     double t;
     double h;
+    int64_t Dummy_0000;
+    int64_t Dummy_0001;
     bool last;
     double error;
     int64_t status;
@@ -3989,7 +3999,7 @@ int64_t segfmu_plant_advance(array_double_1d parameters, array_double_2d compone
     }
     t = 0.0;
     h = duration;
-    while(t < duration)
+    for (Dummy_0000 = INT64_C(0); Dummy_0000 < INT64_C(200000); Dummy_0000 += INT64_C(1))
     {
         last = h >= duration - t;
         if (last)
@@ -4024,5 +4034,5 @@ int64_t segfmu_plant_advance(array_double_1d parameters, array_double_2d compone
             return INT64_C(0);
         }
     }
-    return INT64_C(0);
+    return INT64_C(3);
 }
