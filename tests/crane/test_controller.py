@@ -24,11 +24,13 @@ class Recorder:
         self.times: list[float] = []
         self.measured: list[np.ndarray] = []
         self.references: list[np.ndarray] = []
+        self.feedforwards: list[np.ndarray] = []
 
-    def sample(self, time, measured, reference) -> np.ndarray:
+    def sample(self, time, measured, reference, feedforward) -> np.ndarray:
         self.times.append(time)
         self.measured.append(measured)
         self.references.append(reference)
+        self.feedforwards.append(feedforward)
         return self.correction
 
 
@@ -60,6 +62,19 @@ def test_it_gets_the_signals_of_the_sensors_not_the_state() -> None:
     assert found[2:, 0] == pytest.approx(0.005)
 
 
+@pytest.mark.parametrize("driven", [False, True])
+def test_it_gets_what_it_is_added_to(driven: bool) -> None:
+    controller = Recorder()
+    plant = Plant(LAB, HANGING, HOLD, controller, driven=driven)
+    end = Setpoints(np.array([1.0, 0.0, -9.81]), np.array([0.0, 0.1, 0.0]))
+    plant.step(0.05, end)
+    if driven:
+        assert np.array(controller.feedforwards) == pytest.approx(np.array([[0.0, 2.0, 0.0]] * 3))
+    else:
+        expected = np.array([[0.0, 0.0, -9.81], [0.4, 0.0, -9.81], [0.8, 0.0, -9.81]])
+        assert np.array(controller.feedforwards) == pytest.approx(expected)
+
+
 def test_correction_is_a_force_in_force_mode() -> None:
     plant = Plant(LAB, HANGING, HOLD, Recorder((0.3, -0.2, 0.1)))
     plant.step(0.05, HOLD)
@@ -88,6 +103,6 @@ def test_state_feedback_reads_the_state_it_was_given() -> None:
     state = HANGING.copy()
     controller = StateFeedback(feedback(False), state)
     assert controller.sample_time == 0.01
-    assert controller.sample(0.0, np.zeros(5), HANGING).tolist() == [0.0, 0.0, 0.0]
+    assert controller.sample(0.0, np.zeros(5), HANGING, np.zeros(3)).tolist() == [0.0, 0.0, 0.0]
     state[0] = 0.1
-    assert controller.sample(0.0, np.zeros(5), HANGING)[0] < 0.0
+    assert controller.sample(0.0, np.zeros(5), HANGING, np.zeros(3))[0] < 0.0

@@ -18,7 +18,9 @@ class Controller(Protocol):
     def sample_time(self) -> float:
         """Period [s]."""
 
-    def sample(self, time: float, measured: FloatArray, reference: FloatArray) -> FloatArray:
+    def sample(
+        self, time: float, measured: FloatArray, reference: FloatArray, feedforward: FloatArray
+    ) -> FloatArray:
         """Correction at a tick, shape (3,), held until the next one.
 
         It is added to the force setpoints [N]; in velocity mode it is an acceleration [m/s2],
@@ -33,6 +35,8 @@ class Controller(Protocol):
             Signals of the sensors: bridge, trolley, rope length, two sway angles.
         reference : ndarray, shape (10,)
             Reference state.
+        feedforward : ndarray, shape (3,)
+            What the correction is added to: force setpoints, or slopes of the velocity setpoints.
         """
 
 
@@ -52,7 +56,9 @@ class StateFeedback:
         self._feedback = feedback
         self._state = state
 
-    def sample(self, time: float, measured: FloatArray, reference: FloatArray) -> FloatArray:
+    def sample(
+        self, time: float, measured: FloatArray, reference: FloatArray, feedforward: FloatArray
+    ) -> FloatArray:
         """-K(l) (x - x*); see `Controller.sample`."""
         correction = np.zeros(3)
         backend.feedback_correction(

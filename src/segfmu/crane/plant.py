@@ -197,9 +197,14 @@ class Plant:
         if self._ticks * self._controller.sample_time > time + self._instant:
             return
         self._ticks += 1
-        reference = _between(self._last.reference, setpoints.reference, done / duration)
+        share = done / duration
+        reference = _between(self._last.reference, setpoints.reference, share)
+        if self._driven:
+            feedforward = (setpoints.velocity - self._last.velocity) / duration
+        else:
+            feedforward = _between(self._last.force, setpoints.force, share)
         found = self._controller.sample(
-            self._start + time, self._readings.at(time, self._state), reference
+            self._start + time, self._readings.at(time, self._state), reference, feedforward
         )
         self._correction[:] = found if self.enabled else 0.0
 
