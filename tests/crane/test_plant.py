@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from segfmu import Crane
+from segfmu.crane import Friction, Rig, TravelLimits
 from segfmu.crane.feedback import design
 from segfmu.crane.plant import Plant, Setpoints
 from segfmu.errors import SimulationError
@@ -70,3 +73,48 @@ def test_failure_names_what_and_when(sway: float, words: str) -> None:
     with pytest.raises(SimulationError, match=rf"at 0\.\d+ s: {words}"):
         for _ in range(100):
             falling.step(0.01, pull)
+
+
+def test_end_stop_names_axis_position_limit_and_time() -> None:
+    rig = Rig(travel=TravelLimits(trolley=(-0.1, 0.25)))
+    moved = plant(0.0, driven=True, enabled=False, rig=rig)
+    # the setpoint rises to 0.5 m/s within the first second: 0.25 m
+    with pytest.raises(SimulationError) as caught:
+        for i in range(1, 30):
+            moved.step(0.1, Setpoints(velocity=np.array([0.0, min(0.05 * i, 0.5), 0.0])))
+    assert str(caught.value) == (
+        "at 1.000 s: trolley at 0.25 m is at its end stop, greatest position 0.25 m; shorten the "
+        "move, brake earlier or widen the travel limits"
+    )
+    assert moved.state[1] == pytest.approx(0.25, abs=1e-7)
+    # it stays there, and goes on failing
+    with pytest.raises(SimulationError, match="end stop"):
+        moved.step(0.1, Setpoints(velocity=np.array([0.0, 0.5, 0.0])))
+
+
+def test_slack_rope_is_named() -> None:
+    falling = plant(0.0, driven=True, enabled=False)
+    with pytest.raises(SimulationError, match=r"at 0\.0\d+ s: the rope went slack"):
+        falling.step(0.1, Setpoints(velocity=np.array([0.0, 0.0, 2.0])))
+
+
+def test_friction_too_stiff_to_integrate_is_named() -> None:
+    rig = Rig(friction=Friction(coulomb=(50.0, 0.0, 0.0), width=1e-9))
+    stuck = plant(0.05, enabled=False, rig=rig)
+    with pytest.raises(SimulationError, match=r"steps became too small; check .* friction"):
+        stuck.step(0.01, HOLD)
+
+
+def test_balance_has_its_parts() -> None:
+    swinging = plant(0.1)
+    swinging.step(0.2, Setpoints(HOLD.force, reference=HANGING, wind=np.array([0.3, 0.0, 0.0])))
+    found = swinging.balance
+    assert (found.kinetic, found.potential) == tuple(swinging.energy)
+    assert swinging.work == pytest.approx(found.drives + found.wind)
+    assert found.wind != 0.0
+    assert found.dissipated == found.payload == 0.0
+    assert abs(found.imbalance) < 1e-11
+    assert replace(found, dissipated=0.5).imbalance == pytest.approx(0.5)
+    assert swinging.drive_power == pytest.approx(swinging.drive_force * swinging.state[5:8])
+    assert swinging.wind_power == pytest.approx(0.3 * swinging.load[1, 0])
+    assert swinging.rope_force == swinging.drive_force[2]

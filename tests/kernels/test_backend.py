@@ -11,8 +11,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from segfmu import Limits, Waypoint, plan
-from segfmu.kernels import _crane, backend, evaluate, expand, feedback, integrate
+from segfmu import Crane, Limits, Waypoint, plan
+from segfmu.crane import Drive, Friction, Gust, Rig, Wind
+from segfmu.kernels import _crane, backend, evaluate, expand, feedback, noise, plant
 from segfmu.kernels import plan as plan_kernel
 from segfmu.kernels.profile import shortest_profile
 from segfmu.kernels.synchronize import timed_profile
@@ -95,26 +96,62 @@ def test_plans_agree(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_crane_kernels_agree() -> None:
     random = np.random.default_rng(3)
     for _ in range(50):
-        state = np.append(random.uniform(-0.5, 0.5, 10), 0.0)
+        state = random.uniform(-0.5, 0.5, 10)
         state[2] = random.uniform(0.3, 3.0)
-        force, wind, rate = random.uniform(-9.0, 9.0, (3, 3))
+        force, wind = random.uniform(-9.0, 9.0, (2, 3))
         generalized = np.append(force, [0.1, -0.2])
         flat = random.uniform(-1.0, 1.0, (5, 3)) + np.array([[0.0, 0.0, -2.0]] + [[0.0] * 3] * 4)
         outputs = []
-        for module, advance in ((_crane, integrate.crane_advance), (compiled, None)):
+        for module in (_crane, compiled):
             results = [np.zeros(10), np.zeros(2), np.zeros((2, 3)), np.zeros(3), np.zeros(10)]
-            accelerations, moved, work = np.zeros(5), state.copy(), np.zeros((16, 11))
+            accelerations = np.zeros(5)
             module.crane_rhs(state, generalized, wind, *MASSES, results[0])
             module.crane_energy(state, *MASSES, results[1])
             module.crane_load(state, results[2])
             module.crane_flat_inverse(flat, *MASSES, results[3], results[4], accelerations)
-            status = (advance or compiled.crane_advance)(
-                False, moved, force, rate, np.zeros(2), wind, *MASSES, 0.02, 1e-10, work
+            outputs.append(np.concatenate([r.ravel() for r in (*results, accelerations)]))
+        assert close(*outputs)
+
+
+@pytest.mark.parametrize("driven", [False, True])
+def test_plants_agree(driven: bool) -> None:
+    random = np.random.default_rng(5)
+    rig = Rig(
+        bridge=Drive(0.02, 12.0, 2.0), trolley=Drive(0.01, 3.0), hoist=Drive(0.0, 25.0),
+        friction=Friction((1.0, 2.0, 3.0), (0.5, 0.4, 0.3), 0.01, 0.02),
+        wind=Wind((0.1, 0.2, 0.0), Gust(0.0, 0.1, (1.0, 0.5, 0.1), "sine"), (0.1, 0.1, 0.0)),
+    )
+    parameters = rig.parameters(Crane(*MASSES), driven)
+    for _ in range(20):
+        state = np.append(random.uniform(-0.4, 0.4, 10), np.zeros(3))
+        state[2] = random.uniform(0.5, 3.0)
+        command, rate, load_force = random.uniform(-1.0, 1.0, (3, 3))
+        command[2] = 0.0 if driven else -15.0
+        outputs = []
+        for advance in (plant.plant_advance, compiled.plant_advance):
+            moved, work, report = state.copy(), np.zeros((16, 13)), np.zeros(10)
+            status = advance(
+                parameters, rig.wind.components, 0.05, moved, command, rate, load_force, 0.02,
+                1e-9, work, report,
             )
             assert status == 0
-            results += [accelerations, moved, work[10, :3]]
-            outputs.append(np.concatenate([r.ravel() for r in results]))
-        assert close(*outputs)
+            outputs.append(np.concatenate([moved, report]))
+        assert np.allclose(*outputs, rtol=1e-10, atol=1e-12)
+
+
+def test_noise_agrees() -> None:
+    outputs = []
+    for module in (noise, compiled):
+        numbers, components = np.zeros(2, dtype=np.int64), np.zeros((8, 7))
+        measured, steps = np.zeros((6, 5)), np.array([0.0, 1e-3, 1e-3, 0.01, 0.1])
+        module.seed_numbers(2**31 - 1, numbers)
+        module.noise_components(2.0, np.array([1.0, 2.0, 0.5]), numbers, components)
+        for row in measured:
+            module.measure_state(
+                np.linspace(-1.0, 1.0, 10), np.zeros(5), np.full(5, 0.01), steps, numbers, row
+            )
+        outputs.append(np.concatenate([numbers, components.ravel(), measured.ravel()]))
+    assert close(*outputs)
 
 
 def test_feedback_agrees() -> None:

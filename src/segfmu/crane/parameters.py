@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import isfinite
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from segfmu.crane.checks import require_positive, sized
 from segfmu.errors import InputError
 from segfmu.kernels import backend
-from segfmu.planning.arrays import FloatArray, finite_vector
+from segfmu.planning.arrays import FloatArray
 
 
 @dataclass(frozen=True)
@@ -44,10 +44,10 @@ class Crane:
 
     def __post_init__(self) -> None:
         for name in ("bridge_mass", "trolley_mass", "payload_mass", "gravity"):
-            _require_positive(name, getattr(self, name))
+            require_positive(name, getattr(self, name))
         for name in ("rope_min", "rope_max"):
             if getattr(self, name) is not None:
-                _require_positive(name, getattr(self, name))
+                require_positive(name, getattr(self, name))
         shortest = self.rope_min or 0.0
         if self.rope_max is not None and shortest >= self.rope_max:
             raise InputError(
@@ -83,10 +83,10 @@ class Crane:
         ndarray, shape (10,)
         """
         generalized = np.zeros(5)
-        generalized[:3] = _sized("force", force, 3)
+        generalized[:3] = sized("force", force, 3)
         derivative = np.zeros(10)
         backend.crane_rhs(
-            _sized("state", state, 10), generalized, _sized("load_force", load_force, 3),
+            sized("state", state, 10), generalized, sized("load_force", load_force, 3),
             *self.masses, derivative,
         )
         return derivative
@@ -94,25 +94,12 @@ class Crane:
     def load(self, state: ArrayLike) -> FloatArray:
         """Position and velocity of the load, (16); shape (2, 3) [m, m/s]."""
         load = np.zeros((2, 3))
-        backend.crane_load(_sized("state", state, 10), load)
+        backend.crane_load(sized("state", state, 10), load)
         return load
 
     def hanging(self, position: ArrayLike) -> FloatArray:
         """State of the load hanging at rest at a position (3,), the trolley above it; (10,)."""
-        x, y, z = _sized("position", position, 3)
+        x, y, z = sized("position", position, 3)
         if z >= 0.0:
             raise InputError(f"position z {z} m must be below the trolley, z < 0")
         return np.array([x, y, -z, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0])
-
-
-def _require_positive(name: str, value: object) -> None:
-    number = isinstance(value, int | float | np.integer | np.floating)
-    if not number or isinstance(value, bool) or not isfinite(value) or value <= 0:  # type: ignore[arg-type,operator]
-        raise InputError(f"{name} must be a finite number > 0, got {value!r}")
-
-
-def _sized(name: str, value: ArrayLike, size: int) -> FloatArray:
-    vector = finite_vector(name, value)
-    if vector.size != size:
-        raise InputError(f"{name} must have {size} values, got {vector.size}")
-    return vector

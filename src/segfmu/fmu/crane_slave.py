@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -10,19 +11,24 @@ from segfmu.crane.feedback import Weights, design
 from segfmu.crane.plant import Plant, Setpoints
 from segfmu.errors import InputError
 from segfmu.fmu import gantry_crane
+from segfmu.fmu.rig_parameters import DRIVES, rig_from
 from segfmu.fmu.slave import SpecSlave, crane_from
 
 STATE = gantry_crane.STATE
-FORCE = tuple(f"force.{d}" for d in gantry_crane.DRIVES)
-VELOCITY = tuple(f"velocity.{d}" for d in gantry_crane.DRIVES)
+FORCE = tuple(f"force.{d}" for d in DRIVES)
+VELOCITY = tuple(f"velocity.{d}" for d in DRIVES)
 REFERENCE = tuple(f"reference.{name}" for name in STATE)
 TARGET = tuple(f"reference.load.position.{a}" for a in "xyz")
 WIND = tuple(f"wind.{a}" for a in "xyz")
 MEASURED = tuple(f"measured.{name}" for name in STATE[:5])
 LOAD = tuple(f"load.{d}.{a}" for d in ("position", "velocity") for a in "xyz")
 ERROR = (*(f"error.load.{a}" for a in "xyz"), "error.load.norm")
-DRIVE = tuple(f"drive.{d}.force" for d in gantry_crane.DRIVES)
-ENERGY = ("energy.kinetic", "energy.potential", "energy.work")
+DRIVE = tuple(
+    f"drive.{d}.{n}" for n in ("force", "saturated", "power") for d in DRIVES
+)
+ENERGY = tuple(
+    f"energy.{n}" for n in ("kinetic", "potential", "drives", "wind", "payload", "dissipated")
+)
 WEIGHTS = ("position", "angle", "velocity", "rate", "effort")
 
 
@@ -42,15 +48,19 @@ class CraneSlave(SpecSlave):
         if state[2] <= 0.0:
             raise InputError(f"rope.length must start above 0 m, got {state[2]}")
         driven = gantry_crane.MODES.items[int(self.value("drive.mode")) - 1] == "velocity"
+        nominal = float(self.value("feedback.payload_mass")) or crane.payload_mass
         feedback = design(
-            crane,
+            replace(crane, payload_mass=nominal),
             sample_time=float(self.value("feedback.sample_time")),
             shortest=crane.rope_min or 0.2 * state[2],
             longest=crane.rope_max or 5.0 * state[2],
             weights=Weights(*(float(self.value(f"feedback.weight.{n}")) for n in WEIGHTS)),
             driven=driven,
         )
-        self._plant = Plant(crane, state, self._setpoints(), feedback, driven=driven)
+        self._plant = Plant(
+            crane, state, self._setpoints(), feedback, driven=driven, rig=rig_from(self.value),
+            start_time=self.start_time,
+        )
         self._show(self._plant)
 
     def advance(self, time: float, step: float) -> None:
@@ -72,8 +82,17 @@ class CraneSlave(SpecSlave):
         state, load = plant.state, plant.load
         error = load[0] - self._vector(TARGET)
         self.assign(STATE, state)
-        self.assign(MEASURED, state[:5])
+        self.assign(MEASURED, plant.measured)
         self.assign(LOAD, load.reshape(-1))
         self.assign(ERROR, (*error, np.linalg.norm(error)))
-        self.assign(DRIVE, plant.drive_force)
-        self.assign(ENERGY, (*plant.energy, plant.work))
+        self.assign(
+            DRIVE, (*plant.drive_force, *map(bool, plant.saturated), *plant.drive_power)
+        )
+        balance = plant.balance
+        self.assign(ENERGY, [getattr(balance, n.removeprefix("energy.")) for n in ENERGY])
+        self.assign(
+            ("energy.work", "energy.imbalance", "power.wind", "power.friction", "rope.force",
+             "payload.mass"),
+            (plant.work, balance.imbalance, plant.wind_power, plant.friction_power,
+             plant.rope_force, plant.payload_mass),
+        )

@@ -50,10 +50,20 @@ GantryFeedforward first.</p>
 y_p = y_t - l cos(phi_x) sin(phi_y)
 z_p = -l cos(phi_x) cos(phi_y)
 T = m_p |p'|^2 / 2 + m_t (x_t'^2 + y_t'^2) / 2 + m_b x_t'^2 / 2        V = m_p g z_p
-d/dt dL/dq' - dL/dq = Q        u = u* - K(l) (x - x*)</pre>
+d/dt dL/dq' - dL/dq = Q        u = u* - K(l) (x - x*)
+velocity drives: v' = clamp((v* - v) / lag, acceleration_max), force at most force_max
+friction: viscous v + coulomb tanh(v / width), torque -friction.sway.viscous phi'
+energy.kinetic + energy.potential
+  = their start + energy.drives + energy.wind + energy.payload - energy.dissipated</pre>
 <h2>Use</h2>
 <p>The start values of bridge, trolley, rope and sway set the initial state. The sign of
-<code>force.hoist</code> is that of the rope's lengthening: tension is negative.</p>""",
+<code>force.hoist</code> is that of the rope's lengthening: tension is negative.</p>
+<p>Everything is ideal by default. <code>drive.*</code> give the drives lag and bounds,
+<code>friction.*</code> friction, <code>travel.*</code> end stops, <code>sensor.*</code> quantised,
+noisy and late signals in <code>measured.*</code>, <code>wind.*</code> wind on the load, and
+<code>payload[i]</code> changes of the load's mass. Random numbers follow their seeds. A step fails,
+with the reason in the log, when an end stop is reached, the rope goes slack, or a sway angle comes
+to 90 degrees.</p>""",
 }
 
 TITLES = {

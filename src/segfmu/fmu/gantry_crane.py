@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from segfmu.fmu.rig_parameters import DRIVES, rig_parameters
 from segfmu.fmu.spec import (
     Enumeration,
     Spec,
@@ -15,8 +16,6 @@ from segfmu.fmu.spec import (
 )
 
 MODES = Enumeration("DriveMode", ("force", "velocity"), "what the drives follow")
-
-DRIVES = ("bridge", "trolley", "hoist")
 
 # Names of the state's ten components, in the kernels' order.
 STATE = (
@@ -57,14 +56,30 @@ def _outputs() -> list[Variable]:
     for drive in DRIVES:
         rows.append(output(f"drive.{drive}.force", "N", f"force that the {drive} drive applies"))
         rows.append(
-            output(f"drive.{drive}.saturated", None, f"{drive} drive at a bound", kind="Boolean")
+            output(
+                f"drive.{drive}.saturated", None,
+                f"{drive} drive at a bound at some time in the last step", kind="Boolean",
+            )
         )
-    rows += [
+        rows.append(output(f"drive.{drive}.power", "W", f"power of the {drive} drive"))
+    return [*rows, *_energies()]
+
+
+def _energies() -> list[Variable]:
+    return [
+        output("rope.force", "N", "force on the rope, tension is negative"),
+        output("payload.mass", "kg", "present mass of the load"),
         output("energy.kinetic", "J", "kinetic energy of bridge, trolley and load"),
         output("energy.potential", "J", "potential energy of the load, zero at the trolley"),
         output("energy.work", "J", "work of drives and wind since the start"),
+        output("energy.drives", "J", "work of the drives since the start"),
+        output("energy.wind", "J", "work of the wind since the start"),
+        output("energy.payload", "J", "energy that payload changes brought since the start"),
+        output("energy.dissipated", "J", "energy that friction took since the start"),
+        output("energy.imbalance", "J", "error of the balance of these by integration"),
+        output("power.wind", "W", "power of the wind"),
+        output("power.friction", "W", "power that friction dissipates"),
     ]
-    return rows
 
 
 def _feedback() -> list[Variable]:
@@ -77,6 +92,11 @@ def _feedback() -> list[Variable]:
             "feedback.enabled", True, None, "sway feedback acts", kind="Boolean", tunable=True
         ),
         parameter("feedback.sample_time", 0.01, "s", "period of the feedback", minimum=1e-6),
+        parameter(
+            "feedback.payload_mass", 0.0, "kg",
+            "mass of the load that the feedback is designed for; 0: crane.payload_mass",
+            minimum=0.0,
+        ),
         *(
             parameter(
                 f"feedback.weight.{name}", 1.0, None,
@@ -92,12 +112,14 @@ def spec() -> Spec:
     return Spec(
         "GantryCrane",
         "Dynamics of a 3-DOF gantry crane from Lagrange's equations, driven by force or velocity "
-        "setpoints, with a sampled sway feedback about a reference state",
+        "setpoints, with a sampled sway feedback about a reference state; drives, friction, end "
+        "stops, sensors, wind and payload changes as on a real crane, ideal by default",
         (
             *_inputs(),
             *_outputs(),
             *crane_parameters("true crane"),
             choice("drive.mode", MODES, "force", "what the drives follow"),
+            *rig_parameters(),
             *_feedback(),
         ),
         stop_time=8.0,

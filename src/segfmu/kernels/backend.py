@@ -16,7 +16,6 @@ if COMPILED:
     from segfmu.kernels._compiled import (
         check_plan,
         count_pieces,
-        crane_advance,
         crane_energy,
         crane_flat_inverse,
         crane_load,
@@ -24,7 +23,11 @@ if COMPILED:
         evaluate,
         expand_plan,
         feedback_correction,
+        measure_state,
+        noise_components,
         plan_phases,
+        plant_advance,
+        seed_numbers,
     )
 else:
     from segfmu.kernels._crane import crane_energy, crane_flat_inverse, crane_load, crane_rhs
@@ -32,14 +35,14 @@ else:
     from segfmu.kernels.evaluate import evaluate
     from segfmu.kernels.expand import count_pieces, expand_plan
     from segfmu.kernels.feedback import feedback_correction
-    from segfmu.kernels.integrate import crane_advance
+    from segfmu.kernels.noise import measure_state, noise_components, seed_numbers
     from segfmu.kernels.plan import plan_phases
+    from segfmu.kernels.plant import plant_advance
 
 __all__ = [
     "COMPILED",
     "check_plan",
     "count_pieces",
-    "crane_advance",
     "crane_energy",
     "crane_flat_inverse",
     "crane_load",
@@ -47,5 +50,9 @@ __all__ = [
     "evaluate",
     "expand_plan",
     "feedback_correction",
+    "measure_state",
+    "noise_components",
     "plan_phases",
+    "plant_advance",
+    "seed_numbers",
 ]

@@ -1,11 +1,8 @@
-"""Adaptive integration of the crane over one step: Dormand and Prince's 5(4) pair.
+"""Dormand and Prince's embedded 5(4) pair.
 
 J. R. Dormand, P. J. Prince, A family of embedded Runge-Kutta formulae, J. Comput. Appl. Math. 6
-(1980). Two modes: given forces (linear in time over the step), or given accelerations of bridge,
-trolley and rope. The integrated state has an 11th component, the work of all forces.
+(1980).
 """
-
-from segfmu.kernels._crane import crane_driven, crane_load, crane_rhs
 
 
 def stage_row(stage: int, row: 'float[:]') -> float:
@@ -58,122 +55,11 @@ def error_weights(row: 'float[:]') -> None:
     row[6] = -1.0 / 40.0
 
 
-def state_derivative(
-    driven: bool,
-    t: float,
-    state: 'float[:]',
-    drive: 'float[:]',
-    drive_rate: 'float[:]',
-    torque: 'float[:]',
-    load_force: 'float[:]',
-    bridge_mass: float,
-    trolley_mass: float,
-    payload_mass: float,
-    gravity: float,
-    work: 'float[:,:]',
-    derivative: 'float[:]',
-) -> None:
-    """Derivative of state and work at time t of the step; work[10, :3] gets the drive forces."""
-    load = work[11:13, :]
-    for i in range(3):
-        work[9, i] = drive[i] + t * drive_rate[i]
-        work[10, i] = work[9, i]
-    work[9, 3] = torque[0]
-    work[9, 4] = torque[1]
-    if driven:
-        for i in range(3):
-            work[13, i] = work[9, i]
-        crane_driven(
-            state, work[13, :], work[9, :], load_force, bridge_mass, trolley_mass,
-            payload_mass, gravity, derivative, work[10, :],
-        )
-    else:
-        crane_rhs(
-            state, work[9, :], load_force, bridge_mass, trolley_mass, payload_mass, gravity,
-            derivative,
-        )
-    crane_load(state, load)
-    power = torque[0] * state[8] + torque[1] * state[9]
-    for i in range(3):
-        power = power + work[10, i] * state[5 + i] + load_force[i] * load[1, i]
-    derivative[10] = power
-
-
-def crane_advance(
-    driven: bool,
-    state: 'float[:]',
-    drive: 'float[:]',
-    drive_rate: 'float[:]',
-    torque: 'float[:]',
-    load_force: 'float[:]',
-    bridge_mass: float,
-    trolley_mass: float,
-    payload_mass: float,
-    gravity: float,
-    duration: float,
-    tolerance: float,
-    work: 'float[:,:]',
-) -> int:
-    """Advance `state` (11 numbers: the crane's ten and the work done) by a duration, in place.
-
-    drive and drive_rate: forces F_x, F_y, F_l [N] at the start and their rates, or, if driven,
-    accelerations of bridge, trolley and rope [m/s2] and their rates; torque: on the two sway
-    angles; tolerance: relative and absolute error a step. work (16, 11) is work space;
-    work[10, :3] ends as the drive forces at the end.
-
-    Returns 0, or 1: an angle came to +-90 degrees, 2: the rope's length came to zero, 3: the
-    step size underflowed, 4: a value is not finite.
-    """
-    if not all_finite(state, 11) or not all_finite(drive, 3) or not all_finite(load_force, 3):
-        return 4
-    t = 0.0
-    h = duration
-    while t < duration:
-        last = h >= duration - t
-        if last:
-            h = duration - t
-        bounded = True
-        for stage in range(7):
-            if not bounded:
-                break
-            node = stage_row(stage, work[14, :])
-            for i in range(11):
-                value = state[i]
-                for j in range(stage):
-                    value = value + h * work[14, j] * work[j, i]
-                work[7, i] = value
-            bounded = all_finite(work[7, :], 11)
-            if bounded:
-                state_derivative(
-                    driven, t + node * h, work[7, :], drive, drive_rate, torque, load_force,
-                    bridge_mass, trolley_mass, payload_mass, gravity, work, work[stage, :],
-                )
-        error_weights(work[14, :])
-        error = 0.0
-        for i in range(11):
-            value = 0.0
-            for j in range(7):
-                value = value + h * work[14, j] * work[j, i]
-            error = max(error, abs(value) / (1.0 + max(abs(state[i]), abs(work[7, i]))))
-        # a stage out of all bounds is a step that was much too long
-        if not bounded or not error < 1e100:
-            error = 1e100
-        if error <= tolerance:
-            for i in range(11):
-                state[i] = work[7, i]
-            status = state_status(state)
-            if status != 0:
-                return status
-            t = t + h
-            if last:
-                return 0
-        factor = 5.0
-        if error > 0.0:
-            factor = min(5.0, max(0.2, 0.9 * (tolerance / error) ** 0.2))
-        h = h * factor
-        if h < 1e-12 * duration:
-            return 3
-    return 0
+def next_step(error: float, tolerance: float) -> float:
+    """Factor from a step, whose error was found, to the next one."""
+    if error > 0.0:
+        return min(5.0, max(0.2, 0.9 * (tolerance / error) ** 0.2))
+    return 5.0
 
 
 def all_finite(values: 'float[:]', count: int) -> bool:
@@ -182,12 +68,3 @@ def all_finite(values: 'float[:]', count: int) -> bool:
         if not abs(values[i]) < 1e100:
             return False
     return True
-
-
-def state_status(state: 'float[:]') -> int:
-    """Status of `crane_advance` that a state has."""
-    if abs(state[3]) >= 1.57 or abs(state[4]) >= 1.57:
-        return 1
-    if state[2] <= 0.0:
-        return 2
-    return 0

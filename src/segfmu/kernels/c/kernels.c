@@ -86,9 +86,26 @@ static bool within(array_double_2d hull, int64_t count, double limit);
 static bool check_axis(int64_t axis, array_double_2d timing, array_double_2d coefficients, int64_t first, int64_t last, array_double_2d limits, double tolerance, array_double_2d work);
 static double stage_row(int64_t stage, array_double_1d row);
 static void error_weights(array_double_1d row);
-static void state_derivative(bool driven, double t, array_double_1d state, array_double_1d drive, array_double_1d drive_rate, array_double_1d torque, array_double_1d load_force, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d work, array_double_1d derivative);
+static double next_step(double error, double tolerance);
 static bool all_finite(array_double_1d values, int64_t count);
-static int64_t state_status(array_double_1d state);
+static double full_circle(void);
+static double next_normal(array_int64_t_1d numbers);
+static double friction_force(array_double_1d parameters, int64_t axis, double velocity);
+static double gust_share(double shape, double share);
+static void wind_force(array_double_1d parameters, array_double_2d components, double time, array_double_1d load_force, array_double_1d force);
+static bool beyond(double value, double bound);
+static double clamped(double value, double bound);
+static void forced_derivative(array_double_1d parameters, array_double_1d state, array_double_2d work, array_double_1d derivative);
+static void driven_forces(array_double_1d parameters, array_double_1d state, array_double_2d work, array_double_1d derivative);
+static double carriage_mass(array_double_1d parameters, int64_t axis);
+static double limit_side(array_double_1d parameters, int64_t axis, array_double_1d force, array_double_1d scratch);
+static void change_accelerations(array_double_1d parameters, array_double_1d force, array_double_1d scratch);
+static void limit_accelerations(array_double_1d parameters, array_double_1d state, array_double_1d force, array_double_1d acceleration, array_double_1d scratch);
+static void driven_derivative(array_double_1d parameters, array_double_1d state, array_double_2d work, array_double_1d derivative);
+static void plant_derivative(array_double_1d parameters, array_double_2d components, double time, double elapsed, array_double_1d state, array_double_1d command, array_double_1d rate, array_double_1d load_force, array_double_2d work, array_double_1d derivative);
+static double plant_attempt(array_double_1d parameters, array_double_2d components, double time, double elapsed, array_double_1d state, array_double_1d command, array_double_1d rate, array_double_1d load_force, double h, array_double_2d work);
+static int64_t plant_status(array_double_1d parameters, array_double_1d state, double rope_force);
+static void accept(array_double_1d state, array_double_2d work, double elapsed, array_double_1d report);
 
 
 /*Coefficients of Psi(s, 1) of (12) in ascending powers of s; 2 order + 2 of them. */
@@ -4279,39 +4296,15 @@ static void error_weights(array_double_1d row)
     (*cspan_at(&row, INT64_C(5))) = 22.0 / 525.0;
     (*cspan_at(&row, INT64_C(6))) = (-1.0) / 40.0;
 }
-/*Derivative of state and work at time t of the step; work[10, :3] gets the drive forces.*/
-static void state_derivative(bool driven, double t, array_double_1d state, array_double_1d drive, array_double_1d drive_rate, array_double_1d torque, array_double_1d load_force, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d work, array_double_1d derivative)
+/*Factor from a step, whose error was found, to the next one.*/
+static double next_step(double error, double tolerance)
 {
-    array_double_2d load;
-    int64_t i;
-    double power;
-    load = span_rows(&work, INT64_C(11), INT64_C(13));
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    double result;
+    if (error > 0.0)
     {
-        (*cspan_at(&work, INT64_C(9), i)) = (*cspan_at(&drive, i)) + t * (*cspan_at(&drive_rate, i));
-        (*cspan_at(&work, INT64_C(10), i)) = (*cspan_at(&work, INT64_C(9), i));
+        return span_min(5.0, span_max(0.2, 0.9 * pow((tolerance / error), 0.2)));
     }
-    (*cspan_at(&work, INT64_C(9), INT64_C(3))) = (*cspan_at(&torque, INT64_C(0)));
-    (*cspan_at(&work, INT64_C(9), INT64_C(4))) = (*cspan_at(&torque, INT64_C(1)));
-    if (driven)
-    {
-        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-        {
-            (*cspan_at(&work, INT64_C(13), i)) = (*cspan_at(&work, INT64_C(9), i));
-        }
-        segfmu_crane_driven(state, span_row(&work, INT64_C(13)), span_row(&work, INT64_C(9)), load_force, bridge_mass, trolley_mass, payload_mass, gravity, derivative, span_row(&work, INT64_C(10)));
-    }
-    else
-    {
-        segfmu_crane_rhs(state, span_row(&work, INT64_C(9)), load_force, bridge_mass, trolley_mass, payload_mass, gravity, derivative);
-    }
-    segfmu_crane_load(state, load);
-    power = (*cspan_at(&torque, INT64_C(0))) * (*cspan_at(&state, INT64_C(8))) + (*cspan_at(&torque, INT64_C(1))) * (*cspan_at(&state, INT64_C(9)));
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        power = power + (*cspan_at(&work, INT64_C(10), i)) * (*cspan_at(&state, INT64_C(5) + i)) + (*cspan_at(&load_force, i)) * (*cspan_at(&load, INT64_C(1), i));
-    }
-    (*cspan_at(&derivative, INT64_C(10))) = power;
+    return 5.0;
 }
 /*Whether the first values are numbers that can be computed with.*/
 static bool all_finite(array_double_1d values, int64_t count)
@@ -4327,9 +4320,464 @@ static bool all_finite(array_double_1d values, int64_t count)
     }
     return 1;
 }
-/*Status of `crane_advance` that a state has.*/
-static int64_t state_status(array_double_1d state)
+/*2 pi; C99 has no name for it.*/
+static double full_circle(void)
 {
+    double result;
+    return 6.283185307179586;
+}
+/*A number in the open interval (0, 1).*/
+double segfmu_next_uniform(array_int64_t_1d numbers)
+{
+    int64_t first;
+    int64_t second;
+    int64_t difference;
+    double result;
+    first = INT64_C(40014) * (*cspan_at(&numbers, INT64_C(0)));
+    second = INT64_C(40692) * (*cspan_at(&numbers, INT64_C(1)));
+    (*cspan_at(&numbers, INT64_C(0))) = first - span_floor_div(first, INT64_C(2147483563)) * INT64_C(2147483563);
+    (*cspan_at(&numbers, INT64_C(1))) = second - span_floor_div(second, INT64_C(2147483399)) * INT64_C(2147483399);
+    difference = (*cspan_at(&numbers, INT64_C(0))) - (*cspan_at(&numbers, INT64_C(1)));
+    if (difference < INT64_C(1))
+    {
+        difference = difference + INT64_C(2147483562);
+    }
+    return difference / 2147483563.0;
+}
+/*Start the random numbers; seed in 0 .. 2^31 - 1, numbers (2,) is their state.*/
+void segfmu_seed_numbers(int64_t seed, array_int64_t_1d numbers)
+{
+    int64_t other;
+    int64_t Dummy_0000;
+    int64_t Dummy_0001;
+    double Dummy_0002;
+    other = seed * INT64_C(69069) + INT64_C(12345);
+    (*cspan_at(&numbers, INT64_C(0))) = INT64_C(1) + seed - span_floor_div(seed, INT64_C(2147483562)) * INT64_C(2147483562);
+    (*cspan_at(&numbers, INT64_C(1))) = INT64_C(1) + other - span_floor_div(other, INT64_C(2147483398)) * INT64_C(2147483398);
+    /*neighbouring seeds start alike*/
+    for (Dummy_0000 = INT64_C(0); Dummy_0000 < INT64_C(20); Dummy_0000 += INT64_C(1))
+    {
+        Dummy_0002 = segfmu_next_uniform(numbers);
+    }
+}
+/*A number of the standard normal distribution, by Box and Muller. */
+static double next_normal(array_int64_t_1d numbers)
+{
+    double radius;
+    double result;
+    radius = sqrt((-2.0) * log(segfmu_next_uniform(numbers)));
+    result = radius * cos(full_circle() * segfmu_next_uniform(numbers));
+    return result;
+}
+/*Sines that add up to noise whose spectrum is flat up to a bandwidth [Hz] and zero above.           */
+/*                                                                                                   */
+/*    deviation (3,): standard deviations along x, y, z. components (count, 7): angular frequency,   */
+/*    three amplitudes, three phases. Spectral representation of M. Shinozuka and C.-M. Jan, J. Sound*/
+/*    Vib. 25 (1972); the frequencies lie at random in equal bands, so that the noise has no period. */
+/*                                                                                                   */
+void segfmu_noise_components(double bandwidth, array_double_1d deviation, array_int64_t_1d numbers, array_double_2d components)
+{
+    int64_t count;
+    int64_t i;
+    int64_t axis;
+    count = components.shape[INT64_C(0)];
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&components, i, INT64_C(0))) = full_circle() * bandwidth * (i + segfmu_next_uniform(numbers)) / count;
+        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+        {
+            (*cspan_at(&components, i, INT64_C(1) + axis)) = (*cspan_at(&deviation, axis)) * sqrt(2.0 / count);
+            (*cspan_at(&components, i, INT64_C(4) + axis)) = full_circle() * segfmu_next_uniform(numbers);
+        }
+    }
+}
+/*Sensors of the first five components of the state: offset, noise, then quantisation.             */
+/*                                                                                                 */
+/*    resolution: width of a step, 0 for none. Five random numbers are used whatever the deviations*/
+/*    are, so that the noise of one sensor does not depend on that of the others.                  */
+/*                                                                                                 */
+void segfmu_measure_state(array_double_1d state, array_double_1d offset, array_double_1d deviation, array_double_1d resolution, array_int64_t_1d numbers, array_double_1d measured)
+{
+    int64_t i;
+    double value;
+    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
+    {
+        value = (*cspan_at(&state, i)) + (*cspan_at(&offset, i)) + (*cspan_at(&deviation, i)) * next_normal(numbers);
+        if ((*cspan_at(&resolution, i)) > 0.0)
+        {
+            value = (int64_t)floor(value / (*cspan_at(&resolution, i)) + 0.5) * (*cspan_at(&resolution, i));
+        }
+        (*cspan_at(&measured, i)) = value;
+    }
+}
+/*Viscous and Coulomb friction against a velocity; the sign change is a tanh.*/
+static double friction_force(array_double_1d parameters, int64_t axis, double velocity)
+{
+    double viscous;
+    double result;
+    viscous = (*cspan_at(&parameters, INT64_C(14) + axis)) * velocity;
+    result = viscous + (*cspan_at(&parameters, INT64_C(17) + axis)) * tanh(velocity / (*cspan_at(&parameters, INT64_C(20))));
+    return result;
+}
+/*Course of a gust over its duration: 1 - cosine, or half a sine; both rise to 1.*/
+static double gust_share(double shape, double share)
+{
+    double result;
+    if ((share <= 0.0) || (share >= 1.0))
+    {
+        return 0.0;
+    }
+    if (shape > 0.5)
+    {
+        return sin(0.5 * full_circle() * share);
+    }
+    return 0.5 * (1.0 - cos(full_circle() * share));
+}
+/*Force on the load: the given one, constant wind, gust and noise. */
+static void wind_force(array_double_1d parameters, array_double_2d components, double time, array_double_1d load_force, array_double_1d force)
+{
+    double gust;
+    int64_t i;
+    int64_t k;
+    double angle;
+    gust = 0.0;
+    if ((*cspan_at(&parameters, INT64_C(32))) > 0.0)
+    {
+        gust = gust_share((*cspan_at(&parameters, INT64_C(33))), (time - (*cspan_at(&parameters, INT64_C(31)))) / (*cspan_at(&parameters, INT64_C(32))));
+    }
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&force, i)) = (*cspan_at(&load_force, i)) + (*cspan_at(&parameters, INT64_C(28) + i)) + gust * (*cspan_at(&parameters, INT64_C(34) + i));
+    }
+    for (k = INT64_C(0); k < components.shape[INT64_C(0)]; k += INT64_C(1))
+    {
+        angle = (*cspan_at(&components, k, INT64_C(0))) * time;
+        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        {
+            (*cspan_at(&force, i)) = (*cspan_at(&force, i)) + (*cspan_at(&components, k, INT64_C(1) + i)) * sin(angle + (*cspan_at(&components, k, INT64_C(4) + i)));
+        }
+    }
+}
+/*Whether a magnitude is above a bound by more than rounding; 0 is no bound. */
+static bool beyond(double value, double bound)
+{
+    bool result;
+    return (bound > 0.0) && (fabs(value) > bound * (1.0 + 1e-12));
+}
+/*A value within plus and minus a bound. */
+static double clamped(double value, double bound)
+{
+    double result;
+    return span_min(span_max(value, -bound), bound);
+}
+/*Derivative of the crane under the force commands of work[14, :3]; see `driven_derivative`. */
+static void forced_derivative(array_double_1d parameters, array_double_1d state, array_double_2d work, array_double_1d derivative)
+{
+    int64_t i;
+    double drive;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        drive = (*cspan_at(&work, INT64_C(14), i));
+        if (beyond(drive, (*cspan_at(&parameters, INT64_C(8) + i))))
+        {
+            drive = clamped(drive, (*cspan_at(&parameters, INT64_C(8) + i)));
+            (*cspan_at(&work, INT64_C(10), INT64_C(3) + i)) = 1.0;
+        }
+        (*cspan_at(&work, INT64_C(10), i)) = drive;
+        (*cspan_at(&work, INT64_C(9), i)) = drive - (*cspan_at(&work, INT64_C(15), i));
+    }
+    (*cspan_at(&work, INT64_C(10), INT64_C(6))) = (*cspan_at(&work, INT64_C(9), INT64_C(2)));
+    segfmu_crane_rhs(state, span_row(&work, INT64_C(9)), span_row(&work, INT64_C(11)), (*cspan_at(&parameters, INT64_C(0))), (*cspan_at(&parameters, INT64_C(1))), (*cspan_at(&parameters, INT64_C(2))), (*cspan_at(&parameters, INT64_C(3))), derivative);
+}
+/*Derivative and drive forces under the accelerations of work[14, :3]. */
+static void driven_forces(array_double_1d parameters, array_double_1d state, array_double_2d work, array_double_1d derivative)
+{
+    int64_t i;
+    segfmu_crane_driven(state, span_row(&work, INT64_C(14)), span_row(&work, INT64_C(9)), span_row(&work, INT64_C(11)), (*cspan_at(&parameters, INT64_C(0))), (*cspan_at(&parameters, INT64_C(1))), (*cspan_at(&parameters, INT64_C(2))), (*cspan_at(&parameters, INT64_C(3))), derivative, span_row(&work, INT64_C(10)));
+    (*cspan_at(&work, INT64_C(10), INT64_C(6))) = (*cspan_at(&work, INT64_C(10), INT64_C(2)));
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(10), i)) = (*cspan_at(&work, INT64_C(10), i)) + (*cspan_at(&work, INT64_C(15), i));
+    }
+}
+/*Mass that a drive moves beside the load. */
+static double carriage_mass(array_double_1d parameters, int64_t axis)
+{
+    double result;
+    if (axis == INT64_C(0))
+    {
+        result = (*cspan_at(&parameters, INT64_C(0))) + (*cspan_at(&parameters, INT64_C(1)));
+        return result;
+    }
+    if (axis == INT64_C(1))
+    {
+        result = (*cspan_at(&parameters, INT64_C(1)));
+        return result;
+    }
+    return 0.0;
+}
+/*At which bound a drive has to be under the changes found so far: -1, 0 or 1. */
+static double limit_side(array_double_1d parameters, int64_t axis, array_double_1d force, array_double_1d scratch)
+{
+    double along;
+    int64_t i;
+    double needed;
+    double result;
+    if ((*cspan_at(&scratch, INT64_C(3) + axis)) != 0.0)
+    {
+        /*it may only lag behind what was demanded of it*/
+        if ((*cspan_at(&scratch, INT64_C(3) + axis)) * (*cspan_at(&scratch, INT64_C(6) + axis)) > 0.0)
+        {
+            return 0.0;
+        }
+        result = (*cspan_at(&scratch, INT64_C(3) + axis));
+        return result;
+    }
+    along = 0.0;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        along = along + (*cspan_at(&scratch, INT64_C(9) + i)) * (*cspan_at(&scratch, INT64_C(6) + i));
+    }
+    needed = (*cspan_at(&force, axis)) + carriage_mass(parameters, axis) * (*cspan_at(&scratch, INT64_C(6) + axis));
+    needed = needed + (*cspan_at(&parameters, INT64_C(2))) * (*cspan_at(&scratch, INT64_C(9) + axis)) * along;
+    if (!beyond(needed, (*cspan_at(&parameters, INT64_C(8) + axis))))
+    {
+        return 0.0;
+    }
+    if (needed > 0.0)
+    {
+        return 1.0;
+    }
+    return -1.0;
+}
+/*Changes that bring the drives with a side to their bounds and leave the others alone.          */
+/*                                                                                               */
+/*    Forces change by (M + m e e') times the changes: M are the carriages' masses, m the load's,*/
+/*    and e is the rope's direction, as the load resists along the rope alone.                   */
+/*                                                                                               */
+static void change_accelerations(array_double_1d parameters, array_double_1d force, array_double_1d scratch)
+{
+    double payload;
+    double total;
+    double weight;
+    int64_t i;
+    double missing;
+    double mass;
+    double along;
+    double rest;
+    payload = (*cspan_at(&parameters, INT64_C(2)));
+    total = 0.0;
+    weight = 1.0;
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        if ((*cspan_at(&scratch, INT64_C(3) + i)) != 0.0)
+        {
+            missing = (*cspan_at(&scratch, INT64_C(3) + i)) * (*cspan_at(&parameters, INT64_C(8) + i)) - (*cspan_at(&force, i));
+            mass = carriage_mass(parameters, i);
+            total = total + (*cspan_at(&scratch, INT64_C(9) + i)) * missing / mass;
+            weight = weight + payload * (*cspan_at(&scratch, INT64_C(9) + i)) * (*cspan_at(&scratch, INT64_C(9) + i)) / mass;
+        }
+    }
+    along = total / weight;
+    if ((*cspan_at(&scratch, INT64_C(5))) != 0.0)
+    {
+        along = ((*cspan_at(&scratch, INT64_C(5))) * (*cspan_at(&parameters, INT64_C(10))) - (*cspan_at(&force, INT64_C(2)))) / payload;
+    }
+    rest = along;
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&scratch, INT64_C(6) + i)) = 0.0;
+        if ((*cspan_at(&scratch, INT64_C(3) + i)) != 0.0)
+        {
+            missing = (*cspan_at(&scratch, INT64_C(3) + i)) * (*cspan_at(&parameters, INT64_C(8) + i)) - (*cspan_at(&force, i));
+            missing = missing - payload * (*cspan_at(&scratch, INT64_C(9) + i)) * along;
+            (*cspan_at(&scratch, INT64_C(6) + i)) = missing / carriage_mass(parameters, i);
+        }
+        rest = rest - (*cspan_at(&scratch, INT64_C(9) + i)) * (*cspan_at(&scratch, INT64_C(6) + i));
+    }
+    (*cspan_at(&scratch, INT64_C(8))) = 0.0;
+    if ((*cspan_at(&scratch, INT64_C(5))) != 0.0)
+    {
+        (*cspan_at(&scratch, INT64_C(8))) = rest;
+    }
+}
+/*Reduce accelerations until no drive needs more than its largest force.                             */
+/*                                                                                                   */
+/*    A drive is at its bound and lags behind its demand, or it has its demand: a complementarity    */
+/*    problem in three unknowns with a positive definite matrix, solved by K. G. Murty's least-index */
+/*    pivoting (Linear Algebra and its Applications 7, 1974). force (6): what the demand needs, and  */
+/*    flags that are set where the bound acts. In scratch, 3:6 are the sides (-1, 0, 1), 6:9 the     */
+/*    changes of the accelerations, 9:12 the rope's direction in the drives' coordinates.            */
+/*                                                                                                   */
+static void limit_accelerations(array_double_1d parameters, array_double_1d state, array_double_1d force, array_double_1d acceleration, array_double_1d scratch)
+{
+    int64_t i;
+    int64_t Dummy_0000;
+    int64_t Dummy_0001;
+    bool changed;
+    double side;
+    (*cspan_at(&scratch, INT64_C(9))) = sin((*cspan_at(&state, INT64_C(3))));
+    (*cspan_at(&scratch, INT64_C(10))) = (-cos((*cspan_at(&state, INT64_C(3))))) * sin((*cspan_at(&state, INT64_C(4))));
+    (*cspan_at(&scratch, INT64_C(11))) = 1.0;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&scratch, INT64_C(3) + i)) = 0.0;
+        (*cspan_at(&scratch, INT64_C(6) + i)) = 0.0;
+    }
+    for (Dummy_0000 = INT64_C(0); Dummy_0000 < INT64_C(16); Dummy_0000 += INT64_C(1))
+    {
+        changed = 0;
+        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        {
+            if (!changed)
+            {
+                side = limit_side(parameters, i, force, scratch);
+                changed = side != (*cspan_at(&scratch, INT64_C(3) + i));
+                (*cspan_at(&scratch, INT64_C(3) + i)) = side;
+            }
+        }
+        if (!changed)
+        {
+            break;
+        }
+        change_accelerations(parameters, force, scratch);
+    }
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&acceleration, i)) = (*cspan_at(&acceleration, i)) + (*cspan_at(&scratch, INT64_C(6) + i));
+        if ((*cspan_at(&scratch, INT64_C(3) + i)) != 0.0)
+        {
+            (*cspan_at(&force, INT64_C(3) + i)) = 1.0;
+        }
+    }
+}
+/*Derivative of the crane under the velocity commands of work[14, :3].                               */
+/*                                                                                                   */
+/*    Without lag the commands are accelerations. work[9, 3:5]: torques on the sway angles, work[11]:*/
+/*    force on the load, work[15, :3]: friction. Results beside the derivative are work[10]: forces  */
+/*    of the drives (3), whether they are at a bound (3), and the force on the rope.                 */
+/*                                                                                                   */
+static void driven_derivative(array_double_1d parameters, array_double_1d state, array_double_2d work, array_double_1d derivative)
+{
+    int64_t i;
+    double demand;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        demand = (*cspan_at(&work, INT64_C(14), i));
+        if ((*cspan_at(&parameters, INT64_C(5) + i)) > 0.0)
+        {
+            demand = (demand - (*cspan_at(&state, INT64_C(5) + i))) / (*cspan_at(&parameters, INT64_C(5) + i));
+        }
+        if (beyond(demand, (*cspan_at(&parameters, INT64_C(11) + i))))
+        {
+            demand = clamped(demand, (*cspan_at(&parameters, INT64_C(11) + i)));
+            (*cspan_at(&work, INT64_C(10), INT64_C(3) + i)) = 1.0;
+        }
+        (*cspan_at(&work, INT64_C(14), i)) = demand;
+    }
+    driven_forces(parameters, state, work, derivative);
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        if (beyond((*cspan_at(&work, INT64_C(10), i)), (*cspan_at(&parameters, INT64_C(8) + i))))
+        {
+            limit_accelerations(parameters, state, span_row(&work, INT64_C(10)), span_row(&work, INT64_C(14)), span_row(&work, INT64_C(15)));
+            driven_forces(parameters, state, work, derivative);
+            break;
+        }
+    }
+}
+/*Derivative of the state at a time that has elapsed since the interval's start. */
+static void plant_derivative(array_double_1d parameters, array_double_2d components, double time, double elapsed, array_double_1d state, array_double_1d command, array_double_1d rate, array_double_1d load_force, array_double_2d work, array_double_1d derivative)
+{
+    int64_t i;
+    wind_force(parameters, components, time + elapsed, load_force, span_row(&work, INT64_C(11)));
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(14), i)) = (*cspan_at(&command, i)) + elapsed * (*cspan_at(&rate, i));
+        (*cspan_at(&work, INT64_C(15), i)) = friction_force(parameters, i, (*cspan_at(&state, INT64_C(5) + i)));
+        (*cspan_at(&work, INT64_C(10), INT64_C(3) + i)) = 0.0;
+    }
+    (*cspan_at(&work, INT64_C(9), INT64_C(3))) = (-(*cspan_at(&parameters, INT64_C(21)))) * (*cspan_at(&state, INT64_C(8)));
+    (*cspan_at(&work, INT64_C(9), INT64_C(4))) = (-(*cspan_at(&parameters, INT64_C(21)))) * (*cspan_at(&state, INT64_C(9)));
+    if ((*cspan_at(&parameters, INT64_C(4))) > 0.5)
+    {
+        driven_derivative(parameters, state, work, derivative);
+    }
+    else
+    {
+        forced_derivative(parameters, state, work, derivative);
+    }
+    segfmu_crane_load(state, span_rows(&work, INT64_C(12), INT64_C(14)));
+    (*cspan_at(&derivative, INT64_C(10))) = 0.0;
+    (*cspan_at(&derivative, INT64_C(11))) = 0.0;
+    (*cspan_at(&derivative, INT64_C(12))) = (*cspan_at(&parameters, INT64_C(21))) * ((*cspan_at(&state, INT64_C(8))) * (*cspan_at(&state, INT64_C(8))) + (*cspan_at(&state, INT64_C(9))) * (*cspan_at(&state, INT64_C(9))));
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&derivative, INT64_C(10))) = (*cspan_at(&derivative, INT64_C(10))) + (*cspan_at(&work, INT64_C(10), i)) * (*cspan_at(&state, INT64_C(5) + i));
+        (*cspan_at(&derivative, INT64_C(11))) = (*cspan_at(&derivative, INT64_C(11))) + (*cspan_at(&work, INT64_C(11), i)) * (*cspan_at(&work, INT64_C(13), i));
+        (*cspan_at(&derivative, INT64_C(12))) = (*cspan_at(&derivative, INT64_C(12))) + (*cspan_at(&work, INT64_C(15), i)) * (*cspan_at(&state, INT64_C(5) + i));
+    }
+}
+/*Try a step of length h: the new state goes to work[7, :]; returns the error. */
+static double plant_attempt(array_double_1d parameters, array_double_2d components, double time, double elapsed, array_double_1d state, array_double_1d command, array_double_1d rate, array_double_1d load_force, double h, array_double_2d work)
+{
+    int64_t stage;
+    double node;
+    int64_t i;
+    double value;
+    int64_t j;
+    double error;
+    for (stage = INT64_C(0); stage < INT64_C(7); stage += INT64_C(1))
+    {
+        node = stage_row(stage, span_row(&work, INT64_C(8)));
+        for (i = INT64_C(0); i < INT64_C(13); i += INT64_C(1))
+        {
+            value = (*cspan_at(&state, i));
+            for (j = INT64_C(0); j < stage; j += INT64_C(1))
+            {
+                value = value + h * (*cspan_at(&work, INT64_C(8), j)) * (*cspan_at(&work, j, i));
+            }
+            (*cspan_at(&work, INT64_C(7), i)) = value;
+        }
+        /*a stage out of all bounds is a step that was much too long*/
+        if (!all_finite(span_row(&work, INT64_C(7)), INT64_C(13)))
+        {
+            return 1e+100;
+        }
+        plant_derivative(parameters, components, time, elapsed + node * h, span_row(&work, INT64_C(7)), command, rate, load_force, work, span_row(&work, stage));
+        if (stage == INT64_C(0))
+        {
+            for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+            {
+                (*cspan_at(&work, INT64_C(10), INT64_C(9) + i)) = (*cspan_at(&work, INT64_C(10), INT64_C(3) + i));
+            }
+        }
+    }
+    error_weights(span_row(&work, INT64_C(8)));
+    error = 0.0;
+    for (i = INT64_C(0); i < INT64_C(13); i += INT64_C(1))
+    {
+        value = 0.0;
+        for (j = INT64_C(0); j < INT64_C(7); j += INT64_C(1))
+        {
+            value = value + h * (*cspan_at(&work, INT64_C(8), j)) * (*cspan_at(&work, j, i));
+        }
+        error = span_max(error, fabs(value) / (1.0 + span_max(fabs((*cspan_at(&state, i))), fabs((*cspan_at(&work, INT64_C(7), i))))));
+    }
+    if (!(error < 1e+100))
+    {
+        return 1e+100;
+    }
+    return error;
+}
+/*Whether the crane is within the range of its equations.                                            */
+/*                                                                                                   */
+/*    Returns 0, or 1: an angle came to +-90 degrees, 2: the rope's length came to zero, 5: the rope */
+/*    went slack, 6 + axis: below the least position, 9 + axis: above the greatest.                  */
+/*                                                                                                   */
+static int64_t plant_status(array_double_1d parameters, array_double_1d state, double rope_force)
+{
+    int64_t i;
     int64_t result;
     if ((fabs((*cspan_at(&state, INT64_C(3)))) >= 1.57) || (fabs((*cspan_at(&state, INT64_C(4)))) >= 1.57))
     {
@@ -4339,111 +4787,108 @@ static int64_t state_status(array_double_1d state)
     {
         return INT64_C(2);
     }
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        /*resting at the very limit is allowed*/
+        if ((*cspan_at(&state, i)) < (*cspan_at(&parameters, INT64_C(22) + i)) - 1e-09)
+        {
+            return INT64_C(6) + i;
+        }
+        if ((*cspan_at(&state, i)) > (*cspan_at(&parameters, INT64_C(25) + i)) + 1e-09)
+        {
+            return INT64_C(9) + i;
+        }
+    }
+    if (rope_force > 1e-09 * (*cspan_at(&parameters, INT64_C(2))) * (*cspan_at(&parameters, INT64_C(3))))
+    {
+        return INT64_C(5);
+    }
     return INT64_C(0);
 }
-/*Advance `state` (11 numbers: the crane's ten and the work done) by a duration, in place.       */
-/*                                                                                               */
-/*    drive and drive_rate: forces F_x, F_y, F_l [N] at the start and their rates, or, if driven,*/
-/*    accelerations of bridge, trolley and rope [m/s2] and their rates; torque: on the two sway  */
-/*    angles; tolerance: relative and absolute error a step. work (16, 11) is work space;        */
-/*    work[10, :3] ends as the drive forces at the end.                                          */
-/*                                                                                               */
-/*    Returns 0, or 1: an angle came to +-90 degrees, 2: the rope's length came to zero, 3: the  */
-/*    step size underflowed, 4: a value is not finite.                                           */
-/*                                                                                               */
-int64_t segfmu_crane_advance(bool driven, array_double_1d state, array_double_1d drive, array_double_1d drive_rate, array_double_1d torque, array_double_1d load_force, double bridge_mass, double trolley_mass, double payload_mass, double gravity, double duration, double tolerance, array_double_2d work)
+/*Take over the state that was tried, and report what acts in it.*/
+static void accept(array_double_1d state, array_double_2d work, double elapsed, array_double_1d report)
 {
+    int64_t i;
+    for (i = INT64_C(0); i < INT64_C(13); i += INT64_C(1))
+    {
+        (*cspan_at(&state, i)) = (*cspan_at(&work, INT64_C(7), i));
+    }
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&report, i)) = (*cspan_at(&work, INT64_C(10), i));
+        (*cspan_at(&report, INT64_C(3) + i)) = span_max((*cspan_at(&report, INT64_C(3) + i)), span_max((*cspan_at(&work, INT64_C(10), INT64_C(3) + i)), (*cspan_at(&work, INT64_C(10), INT64_C(9) + i))));
+    }
+    (*cspan_at(&report, INT64_C(6))) = (*cspan_at(&work, INT64_C(10), INT64_C(6)));
+    (*cspan_at(&report, INT64_C(7))) = (*cspan_at(&work, INT64_C(6), INT64_C(11)));
+    (*cspan_at(&report, INT64_C(8))) = (*cspan_at(&work, INT64_C(6), INT64_C(12)));
+    (*cspan_at(&report, INT64_C(9))) = elapsed;
+}
+/*Advance the state (13), in place, by a duration from a time on.                                      */
+/*                                                                                                     */
+/*    components (count, 7): sines of the wind's noise. command and rate (3): forces [N] of bridge,    */
+/*    trolley and hoist at the start, and their rates; or velocities [m/s], or where a drive has no    */
+/*    lag accelerations [m/s2]. load_force (3): on the load, held [N]. tolerance: relative and         */
+/*    absolute error of a step. report (10): forces of the drives (3), whether they were at a bound    */
+/*    (3), force on the rope, power of the wind and of friction [W], time advanced.                    */
+/*                                                                                                     */
+/*    Returns `plant_status`, or 3: the steps became too small (for stiff friction, too many), 4: a    */
+/*    value is not all_finite. What has a status is approached until within 0.1 us of it; the state is */
+/*    the last one without.                                                                            */
+/*                                                                                                     */
+int64_t segfmu_plant_advance(array_double_1d parameters, array_double_2d components, double time, array_double_1d state, array_double_1d command, array_double_1d rate, array_double_1d load_force, double duration, double tolerance, array_double_2d work, array_double_1d report)
+{
+    int64_t i;
     double t;
     double h;
+    int64_t Dummy_0000;
+    int64_t Dummy_0001;
     bool last;
-    bool bounded;
-    int64_t stage;
-    double node;
-    int64_t i;
-    double value;
-    int64_t j;
     double error;
-    double factor;
     int64_t status;
-    if ((!all_finite(state, INT64_C(11))) || (!all_finite(drive, INT64_C(3))) || (!all_finite(load_force, INT64_C(3))))
+    for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
+    {
+        (*cspan_at(&report, i)) = 0.0;
+    }
+    if ((!all_finite(state, INT64_C(13))) || (!all_finite(command, INT64_C(3))) || (!all_finite(load_force, INT64_C(3))))
     {
         return INT64_C(4);
     }
     t = 0.0;
     h = duration;
-    while(t < duration)
+    for (Dummy_0000 = INT64_C(0); Dummy_0000 < INT64_C(200000); Dummy_0000 += INT64_C(1))
     {
         last = h >= duration - t;
         if (last)
         {
             h = duration - t;
         }
-        bounded = 1;
-        for (stage = INT64_C(0); stage < INT64_C(7); stage += INT64_C(1))
+        error = plant_attempt(parameters, components, time, t, state, command, rate, load_force, h, work);
+        if (error > tolerance)
         {
-            if (!bounded)
+            h = h * next_step(error, tolerance);
+            if (h < 1e-12 * duration)
             {
-                break;
+                return INT64_C(3);
             }
-            node = stage_row(stage, span_row(&work, INT64_C(14)));
-            for (i = INT64_C(0); i < INT64_C(11); i += INT64_C(1))
-            {
-                value = (*cspan_at(&state, i));
-                for (j = INT64_C(0); j < stage; j += INT64_C(1))
-                {
-                    value = value + h * (*cspan_at(&work, INT64_C(14), j)) * (*cspan_at(&work, j, i));
-                }
-                (*cspan_at(&work, INT64_C(7), i)) = value;
-            }
-            bounded = all_finite(span_row(&work, INT64_C(7)), INT64_C(11));
-            if (bounded)
-            {
-                state_derivative(driven, t + node * h, span_row(&work, INT64_C(7)), drive, drive_rate, torque, load_force, bridge_mass, trolley_mass, payload_mass, gravity, work, span_row(&work, stage));
-            }
+            continue;
         }
-        error_weights(span_row(&work, INT64_C(14)));
-        error = 0.0;
-        for (i = INT64_C(0); i < INT64_C(11); i += INT64_C(1))
+        status = plant_status(parameters, span_row(&work, INT64_C(7)), (*cspan_at(&work, INT64_C(10), INT64_C(6))));
+        if (status != INT64_C(0))
         {
-            value = 0.0;
-            for (j = INT64_C(0); j < INT64_C(7); j += INT64_C(1))
-            {
-                value = value + h * (*cspan_at(&work, INT64_C(14), j)) * (*cspan_at(&work, j, i));
-            }
-            error = span_max(error, fabs(value) / (1.0 + span_max(fabs((*cspan_at(&state, i))), fabs((*cspan_at(&work, INT64_C(7), i))))));
-        }
-        /*a stage out of all bounds is a step that was much too long*/
-        if ((!bounded) || (!(error < 1e+100)))
-        {
-            error = 1e+100;
-        }
-        if (error <= tolerance)
-        {
-            for (i = INT64_C(0); i < INT64_C(11); i += INT64_C(1))
-            {
-                (*cspan_at(&state, i)) = (*cspan_at(&work, INT64_C(7), i));
-            }
-            status = state_status(state);
-            if (status != INT64_C(0))
+            if (h < 1e-07)
             {
                 return status;
             }
-            t = t + h;
-            if (last)
-            {
-                return INT64_C(0);
-            }
+            h = 0.5 * h;
+            continue;
         }
-        factor = 5.0;
-        if (error > 0.0)
+        t = t + h;
+        h = h * next_step(error, tolerance);
+        accept(state, work, t, report);
+        if (last)
         {
-            factor = span_min(5.0, span_max(0.2, 0.9 * pow((tolerance / error), 0.2)));
-        }
-        h = h * factor;
-        if (h < 1e-12 * duration)
-        {
-            return INT64_C(3);
+            return INT64_C(0);
         }
     }
-    return INT64_C(0);
+    return INT64_C(3);
 }

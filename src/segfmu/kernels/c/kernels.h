@@ -24,6 +24,10 @@ void segfmu_crane_driven(array_double_1d state, array_double_1d carriage, array_
 void segfmu_crane_flat_inverse(array_double_2d flat, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_1d force, array_double_1d state, array_double_1d acceleration);
 void segfmu_crane_load(array_double_1d state, array_double_2d load);
 void segfmu_crane_energy(array_double_1d state, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_1d energy);
-int64_t segfmu_crane_advance(bool driven, array_double_1d state, array_double_1d drive, array_double_1d drive_rate, array_double_1d torque, array_double_1d load_force, double bridge_mass, double trolley_mass, double payload_mass, double gravity, double duration, double tolerance, array_double_2d work);
+double segfmu_next_uniform(array_int64_t_1d numbers);
+void segfmu_seed_numbers(int64_t seed, array_int64_t_1d numbers);
+void segfmu_noise_components(double bandwidth, array_double_1d deviation, array_int64_t_1d numbers, array_double_2d components);
+void segfmu_measure_state(array_double_1d state, array_double_1d offset, array_double_1d deviation, array_double_1d resolution, array_int64_t_1d numbers, array_double_1d measured);
+int64_t segfmu_plant_advance(array_double_1d parameters, array_double_2d components, double time, array_double_1d state, array_double_1d command, array_double_1d rate, array_double_1d load_force, double duration, double tolerance, array_double_2d work, array_double_1d report);
 
 #endif

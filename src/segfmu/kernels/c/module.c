@@ -667,53 +667,141 @@ static PyObject *call_crane_energy(
     return answer;
 }
 
-static PyObject *call_crane_advance(
+static PyObject *call_seed_numbers(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
-    arguments call = {.function = "crane_advance", .values = values};
+    arguments call = {.function = "seed_numbers", .values = values};
     PyObject *answer = NULL;
-    bool in_driven;
+    int64_t in_seed;
+    Py_buffer *in_numbers;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && take_int(&call, 0, &in_seed)
+        && (in_numbers = take_array(&call, 1, 1, 'l', true)) != NULL) {
+        segfmu_seed_numbers(
+            in_seed,
+            (array_int64_t_1d){in_numbers->buf, {in_numbers->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_next_uniform(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "next_uniform", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_numbers;
+    (void)self;
+    if (take_count(&call, count, 1)
+        && (in_numbers = take_array(&call, 0, 1, 'l', true)) != NULL) {
+        answer = PyFloat_FromDouble(segfmu_next_uniform(
+            (array_int64_t_1d){in_numbers->buf, {in_numbers->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_noise_components(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "noise_components", .values = values};
+    PyObject *answer = NULL;
+    double in_bandwidth;
+    Py_buffer *in_deviation;
+    Py_buffer *in_numbers;
+    Py_buffer *in_components;
+    (void)self;
+    if (take_count(&call, count, 4)
+        && take_float(&call, 0, &in_bandwidth)
+        && (in_deviation = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_numbers = take_array(&call, 2, 1, 'l', true)) != NULL
+        && (in_components = take_array(&call, 3, 2, 'd', true)) != NULL) {
+        segfmu_noise_components(
+            in_bandwidth,
+            (array_double_1d){in_deviation->buf, {in_deviation->shape[0]}},
+            (array_int64_t_1d){in_numbers->buf, {in_numbers->shape[0]}},
+            (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_measure_state(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "measure_state", .values = values};
+    PyObject *answer = NULL;
     Py_buffer *in_state;
-    Py_buffer *in_drive;
-    Py_buffer *in_drive_rate;
-    Py_buffer *in_torque;
+    Py_buffer *in_offset;
+    Py_buffer *in_deviation;
+    Py_buffer *in_resolution;
+    Py_buffer *in_numbers;
+    Py_buffer *in_measured;
+    (void)self;
+    if (take_count(&call, count, 6)
+        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_offset = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_deviation = take_array(&call, 2, 1, 'd', false)) != NULL
+        && (in_resolution = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_numbers = take_array(&call, 4, 1, 'l', true)) != NULL
+        && (in_measured = take_array(&call, 5, 1, 'd', true)) != NULL) {
+        segfmu_measure_state(
+            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+            (array_double_1d){in_offset->buf, {in_offset->shape[0]}},
+            (array_double_1d){in_deviation->buf, {in_deviation->shape[0]}},
+            (array_double_1d){in_resolution->buf, {in_resolution->shape[0]}},
+            (array_int64_t_1d){in_numbers->buf, {in_numbers->shape[0]}},
+            (array_double_1d){in_measured->buf, {in_measured->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_plant_advance(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "plant_advance", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_parameters;
+    Py_buffer *in_components;
+    double in_time;
+    Py_buffer *in_state;
+    Py_buffer *in_command;
+    Py_buffer *in_rate;
     Py_buffer *in_load_force;
-    double in_bridge_mass;
-    double in_trolley_mass;
-    double in_payload_mass;
-    double in_gravity;
     double in_duration;
     double in_tolerance;
     Py_buffer *in_work;
+    Py_buffer *in_report;
     (void)self;
-    if (take_count(&call, count, 13)
-        && take_bool(&call, 0, &in_driven)
-        && (in_state = take_array(&call, 1, 1, 'd', true)) != NULL
-        && (in_drive = take_array(&call, 2, 1, 'd', false)) != NULL
-        && (in_drive_rate = take_array(&call, 3, 1, 'd', false)) != NULL
-        && (in_torque = take_array(&call, 4, 1, 'd', false)) != NULL
-        && (in_load_force = take_array(&call, 5, 1, 'd', false)) != NULL
-        && take_float(&call, 6, &in_bridge_mass)
-        && take_float(&call, 7, &in_trolley_mass)
-        && take_float(&call, 8, &in_payload_mass)
-        && take_float(&call, 9, &in_gravity)
-        && take_float(&call, 10, &in_duration)
-        && take_float(&call, 11, &in_tolerance)
-        && (in_work = take_array(&call, 12, 2, 'd', true)) != NULL) {
-        answer = PyLong_FromLongLong(segfmu_crane_advance(
-            in_driven,
+    if (take_count(&call, count, 11)
+        && (in_parameters = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_components = take_array(&call, 1, 2, 'd', false)) != NULL
+        && take_float(&call, 2, &in_time)
+        && (in_state = take_array(&call, 3, 1, 'd', true)) != NULL
+        && (in_command = take_array(&call, 4, 1, 'd', false)) != NULL
+        && (in_rate = take_array(&call, 5, 1, 'd', false)) != NULL
+        && (in_load_force = take_array(&call, 6, 1, 'd', false)) != NULL
+        && take_float(&call, 7, &in_duration)
+        && take_float(&call, 8, &in_tolerance)
+        && (in_work = take_array(&call, 9, 2, 'd', true)) != NULL
+        && (in_report = take_array(&call, 10, 1, 'd', true)) != NULL) {
+        answer = PyLong_FromLongLong(segfmu_plant_advance(
+            (array_double_1d){in_parameters->buf, {in_parameters->shape[0]}},
+            (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}},
+            in_time,
             (array_double_1d){in_state->buf, {in_state->shape[0]}},
-            (array_double_1d){in_drive->buf, {in_drive->shape[0]}},
-            (array_double_1d){in_drive_rate->buf, {in_drive_rate->shape[0]}},
-            (array_double_1d){in_torque->buf, {in_torque->shape[0]}},
+            (array_double_1d){in_command->buf, {in_command->shape[0]}},
+            (array_double_1d){in_rate->buf, {in_rate->shape[0]}},
             (array_double_1d){in_load_force->buf, {in_load_force->shape[0]}},
-            in_bridge_mass,
-            in_trolley_mass,
-            in_payload_mass,
-            in_gravity,
             in_duration,
             in_tolerance,
-            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_1d){in_report->buf, {in_report->shape[0]}}));
     }
     release_arguments(&call);
     return answer;
@@ -737,7 +825,11 @@ static PyMethodDef methods[] = {
     {"crane_flat_inverse", (PyCFunction)(void (*)(void))call_crane_flat_inverse, METH_FASTCALL, NULL},
     {"crane_load", (PyCFunction)(void (*)(void))call_crane_load, METH_FASTCALL, NULL},
     {"crane_energy", (PyCFunction)(void (*)(void))call_crane_energy, METH_FASTCALL, NULL},
-    {"crane_advance", (PyCFunction)(void (*)(void))call_crane_advance, METH_FASTCALL, NULL},
+    {"seed_numbers", (PyCFunction)(void (*)(void))call_seed_numbers, METH_FASTCALL, NULL},
+    {"next_uniform", (PyCFunction)(void (*)(void))call_next_uniform, METH_FASTCALL, NULL},
+    {"noise_components", (PyCFunction)(void (*)(void))call_noise_components, METH_FASTCALL, NULL},
+    {"measure_state", (PyCFunction)(void (*)(void))call_measure_state, METH_FASTCALL, NULL},
+    {"plant_advance", (PyCFunction)(void (*)(void))call_plant_advance, METH_FASTCALL, NULL},
     {NULL, NULL, 0, NULL},
 };
 

@@ -1,0 +1,103 @@
+"""What happens to a crane from outside: wind on the load, payload changes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Literal
+
+import numpy as np
+
+from segfmu.crane.checks import (
+    require_finite,
+    require_not_negative,
+    require_positive,
+    require_seed,
+    sized,
+)
+from segfmu.errors import InputError
+from segfmu.kernels import backend
+from segfmu.planning.arrays import FloatArray
+
+SHAPES = ("cosine", "sine")
+
+# sines in the noise of the wind
+COMPONENTS = 32
+
+Vector = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class Gust:
+    """A gust that rises to `force` and falls again.
+
+    Parameters
+    ----------
+    start, duration : float
+        [s]
+    force : tuple of 3 float
+        Peak along x, y, z [N].
+    shape : {"cosine", "sine"}
+        1 - cosine, (1 - cos(2 pi s)) / 2, or half a sine, sin(pi s), of the share s of the time.
+    """
+
+    start: float
+    duration: float
+    force: Vector
+    shape: Literal["cosine", "sine"] = "cosine"
+
+    def __post_init__(self) -> None:
+        require_finite("gust start", self.start)
+        require_positive("gust duration", self.duration)
+        sized("gust force", self.force, 3)
+        if self.shape not in SHAPES:
+            raise InputError(f"gust shape must be cosine or sine, got {self.shape!r}")
+
+
+@dataclass(frozen=True)
+class Wind:
+    """Force of the wind on the load, a function of time alone.
+
+    Parameters
+    ----------
+    constant : tuple of 3 float
+        Along x, y, z [N].
+    gust : Gust, optional
+    deviation : tuple of 3 float
+        Standard deviations of the noise [N].
+    bandwidth : float
+        Frequency [Hz] up to which the noise has a flat spectrum, and above which it has none.
+    seed : int
+        Of the noise; the same seed gives the same wind, whatever the steps are.
+    """
+
+    constant: Vector = (0.0, 0.0, 0.0)
+    gust: Gust | None = None
+    deviation: Vector = (0.0, 0.0, 0.0)
+    bandwidth: float = 1.0
+    seed: int = 0
+    components: FloatArray = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        sized("wind constant", self.constant, 3)
+        deviation = sized("wind deviation", self.deviation, 3)
+        for axis, value in zip("xyz", deviation, strict=True):
+            require_not_negative(f"wind deviation along {axis}", value)
+        require_positive("wind bandwidth", self.bandwidth)
+        require_seed("wind seed", self.seed)
+        components = np.zeros((COMPONENTS if deviation.any() else 0, 7))
+        numbers = np.zeros(2, dtype=np.int64)
+        backend.seed_numbers(self.seed, numbers)
+        backend.noise_components(self.bandwidth, deviation, numbers, components)
+        object.__setattr__(self, "components", components)
+
+
+@dataclass(frozen=True)
+class PayloadChange:
+    """The load's mass becomes `mass` [kg] at `time` [s]; what joins has the load's velocity."""
+
+    time: float
+    mass: float
+
+    def __post_init__(self) -> None:
+        require_finite("payload change time", self.time)
+        require_positive("payload change mass", self.mass)

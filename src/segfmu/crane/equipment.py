@@ -1,0 +1,111 @@
+"""What a real crane's mechanics add: drives with lag and bounds, friction, end stops."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from segfmu.crane.checks import require_not_negative, require_positive, sized
+from segfmu.errors import InputError
+
+AXES = ("bridge", "trolley", "rope")
+
+
+@dataclass(frozen=True)
+class Drive:
+    """Drive of one axis.
+
+    In force mode it applies its force setpoint, up to `force_max`. In velocity mode it is the
+    frequency converter of section 4.4: lag v' = v* - v, where |v'| stays within
+    `acceleration_max`; the force is what that takes. Where it would take more than `force_max`,
+    the drive applies `force_max` and its velocity falls behind.
+
+    Parameters
+    ----------
+    lag : float
+        Time constant of the velocity loop [s]; 0: none, the setpoint is followed exactly, and
+        after a time at a bound within the step that follows.
+    force_max : float, optional
+        Largest force in either direction [N].
+    acceleration_max : float, optional
+        Largest acceleration in either direction [m/s2], in velocity mode.
+
+    Raises
+    ------
+    InputError
+        For a negative lag and bounds that are not positive.
+    """
+
+    lag: float = 0.0
+    force_max: float | None = None
+    acceleration_max: float | None = None
+
+    def __post_init__(self) -> None:
+        require_not_negative("drive lag", self.lag)
+        for name in ("force_max", "acceleration_max"):
+            if getattr(self, name) is not None:
+                require_positive(f"drive {name}", getattr(self, name))
+
+
+@dataclass(frozen=True)
+class Friction:
+    """Friction of the axes and damping of the sway.
+
+    Parameters
+    ----------
+    viscous, coulomb : tuple of 3 float
+        Of bridge, trolley and hoist [N s/m], [N].
+    width : float
+        Velocity [m/s] that smooths the sign of Coulomb friction: coulomb * tanh(v / width). A
+        loaded axis therefore creeps instead of sticking.
+    sway : float
+        Viscous damping of each sway angle [N m s].
+
+    Raises
+    ------
+    InputError
+        For negative coefficients and a width that is not positive.
+    """
+
+    viscous: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    coulomb: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    width: float = 1e-3
+    sway: float = 0.0
+
+    def __post_init__(self) -> None:
+        for name in ("viscous", "coulomb"):
+            values = sized(f"friction {name}", getattr(self, name), 3)
+            for axis, value in zip(AXES, values, strict=True):
+                require_not_negative(f"friction {name} of the {axis}", value)
+        require_positive("friction width", self.width)
+        require_not_negative("friction sway", self.sway)
+
+
+@dataclass(frozen=True)
+class TravelLimits:
+    """End stops [m]: least and greatest position of bridge and trolley, and length of the rope.
+
+    A crane that reaches one ends the simulation with an error; it never passes silently.
+
+    Parameters
+    ----------
+    bridge, trolley, rope : tuple of 2 float, optional
+        None where there is no limit.
+
+    Raises
+    ------
+    InputError
+        For a range that is empty.
+    """
+
+    bridge: tuple[float, float] | None = None
+    trolley: tuple[float, float] | None = None
+    rope: tuple[float, float] | None = None
+
+    def __post_init__(self) -> None:
+        for name in AXES:
+            limits = getattr(self, name)
+            if limits is None:
+                continue
+            least, most = sized(f"travel {name}", limits, 2)
+            if least >= most:
+                raise InputError(f"travel {name}: least {least} m must be below greatest {most} m")

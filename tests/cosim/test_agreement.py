@@ -1,0 +1,69 @@
+"""The loop through the FMUs and the same loop in pure Python give the same numbers."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from segfmu import Crane, FlatInverse, plan
+from segfmu.cosim import simulate
+from segfmu.crane import Plant, Setpoints
+from segfmu.crane.feedback import design
+from segfmu.fmu.rig_parameters import rig_from, rig_parameters
+from tests.fmu.test_slaves import LIMITS, POINTS
+
+STEP, STOP = 0.004, 2.0
+UNKIND = {
+    "drive.bridge.lag": 0.025, "drive.trolley.lag": 0.013, "drive.trolley.acceleration_max": 0.4,
+    "drive.hoist.force_max": 14.0,
+    "friction.bridge.viscous": 5.0, "friction.trolley.coulomb": 0.5, "friction.hoist.viscous": 4.0,
+    "friction.sway.viscous": 0.02,
+    "sensor.sample_time": 0.01, "sensor.dead_time": 0.01, "sensor.seed": 2,
+    "sensor.sway.x.angle.resolution": 2.0 * np.pi / 4096, "sensor.rope.length.offset": 0.02,
+    "sensor.trolley.position.deviation": 1e-4,
+    "wind.gust.start": 0.5, "wind.gust.duration": 0.7, "wind.gust.force.x": 0.5,
+    "wind.noise.deviation.y": 0.1, "wind.noise.bandwidth": 3.0,
+    "payload.count": 1, "payload[1].time": 1.1111, "payload[1].mass": 1.2,
+}
+
+
+def pure(driven: bool, values: dict[str, float]) -> tuple[list, list, list]:
+    """States, measured signals and drive forces at every communication point."""
+    parameters = {v.name: v.start for v in rig_parameters()} | values
+    crane = Crane(2.2, 1.155, 1.0, rope_min=0.16, rope_max=1.5)
+    inverse = FlatInverse(crane, plan(POINTS, LIMITS))
+    gains = design(crane, sample_time=0.01, shortest=0.16, longest=1.5, driven=driven)
+
+    def setpoints(time: float) -> Setpoints:
+        return Setpoints(inverse.force(time), inverse.velocity(time), inverse.state(time))
+
+    plant = Plant(
+        crane, crane.hanging([0.0, 0.0, -0.5]), setpoints(0.0), gains, driven=driven,
+        rig=rig_from(parameters.__getitem__),
+    )
+    rows = [(plant.state, plant.measured, plant.drive_force.copy())]
+    for i in range(1, round(STOP / STEP) + 1):
+        plant.step(STEP, setpoints(i * STEP))
+        rows.append((plant.state, plant.measured, plant.drive_force.copy()))
+    states, measured, forces = zip(*rows, strict=True)
+    return list(states), list(measured), list(forces)
+
+
+@pytest.mark.parametrize("driven", [False, True])
+@pytest.mark.parametrize("values", [{}, UNKIND], ids=["ideal", "unkind"])
+def test_fmus_and_python_agree(fmus: tuple[Path, Path], driven: bool, values) -> None:
+    mode = {"drive.mode": "velocity" if driven else "force"}
+    rows = simulate(*fmus, stop_time=STOP, step=STEP, sink_values={**mode, **values})
+    states, measured, forces = pure(driven, values)
+    columns = [
+        ("bridge.velocity", states, 5), ("trolley.position", states, 1), ("rope.length", states, 2),
+        ("sway.x.angle", states, 3), ("sway.y.rate", states, 9),
+        ("measured.trolley.position", measured, 1), ("measured.rope.length", measured, 2),
+        ("measured.sway.x.angle", measured, 3), ("drive.bridge.force", forces, 0),
+        ("drive.hoist.force", forces, 2),
+    ]
+    for name, table, i in columns:
+        expected = np.array(table)[:, i]
+        assert rows[name] == pytest.approx(expected, abs=1e-9 * np.abs(expected).max()), name
