@@ -22,12 +22,14 @@ TARGET = KERNELS / "c"
 # in the order in which they use each other
 MODULES = (
     "transition", "phases", "levels", "profile", "synchronize", "intervals", "plan", "evaluate",
-    "expand", "feedback", "_crane", "integrate",
+    "expand", "feedback", "observer", "tracking", "compensation", "_crane", "integrate",
 )
 # what C programs and the compiled extension may call
 ENTRY_POINTS = (
     "ramp_parameters", "ramp_duration", "measure_phases", "shortest_profile", "timed_profile",
-    "plan_phases", "count_pieces", "expand_plan", "evaluate", "feedback_correction", "crane_rhs",
+    "plan_phases", "count_pieces", "expand_plan", "evaluate", "feedback_correction",
+    "feedback_bandwidth", "feedback_gains", "observer_predict", "observer_correct",
+    "track_setpoint", "compensate_setpoints", "crane_rhs",
     "crane_driven", "crane_flat_inverse", "crane_load", "crane_energy", "crane_advance",
 )
 PREFIX = "segfmu_"

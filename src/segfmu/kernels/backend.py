@@ -14,6 +14,7 @@ COMPILED = (
 
 if COMPILED:
     from segfmu.kernels._compiled import (
+        compensate_setpoints,
         count_pieces,
         crane_advance,
         crane_energy,
@@ -22,19 +23,28 @@ if COMPILED:
         crane_rhs,
         evaluate,
         expand_plan,
+        feedback_bandwidth,
         feedback_correction,
+        feedback_gains,
+        observer_correct,
+        observer_predict,
         plan_phases,
+        track_setpoint,
     )
 else:
     from segfmu.kernels._crane import crane_energy, crane_flat_inverse, crane_load, crane_rhs
+    from segfmu.kernels.compensation import compensate_setpoints
     from segfmu.kernels.evaluate import evaluate
     from segfmu.kernels.expand import count_pieces, expand_plan
-    from segfmu.kernels.feedback import feedback_correction
+    from segfmu.kernels.feedback import feedback_bandwidth, feedback_correction, feedback_gains
     from segfmu.kernels.integrate import crane_advance
+    from segfmu.kernels.observer import observer_correct, observer_predict
     from segfmu.kernels.plan import plan_phases
+    from segfmu.kernels.tracking import track_setpoint
 
 __all__ = [
     "COMPILED",
+    "compensate_setpoints",
     "count_pieces",
     "crane_advance",
     "crane_energy",
@@ -43,6 +53,11 @@ __all__ = [
     "crane_rhs",
     "evaluate",
     "expand_plan",
+    "feedback_bandwidth",
     "feedback_correction",
+    "feedback_gains",
+    "observer_correct",
+    "observer_predict",
     "plan_phases",
+    "track_setpoint",
 ]
