@@ -1,13 +1,20 @@
 """One tick of the tracking controller: observer, feedback, disturbance rejection, limits.
 
-`parameters` (18): driven, sample time [s], whether measurements are one sample old, mass that
+`parameters` (20): driven, sample time [s], whether measurements are one sample old, mass that
 moves in x, in y and with the rope [kg], gravity [m/s2], share of the carriage's and of the load's
 estimated disturbance that is rejected, enabled, time constant [s] of switching and decay of a
-switching step over a sample, then the least (3) and the greatest (3) setpoint.
+switching step over a sample, the least (3) and the greatest (3) setpoint, the payload [kg] that
+the gains are for, and the sample time as a share of the payload estimate's time constant.
 
 `memory` (9, 10): estimate (3 rows, see kernels/observer.py); velocity command (3), whether
-there was a tick before, whether something was switched since; last correction (3); what
-remains of a switching step (3); reference at the tick before; two rows of work space.
+there was a tick before, whether something was switched since; what the observer takes as input
+since the last tick (3), last correction (3); what remains of a switching step (3), estimate of
+the payload over the nominal one, minus 1; reference at the tick before; two rows of work space.
+
+The force on the rope holds the load's weight, so a wrong payload is a large disturbance, and it
+changes what a force does. Both are cured by asking for an acceleration v of the rope and applying
+the estimated mass to v and to gravity; v is zero on average when that mass is right, and moves
+the estimate otherwise. The loop is then the same for every payload.
 """
 
 from segfmu.kernels.feedback import feedback_correction
@@ -82,11 +89,23 @@ def track_law(
     memory[7, 2] = length
     feedback_correction(memory[7, :], memory[8, :], gain_lengths, gains, correction)
     if parameters[0] < 0.5:
-        for i in range(3):
-            pull = 0.0
-            if i < 2:
-                pull = parameters[8] * parameters[5] * memory[i, 5]
-            correction[i] = correction[i] - parameters[7] * parameters[3 + i] * memory[i, 4] - pull
+        for i in range(2):
+            mass = parameters[7] * parameters[3 + i]
+            pull = parameters[8] * parameters[5] * memory[i, 5]
+            correction[i] = correction[i] - mass * memory[i, 4] - pull
+        rope = correction[2] / parameters[18] - parameters[7] * memory[2, 4]
+        share = memory[5, 3]
+        correction[2] = parameters[5] * ((1.0 + share) * rope - share * parameters[6])
+
+
+def track_hoist(parameters: 'float[:]', memory: 'float[:,:]') -> None:
+    """The rope's acceleration that its force asked for, within limits; estimate of the payload."""
+    share = memory[5, 3]
+    rope = (memory[4, 5] / parameters[5] + share * parameters[6]) / (1.0 + share)
+    memory[4, 2] = rope
+    if parameters[9] > 0.5:
+        share = share - parameters[19] * (1.0 + share) * rope / parameters[6]
+        memory[5, 3] = min(max(share, -0.98), 9.0)
 
 
 def track_setpoint(
@@ -112,11 +131,14 @@ def track_setpoint(
     for i in range(3):
         if memory[3, 4] > 0.5:
             # bumpless: what a switch would jump by fades out instead
-            memory[5, i] = memory[4, i] - correction[i]
-        correction[i] = correction[i] + parameters[11] * memory[5, i]
+            memory[5, i] = memory[4, 3 + i] - correction[i]
         memory[5, i] = parameters[11] * memory[5, i]
-        # the observer gets what remains within the limits, so nothing winds up
-        total = min(max(feedforward[i] + correction[i], parameters[12 + i]), parameters[15 + i])
+        total = feedforward[i] + correction[i] + memory[5, i]
+        total = min(max(total, parameters[12 + i]), parameters[15 + i])
         correction[i] = total - feedforward[i]
+        # the observer gets what remains within the limits, so nothing winds up
+        memory[4, 3 + i] = correction[i]
         memory[4, i] = correction[i]
+    if parameters[0] < 0.5:
+        track_hoist(parameters, memory)
     memory[3, 4] = 0.0

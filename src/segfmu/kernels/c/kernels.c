@@ -71,6 +71,7 @@ static int64_t table_row(double value, array_double_1d nodes);
 static double table_share(double value, array_double_1d nodes, int64_t row);
 static void track_observe(array_double_1d parameters, array_double_1d lengths, array_double_3d table, array_double_1d measured, array_double_1d reference, array_double_2d memory);
 static void track_law(array_double_1d parameters, double length, array_double_1d gain_lengths, array_double_3d gains, array_double_2d memory, array_double_1d correction);
+static void track_hoist(array_double_1d parameters, array_double_2d memory);
 static double stage_row(int64_t stage, array_double_1d row);
 static void error_weights(array_double_1d row);
 static void state_derivative(bool driven, double t, array_double_1d state, array_double_1d drive, array_double_1d drive_rate, array_double_1d torque, array_double_1d load_force, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d work, array_double_1d derivative);
@@ -3047,7 +3048,10 @@ static void track_law(array_double_1d parameters, double length, array_double_1d
     int64_t i;
     double sign;
     double angle;
+    double mass;
     double pull;
+    double rope;
+    double share;
     if ((*cspan_at(&parameters, INT64_C(9))) < 0.5)
     {
         for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
@@ -3084,15 +3088,29 @@ static void track_law(array_double_1d parameters, double length, array_double_1d
     segfmu_feedback_correction(span_row(&memory, INT64_C(7)), span_row(&memory, INT64_C(8)), gain_lengths, gains, correction);
     if ((*cspan_at(&parameters, INT64_C(0))) < 0.5)
     {
-        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
         {
-            pull = 0.0;
-            if (i < INT64_C(2))
-            {
-                pull = (*cspan_at(&parameters, INT64_C(8))) * (*cspan_at(&parameters, INT64_C(5))) * (*cspan_at(&memory, i, INT64_C(5)));
-            }
-            (*cspan_at(&correction, i)) = (*cspan_at(&correction, i)) - (*cspan_at(&parameters, INT64_C(7))) * (*cspan_at(&parameters, INT64_C(3) + i)) * (*cspan_at(&memory, i, INT64_C(4))) - pull;
+            mass = (*cspan_at(&parameters, INT64_C(7))) * (*cspan_at(&parameters, INT64_C(3) + i));
+            pull = (*cspan_at(&parameters, INT64_C(8))) * (*cspan_at(&parameters, INT64_C(5))) * (*cspan_at(&memory, i, INT64_C(5)));
+            (*cspan_at(&correction, i)) = (*cspan_at(&correction, i)) - mass * (*cspan_at(&memory, i, INT64_C(4))) - pull;
         }
+        rope = (*cspan_at(&correction, INT64_C(2))) / (*cspan_at(&parameters, INT64_C(18))) - (*cspan_at(&parameters, INT64_C(7))) * (*cspan_at(&memory, INT64_C(2), INT64_C(4)));
+        share = (*cspan_at(&memory, INT64_C(5), INT64_C(3)));
+        (*cspan_at(&correction, INT64_C(2))) = (*cspan_at(&parameters, INT64_C(5))) * ((1.0 + share) * rope - share * (*cspan_at(&parameters, INT64_C(6))));
+    }
+}
+/*The rope's acceleration that its force asked for, within limits; estimate of the payload.*/
+static void track_hoist(array_double_1d parameters, array_double_2d memory)
+{
+    double share;
+    double rope;
+    share = (*cspan_at(&memory, INT64_C(5), INT64_C(3)));
+    rope = ((*cspan_at(&memory, INT64_C(4), INT64_C(5))) / (*cspan_at(&parameters, INT64_C(5))) + share * (*cspan_at(&parameters, INT64_C(6)))) / (1.0 + share);
+    (*cspan_at(&memory, INT64_C(4), INT64_C(2))) = rope;
+    if ((*cspan_at(&parameters, INT64_C(9))) > 0.5)
+    {
+        share = share - (*cspan_at(&parameters, INT64_C(19))) * (1.0 + share) * rope / (*cspan_at(&parameters, INT64_C(6)));
+        (*cspan_at(&memory, INT64_C(5), INT64_C(3))) = span_min(span_max(share, -0.98), 9.0);
     }
 }
 /*Correction (3) of the setpoints at a tick, held until the next one.                                */
@@ -3112,14 +3130,19 @@ void segfmu_track_setpoint(array_double_1d parameters, array_double_1d lengths, 
         if ((*cspan_at(&memory, INT64_C(3), INT64_C(4))) > 0.5)
         {
             /*bumpless: what a switch would jump by fades out instead*/
-            (*cspan_at(&memory, INT64_C(5), i)) = (*cspan_at(&memory, INT64_C(4), i)) - (*cspan_at(&correction, i));
+            (*cspan_at(&memory, INT64_C(5), i)) = (*cspan_at(&memory, INT64_C(4), INT64_C(3) + i)) - (*cspan_at(&correction, i));
         }
-        (*cspan_at(&correction, i)) = (*cspan_at(&correction, i)) + (*cspan_at(&parameters, INT64_C(11))) * (*cspan_at(&memory, INT64_C(5), i));
         (*cspan_at(&memory, INT64_C(5), i)) = (*cspan_at(&parameters, INT64_C(11))) * (*cspan_at(&memory, INT64_C(5), i));
-        /*the observer gets what remains within the limits, so nothing winds up*/
-        total = span_min(span_max((*cspan_at(&feedforward, i)) + (*cspan_at(&correction, i)), (*cspan_at(&parameters, INT64_C(12) + i))), (*cspan_at(&parameters, INT64_C(15) + i)));
+        total = (*cspan_at(&feedforward, i)) + (*cspan_at(&correction, i)) + (*cspan_at(&memory, INT64_C(5), i));
+        total = span_min(span_max(total, (*cspan_at(&parameters, INT64_C(12) + i))), (*cspan_at(&parameters, INT64_C(15) + i)));
         (*cspan_at(&correction, i)) = total - (*cspan_at(&feedforward, i));
+        /*the observer gets what remains within the limits, so nothing winds up*/
+        (*cspan_at(&memory, INT64_C(4), INT64_C(3) + i)) = (*cspan_at(&correction, i));
         (*cspan_at(&memory, INT64_C(4), i)) = (*cspan_at(&correction, i));
+    }
+    if ((*cspan_at(&parameters, INT64_C(0))) < 0.5)
+    {
+        track_hoist(parameters, memory);
     }
     (*cspan_at(&memory, INT64_C(3), INT64_C(4))) = 0.0;
 }

@@ -1,0 +1,51 @@
+"""Checks of numbers that users give."""
+
+from __future__ import annotations
+
+from math import isfinite
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from segfmu.errors import InputError
+from segfmu.planning.arrays import FloatArray, finite_vector
+
+LARGEST_SEED = 2**31 - 1
+
+
+def require_finite(name: str, value: object) -> None:
+    """Raise InputError unless `value` is a finite number."""
+    if not _finite(value):
+        raise InputError(f"{name} must be a finite number, got {value!r}")
+
+
+def require_positive(name: str, value: object) -> None:
+    """Raise InputError unless `value` is a finite number above 0."""
+    if not _finite(value) or value <= 0:  # type: ignore[operator]
+        raise InputError(f"{name} must be a finite number > 0, got {value!r}")
+
+
+def require_not_negative(name: str, value: object) -> None:
+    """Raise InputError unless `value` is a finite number of at least 0."""
+    if not _finite(value) or value < 0:  # type: ignore[operator]
+        raise InputError(f"{name} must be a finite number >= 0, got {value!r}")
+
+
+def require_seed(name: str, value: object) -> None:
+    """Raise InputError unless `value` is an integer from 0 to 2^31 - 1."""
+    integer = isinstance(value, int | np.integer) and not isinstance(value, bool)
+    if not integer or not 0 <= value <= LARGEST_SEED:  # type: ignore[operator]
+        raise InputError(f"{name} must be an integer from 0 to {LARGEST_SEED}, got {value!r}")
+
+
+def sized(name: str, value: ArrayLike, size: int) -> FloatArray:
+    """Return `value` as a read-only vector of `size` finite numbers."""
+    vector = finite_vector(name, value)
+    if vector.size != size:
+        raise InputError(f"{name} must have {size} values, got {vector.size}")
+    return vector
+
+
+def _finite(value: object) -> bool:
+    number = isinstance(value, int | float | np.integer | np.floating)
+    return number and not isinstance(value, bool) and isfinite(value)  # type: ignore[arg-type]
