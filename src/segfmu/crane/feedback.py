@@ -1,21 +1,30 @@
-"""Sway feedback Delta u = -K(l) (x - x*) of section 4.4: sampled LQR, scheduled by rope length.
+"""Sway feedback Delta u = -K(l) (x - x*) of section 4.4: sampled LQR, scheduled.
 
-Linearised about the load hanging at rest the crane decouples into bridge with phi_x, trolley with
-phi_y, and hoist. Each design is discretised with a zero-order hold over the feedback's period.
+The schedule is over rope length and, in force mode, payload; with velocity drives the payload has
+no effect on the motion. Each design is discretised with a zero-order hold over the period.
 The weights are those of the crane made dimensionless with the rope length l and the pendulum's
 frequency sqrt(g / l), so that one set of weights suits every crane.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.linalg import expm, solve_discrete_are
+from numpy.typing import ArrayLike
+from scipy.linalg import solve_discrete_are
 
+from segfmu.crane.checks import require_positive
+from segfmu.crane.linear import (
+    ROWS,
+    linearised,
+    moved_masses,
+    sampled,
+    scheduled_lengths,
+)
 from segfmu.crane.parameters import Crane
 from segfmu.errors import InputError
-from segfmu.planning.arrays import FloatArray
+from segfmu.planning.arrays import FloatArray, finite_vector
 
 
 @dataclass(frozen=True)
@@ -48,56 +57,29 @@ class SwayFeedback:
     gains : ndarray, shape (rows, 3, 10)
         From the state error to the corrections of the three forces [N], or in velocity mode of
         the three accelerations [m/s2].
+    payload : float
+        That the gains are for [kg].
     """
 
     sample_time: float
     lengths: FloatArray
     gains: FloatArray
-
-
-def linearised(crane: Crane, length: float, driven: bool) -> tuple[FloatArray, FloatArray]:
-    """A (10, 10) and B (10, 3) about the load hanging at rest.
-
-    The inputs are the three drive forces, or if `driven` the accelerations of bridge, trolley and
-    rope.
-    """
-    bridge, trolley, payload, gravity = crane.masses
-    a = np.zeros((10, 10))
-    a[:5, 5:] = np.eye(5)
-    b = np.zeros((10, 3))
-    for axis, (mass, sign) in enumerate(((bridge + trolley, 1.0), (trolley, -1.0))):
-        angle = 3 + axis
-        if driven:
-            b[5 + axis, axis] = 1.0
-        else:
-            a[5 + axis, angle] = sign * payload * gravity / mass
-            b[5 + axis, axis] = 1.0 / mass
-        # l phi'' = -g phi - sign * carriage acceleration
-        a[5 + angle] = -sign * a[5 + axis] / length
-        a[5 + angle, angle] -= gravity / length
-        b[5 + angle] = -sign * b[5 + axis] / length
-    b[7, 2] = 1.0 if driven else 1.0 / payload
-    return a, b
+    payload: float
 
 
 def gain(
     crane: Crane, length: float, sample_time: float, weights: Weights, driven: bool
 ) -> FloatArray:
     """Discrete-time LQR gain at one rope length, shape (3, 10)."""
-    a, b = linearised(crane, length, driven)
-    block = np.zeros((13, 13))
-    block[:10, :10], block[:10, 10:] = a * sample_time, b * sample_time
-    transition = expm(block)
-    ad, bd = transition[:10, :10], transition[:10, 10:]
+    ad, bd = sampled(*linearised(crane, length, driven), sample_time)
     frequency = np.sqrt(crane.gravity / length)
     coordinates = np.array([1.0 / length] * 3 + [1.0] * 2)
     scale = np.concatenate([coordinates, coordinates / frequency])
     w = weights
     values = [w.position] * 3 + [w.angle] * 2 + [w.velocity] * 3 + [w.rate] * 2
     state_cost = np.diag(scale**2 * values)
-    bridge, trolley, payload, gravity = crane.masses
-    unit = np.ones(3) if driven else np.array([bridge + trolley, trolley, payload])
-    effort = np.diag(w.effort / (unit * gravity) ** 2)
+    unit = np.ones(3) if driven else moved_masses(crane.masses)
+    effort = np.diag(w.effort / (unit * crane.gravity) ** 2)
     riccati = solve_discrete_are(ad, bd, state_cost, effort)
     found: FloatArray = np.linalg.solve(
         effort + bd.T @ riccati @ bd, bd.T @ riccati @ ad
@@ -113,7 +95,7 @@ def design(
     longest: float,
     weights: Weights | None = None,
     driven: bool = False,
-    rows: int = 17,
+    rows: int = ROWS,
 ) -> SwayFeedback:
     """Design the gain table between two rope lengths.
 
@@ -122,10 +104,65 @@ def design(
     InputError
         For a period or rope lengths that are not positive.
     """
-    if not 0.0 < shortest <= longest < np.inf:
-        raise InputError(f"rope lengths must be positive, got {shortest!r} to {longest!r} m")
-    if not 0.0 < sample_time < np.inf:
-        raise InputError(f"sample_time must be a time > 0 s, got {sample_time!r}")
-    lengths = np.geomspace(shortest, longest, rows) if longest > shortest else np.array([shortest])
-    table = [gain(crane, float(x), sample_time, weights or Weights(), driven) for x in lengths]
-    return SwayFeedback(sample_time, lengths, np.array(table))
+    require_positive("sample_time", sample_time)
+    lengths = scheduled_lengths(shortest, longest, rows)
+    chosen = weights or Weights()
+    table = [gain(crane, float(x), sample_time, chosen, driven) for x in lengths]
+    return SwayFeedback(sample_time, lengths, np.array(table), crane.payload_mass)
+
+
+@dataclass(frozen=True, eq=False)
+class PayloadSchedule:
+    """Gain tables over rope length for several payloads.
+
+    Attributes
+    ----------
+    payloads : ndarray, shape (payloads,)
+        [kg], ascending.
+    tables : tuple of SwayFeedback
+        One a payload, over the same rope lengths.
+    """
+
+    payloads: FloatArray
+    tables: tuple[SwayFeedback, ...]
+
+    def at(self, payload: float) -> SwayFeedback:
+        """Gains for a payload [kg]: linear between the tables', constant outside."""
+        last = self.payloads.size - 1
+        place = float(np.interp(payload, self.payloads, np.arange(last + 1.0)))
+        row = min(int(place), max(last - 1, 0))
+        share = place - row
+        first, second = self.tables[row], self.tables[min(row + 1, last)]
+        gains = (1.0 - share) * first.gains + share * second.gains
+        mass = (1.0 - share) * first.payload + share * second.payload
+        return SwayFeedback(first.sample_time, first.lengths, gains, mass)
+
+
+def design_schedule(
+    crane: Crane,
+    payloads: ArrayLike,
+    *,
+    sample_time: float,
+    shortest: float,
+    longest: float,
+    weights: Weights | None = None,
+    driven: bool = False,
+) -> PayloadSchedule:
+    """Design gain tables for payloads [kg], ascending, which replace the crane's.
+
+    Raises
+    ------
+    InputError
+        As `design`, and for payloads that are not positive and ascending.
+    """
+    values = finite_vector("payloads", payloads)
+    if values[0] <= 0.0 or (np.diff(values) <= 0.0).any():
+        raise InputError(f"payloads must be positive and ascending, got {values.tolist()} kg")
+    tables = tuple(
+        design(
+            replace(crane, payload_mass=float(payload)), sample_time=sample_time,
+            shortest=shortest, longest=longest, weights=weights, driven=driven,
+        )
+        for payload in values
+    )
+    return PayloadSchedule(values, tables)

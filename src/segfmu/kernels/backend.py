@@ -15,6 +15,7 @@ COMPILED = (
 if COMPILED:
     from segfmu.kernels._compiled import (
         check_plan,
+        compensate_setpoints,
         count_pieces,
         crane_energy,
         crane_flat_inverse,
@@ -22,26 +23,35 @@ if COMPILED:
         crane_rhs,
         evaluate,
         expand_plan,
+        feedback_bandwidth,
         feedback_correction,
+        feedback_gains,
         measure_state,
         noise_components,
+        observer_correct,
+        observer_predict,
         plan_phases,
         plant_advance,
         seed_numbers,
+        track_setpoint,
     )
 else:
     from segfmu.kernels._crane import crane_energy, crane_flat_inverse, crane_load, crane_rhs
     from segfmu.kernels.check import check_plan
+    from segfmu.kernels.compensation import compensate_setpoints
     from segfmu.kernels.evaluate import evaluate
     from segfmu.kernels.expand import count_pieces, expand_plan
-    from segfmu.kernels.feedback import feedback_correction
+    from segfmu.kernels.feedback import feedback_bandwidth, feedback_correction, feedback_gains
     from segfmu.kernels.noise import measure_state, noise_components, seed_numbers
+    from segfmu.kernels.observer import observer_correct, observer_predict
     from segfmu.kernels.plan import plan_phases
     from segfmu.kernels.plant import plant_advance
+    from segfmu.kernels.tracking import track_setpoint
 
 __all__ = [
     "COMPILED",
     "check_plan",
+    "compensate_setpoints",
     "count_pieces",
     "crane_energy",
     "crane_flat_inverse",
@@ -49,10 +59,15 @@ __all__ = [
     "crane_rhs",
     "evaluate",
     "expand_plan",
+    "feedback_bandwidth",
     "feedback_correction",
+    "feedback_gains",
     "measure_state",
     "noise_components",
+    "observer_correct",
+    "observer_predict",
     "plan_phases",
     "plant_advance",
     "seed_numbers",
+    "track_setpoint",
 ]

@@ -84,6 +84,11 @@ static int64_t bernstein_coefficients(array_double_2d coefficients, int64_t row,
 static void split_hull(array_double_2d hull, int64_t row, int64_t count);
 static bool within(array_double_2d hull, int64_t count, double limit);
 static bool check_axis(int64_t axis, array_double_2d timing, array_double_2d coefficients, int64_t first, int64_t last, array_double_2d limits, double tolerance, array_double_2d work);
+static int64_t table_row(double value, array_double_1d nodes);
+static double table_share(double value, array_double_1d nodes, int64_t row);
+static void track_observe(array_double_1d parameters, array_double_1d lengths, array_double_3d table, array_double_1d measured, array_double_1d reference, array_double_2d memory);
+static void track_law(array_double_1d parameters, double length, array_double_1d gain_lengths, array_double_3d gains, array_double_2d memory, array_double_1d correction);
+static void track_hoist(array_double_1d parameters, array_double_2d memory);
 static double stage_row(int64_t stage, array_double_1d row);
 static void error_weights(array_double_1d row);
 static double next_step(double error, double tolerance);
@@ -3682,13 +3687,34 @@ int64_t segfmu_check_plan(array_double_2d positions, array_double_2d velocities,
     }
     return INT64_C(0);
 }
+/*Row of an ascending table before which or at which a value lies; 0 .. rows - 2.*/
+static int64_t table_row(double value, array_double_1d nodes)
+{
+    int64_t row;
+    row = INT64_C(0);
+    while((row + INT64_C(2) < nodes.shape[INT64_C(0)]) && (value > (*cspan_at(&nodes, row + INT64_C(1)))))
+    {
+        row = row + INT64_C(1);
+    }
+    return row;
+}
+/*Weight of the row after `row` in a linear interpolation; constant outside the table. */
+static double table_share(double value, array_double_1d nodes, int64_t row)
+{
+    double result;
+    if (nodes.shape[INT64_C(0)] < INT64_C(2))
+    {
+        return 0.0;
+    }
+    result = span_min(span_max((value - (*cspan_at(&nodes, row))) / ((*cspan_at(&nodes, row + INT64_C(1))) - (*cspan_at(&nodes, row))), 0.0), 1.0);
+    return result;
+}
 /*-K(l) (x - x*), K interpolated linearly over rope length, constant outside the table.        */
 /*                                                                                             */
 /*    state and reference hold 10 numbers, lengths (rows,), gains (rows, 3, 10), correction 3. */
 /*                                                                                             */
 void segfmu_feedback_correction(array_double_1d state, array_double_1d reference, array_double_1d lengths, array_double_3d gains, array_double_1d correction)
 {
-    int64_t rows;
     int64_t row;
     double share;
     int64_t following;
@@ -3696,20 +3722,9 @@ void segfmu_feedback_correction(array_double_1d state, array_double_1d reference
     double total;
     int64_t j;
     double k;
-    rows = lengths.shape[INT64_C(0)];
-    row = INT64_C(0);
-    while((row + INT64_C(2) < rows) && ((*cspan_at(&state, INT64_C(2))) > (*cspan_at(&lengths, row + INT64_C(1)))))
-    {
-        row = row + INT64_C(1);
-    }
-    share = 0.0;
-    following = row;
-    if (rows > INT64_C(1))
-    {
-        following = row + INT64_C(1);
-        share = ((*cspan_at(&state, INT64_C(2))) - (*cspan_at(&lengths, row))) / ((*cspan_at(&lengths, following)) - (*cspan_at(&lengths, row)));
-        share = span_min(span_max(share, 0.0), 1.0);
-    }
+    row = table_row((*cspan_at(&state, INT64_C(2))), lengths);
+    share = table_share((*cspan_at(&state, INT64_C(2))), lengths, row);
+    following = span_min_int(row + INT64_C(1), lengths.shape[INT64_C(0)] - INT64_C(1));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         total = 0.0;
@@ -3719,6 +3734,304 @@ void segfmu_feedback_correction(array_double_1d state, array_double_1d reference
             total = total + k * ((*cspan_at(&state, j)) - (*cspan_at(&reference, j)));
         }
         (*cspan_at(&correction, i)) = -total;
+    }
+}
+/*Bandwidth [rad/s]: `ratio` pendulum frequencies, at most `largest` radians a sample. */
+double segfmu_feedback_bandwidth(double ratio, double length, double gravity, double sample_time, double largest)
+{
+    double result;
+    return span_min(ratio * sqrt(gravity / length), largest / sample_time);
+}
+/*Gains (3, 10) that give the flat output's error chosen poles; closed form.                     */
+/*                                                                                               */
+/*    About the load hanging at rest, with the sway angle counted such that the load is at       */
+/*    p = x_t + l phi: p'' = -g phi and p'''' = (g / l) (g phi + a) under the carriage's         */
+/*    acceleration a. The error of p is given the characteristic polynomial                      */
+/*    (s^2 + 2 D w s + w^2)^2, that of the rope s^2 + 2 D w s + w^2, with the bandwidth w [rad/s]*/
+/*    and the damping D. The corrections are accelerations if driven; otherwise forces, which    */
+/*    also cancel the rope's pull on the carriage.                                               */
+/*                                                                                               */
+void segfmu_feedback_gains(bool driven, double length, double bridge_mass, double trolley_mass, double payload_mass, double gravity, double bandwidth, double damping, array_double_2d gains)
+{
+    double k0;
+    double k1;
+    double k2;
+    double k3;
+    int64_t i;
+    int64_t j;
+    double sign;
+    double scale;
+    double pull;
+    double ratio;
+    double weight;
+    k0 = bandwidth * bandwidth * bandwidth * bandwidth;
+    k1 = 4.0 * damping * bandwidth * bandwidth * bandwidth;
+    k2 = (2.0 + 4.0 * damping * damping) * bandwidth * bandwidth;
+    k3 = 4.0 * damping * bandwidth;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < INT64_C(10); j += INT64_C(1))
+        {
+            (*cspan_at(&gains, i, j)) = 0.0;
+        }
+    }
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        sign = 1.0 - 2.0 * i;
+        scale = 1.0;
+        pull = 0.0;
+        if (!driven)
+        {
+            scale = trolley_mass;
+            if (i == INT64_C(0))
+            {
+                scale = bridge_mass + trolley_mass;
+            }
+            pull = payload_mass * gravity;
+        }
+        ratio = length / gravity;
+        (*cspan_at(&gains, i, i)) = scale * ratio * k0;
+        (*cspan_at(&gains, i, INT64_C(3) + i)) = sign * (scale * (ratio * length * k0 - length * k2 + gravity) + pull);
+        (*cspan_at(&gains, i, INT64_C(5) + i)) = scale * ratio * k1;
+        (*cspan_at(&gains, i, INT64_C(8) + i)) = sign * scale * (ratio * length * k1 - length * k3);
+    }
+    weight = 1.0;
+    if (!driven)
+    {
+        weight = payload_mass;
+    }
+    (*cspan_at(&gains, INT64_C(2), INT64_C(2))) = weight * bandwidth * bandwidth;
+    (*cspan_at(&gains, INT64_C(2), INT64_C(7))) = weight * 2.0 * damping * bandwidth;
+}
+/*Advance the estimate (3, 6 or more) by a sample under command and held correction. */
+void segfmu_observer_predict(double length, array_double_1d lengths, array_double_3d table, array_double_1d command, array_double_1d held, array_double_2d estimate, array_double_1d scratch)
+{
+    int64_t row;
+    double share;
+    int64_t following;
+    int64_t axis;
+    int64_t j;
+    int64_t i;
+    int64_t k;
+    double total;
+    double entry;
+    row = table_row(length, lengths);
+    share = table_share(length, lengths, row);
+    following = span_min_int(row + INT64_C(1), lengths.shape[INT64_C(0)] - INT64_C(1));
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < INT64_C(6); j += INT64_C(1))
+        {
+            (*cspan_at(&scratch, j)) = (*cspan_at(&estimate, axis, j));
+        }
+        (*cspan_at(&scratch, INT64_C(6))) = (*cspan_at(&command, axis));
+        (*cspan_at(&scratch, INT64_C(7))) = (*cspan_at(&held, axis));
+        for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+        {
+            k = INT64_C(6) * axis + i;
+            total = 0.0;
+            for (j = INT64_C(0); j < INT64_C(8); j += INT64_C(1))
+            {
+                entry = (1.0 - share) * (*cspan_at(&table, row, k, j)) + share * (*cspan_at(&table, following, k, j));
+                total = total + entry * (*cspan_at(&scratch, j));
+            }
+            (*cspan_at(&estimate, axis, i)) = total;
+        }
+    }
+}
+/*Correct the estimate (3, 6 or more) by the five measured signals and their references. */
+void segfmu_observer_correct(double length, array_double_1d lengths, array_double_3d table, array_double_1d measured, array_double_1d reference, array_double_2d estimate)
+{
+    int64_t row;
+    double share;
+    int64_t following;
+    int64_t axis;
+    double first;
+    double second;
+    double sign;
+    int64_t i;
+    int64_t k;
+    double a;
+    double b;
+    row = table_row(length, lengths);
+    share = table_share(length, lengths, row);
+    following = span_min_int(row + INT64_C(1), lengths.shape[INT64_C(0)] - INT64_C(1));
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        first = (*cspan_at(&measured, axis)) - (*cspan_at(&reference, axis)) - (*cspan_at(&estimate, axis, INT64_C(0)));
+        second = 0.0;
+        if (axis < INT64_C(2))
+        {
+            sign = 1.0 - 2.0 * axis;
+            second = sign * ((*cspan_at(&measured, INT64_C(3) + axis)) - (*cspan_at(&reference, INT64_C(3) + axis))) - (*cspan_at(&estimate, axis, INT64_C(1)));
+        }
+        for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+        {
+            k = INT64_C(6) * axis + i;
+            a = (1.0 - share) * (*cspan_at(&table, row, k, INT64_C(8))) + share * (*cspan_at(&table, following, k, INT64_C(8)));
+            b = (1.0 - share) * (*cspan_at(&table, row, k, INT64_C(9))) + share * (*cspan_at(&table, following, k, INT64_C(9)));
+            (*cspan_at(&estimate, axis, i)) = (*cspan_at(&estimate, axis, i)) + a * first + b * second;
+        }
+    }
+}
+/*Bring estimate and velocity command to the present tick. */
+static void track_observe(array_double_1d parameters, array_double_1d lengths, array_double_3d table, array_double_1d measured, array_double_1d reference, array_double_2d memory)
+{
+    int64_t i;
+    bool delayed;
+    if ((*cspan_at(&memory, INT64_C(3), INT64_C(3))) < 0.5)
+    {
+        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        {
+            (*cspan_at(&memory, i, INT64_C(0))) = (*cspan_at(&measured, i)) - (*cspan_at(&reference, i));
+        }
+        (*cspan_at(&memory, INT64_C(0), INT64_C(1))) = (*cspan_at(&measured, INT64_C(3))) - (*cspan_at(&reference, INT64_C(3)));
+        (*cspan_at(&memory, INT64_C(1), INT64_C(1))) = (*cspan_at(&reference, INT64_C(4))) - (*cspan_at(&measured, INT64_C(4)));
+        (*cspan_at(&memory, INT64_C(3), INT64_C(3))) = 1.0;
+    }
+    else
+    {
+        delayed = (*cspan_at(&parameters, INT64_C(2))) > 0.5;
+        if (delayed)
+        {
+            segfmu_observer_correct((*cspan_at(&measured, INT64_C(2))), lengths, table, measured, span_row(&memory, INT64_C(6)), span_rows(&memory, INT64_C(0), INT64_C(3)));
+        }
+        segfmu_observer_predict((*cspan_at(&measured, INT64_C(2))), lengths, table, span_row(&memory, INT64_C(3)), span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(0), INT64_C(3)), span_row(&memory, INT64_C(8)));
+        if (!delayed)
+        {
+            segfmu_observer_correct((*cspan_at(&measured, INT64_C(2))), lengths, table, measured, reference, span_rows(&memory, INT64_C(0), INT64_C(3)));
+        }
+        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        {
+            (*cspan_at(&memory, INT64_C(3), i)) = (*cspan_at(&memory, INT64_C(3), i)) + (*cspan_at(&parameters, INT64_C(1))) * (*cspan_at(&memory, INT64_C(4), i));
+        }
+    }
+    for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(6), i)) = (*cspan_at(&reference, i));
+    }
+}
+/*Feedback on the estimated deviation from where the disturbances are balanced.                  */
+/*                                                                                               */
+/*    A load pushed by an acceleration w hangs at the angle w / g; its position is right with the*/
+/*    carriage at -l w / g.                                                                      */
+/*                                                                                               */
+static void track_law(array_double_1d parameters, double length, array_double_1d gain_lengths, array_double_3d gains, array_double_2d memory, array_double_1d correction)
+{
+    int64_t i;
+    double sign;
+    double angle;
+    double mass;
+    double pull;
+    double rope;
+    double share;
+    if ((*cspan_at(&parameters, INT64_C(9))) < 0.5)
+    {
+        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        {
+            (*cspan_at(&correction, i)) = 0.0;
+            if ((*cspan_at(&parameters, INT64_C(0))) > 0.5)
+            {
+                /*a velocity that the feedback has added must not stay*/
+                (*cspan_at(&correction, i)) = (-(*cspan_at(&memory, INT64_C(3), i))) / span_max((*cspan_at(&parameters, INT64_C(10))), (*cspan_at(&parameters, INT64_C(1))));
+            }
+        }
+        return;
+    }
+    for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(8), i)) = 0.0;
+    }
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(7), i)) = (*cspan_at(&memory, i, INT64_C(0)));
+        (*cspan_at(&memory, INT64_C(7), INT64_C(5) + i)) = (*cspan_at(&memory, i, INT64_C(2)));
+    }
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        sign = 1.0 - 2.0 * i;
+        angle = (*cspan_at(&parameters, INT64_C(8))) * (*cspan_at(&memory, i, INT64_C(5))) / (*cspan_at(&parameters, INT64_C(6)));
+        (*cspan_at(&memory, INT64_C(7), i)) = (*cspan_at(&memory, INT64_C(7), i)) + length * angle;
+        (*cspan_at(&memory, INT64_C(7), INT64_C(3) + i)) = sign * ((*cspan_at(&memory, i, INT64_C(1))) - angle);
+        (*cspan_at(&memory, INT64_C(7), INT64_C(8) + i)) = sign * (*cspan_at(&memory, i, INT64_C(3)));
+    }
+    /*the first argument's length chooses the gains, the difference is the deviation*/
+    (*cspan_at(&memory, INT64_C(8), INT64_C(2))) = length - (*cspan_at(&memory, INT64_C(7), INT64_C(2)));
+    (*cspan_at(&memory, INT64_C(7), INT64_C(2))) = length;
+    segfmu_feedback_correction(span_row(&memory, INT64_C(7)), span_row(&memory, INT64_C(8)), gain_lengths, gains, correction);
+    if ((*cspan_at(&parameters, INT64_C(0))) < 0.5)
+    {
+        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+        {
+            mass = (*cspan_at(&parameters, INT64_C(7))) * (*cspan_at(&parameters, INT64_C(3) + i));
+            pull = (*cspan_at(&parameters, INT64_C(8))) * (*cspan_at(&parameters, INT64_C(5))) * (*cspan_at(&memory, i, INT64_C(5)));
+            (*cspan_at(&correction, i)) = (*cspan_at(&correction, i)) - mass * (*cspan_at(&memory, i, INT64_C(4))) - pull;
+        }
+        rope = (*cspan_at(&correction, INT64_C(2))) / (*cspan_at(&parameters, INT64_C(18))) - (*cspan_at(&parameters, INT64_C(7))) * (*cspan_at(&memory, INT64_C(2), INT64_C(4)));
+        share = (*cspan_at(&memory, INT64_C(5), INT64_C(3)));
+        (*cspan_at(&correction, INT64_C(2))) = (*cspan_at(&parameters, INT64_C(5))) * ((1.0 + share) * rope - share * (*cspan_at(&parameters, INT64_C(6))));
+    }
+}
+/*The rope's acceleration that its force asked for, within limits; estimate of the payload.*/
+static void track_hoist(array_double_1d parameters, array_double_2d memory)
+{
+    double share;
+    double rope;
+    share = (*cspan_at(&memory, INT64_C(5), INT64_C(3)));
+    rope = ((*cspan_at(&memory, INT64_C(4), INT64_C(5))) / (*cspan_at(&parameters, INT64_C(5))) + share * (*cspan_at(&parameters, INT64_C(6)))) / (1.0 + share);
+    (*cspan_at(&memory, INT64_C(4), INT64_C(2))) = rope;
+    if ((*cspan_at(&parameters, INT64_C(9))) > 0.5)
+    {
+        share = share - (*cspan_at(&parameters, INT64_C(19))) * (1.0 + share) * rope / (*cspan_at(&parameters, INT64_C(6)));
+        (*cspan_at(&memory, INT64_C(5), INT64_C(3))) = span_min(span_max(share, -0.98), 9.0);
+    }
+}
+/*Correction (3) of the setpoints at a tick, held until the next one.                                */
+/*                                                                                                   */
+/*    measured (5), reference (10) at this tick; feedforward (3) is what the correction is added to, */
+/*    and counts for the limits alone. lengths and table are the observer's, gain_lengths and gains  */
+/*    the feedback's.                                                                                */
+/*                                                                                                   */
+void segfmu_track_setpoint(array_double_1d parameters, array_double_1d lengths, array_double_3d table, array_double_1d gain_lengths, array_double_3d gains, array_double_1d measured, array_double_1d reference, array_double_1d feedforward, array_double_2d memory, array_double_1d correction)
+{
+    int64_t i;
+    double total;
+    track_observe(parameters, lengths, table, measured, reference, memory);
+    track_law(parameters, (*cspan_at(&measured, INT64_C(2))), gain_lengths, gains, memory, correction);
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        if ((*cspan_at(&memory, INT64_C(3), INT64_C(4))) > 0.5)
+        {
+            /*bumpless: what a switch would jump by fades out instead*/
+            (*cspan_at(&memory, INT64_C(5), i)) = (*cspan_at(&memory, INT64_C(4), INT64_C(3) + i)) - (*cspan_at(&correction, i));
+        }
+        (*cspan_at(&memory, INT64_C(5), i)) = (*cspan_at(&parameters, INT64_C(11))) * (*cspan_at(&memory, INT64_C(5), i));
+        total = (*cspan_at(&feedforward, i)) + (*cspan_at(&correction, i)) + (*cspan_at(&memory, INT64_C(5), i));
+        total = span_min(span_max(total, (*cspan_at(&parameters, INT64_C(12) + i))), (*cspan_at(&parameters, INT64_C(15) + i)));
+        (*cspan_at(&correction, i)) = total - (*cspan_at(&feedforward, i));
+        /*the observer gets what remains within the limits, so nothing winds up*/
+        (*cspan_at(&memory, INT64_C(4), INT64_C(3) + i)) = (*cspan_at(&correction, i));
+        (*cspan_at(&memory, INT64_C(4), i)) = (*cspan_at(&correction, i));
+    }
+    if ((*cspan_at(&parameters, INT64_C(0))) < 0.5)
+    {
+        track_hoist(parameters, memory);
+    }
+    (*cspan_at(&memory, INT64_C(3), INT64_C(4))) = 0.0;
+}
+/*Velocity setpoints, and forces in place, of bridge, trolley and hoist (3 each).                  */
+/*                                                                                                 */
+/*    velocity and acceleration [m/s], [m/s2] are those that shall happen. A lag v' = (v* - v) / T */
+/*    follows v exactly under v* = v + T v'; friction viscous v + coulomb tanh(v / width) is added */
+/*    to the forces.                                                                               */
+/*                                                                                                 */
+void segfmu_compensate_setpoints(array_double_1d velocity, array_double_1d acceleration, array_double_1d lag, array_double_1d viscous, array_double_1d coulomb, double width, array_double_1d force, array_double_1d setpoint)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&setpoint, i)) = (*cspan_at(&velocity, i)) + (*cspan_at(&lag, i)) * (*cspan_at(&acceleration, i));
+        (*cspan_at(&force, i)) = (*cspan_at(&force, i)) + (*cspan_at(&viscous, i)) * (*cspan_at(&velocity, i)) + (*cspan_at(&coulomb, i)) * tanh((*cspan_at(&velocity, i)) / width);
     }
 }
 /*Right-hand side of (1): derivative of the state under forces on every coordinate.*/

@@ -495,6 +495,224 @@ static PyObject *call_feedback_correction(
     return answer;
 }
 
+static PyObject *call_feedback_bandwidth(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "feedback_bandwidth", .values = values};
+    PyObject *answer = NULL;
+    double in_ratio;
+    double in_length;
+    double in_gravity;
+    double in_sample_time;
+    double in_largest;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && take_float(&call, 0, &in_ratio)
+        && take_float(&call, 1, &in_length)
+        && take_float(&call, 2, &in_gravity)
+        && take_float(&call, 3, &in_sample_time)
+        && take_float(&call, 4, &in_largest)) {
+        answer = PyFloat_FromDouble(segfmu_feedback_bandwidth(
+            in_ratio,
+            in_length,
+            in_gravity,
+            in_sample_time,
+            in_largest));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_feedback_gains(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "feedback_gains", .values = values};
+    PyObject *answer = NULL;
+    bool in_driven;
+    double in_length;
+    double in_bridge_mass;
+    double in_trolley_mass;
+    double in_payload_mass;
+    double in_gravity;
+    double in_bandwidth;
+    double in_damping;
+    Py_buffer *in_gains;
+    (void)self;
+    if (take_count(&call, count, 9)
+        && take_bool(&call, 0, &in_driven)
+        && take_float(&call, 1, &in_length)
+        && take_float(&call, 2, &in_bridge_mass)
+        && take_float(&call, 3, &in_trolley_mass)
+        && take_float(&call, 4, &in_payload_mass)
+        && take_float(&call, 5, &in_gravity)
+        && take_float(&call, 6, &in_bandwidth)
+        && take_float(&call, 7, &in_damping)
+        && (in_gains = take_array(&call, 8, 2, 'd', true)) != NULL) {
+        segfmu_feedback_gains(
+            in_driven,
+            in_length,
+            in_bridge_mass,
+            in_trolley_mass,
+            in_payload_mass,
+            in_gravity,
+            in_bandwidth,
+            in_damping,
+            (array_double_2d){in_gains->buf, {in_gains->shape[0], in_gains->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_observer_predict(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "observer_predict", .values = values};
+    PyObject *answer = NULL;
+    double in_length;
+    Py_buffer *in_lengths;
+    Py_buffer *in_table;
+    Py_buffer *in_command;
+    Py_buffer *in_held;
+    Py_buffer *in_estimate;
+    Py_buffer *in_scratch;
+    (void)self;
+    if (take_count(&call, count, 7)
+        && take_float(&call, 0, &in_length)
+        && (in_lengths = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_table = take_array(&call, 2, 3, 'd', false)) != NULL
+        && (in_command = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_held = take_array(&call, 4, 1, 'd', false)) != NULL
+        && (in_estimate = take_array(&call, 5, 2, 'd', true)) != NULL
+        && (in_scratch = take_array(&call, 6, 1, 'd', true)) != NULL) {
+        segfmu_observer_predict(
+            in_length,
+            (array_double_1d){in_lengths->buf, {in_lengths->shape[0]}},
+            (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}},
+            (array_double_1d){in_command->buf, {in_command->shape[0]}},
+            (array_double_1d){in_held->buf, {in_held->shape[0]}},
+            (array_double_2d){in_estimate->buf, {in_estimate->shape[0], in_estimate->shape[1]}},
+            (array_double_1d){in_scratch->buf, {in_scratch->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_observer_correct(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "observer_correct", .values = values};
+    PyObject *answer = NULL;
+    double in_length;
+    Py_buffer *in_lengths;
+    Py_buffer *in_table;
+    Py_buffer *in_measured;
+    Py_buffer *in_reference;
+    Py_buffer *in_estimate;
+    (void)self;
+    if (take_count(&call, count, 6)
+        && take_float(&call, 0, &in_length)
+        && (in_lengths = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_table = take_array(&call, 2, 3, 'd', false)) != NULL
+        && (in_measured = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_reference = take_array(&call, 4, 1, 'd', false)) != NULL
+        && (in_estimate = take_array(&call, 5, 2, 'd', true)) != NULL) {
+        segfmu_observer_correct(
+            in_length,
+            (array_double_1d){in_lengths->buf, {in_lengths->shape[0]}},
+            (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}},
+            (array_double_1d){in_measured->buf, {in_measured->shape[0]}},
+            (array_double_1d){in_reference->buf, {in_reference->shape[0]}},
+            (array_double_2d){in_estimate->buf, {in_estimate->shape[0], in_estimate->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_track_setpoint(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "track_setpoint", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_parameters;
+    Py_buffer *in_lengths;
+    Py_buffer *in_table;
+    Py_buffer *in_gain_lengths;
+    Py_buffer *in_gains;
+    Py_buffer *in_measured;
+    Py_buffer *in_reference;
+    Py_buffer *in_feedforward;
+    Py_buffer *in_memory;
+    Py_buffer *in_correction;
+    (void)self;
+    if (take_count(&call, count, 10)
+        && (in_parameters = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_lengths = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_table = take_array(&call, 2, 3, 'd', false)) != NULL
+        && (in_gain_lengths = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_gains = take_array(&call, 4, 3, 'd', false)) != NULL
+        && (in_measured = take_array(&call, 5, 1, 'd', false)) != NULL
+        && (in_reference = take_array(&call, 6, 1, 'd', false)) != NULL
+        && (in_feedforward = take_array(&call, 7, 1, 'd', false)) != NULL
+        && (in_memory = take_array(&call, 8, 2, 'd', true)) != NULL
+        && (in_correction = take_array(&call, 9, 1, 'd', true)) != NULL) {
+        segfmu_track_setpoint(
+            (array_double_1d){in_parameters->buf, {in_parameters->shape[0]}},
+            (array_double_1d){in_lengths->buf, {in_lengths->shape[0]}},
+            (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}},
+            (array_double_1d){in_gain_lengths->buf, {in_gain_lengths->shape[0]}},
+            (array_double_3d){in_gains->buf, {in_gains->shape[0], in_gains->shape[1], in_gains->shape[2]}},
+            (array_double_1d){in_measured->buf, {in_measured->shape[0]}},
+            (array_double_1d){in_reference->buf, {in_reference->shape[0]}},
+            (array_double_1d){in_feedforward->buf, {in_feedforward->shape[0]}},
+            (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}},
+            (array_double_1d){in_correction->buf, {in_correction->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_compensate_setpoints(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "compensate_setpoints", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_velocity;
+    Py_buffer *in_acceleration;
+    Py_buffer *in_lag;
+    Py_buffer *in_viscous;
+    Py_buffer *in_coulomb;
+    double in_width;
+    Py_buffer *in_force;
+    Py_buffer *in_setpoint;
+    (void)self;
+    if (take_count(&call, count, 8)
+        && (in_velocity = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_acceleration = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_lag = take_array(&call, 2, 1, 'd', false)) != NULL
+        && (in_viscous = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_coulomb = take_array(&call, 4, 1, 'd', false)) != NULL
+        && take_float(&call, 5, &in_width)
+        && (in_force = take_array(&call, 6, 1, 'd', true)) != NULL
+        && (in_setpoint = take_array(&call, 7, 1, 'd', true)) != NULL) {
+        segfmu_compensate_setpoints(
+            (array_double_1d){in_velocity->buf, {in_velocity->shape[0]}},
+            (array_double_1d){in_acceleration->buf, {in_acceleration->shape[0]}},
+            (array_double_1d){in_lag->buf, {in_lag->shape[0]}},
+            (array_double_1d){in_viscous->buf, {in_viscous->shape[0]}},
+            (array_double_1d){in_coulomb->buf, {in_coulomb->shape[0]}},
+            in_width,
+            (array_double_1d){in_force->buf, {in_force->shape[0]}},
+            (array_double_1d){in_setpoint->buf, {in_setpoint->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_crane_rhs(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -820,6 +1038,12 @@ static PyMethodDef methods[] = {
     {"expand_plan", (PyCFunction)(void (*)(void))call_expand_plan, METH_FASTCALL, NULL},
     {"check_plan", (PyCFunction)(void (*)(void))call_check_plan, METH_FASTCALL, NULL},
     {"feedback_correction", (PyCFunction)(void (*)(void))call_feedback_correction, METH_FASTCALL, NULL},
+    {"feedback_bandwidth", (PyCFunction)(void (*)(void))call_feedback_bandwidth, METH_FASTCALL, NULL},
+    {"feedback_gains", (PyCFunction)(void (*)(void))call_feedback_gains, METH_FASTCALL, NULL},
+    {"observer_predict", (PyCFunction)(void (*)(void))call_observer_predict, METH_FASTCALL, NULL},
+    {"observer_correct", (PyCFunction)(void (*)(void))call_observer_correct, METH_FASTCALL, NULL},
+    {"track_setpoint", (PyCFunction)(void (*)(void))call_track_setpoint, METH_FASTCALL, NULL},
+    {"compensate_setpoints", (PyCFunction)(void (*)(void))call_compensate_setpoints, METH_FASTCALL, NULL},
     {"crane_rhs", (PyCFunction)(void (*)(void))call_crane_rhs, METH_FASTCALL, NULL},
     {"crane_driven", (PyCFunction)(void (*)(void))call_crane_driven, METH_FASTCALL, NULL},
     {"crane_flat_inverse", (PyCFunction)(void (*)(void))call_crane_flat_inverse, METH_FASTCALL, NULL},

@@ -1,0 +1,107 @@
+"""The crane linearised about the load hanging at rest, and sampled.
+
+It decouples into bridge with phi_x, trolley with phi_y, and hoist. Where an axis stands alone its
+sway angle is counted such that the load is at position + l * angle.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.linalg import expm
+
+from segfmu.crane.parameters import Crane
+from segfmu.errors import InputError
+from segfmu.planning.arrays import FloatArray
+
+Masses = tuple[float, float, float, float]
+
+# of phi_x and phi_y in the load's position
+SIGNS = (1.0, -1.0)
+
+ROWS = 17
+
+
+def moved_masses(masses: Masses) -> FloatArray:
+    """Masses that the drives of bridge, trolley and hoist move [kg]; masses as `Crane.masses`."""
+    bridge, trolley, payload, _ = masses
+    return np.array([bridge + trolley, trolley, payload])
+
+
+def linearised(crane: Crane, length: float, driven: bool) -> tuple[FloatArray, FloatArray]:
+    """A (10, 10) and B (10, 3) about the load hanging at rest.
+
+    The inputs are the three drive forces, or if `driven` the accelerations of bridge, trolley and
+    rope.
+    """
+    return matrices(crane.masses, length, driven)
+
+
+def matrices(masses: Masses, length: float, driven: bool) -> tuple[FloatArray, FloatArray]:
+    """`linearised` for masses that no `Crane` has; a load of 0 kg has no hoist to speak of."""
+    payload, gravity = masses[2:]
+    moved = moved_masses(masses)
+    a = np.zeros((10, 10))
+    a[:5, 5:] = np.eye(5)
+    b = np.zeros((10, 3))
+    for axis, sign in enumerate(SIGNS):
+        angle = 3 + axis
+        if driven:
+            b[5 + axis, axis] = 1.0
+        else:
+            a[5 + axis, angle] = sign * payload * gravity / moved[axis]
+            b[5 + axis, axis] = 1.0 / moved[axis]
+        # l phi'' = -g phi - sign * carriage acceleration
+        a[5 + angle] = -sign * a[5 + axis] / length
+        a[5 + angle, angle] -= gravity / length
+        b[5 + angle] = -sign * b[5 + axis] / length
+    if driven:
+        b[7, 2] = 1.0
+    elif payload > 0.0:
+        b[7, 2] = 1.0 / payload
+    return a, b
+
+
+def sampled(a: FloatArray, b: FloatArray, sample_time: float) -> tuple[FloatArray, FloatArray]:
+    """Transition and input matrices over a sample with the inputs held."""
+    n, m = b.shape
+    block = np.zeros((n + m, n + m))
+    block[:n, :n], block[:n, n:] = a * sample_time, b * sample_time
+    transition = expm(block)
+    return transition[:n, :n], transition[:n, n:]
+
+
+def lagged(
+    a: FloatArray, b: FloatArray, lag: FloatArray, driven: bool
+) -> tuple[FloatArray, FloatArray]:
+    """A (13, 13) and B (13, 3) with velocity commands as further states.
+
+    A command's rate is the acceleration asked for; the drive follows it with its lag [s], (3,):
+    v' = (command - v) / lag. Without lag, or in force mode, a command has no effect and stays 0.
+    """
+    extended, inputs = np.zeros((13, 13)), np.zeros((13, 3))
+    extended[:10, :10], inputs[:10] = a, b
+    for axis in np.flatnonzero(np.asarray(lag) > 0.0) if driven else ():
+        # what the carriage's acceleration did, the drive's now does
+        extended[:10, 10 + axis] = b[:, axis] / lag[axis]
+        extended[:10, 5 + axis] -= b[:, axis] / lag[axis]
+        inputs[:10, axis] = 0.0
+        inputs[10 + axis, axis] = 1.0
+    return extended, inputs
+
+
+def scheduled_lengths(shortest: float, longest: float, rows: int = ROWS) -> FloatArray:
+    """Rope lengths [m] of a table, in equal ratios; one if both are the same.
+
+    Raises
+    ------
+    InputError
+        For rope lengths that are not positive or not ascending.
+    """
+    if not 0.0 < shortest <= longest < np.inf:
+        raise InputError(
+            f"rope lengths must be positive and ascending, got {shortest!r} to {longest!r} m"
+        )
+    if longest == shortest:
+        return np.array([shortest])
+    lengths: FloatArray = np.geomspace(shortest, longest, rows)
+    return lengths

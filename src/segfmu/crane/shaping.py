@@ -1,0 +1,179 @@
+"""Baselines to compare with: the trapezoidal velocity profile, and input shaping.
+
+An input shaper replaces a motion by a sum of delayed shares of it, such that a pendulum of known
+frequency and damping is at rest after the last share: ZV (N. C. Singer, W. P. Seering,
+Preshaping command inputs to reduce system vibration, J. Dyn. Sys. Meas. Control 112 (1990)), and
+ZVD, for which the residual's derivative by the frequency vanishes as well.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import exp, pi, sqrt
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from segfmu.crane.checks import require_finite, require_positive
+from segfmu.errors import InputError
+from segfmu.planning.arrays import FloatArray
+
+
+class Motion(Protocol):
+    """A motion of a carriage along one axis."""
+
+    @property
+    def duration(self) -> float:
+        """Time [s] from which on it rests."""
+
+    def __call__(self, t: ArrayLike, derivative: int = 0) -> FloatArray:
+        """Position, velocity or acceleration at times t, the shape of t."""
+
+
+class Trapezoid:
+    """Rest to rest with bounded velocity and acceleration, in the least time.
+
+    Parameters
+    ----------
+    distance : float
+        [m], of either sign.
+    velocity, acceleration : float
+        Limits [m/s], [m/s2].
+    start : float
+        Position at the start [m].
+
+    Attributes
+    ----------
+    ramp, cruise : float
+        Durations of either ramp and of the constant velocity between them [s].
+
+    Raises
+    ------
+    InputError
+        For limits that are not positive.
+    """
+
+    def __init__(
+        self, distance: float, velocity: float, acceleration: float, start: float = 0.0
+    ) -> None:
+        require_finite("distance", distance)
+        require_finite("start", start)
+        require_positive("velocity", velocity)
+        require_positive("acceleration", acceleration)
+        peak = min(velocity, sqrt(abs(distance) * acceleration))
+        self.ramp = peak / acceleration
+        self.cruise = max(abs(distance) / peak - self.ramp, 0.0) if peak > 0.0 else 0.0
+        self._start = start
+        self._acceleration = acceleration if distance >= 0.0 else -acceleration
+
+    @property
+    def duration(self) -> float:
+        """[s]"""
+        return 2.0 * self.ramp + self.cruise
+
+    def __call__(self, t: ArrayLike, derivative: int = 0) -> FloatArray:
+        """Position, velocity or acceleration (right-continuous) at times t, the shape of t."""
+        _require_derivative(derivative)
+        # each edge of the acceleration, (sign, time), starts a parabola
+        times = np.asarray(t, dtype=np.float64)
+        edges = ((1.0, 0.0), (-1.0, self.ramp), (-1.0, self.ramp + self.cruise),
+                 (1.0, self.duration))
+        value = np.full(times.shape, self._start if derivative == 0 else 0.0)
+        for sign, edge in edges:
+            since = np.clip(times - edge, 0.0, None)
+            if derivative == 0:
+                # past the end nothing may be left of the rounding
+                since = np.minimum(since, self.duration - edge)
+                value += sign * self._acceleration * since**2 / 2.0
+            elif derivative == 1:
+                since = np.minimum(since, self.duration - edge)
+                value += sign * self._acceleration * since
+            else:
+                value += sign * self._acceleration * (times >= edge)
+        return value
+
+
+@dataclass(frozen=True, eq=False)
+class Shaper:
+    """Impulses of an input shaper.
+
+    Attributes
+    ----------
+    times : ndarray, shape (impulses,)
+        [s], ascending from 0.
+    shares : ndarray, shape (impulses,)
+        Their sum is 1.
+    """
+
+    times: FloatArray
+    shares: FloatArray
+
+    def residual(self, frequency: float, damping: float = 0.0) -> float:
+        """Residual oscillation of a pendulum [rad/s], as a share of that without the shaper."""
+        require_positive("frequency", frequency)
+        decay = damping * frequency
+        damped = frequency * sqrt(1.0 - damping**2)
+        phases = self.shares * np.exp((decay + 1j * damped) * (self.times - self.times[-1]))
+        return float(abs(phases.sum()))
+
+
+def zv(frequency: float, damping: float = 0.0) -> Shaper:
+    """Zero-vibration shaper for a frequency [rad/s] and a damping ratio: two impulses.
+
+    Raises
+    ------
+    InputError
+        For a frequency that is not positive and a damping outside 0 <= damping < 1.
+    """
+    ratio, half = _decay(frequency, damping)
+    return Shaper(np.array([0.0, half]), np.array([1.0, ratio]) / (1.0 + ratio))
+
+
+def zvd(frequency: float, damping: float = 0.0) -> Shaper:
+    """Zero-vibration-and-derivative shaper: three impulses; see `zv`."""
+    ratio, half = _decay(frequency, damping)
+    shares = np.array([1.0, 2.0 * ratio, ratio**2]) / (1.0 + ratio) ** 2
+    return Shaper(np.array([0.0, half, 2.0 * half]), shares)
+
+
+def _decay(frequency: float, damping: float) -> tuple[float, float]:
+    """Decay over half an oscillation, and the time that it takes [s]."""
+    require_positive("frequency", frequency)
+    if not 0.0 <= damping < 1.0:
+        raise InputError(f"damping must be a ratio from 0 to below 1, got {damping!r}")
+    root = sqrt(1.0 - damping**2)
+    return exp(-damping * pi / root), pi / (frequency * root)
+
+
+class Shaped:
+    """A motion behind a shaper.
+
+    Parameters
+    ----------
+    motion : Motion
+        It must start at rest at time 0.
+    shaper : Shaper
+    """
+
+    def __init__(self, motion: Motion, shaper: Shaper) -> None:
+        self._motion = motion
+        self._shaper = shaper
+
+    @property
+    def duration(self) -> float:
+        """[s]"""
+        return self._motion.duration + float(self._shaper.times[-1])
+
+    def __call__(self, t: ArrayLike, derivative: int = 0) -> FloatArray:
+        """Position, velocity or acceleration at times t, the shape of t."""
+        times = np.asarray(t, dtype=np.float64)
+        value = np.zeros(times.shape)
+        for delay, share in zip(self._shaper.times, self._shaper.shares, strict=True):
+            value += share * self._motion(times - delay, derivative)
+        return value
+
+
+def _require_derivative(derivative: int) -> None:
+    if derivative not in (0, 1, 2):
+        raise InputError(f"derivative must be 0, 1 or 2, got {derivative!r}")
