@@ -23,7 +23,7 @@ TARGET = KERNELS / "c"
 MODULES = (
     "transition", "phases", "braking", "levels", "search", "profile", "synchronize", "intervals",
     "plan", "evaluate", "expand", "check", "feedback", "observer", "tracking", "compensation",
-    "_crane", "integrate", "noise", "drives", "plant",
+    "_crane", "series", "integrate", "noise", "drives", "plant",
 )
 # what C programs and the compiled extension may call
 ENTRY_POINTS = (
@@ -31,7 +31,7 @@ ENTRY_POINTS = (
     "plan_phases", "count_pieces", "expand_phases", "expand_plan", "check_plan",
     "evaluate", "feedback_correction", "feedback_bandwidth", "feedback_gains", "observer_predict",
     "observer_correct", "track_setpoint", "compensate_setpoints", "crane_rhs", "crane_driven",
-    "crane_flat_inverse", "crane_load", "crane_energy", "plant_advance",
+    "crane_flat_inverse", "flat_derivatives", "crane_load", "crane_energy", "plant_advance",
     "seed_numbers", "next_uniform", "noise_components", "measure_state",
 )
 PREFIX = "segfmu_"

@@ -26,6 +26,7 @@ if COMPILED:
         feedback_bandwidth,
         feedback_correction,
         feedback_gains,
+        flat_derivatives,
         measure_state,
         noise_components,
         observer_correct,
@@ -46,6 +47,7 @@ else:
     from segfmu.kernels.observer import observer_correct, observer_predict
     from segfmu.kernels.plan import plan_phases
     from segfmu.kernels.plant import plant_advance
+    from segfmu.kernels.series import flat_derivatives
     from segfmu.kernels.tracking import track_setpoint
 
 __all__ = [
@@ -62,6 +64,7 @@ __all__ = [
     "feedback_bandwidth",
     "feedback_correction",
     "feedback_gains",
+    "flat_derivatives",
     "measure_state",
     "noise_components",
     "observer_correct",

@@ -30,6 +30,7 @@ void segfmu_crane_driven(array_double_1d state, array_double_1d carriage, array_
 void segfmu_crane_flat_inverse(array_double_2d flat, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_1d force, array_double_1d state, array_double_1d acceleration);
 void segfmu_crane_load(array_double_1d state, array_double_2d load);
 void segfmu_crane_energy(array_double_1d state, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_1d energy);
+void segfmu_flat_derivatives(array_double_2d flat, int64_t order, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d work, array_double_1d found);
 double segfmu_next_uniform(array_int64_t_1d numbers);
 void segfmu_seed_numbers(int64_t seed, array_int64_t_1d numbers);
 void segfmu_noise_components(double bandwidth, array_double_1d deviation, array_int64_t_1d numbers, array_double_2d components);

@@ -885,6 +885,44 @@ static PyObject *call_crane_energy(
     return answer;
 }
 
+static PyObject *call_flat_derivatives(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "flat_derivatives", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_flat;
+    int64_t in_order;
+    double in_bridge_mass;
+    double in_trolley_mass;
+    double in_payload_mass;
+    double in_gravity;
+    Py_buffer *in_work;
+    Py_buffer *in_found;
+    (void)self;
+    if (take_count(&call, count, 8)
+        && (in_flat = take_array(&call, 0, 2, 'd', false)) != NULL
+        && take_int(&call, 1, &in_order)
+        && take_float(&call, 2, &in_bridge_mass)
+        && take_float(&call, 3, &in_trolley_mass)
+        && take_float(&call, 4, &in_payload_mass)
+        && take_float(&call, 5, &in_gravity)
+        && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
+        && (in_found = take_array(&call, 7, 1, 'd', true)) != NULL) {
+        segfmu_flat_derivatives(
+            (array_double_2d){in_flat->buf, {in_flat->shape[0], in_flat->shape[1]}},
+            in_order,
+            in_bridge_mass,
+            in_trolley_mass,
+            in_payload_mass,
+            in_gravity,
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_1d){in_found->buf, {in_found->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_seed_numbers(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -1049,6 +1087,7 @@ static PyMethodDef methods[] = {
     {"crane_flat_inverse", (PyCFunction)(void (*)(void))call_crane_flat_inverse, METH_FASTCALL, NULL},
     {"crane_load", (PyCFunction)(void (*)(void))call_crane_load, METH_FASTCALL, NULL},
     {"crane_energy", (PyCFunction)(void (*)(void))call_crane_energy, METH_FASTCALL, NULL},
+    {"flat_derivatives", (PyCFunction)(void (*)(void))call_flat_derivatives, METH_FASTCALL, NULL},
     {"seed_numbers", (PyCFunction)(void (*)(void))call_seed_numbers, METH_FASTCALL, NULL},
     {"next_uniform", (PyCFunction)(void (*)(void))call_next_uniform, METH_FASTCALL, NULL},
     {"noise_components", (PyCFunction)(void (*)(void))call_noise_components, METH_FASTCALL, NULL},
