@@ -7,7 +7,9 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 Kind = Literal["Real", "Integer", "Boolean", "Enumeration"]
-Causality = Literal["input", "output", "parameter", "calculatedParameter"]
+Causality = Literal[
+    "input", "output", "parameter", "calculatedParameter", "local", "independent"
+]
 Variability = Literal["continuous", "discrete", "fixed", "tunable"]
 Value = float | int | bool
 
@@ -39,21 +41,45 @@ class Variable:
 
     @property
     def initial(self) -> str | None:
-        """The FMI attribute `initial`; inputs have none."""
-        if self.causality == "input":
+        """The FMI attribute `initial`; inputs and time have none."""
+        if self.causality in ("input", "independent"):
             return None
         return "calculated" if self.start is None else "exact"
 
 
 @dataclass(frozen=True)
+class Array:
+    """Scalars of FMI 2.0 that are one array in FMI 3.0, row by row.
+
+    `rows` names the variable that counts the rows in use; a row has `columns` members, and the
+    array has one dimension where `columns` is 1.
+    """
+
+    name: str
+    members: tuple[str, ...]
+    rows: str
+    columns: int
+    description: str
+
+
+@dataclass(frozen=True)
 class Spec:
-    """One FMU: its variables in the order of their value references."""
+    """One FMU: its variables in the order of their value references.
+
+    What follows the step size is for native FMUs alone: arrays of FMI 3.0, continuous states of
+    model exchange with their derivatives, the variables that an unknown depends on, and the
+    highest order of output derivatives.
+    """
 
     name: str
     description: str
     variables: tuple[Variable, ...]
     stop_time: float
     step_size: float
+    arrays: tuple[Array, ...] = ()
+    states: tuple[tuple[str, str], ...] = ()
+    dependencies: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    orders: int = 0
     references: dict[str, int] = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
@@ -132,3 +158,8 @@ def crane_parameters(which: str) -> list[Variable]:
         parameter("crane.rope_min", 0.16, "m", f"{which}: shortest rope; 0: no bound", minimum=0.0),
         parameter("crane.rope_max", 1.5, "m", f"{which}: longest rope; 0: no bound", minimum=0.0),
     ]
+
+
+def time() -> Variable:
+    """The independent variable, for descriptions that name it."""
+    return Variable("time", "Real", "independent", "continuous", "time", unit="s")
