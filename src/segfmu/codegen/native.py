@@ -23,7 +23,7 @@ TARGET = KERNELS / "c"
 MODULES = (
     "transition", "phases", "braking", "levels", "search", "profile", "synchronize", "intervals",
     "plan", "evaluate", "expand", "check", "feedback", "observer", "tracking", "compensation",
-    "_crane", "integrate", "noise", "drives", "plant",
+    "_crane", "integrate", "noise", "drives", "plant", "sensing", "events", "loop", "rig",
 )
 # what C programs and the compiled extension may call
 ENTRY_POINTS = (
@@ -33,6 +33,7 @@ ENTRY_POINTS = (
     "observer_correct", "track_setpoint", "compensate_setpoints", "crane_rhs", "crane_driven",
     "crane_flat_inverse", "crane_load", "crane_energy", "plant_advance",
     "seed_numbers", "next_uniform", "noise_components", "measure_state",
+    "rig_rows", "rig_start", "rig_step", "rig_balance", "rig_imbalance",
 )
 PREFIX = "segfmu_"
 
