@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from segfmu import Crane, Limits, Waypoint, plan
 from segfmu.crane import Drive, Friction, Gust, Plant, Rig, Setpoints, Wind
-from segfmu.kernels import _crane, backend, evaluate, expand, feedback, noise, plant, rig
+from segfmu.kernels import _crane, backend, evaluate, expand, feedback, noise, plant, rig, rope
 from segfmu.kernels import plan as plan_kernel
 from segfmu.kernels.profile import shortest_profile
 from segfmu.kernels.synchronize import timed_profile
@@ -92,6 +92,24 @@ def test_plans_agree(monkeypatch: pytest.MonkeyPatch) -> None:
     assert close(fast.timing, slow.timing)
     assert close(fast.coefficients, slow.coefficients)
     assert close(values, slow(times, 2))
+
+
+@pytest.mark.parametrize("smoothness", [2, 4, 6])
+@pytest.mark.parametrize("bounds", [(0.0, 0.0), (0.45, 0.0), (0.0, 0.95), (0.1, 2.0)])
+def test_proofs_of_the_rope_agree(smoothness: int, bounds: tuple[float, float]) -> None:
+    points = [Waypoint([0.0, 0.0, -1.0]), Waypoint([0.5, 0.3, -0.6]), Waypoint([0.1, 0.0, -0.5])]
+    limits = Limits([1.0, 0.4, 0.5], [1.0, 0.5, 12.0], [10.0, 9.0, 400.0])
+    found = plan(points, limits, smoothness=smoothness)
+    for gravity in (9.81, 3.0):
+        outputs = []
+        for module in (rope, compiled):
+            report = np.zeros(3)
+            status = module.check_rope(
+                found.timing, found.coefficients, found.offsets, gravity, *bounds,
+                np.zeros((52, 8 * smoothness - 5)), report,
+            )
+            outputs.append([status, *report])
+        assert close(*outputs)
 
 
 def test_crane_kernels_agree() -> None:

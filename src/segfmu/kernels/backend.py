@@ -15,6 +15,7 @@ COMPILED = (
 if COMPILED:
     from segfmu.kernels._compiled import (
         check_plan,
+        check_rope,
         compensate_setpoints,
         count_pieces,
         crane_energy,
@@ -51,11 +52,13 @@ else:
     from segfmu.kernels.plan import plan_phases
     from segfmu.kernels.plant import plant_advance
     from segfmu.kernels.rig import rig_balance, rig_imbalance, rig_rows, rig_start, rig_step
+    from segfmu.kernels.rope import check_rope
     from segfmu.kernels.tracking import track_setpoint
 
 __all__ = [
     "COMPILED",
     "check_plan",
+    "check_rope",
     "compensate_setpoints",
     "count_pieces",
     "crane_energy",

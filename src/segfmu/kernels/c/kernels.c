@@ -84,6 +84,13 @@ static int64_t bernstein_coefficients(array_double_2d coefficients, int64_t row,
 static void split_hull(array_double_2d hull, int64_t row, int64_t count);
 static bool within(array_double_2d hull, int64_t count, double limit);
 static bool check_axis(int64_t axis, array_double_2d timing, array_double_2d coefficients, int64_t first, int64_t last, array_double_2d limits, double tolerance, array_double_2d work);
+static double interval_end(double time, array_double_2d timing, array_int64_t_1d offsets);
+static void interval_pieces(double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work);
+static void add_product(int64_t first, int64_t first_count, int64_t second, int64_t second_count, int64_t row, array_double_2d work);
+static int64_t rope_demand(int64_t demand, double gravity, double shortest, double longest, double tolerance, array_double_2d work);
+static double first_negative(int64_t count, double length, array_double_2d work);
+static double rope_value(int64_t demand, double local, double gravity, array_double_2d work);
+static double worst_value(int64_t demand, double first, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work);
 static int64_t table_row(double value, array_double_1d nodes);
 static double table_share(double value, array_double_1d nodes, int64_t row);
 static void track_observe(array_double_1d parameters, array_double_1d lengths, array_double_3d table, array_double_1d measured, array_double_1d reference, array_double_2d memory);
@@ -3707,6 +3714,358 @@ int64_t segfmu_check_plan(array_double_2d positions, array_double_2d velocities,
         }
     }
     return INT64_C(0);
+}
+/*First end of a piece of any of three axes after a time, or the time if there is none.*/
+static double interval_end(double time, array_double_2d timing, array_int64_t_1d offsets)
+{
+    int64_t axis;
+    int64_t last;
+    int64_t row;
+    double end;
+    double until;
+    until = time;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        last = (*cspan_at(&offsets, axis + INT64_C(1)));
+        row = find_piece(time, timing, (*cspan_at(&offsets, axis)), last);
+        end = (*cspan_at(&timing, row, INT64_C(0))) + (*cspan_at(&timing, row, INT64_C(1)));
+        if (row + INT64_C(1) < last)
+        {
+            end = (*cspan_at(&timing, row + INT64_C(1), INT64_C(0)));
+        }
+        if ((end > time) && ((until == time) || (end < until)))
+        {
+            until = end;
+        }
+    }
+    return until;
+}
+/*Position and pull of all axes in an interval's local time; an axis that has ended stays. */
+static void interval_pieces(double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work)
+{
+    int64_t width;
+    double middle;
+    int64_t axis;
+    int64_t last;
+    int64_t row;
+    int64_t i;
+    double offset;
+    int64_t j;
+    int64_t k;
+    width = coefficients.shape[INT64_C(1)];
+    middle = 0.5 * (time + until);
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        last = (*cspan_at(&offsets, axis + INT64_C(1)));
+        row = find_piece(middle, timing, (*cspan_at(&offsets, axis)), last);
+        for (i = INT64_C(0); i < width; i += INT64_C(1))
+        {
+            (*cspan_at(&work, axis, i)) = (*cspan_at(&coefficients, row, i));
+        }
+        if (middle > (*cspan_at(&timing, row, INT64_C(0))) + (*cspan_at(&timing, row, INT64_C(1))))
+        {
+            (*cspan_at(&work, axis, INT64_C(0))) = evaluate_piece(coefficients, row, width, (*cspan_at(&timing, row, INT64_C(1))), INT64_C(0));
+            for (i = INT64_C(1); i < width; i += INT64_C(1))
+            {
+                (*cspan_at(&work, axis, i)) = 0.0;
+            }
+        }
+        else
+        {
+            /*the piece about a later time, by repeated synthetic division*/
+            offset = time - (*cspan_at(&timing, row, INT64_C(0)));
+            for (i = INT64_C(0); i < width - INT64_C(1); i += INT64_C(1))
+            {
+                for (j = INT64_C(0); j < width - INT64_C(1) - i; j += INT64_C(1))
+                {
+                    k = width - INT64_C(2) - j;
+                    (*cspan_at(&work, axis, k)) = (*cspan_at(&work, axis, k)) + offset * (*cspan_at(&work, axis, k + INT64_C(1)));
+                }
+            }
+        }
+        for (i = INT64_C(0); i < width - INT64_C(2); i += INT64_C(1))
+        {
+            (*cspan_at(&work, INT64_C(3) + axis, i)) = (i + 1.0) * (i + 2.0) * (*cspan_at(&work, axis, i + INT64_C(2)));
+        }
+    }
+    (*cspan_at(&work, INT64_C(5), INT64_C(0))) = (*cspan_at(&work, INT64_C(5), INT64_C(0))) + gravity;
+}
+/*Add the product of the polynomials in two rows to a third one. */
+static void add_product(int64_t first, int64_t first_count, int64_t second, int64_t second_count, int64_t row, array_double_2d work)
+{
+    int64_t i;
+    int64_t j;
+    for (i = INT64_C(0); i < first_count; i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < second_count; j += INT64_C(1))
+        {
+            (*cspan_at(&work, row, i + j)) = (*cspan_at(&work, row, i + j)) + (*cspan_at(&work, first, i)) * (*cspan_at(&work, second, j));
+        }
+    }
+}
+/*Put the polynomial of a demand into work[6, :]; returns its length, 0: no such demand. */
+static int64_t rope_demand(int64_t demand, double gravity, double shortest, double longest, double tolerance, array_double_2d work)
+{
+    int64_t columns;
+    int64_t width;
+    int64_t i;
+    double bound;
+    double sign;
+    int64_t row;
+    int64_t axis;
+    double allowed;
+    double square;
+    int64_t result;
+    columns = work.shape[INT64_C(1)] - INT64_C(2);
+    width = span_floor_div((columns + INT64_C(7)), INT64_C(4));
+    for (i = INT64_C(0); i < columns; i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(6), i)) = 0.0;
+    }
+    if (demand == INT64_C(1))
+    {
+        for (i = INT64_C(0); i < width; i += INT64_C(1))
+        {
+            (*cspan_at(&work, INT64_C(6), i)) = -(*cspan_at(&work, INT64_C(2), i));
+        }
+        (*cspan_at(&work, INT64_C(6), INT64_C(0))) = (*cspan_at(&work, INT64_C(6), INT64_C(0))) - tolerance;
+        return width;
+    }
+    if (demand == INT64_C(2))
+    {
+        for (i = INT64_C(0); i < width - INT64_C(2); i += INT64_C(1))
+        {
+            (*cspan_at(&work, INT64_C(6), i)) = (*cspan_at(&work, INT64_C(5), i));
+        }
+        (*cspan_at(&work, INT64_C(6), INT64_C(0))) = (*cspan_at(&work, INT64_C(6), INT64_C(0))) - tolerance * gravity;
+        return width - INT64_C(2);
+    }
+    bound = longest;
+    sign = 1.0;
+    if (demand == INT64_C(4))
+    {
+        bound = shortest;
+        sign = -1.0;
+    }
+    if (bound <= 0.0)
+    {
+        return INT64_C(0);
+    }
+    for (row = INT64_C(7); row < INT64_C(10); row += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < columns; i += INT64_C(1))
+        {
+            (*cspan_at(&work, row, i)) = 0.0;
+        }
+    }
+    /*-z^2 |w|^2, and L^2 w_z^2 beside it*/
+    for (i = INT64_C(0); i < width; i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(6), i)) = -(*cspan_at(&work, INT64_C(2), i));
+    }
+    add_product(INT64_C(6), width, INT64_C(2), width, INT64_C(7), work);
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        if (axis == INT64_C(2))
+        {
+            for (i = INT64_C(0); i < INT64_C(2) * width - INT64_C(5); i += INT64_C(1))
+            {
+                (*cspan_at(&work, INT64_C(9), i)) = (*cspan_at(&work, INT64_C(8), i));
+            }
+        }
+        add_product(INT64_C(3) + axis, width - INT64_C(2), INT64_C(3) + axis, width - INT64_C(2), INT64_C(8), work);
+    }
+    for (i = INT64_C(0); i < width; i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(6), i)) = 0.0;
+    }
+    add_product(INT64_C(7), INT64_C(2) * width - INT64_C(1), INT64_C(8), INT64_C(2) * width - INT64_C(5), INT64_C(6), work);
+    allowed = bound * (1.0 + sign * tolerance);
+    for (i = INT64_C(0); i < columns; i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(6), i)) = sign * (*cspan_at(&work, INT64_C(6), i));
+    }
+    for (i = INT64_C(0); i < INT64_C(2) * width - INT64_C(5); i += INT64_C(1))
+    {
+        square = (*cspan_at(&work, INT64_C(8), i)) - (*cspan_at(&work, INT64_C(9), i));
+        (*cspan_at(&work, INT64_C(6), i)) = (*cspan_at(&work, INT64_C(6), i)) + sign * allowed * allowed * square;
+    }
+    return columns;
+}
+/*Where, as a share of the interval, work[6, :] is first not proved to be zero or more.*/
+/*                                                                                     */
+/*    -1: nowhere. Hulls are reversed, so that the first half of an interval is on top.*/
+/*                                                                                     */
+static double first_negative(int64_t count, double length, array_double_2d work)
+{
+    int64_t start;
+    int64_t depth;
+    array_double_2d hull;
+    int64_t Dummy_0000;
+    int64_t i;
+    double swapped;
+    int64_t rows;
+    int64_t row;
+    double smallest;
+    double result;
+    start = work.shape[INT64_C(1)] - INT64_C(2);
+    depth = work.shape[INT64_C(1)] - INT64_C(1);
+    hull = span_rows(&work, INT64_C(10), work.shape[INT64_C(0)]);
+    Dummy_0000 = bernstein_coefficients(work, INT64_C(6), count, INT64_C(0), length, hull);
+    for (i = INT64_C(0); i < span_floor_div(count, INT64_C(2)); i += INT64_C(1))
+    {
+        swapped = (*cspan_at(&hull, INT64_C(0), i));
+        (*cspan_at(&hull, INT64_C(0), i)) = (*cspan_at(&hull, INT64_C(0), count - INT64_C(1) - i));
+        (*cspan_at(&hull, INT64_C(0), count - INT64_C(1) - i)) = swapped;
+    }
+    (*cspan_at(&hull, INT64_C(0), start)) = 0.0;
+    (*cspan_at(&hull, INT64_C(0), depth)) = 0.0;
+    rows = INT64_C(1);
+    while(rows > INT64_C(0))
+    {
+        row = rows - INT64_C(1);
+        smallest = (*cspan_at(&hull, row, INT64_C(0)));
+        for (i = INT64_C(1); i < count; i += INT64_C(1))
+        {
+            smallest = span_min(smallest, (*cspan_at(&hull, row, i)));
+        }
+        if (smallest >= 0.0)
+        {
+            rows = row;
+        }
+        else if (((*cspan_at(&hull, row, count - INT64_C(1))) < 0.0) || ((*cspan_at(&hull, row, depth)) > 39.5))
+        {
+            result = (*cspan_at(&hull, row, start));
+            return result;
+        }
+        else
+        {
+            split_hull(hull, row, count);
+            (*cspan_at(&hull, row + INT64_C(1), start)) = (*cspan_at(&hull, row, start));
+            (*cspan_at(&hull, row, depth)) = (*cspan_at(&hull, row, depth)) + 1.0;
+            (*cspan_at(&hull, row + INT64_C(1), depth)) = (*cspan_at(&hull, row, depth));
+            (*cspan_at(&hull, row, start)) = (*cspan_at(&hull, row, start)) + pow(0.5, (*cspan_at(&hull, row, depth)));
+            rows = rows + INT64_C(1);
+        }
+    }
+    return -1.0;
+}
+/*What a demand bounds, at a local time of the interval: height, fall or length. */
+static double rope_value(int64_t demand, double local, double gravity, array_double_2d work)
+{
+    int64_t width;
+    double pull;
+    double x_pull;
+    double y_pull;
+    double z;
+    width = span_floor_div((work.shape[INT64_C(1)] + INT64_C(5)), INT64_C(4));
+    z = evaluate_piece(work, INT64_C(2), width, local, INT64_C(0));
+    pull = evaluate_piece(work, INT64_C(5), width - INT64_C(2), local, INT64_C(0));
+    if (demand == INT64_C(1))
+    {
+        return z;
+    }
+    if (demand == INT64_C(2))
+    {
+        return gravity - pull;
+    }
+    x_pull = evaluate_piece(work, INT64_C(3), width - INT64_C(2), local, INT64_C(0));
+    y_pull = evaluate_piece(work, INT64_C(4), width - INT64_C(2), local, INT64_C(0));
+    return (-z) * sqrt(x_pull * x_pull + y_pull * y_pull + pull * pull) / pull;
+}
+/*The worst of samples, 33 an interval, of what a demand bounds from a time on.*/
+static double worst_value(int64_t demand, double first, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work)
+{
+    double sign;
+    double worst;
+    double time;
+    double until;
+    int64_t i;
+    double local;
+    double result;
+    sign = 1.0;
+    if (demand == INT64_C(4))
+    {
+        sign = -1.0;
+    }
+    worst = -1e+300;
+    time = (*cspan_at(&timing, (*cspan_at(&offsets, INT64_C(0))), INT64_C(0)));
+    until = interval_end(time, timing, offsets);
+    while(until > time)
+    {
+        if (until >= first)
+        {
+            interval_pieces(time, until, timing, coefficients, offsets, gravity, work);
+            for (i = INT64_C(0); i < INT64_C(33); i += INT64_C(1))
+            {
+                local = span_max((until - time) * i / 32.0, first - time);
+                worst = span_max(worst, sign * rope_value(demand, local, gravity, work));
+            }
+        }
+        time = until;
+        until = interval_end(time, timing, offsets);
+    }
+    return sign * worst;
+}
+/*Check a trajectory x, y, z; pieces as in kernels/evaluate.py, pieces rise in time.                 */
+/*                                                                                                   */
+/*    shortest and longest: bounds of the rope's length [m], 0 where there is none. Returns 0, or the*/
+/*    first demand, 1 to 4, that is not met; the later ones rely on the earlier ones. report (3): the*/
+/*    time [s] from which on it is not, the worst value after that, and its bound: of the load's     */
+/*    height [m], of its acceleration downwards [m/s2], or of the rope's length [m].                 */
+/*                                                                                                   */
+int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, double shortest, double longest, array_double_2d work, array_double_1d report)
+{
+    double tolerance;
+    double time;
+    double until;
+    int64_t demand;
+    int64_t count;
+    double share;
+    int64_t failed;
+    tolerance = 1e-09;
+    time = (*cspan_at(&timing, (*cspan_at(&offsets, INT64_C(0))), INT64_C(0)));
+    until = interval_end(time, timing, offsets);
+    failed = INT64_C(5);
+    while(until > time)
+    {
+        interval_pieces(time, until, timing, coefficients, offsets, gravity, work);
+        for (demand = INT64_C(1); demand < failed; demand += INT64_C(1))
+        {
+            count = rope_demand(demand, gravity, shortest, longest, tolerance, work);
+            if (count > INT64_C(0))
+            {
+                share = first_negative(count, until - time, work);
+                if (share >= 0.0)
+                {
+                    failed = demand;
+                    (*cspan_at(&report, INT64_C(0))) = time + share * (until - time);
+                    break;
+                }
+            }
+        }
+        time = until;
+        until = interval_end(time, timing, offsets);
+    }
+    if (failed == INT64_C(5))
+    {
+        return INT64_C(0);
+    }
+    (*cspan_at(&report, INT64_C(2))) = 0.0;
+    if (failed == INT64_C(2))
+    {
+        (*cspan_at(&report, INT64_C(2))) = gravity;
+    }
+    else if (failed == INT64_C(3))
+    {
+        (*cspan_at(&report, INT64_C(2))) = longest;
+    }
+    else if (failed == INT64_C(4))
+    {
+        (*cspan_at(&report, INT64_C(2))) = shortest;
+    }
+    (*cspan_at(&report, INT64_C(1))) = worst_value(failed, (*cspan_at(&report, INT64_C(0))), timing, coefficients, offsets, gravity, work);
+    return failed;
 }
 /*Row of an ascending table before which or at which a value lies; 0 .. rows - 2.*/
 static int64_t table_row(double value, array_double_1d nodes)
