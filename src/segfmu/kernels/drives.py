@@ -11,8 +11,10 @@ from segfmu.kernels.noise import full_circle
 
 def friction_force(parameters: 'float[:]', axis: int, velocity: float) -> float:
     """Viscous and Coulomb friction against a velocity; the sign change is a tanh."""
-    viscous = parameters[14 + axis] * velocity
-    return viscous + parameters[17 + axis] * tanh(velocity / parameters[20])
+    friction = parameters[14 + axis] * velocity
+    if parameters[17 + axis] > 0.0:
+        friction = friction + parameters[17 + axis] * tanh(velocity / parameters[20])
+    return friction
 
 
 def gust_share(shape: float, share: float) -> float:
