@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import tempfile
 import zipfile
 from collections.abc import Callable, Sequence
@@ -117,10 +118,14 @@ def _build(
         place = work / f"{spec.name}-{fmi}-{one.platform.name}"
         place.mkdir()
         library = place / f"{spec.name}{one.platform.suffix}"
-        own = {n: t for n, t in texts.items() if n not in KERNELS}
-        _write(place, texts)
         # the standard's headers have declarations of old form, so they count as the system's
-        made = _compiled(one, place, own, (*WARNINGS, "-isystem", str(place)))
+        standard = {n: t for n, t in texts.items() if re.match(r"fmi\d.*\.h", n)}
+        own = {n: t for n, t in texts.items() if n not in standard}
+        (place / "standard").mkdir()
+        _write(place / "standard", standard)
+        _write(place, own)
+        units = {n: t for n, t in own.items() if n not in KERNELS}
+        made = _compiled(one, place, units, (*WARNINGS, "-isystem", str(place / "standard")))
         one.link([*objects.kernels(one), *made], library)
         directory = one.platform.folder if fmi == 2 else one.platform.name
         entries[f"binaries/{directory}/{library.name}"] = library.read_bytes()

@@ -5,6 +5,8 @@
 #include <stdarg.h>
 #include <stdio.h>
 
+#include "kernels.h"
+
 bool say(char message[MESSAGE], const char *format, ...)
 {
     va_list arguments;
@@ -93,11 +95,30 @@ bool waypoints_differ(const segfmu_problem *p, char message[MESSAGE])
     return true;
 }
 
-bool require_rope(const segfmu_trajectory *trajectory, const double crane[6],
-                  char message[MESSAGE])
+bool require_rope(const segfmu_trajectory *t, const double crane[6], char message[MESSAGE])
 {
-    (void)trajectory;
-    (void)crane;
-    (void)message;
-    return true;
+    static const struct { const char *name, *unit, *limit, *remedy; } demands[] = {
+        {"load height z", "m", "the trolley's height", "lower the waypoints"},
+        {"downward acceleration of the load", "m/s2", "gravity, where the rope goes slack",
+         "lower limits.z.acceleration"},
+        {"rope length", "m", "rope_max", "raise the waypoints or rope_max"},
+        {"rope length", "m", "rope_min", "lower the waypoints or rope_min"}
+    };
+    enum { WIDTH = 12, ROWS = 52 };
+    const int64_t width = 2 * t->smoothness;
+    double space[ROWS * (4 * WIDTH - 5)], found[3];
+    array_double_2d timing = {(double *)t->timing, {t->pieces, 2}};
+    array_double_2d coefficients = {(double *)t->coefficients, {t->pieces, width}};
+    array_int64_t_1d offsets = {(int64_t *)t->offsets, {t->axes + 1}};
+    array_double_2d work = {space, {ROWS, 4 * width - 5}};
+    array_double_1d report = {found, {3}};
+    int64_t status = segfmu_check_rope(timing, coefficients, offsets, crane[3], crane[4], crane[5],
+                                       work, report);
+    if (status == 0) {
+        return true;
+    }
+    return say(message, "at %.3f s: %s passes %s, %.6g %s, and comes to %.6g %s; %s", found[0],
+               demands[status - 1].name, demands[status - 1].limit, found[2],
+               demands[status - 1].unit, found[1], demands[status - 1].unit,
+               demands[status - 1].remedy);
 }
