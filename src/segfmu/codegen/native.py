@@ -24,7 +24,7 @@ MODULES = (
     "transition", "phases", "braking", "levels", "search", "profile", "synchronize", "intervals",
     "plan", "evaluate", "expand", "check", "rope", "feedback", "observer", "tracking",
     "compensation", "_crane", "series", "integrate", "noise", "drives", "plant", "sensing",
-    "events", "loop", "rig",
+    "events", "loop", "rig", "exchange",
 )
 # what C programs and the compiled extension may call
 ENTRY_POINTS = (
@@ -35,6 +35,7 @@ ENTRY_POINTS = (
     "crane_flat_inverse", "flat_derivatives", "crane_load", "crane_energy", "plant_advance",
     "seed_numbers", "next_uniform", "noise_components", "measure_state",
     "rig_rows", "rig_start", "rig_step", "rig_balance", "rig_imbalance",
+    "rig_next_event", "rig_event", "rig_signals", "rig_rates",
 )
 PREFIX = "segfmu_"
 

@@ -18,7 +18,7 @@ from segfmu.fmu.documentation import page
 from segfmu.fmu.spec import Spec
 
 KERNELS = ("kernels.c", "kernels.h", "plan.c", "segfmu.h", "span.h")
-GLUE = ("glue.c", "glue.h", "model.h", "state.c", "values.c")
+GLUE = ("glue.c", "glue.h", "model.h", "say.c", "say.h", "state.c", "values.c")
 VERSIONS = {
     2: (
         "fmi2.c", "fmi2_run.c", "fmi/fmi2Functions.h", "fmi/fmi2FunctionTypes.h",
@@ -29,7 +29,10 @@ VERSIONS = {
         "fmi/fmi3FunctionTypes.h", "fmi/fmi3PlatformTypes.h",
     ),
 }
-MODELS = {"GantryFeedforward": ("gantry_feedforward.c", "messages.c", "messages.h")}
+MODELS = {
+    "GantryFeedforward": ("gantry_feedforward.c", "messages.c", "messages.h"),
+    "GantryCrane": ("crane.h", "crane_setup.c", "gantry_crane.c"),
+}
 # of every entry of an archive, so that equal content gives equal bytes
 DATE = (*(int(fmi2.GENERATED[i:j]) for i, j in ((0, 4), (5, 7), (8, 10))), 0, 0, 0)
 

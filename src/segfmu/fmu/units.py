@@ -22,12 +22,14 @@ BASE_UNITS: dict[str, dict[str, int]] = {
     "J": {"kg": 1, "m": 2, "s": -2},
     "rad": {"rad": 1},
     "rad/s": {"rad": 1, "s": -1},
+    "rad/s2": {"rad": 1, "s": -2},
 }
 
 # unit -> (display unit, factor from the unit to it)
 DISPLAY_UNITS: dict[str, tuple[str, float]] = {
     "rad": ("deg", degrees(1.0)),
     "rad/s": ("deg/s", degrees(1.0)),
+    "rad/s2": ("deg/s2", degrees(1.0)),
 }
 
 # sizes that are usual, where they are not about 1

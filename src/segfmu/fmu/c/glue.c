@@ -29,7 +29,7 @@ void glue_log(instance *c, int status, const char *format, ...)
 
 static void start(instance *c, int interface)
 {
-    memset(c->model, 0, model_size());
+    memset(c->model, 0, model_used(c->model));
     memcpy(c->model->real, model_real_start, sizeof c->model->real);
     memcpy(c->model->integer, model_integer_start, sizeof c->model->integer);
     c->model->mode = MODE_INSTANTIATED;

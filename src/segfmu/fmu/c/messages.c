@@ -2,19 +2,8 @@
 #include "messages.h"
 
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
 
 #include "kernels.h"
-
-bool say(char message[MESSAGE], const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(message, MESSAGE, format, arguments);
-    va_end(arguments);
-    return false;
-}
 
 /* Refusals of a whole interval of an axis. */
 static bool say_interval(char message[MESSAGE], int status, const segfmu_problem *p, int axis,

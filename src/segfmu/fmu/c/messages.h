@@ -2,11 +2,8 @@
 #ifndef SEGFMU_MESSAGES_H
 #define SEGFMU_MESSAGES_H
 
-#include "model.h"
+#include "say.h"
 #include "segfmu.h"
-
-/* Write a message; returns false, as every function does that leaves one. */
-bool say(char message[MESSAGE], const char *format, ...);
 
 /* The message of a status of segfmu_plan and its report. */
 bool say_infeasible(char message[MESSAGE], int status, const segfmu_problem *problem,

@@ -43,6 +43,7 @@ typedef struct {
     int64_t interface;    /* of the glue: co-simulation or model exchange */
     int64_t initialised;  /* the model follows from the present parameters and start values */
     int64_t evaluated;    /* outputs follow from the present time, states and inputs */
+    int64_t tuned;        /* a tunable parameter was set */
     int64_t stops;        /* there is a stop time */
     double start, stop;   /* s */
     double step_start;    /* s; of the communication step under way */

@@ -67,16 +67,16 @@ bool glue_readable(instance *c, const char *function, const uint32_t references[
     if (!usable(c, function, references, count, values, size, kinds)) {
         return false;
     }
+    bool follows = false;
     for (size_t i = 0; i < count; i++) {
         const variable *v = &model_variables[references[i]];
-        if (v->calculated) {
-            if (!glue_allows(c, MODE_ANY & ~(MODE_INSTANTIATED | MODE_CONFIGURATION), function)) {
-                return false;
-            }
-            return glue_evaluate(c);
+        int early = v->setting == SET_NEVER ? MODE_INSTANTIATED | MODE_CONFIGURATION : 0;
+        if (v->calculated && !glue_allows(c, MODE_ANY & ~early, function)) {
+            return false;
         }
+        follows = follows || v->calculated;
     }
-    return true;
+    return !follows || glue_evaluate(c);
 }
 
 bool glue_settable(instance *c, const char *function, const uint32_t references[], size_t count,
@@ -108,11 +108,12 @@ void glue_get_reals(const instance *c, const uint32_t references[], size_t count
 }
 
 /* What follows from a variable is out of date. */
-static void touch(instance *c)
+static void touch(instance *c, const variable *v)
 {
     if ((c->model->mode & MODE_RUNNING) == 0) {
         c->model->initialised = 0;
     }
+    c->model->tuned |= v->setting == SET_TUNABLE;
     c->model->evaluated = 0;
 }
 
@@ -131,8 +132,8 @@ bool glue_set_reals(instance *c, const uint32_t references[], size_t count, cons
         memcpy(&c->model->real[model_variables[references[i]].offset], values,
                elements * sizeof *values);
         values += elements;
+        touch(c, &model_variables[references[i]]);
     }
-    touch(c);
     return true;
 }
 
@@ -150,7 +151,7 @@ bool glue_set_integer(instance *c, uint32_t reference, int64_t value)
         return false;
     }
     c->model->integer[v->offset] = value;
-    touch(c);
+    touch(c, v);
     return true;
 }
 

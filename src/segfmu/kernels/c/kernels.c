@@ -6233,3 +6233,73 @@ double segfmu_rig_imbalance(array_double_1d balance)
     result = (*cspan_at(&balance, INT64_C(0))) + (*cspan_at(&balance, INT64_C(1))) - (*cspan_at(&balance, INT64_C(2))) - gained;
     return result;
 }
+/*Time of the next tick, sample, or change of payload or wind. */
+double segfmu_rig_next_event(array_double_1d loop, array_double_1d sensors, array_double_2d memory)
+{
+    double time;
+    double result;
+    time = span_min((*cspan_at(&memory, INT64_C(2), INT64_C(3))) * (*cspan_at(&loop, INT64_C(1))), (*cspan_at(&memory, INT64_C(2), INT64_C(4))));
+    result = span_min(time, next_sample(sensors, span_rows(&memory, INT64_C(30), memory.shape[INT64_C(0)])));
+    return result;
+}
+/*Signals of the sensors at a time that does not decrease. */
+void segfmu_rig_signals(array_double_1d sensors, double time, array_double_2d memory)
+{
+    (*cspan_at(&memory, INT64_C(2), INT64_C(1))) = time;
+    (*cspan_at(&memory, INT64_C(2), INT64_C(2))) = 0.0;
+    sense_signals(sensors, time, span_row(&memory, INT64_C(0)), span_rows(&memory, INT64_C(30), memory.shape[INT64_C(0)]), span_row(&memory, INT64_C(5)));
+}
+/*Take samples, change the payload and correct the setpoints where it is due at a time.*/
+void segfmu_rig_event(array_double_1d loop, array_double_1d sensors, array_double_2d changes, array_double_1d lengths, array_double_3d gains, array_double_1d setpoints, double time, array_double_2d memory)
+{
+    int64_t i;
+    segfmu_rig_signals(sensors, time, memory);
+    for (i = INT64_C(0); i < INT64_C(19); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(3), i)) = (*cspan_at(&setpoints, i));
+    }
+    meet_events(loop, sensors, changes, memory);
+    if (controller_due(loop, memory))
+    {
+        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        {
+            (*cspan_at(&memory, INT64_C(9), i)) = (*cspan_at(&memory, INT64_C(9), i)) + (*cspan_at(&memory, INT64_C(8), i)) * (time - (*cspan_at(&memory, INT64_C(2), INT64_C(8))));
+        }
+        (*cspan_at(&memory, INT64_C(2), INT64_C(8))) = time;
+        prepare_tick(sensors, setpoints, 1.0, memory);
+        /*no tracking controller: its tables are not looked at*/
+        correct_setpoints(loop, lengths, lengths, gains, lengths, gains, span_rows(&memory, INT64_C(10), INT64_C(12)), memory);
+    }
+}
+/*Derivative of the state (13) at a time; the report, memory[4, :9], is that of the plant. */
+/*                                                                                         */
+/*    Returns `plant_status`.                                                              */
+/*                                                                                         */
+int64_t segfmu_rig_rates(array_double_2d components, array_double_1d setpoints, double time, array_double_2d memory, array_double_1d derivative)
+{
+    int64_t i;
+    double added;
+    array_double_2d work;
+    int64_t result;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(10), i)) = (*cspan_at(&setpoints, i)) + (*cspan_at(&memory, INT64_C(8), i));
+        if ((*cspan_at(&memory, INT64_C(1), INT64_C(4))) > 0.5)
+        {
+            added = (*cspan_at(&memory, INT64_C(9), i)) + (*cspan_at(&memory, INT64_C(8), i)) * (time - (*cspan_at(&memory, INT64_C(2), INT64_C(8))));
+            (*cspan_at(&memory, INT64_C(10), i)) = (*cspan_at(&setpoints, INT64_C(3) + i)) + added;
+        }
+        (*cspan_at(&memory, INT64_C(11), i)) = 0.0;
+        (*cspan_at(&memory, INT64_C(12), i)) = (*cspan_at(&setpoints, INT64_C(16) + i));
+    }
+    work = span_rows(&memory, INT64_C(14), INT64_C(30));
+    plant_derivative(span_row(&memory, INT64_C(1)), components, (*cspan_at(&memory, INT64_C(2), INT64_C(0))) + time, 0.0, span_row(&memory, INT64_C(0)), span_row(&memory, INT64_C(10)), span_row(&memory, INT64_C(11)), span_row(&memory, INT64_C(12)), work, derivative);
+    for (i = INT64_C(0); i < INT64_C(7); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(4), i)) = (*cspan_at(&work, INT64_C(10), i));
+    }
+    (*cspan_at(&memory, INT64_C(4), INT64_C(7))) = (*cspan_at(&derivative, INT64_C(11)));
+    (*cspan_at(&memory, INT64_C(4), INT64_C(8))) = (*cspan_at(&derivative, INT64_C(12)));
+    result = plant_status(span_row(&memory, INT64_C(1)), span_row(&memory, INT64_C(0)), (*cspan_at(&work, INT64_C(10), INT64_C(6))));
+    return result;
+}
