@@ -117,9 +117,9 @@ def _has_zig() -> bool:
 
 def _own() -> str | None:
     """The C compiler that Python was built with, or another one of the usual names."""
-    configured = (sysconfig.get_config_var("CC") or "").split()
+    configured = str(sysconfig.get_config_var("CC") or "").split()
     for name in (*configured[:1], "cc", "gcc", "clang"):
-        found = shutil.which(name)
+        found: str | None = shutil.which(name)
         if found is not None:
             return found
     return None

@@ -148,9 +148,12 @@ def spec() -> Spec:
     )
 
 
-def native_spec() -> Spec:
-    """The interface of the native GantryFeedforward, which also names time."""
-    own = spec()
+def native_spec(own: Spec | None = None) -> Spec:
+    """The interface of the native GantryFeedforward, which also names time.
+
+    It is that of `spec`, or of one with other start values.
+    """
+    own = own or spec()
     outputs = own.where("output")
     return replace(
         own,

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, field
-from typing import Literal
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any, Literal
 
 Kind = Literal["Real", "Integer", "Boolean", "Enumeration"]
 Causality = Literal[
@@ -96,6 +96,32 @@ class Spec:
     def enumerations(self) -> tuple[Enumeration, ...]:
         """Enumeration types in use, in the order of their first use."""
         return tuple(dict.fromkeys(v.enumeration for v in self.variables if v.enumeration))
+
+
+def started(spec: Spec, values: Mapping[str, Value | str], **changes: Any) -> Spec:
+    """A specification with other start values, enumerations also by item, and other fields.
+
+    Raises
+    ------
+    KeyError
+        For a name that the specification does not have.
+    """
+    unknown = values.keys() - spec.references.keys()
+    if unknown:
+        raise KeyError(f"{spec.name} has no {', '.join(sorted(unknown))}")
+
+    def number(v: Variable) -> Value:
+        value = values[v.name]
+        if isinstance(value, str):
+            if v.enumeration is None:
+                raise TypeError(f"{v.name} takes a number, got {value!r}")
+            return v.enumeration.items.index(value) + 1
+        return value if v.kind == "Real" else bool(value) if v.kind == "Boolean" else int(value)
+
+    variables = tuple(
+        replace(v, start=number(v)) if v.name in values else v for v in spec.variables
+    )
+    return replace(spec, variables=variables, **changes)
 
 
 def output(
