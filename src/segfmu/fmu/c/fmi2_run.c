@@ -93,7 +93,7 @@ fmi2Status fmi2SetTime(fmi2Component component, fmi2Real time)
 {
     instance *c = component;
     ALLOW(MODE_CONTINUOUS | MODE_EVENT);
-    if (!is(c, MODEL_EXCHANGE, __func__) || !glue_finite(c, time, "the time")) {
+    if (!is(c, MODEL_EXCHANGE, __func__) || !glue_time(c, time, "the time")) {
         return fmi2Error;
     }
     glue_set_time(c, time);

@@ -188,7 +188,7 @@ fmi3Status fmi3SetTime(fmi3Instance self, fmi3Float64 time)
     if (c->model->interface != MODEL_EXCHANGE) {
         return refuse(self, __func__);
     }
-    if (!glue_finite(c, time, "the time")) {
+    if (!glue_time(c, time, "the time")) {
         return fmi3Error;
     }
     glue_set_time(c, time);

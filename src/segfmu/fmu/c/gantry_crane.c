@@ -8,6 +8,9 @@
 
 enum { EXCHANGE = 0, ENERGIES = 7 };
 
+/* s by which an event may be met late: importers with fixed steps cannot do better */
+static const double LATEST = 1.0;
+
 /* the states in the order of the description: the crane's and its energies */
 const double model_nominals[MODEL_STATES + 1] = {
     1.0, 1.0, 1.0, 0.1, 0.1, 1.0, 1.0, 1.0, 0.1, 0.1, 10.0, 10.0, 10.0, 0.0
@@ -156,6 +159,12 @@ bool model_event(model *base, char message[MESSAGE])
     }
     if (!in_exchange(m)) {
         return true;
+    }
+    double late = elapsed(m) - segfmu_rig_next_event(
+        vector(m->loop, 4), vector(m->sensors, SENSORS), memory_of(m));
+    if (late > LATEST) {
+        return say(message, "the time event at %.9g s was missed by %g s; an importer has to stop at "
+                   "the times that the FMU names", base->real[V_TIME] - late, late);
     }
     crane_read_inputs(m);
     segfmu_rig_event(vector(m->loop, 4), vector(m->sensors, SENSORS),

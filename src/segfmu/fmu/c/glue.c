@@ -10,6 +10,9 @@
 /* times that differ by less, relative to their size, are the same: importers add up steps */
 static const double SAME = 1e-9;
 
+/* s; beyond it doubles have no microseconds */
+static const double LATEST = 1e9;
+
 static const char *const CATEGORIES[] = {
     "logEvents", "logStatusWarning", "logStatusDiscard", "logStatusError", "logStatusFatal"
 };
@@ -122,6 +125,15 @@ bool glue_finite(instance *c, double value, const char *what)
     return true;
 }
 
+bool glue_time(instance *c, double time, const char *what)
+{
+    if (!(fabs(time) <= LATEST)) {
+        glue_log(c, STATUS_ERROR, "%s must be within %g s of 0, got %g s", what, LATEST, time);
+        return false;
+    }
+    return true;
+}
+
 void glue_set_time(instance *c, double time)
 {
     c->model->real[V_TIME] = time;
@@ -190,7 +202,7 @@ bool glue_evaluate(instance *c)
 
 bool glue_begin(instance *c, double start, bool has_stop, double stop)
 {
-    if (!glue_finite(c, start, "the start time")) {
+    if (!glue_time(c, start, "the start time")) {
         return false;
     }
     if (has_stop && !(stop >= start)) {
@@ -218,15 +230,15 @@ bool glue_begin_step(instance *c, double time, double step)
 {
     model *m = c->model;
     double now = m->real[V_TIME];
-    if (!glue_finite(c, time, "the communication point")
-        || !glue_finite(c, step, "the communication step size")) {
+    if (!glue_time(c, time, "the communication point")
+        || !glue_time(c, time + step, "the end of the step")) {
         return false;
     }
     if (fabs(time - now) > SAME * (1.0 + fabs(now))) {
         glue_log(c, STATUS_ERROR, "a step from %.9g s was asked for, the time is %.9g s", time, now);
         return false;
     }
-    if (!(step > 0.0) || !isfinite(time + step)) {
+    if (!(step > 0.0)) {
         glue_log(c, STATUS_ERROR, "the communication step size must be above 0 s, got %g s", step);
         return false;
     }

@@ -48,6 +48,8 @@ bool glue_allows(instance *c, int modes, const char *function);
 bool glue_given(instance *c, const void *pointer, const char *function);
 
 void glue_set_time(instance *c, double time);
+/* Whether a time can be used: clocks need digits behind it. */
+bool glue_time(instance *c, double time, const char *what);
 bool glue_finite(instance *c, double value, const char *what);
 
 /* Check references, kind and number of values; before reading, make the values current. */
