@@ -59,6 +59,8 @@ class Importer:
             variable = self.variables[name]
             if isinstance(value, str):
                 value = [i.name for i in variable.declaredType.items].index(value) + 1
+            if variable.type == "Boolean":
+                value = bool(value)
             reference, flat = [variable.valueReference], np.ravel(value).tolist()
             if not self.three:
                 group = "Integer" if variable.type == "Enumeration" else variable.type

@@ -11,7 +11,8 @@ from scipy.integrate import solve_ivp
 
 from segfmu.crane import FlatInverse, Plant, Setpoints
 from segfmu.crane.feedback import design
-from segfmu.fmu import gantry_crane, native
+from segfmu.crane.flat_feedback import design_flat
+from segfmu.fmu import gantry_crane
 from segfmu.fmu.rig_parameters import rig_from, rig_parameters
 from segfmu.fmu.spec import started
 from segfmu.validation.mission import load_mission
@@ -22,24 +23,17 @@ from tests.fmu.importer import Importer
 MODELS = Path(__file__).parents[2] / "models"
 MISSIONS = ("paper", "pick_and_place", "inteco")
 INPUTS = tuple(v.name for v in gantry_crane.spec().where("input"))
-OUTPUTS = (*gantry_crane.STATE, "drive.bridge.force", "energy.kinetic")
 RESULTS = (
     "force.bridge", "force.trolley", "force.hoist", *(f"reference.{n}" for n in gantry_crane.STATE)
 )
 
 
 @pytest.fixture(scope="module", params=MISSIONS)
-def mission(request, native_fmus, tmp_path_factory):
-    """A mission, its plan and inverse, and native crane FMUs built for it, by version."""
+def mission(request):
+    """A mission, its plan and its inverse."""
     task = load_mission(MODELS / f"{request.param}.toml")
     trajectory = task.plan()
-    inverse = FlatInverse(task.build_crane(), trajectory)
-    crane = gantry_crane.native_spec(specs(task, trajectory)[1])
-    built = {
-        fmi: native.build_all([crane], tmp_path_factory.mktemp("crane"), fmi=fmi)[0]
-        for fmi in ((2, 3) if request.param == "paper" else (2,))
-    }
-    return task, trajectory, inverse, built
+    return task, trajectory, FlatInverse(task.build_crane(), trajectory)
 
 
 def steps(kind: str, stop: float) -> np.ndarray:
@@ -70,7 +64,7 @@ def plan_parameters(task, trajectory) -> dict[str, float | str]:
 @pytest.mark.parametrize("fmi", [2, 3])
 @pytest.mark.parametrize("kind", ["0.05", "irregular"])
 def test_feedforward_steps(mission, native_fmus, fmi: int, kind: str) -> None:
-    task, trajectory, inverse, _ = mission
+    task, trajectory, inverse = mission
     times = steps(kind, trajectory.duration + 0.2)
     with Importer(native_fmus[fmi][0]) as fmu:
         fmu.set(plan_parameters(task, trajectory))
@@ -111,7 +105,7 @@ def plant_of(task, inverse, values: dict[str, float], driven: bool = False) -> t
 
     state = np.zeros(10)
     state[:5] = [starts[n] for n in gantry_crane.STATE[:5]]
-    gains = design(
+    gains = design_flat(
         crane, sample_time=0.01, shortest=crane.rope_min or 0.2 * state[2],
         longest=crane.rope_max or 5.0 * state[2], driven=driven,
     )
@@ -130,25 +124,45 @@ def inputs(setpoints: Setpoints) -> np.ndarray:
     ])
 
 
-@pytest.mark.parametrize(("kind", "stop"), [("0.0001", 0.05), ("0.05", 2.0), ("irregular", 2.0)])
-def test_crane_steps(mission, kind: str, stop: float) -> None:
-    task, trajectory, inverse, built = mission
-    driven = task.simulation.drive == "velocity"
-    for values in ({}, UNKIND):
-        for path in built.values():
-            plant, setpoints = plant_of(task, inverse, values, driven)
-            with Importer(path) as fmu:
-                fmu.set(values)
-                fmu.write(INPUTS, inputs(setpoints(0.0)))
-                fmu.initialise()
-                times = steps(kind, stop)
-                for before, time in zip(times[:-1], times[1:], strict=True):
-                    fmu.write(INPUTS, inputs(setpoints(time)))
-                    plant.step(time - before, setpoints(time))
-                    fmu.step(before, time - before)
-                found = fmu.get(*gantry_crane.STATE, "drive.bridge.force", "energy.drives")
-            expected = [*plant.state, plant.drive_force[0], plant.balance.drives]
-            assert found == pytest.approx(np.array(expected), rel=1e-7, abs=1e-7)
+def crane_parameters(task) -> dict[str, float | str]:
+    return crane_values(task) | {"feedback.design": "flatness"}
+
+
+@pytest.mark.parametrize("fmi", [2, 3])
+@pytest.mark.parametrize(("kind", "stop"), [("0.0001", 0.03), ("0.05", 2.0), ("irregular", 1.0)])
+@pytest.mark.parametrize("values", [{}, UNKIND], ids=["ideal", "unkind"])
+def test_crane_steps(mission, native_fmus, fmi: int, kind: str, stop: float, values) -> None:
+    task, trajectory, inverse = mission
+    plant, setpoints = plant_of(task, inverse, values, task.simulation.drive == "velocity")
+    with Importer(native_fmus[fmi][1]) as fmu:
+        fmu.set(crane_parameters(task) | values)
+        fmu.write(INPUTS, inputs(setpoints(0.0)))
+        fmu.initialise()
+        times = steps(kind, stop)
+        for before, time in zip(times[:-1], times[1:], strict=True):
+            fmu.write(INPUTS, inputs(setpoints(time)))
+            plant.step(time - before, setpoints(time))
+            fmu.step(before, time - before)
+        found = fmu.get(*gantry_crane.STATE, "drive.bridge.force", "energy.drives")
+    expected = [*plant.state, plant.drive_force[0], plant.balance.drives]
+    assert found == pytest.approx(np.array(expected), rel=1e-7, abs=1e-7)
+
+
+def test_a_mission_has_its_own_gains(tmp_path: Path) -> None:
+    """The table of an FMU that is built for a mission holds the LQR design for its crane."""
+    task = load_mission(MODELS / "inteco.toml")
+    trajectory = task.plan()
+    spec = gantry_crane.native_spec(specs(task, trajectory)[1])
+    starts = {v.name: v.start for v in spec.variables}
+    crane = task.build_crane()
+    gains = design(
+        crane, sample_time=0.01, shortest=crane.rope_min, longest=crane.rope_max,
+        driven=task.simulation.drive == "velocity",
+    )
+    assert starts["feedback.table[3].length"] == pytest.approx(gains.lengths[2])
+    assert starts["feedback.table[17].trolley.rate"] == pytest.approx(gains.gains[16, 1, 9])
+    assert starts["crane.payload_mass"] == crane.payload_mass
+    assert spec.stop_time > trajectory.duration
 
 
 def exchange(path: Path, values, setpoints, times: np.ndarray) -> np.ndarray:
@@ -187,10 +201,8 @@ def exchange(path: Path, values, setpoints, times: np.ndarray) -> np.ndarray:
 
 
 @pytest.mark.parametrize("fmi", [2, 3])
-def test_crane_in_model_exchange(mission, fmi: int) -> None:
-    task, trajectory, inverse, built = mission
-    if fmi not in built:
-        fmi = 2
+def test_crane_in_model_exchange(mission, native_fmus, fmi: int) -> None:
+    task, trajectory, inverse = mission
     driven = task.simulation.drive == "velocity"
     times = steps("0.02", 0.5)
     lag = {f"drive.{d}.lag": 0.02 for d in ("bridge", "trolley", "hoist")} if driven else {}
@@ -199,7 +211,9 @@ def test_crane_in_model_exchange(mission, fmi: int) -> None:
     plant, setpoints = plant_of(task, inverse, values, driven)
     for before, time in zip(times[:-1], times[1:], strict=True):
         plant.step(time - before, setpoints(time))
-    found = exchange(built[fmi], values, setpoints, times)
+    found = exchange(
+        native_fmus[fmi][1], crane_parameters(task) | values, setpoints, times
+    )
     expected = [*plant.state, plant.balance.drives]
     assert found == pytest.approx(np.array(expected), rel=1e-7, abs=1e-7)
 
