@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from pathlib import Path
 
 import numpy as np
@@ -71,7 +72,7 @@ def test_feedforward_steps(mission, native_fmus, fmi: int, kind: str) -> None:
         fmu.set_waypoints(waypoints(trajectory))
         fmu.initialise()
         assert fmu.get("plan.duration")[0] == pytest.approx(trajectory.duration, rel=1e-12)
-        for before, time in zip(times[:-1], times[1:], strict=True):
+        for before, time in itertools.pairwise(times):
             fmu.step(before, time - before)
             expected = np.concatenate([inverse.force(time), inverse.state(time)])
             assert fmu.get(*RESULTS) == pytest.approx(expected, rel=1e-9, abs=1e-9)
@@ -139,7 +140,7 @@ def test_crane_steps(mission, native_fmus, fmi: int, kind: str, stop: float, val
         fmu.write(INPUTS, inputs(setpoints(0.0)))
         fmu.initialise()
         times = steps(kind, stop)
-        for before, time in zip(times[:-1], times[1:], strict=True):
+        for before, time in itertools.pairwise(times):
             fmu.write(INPUTS, inputs(setpoints(time)))
             plant.step(time - before, setpoints(time))
             fmu.step(before, time - before)
@@ -174,7 +175,7 @@ def exchange(path: Path, values, setpoints, times: np.ndarray) -> np.ndarray:
         fmu.fmu.exitInitializationMode()
         upcoming = fmu.event()
         state, time = fmu.state(), 0.0
-        for before, after in zip(times[:-1], times[1:], strict=True):
+        for before, after in itertools.pairwise(times):
             start, end = inputs(setpoints(before)), inputs(setpoints(after))
 
             def given(t: float, before=before, after=after, start=start, end=end) -> np.ndarray:
@@ -209,7 +210,7 @@ def test_crane_in_model_exchange(mission, native_fmus, fmi: int) -> None:
     kind = {n: v for n, v in UNKIND.items() if not n.startswith(("sensor", "drive.hoist"))}
     values = {**lag, **kind}
     plant, setpoints = plant_of(task, inverse, values, driven)
-    for before, time in zip(times[:-1], times[1:], strict=True):
+    for before, time in itertools.pairwise(times):
         plant.step(time - before, setpoints(time))
     found = exchange(
         native_fmus[fmi][1], crane_parameters(task) | values, setpoints, times

@@ -23,8 +23,8 @@ TARGET = KERNELS / "c"
 MODULES = (
     "transition", "phases", "braking", "levels", "search", "profile", "synchronize", "intervals",
     "plan", "evaluate", "expand", "check", "rope", "feedback", "observer", "tracking",
-    "compensation", "_crane", "series", "integrate", "noise", "drives", "plant", "sensing",
-    "events", "loop", "rig", "exchange",
+    "compensation", "_crane", "_partials", "series", "integrate", "noise", "drives", "plant",
+    "sensing", "events", "loop", "rig", "exchange", "partials",
 )
 # what C programs and the compiled extension may call
 ENTRY_POINTS = (
@@ -35,7 +35,8 @@ ENTRY_POINTS = (
     "crane_flat_inverse", "flat_derivatives", "crane_load", "crane_energy", "plant_advance",
     "seed_numbers", "next_uniform", "noise_components", "measure_state",
     "rig_rows", "rig_start", "rig_step", "rig_balance", "rig_imbalance",
-    "rig_next_event", "rig_event", "rig_signals", "rig_rates",
+    "rig_next_event", "rig_event", "rig_signals", "rig_rates", "rig_partials",
+    "crane_load_partials", "crane_energy_partials",
 )
 PREFIX = "segfmu_"
 

@@ -42,10 +42,9 @@ static bool in_exchange(const crane *m)
     return m->base.interface == EXCHANGE;
 }
 
-/* s since the start, as the rig counts them */
-static double elapsed(crane *m)
+double crane_elapsed(const crane *m)
 {
-    return m->base.real[V_TIME] - row(m, ROW_CLOCK)[0];
+    return m->base.real[V_TIME] - m->memory[ROW_CLOCK * COLUMNS];
 }
 
 /* Derivatives at the present time, state and inputs. */
@@ -53,7 +52,7 @@ static int64_t find_rates(crane *m)
 {
     crane_read_inputs(m);
     return segfmu_rig_rates(matrix(m->components, m->count_components, 7),
-                            vector(m->setpoints, SETPOINTS), elapsed(m), memory_of(m),
+                            vector(m->setpoints, SETPOINTS), crane_elapsed(m), memory_of(m),
                             vector(m->derivative, MODEL_STATES));
 }
 
@@ -160,7 +159,7 @@ bool model_event(model *base, char message[MESSAGE])
     if (!in_exchange(m)) {
         return true;
     }
-    double late = elapsed(m) - segfmu_rig_next_event(
+    double late = crane_elapsed(m) - segfmu_rig_next_event(
         vector(m->loop, 4), vector(m->sensors, SENSORS), memory_of(m));
     if (late > LATEST) {
         return say(message, "the time event at %.9g s was missed by %g s; an importer has to stop at "
@@ -169,7 +168,7 @@ bool model_event(model *base, char message[MESSAGE])
     crane_read_inputs(m);
     segfmu_rig_event(vector(m->loop, 4), vector(m->sensors, SENSORS),
                      matrix(m->changes, m->count_changes, 2), vector(m->lengths, m->count_lengths),
-                     gains_of(m), vector(m->setpoints, SETPOINTS), elapsed(m), memory_of(m));
+                     gains_of(m), vector(m->setpoints, SETPOINTS), crane_elapsed(m), memory_of(m));
     find_rates(m);
     for (int i = 0; i < 3; i++) {
         base->integer[V_DRIVE_BRIDGE_SATURATED + i] = row(m, ROW_REPORT)[3 + i] > 0.0;
@@ -210,10 +209,11 @@ bool model_evaluate(model *base, char message[MESSAGE])
     crane *m = (crane *)base;
     double *real = base->real;
     (void)message;
+    m->differentiated = 0;
     if (in_exchange(m)) {
         find_rates(m);
         if (m->sensors[0] <= 0.0) {
-            segfmu_rig_signals(vector(m->sensors, SENSORS), elapsed(m), memory_of(m));
+            segfmu_rig_signals(vector(m->sensors, SENSORS), crane_elapsed(m), memory_of(m));
         }
     }
     const double *state = row(m, ROW_STATE), *report = row(m, ROW_REPORT);
@@ -240,15 +240,6 @@ bool model_output_derivative(model *base, const variable *output, int64_t order,
     (void)base;
     (void)output;
     (void)order;
-    (void)value;
-    return false;
-}
-
-bool model_partial(model *base, const variable *unknown, const variable *known, double *value)
-{
-    (void)base;
-    (void)unknown;
-    (void)known;
     (void)value;
     return false;
 }
@@ -282,6 +273,6 @@ bool model_accept(model *base, char message[MESSAGE])
     crane *m = (crane *)base;
     int64_t status = find_rates(m);
     base->evaluated = 0;
-    segfmu_rig_signals(vector(m->sensors, SENSORS), elapsed(m), memory_of(m));
+    segfmu_rig_signals(vector(m->sensors, SENSORS), crane_elapsed(m), memory_of(m));
     return status == 0 || crane_failed(m, status, base->real[V_TIME], message);
 }

@@ -922,6 +922,58 @@ static PyObject *call_crane_energy(
     return answer;
 }
 
+static PyObject *call_crane_load_partials(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "crane_load_partials", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_state;
+    Py_buffer *in_partials;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_partials = take_array(&call, 1, 2, 'd', true)) != NULL) {
+        segfmu_crane_load_partials(
+            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+            (array_double_2d){in_partials->buf, {in_partials->shape[0], in_partials->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_crane_energy_partials(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "crane_energy_partials", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_state;
+    double in_bridge_mass;
+    double in_trolley_mass;
+    double in_payload_mass;
+    double in_gravity;
+    Py_buffer *in_partials;
+    (void)self;
+    if (take_count(&call, count, 6)
+        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
+        && take_float(&call, 1, &in_bridge_mass)
+        && take_float(&call, 2, &in_trolley_mass)
+        && take_float(&call, 3, &in_payload_mass)
+        && take_float(&call, 4, &in_gravity)
+        && (in_partials = take_array(&call, 5, 2, 'd', true)) != NULL) {
+        segfmu_crane_energy_partials(
+            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+            in_bridge_mass,
+            in_trolley_mass,
+            in_payload_mass,
+            in_gravity,
+            (array_double_2d){in_partials->buf, {in_partials->shape[0], in_partials->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_flat_derivatives(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -1350,6 +1402,34 @@ static PyObject *call_rig_rates(
     return answer;
 }
 
+static PyObject *call_rig_partials(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "rig_partials", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_components;
+    double in_time;
+    Py_buffer *in_memory;
+    Py_buffer *in_work;
+    Py_buffer *in_partials;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && (in_components = take_array(&call, 0, 2, 'd', false)) != NULL
+        && take_float(&call, 1, &in_time)
+        && (in_memory = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_work = take_array(&call, 3, 2, 'd', true)) != NULL
+        && (in_partials = take_array(&call, 4, 2, 'd', true)) != NULL) {
+        answer = PyBool_FromLong(segfmu_rig_partials(
+            (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}},
+            in_time,
+            (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_2d){in_partials->buf, {in_partials->shape[0], in_partials->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyMethodDef methods[] = {
     {"ramp_parameters", (PyCFunction)(void (*)(void))call_ramp_parameters, METH_FASTCALL, NULL},
     {"ramp_duration", (PyCFunction)(void (*)(void))call_ramp_duration, METH_FASTCALL, NULL},
@@ -1375,6 +1455,8 @@ static PyMethodDef methods[] = {
     {"crane_flat_inverse", (PyCFunction)(void (*)(void))call_crane_flat_inverse, METH_FASTCALL, NULL},
     {"crane_load", (PyCFunction)(void (*)(void))call_crane_load, METH_FASTCALL, NULL},
     {"crane_energy", (PyCFunction)(void (*)(void))call_crane_energy, METH_FASTCALL, NULL},
+    {"crane_load_partials", (PyCFunction)(void (*)(void))call_crane_load_partials, METH_FASTCALL, NULL},
+    {"crane_energy_partials", (PyCFunction)(void (*)(void))call_crane_energy_partials, METH_FASTCALL, NULL},
     {"flat_derivatives", (PyCFunction)(void (*)(void))call_flat_derivatives, METH_FASTCALL, NULL},
     {"seed_numbers", (PyCFunction)(void (*)(void))call_seed_numbers, METH_FASTCALL, NULL},
     {"next_uniform", (PyCFunction)(void (*)(void))call_next_uniform, METH_FASTCALL, NULL},
@@ -1390,6 +1472,7 @@ static PyMethodDef methods[] = {
     {"rig_event", (PyCFunction)(void (*)(void))call_rig_event, METH_FASTCALL, NULL},
     {"rig_signals", (PyCFunction)(void (*)(void))call_rig_signals, METH_FASTCALL, NULL},
     {"rig_rates", (PyCFunction)(void (*)(void))call_rig_rates, METH_FASTCALL, NULL},
+    {"rig_partials", (PyCFunction)(void (*)(void))call_rig_partials, METH_FASTCALL, NULL},
     {NULL, NULL, 0, NULL},
 };
 
