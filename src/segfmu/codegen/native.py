@@ -30,7 +30,8 @@ MODULES = (
 ENTRY_POINTS = (
     "ramp_parameters", "ramp_duration", "measure_phases", "shortest_profile", "timed_profile",
     "plan_phases", "count_pieces", "expand_phases", "expand_plan", "check_plan", "check_rope",
-    "evaluate", "feedback_correction", "feedback_bandwidth", "feedback_gains", "observer_predict",
+    "evaluate", "evaluate_orders", "feedback_correction", "feedback_bandwidth", "feedback_gains",
+    "observer_predict",
     "observer_correct", "track_setpoint", "compensate_setpoints", "crane_rhs", "crane_driven",
     "crane_flat_inverse", "flat_derivatives", "crane_load", "crane_energy", "plant_advance",
     "seed_numbers", "next_uniform", "noise_components", "measure_state",

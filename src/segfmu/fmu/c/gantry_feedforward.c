@@ -227,6 +227,16 @@ static double local_time(const model *base)
     return base->real[V_TIME] - base->real[V_PLANNER_START_TIME];
 }
 
+/* Position and derivatives of the load at a time, one row a derivative. */
+static void evaluate(const segfmu_trajectory *t, double time, int64_t orders, double *values)
+{
+    array_int64_t_1d offsets = {(int64_t *)t->offsets, {AXES + 1}};
+    segfmu_evaluate_orders(
+        time, matrix((double *)t->timing, t->pieces, 2),
+        matrix((double *)t->coefficients, t->pieces, 2 * t->smoothness), offsets,
+        vector((double *)t->ends, AXES), matrix(values, orders, AXES));
+}
+
 bool model_evaluate(model *base, char message[MESSAGE])
 {
     feedforward *m = (feedforward *)base;
@@ -235,9 +245,7 @@ bool model_evaluate(model *base, char message[MESSAGE])
     const segfmu_trajectory trajectory = trajectory_of(m);
     double results[RESULTS];
     (void)message;
-    for (int d = 0; d < ORDERS; d++) {
-        segfmu_value(&trajectory, local_time(base), d, load + d * AXES);
-    }
+    evaluate(&trajectory, local_time(base), ORDERS, load);
     segfmu_crane_flat_inverse(
         matrix(load, ORDERS, AXES), crane[0], crane[1], crane[2], crane[3], vector(results, 3),
         vector(results + 3, 10), vector(results + 13, 5));
@@ -282,9 +290,7 @@ bool model_output_derivative(model *base, const variable *output, int64_t order,
     if (place < 0) {
         return false;
     }
-    for (int64_t d = 0; d < ORDERS + order; d++) {
-        segfmu_value(&trajectory, t, d, flat + d * AXES);
-    }
+    evaluate(&trajectory, t, ORDERS + order, flat);
     segfmu_flat_derivatives(
         matrix(flat, ORDERS + order, AXES), order, crane[0], crane[1], crane[2], crane[3],
         matrix(work, 20, MODEL_ORDERS + 3), vector(found, RESULTS));

@@ -3321,6 +3321,34 @@ void segfmu_evaluate(array_double_1d times, array_double_2d timing, array_double
         }
     }
 }
+/*The first derivatives of every axis at one time: values[derivative, axis], as `evaluate`.*/
+void segfmu_evaluate_orders(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d values)
+{
+    int64_t width;
+    int64_t axis;
+    double t;
+    int64_t row;
+    double local;
+    int64_t derivative;
+    width = coefficients.shape[INT64_C(1)];
+    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        t = span_min(span_max(time, (*cspan_at(&timing, (*cspan_at(&offsets, axis)), INT64_C(0)))), (*cspan_at(&ends, axis)));
+        row = find_piece(t, timing, (*cspan_at(&offsets, axis)), (*cspan_at(&offsets, axis + INT64_C(1))));
+        local = span_min(t - (*cspan_at(&timing, row, INT64_C(0))), (*cspan_at(&timing, row, INT64_C(1))));
+        for (derivative = INT64_C(0); derivative < values.shape[INT64_C(0)]; derivative += INT64_C(1))
+        {
+            if ((derivative > INT64_C(0)) && (t != time))
+            {
+                (*cspan_at(&values, derivative, axis)) = 0.0;
+            }
+            else
+            {
+                (*cspan_at(&values, derivative, axis)) = evaluate_piece(coefficients, row, width, local, derivative);
+            }
+        }
+    }
+}
 /*An upper bound of the number of pieces: seven a phase, and one a dwell.*/
 int64_t segfmu_count_pieces(array_int64_t_1d counts, int64_t cells)
 {

@@ -340,6 +340,38 @@ static PyObject *call_evaluate(
     return answer;
 }
 
+static PyObject *call_evaluate_orders(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "evaluate_orders", .values = values};
+    PyObject *answer = NULL;
+    double in_time;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_ends;
+    Py_buffer *in_values;
+    (void)self;
+    if (take_count(&call, count, 6)
+        && take_float(&call, 0, &in_time)
+        && (in_timing = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
+        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
+        && (in_values = take_array(&call, 5, 2, 'd', true)) != NULL) {
+        segfmu_evaluate_orders(
+            in_time,
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
+            (array_double_2d){in_values->buf, {in_values->shape[0], in_values->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_count_pieces(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -1439,6 +1471,7 @@ static PyMethodDef methods[] = {
     {"plan_phases", (PyCFunction)(void (*)(void))call_plan_phases, METH_FASTCALL, NULL},
     {"expand_phases", (PyCFunction)(void (*)(void))call_expand_phases, METH_FASTCALL, NULL},
     {"evaluate", (PyCFunction)(void (*)(void))call_evaluate, METH_FASTCALL, NULL},
+    {"evaluate_orders", (PyCFunction)(void (*)(void))call_evaluate_orders, METH_FASTCALL, NULL},
     {"count_pieces", (PyCFunction)(void (*)(void))call_count_pieces, METH_FASTCALL, NULL},
     {"expand_plan", (PyCFunction)(void (*)(void))call_expand_plan, METH_FASTCALL, NULL},
     {"check_plan", (PyCFunction)(void (*)(void))call_check_plan, METH_FASTCALL, NULL},
