@@ -129,7 +129,7 @@ def plant_advance(
     (3), force on the rope, power of the wind and of friction [W], time advanced.
 
     Returns `plant_status`, or 3: the steps became too small (for stiff friction, too many), 4: a
-    value is not all_finite. What has a status is approached until within 0.1 us of it; the state is
+    value is not finite. What has a status is approached until within 0.1 us of it; the state is
     the last one without.
     """
     for i in range(10):

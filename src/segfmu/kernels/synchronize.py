@@ -120,7 +120,7 @@ def keep_nearest(
     most = velocity_limit * (1.0 + 1e-12)
     if lowest < -most or highest > most:
         return
-    if abs(duration - target) > 1e-12 * target or abs(end - w) > 1e-11 * velocity_limit:
+    if abs(duration - target) > 3e-11 * target or abs(end - w) > 1e-11 * velocity_limit:
         return
     if y <= distance and (found[0] == 0.0 or y > found[1]):
         copy_phases(trial, below, count)
@@ -227,16 +227,19 @@ def timed_between(
                 found, below, above, trial,
             )
             return
-    for branch in range(8):
-        reverse = branch % 4 == 1 or branch % 4 == 2
-        mirror = branch % 4 >= 2
-        count = tempered_form(
-            trial, reverse, mirror, branch // 4, target, v, a, w, b, distance, velocity_limit,
-            top, ramp,
-        )
-        keep_nearest(
-            trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp
-        )
+    for branch in range(4):
+        reverse = branch == 1 or branch == 2
+        mirror = branch >= 2
+        for which in range(2):
+            count = tempered_form(
+                trial, reverse, mirror, which, target, v, a, w, b, distance, velocity_limit,
+                top, ramp,
+            )
+            if count < 0:
+                break
+            keep_nearest(
+                trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp
+            )
 
 
 def timed_profile(
@@ -257,15 +260,15 @@ def timed_profile(
     """Profiles that last `target`; returns the weight of `above`, or -1 if none is feasible.
 
     The motion is (1 - weight) * below + weight * above; found[0] and found[2] are the numbers
-    of phases of the two (12 rows each).
+    of phases of the two (12 rows each). Where none is feasible, found[4] is the least distance by
+    which a profile that lasts `target` misses, or 0 if there is no such profile.
     """
     v = without_excess(v, velocity_limit)
     w = without_excess(w, velocity_limit)
     a = without_excess(a, top)
     b = without_excess(b, top)
     distance = without_dust(distance, velocity_limit * velocity_limit / top)
-    for i in range(4):
-        found[i] = 0.0
+    found[4] = 0.0
     for variant in range(4):
         brake_start = variant == 1 or variant == 3
         brake_end = variant >= 2
@@ -318,4 +321,11 @@ def timed_profile(
             fit_duration(below, int(found[0]), target)
             fit_duration(above, int(found[2]), target)
             return weight
+        missed = 0.0
+        if found[0] > 0.0:
+            missed = rest - found[1]
+        elif found[2] > 0.0:
+            missed = found[3] - rest
+        if missed > 0.0 and (found[4] == 0.0 or missed < found[4]):
+            found[4] = missed
     return -1.0
