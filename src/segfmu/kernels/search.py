@@ -284,12 +284,12 @@ def timed_search(
         upper = p
         inside = duration >= 0.0
         if inside and lower < 0.0 and i > 0:
-            lower = window_edge(48, p, previous, v, a, w, b, high, top, t_top, ramp)
+            lower = window_edge(24, p, previous, v, a, w, b, high, top, t_top, ramp)
             t_lower, duration = canonical_value(
                 lower, True, v, a, w, b, high, top, t_top, ramp
             )
         if not inside and lower >= 0.0:
-            upper = window_edge(48, lower, p, v, a, w, b, high, top, t_top, ramp)
+            upper = window_edge(24, lower, p, v, a, w, b, high, top, t_top, ramp)
             t, duration = canonical_value(upper, True, v, a, w, b, high, top, t_top, ramp)
         if lower >= 0.0 and (t_lower - target) * (t - target) <= 0.0 and t != t_lower:
             if found == which and t > t_lower:

@@ -70,30 +70,39 @@ def timed_cruise(
 def cruise_range(
     phases: 'float[:,:]',
     middle: float,
-    limit: float,
+    y: float,
     target: float,
     v: float,
     a: float,
     w: float,
     b: float,
+    distance: float,
+    velocity_limit: float,
     top: float,
     ramp: 'float[:]',
 ) -> float:
-    """The cruise velocity nearest to `limit` that leaves a cruise; `middle` leaves one."""
-    count, y, hold = timed_cruise(phases, limit, target, v, a, w, b, top, ramp)
-    if count >= 0 and hold >= 0.0:
-        return limit
+    """A cruise velocity that leaves a cruise and, if there is one, passes the distance.
+
+    The cruise velocity `middle` leaves a cruise and covers y; from there the search goes to the
+    velocity limit on the side of the distance. Without such a velocity, the last one that leaves a
+    cruise is returned.
+    """
+    outside = velocity_limit
+    if y > distance:
+        outside = -velocity_limit
     inside = middle
-    outside = limit
-    for i in range(45):
+    trial = outside
+    for i in range(46):
+        count, y_trial, hold = timed_cruise(phases, trial, target, v, a, w, b, top, ramp)
+        if count >= 0 and hold >= 0.0:
+            inside = trial
+            if i == 0 or (y_trial - distance) * (y - distance) <= 0.0:
+                break
+        else:
+            outside = trial
         trial = 0.5 * (inside + outside)
         if trial == inside or trial == outside:
             break
-        count, y, hold = timed_cruise(phases, trial, target, v, a, w, b, top, ramp)
-        if count >= 0 and hold >= 0.0:
-            inside = trial
-        else:
-            outside = trial
     return inside
 
 
@@ -213,10 +222,9 @@ def timed_between(
         keep_nearest(
             trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp
         )
-        limit = velocity_limit
-        if y > distance:
-            limit = -velocity_limit
-        edge = cruise_range(trial, middle, limit, target, v, a, w, b, top, ramp)
+        edge = cruise_range(
+            trial, middle, y, target, v, a, w, b, distance, velocity_limit, top, ramp
+        )
         count, y_edge, hold = timed_cruise(trial, edge, target, v, a, w, b, top, ramp)
         keep_nearest(
             trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp

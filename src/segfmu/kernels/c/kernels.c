@@ -56,7 +56,7 @@ static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_d
 static void stretch_phases(array_double_2d phases, int64_t count, double factor);
 static void fit_duration(array_double_2d phases, int64_t count, double target);
 static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, double target, double v, double a, double w, double b, double top, array_double_1d ramp);
-static double cruise_range(array_double_2d phases, double middle, double limit, double target, double v, double a, double w, double b, double top, array_double_1d ramp);
+static double cruise_range(array_double_2d phases, double middle, double y, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
 static void keep_nearest(array_double_2d trial, int64_t count, double target, double v, double w, double distance, double velocity_limit, array_double_1d found, array_double_2d below, array_double_2d above, array_double_1d ramp);
 static void between_cruises(double lower, double y_lower, double upper, double y_upper, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial);
 static void timed_between(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial);
@@ -1616,12 +1616,12 @@ static double timed_search(int64_t which, double target, double v, double a, dou
         inside = duration >= 0.0;
         if (inside && (lower < 0.0) && (i > INT64_C(0)))
         {
-            lower = window_edge(INT64_C(48), p, previous, v, a, w, b, high, top, t_top, ramp);
+            lower = window_edge(INT64_C(24), p, previous, v, a, w, b, high, top, t_top, ramp);
             canonical_value(&t_lower, &duration, lower, 1, v, a, w, b, high, top, t_top, ramp);
         }
         if ((!inside) && (lower >= 0.0))
         {
-            upper = window_edge(INT64_C(48), lower, p, v, a, w, b, high, top, t_top, ramp);
+            upper = window_edge(INT64_C(24), lower, p, v, a, w, b, high, top, t_top, ramp);
             canonical_value(&t, &duration, upper, 1, v, a, w, b, high, top, t_top, ramp);
         }
         if ((lower >= 0.0) && ((t_lower - target) * (t - target) <= 0.0) && (t != t_lower))
@@ -2279,39 +2279,47 @@ static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* re
     (*result_2) = hold;
     return 0;
 }
-/*The cruise velocity nearest to `limit` that leaves a cruise; `middle` leaves one.*/
-static double cruise_range(array_double_2d phases, double middle, double limit, double target, double v, double a, double w, double b, double top, array_double_1d ramp)
+/*A cruise velocity that leaves a cruise and, if there is one, passes the distance.                  */
+/*                                                                                                   */
+/*    The cruise velocity `middle` leaves a cruise and covers y; from there the search goes to the   */
+/*    velocity limit on the side of the distance. Without such a velocity, the last one that leaves a*/
+/*    cruise is returned.                                                                            */
+/*                                                                                                   */
+static double cruise_range(array_double_2d phases, double middle, double y, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
 {
+    double outside;
+    double trial;
+    int64_t i;
     int64_t count;
-    double y;
+    double y_trial;
     double hold;
     double inside;
-    double outside;
-    int64_t i;
-    double trial;
-    double result;
-    timed_cruise(&count, &y, &hold, phases, limit, target, v, a, w, b, top, ramp);
-    if ((count >= INT64_C(0)) && (hold >= 0.0))
+    outside = velocity_limit;
+    if (y > distance)
     {
-        return limit;
+        outside = -velocity_limit;
     }
     inside = middle;
-    outside = limit;
-    for (i = INT64_C(0); i < INT64_C(45); i += INT64_C(1))
+    trial = outside;
+    for (i = INT64_C(0); i < INT64_C(46); i += INT64_C(1))
     {
-        trial = 0.5 * (inside + outside);
-        if ((trial == inside) || (trial == outside))
-        {
-            break;
-        }
-        timed_cruise(&count, &y, &hold, phases, trial, target, v, a, w, b, top, ramp);
+        timed_cruise(&count, &y_trial, &hold, phases, trial, target, v, a, w, b, top, ramp);
         if ((count >= INT64_C(0)) && (hold >= 0.0))
         {
             inside = trial;
+            if ((i == INT64_C(0)) || ((y_trial - distance) * (y - distance) <= 0.0))
+            {
+                break;
+            }
         }
         else
         {
             outside = trial;
+        }
+        trial = 0.5 * (inside + outside);
+        if ((trial == inside) || (trial == outside))
+        {
+            break;
         }
     }
     return inside;
@@ -2423,7 +2431,6 @@ static void timed_between(double target, double v, double a, double w, double b,
     int64_t count;
     double y;
     double hold;
-    double limit;
     double edge;
     double y_edge;
     int64_t branch;
@@ -2448,12 +2455,7 @@ static void timed_between(double target, double v, double a, double w, double b,
             continue;
         }
         keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
-        limit = velocity_limit;
-        if (y > distance)
-        {
-            limit = -velocity_limit;
-        }
-        edge = cruise_range(trial, middle, limit, target, v, a, w, b, top, ramp);
+        edge = cruise_range(trial, middle, y, target, v, a, w, b, distance, velocity_limit, top, ramp);
         timed_cruise(&count, &y_edge, &hold, trial, edge, target, v, a, w, b, top, ramp);
         keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
         if (((*cspan_at(&found, INT64_C(0))) > 0.0) && ((*cspan_at(&found, INT64_C(2))) > 0.0))
