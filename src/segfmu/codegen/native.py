@@ -21,8 +21,8 @@ TARGET = KERNELS / "c"
 
 # in the order in which they use each other
 MODULES = (
-    "transition", "phases", "braking", "levels", "search", "profile", "synchronize", "intervals",
-    "plan", "evaluate", "expand", "check", "feedback", "observer", "tracking", "compensation",
+    "transition", "phases", "braking", "levels", "roots", "search", "profile", "synchronize",
+    "intervals", "plan", "evaluate", "expand", "check", "feedback", "observer", "tracking", "compensation",
     "_crane", "integrate", "noise", "drives", "plant",
 )
 # what C programs and the compiled extension may call

@@ -1,6 +1,7 @@
 """Searches along the canonical family of levels.py: by the distance, and by the duration."""
 
 from segfmu.kernels.levels import canonical_point
+from segfmu.kernels.roots import root_share
 from segfmu.kernels.transition import ramp_duration
 
 
@@ -53,16 +54,6 @@ def canonical_value(
     return y, duration
 
 
-def falsi_weight(error: float, previous: float) -> float:
-    """Weight of the other side's error when one side is replaced twice (Anderson-Bjoerck)."""
-    if previous == 0.0:
-        return 0.5
-    weight = 1.0 - error / previous
-    if weight <= 0.0:
-        return 0.5
-    return weight
-
-
 def bracketed_root(
     lower: float,
     upper: float,
@@ -79,39 +70,40 @@ def bracketed_root(
     t_top: float,
     ramp: 'float[:]',
 ) -> float:
-    """Regula falsi (Anderson-Bjoerck) on the canonical family; f_lower < target <= f_upper.
+    """Bracketed root on the canonical family; f_lower < target <= f_upper.
 
     `lower` and `upper` name the values, not the order of the parameters.
     """
-    e_lower = f_lower - target
-    e_upper = f_upper - target
-    side = 0
-    p = upper
-    for i in range(200):
-        if e_upper == 0.0 or abs(upper - lower) <= 2e-16 * abs(upper):
-            return upper
-        p = upper - e_upper * (upper - lower) / (e_upper - e_lower)
-        if i > 40 or (p - lower) * (p - upper) >= 0.0:
-            p = 0.5 * (lower + upper)
-            if (p - lower) * (p - upper) >= 0.0:
-                return upper
+    a_p = upper
+    a_error = f_upper - target
+    b_p = lower
+    b_error = f_lower - target
+    c_p = lower
+    c_error = b_error
+    speed = abs(v) + abs(w)
+    if by_time:
+        speed = 0.0
+    for i in range(120):
+        if a_error == 0.0 or abs(a_p - b_p) <= 2e-16 * abs(a_p):
+            break
+        p = a_p + root_share(a_p, b_p, c_p, a_error, b_error, c_error) * (b_p - a_p)
         value, duration = canonical_value(p, by_time, v, a, w, b, high, top, t_top, ramp)
         error = value - target
-        if abs(error) <= 1e-15 * abs(target):
-            return p
-        if error > 0.0:
-            if side == 1:
-                e_lower = e_lower * falsi_weight(error, e_upper)
-            upper = p
-            e_upper = error
-            side = 1
-        else:
-            if side == -1:
-                e_upper = e_upper * falsi_weight(error, e_lower)
-            lower = p
-            e_lower = error
-            side = -1
-    return p
+        c_p = a_p
+        c_error = a_error
+        if error * a_error < 0.0:
+            c_p = b_p
+            c_error = b_error
+            b_p = a_p
+            b_error = a_error
+        a_p = p
+        a_error = error
+        # what rounding leaves of a sum whose terms may cancel
+        if abs(error) <= 2e-15 * (abs(target) + speed * duration):
+            break
+    if abs(b_error) < abs(a_error):
+        return b_p
+    return a_p
 
 
 def first_window(

@@ -21,7 +21,7 @@ from segfmu.kernels.phases import (
     without_excess,
 )
 from segfmu.kernels.profile import cruise_form, tempered_form
-from segfmu.kernels.search import falsi_weight
+from segfmu.kernels.roots import root_share
 
 
 def stretch_phases(phases: 'float[:,:]', count: int, factor: float) -> None:
@@ -160,37 +160,37 @@ def between_cruises(
     above: 'float[:,:]',
     trial: 'float[:,:]',
 ) -> None:
-    """Close in on the cruise velocity that covers the distance, by regula falsi."""
-    e_lower = y_lower - distance
-    e_upper = y_upper - distance
-    side = 0
+    """Close in on the cruise velocity that covers the distance."""
+    newest = upper
+    other = lower
+    before = lower
+    e_newest = y_upper - distance
+    e_other = y_lower - distance
+    e_before = e_other
+    rounding = 2e-15 * (abs(distance) + (abs(v) + abs(w)) * target)
     for i in range(100):
-        if e_lower == 0.0 or e_upper == 0.0:
+        if e_newest == 0.0 or e_other == 0.0:
             return
-        cruise = upper - e_upper * (upper - lower) / (e_upper - e_lower)
-        if i > 30 or (cruise - lower) * (cruise - upper) >= 0.0:
-            cruise = 0.5 * (lower + upper)
-            if cruise == lower or cruise == upper:
-                return
+        share = root_share(newest, other, before, e_newest, e_other, e_before)
+        cruise = newest + share * (other - newest)
+        if cruise == newest or cruise == other:
+            return
         count, y, hold = timed_cruise(trial, cruise, target, v, a, w, b, top, ramp)
         keep_nearest(
             trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp
         )
         error = y - distance
-        if abs(error) <= 1e-15 * abs(distance):
+        if abs(error) <= rounding:
             return
-        if error * e_lower > 0.0:
-            if side == -1:
-                e_upper = e_upper * falsi_weight(error, e_lower)
-            lower = cruise
-            e_lower = error
-            side = -1
-        else:
-            if side == 1:
-                e_lower = e_lower * falsi_weight(error, e_upper)
-            upper = cruise
-            e_upper = error
-            side = 1
+        before = newest
+        e_before = e_newest
+        if error * e_newest < 0.0:
+            before = other
+            e_before = e_other
+            other = newest
+            e_other = e_newest
+        newest = cruise
+        e_newest = error
 
 
 def timed_between(

@@ -35,9 +35,9 @@ static int64_t root_level(double* result_0, double* result_1, double gain, doubl
 static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, array_double_1d ramp);
 static int64_t levels_distance(double* result_0_0001, double* result_1, double v, double a, double t1, double hold1, double level1, double hold2, double level2, double t3, double b, array_double_1d ramp);
 static int64_t canonical_point(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, double* result_6, double* result_7, double p, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
+static double root_share(double a, double b, double c, double f_a, double f_b, double f_c);
 static double window_edge(int64_t halvings, double inside, double outside, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
 static int64_t canonical_value(double* result_0_0001, double* result_1, double p, bool by_time, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
-static double falsi_weight(double error, double previous);
 static double bracketed_root(double lower, double upper, double f_lower, double f_upper, double target, bool by_time, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
 static int64_t first_window(double* result_0, double* result_1_0001, double target, double f_start, double v, double a, double w, double b, double high, double top, double t_top, double t_zero, array_double_1d ramp);
 static double dip(double target, double f_start, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
@@ -46,7 +46,7 @@ static double timed_search(int64_t which, double target, double v, double a, dou
 static int64_t append_velocity_change(array_double_2d phases, int64_t count, double v, double a, double w, double top, array_double_1d ramp);
 static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_2, double* result_3, array_double_2d phases, double cruise, double v, double a, double w, double b, double top, array_double_1d ramp);
 static int64_t merged_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, double target, double v, double a, double w, double b, double distance, double high, double top, array_double_1d ramp);
-static bool keeps_velocity(array_double_2d phases, int64_t count, double v, double limit, array_double_1d ramp);
+static double velocity_excess(array_double_2d phases, int64_t count, double v, double limit, array_double_1d ramp);
 static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
 static double meets(array_double_2d phases, int64_t count, double v, double w, double distance, double limit, array_double_1d ramp);
 static int64_t with_cruise(array_double_2d phases, double cruise, double v, double a, double w, double b, double distance, double top, array_double_1d ramp);
@@ -1269,6 +1269,30 @@ static int64_t canonical_point(double* result_0, double* result_1, double* resul
     (*result_7) = t3;
     return 0;
 }
+/*Share of the way from a to b at which to evaluate next, inside (0, 1). */
+static double root_share(double a, double b, double c, double f_a, double f_b, double f_c)
+{
+    double place;
+    double height;
+    double share;
+    double least;
+    double result;
+    if ((f_a * f_b * f_c == 0.0) || (f_c == f_a) || (f_c == f_b) || (c == b))
+    {
+        return 0.5;
+    }
+    place = (a - b) / (c - b);
+    height = (f_a - f_b) / (f_c - f_b);
+    if ((height * height >= place) || ((1.0 - height) * (1.0 - height) >= 1.0 - place))
+    {
+        return 0.5;
+    }
+    share = f_a / (f_b - f_a) * f_c / (f_b - f_c);
+    share = share + (c - a) / (b - a) * f_a / (f_c - f_a) * f_b / (f_c - f_b);
+    /*the point must differ from both ends*/
+    least = 2e-16 * span_max(fabs(a), fabs(b)) / fabs(b - a);
+    return span_max(span_min(share, 1.0 - least), least);
+}
 /*Bisect between a parameter that has a canonical member and one that has none.*/
 static double window_edge(int64_t halvings, double inside, double outside, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
 {
@@ -1324,83 +1348,67 @@ static int64_t canonical_value(double* result_0_0001, double* result_1, double p
     (*result_1) = duration;
     return 0;
 }
-/*Weight of the other side's error when one side is replaced twice (Anderson-Bjoerck). */
-static double falsi_weight(double error, double previous)
-{
-    double weight;
-    if (previous == 0.0)
-    {
-        return 0.5;
-    }
-    weight = 1.0 - error / previous;
-    if (weight <= 0.0)
-    {
-        return 0.5;
-    }
-    return weight;
-}
-/*Regula falsi (Anderson-Bjoerck) on the canonical family; f_lower < target <= f_upper.*/
-/*                                                                                     */
-/*    `lower` and `upper` name the values, not the order of the parameters.            */
-/*                                                                                     */
+/*Bracketed root on the canonical family; f_lower < target <= f_upper.     */
+/*                                                                         */
+/*    `lower` and `upper` name the values, not the order of the parameters.*/
+/*                                                                         */
 static double bracketed_root(double lower, double upper, double f_lower, double f_upper, double target, bool by_time, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
 {
-    double e_lower;
-    double e_upper;
-    int64_t side;
-    double p;
+    double a_p;
+    double a_error;
+    double b_p;
+    double b_error;
+    double c_p;
+    double c_error;
+    double speed;
     int64_t i;
+    double p;
     double value;
     double duration;
     double error;
     double result;
-    e_lower = f_lower - target;
-    e_upper = f_upper - target;
-    side = INT64_C(0);
-    p = upper;
-    for (i = INT64_C(0); i < INT64_C(200); i += INT64_C(1))
+    a_p = upper;
+    a_error = f_upper - target;
+    b_p = lower;
+    b_error = f_lower - target;
+    c_p = lower;
+    c_error = b_error;
+    speed = fabs(v) + fabs(w);
+    if (by_time)
     {
-        if ((e_upper == 0.0) || (fabs(upper - lower) <= 2e-16 * fabs(upper)))
+        speed = 0.0;
+    }
+    for (i = INT64_C(0); i < INT64_C(120); i += INT64_C(1))
+    {
+        if ((a_error == 0.0) || (fabs(a_p - b_p) <= 2e-16 * fabs(a_p)))
         {
-            return upper;
+            break;
         }
-        p = upper - e_upper * (upper - lower) / (e_upper - e_lower);
-        if ((i > INT64_C(40)) || ((p - lower) * (p - upper) >= 0.0))
-        {
-            p = 0.5 * (lower + upper);
-            if ((p - lower) * (p - upper) >= 0.0)
-            {
-                return upper;
-            }
-        }
+        p = a_p + root_share(a_p, b_p, c_p, a_error, b_error, c_error) * (b_p - a_p);
         canonical_value(&value, &duration, p, by_time, v, a, w, b, high, top, t_top, ramp);
         error = value - target;
-        if (fabs(error) <= 1e-15 * fabs(target))
+        c_p = a_p;
+        c_error = a_error;
+        if (error * a_error < 0.0)
         {
-            return p;
+            c_p = b_p;
+            c_error = b_error;
+            b_p = a_p;
+            b_error = a_error;
         }
-        if (error > 0.0)
+        a_p = p;
+        a_error = error;
+        /*what rounding leaves of a sum whose terms may cancel*/
+        if (fabs(error) <= 2e-15 * (fabs(target) + speed * duration))
         {
-            if (side == INT64_C(1))
-            {
-                e_lower = e_lower * falsi_weight(error, e_upper);
-            }
-            upper = p;
-            e_upper = error;
-            side = INT64_C(1);
-        }
-        else
-        {
-            if (side == -INT64_C(1))
-            {
-                e_upper = e_upper * falsi_weight(error, e_lower);
-            }
-            lower = p;
-            e_lower = error;
-            side = -INT64_C(1);
+            break;
         }
     }
-    return p;
+    if (fabs(b_error) < fabs(a_error))
+    {
+        return b_p;
+    }
+    return a_p;
 }
 /*Search the members whose second level lies between the end acceleration and zero.                */
 /*                                                                                                 */
@@ -1795,36 +1803,50 @@ static int64_t merged_form(array_double_2d phases, bool reverse, bool mirror, in
     }
     return count;
 }
-/*Whether the phases that start with velocity v keep the velocity limit. */
-static bool keeps_velocity(array_double_2d phases, int64_t count, double v, double limit, array_double_1d ramp)
+/*By how much the phases that start with velocity v pass the velocity limit, or less than 0. */
+static double velocity_excess(array_double_2d phases, int64_t count, double v, double limit, array_double_1d ramp)
 {
     double duration;
     double y;
     double end;
     double lowest;
     double highest;
-    double most;
-    bool result;
+    double result;
     segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, ramp);
-    most = limit * (1.0 + 1e-12);
-    return (lowest >= -most) && (highest <= most);
+    return span_max(highest, -lowest) - limit;
 }
 /*The merged form that keeps the velocity limit; the number of phases.                           */
 /*                                                                                               */
 /*    It is -1 where there is no merged form, 0 where none keeps the limit.                      */
 /*                                                                                               */
 /*    Between its levels the velocity has a peak. Where that passes the limit, the first level is*/
-/*    lowered, and held, until the peak is at the limit; as far as 16 bisections tell.           */
+/*    lowered, and held, until the peak is at the limit less a billionth.                        */
 /*                                                                                               */
 static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
 {
+    double rounding;
+    double margin;
+    double e_outside;
     double inside;
+    double e_inside;
     double outside;
+    double before;
+    double e_before;
+    bool newest_inside;
     int64_t i;
+    double share;
     double high;
+    double error;
     int64_t count;
     count = merged_form(phases, reverse, mirror, which, target, v, a, w, b, distance, top, top, ramp);
-    if ((count <= INT64_C(0)) || keeps_velocity(phases, count, v, velocity_limit, ramp))
+    rounding = 1e-12 * velocity_limit;
+    margin = 1e-09 * velocity_limit;
+    if (count <= INT64_C(0))
+    {
+        return count;
+    }
+    e_outside = velocity_excess(phases, count, v, velocity_limit, ramp) + margin;
+    if (e_outside <= margin + rounding)
     {
         return count;
     }
@@ -1834,23 +1856,66 @@ static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, 
         inside = -span_min(a, b);
     }
     inside = span_max(inside, 0.001 * top);
-    outside = top;
     count = merged_form(phases, reverse, mirror, which, target, v, a, w, b, distance, inside, top, ramp);
-    if ((count <= INT64_C(0)) || (!keeps_velocity(phases, count, v, velocity_limit, ramp)))
+    if (count <= INT64_C(0))
     {
         return INT64_C(0);
     }
-    for (i = INT64_C(0); i < INT64_C(16); i += INT64_C(1))
+    e_inside = velocity_excess(phases, count, v, velocity_limit, ramp) + margin;
+    if (e_inside > margin + rounding)
     {
-        high = 0.5 * (inside + outside);
-        count = merged_form(phases, reverse, mirror, which, target, v, a, w, b, distance, high, top, ramp);
-        if ((count > INT64_C(0)) && keeps_velocity(phases, count, v, velocity_limit, ramp))
+        return INT64_C(0);
+    }
+    outside = top;
+    before = top;
+    e_before = e_outside;
+    newest_inside = 1;
+    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    {
+        if (fabs(e_inside) <= margin)
         {
-            inside = high;
+            break;
+        }
+        if (newest_inside)
+        {
+            share = root_share(inside, outside, before, e_inside, e_outside, e_before);
         }
         else
         {
+            share = 1.0 - root_share(outside, inside, before, e_outside, e_inside, e_before);
+        }
+        high = inside + share * (outside - inside);
+        count = merged_form(phases, reverse, mirror, which, target, v, a, w, b, distance, high, top, ramp);
+        error = 0.0;
+        if (count > INT64_C(0))
+        {
+            error = velocity_excess(phases, count, v, velocity_limit, ramp) + margin;
+        }
+        if ((count > INT64_C(0)) && (error <= margin))
+        {
+            before = outside;
+            e_before = e_outside;
+            if (newest_inside)
+            {
+                before = inside;
+                e_before = e_inside;
+            }
+            inside = high;
+            e_inside = error;
+            newest_inside = 1;
+        }
+        else
+        {
+            before = inside;
+            e_before = e_inside;
+            if (!newest_inside)
+            {
+                before = outside;
+                e_before = e_outside;
+            }
             outside = high;
+            e_outside = error;
+            newest_inside = 0;
         }
     }
     count = merged_form(phases, reverse, mirror, which, target, v, a, w, b, distance, inside, top, ramp);
@@ -1906,47 +1971,47 @@ static int64_t with_cruise(array_double_2d phases, double cruise, double v, doub
 }
 /*The paper's form whose cruise velocity, below the limit, makes the cruise vanish.              */
 /*                                                                                               */
-/*    Regula falsi (Anderson-Bjoerck) on the distance between the two limits, of which one falls */
-/*    short and the other one is too far; bisection where the form does not exist.               */
+/*    Searched between the two limits, of which one falls short of the distance and the other one*/
+/*    is too far; by bisection where the form does not exist.                                    */
 /*                                                                                               */
 static int64_t slower_cruise(array_double_2d phases, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
 {
-    double lower;
-    double upper;
-    double e_lower;
-    double e_upper;
-    int64_t side;
-    double middle;
+    double newest;
+    double other;
+    double before;
+    double e_newest;
+    double e_other;
+    double e_before;
+    bool falls_short;
     int64_t i;
-    double falsi;
+    double middle;
+    double share;
     int64_t count;
     int64_t row;
     double duration;
     double y;
     double error;
+    bool short_0001;
+    double lower;
+    double upper;
     double cruise;
     int64_t result;
-    lower = -velocity_limit;
-    upper = velocity_limit;
-    e_lower = 0.0;
-    e_upper = 0.0;
-    side = INT64_C(0);
-    middle = span_max(v, w);
-    for (i = INT64_C(0); i < INT64_C(200); i += INT64_C(1))
+    newest = -velocity_limit;
+    other = velocity_limit;
+    before = velocity_limit;
+    e_newest = 0.0;
+    e_other = 0.0;
+    e_before = 0.0;
+    falls_short = 1;
+    for (i = INT64_C(0); i < INT64_C(120); i += INT64_C(1))
     {
+        middle = span_max(v, w);
         if (i > INT64_C(0))
         {
-            middle = 0.5 * (lower + upper);
-            if ((e_lower < 0.0) && (e_upper > 0.0) && (i < INT64_C(60)))
-            {
-                falsi = upper - e_upper * (upper - lower) / (e_upper - e_lower);
-                if ((falsi > lower) && (falsi < upper))
-                {
-                    middle = falsi;
-                }
-            }
+            share = root_share(newest, other, before, e_newest, e_other, e_before);
+            middle = newest + share * (other - newest);
         }
-        if ((middle <= lower) || (middle >= upper))
+        if ((middle - newest) * (middle - other) >= 0.0)
         {
             if (i > INT64_C(0))
             {
@@ -1956,40 +2021,35 @@ static int64_t slower_cruise(array_double_2d phases, double v, double a, double 
         }
         cruise_form(&count, &row, &duration, &y, phases, middle, v, a, w, b, top, ramp);
         error = y - distance;
+        short_0001 = (count < INT64_C(0)) || (error < 0.0);
         if (count < INT64_C(0))
         {
-            error = -1.0;
+            error = 0.0;
         }
+        before = newest;
+        e_before = e_newest;
+        if (short_0001 != falls_short)
+        {
+            before = other;
+            e_before = e_other;
+            other = newest;
+            e_other = e_newest;
+        }
+        newest = middle;
+        e_newest = error;
+        falls_short = short_0001;
         if ((count >= INT64_C(0)) && (fabs(error) <= 1e-15 * fabs(distance)))
         {
-            lower = middle;
-            upper = middle;
+            other = newest;
             break;
         }
-        if (error < 0.0)
-        {
-            if (side == -INT64_C(1))
-            {
-                e_upper = e_upper * falsi_weight(error, e_lower);
-            }
-            lower = middle;
-            e_lower = error;
-            side = -INT64_C(1);
-            if (count < INT64_C(0))
-            {
-                e_lower = 0.0;
-            }
-        }
-        else
-        {
-            if (side == INT64_C(1))
-            {
-                e_lower = e_lower * falsi_weight(error, e_upper);
-            }
-            upper = middle;
-            e_upper = error;
-            side = INT64_C(1);
-        }
+    }
+    lower = newest;
+    upper = other;
+    if (!falls_short)
+    {
+        lower = other;
+        upper = newest;
     }
     /*the side whose rounding error a short cruise can make up*/
     cruise = lower;
@@ -2363,63 +2423,60 @@ static void keep_nearest(array_double_2d trial, int64_t count, double target, do
         (*cspan_at(&found, INT64_C(3))) = y;
     }
 }
-/*Close in on the cruise velocity that covers the distance, by regula falsi. */
+/*Close in on the cruise velocity that covers the distance.*/
 static void between_cruises(double lower, double y_lower, double upper, double y_upper, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial)
 {
-    double e_lower;
-    double e_upper;
-    int64_t side;
+    double newest;
+    double other;
+    double before;
+    double e_newest;
+    double e_other;
+    double e_before;
+    double rounding;
     int64_t i;
+    double share;
     double cruise;
     int64_t count;
     double y;
     double hold;
     double error;
-    e_lower = y_lower - distance;
-    e_upper = y_upper - distance;
-    side = INT64_C(0);
+    newest = upper;
+    other = lower;
+    before = lower;
+    e_newest = y_upper - distance;
+    e_other = y_lower - distance;
+    e_before = e_other;
+    rounding = 2e-15 * (fabs(distance) + (fabs(v) + fabs(w)) * target);
     for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
     {
-        if ((e_lower == 0.0) || (e_upper == 0.0))
+        if ((e_newest == 0.0) || (e_other == 0.0))
         {
             return;
         }
-        cruise = upper - e_upper * (upper - lower) / (e_upper - e_lower);
-        if ((i > INT64_C(30)) || ((cruise - lower) * (cruise - upper) >= 0.0))
+        share = root_share(newest, other, before, e_newest, e_other, e_before);
+        cruise = newest + share * (other - newest);
+        if ((cruise == newest) || (cruise == other))
         {
-            cruise = 0.5 * (lower + upper);
-            if ((cruise == lower) || (cruise == upper))
-            {
-                return;
-            }
+            return;
         }
         timed_cruise(&count, &y, &hold, trial, cruise, target, v, a, w, b, top, ramp);
         keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
         error = y - distance;
-        if (fabs(error) <= 1e-15 * fabs(distance))
+        if (fabs(error) <= rounding)
         {
             return;
         }
-        if (error * e_lower > 0.0)
+        before = newest;
+        e_before = e_newest;
+        if (error * e_newest < 0.0)
         {
-            if (side == -INT64_C(1))
-            {
-                e_upper = e_upper * falsi_weight(error, e_lower);
-            }
-            lower = cruise;
-            e_lower = error;
-            side = -INT64_C(1);
+            before = other;
+            e_before = e_other;
+            other = newest;
+            e_other = e_newest;
         }
-        else
-        {
-            if (side == INT64_C(1))
-            {
-                e_lower = e_lower * falsi_weight(error, e_upper);
-            }
-            upper = cruise;
-            e_upper = error;
-            side = INT64_C(1);
-        }
+        newest = cruise;
+        e_newest = error;
     }
 }
 /*Nearest profiles below and above the distance, from boundary states taken as they are. */
