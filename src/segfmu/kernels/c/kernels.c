@@ -5064,23 +5064,28 @@ static double next_normal(array_double_1d numbers)
 }
 /*Sines that add up to noise whose spectrum is flat up to a bandwidth [Hz] and zero above.           */
 /*                                                                                                   */
-/*    deviation (3,): standard deviations along x, y, z. components (count, 7): angular frequency,   */
-/*    three amplitudes, three phases. Spectral representation of M. Shinozuka and C.-M. Jan, J. Sound*/
-/*    Vib. 25 (1972); the frequencies lie at random in equal bands, so that the noise has no period. */
+/*    deviation (3,): standard deviations along x, y, z. components (count, 7): angular frequency w, */
+/*    and along each axis the factors of sin(w t) (3) and of cos(w t) (3), a sine with a phase.      */
+/*    Spectral representation of M. Shinozuka and C.-M. Jan, J. Sound Vib. 25 (1972); the frequencies*/
+/*    lie at random in equal bands, so that the noise has no period.                                 */
 /*                                                                                                   */
 void segfmu_noise_components(double bandwidth, array_double_1d deviation, array_double_1d numbers, array_double_2d components)
 {
     int64_t count;
     int64_t i;
     int64_t axis;
+    double amplitude;
+    double phase;
     count = components.shape[INT64_C(0)];
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         (*cspan_at(&components, i, INT64_C(0))) = full_circle() * bandwidth * (i + segfmu_next_uniform(numbers)) / count;
         for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
         {
-            (*cspan_at(&components, i, INT64_C(1) + axis)) = (*cspan_at(&deviation, axis)) * sqrt(2.0 / count);
-            (*cspan_at(&components, i, INT64_C(4) + axis)) = full_circle() * segfmu_next_uniform(numbers);
+            amplitude = (*cspan_at(&deviation, axis)) * sqrt(2.0 / count);
+            phase = full_circle() * segfmu_next_uniform(numbers);
+            (*cspan_at(&components, i, INT64_C(1) + axis)) = amplitude * cos(phase);
+            (*cspan_at(&components, i, INT64_C(4) + axis)) = amplitude * sin(phase);
         }
     }
 }
@@ -5115,7 +5120,8 @@ static void wind_force(array_double_1d parameters, array_double_2d components, d
     double gust;
     int64_t i;
     int64_t k;
-    double angle;
+    double sine;
+    double cosine;
     gust = 0.0;
     if ((*cspan_at(&parameters, INT64_C(32))) > 0.0)
     {
@@ -5127,10 +5133,11 @@ static void wind_force(array_double_1d parameters, array_double_2d components, d
     }
     for (k = INT64_C(0); k < components.shape[INT64_C(0)]; k += INT64_C(1))
     {
-        angle = (*cspan_at(&components, k, INT64_C(0))) * time;
+        sine = sin((*cspan_at(&components, k, INT64_C(0))) * time);
+        cosine = cos((*cspan_at(&components, k, INT64_C(0))) * time);
         for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
         {
-            (*cspan_at(&force, i)) = (*cspan_at(&force, i)) + (*cspan_at(&components, k, INT64_C(1) + i)) * sin(angle + (*cspan_at(&components, k, INT64_C(4) + i)));
+            (*cspan_at(&force, i)) = (*cspan_at(&force, i)) + (*cspan_at(&components, k, INT64_C(1) + i)) * sine + (*cspan_at(&components, k, INT64_C(4) + i)) * cosine;
         }
     }
 }
