@@ -6032,6 +6032,11 @@ int64_t segfmu_rig_step(array_double_1d loop, array_double_1d sensors, array_dou
     int64_t i;
     double until;
     int64_t status;
+    if (!(fabs(duration) < 1e+100))
+    {
+        (*cspan_at(&memory, INT64_C(2), INT64_C(7))) = (*cspan_at(&memory, INT64_C(2), INT64_C(0))) + (*cspan_at(&memory, INT64_C(2), INT64_C(1)));
+        return INT64_C(4);
+    }
     status = INT64_C(0);
     if ((*cspan_at(&memory, INT64_C(2), INT64_C(2))) == 0.0)
     {
