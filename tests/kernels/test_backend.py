@@ -67,7 +67,7 @@ def test_timed_profiles_agree(problem: AxisProblem, factor: float) -> None:
         return
     results = []
     for timed in (timed_profile, compiled.timed_profile):
-        found, below, above = np.zeros(4), np.zeros((12, 4)), np.zeros((12, 4))
+        found, below, above = np.zeros(5), np.zeros((12, 4)), np.zeros((12, 4))
         weight = timed(
             target, *state, *limits, ramp, found, below, above, np.zeros((12, 4))
         )

@@ -90,7 +90,7 @@ def merged_form(
     top: float,
     ramp: 'float[:]',
 ) -> int:
-    """The merged form on one of its four branches; the number of phases, 0 if it has none.
+    """The merged form on one of its four branches; the number of phases, -1 if it has none.
 
     which >= 0 takes the which-th member that lasts `target`, which < 0 the first one that covers
     the distance. Reversal exchanges the boundary states,
@@ -118,12 +118,12 @@ def merged_form(
     else:
         p = timed_search(which, target, v1, a1, v2, a2, high, top, t_top, ramp)
     if p < 0.0:
-        return 0
+        return -1
     duration, y, t1, hold1, level1, hold2, level2, t3 = canonical_point(
         p, v1, a1, v2, a2, high, top, t_top, ramp
     )
     if duration < 0.0:
-        return 0
+        return -1
     count = append_ramp(phases, 0, a1, level1, t1, ramp)
     count = append_hold(phases, count, level1, hold1)
     count = append_change(phases, count, level1, level2, ramp)
@@ -160,7 +160,9 @@ def tempered_form(
     top: float,
     ramp: 'float[:]',
 ) -> int:
-    """The merged form that keeps the velocity limit; the number of phases, 0 if it has none.
+    """The merged form that keeps the velocity limit; the number of phases.
+
+    It is -1 where there is no merged form, 0 where none keeps the limit.
 
     Between its levels the velocity has a peak. Where that passes the limit, the first level is
     lowered, and held, until the peak is at the limit; as far as 16 bisections tell.
@@ -168,7 +170,7 @@ def tempered_form(
     count = merged_form(
         phases, reverse, mirror, which, target, v, a, w, b, distance, top, top, ramp
     )
-    if count == 0 or keeps_velocity(phases, count, v, velocity_limit, ramp):
+    if count <= 0 or keeps_velocity(phases, count, v, velocity_limit, ramp):
         return count
     inside = max(a, b)
     if reverse != mirror:
@@ -178,7 +180,7 @@ def tempered_form(
     count = merged_form(
         phases, reverse, mirror, which, target, v, a, w, b, distance, inside, top, ramp
     )
-    if count == 0 or not keeps_velocity(phases, count, v, velocity_limit, ramp):
+    if count <= 0 or not keeps_velocity(phases, count, v, velocity_limit, ramp):
         return 0
     for i in range(16):
         high = 0.5 * (inside + outside)

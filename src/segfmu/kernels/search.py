@@ -5,6 +5,7 @@ from segfmu.kernels.transition import ramp_duration
 
 
 def window_edge(
+    halvings: int,
     inside: float,
     outside: float,
     v: float,
@@ -17,7 +18,7 @@ def window_edge(
     ramp: 'float[:]',
 ) -> float:
     """Bisect between a parameter that has a canonical member and one that has none."""
-    for i in range(80):
+    for i in range(halvings):
         middle = 0.5 * (inside + outside)
         if middle == inside or middle == outside:
             break
@@ -150,7 +151,7 @@ def first_window(
     value, duration = canonical_value(t_zero, False, v, a, w, b, high, top, t_top, ramp)
     end = t_zero
     if duration < 0.0:
-        end = window_edge(0.0, t_zero, v, a, w, b, high, top, t_top, ramp)
+        end = window_edge(80, 0.0, t_zero, v, a, w, b, high, top, t_top, ramp)
         value, duration = canonical_value(end, False, v, a, w, b, high, top, t_top, ramp)
     going_on = -1.0
     if end == t_zero:
@@ -233,7 +234,7 @@ def canonical_search(
                 value, duration = canonical_value(
                     upper, False, v, a, w, b, high, top, t_top, ramp
                 )
-            lower = window_edge(upper, t_zero, v, a, w, b, high, top, t_top, ramp)
+            lower = window_edge(80, upper, t_zero, v, a, w, b, high, top, t_top, ramp)
         f_lower, duration = canonical_value(lower, False, v, a, w, b, high, top, t_top, ramp)
         if f_lower > target:
             return -1.0
@@ -283,12 +284,12 @@ def timed_search(
         upper = p
         inside = duration >= 0.0
         if inside and lower < 0.0 and i > 0:
-            lower = window_edge(p, previous, v, a, w, b, high, top, t_top, ramp)
+            lower = window_edge(24, p, previous, v, a, w, b, high, top, t_top, ramp)
             t_lower, duration = canonical_value(
                 lower, True, v, a, w, b, high, top, t_top, ramp
             )
         if not inside and lower >= 0.0:
-            upper = window_edge(lower, p, v, a, w, b, high, top, t_top, ramp)
+            upper = window_edge(24, lower, p, v, a, w, b, high, top, t_top, ramp)
             t, duration = canonical_value(upper, True, v, a, w, b, high, top, t_top, ramp)
         if lower >= 0.0 and (t_lower - target) * (t - target) <= 0.0 and t != t_lower:
             if found == which and t > t_lower:

@@ -35,7 +35,7 @@ static int64_t root_level(double* result_0, double* result_1, double gain, doubl
 static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, array_double_1d ramp);
 static int64_t levels_distance(double* result_0_0001, double* result_1, double v, double a, double t1, double hold1, double level1, double hold2, double level2, double t3, double b, array_double_1d ramp);
 static int64_t canonical_point(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, double* result_6, double* result_7, double p, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
-static double window_edge(double inside, double outside, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
+static double window_edge(int64_t halvings, double inside, double outside, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
 static int64_t canonical_value(double* result_0_0001, double* result_1, double p, bool by_time, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
 static double falsi_weight(double error, double previous);
 static double bracketed_root(double lower, double upper, double f_lower, double f_upper, double target, bool by_time, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
@@ -56,7 +56,7 @@ static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_d
 static void stretch_phases(array_double_2d phases, int64_t count, double factor);
 static void fit_duration(array_double_2d phases, int64_t count, double target);
 static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, double target, double v, double a, double w, double b, double top, array_double_1d ramp);
-static double cruise_range(array_double_2d phases, double middle, double limit, double target, double v, double a, double w, double b, double top, array_double_1d ramp);
+static double cruise_range(array_double_2d phases, double middle, double y, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
 static void keep_nearest(array_double_2d trial, int64_t count, double target, double v, double w, double distance, double velocity_limit, array_double_1d found, array_double_2d below, array_double_2d above, array_double_1d ramp);
 static void between_cruises(double lower, double y_lower, double upper, double y_upper, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial);
 static void timed_between(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial);
@@ -1298,7 +1298,7 @@ static int64_t canonical_point(double* result_0, double* result_1, double* resul
     return 0;
 }
 /*Bisect between a parameter that has a canonical member and one that has none.*/
-static double window_edge(double inside, double outside, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
+static double window_edge(int64_t halvings, double inside, double outside, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
 {
     int64_t i;
     double middle;
@@ -1311,7 +1311,7 @@ static double window_edge(double inside, double outside, double v, double a, dou
     double level2;
     double t3;
     double result;
-    for (i = INT64_C(0); i < INT64_C(80); i += INT64_C(1))
+    for (i = INT64_C(0); i < halvings; i += INT64_C(1))
     {
         middle = 0.5 * (inside + outside);
         if ((middle == inside) || (middle == outside))
@@ -1474,7 +1474,7 @@ static int64_t first_window(double* result_0, double* result_1_0001, double targ
     end = t_zero;
     if (duration < 0.0)
     {
-        end = window_edge(0.0, t_zero, v, a, w, b, high, top, t_top, ramp);
+        end = window_edge(INT64_C(80), 0.0, t_zero, v, a, w, b, high, top, t_top, ramp);
         canonical_value(&value, &duration, end, 0, v, a, w, b, high, top, t_top, ramp);
     }
     going_on = -1.0;
@@ -1582,7 +1582,7 @@ static double canonical_search(double target, double v, double a, double w, doub
                 upper = 2.0 * upper;
                 canonical_value(&value, &duration, upper, 0, v, a, w, b, high, top, t_top, ramp);
             }
-            lower = window_edge(upper, t_zero, v, a, w, b, high, top, t_top, ramp);
+            lower = window_edge(INT64_C(80), upper, t_zero, v, a, w, b, high, top, t_top, ramp);
         }
         canonical_value(&f_lower, &duration, lower, 0, v, a, w, b, high, top, t_top, ramp);
         if (f_lower > target)
@@ -1644,12 +1644,12 @@ static double timed_search(int64_t which, double target, double v, double a, dou
         inside = duration >= 0.0;
         if (inside && (lower < 0.0) && (i > INT64_C(0)))
         {
-            lower = window_edge(p, previous, v, a, w, b, high, top, t_top, ramp);
+            lower = window_edge(INT64_C(24), p, previous, v, a, w, b, high, top, t_top, ramp);
             canonical_value(&t_lower, &duration, lower, 1, v, a, w, b, high, top, t_top, ramp);
         }
         if ((!inside) && (lower >= 0.0))
         {
-            upper = window_edge(lower, p, v, a, w, b, high, top, t_top, ramp);
+            upper = window_edge(INT64_C(24), lower, p, v, a, w, b, high, top, t_top, ramp);
             canonical_value(&t, &duration, upper, 1, v, a, w, b, high, top, t_top, ramp);
         }
         if ((lower >= 0.0) && ((t_lower - target) * (t - target) <= 0.0) && (t != t_lower))
@@ -1745,7 +1745,7 @@ static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_
     (*result_3) = y;
     return 0;
 }
-/*The merged form on one of its four branches; the number of phases, 0 if it has none.             */
+/*The merged form on one of its four branches; the number of phases, -1 if it has none.            */
 /*                                                                                                 */
 /*    which >= 0 takes the which-th member that lasts `target`, which < 0 the first one that covers*/
 /*    the distance. Reversal exchanges the boundary states,                                        */
@@ -1801,12 +1801,12 @@ static int64_t merged_form(array_double_2d phases, bool reverse, bool mirror, in
     }
     if (p < 0.0)
     {
-        return INT64_C(0);
+        return -INT64_C(1);
     }
     canonical_point(&duration, &y, &t1, &hold1, &level1, &hold2, &level2, &t3, p, v1, a1, v2, a2, high, top, t_top, ramp);
     if (duration < 0.0)
     {
-        return INT64_C(0);
+        return -INT64_C(1);
     }
     count = append_ramp(phases, INT64_C(0), a1, level1, t1, ramp);
     count = append_hold(phases, count, level1, hold1);
@@ -1837,7 +1837,9 @@ static bool keeps_velocity(array_double_2d phases, int64_t count, double v, doub
     most = limit * (1.0 + 1e-12);
     return (lowest >= -most) && (highest <= most);
 }
-/*The merged form that keeps the velocity limit; the number of phases, 0 if it has none.         */
+/*The merged form that keeps the velocity limit; the number of phases.                           */
+/*                                                                                               */
+/*    It is -1 where there is no merged form, 0 where none keeps the limit.                      */
 /*                                                                                               */
 /*    Between its levels the velocity has a peak. Where that passes the limit, the first level is*/
 /*    lowered, and held, until the peak is at the limit; as far as 16 bisections tell.           */
@@ -1850,7 +1852,7 @@ static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, 
     double high;
     int64_t count;
     count = merged_form(phases, reverse, mirror, which, target, v, a, w, b, distance, top, top, ramp);
-    if ((count == INT64_C(0)) || keeps_velocity(phases, count, v, velocity_limit, ramp))
+    if ((count <= INT64_C(0)) || keeps_velocity(phases, count, v, velocity_limit, ramp))
     {
         return count;
     }
@@ -1862,7 +1864,7 @@ static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, 
     inside = span_max(inside, 0.001 * top);
     outside = top;
     count = merged_form(phases, reverse, mirror, which, target, v, a, w, b, distance, inside, top, ramp);
-    if ((count == INT64_C(0)) || (!keeps_velocity(phases, count, v, velocity_limit, ramp)))
+    if ((count <= INT64_C(0)) || (!keeps_velocity(phases, count, v, velocity_limit, ramp)))
     {
         return INT64_C(0);
     }
@@ -2305,39 +2307,47 @@ static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* re
     (*result_2) = hold;
     return 0;
 }
-/*The cruise velocity nearest to `limit` that leaves a cruise; `middle` leaves one.*/
-static double cruise_range(array_double_2d phases, double middle, double limit, double target, double v, double a, double w, double b, double top, array_double_1d ramp)
+/*A cruise velocity that leaves a cruise and, if there is one, passes the distance.                  */
+/*                                                                                                   */
+/*    The cruise velocity `middle` leaves a cruise and covers y; from there the search goes to the   */
+/*    velocity limit on the side of the distance. Without such a velocity, the last one that leaves a*/
+/*    cruise is returned.                                                                            */
+/*                                                                                                   */
+static double cruise_range(array_double_2d phases, double middle, double y, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
 {
+    double outside;
+    double trial;
+    int64_t i;
     int64_t count;
-    double y;
+    double y_trial;
     double hold;
     double inside;
-    double outside;
-    int64_t i;
-    double trial;
-    double result;
-    timed_cruise(&count, &y, &hold, phases, limit, target, v, a, w, b, top, ramp);
-    if ((count >= INT64_C(0)) && (hold >= 0.0))
+    outside = velocity_limit;
+    if (y > distance)
     {
-        return limit;
+        outside = -velocity_limit;
     }
     inside = middle;
-    outside = limit;
-    for (i = INT64_C(0); i < INT64_C(45); i += INT64_C(1))
+    trial = outside;
+    for (i = INT64_C(0); i < INT64_C(46); i += INT64_C(1))
     {
-        trial = 0.5 * (inside + outside);
-        if ((trial == inside) || (trial == outside))
-        {
-            break;
-        }
-        timed_cruise(&count, &y, &hold, phases, trial, target, v, a, w, b, top, ramp);
+        timed_cruise(&count, &y_trial, &hold, phases, trial, target, v, a, w, b, top, ramp);
         if ((count >= INT64_C(0)) && (hold >= 0.0))
         {
             inside = trial;
+            if ((i == INT64_C(0)) || ((y_trial - distance) * (y - distance) <= 0.0))
+            {
+                break;
+            }
         }
         else
         {
             outside = trial;
+        }
+        trial = 0.5 * (inside + outside);
+        if ((trial == inside) || (trial == outside))
+        {
+            break;
         }
     }
     return inside;
@@ -2364,7 +2374,7 @@ static void keep_nearest(array_double_2d trial, int64_t count, double target, do
     {
         return;
     }
-    if ((fabs(duration - target) > 1e-12 * target) || (fabs(end - w) > 1e-11 * velocity_limit))
+    if ((fabs(duration - target) > 3e-11 * target) || (fabs(end - w) > 1e-11 * velocity_limit))
     {
         return;
     }
@@ -2449,12 +2459,12 @@ static void timed_between(double target, double v, double a, double w, double b,
     int64_t count;
     double y;
     double hold;
-    double limit;
     double edge;
     double y_edge;
     int64_t branch;
     bool reverse;
     bool mirror;
+    int64_t which;
     clipped = span_min(span_max(distance / target, span_min(v, w)), span_max(v, w));
     for (start = INT64_C(0); start < INT64_C(3); start += INT64_C(1))
     {
@@ -2473,12 +2483,7 @@ static void timed_between(double target, double v, double a, double w, double b,
             continue;
         }
         keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
-        limit = velocity_limit;
-        if (y > distance)
-        {
-            limit = -velocity_limit;
-        }
-        edge = cruise_range(trial, middle, limit, target, v, a, w, b, top, ramp);
+        edge = cruise_range(trial, middle, y, target, v, a, w, b, distance, velocity_limit, top, ramp);
         timed_cruise(&count, &y_edge, &hold, trial, edge, target, v, a, w, b, top, ramp);
         keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
         if (((*cspan_at(&found, INT64_C(0))) > 0.0) && ((*cspan_at(&found, INT64_C(2))) > 0.0))
@@ -2487,22 +2492,29 @@ static void timed_between(double target, double v, double a, double w, double b,
             return;
         }
     }
-    for (branch = INT64_C(0); branch < INT64_C(8); branch += INT64_C(1))
+    for (branch = INT64_C(0); branch < INT64_C(4); branch += INT64_C(1))
     {
-        reverse = (span_floor_mod(branch, INT64_C(4)) == INT64_C(1)) || (span_floor_mod(branch, INT64_C(4)) == INT64_C(2));
-        mirror = span_floor_mod(branch, INT64_C(4)) >= INT64_C(2);
-        count = tempered_form(trial, reverse, mirror, span_floor_div(branch, INT64_C(4)), target, v, a, w, b, distance, velocity_limit, top, ramp);
-        keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
+        reverse = (branch == INT64_C(1)) || (branch == INT64_C(2));
+        mirror = branch >= INT64_C(2);
+        for (which = INT64_C(0); which < INT64_C(2); which += INT64_C(1))
+        {
+            count = tempered_form(trial, reverse, mirror, which, target, v, a, w, b, distance, velocity_limit, top, ramp);
+            if (count < INT64_C(0))
+            {
+                break;
+            }
+            keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
+        }
     }
 }
-/*Profiles that last `target`; returns the weight of `above`, or -1 if none is feasible.         */
-/*                                                                                               */
-/*    The motion is (1 - weight) * below + weight * above; found[0] and found[2] are the numbers */
-/*    of phases of the two (12 rows each).                                                       */
-/*                                                                                               */
+/*Profiles that last `target`; returns the weight of `above`, or -1 if none is feasible.             */
+/*                                                                                                   */
+/*    The motion is (1 - weight) * below + weight * above; found[0] and found[2] are the numbers     */
+/*    of phases of the two (12 rows each). Where none is feasible, found[4] is the least distance by */
+/*    which a profile that lasts `target` misses, or 0 if there is no such profile.                  */
+/*                                                                                                   */
 double segfmu_timed_profile(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial)
 {
-    int64_t i;
     int64_t variant;
     bool brake_start;
     bool brake_end;
@@ -2517,16 +2529,14 @@ double segfmu_timed_profile(double target, double v, double a, double w, double 
     double y;
     double span;
     double tiny;
+    double missed;
     double weight;
     v = without_excess(v, velocity_limit);
     w = without_excess(w, velocity_limit);
     a = without_excess(a, top);
     b = without_excess(b, top);
     distance = without_dust(distance, velocity_limit * velocity_limit / top);
-    for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
-    {
-        (*cspan_at(&found, i)) = 0.0;
-    }
+    (*cspan_at(&found, INT64_C(4))) = 0.0;
     for (variant = INT64_C(0); variant < INT64_C(4); variant += INT64_C(1))
     {
         brake_start = (variant == INT64_C(1)) || (variant == INT64_C(3));
@@ -2589,6 +2599,19 @@ double segfmu_timed_profile(double target, double v, double a, double w, double 
             fit_duration(below, (int64_t)((*cspan_at(&found, INT64_C(0)))), target);
             fit_duration(above, (int64_t)((*cspan_at(&found, INT64_C(2)))), target);
             return weight;
+        }
+        missed = 0.0;
+        if ((*cspan_at(&found, INT64_C(0))) > 0.0)
+        {
+            missed = rest - (*cspan_at(&found, INT64_C(1)));
+        }
+        else if ((*cspan_at(&found, INT64_C(2))) > 0.0)
+        {
+            missed = (*cspan_at(&found, INT64_C(3))) - rest;
+        }
+        if ((missed > 0.0) && (((*cspan_at(&found, INT64_C(4))) == 0.0) || (missed < (*cspan_at(&found, INT64_C(4))))))
+        {
+            (*cspan_at(&found, INT64_C(4))) = missed;
         }
     }
     return -1.0;
@@ -2673,7 +2696,11 @@ static bool set_duration(int64_t interval, int64_t axis, double target, double s
     (*cspan_at(&counts, INT64_C(2) * cell + INT64_C(1))) = (int64_t)((*cspan_at(&found, INT64_C(2))));
     return 1;
 }
-/*The end of the gap that holds the infeasible duration `start`; -1 if none is found.*/
+/*The end of the gap that holds the infeasible duration `start`; -1 if none is found.                */
+/*                                                                                                   */
+/*    found[4] is the distance by which the profiles of `start` miss. To cover it takes at least the */
+/*    time that it takes at the velocity limit, of which a tenth is skipped at once.                 */
+/*                                                                                                   */
 static double next_feasible(int64_t interval, int64_t axis, double start, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial)
 {
     double outside;
@@ -2686,7 +2713,7 @@ static double next_feasible(int64_t interval, int64_t axis, double start, double
     growth = 1.005;
     for (i = INT64_C(0); i < INT64_C(500); i += INT64_C(1))
     {
-        duration = outside * growth;
+        duration = span_max(outside * growth, outside + 0.1 * (*cspan_at(&found, INT64_C(4))) / (*cspan_at(&limits, axis, INT64_C(0))));
         if (set_duration(interval, axis, duration, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial))
         {
             inside = duration;
@@ -2709,7 +2736,7 @@ static double next_feasible(int64_t interval, int64_t axis, double start, double
     for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
     {
         duration = 0.5 * (outside + inside);
-        if (inside - outside <= 1e-12 * inside)
+        if (inside - outside <= 1e-09 * inside)
         {
             break;
         }
