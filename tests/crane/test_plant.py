@@ -120,11 +120,18 @@ def test_balance_has_its_parts() -> None:
     assert swinging.rope_force == swinging.drive_force[2]
 
 
-@pytest.mark.parametrize("duration", [np.nan, np.inf])
-def test_a_step_that_is_no_number_changes_nothing(duration: float) -> None:
+@pytest.mark.parametrize(
+    ("duration", "setpoints"),
+    [
+        (np.nan, HOLD), (np.inf, HOLD), (0.01, replace(HOLD, wind=np.array([0.0, 0.0, np.inf]))),
+        (0.01, replace(HOLD, reference=np.full(10, np.nan))),
+        (0.01, replace(HOLD, force=np.array([np.nan, 0.0, 0.0]))),
+    ],
+)
+def test_a_step_that_is_not_finite_changes_nothing(duration: float, setpoints: Setpoints) -> None:
     swinging, other = plant(), plant()
     with pytest.raises(SimulationError, match=r"at 0\.000 s: a value is not finite"):
-        swinging.step(duration, HOLD)
+        swinging.step(duration, setpoints)
     for run in (swinging, other):
         run.step(0.02, HOLD)
     assert swinging.state.tolist() == other.state.tolist()

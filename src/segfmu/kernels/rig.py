@@ -46,6 +46,7 @@ from segfmu.kernels.events import (
     next_edge,
     next_event,
 )
+from segfmu.kernels.integrate import all_finite
 from segfmu.kernels.loop import advance_plant, controller_due, correct_setpoints, prepare_tick
 from segfmu.kernels.sensing import sense_signals, sensing_rows, start_sensing
 
@@ -106,7 +107,8 @@ def rig_step(
     gain_lengths and gains are those of the feedback; tracking, lengths, table and tracker are what
     kernels/tracking.py calls parameters, lengths, table and memory, and unused without it.
     """
-    if not abs(duration) < 1e100:
+    # before anything that remembers, such as an observer, has seen it
+    if not abs(duration) < 1e100 or not all_finite(setpoints, 19):
         memory[2, 7] = memory[2, 0] + memory[2, 1]
         return 4
     status = 0

@@ -6059,7 +6059,8 @@ int64_t segfmu_rig_step(array_double_1d loop, array_double_1d sensors, array_dou
     int64_t i;
     double until;
     int64_t status;
-    if (!(fabs(duration) < 1e+100))
+    /*before anything that remembers, such as an observer, has seen it*/
+    if ((!(fabs(duration) < 1e+100)) || (!all_finite(setpoints, INT64_C(19))))
     {
         (*cspan_at(&memory, INT64_C(2), INT64_C(7))) = (*cspan_at(&memory, INT64_C(2), INT64_C(0))) + (*cspan_at(&memory, INT64_C(2), INT64_C(1)));
         return INT64_C(4);
