@@ -87,6 +87,7 @@ static bool check_axis(int64_t axis, array_double_2d timing, array_double_2d coe
 static double interval_end(double time, array_double_2d timing, array_int64_t_1d offsets);
 static void interval_pieces(double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work);
 static void add_product(int64_t first, int64_t first_count, int64_t second, int64_t second_count, int64_t row, array_double_2d work);
+static void length_margin(int64_t width, double bound, double sign, array_double_2d work);
 static int64_t rope_demand(int64_t demand, double gravity, double shortest, double longest, double tolerance, array_double_2d work);
 static double first_negative(int64_t count, double length, array_double_2d work);
 static double rope_value(int64_t demand, double local, double gravity, array_double_2d work);
@@ -3830,25 +3831,44 @@ static void add_product(int64_t first, int64_t first_count, int64_t second, int6
         }
     }
 }
+/*sign * (bound^2 w_z^2 - z^2 |w|^2) in work[6, :].*/
+static void length_margin(int64_t width, double bound, double sign, array_double_2d work)
+{
+    int64_t columns;
+    int64_t count;
+    int64_t row;
+    int64_t i;
+    int64_t axis;
+    columns = work.shape[INT64_C(1)] - INT64_C(2);
+    count = width - INT64_C(2);
+    for (row = INT64_C(6); row < INT64_C(10); row += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < columns; i += INT64_C(1))
+        {
+            (*cspan_at(&work, row, i)) = 0.0;
+        }
+    }
+    add_product(INT64_C(2), width, INT64_C(2), width, INT64_C(7), work);
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        add_product(INT64_C(3) + axis, count, INT64_C(3) + axis, count, INT64_C(8), work);
+    }
+    add_product(INT64_C(5), count, INT64_C(5), count, INT64_C(9), work);
+    add_product(INT64_C(7), INT64_C(2) * width - INT64_C(1), INT64_C(8), INT64_C(2) * count - INT64_C(1), INT64_C(6), work);
+    for (i = INT64_C(0); i < columns; i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(6), i)) = sign * (bound * bound * (*cspan_at(&work, INT64_C(9), i)) - (*cspan_at(&work, INT64_C(6), i)));
+    }
+}
 /*Put the polynomial of a demand into work[6, :]; returns its length, 0: no such demand. */
 static int64_t rope_demand(int64_t demand, double gravity, double shortest, double longest, double tolerance, array_double_2d work)
 {
     int64_t columns;
     int64_t width;
     int64_t i;
-    double bound;
-    double sign;
-    int64_t row;
-    int64_t axis;
-    double allowed;
-    double square;
     int64_t result;
     columns = work.shape[INT64_C(1)] - INT64_C(2);
     width = span_floor_div((columns + INT64_C(7)), INT64_C(4));
-    for (i = INT64_C(0); i < columns; i += INT64_C(1))
-    {
-        (*cspan_at(&work, INT64_C(6), i)) = 0.0;
-    }
     if (demand == INT64_C(1))
     {
         for (i = INT64_C(0); i < width; i += INT64_C(1))
@@ -3867,55 +3887,21 @@ static int64_t rope_demand(int64_t demand, double gravity, double shortest, doub
         (*cspan_at(&work, INT64_C(6), INT64_C(0))) = (*cspan_at(&work, INT64_C(6), INT64_C(0))) - tolerance * gravity;
         return width - INT64_C(2);
     }
-    bound = longest;
-    sign = 1.0;
-    if (demand == INT64_C(4))
+    if (demand == INT64_C(3))
     {
-        bound = shortest;
-        sign = -1.0;
-    }
-    if (bound <= 0.0)
-    {
-        return INT64_C(0);
-    }
-    for (row = INT64_C(7); row < INT64_C(10); row += INT64_C(1))
-    {
-        for (i = INT64_C(0); i < columns; i += INT64_C(1))
+        if (longest <= 0.0)
         {
-            (*cspan_at(&work, row, i)) = 0.0;
+            return INT64_C(0);
         }
+        length_margin(width, longest * (1.0 + tolerance), 1.0, work);
     }
-    /*-z^2 |w|^2, and L^2 w_z^2 beside it*/
-    for (i = INT64_C(0); i < width; i += INT64_C(1))
+    else
     {
-        (*cspan_at(&work, INT64_C(6), i)) = -(*cspan_at(&work, INT64_C(2), i));
-    }
-    add_product(INT64_C(6), width, INT64_C(2), width, INT64_C(7), work);
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        if (axis == INT64_C(2))
+        if (shortest <= 0.0)
         {
-            for (i = INT64_C(0); i < INT64_C(2) * width - INT64_C(5); i += INT64_C(1))
-            {
-                (*cspan_at(&work, INT64_C(9), i)) = (*cspan_at(&work, INT64_C(8), i));
-            }
+            return INT64_C(0);
         }
-        add_product(INT64_C(3) + axis, width - INT64_C(2), INT64_C(3) + axis, width - INT64_C(2), INT64_C(8), work);
-    }
-    for (i = INT64_C(0); i < width; i += INT64_C(1))
-    {
-        (*cspan_at(&work, INT64_C(6), i)) = 0.0;
-    }
-    add_product(INT64_C(7), INT64_C(2) * width - INT64_C(1), INT64_C(8), INT64_C(2) * width - INT64_C(5), INT64_C(6), work);
-    allowed = bound * (1.0 + sign * tolerance);
-    for (i = INT64_C(0); i < columns; i += INT64_C(1))
-    {
-        (*cspan_at(&work, INT64_C(6), i)) = sign * (*cspan_at(&work, INT64_C(6), i));
-    }
-    for (i = INT64_C(0); i < INT64_C(2) * width - INT64_C(5); i += INT64_C(1))
-    {
-        square = (*cspan_at(&work, INT64_C(8), i)) - (*cspan_at(&work, INT64_C(9), i));
-        (*cspan_at(&work, INT64_C(6), i)) = (*cspan_at(&work, INT64_C(6), i)) + sign * allowed * allowed * square;
+        length_margin(width, shortest * (1.0 - tolerance), -1.0, work);
     }
     return columns;
 }
