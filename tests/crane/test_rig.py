@@ -285,8 +285,3 @@ def test_disturbances_follow_absolute_time() -> None:
     assert shaken(False, 60, later, 5.0).state == pytest.approx(
         shaken(False, 60, calm).state, abs=1e-9
     )
-
-
-def test_edges_are_where_mass_or_wind_change_their_course() -> None:
-    assert Rig().edges == []
-    assert everything().edges == pytest.approx([0.3333, 0.5101, 0.8333, 0.9])
