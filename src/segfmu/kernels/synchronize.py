@@ -92,7 +92,7 @@ def cruise_range(
         outside = -velocity_limit
     inside = middle
     trial = outside
-    for i in range(46):
+    for i in range(30):
         count, y_trial, hold = timed_cruise(phases, trial, target, v, a, w, b, top, ramp)
         if count >= 0 and hold >= 0.0:
             inside = trial

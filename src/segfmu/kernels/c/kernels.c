@@ -2390,7 +2390,7 @@ static double cruise_range(array_double_2d phases, double middle, double y, doub
     }
     inside = middle;
     trial = outside;
-    for (i = INT64_C(0); i < INT64_C(46); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
     {
         timed_cruise(&count, &y_trial, &hold, phases, trial, target, v, a, w, b, top, ramp);
         if ((count >= INT64_C(0)) && (hold >= 0.0))
