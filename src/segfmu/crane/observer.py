@@ -39,21 +39,31 @@ class Uncertainty:
     drift : float
         Random walks of the disturbances: standard deviation after one second, as a multiple of
         gravity. More makes the observer faster and noisier.
+    wake : float
+        A controller acts from the first time on at which a signal is further from its reference
+        than this many of the steps: less may be rounding, and is left alone. 0: from the start.
 
     Raises
     ------
     InputError
-        For values that are not positive.
+        For values that are not positive; `wake` may be 0.
     """
 
     position: float = 1e-4
     length: float = 1e-4
     angle: float = 2.0 * pi / 4096.0
-    drift: float = 0.1
+    drift: float = 0.3
+    wake: float = 1.0
 
     def __post_init__(self) -> None:
         for name in ("position", "length", "angle", "drift"):
             require_positive(f"uncertainty {name}", getattr(self, name))
+        require_not_negative("uncertainty wake", self.wake)
+
+    @property
+    def tolerances(self) -> FloatArray:
+        """Deviations that may be rounding: carriages, rope [m], angles [rad]; shape (3,)."""
+        return self.wake * np.array([self.position, self.length, self.angle])
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,6 +84,8 @@ class Observer:
         Rope lengths [m], ascending.
     table : ndarray, shape (rows, 18, 10)
         See kernels/observer.py.
+    tolerances : ndarray, shape (3,)
+        Of `Uncertainty`.
     """
 
     crane: Crane
@@ -82,6 +94,7 @@ class Observer:
     delayed: bool
     lengths: FloatArray
     table: FloatArray
+    tolerances: FloatArray
 
 
 def axis_model(
@@ -202,4 +215,4 @@ def design_observer(
         )
         for x in lengths
     ]
-    return Observer(crane, sample_time, driven, delayed, lengths, np.array(table))
+    return Observer(crane, sample_time, driven, delayed, lengths, np.array(table), expected.tolerances)

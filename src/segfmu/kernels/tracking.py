@@ -1,14 +1,15 @@
 """One tick of the tracking controller: observer, feedback, disturbance rejection, limits.
 
-`parameters` (20): driven, sample time [s], whether measurements are one sample old, mass that
+`parameters` (23): driven, sample time [s], whether measurements are one sample old, mass that
 moves in x, in y and with the rope [kg], gravity [m/s2], share of the carriage's and of the load's
 estimated disturbance that is rejected, enabled, time constant [s] of switching and decay of a
 switching step over a sample, the least (3) and the greatest (3) setpoint, the payload [kg] that
-the gains are for, and the sample time as a share of the payload estimate's time constant.
+the gains are for, the sample time as a share of the payload estimate's time constant, and the
+deviations of carriages, rope and angles up to which the controller stays asleep.
 
 `memory` (9, 10): estimate (3 rows, see kernels/observer.py); velocity command (3), whether
 there was a tick before, whether something was switched since; what the observer takes as input
-since the last tick (3), last correction (3); what remains of a switching step (3), estimate of
+since the last tick (3), last correction (3), whether it is awake; what remains of a switching step (3), estimate of
 the payload over the nominal one, minus 1; reference at the tick before; two rows of work space.
 
 The force on the rope holds the load's weight, so a wrong payload is a large disturbance, and it
@@ -21,6 +22,30 @@ from segfmu.kernels.feedback import feedback_correction
 from segfmu.kernels.observer import observer_correct, observer_predict
 
 
+def track_start(
+    parameters: 'float[:]', measured: 'float[:]', reference: 'float[:]', memory: 'float[:,:]'
+) -> None:
+    """Start the estimate at the measured deviation, once that is more than the sensors' steps.
+
+    Until then there is nothing to correct that a rounded signal could show, so the correction
+    is zero.
+    """
+    awake = memory[4, 6] > 0.5
+    for i in range(3):
+        tolerance = parameters[20]
+        if i == 2:
+            tolerance = parameters[21]
+        awake = awake or abs(measured[i] - reference[i]) > tolerance
+    for i in range(2):
+        awake = awake or abs(measured[3 + i] - reference[3 + i]) > parameters[22]
+    if awake:
+        memory[4, 6] = 1.0
+        for i in range(3):
+            memory[i, 0] = measured[i] - reference[i]
+        memory[0, 1] = measured[3] - reference[3]
+        memory[1, 1] = reference[4] - measured[4]
+
+
 def track_observe(
     parameters: 'float[:]',
     lengths: 'float[:]',
@@ -30,14 +55,16 @@ def track_observe(
     memory: 'float[:,:]',
 ) -> None:
     """Bring estimate and velocity command to the present tick."""
+    delayed = parameters[2] > 0.5
     if memory[3, 3] < 0.5:
-        for i in range(3):
-            memory[i, 0] = measured[i] - reference[i]
-        memory[0, 1] = measured[3] - reference[3]
-        memory[1, 1] = reference[4] - measured[4]
+        track_start(parameters, measured, reference, memory)
         memory[3, 3] = 1.0
+    elif memory[4, 6] < 0.5:
+        if delayed:
+            track_start(parameters, measured, memory[6, :], memory)
+        else:
+            track_start(parameters, measured, reference, memory)
     else:
-        delayed = parameters[2] > 0.5
         if delayed:
             observer_correct(
                 measured[2], lengths, table, measured, memory[6, :], memory[0:3, :]
