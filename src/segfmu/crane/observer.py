@@ -215,4 +215,6 @@ def design_observer(
         )
         for x in lengths
     ]
-    return Observer(crane, sample_time, driven, delayed, lengths, np.array(table), expected.tolerances)
+    return Observer(
+        crane, sample_time, driven, delayed, lengths, np.array(table), expected.tolerances
+    )

@@ -9,8 +9,9 @@ deviations of carriages, rope and angles up to which the controller stays asleep
 
 `memory` (9, 10): estimate (3 rows, see kernels/observer.py); velocity command (3), whether
 there was a tick before, whether something was switched since; what the observer takes as input
-since the last tick (3), last correction (3), whether it is awake; what remains of a switching step (3), estimate of
-the payload over the nominal one, minus 1; reference at the tick before; two rows of work space.
+since the last tick (3), last correction (3), whether it is awake; what remains of a switching
+step (3), estimate of the payload over the nominal one, minus 1; reference at the tick before; two
+rows of work space.
 
 The force on the rope holds the load's weight, so a wrong payload is a large disturbance, and it
 changes what a force does. Both are cured by asking for an acceleration v of the rope and applying
