@@ -165,7 +165,6 @@ class TrackingController:
         self._memory[:] = 0.0
         if deviation is not None:
             value = sized("deviation", deviation, 10)
-            self._memory[4, 6] = 1.0
             self._memory[:3, 2] = value[5:8]
             self._memory[:2, 3] = SIGNS * value[8:10]
 

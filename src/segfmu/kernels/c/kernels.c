@@ -86,7 +86,7 @@ static bool within(array_double_2d hull, int64_t count, double limit);
 static bool check_axis(int64_t axis, array_double_2d timing, array_double_2d coefficients, int64_t first, int64_t last, array_double_2d limits, double tolerance, array_double_2d work);
 static int64_t table_row(double value, array_double_1d nodes);
 static double table_share(double value, array_double_1d nodes, int64_t row);
-static void track_start(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory);
+static void track_wake(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory);
 static void track_observe(array_double_1d parameters, array_double_1d lengths, array_double_3d table, array_double_1d measured, array_double_1d reference, array_double_2d memory);
 static void track_law(array_double_1d parameters, double length, array_double_1d gain_lengths, array_double_3d gains, array_double_2d memory, array_double_1d correction);
 static void track_hoist(array_double_1d parameters, array_double_2d memory);
@@ -3875,17 +3875,14 @@ void segfmu_observer_correct(double length, array_double_1d lengths, array_doubl
         }
     }
 }
-/*Start the estimate at the measured deviation, once that is more than the sensors' steps.       */
-/*                                                                                               */
-/*    Until then there is nothing to correct that a rounded signal could show, so the correction */
-/*    is zero.                                                                                   */
-/*                                                                                               */
-static void track_start(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory)
+/*Wake the feedback at the first deviation that is more than the sensors' steps. */
+/*                                                                               */
+/*    Until then there is nothing to correct that a rounded signal could show.   */
+/*                                                                               */
+static void track_wake(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory)
 {
-    bool awake;
     int64_t i;
     double tolerance;
-    awake = (*cspan_at(&memory, INT64_C(4), INT64_C(6))) > 0.5;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         tolerance = (*cspan_at(&parameters, INT64_C(20)));
@@ -3893,21 +3890,17 @@ static void track_start(array_double_1d parameters, array_double_1d measured, ar
         {
             tolerance = (*cspan_at(&parameters, INT64_C(21)));
         }
-        awake = awake || (fabs((*cspan_at(&measured, i)) - (*cspan_at(&reference, i))) > tolerance);
+        if (fabs((*cspan_at(&measured, i)) - (*cspan_at(&reference, i))) > tolerance)
+        {
+            (*cspan_at(&memory, INT64_C(4), INT64_C(6))) = 1.0;
+        }
     }
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
-        awake = awake || (fabs((*cspan_at(&measured, INT64_C(3) + i)) - (*cspan_at(&reference, INT64_C(3) + i))) > (*cspan_at(&parameters, INT64_C(22))));
-    }
-    if (awake)
-    {
-        (*cspan_at(&memory, INT64_C(4), INT64_C(6))) = 1.0;
-        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        if (fabs((*cspan_at(&measured, INT64_C(3) + i)) - (*cspan_at(&reference, INT64_C(3) + i))) > (*cspan_at(&parameters, INT64_C(22))))
         {
-            (*cspan_at(&memory, i, INT64_C(0))) = (*cspan_at(&measured, i)) - (*cspan_at(&reference, i));
+            (*cspan_at(&memory, INT64_C(4), INT64_C(6))) = 1.0;
         }
-        (*cspan_at(&memory, INT64_C(0), INT64_C(1))) = (*cspan_at(&measured, INT64_C(3))) - (*cspan_at(&reference, INT64_C(3)));
-        (*cspan_at(&memory, INT64_C(1), INT64_C(1))) = (*cspan_at(&reference, INT64_C(4))) - (*cspan_at(&measured, INT64_C(4)));
     }
 }
 /*Bring estimate and velocity command to the present tick. */
@@ -3918,35 +3911,30 @@ static void track_observe(array_double_1d parameters, array_double_1d lengths, a
     delayed = (*cspan_at(&parameters, INT64_C(2))) > 0.5;
     if ((*cspan_at(&memory, INT64_C(3), INT64_C(3))) < 0.5)
     {
-        track_start(parameters, measured, reference, memory);
+        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        {
+            (*cspan_at(&memory, i, INT64_C(0))) = (*cspan_at(&measured, i)) - (*cspan_at(&reference, i));
+        }
+        (*cspan_at(&memory, INT64_C(0), INT64_C(1))) = (*cspan_at(&measured, INT64_C(3))) - (*cspan_at(&reference, INT64_C(3)));
+        (*cspan_at(&memory, INT64_C(1), INT64_C(1))) = (*cspan_at(&reference, INT64_C(4))) - (*cspan_at(&measured, INT64_C(4)));
         (*cspan_at(&memory, INT64_C(3), INT64_C(3))) = 1.0;
+        track_wake(parameters, measured, reference, memory);
     }
-    else if ((*cspan_at(&memory, INT64_C(4), INT64_C(6))) < 0.5)
+    else if (delayed)
     {
-        if (delayed)
-        {
-            track_start(parameters, measured, span_row(&memory, INT64_C(6)), memory);
-        }
-        else
-        {
-            track_start(parameters, measured, reference, memory);
-        }
+        track_wake(parameters, measured, span_row(&memory, INT64_C(6)), memory);
+        segfmu_observer_correct((*cspan_at(&measured, INT64_C(2))), lengths, table, measured, span_row(&memory, INT64_C(6)), span_rows(&memory, INT64_C(0), INT64_C(3)));
+        segfmu_observer_predict((*cspan_at(&measured, INT64_C(2))), lengths, table, span_row(&memory, INT64_C(3)), span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(0), INT64_C(3)), span_row(&memory, INT64_C(8)));
     }
     else
     {
-        if (delayed)
-        {
-            segfmu_observer_correct((*cspan_at(&measured, INT64_C(2))), lengths, table, measured, span_row(&memory, INT64_C(6)), span_rows(&memory, INT64_C(0), INT64_C(3)));
-        }
+        track_wake(parameters, measured, reference, memory);
         segfmu_observer_predict((*cspan_at(&measured, INT64_C(2))), lengths, table, span_row(&memory, INT64_C(3)), span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(0), INT64_C(3)), span_row(&memory, INT64_C(8)));
-        if (!delayed)
-        {
-            segfmu_observer_correct((*cspan_at(&measured, INT64_C(2))), lengths, table, measured, reference, span_rows(&memory, INT64_C(0), INT64_C(3)));
-        }
-        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-        {
-            (*cspan_at(&memory, INT64_C(3), i)) = (*cspan_at(&memory, INT64_C(3), i)) + (*cspan_at(&parameters, INT64_C(1))) * (*cspan_at(&memory, INT64_C(4), i));
-        }
+        segfmu_observer_correct((*cspan_at(&measured, INT64_C(2))), lengths, table, measured, reference, span_rows(&memory, INT64_C(0), INT64_C(3)));
+    }
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(3), i)) = (*cspan_at(&memory, INT64_C(3), i)) + (*cspan_at(&parameters, INT64_C(1))) * (*cspan_at(&memory, INT64_C(4), i));
     }
     for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
     {
@@ -3967,7 +3955,7 @@ static void track_law(array_double_1d parameters, double length, array_double_1d
     double pull;
     double rope;
     double share;
-    if ((*cspan_at(&parameters, INT64_C(9))) < 0.5)
+    if (((*cspan_at(&parameters, INT64_C(9))) < 0.5) || ((*cspan_at(&memory, INT64_C(4), INT64_C(6))) < 0.5))
     {
         for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
         {
@@ -4022,7 +4010,7 @@ static void track_hoist(array_double_1d parameters, array_double_2d memory)
     share = (*cspan_at(&memory, INT64_C(5), INT64_C(3)));
     rope = ((*cspan_at(&memory, INT64_C(4), INT64_C(5))) / (*cspan_at(&parameters, INT64_C(5))) + share * (*cspan_at(&parameters, INT64_C(6)))) / (1.0 + share);
     (*cspan_at(&memory, INT64_C(4), INT64_C(2))) = rope;
-    if ((*cspan_at(&parameters, INT64_C(9))) > 0.5)
+    if (((*cspan_at(&parameters, INT64_C(9))) > 0.5) && ((*cspan_at(&memory, INT64_C(4), INT64_C(6))) > 0.5))
     {
         share = share - (*cspan_at(&parameters, INT64_C(19))) * (1.0 + share) * rope / (*cspan_at(&parameters, INT64_C(6)));
         (*cspan_at(&memory, INT64_C(5), INT64_C(3))) = span_min(span_max(share, -0.98), 9.0);
