@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
@@ -30,7 +32,7 @@ def residual(motion, length: float) -> float:
     jumps = times[:-1][np.diff(motion(times[:-1], 2), prepend=np.inf) != 0.0]
     edges = np.unique(np.append(jumps, motion.duration))
     state = np.zeros(2)
-    for start, end in zip(edges[:-1], edges[1:], strict=True):
+    for start, end in pairwise(edges):
         acceleration = float(motion(0.5 * (start + end), 2))
         state = solve_ivp(
             slope, (start, end), state, args=(acceleration,), rtol=1e-10, atol=1e-12
