@@ -15,8 +15,8 @@ from tests.crane.loop import Rig, simulate
 
 INTECO = Crane(2.2, 1.155, 1.0)
 SHORTEST, LONGEST = 0.16, 0.98
-LENGTHS = np.geomspace(SHORTEST, LONGEST, 8)
-PAYLOADS = np.linspace(0.0, 2.0, 5)
+LENGTHS = np.geomspace(SHORTEST, LONGEST, 6)
+PAYLOADS = np.array([0.0, 0.5, 1.0, 2.0])
 DESIGNS = {"lqr": design, "flat": design_flat}
 
 
@@ -75,7 +75,7 @@ def deviations(
 
 
 def decay(sizes: np.ndarray) -> float:
-    """Factor a sample by which a deviation shrinks in the end."""
+    """Factor a sample by which a deviation shrinks, or grows, in the end."""
     half = sizes.size // 2
     parts = [np.linalg.norm(part) for part in (sizes[half:-half // 2], sizes[-half // 2 :])]
     return float((parts[1] / parts[0]) ** (2.0 / half))
@@ -106,8 +106,8 @@ def test_gains_that_are_too_high_are_unstable(kind: str) -> None:
     loop = controller(kind, True, factor=12.0)
     expected = largest_eigenvalue(loop, 0.5, 1.0, lags(True))
     assert expected > 1.05
-    sizes = np.linalg.norm(deviations(loop, 0.5, 1.0, True, 0.6), axis=1)
-    assert sizes[-10:].max() > 5.0 * sizes[0]
+    sizes = np.linalg.norm(deviations(loop, 0.5, 1.0, True, 1.0), axis=1)
+    assert decay(sizes) == pytest.approx(expected, abs=0.02)
 
 
 def test_without_feedback_the_pendulum_is_at_the_limit() -> None:
