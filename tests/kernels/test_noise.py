@@ -46,7 +46,8 @@ def test_noise_has_its_deviation_and_its_band() -> None:
     time = np.linspace(0.0, 2000.0, 40001)
     for axis, deviation in enumerate((1.5, 0.5, 0.0)):
         values = sum(
-            row[1 + axis] * np.sin(row[0] * time + row[4 + axis]) for row in components
+            row[1 + axis] * np.sin(row[0] * time) + row[4 + axis] * np.cos(row[0] * time)
+            for row in components
         )
         assert np.std(values) == pytest.approx(deviation, rel=0.02)
 

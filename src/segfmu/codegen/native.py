@@ -21,8 +21,8 @@ TARGET = KERNELS / "c"
 
 # in the order in which they use each other
 MODULES = (
-    "transition", "phases", "braking", "levels", "search", "profile", "synchronize", "intervals",
-    "plan", "evaluate", "expand", "check", "rope", "feedback", "observer", "tracking",
+    "transition", "phases", "braking", "levels", "roots", "search", "profile", "synchronize",
+    "intervals", "plan", "evaluate", "expand", "check", "rope", "feedback", "observer", "tracking",
     "compensation", "_crane", "_partials", "series", "integrate", "noise", "drives", "plant",
     "sensing", "events", "loop", "rig", "exchange", "partials",
 )

@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from segfmu.crane.checks import require_positive
 from segfmu.crane.controller import Controller
 from segfmu.crane.energy import EnergyBalance
 from segfmu.crane.failures import failure
@@ -81,6 +82,11 @@ class Plant:
         What is not ideal; everything is by default.
     start_time : float
         [s]
+
+    Raises
+    ------
+    InputError
+        For a controller's sample time that is not positive.
     """
 
     def __init__(
@@ -95,6 +101,7 @@ class Plant:
         rig: Rig | None = None,
         start_time: float = 0.0,
     ) -> None:
+        require_positive("controller sample_time", controller.sample_time)
         rig = rig or Rig()
         self._controller = controller
         self._loop = np.array([_corrector(controller), controller.sample_time, enabled, TOLERANCE])

@@ -66,6 +66,7 @@ class CraneSlave(SpecSlave):
             return design_flat(
                 crane, sample_time=sample_time, shortest=shortest, longest=longest,
                 ratio=float(self.value("feedback.bandwidth")),
+                hoist_ratio=float(self.value("feedback.hoist_bandwidth")),
                 damping=float(self.value("feedback.damping")), driven=driven,
             )
         weights = Weights(*(float(self.value(f"feedback.weight.{n}")) for n in WEIGHTS))

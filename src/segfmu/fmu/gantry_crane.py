@@ -7,6 +7,7 @@ from typing import Any
 
 from segfmu.crane import Crane
 from segfmu.crane.feedback import SwayFeedback, design
+from segfmu.crane.flat_feedback import DAMPING, HOIST_RATIO, RATIO
 from segfmu.fmu.rig_parameters import DRIVES, rig_parameters
 from segfmu.fmu.spec import (
     Array,
@@ -109,12 +110,17 @@ def _feedback() -> list[Variable]:
             minimum=0.0,
         ),
         parameter(
-            "feedback.bandwidth", 1.0, None,
+            "feedback.bandwidth", RATIO, None,
             "of design flatness: bandwidth in units of the pendulum's frequency", minimum=1e-6,
             tunable=True,
         ),
         parameter(
-            "feedback.damping", 0.8, None, "of design flatness: damping of all poles",
+            "feedback.hoist_bandwidth", HOIST_RATIO, None,
+            "of design flatness: bandwidth of the hoist in units of the pendulum's frequency",
+            minimum=1e-6, tunable=True,
+        ),
+        parameter(
+            "feedback.damping", DAMPING, None, "of design flatness: damping of all poles",
             minimum=1e-6, tunable=True,
         ),
     ]

@@ -40,9 +40,10 @@ def wind_force(
     for i in range(3):
         force[i] = load_force[i] + parameters[28 + i] + gust * parameters[34 + i]
     for k in range(components.shape[0]):
-        angle = components[k, 0] * time
+        sine = sin(components[k, 0] * time)
+        cosine = cos(components[k, 0] * time)
         for i in range(3):
-            force[i] = force[i] + components[k, 1 + i] * sin(angle + components[k, 4 + i])
+            force[i] = force[i] + components[k, 1 + i] * sine + components[k, 4 + i] * cosine
 
 
 def beyond(value: float, bound: float) -> bool:

@@ -5,7 +5,7 @@ Comm. ACM 31 (1988): two integers as state, the same on every machine. They are 
 that a model's memory is one block of floats; all products are below 2^53 and hence exact.
 """
 
-from math import cos, floor, log, sqrt
+from math import cos, floor, log, sin, sqrt
 
 
 def full_circle() -> float:
@@ -46,13 +46,16 @@ def noise_components(
 ) -> None:
     """Sines that add up to noise whose spectrum is flat up to a bandwidth [Hz] and zero above.
 
-    deviation (3,): standard deviations along x, y, z. components (count, 7): angular frequency,
-    three amplitudes, three phases. Spectral representation of M. Shinozuka and C.-M. Jan, J. Sound
-    Vib. 25 (1972); the frequencies lie at random in equal bands, so that the noise has no period.
+    deviation (3,): standard deviations along x, y, z. components (count, 7): angular frequency w,
+    and along each axis the factors of sin(w t) (3) and of cos(w t) (3), a sine with a phase.
+    Spectral representation of M. Shinozuka and C.-M. Jan, J. Sound Vib. 25 (1972); the frequencies
+    lie at random in equal bands, so that the noise has no period.
     """
     count = components.shape[0]
     for i in range(count):
         components[i, 0] = full_circle() * bandwidth * (i + next_uniform(numbers)) / count
         for axis in range(3):
-            components[i, 1 + axis] = deviation[axis] * sqrt(2.0 / count)
-            components[i, 4 + axis] = full_circle() * next_uniform(numbers)
+            amplitude = deviation[axis] * sqrt(2.0 / count)
+            phase = full_circle() * next_uniform(numbers)
+            components[i, 1 + axis] = amplitude * cos(phase)
+            components[i, 4 + axis] = amplitude * sin(phase)

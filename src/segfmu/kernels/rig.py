@@ -7,9 +7,9 @@ setpoints, or with velocity drives its integral is added to the velocity setpoin
 tick to tick.
 
 `loop` (4): 0 who corrects, 0: the caller, 1: state feedback, 2: tracking controller; 1 period of
-the controller [s]; 2 whether corrections act, may be changed between steps; 3 tolerance of the
-integration. `changes` (count, 2): time [s] and mass of the load [kg] from then on, in any order.
-`sensors` is told in kernels/sensing.py, parameters and components in kernels/plant.py.
+the controller [s], above 0; 2 whether corrections act, may be changed between steps; 3 tolerance of
+the integration. `changes` (count, 2): time [s] and mass of the load [kg] from then on, in any
+order. `sensors` is told in kernels/sensing.py, parameters and components in kernels/plant.py.
 
 `setpoints` (19): forces (3) [N] and velocities (3) of bridge, trolley and hoist, the reference
 state (10), and a force on the load (3), held over the step, beside the rig's wind.
@@ -46,6 +46,7 @@ from segfmu.kernels.events import (
     next_edge,
     next_event,
 )
+from segfmu.kernels.integrate import all_finite
 from segfmu.kernels.loop import advance_plant, controller_due, correct_setpoints, prepare_tick
 from segfmu.kernels.sensing import sense_signals, sensing_rows, start_sensing
 
@@ -106,6 +107,10 @@ def rig_step(
     gain_lengths and gains are those of the feedback; tracking, lengths, table and tracker are what
     kernels/tracking.py calls parameters, lengths, table and memory, and unused without it.
     """
+    # before anything that remembers, such as an observer, has seen it
+    if not abs(duration) < 1e100 or not all_finite(setpoints, 19):
+        memory[2, 7] = memory[2, 0] + memory[2, 1]
+        return 4
     status = 0
     if memory[2, 2] == 0.0:
         for i in range(3):

@@ -131,8 +131,6 @@ def rope_demand(
     """Put the polynomial of a demand into work[6, :]; returns its length, 0: no such demand."""
     columns = work.shape[1] - 2
     width = (columns + 7) // 4
-    for i in range(columns):
-        work[6, i] = 0.0
     if demand == 1:
         for i in range(width):
             work[6, i] = -work[2, i]
@@ -143,35 +141,31 @@ def rope_demand(
             work[6, i] = work[5, i]
         work[6, 0] = work[6, 0] - tolerance * gravity
         return width - 2
-    bound = longest
-    sign = 1.0
-    if demand == 4:
-        bound = shortest
-        sign = -1.0
-    if bound <= 0.0:
-        return 0
-    for row in range(7, 10):
+    if demand == 3:
+        if longest <= 0.0:
+            return 0
+        length_margin(width, longest * (1.0 + tolerance), 1.0, work)
+    else:
+        if shortest <= 0.0:
+            return 0
+        length_margin(width, shortest * (1.0 - tolerance), -1.0, work)
+    return columns
+
+
+def length_margin(width: int, bound: float, sign: float, work: 'float[:,:]') -> None:
+    """sign * (bound^2 w_z^2 - z^2 |w|^2) in work[6, :]."""
+    columns = work.shape[1] - 2
+    count = width - 2
+    for row in range(6, 10):
         for i in range(columns):
             work[row, i] = 0.0
-    # -z^2 |w|^2, and L^2 w_z^2 beside it
-    for i in range(width):
-        work[6, i] = -work[2, i]
-    add_product(6, width, 2, width, 7, work)
+    add_product(2, width, 2, width, 7, work)
     for axis in range(3):
-        if axis == 2:
-            for i in range(2 * width - 5):
-                work[9, i] = work[8, i]
-        add_product(3 + axis, width - 2, 3 + axis, width - 2, 8, work)
-    for i in range(width):
-        work[6, i] = 0.0
-    add_product(7, 2 * width - 1, 8, 2 * width - 5, 6, work)
-    allowed = bound * (1.0 + sign * tolerance)
+        add_product(3 + axis, count, 3 + axis, count, 8, work)
+    add_product(5, count, 5, count, 9, work)
+    add_product(7, 2 * width - 1, 8, 2 * count - 1, 6, work)
     for i in range(columns):
-        work[6, i] = sign * work[6, i]
-    for i in range(2 * width - 5):
-        square = work[8, i] - work[9, i]
-        work[6, i] = work[6, i] + sign * allowed * allowed * square
-    return columns
+        work[6, i] = sign * (bound * bound * work[9, i] - work[6, i])
 
 
 def first_negative(count: int, length: float, work: 'float[:,:]') -> float:

@@ -157,12 +157,15 @@ static bool design_flat(crane *m, char message[MESSAGE])
         double share = (double)row / (MOST_LENGTHS - 1);
         double length = shortest * pow(longest / shortest, share);
         m->lengths[row] = row == MOST_LENGTHS - 1 ? longest : length;
-        double bandwidth = segfmu_feedback_bandwidth(
-            real[V_FEEDBACK_BANDWIDTH], m->lengths[row], gravity, real[V_FEEDBACK_SAMPLE_TIME],
-            LARGEST_ANGLE);
+        double bandwidths[2];
+        for (int i = 0; i < 2; i++) {
+            double ratio = real[i == 0 ? V_FEEDBACK_BANDWIDTH : V_FEEDBACK_HOIST_BANDWIDTH];
+            bandwidths[i] = segfmu_feedback_bandwidth(
+                ratio, m->lengths[row], gravity, real[V_FEEDBACK_SAMPLE_TIME], LARGEST_ANGLE);
+        }
         segfmu_feedback_gains(
             driven(m), m->lengths[row], real[V_CRANE_BRIDGE_MASS], real[V_CRANE_TROLLEY_MASS],
-            payload, gravity, bandwidth, real[V_FEEDBACK_DAMPING],
+            payload, gravity, bandwidths[0], bandwidths[1], real[V_FEEDBACK_DAMPING],
             matrix(m->gains + row * GAINS, 3, STATE));
     }
     return true;

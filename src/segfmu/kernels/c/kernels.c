@@ -35,9 +35,9 @@ static int64_t root_level(double* result_0, double* result_1, double gain, doubl
 static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, array_double_1d ramp);
 static int64_t levels_distance(double* result_0_0001, double* result_1, double v, double a, double t1, double hold1, double level1, double hold2, double level2, double t3, double b, array_double_1d ramp);
 static int64_t canonical_point(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, double* result_6, double* result_7, double p, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
-static double window_edge(double inside, double outside, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
+static double root_share(double a, double b, double c, double f_a, double f_b, double f_c);
+static double window_edge(int64_t halvings, double inside, double outside, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
 static int64_t canonical_value(double* result_0_0001, double* result_1, double p, bool by_time, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
-static double falsi_weight(double error, double previous);
 static double bracketed_root(double lower, double upper, double f_lower, double f_upper, double target, bool by_time, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
 static int64_t first_window(double* result_0, double* result_1_0001, double target, double f_start, double v, double a, double w, double b, double high, double top, double t_top, double t_zero, array_double_1d ramp);
 static double dip(double target, double f_start, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
@@ -46,7 +46,7 @@ static double timed_search(int64_t which, double target, double v, double a, dou
 static int64_t append_velocity_change(array_double_2d phases, int64_t count, double v, double a, double w, double top, array_double_1d ramp);
 static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_2, double* result_3, array_double_2d phases, double cruise, double v, double a, double w, double b, double top, array_double_1d ramp);
 static int64_t merged_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, double target, double v, double a, double w, double b, double distance, double high, double top, array_double_1d ramp);
-static bool keeps_velocity(array_double_2d phases, int64_t count, double v, double limit, array_double_1d ramp);
+static double velocity_excess(array_double_2d phases, int64_t count, double v, double limit, array_double_1d ramp);
 static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
 static double meets(array_double_2d phases, int64_t count, double v, double w, double distance, double limit, array_double_1d ramp);
 static int64_t with_cruise(array_double_2d phases, double cruise, double v, double a, double w, double b, double distance, double top, array_double_1d ramp);
@@ -56,7 +56,7 @@ static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_d
 static void stretch_phases(array_double_2d phases, int64_t count, double factor);
 static void fit_duration(array_double_2d phases, int64_t count, double target);
 static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, double target, double v, double a, double w, double b, double top, array_double_1d ramp);
-static double cruise_range(array_double_2d phases, double middle, double limit, double target, double v, double a, double w, double b, double top, array_double_1d ramp);
+static double cruise_range(array_double_2d phases, double middle, double y, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
 static void keep_nearest(array_double_2d trial, int64_t count, double target, double v, double w, double distance, double velocity_limit, array_double_1d found, array_double_2d below, array_double_2d above, array_double_1d ramp);
 static void between_cruises(double lower, double y_lower, double upper, double y_upper, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial);
 static void timed_between(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial);
@@ -87,12 +87,14 @@ static bool check_axis(int64_t axis, array_double_2d timing, array_double_2d coe
 static double interval_end(double time, array_double_2d timing, array_int64_t_1d offsets);
 static void interval_pieces(double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work);
 static void add_product(int64_t first, int64_t first_count, int64_t second, int64_t second_count, int64_t row, array_double_2d work);
+static void length_margin(int64_t width, double bound, double sign, array_double_2d work);
 static int64_t rope_demand(int64_t demand, double gravity, double shortest, double longest, double tolerance, array_double_2d work);
 static double first_negative(int64_t count, double length, array_double_2d work);
 static double rope_value(int64_t demand, double local, double gravity, array_double_2d work);
 static double worst_value(int64_t demand, double first, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work);
 static int64_t table_row(double value, array_double_1d nodes);
 static double table_share(double value, array_double_1d nodes, int64_t row);
+static void track_wake(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory);
 static void track_observe(array_double_1d parameters, array_double_1d lengths, array_double_3d table, array_double_1d measured, array_double_1d reference, array_double_2d memory);
 static void track_law(array_double_1d parameters, double length, array_double_1d gain_lengths, array_double_3d gains, array_double_2d memory, array_double_1d correction);
 static void track_hoist(array_double_1d parameters, array_double_2d memory);
@@ -1308,8 +1310,32 @@ static int64_t canonical_point(double* result_0, double* result_1, double* resul
     (*result_7) = t3;
     return 0;
 }
+/*Share of the way from a to b at which to evaluate next, inside (0, 1). */
+static double root_share(double a, double b, double c, double f_a, double f_b, double f_c)
+{
+    double place;
+    double height;
+    double share;
+    double least;
+    double result;
+    if ((f_a * f_b * f_c == 0.0) || (f_c == f_a) || (f_c == f_b) || (c == b))
+    {
+        return 0.5;
+    }
+    place = (a - b) / (c - b);
+    height = (f_a - f_b) / (f_c - f_b);
+    if ((height * height >= place) || ((1.0 - height) * (1.0 - height) >= 1.0 - place))
+    {
+        return 0.5;
+    }
+    share = f_a / (f_b - f_a) * f_c / (f_b - f_c);
+    share = share + (c - a) / (b - a) * f_a / (f_c - f_a) * f_b / (f_c - f_b);
+    /*the point must differ from both ends*/
+    least = 2e-16 * span_max(fabs(a), fabs(b)) / fabs(b - a);
+    return span_max(span_min(share, 1.0 - least), least);
+}
 /*Bisect between a parameter that has a canonical member and one that has none.*/
-static double window_edge(double inside, double outside, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
+static double window_edge(int64_t halvings, double inside, double outside, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
 {
     int64_t i;
     double middle;
@@ -1322,7 +1348,7 @@ static double window_edge(double inside, double outside, double v, double a, dou
     double level2;
     double t3;
     double result;
-    for (i = INT64_C(0); i < INT64_C(80); i += INT64_C(1))
+    for (i = INT64_C(0); i < halvings; i += INT64_C(1))
     {
         middle = 0.5 * (inside + outside);
         if ((middle == inside) || (middle == outside))
@@ -1363,83 +1389,67 @@ static int64_t canonical_value(double* result_0_0001, double* result_1, double p
     (*result_1) = duration;
     return 0;
 }
-/*Weight of the other side's error when one side is replaced twice (Anderson-Bjoerck). */
-static double falsi_weight(double error, double previous)
-{
-    double weight;
-    if (previous == 0.0)
-    {
-        return 0.5;
-    }
-    weight = 1.0 - error / previous;
-    if (weight <= 0.0)
-    {
-        return 0.5;
-    }
-    return weight;
-}
-/*Regula falsi (Anderson-Bjoerck) on the canonical family; f_lower < target <= f_upper.*/
-/*                                                                                     */
-/*    `lower` and `upper` name the values, not the order of the parameters.            */
-/*                                                                                     */
+/*Bracketed root on the canonical family; f_lower < target <= f_upper.     */
+/*                                                                         */
+/*    `lower` and `upper` name the values, not the order of the parameters.*/
+/*                                                                         */
 static double bracketed_root(double lower, double upper, double f_lower, double f_upper, double target, bool by_time, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
 {
-    double e_lower;
-    double e_upper;
-    int64_t side;
-    double p;
+    double a_p;
+    double a_error;
+    double b_p;
+    double b_error;
+    double c_p;
+    double c_error;
+    double speed;
     int64_t i;
+    double p;
     double value;
     double duration;
     double error;
     double result;
-    e_lower = f_lower - target;
-    e_upper = f_upper - target;
-    side = INT64_C(0);
-    p = upper;
-    for (i = INT64_C(0); i < INT64_C(200); i += INT64_C(1))
+    a_p = upper;
+    a_error = f_upper - target;
+    b_p = lower;
+    b_error = f_lower - target;
+    c_p = lower;
+    c_error = b_error;
+    speed = fabs(v) + fabs(w);
+    if (by_time)
     {
-        if ((e_upper == 0.0) || (fabs(upper - lower) <= 2e-16 * fabs(upper)))
+        speed = 0.0;
+    }
+    for (i = INT64_C(0); i < INT64_C(120); i += INT64_C(1))
+    {
+        if ((a_error == 0.0) || (fabs(a_p - b_p) <= 2e-16 * fabs(a_p)))
         {
-            return upper;
+            break;
         }
-        p = upper - e_upper * (upper - lower) / (e_upper - e_lower);
-        if ((i > INT64_C(40)) || ((p - lower) * (p - upper) >= 0.0))
-        {
-            p = 0.5 * (lower + upper);
-            if ((p - lower) * (p - upper) >= 0.0)
-            {
-                return upper;
-            }
-        }
+        p = a_p + root_share(a_p, b_p, c_p, a_error, b_error, c_error) * (b_p - a_p);
         canonical_value(&value, &duration, p, by_time, v, a, w, b, high, top, t_top, ramp);
         error = value - target;
-        if (fabs(error) <= 1e-15 * fabs(target))
+        c_p = a_p;
+        c_error = a_error;
+        if (error * a_error < 0.0)
         {
-            return p;
+            c_p = b_p;
+            c_error = b_error;
+            b_p = a_p;
+            b_error = a_error;
         }
-        if (error > 0.0)
+        a_p = p;
+        a_error = error;
+        /*what rounding leaves of a sum whose terms may cancel*/
+        if (fabs(error) <= 2e-15 * (fabs(target) + speed * duration))
         {
-            if (side == INT64_C(1))
-            {
-                e_lower = e_lower * falsi_weight(error, e_upper);
-            }
-            upper = p;
-            e_upper = error;
-            side = INT64_C(1);
-        }
-        else
-        {
-            if (side == -INT64_C(1))
-            {
-                e_upper = e_upper * falsi_weight(error, e_lower);
-            }
-            lower = p;
-            e_lower = error;
-            side = -INT64_C(1);
+            break;
         }
     }
-    return p;
+    if (fabs(b_error) < fabs(a_error))
+    {
+        return b_p;
+    }
+    return a_p;
 }
 /*Search the members whose second level lies between the end acceleration and zero.                */
 /*                                                                                                 */
@@ -1485,7 +1495,7 @@ static int64_t first_window(double* result_0, double* result_1_0001, double targ
     end = t_zero;
     if (duration < 0.0)
     {
-        end = window_edge(0.0, t_zero, v, a, w, b, high, top, t_top, ramp);
+        end = window_edge(INT64_C(80), 0.0, t_zero, v, a, w, b, high, top, t_top, ramp);
         canonical_value(&value, &duration, end, 0, v, a, w, b, high, top, t_top, ramp);
     }
     going_on = -1.0;
@@ -1593,7 +1603,7 @@ static double canonical_search(double target, double v, double a, double w, doub
                 upper = 2.0 * upper;
                 canonical_value(&value, &duration, upper, 0, v, a, w, b, high, top, t_top, ramp);
             }
-            lower = window_edge(upper, t_zero, v, a, w, b, high, top, t_top, ramp);
+            lower = window_edge(INT64_C(80), upper, t_zero, v, a, w, b, high, top, t_top, ramp);
         }
         canonical_value(&f_lower, &duration, lower, 0, v, a, w, b, high, top, t_top, ramp);
         if (f_lower > target)
@@ -1655,12 +1665,12 @@ static double timed_search(int64_t which, double target, double v, double a, dou
         inside = duration >= 0.0;
         if (inside && (lower < 0.0) && (i > INT64_C(0)))
         {
-            lower = window_edge(p, previous, v, a, w, b, high, top, t_top, ramp);
+            lower = window_edge(INT64_C(24), p, previous, v, a, w, b, high, top, t_top, ramp);
             canonical_value(&t_lower, &duration, lower, 1, v, a, w, b, high, top, t_top, ramp);
         }
         if ((!inside) && (lower >= 0.0))
         {
-            upper = window_edge(lower, p, v, a, w, b, high, top, t_top, ramp);
+            upper = window_edge(INT64_C(24), lower, p, v, a, w, b, high, top, t_top, ramp);
             canonical_value(&t, &duration, upper, 1, v, a, w, b, high, top, t_top, ramp);
         }
         if ((lower >= 0.0) && ((t_lower - target) * (t - target) <= 0.0) && (t != t_lower))
@@ -1756,7 +1766,7 @@ static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_
     (*result_3) = y;
     return 0;
 }
-/*The merged form on one of its four branches; the number of phases, 0 if it has none.             */
+/*The merged form on one of its four branches; the number of phases, -1 if it has none.            */
 /*                                                                                                 */
 /*    which >= 0 takes the which-th member that lasts `target`, which < 0 the first one that covers*/
 /*    the distance. Reversal exchanges the boundary states,                                        */
@@ -1812,12 +1822,12 @@ static int64_t merged_form(array_double_2d phases, bool reverse, bool mirror, in
     }
     if (p < 0.0)
     {
-        return INT64_C(0);
+        return -INT64_C(1);
     }
     canonical_point(&duration, &y, &t1, &hold1, &level1, &hold2, &level2, &t3, p, v1, a1, v2, a2, high, top, t_top, ramp);
     if (duration < 0.0)
     {
-        return INT64_C(0);
+        return -INT64_C(1);
     }
     count = append_ramp(phases, INT64_C(0), a1, level1, t1, ramp);
     count = append_hold(phases, count, level1, hold1);
@@ -1834,34 +1844,50 @@ static int64_t merged_form(array_double_2d phases, bool reverse, bool mirror, in
     }
     return count;
 }
-/*Whether the phases that start with velocity v keep the velocity limit. */
-static bool keeps_velocity(array_double_2d phases, int64_t count, double v, double limit, array_double_1d ramp)
+/*By how much the phases that start with velocity v pass the velocity limit, or less than 0. */
+static double velocity_excess(array_double_2d phases, int64_t count, double v, double limit, array_double_1d ramp)
 {
     double duration;
     double y;
     double end;
     double lowest;
     double highest;
-    double most;
-    bool result;
+    double result;
     segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, ramp);
-    most = limit * (1.0 + 1e-12);
-    return (lowest >= -most) && (highest <= most);
+    return span_max(highest, -lowest) - limit;
 }
-/*The merged form that keeps the velocity limit; the number of phases, 0 if it has none.         */
+/*The merged form that keeps the velocity limit; the number of phases.                           */
+/*                                                                                               */
+/*    It is -1 where there is no merged form, 0 where none keeps the limit.                      */
 /*                                                                                               */
 /*    Between its levels the velocity has a peak. Where that passes the limit, the first level is*/
-/*    lowered, and held, until the peak is at the limit; as far as 16 bisections tell.           */
+/*    lowered, and held, until the peak is at the limit less a billionth.                        */
 /*                                                                                               */
 static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
 {
+    double rounding;
+    double margin;
+    double e_outside;
     double inside;
+    double e_inside;
     double outside;
+    double before;
+    double e_before;
+    bool newest_inside;
     int64_t i;
+    double share;
     double high;
+    double error;
     int64_t count;
     count = merged_form(phases, reverse, mirror, which, target, v, a, w, b, distance, top, top, ramp);
-    if ((count == INT64_C(0)) || keeps_velocity(phases, count, v, velocity_limit, ramp))
+    rounding = 1e-12 * velocity_limit;
+    margin = 1e-09 * velocity_limit;
+    if (count <= INT64_C(0))
+    {
+        return count;
+    }
+    e_outside = velocity_excess(phases, count, v, velocity_limit, ramp) + margin;
+    if (e_outside <= margin + rounding)
     {
         return count;
     }
@@ -1871,23 +1897,66 @@ static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, 
         inside = -span_min(a, b);
     }
     inside = span_max(inside, 0.001 * top);
-    outside = top;
     count = merged_form(phases, reverse, mirror, which, target, v, a, w, b, distance, inside, top, ramp);
-    if ((count == INT64_C(0)) || (!keeps_velocity(phases, count, v, velocity_limit, ramp)))
+    if (count <= INT64_C(0))
     {
         return INT64_C(0);
     }
-    for (i = INT64_C(0); i < INT64_C(16); i += INT64_C(1))
+    e_inside = velocity_excess(phases, count, v, velocity_limit, ramp) + margin;
+    if (e_inside > margin + rounding)
     {
-        high = 0.5 * (inside + outside);
-        count = merged_form(phases, reverse, mirror, which, target, v, a, w, b, distance, high, top, ramp);
-        if ((count > INT64_C(0)) && keeps_velocity(phases, count, v, velocity_limit, ramp))
+        return INT64_C(0);
+    }
+    outside = top;
+    before = top;
+    e_before = e_outside;
+    newest_inside = 1;
+    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    {
+        if (fabs(e_inside) <= margin)
         {
-            inside = high;
+            break;
+        }
+        if (newest_inside)
+        {
+            share = root_share(inside, outside, before, e_inside, e_outside, e_before);
         }
         else
         {
+            share = 1.0 - root_share(outside, inside, before, e_outside, e_inside, e_before);
+        }
+        high = inside + share * (outside - inside);
+        count = merged_form(phases, reverse, mirror, which, target, v, a, w, b, distance, high, top, ramp);
+        error = 0.0;
+        if (count > INT64_C(0))
+        {
+            error = velocity_excess(phases, count, v, velocity_limit, ramp) + margin;
+        }
+        if ((count > INT64_C(0)) && (error <= margin))
+        {
+            before = outside;
+            e_before = e_outside;
+            if (newest_inside)
+            {
+                before = inside;
+                e_before = e_inside;
+            }
+            inside = high;
+            e_inside = error;
+            newest_inside = 1;
+        }
+        else
+        {
+            before = inside;
+            e_before = e_inside;
+            if (!newest_inside)
+            {
+                before = outside;
+                e_before = e_outside;
+            }
             outside = high;
+            e_outside = error;
+            newest_inside = 0;
         }
     }
     count = merged_form(phases, reverse, mirror, which, target, v, a, w, b, distance, inside, top, ramp);
@@ -1943,47 +2012,47 @@ static int64_t with_cruise(array_double_2d phases, double cruise, double v, doub
 }
 /*The paper's form whose cruise velocity, below the limit, makes the cruise vanish.              */
 /*                                                                                               */
-/*    Regula falsi (Anderson-Bjoerck) on the distance between the two limits, of which one falls */
-/*    short and the other one is too far; bisection where the form does not exist.               */
+/*    Searched between the two limits, of which one falls short of the distance and the other one*/
+/*    is too far; by bisection where the form does not exist.                                    */
 /*                                                                                               */
 static int64_t slower_cruise(array_double_2d phases, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
 {
-    double lower;
-    double upper;
-    double e_lower;
-    double e_upper;
-    int64_t side;
-    double middle;
+    double newest;
+    double other;
+    double before;
+    double e_newest;
+    double e_other;
+    double e_before;
+    bool falls_short;
     int64_t i;
-    double falsi;
+    double middle;
+    double share;
     int64_t count;
     int64_t row;
     double duration;
     double y;
     double error;
+    bool short_0001;
+    double lower;
+    double upper;
     double cruise;
     int64_t result;
-    lower = -velocity_limit;
-    upper = velocity_limit;
-    e_lower = 0.0;
-    e_upper = 0.0;
-    side = INT64_C(0);
-    middle = span_max(v, w);
-    for (i = INT64_C(0); i < INT64_C(200); i += INT64_C(1))
+    newest = -velocity_limit;
+    other = velocity_limit;
+    before = velocity_limit;
+    e_newest = 0.0;
+    e_other = 0.0;
+    e_before = 0.0;
+    falls_short = 1;
+    for (i = INT64_C(0); i < INT64_C(120); i += INT64_C(1))
     {
+        middle = span_max(v, w);
         if (i > INT64_C(0))
         {
-            middle = 0.5 * (lower + upper);
-            if ((e_lower < 0.0) && (e_upper > 0.0) && (i < INT64_C(60)))
-            {
-                falsi = upper - e_upper * (upper - lower) / (e_upper - e_lower);
-                if ((falsi > lower) && (falsi < upper))
-                {
-                    middle = falsi;
-                }
-            }
+            share = root_share(newest, other, before, e_newest, e_other, e_before);
+            middle = newest + share * (other - newest);
         }
-        if ((middle <= lower) || (middle >= upper))
+        if ((middle - newest) * (middle - other) >= 0.0)
         {
             if (i > INT64_C(0))
             {
@@ -1993,40 +2062,35 @@ static int64_t slower_cruise(array_double_2d phases, double v, double a, double 
         }
         cruise_form(&count, &row, &duration, &y, phases, middle, v, a, w, b, top, ramp);
         error = y - distance;
+        short_0001 = (count < INT64_C(0)) || (error < 0.0);
         if (count < INT64_C(0))
         {
-            error = -1.0;
+            error = 0.0;
         }
+        before = newest;
+        e_before = e_newest;
+        if (short_0001 != falls_short)
+        {
+            before = other;
+            e_before = e_other;
+            other = newest;
+            e_other = e_newest;
+        }
+        newest = middle;
+        e_newest = error;
+        falls_short = short_0001;
         if ((count >= INT64_C(0)) && (fabs(error) <= 1e-15 * fabs(distance)))
         {
-            lower = middle;
-            upper = middle;
+            other = newest;
             break;
         }
-        if (error < 0.0)
-        {
-            if (side == -INT64_C(1))
-            {
-                e_upper = e_upper * falsi_weight(error, e_lower);
-            }
-            lower = middle;
-            e_lower = error;
-            side = -INT64_C(1);
-            if (count < INT64_C(0))
-            {
-                e_lower = 0.0;
-            }
-        }
-        else
-        {
-            if (side == INT64_C(1))
-            {
-                e_lower = e_lower * falsi_weight(error, e_upper);
-            }
-            upper = middle;
-            e_upper = error;
-            side = INT64_C(1);
-        }
+    }
+    lower = newest;
+    upper = other;
+    if (!falls_short)
+    {
+        lower = other;
+        upper = newest;
     }
     /*the side whose rounding error a short cruise can make up*/
     cruise = lower;
@@ -2316,39 +2380,47 @@ static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* re
     (*result_2) = hold;
     return 0;
 }
-/*The cruise velocity nearest to `limit` that leaves a cruise; `middle` leaves one.*/
-static double cruise_range(array_double_2d phases, double middle, double limit, double target, double v, double a, double w, double b, double top, array_double_1d ramp)
+/*A cruise velocity that leaves a cruise and, if there is one, passes the distance.                  */
+/*                                                                                                   */
+/*    The cruise velocity `middle` leaves a cruise and covers y; from there the search goes to the   */
+/*    velocity limit on the side of the distance. Without such a velocity, the last one that leaves a*/
+/*    cruise is returned.                                                                            */
+/*                                                                                                   */
+static double cruise_range(array_double_2d phases, double middle, double y, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
 {
+    double outside;
+    double trial;
+    int64_t i;
     int64_t count;
-    double y;
+    double y_trial;
     double hold;
     double inside;
-    double outside;
-    int64_t i;
-    double trial;
-    double result;
-    timed_cruise(&count, &y, &hold, phases, limit, target, v, a, w, b, top, ramp);
-    if ((count >= INT64_C(0)) && (hold >= 0.0))
+    outside = velocity_limit;
+    if (y > distance)
     {
-        return limit;
+        outside = -velocity_limit;
     }
     inside = middle;
-    outside = limit;
-    for (i = INT64_C(0); i < INT64_C(45); i += INT64_C(1))
+    trial = outside;
+    for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
     {
-        trial = 0.5 * (inside + outside);
-        if ((trial == inside) || (trial == outside))
-        {
-            break;
-        }
-        timed_cruise(&count, &y, &hold, phases, trial, target, v, a, w, b, top, ramp);
+        timed_cruise(&count, &y_trial, &hold, phases, trial, target, v, a, w, b, top, ramp);
         if ((count >= INT64_C(0)) && (hold >= 0.0))
         {
             inside = trial;
+            if ((i == INT64_C(0)) || ((y_trial - distance) * (y - distance) <= 0.0))
+            {
+                break;
+            }
         }
         else
         {
             outside = trial;
+        }
+        trial = 0.5 * (inside + outside);
+        if ((trial == inside) || (trial == outside))
+        {
+            break;
         }
     }
     return inside;
@@ -2375,7 +2447,7 @@ static void keep_nearest(array_double_2d trial, int64_t count, double target, do
     {
         return;
     }
-    if ((fabs(duration - target) > 1e-12 * target) || (fabs(end - w) > 1e-11 * velocity_limit))
+    if ((fabs(duration - target) > 3e-11 * target) || (fabs(end - w) > 1e-11 * velocity_limit))
     {
         return;
     }
@@ -2392,63 +2464,60 @@ static void keep_nearest(array_double_2d trial, int64_t count, double target, do
         (*cspan_at(&found, INT64_C(3))) = y;
     }
 }
-/*Close in on the cruise velocity that covers the distance, by regula falsi. */
+/*Close in on the cruise velocity that covers the distance.*/
 static void between_cruises(double lower, double y_lower, double upper, double y_upper, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial)
 {
-    double e_lower;
-    double e_upper;
-    int64_t side;
+    double newest;
+    double other;
+    double before;
+    double e_newest;
+    double e_other;
+    double e_before;
+    double rounding;
     int64_t i;
+    double share;
     double cruise;
     int64_t count;
     double y;
     double hold;
     double error;
-    e_lower = y_lower - distance;
-    e_upper = y_upper - distance;
-    side = INT64_C(0);
+    newest = upper;
+    other = lower;
+    before = lower;
+    e_newest = y_upper - distance;
+    e_other = y_lower - distance;
+    e_before = e_other;
+    rounding = 2e-15 * (fabs(distance) + (fabs(v) + fabs(w)) * target);
     for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
     {
-        if ((e_lower == 0.0) || (e_upper == 0.0))
+        if ((e_newest == 0.0) || (e_other == 0.0))
         {
             return;
         }
-        cruise = upper - e_upper * (upper - lower) / (e_upper - e_lower);
-        if ((i > INT64_C(30)) || ((cruise - lower) * (cruise - upper) >= 0.0))
+        share = root_share(newest, other, before, e_newest, e_other, e_before);
+        cruise = newest + share * (other - newest);
+        if ((cruise == newest) || (cruise == other))
         {
-            cruise = 0.5 * (lower + upper);
-            if ((cruise == lower) || (cruise == upper))
-            {
-                return;
-            }
+            return;
         }
         timed_cruise(&count, &y, &hold, trial, cruise, target, v, a, w, b, top, ramp);
         keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
         error = y - distance;
-        if (fabs(error) <= 1e-15 * fabs(distance))
+        if (fabs(error) <= rounding)
         {
             return;
         }
-        if (error * e_lower > 0.0)
+        before = newest;
+        e_before = e_newest;
+        if (error * e_newest < 0.0)
         {
-            if (side == -INT64_C(1))
-            {
-                e_upper = e_upper * falsi_weight(error, e_lower);
-            }
-            lower = cruise;
-            e_lower = error;
-            side = -INT64_C(1);
+            before = other;
+            e_before = e_other;
+            other = newest;
+            e_other = e_newest;
         }
-        else
-        {
-            if (side == INT64_C(1))
-            {
-                e_lower = e_lower * falsi_weight(error, e_upper);
-            }
-            upper = cruise;
-            e_upper = error;
-            side = INT64_C(1);
-        }
+        newest = cruise;
+        e_newest = error;
     }
 }
 /*Nearest profiles below and above the distance, from boundary states taken as they are. */
@@ -2460,12 +2529,12 @@ static void timed_between(double target, double v, double a, double w, double b,
     int64_t count;
     double y;
     double hold;
-    double limit;
     double edge;
     double y_edge;
     int64_t branch;
     bool reverse;
     bool mirror;
+    int64_t which;
     clipped = span_min(span_max(distance / target, span_min(v, w)), span_max(v, w));
     for (start = INT64_C(0); start < INT64_C(3); start += INT64_C(1))
     {
@@ -2484,12 +2553,7 @@ static void timed_between(double target, double v, double a, double w, double b,
             continue;
         }
         keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
-        limit = velocity_limit;
-        if (y > distance)
-        {
-            limit = -velocity_limit;
-        }
-        edge = cruise_range(trial, middle, limit, target, v, a, w, b, top, ramp);
+        edge = cruise_range(trial, middle, y, target, v, a, w, b, distance, velocity_limit, top, ramp);
         timed_cruise(&count, &y_edge, &hold, trial, edge, target, v, a, w, b, top, ramp);
         keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
         if (((*cspan_at(&found, INT64_C(0))) > 0.0) && ((*cspan_at(&found, INT64_C(2))) > 0.0))
@@ -2498,22 +2562,29 @@ static void timed_between(double target, double v, double a, double w, double b,
             return;
         }
     }
-    for (branch = INT64_C(0); branch < INT64_C(8); branch += INT64_C(1))
+    for (branch = INT64_C(0); branch < INT64_C(4); branch += INT64_C(1))
     {
-        reverse = (span_floor_mod(branch, INT64_C(4)) == INT64_C(1)) || (span_floor_mod(branch, INT64_C(4)) == INT64_C(2));
-        mirror = span_floor_mod(branch, INT64_C(4)) >= INT64_C(2);
-        count = tempered_form(trial, reverse, mirror, span_floor_div(branch, INT64_C(4)), target, v, a, w, b, distance, velocity_limit, top, ramp);
-        keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
+        reverse = (branch == INT64_C(1)) || (branch == INT64_C(2));
+        mirror = branch >= INT64_C(2);
+        for (which = INT64_C(0); which < INT64_C(2); which += INT64_C(1))
+        {
+            count = tempered_form(trial, reverse, mirror, which, target, v, a, w, b, distance, velocity_limit, top, ramp);
+            if (count < INT64_C(0))
+            {
+                break;
+            }
+            keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
+        }
     }
 }
-/*Profiles that last `target`; returns the weight of `above`, or -1 if none is feasible.         */
-/*                                                                                               */
-/*    The motion is (1 - weight) * below + weight * above; found[0] and found[2] are the numbers */
-/*    of phases of the two (12 rows each).                                                       */
-/*                                                                                               */
+/*Profiles that last `target`; returns the weight of `above`, or -1 if none is feasible.             */
+/*                                                                                                   */
+/*    The motion is (1 - weight) * below + weight * above; found[0] and found[2] are the numbers     */
+/*    of phases of the two (12 rows each). Where none is feasible, found[4] is the least distance by */
+/*    which a profile that lasts `target` misses, or 0 if there is no such profile.                  */
+/*                                                                                                   */
 double segfmu_timed_profile(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial)
 {
-    int64_t i;
     int64_t variant;
     bool brake_start;
     bool brake_end;
@@ -2528,16 +2599,14 @@ double segfmu_timed_profile(double target, double v, double a, double w, double 
     double y;
     double span;
     double tiny;
+    double missed;
     double weight;
     v = without_excess(v, velocity_limit);
     w = without_excess(w, velocity_limit);
     a = without_excess(a, top);
     b = without_excess(b, top);
     distance = without_dust(distance, velocity_limit * velocity_limit / top);
-    for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
-    {
-        (*cspan_at(&found, i)) = 0.0;
-    }
+    (*cspan_at(&found, INT64_C(4))) = 0.0;
     for (variant = INT64_C(0); variant < INT64_C(4); variant += INT64_C(1))
     {
         brake_start = (variant == INT64_C(1)) || (variant == INT64_C(3));
@@ -2600,6 +2669,19 @@ double segfmu_timed_profile(double target, double v, double a, double w, double 
             fit_duration(below, (int64_t)((*cspan_at(&found, INT64_C(0)))), target);
             fit_duration(above, (int64_t)((*cspan_at(&found, INT64_C(2)))), target);
             return weight;
+        }
+        missed = 0.0;
+        if ((*cspan_at(&found, INT64_C(0))) > 0.0)
+        {
+            missed = rest - (*cspan_at(&found, INT64_C(1)));
+        }
+        else if ((*cspan_at(&found, INT64_C(2))) > 0.0)
+        {
+            missed = (*cspan_at(&found, INT64_C(3))) - rest;
+        }
+        if ((missed > 0.0) && (((*cspan_at(&found, INT64_C(4))) == 0.0) || (missed < (*cspan_at(&found, INT64_C(4))))))
+        {
+            (*cspan_at(&found, INT64_C(4))) = missed;
         }
     }
     return -1.0;
@@ -2684,7 +2766,11 @@ static bool set_duration(int64_t interval, int64_t axis, double target, double s
     (*cspan_at(&counts, INT64_C(2) * cell + INT64_C(1))) = (int64_t)((*cspan_at(&found, INT64_C(2))));
     return 1;
 }
-/*The end of the gap that holds the infeasible duration `start`; -1 if none is found.*/
+/*The end of the gap that holds the infeasible duration `start`; -1 if none is found.                */
+/*                                                                                                   */
+/*    found[4] is the distance by which the profiles of `start` miss. To cover it takes at least the */
+/*    time that it takes at the velocity limit, of which a tenth is skipped at once.                 */
+/*                                                                                                   */
 static double next_feasible(int64_t interval, int64_t axis, double start, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial)
 {
     double outside;
@@ -2697,7 +2783,7 @@ static double next_feasible(int64_t interval, int64_t axis, double start, double
     growth = 1.005;
     for (i = INT64_C(0); i < INT64_C(500); i += INT64_C(1))
     {
-        duration = outside * growth;
+        duration = span_max(outside * growth, outside + 0.1 * (*cspan_at(&found, INT64_C(4))) / (*cspan_at(&limits, axis, INT64_C(0))));
         if (set_duration(interval, axis, duration, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial))
         {
             inside = duration;
@@ -2720,7 +2806,7 @@ static double next_feasible(int64_t interval, int64_t axis, double start, double
     for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
     {
         duration = 0.5 * (outside + inside);
-        if (inside - outside <= 1e-12 * inside)
+        if (inside - outside <= 1e-09 * inside)
         {
             break;
         }
@@ -3842,25 +3928,44 @@ static void add_product(int64_t first, int64_t first_count, int64_t second, int6
         }
     }
 }
+/*sign * (bound^2 w_z^2 - z^2 |w|^2) in work[6, :].*/
+static void length_margin(int64_t width, double bound, double sign, array_double_2d work)
+{
+    int64_t columns;
+    int64_t count;
+    int64_t row;
+    int64_t i;
+    int64_t axis;
+    columns = work.shape[INT64_C(1)] - INT64_C(2);
+    count = width - INT64_C(2);
+    for (row = INT64_C(6); row < INT64_C(10); row += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < columns; i += INT64_C(1))
+        {
+            (*cspan_at(&work, row, i)) = 0.0;
+        }
+    }
+    add_product(INT64_C(2), width, INT64_C(2), width, INT64_C(7), work);
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        add_product(INT64_C(3) + axis, count, INT64_C(3) + axis, count, INT64_C(8), work);
+    }
+    add_product(INT64_C(5), count, INT64_C(5), count, INT64_C(9), work);
+    add_product(INT64_C(7), INT64_C(2) * width - INT64_C(1), INT64_C(8), INT64_C(2) * count - INT64_C(1), INT64_C(6), work);
+    for (i = INT64_C(0); i < columns; i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(6), i)) = sign * (bound * bound * (*cspan_at(&work, INT64_C(9), i)) - (*cspan_at(&work, INT64_C(6), i)));
+    }
+}
 /*Put the polynomial of a demand into work[6, :]; returns its length, 0: no such demand. */
 static int64_t rope_demand(int64_t demand, double gravity, double shortest, double longest, double tolerance, array_double_2d work)
 {
     int64_t columns;
     int64_t width;
     int64_t i;
-    double bound;
-    double sign;
-    int64_t row;
-    int64_t axis;
-    double allowed;
-    double square;
     int64_t result;
     columns = work.shape[INT64_C(1)] - INT64_C(2);
     width = span_floor_div((columns + INT64_C(7)), INT64_C(4));
-    for (i = INT64_C(0); i < columns; i += INT64_C(1))
-    {
-        (*cspan_at(&work, INT64_C(6), i)) = 0.0;
-    }
     if (demand == INT64_C(1))
     {
         for (i = INT64_C(0); i < width; i += INT64_C(1))
@@ -3879,55 +3984,21 @@ static int64_t rope_demand(int64_t demand, double gravity, double shortest, doub
         (*cspan_at(&work, INT64_C(6), INT64_C(0))) = (*cspan_at(&work, INT64_C(6), INT64_C(0))) - tolerance * gravity;
         return width - INT64_C(2);
     }
-    bound = longest;
-    sign = 1.0;
-    if (demand == INT64_C(4))
+    if (demand == INT64_C(3))
     {
-        bound = shortest;
-        sign = -1.0;
-    }
-    if (bound <= 0.0)
-    {
-        return INT64_C(0);
-    }
-    for (row = INT64_C(7); row < INT64_C(10); row += INT64_C(1))
-    {
-        for (i = INT64_C(0); i < columns; i += INT64_C(1))
+        if (longest <= 0.0)
         {
-            (*cspan_at(&work, row, i)) = 0.0;
+            return INT64_C(0);
         }
+        length_margin(width, longest * (1.0 + tolerance), 1.0, work);
     }
-    /*-z^2 |w|^2, and L^2 w_z^2 beside it*/
-    for (i = INT64_C(0); i < width; i += INT64_C(1))
+    else
     {
-        (*cspan_at(&work, INT64_C(6), i)) = -(*cspan_at(&work, INT64_C(2), i));
-    }
-    add_product(INT64_C(6), width, INT64_C(2), width, INT64_C(7), work);
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        if (axis == INT64_C(2))
+        if (shortest <= 0.0)
         {
-            for (i = INT64_C(0); i < INT64_C(2) * width - INT64_C(5); i += INT64_C(1))
-            {
-                (*cspan_at(&work, INT64_C(9), i)) = (*cspan_at(&work, INT64_C(8), i));
-            }
+            return INT64_C(0);
         }
-        add_product(INT64_C(3) + axis, width - INT64_C(2), INT64_C(3) + axis, width - INT64_C(2), INT64_C(8), work);
-    }
-    for (i = INT64_C(0); i < width; i += INT64_C(1))
-    {
-        (*cspan_at(&work, INT64_C(6), i)) = 0.0;
-    }
-    add_product(INT64_C(7), INT64_C(2) * width - INT64_C(1), INT64_C(8), INT64_C(2) * width - INT64_C(5), INT64_C(6), work);
-    allowed = bound * (1.0 + sign * tolerance);
-    for (i = INT64_C(0); i < columns; i += INT64_C(1))
-    {
-        (*cspan_at(&work, INT64_C(6), i)) = sign * (*cspan_at(&work, INT64_C(6), i));
-    }
-    for (i = INT64_C(0); i < INT64_C(2) * width - INT64_C(5); i += INT64_C(1))
-    {
-        square = (*cspan_at(&work, INT64_C(8), i)) - (*cspan_at(&work, INT64_C(9), i));
-        (*cspan_at(&work, INT64_C(6), i)) = (*cspan_at(&work, INT64_C(6), i)) + sign * allowed * allowed * square;
+        length_margin(width, shortest * (1.0 - tolerance), -1.0, work);
     }
     return columns;
 }
@@ -4161,16 +4232,16 @@ double segfmu_feedback_bandwidth(double ratio, double length, double gravity, do
     double result;
     return span_min(ratio * sqrt(gravity / length), largest / sample_time);
 }
-/*Gains (3, 10) that give the flat output's error chosen poles; closed form.                     */
-/*                                                                                               */
-/*    About the load hanging at rest, with the sway angle counted such that the load is at       */
-/*    p = x_t + l phi: p'' = -g phi and p'''' = (g / l) (g phi + a) under the carriage's         */
-/*    acceleration a. The error of p is given the characteristic polynomial                      */
-/*    (s^2 + 2 D w s + w^2)^2, that of the rope s^2 + 2 D w s + w^2, with the bandwidth w [rad/s]*/
-/*    and the damping D. The corrections are accelerations if driven; otherwise forces, which    */
-/*    also cancel the rope's pull on the carriage.                                               */
-/*                                                                                               */
-void segfmu_feedback_gains(bool driven, double length, double bridge_mass, double trolley_mass, double payload_mass, double gravity, double bandwidth, double damping, array_double_2d gains)
+/*Gains (3, 10) that give the flat output's error chosen poles; closed form.                           */
+/*                                                                                                     */
+/*    About the load hanging at rest, with the sway angle counted such that the load is at             */
+/*    p = x_t + l phi: p'' = -g phi and p'''' = (g / l) (g phi + a) under the carriage's               */
+/*    acceleration a. The error of p is given the characteristic polynomial                            */
+/*    (s^2 + 2 D w s + w^2)^2, that of the rope s^2 + 2 D w s + w^2, each with its bandwidth w         */
+/*    [rad/s], and the damping D. The corrections are accelerations if driven; otherwise forces, which */
+/*    also cancel the rope's pull on the carriage.                                                     */
+/*                                                                                                     */
+void segfmu_feedback_gains(bool driven, double length, double bridge_mass, double trolley_mass, double payload_mass, double gravity, double bandwidth, double hoist_bandwidth, double damping, array_double_2d gains)
 {
     double k0;
     double k1;
@@ -4219,8 +4290,8 @@ void segfmu_feedback_gains(bool driven, double length, double bridge_mass, doubl
     {
         weight = payload_mass;
     }
-    (*cspan_at(&gains, INT64_C(2), INT64_C(2))) = weight * bandwidth * bandwidth;
-    (*cspan_at(&gains, INT64_C(2), INT64_C(7))) = weight * 2.0 * damping * bandwidth;
+    (*cspan_at(&gains, INT64_C(2), INT64_C(2))) = weight * hoist_bandwidth * hoist_bandwidth;
+    (*cspan_at(&gains, INT64_C(2), INT64_C(7))) = weight * 2.0 * damping * hoist_bandwidth;
 }
 /*Advance the estimate (3, 6 or more) by a sample under command and held correction. */
 void segfmu_observer_predict(double length, array_double_1d lengths, array_double_3d table, array_double_1d command, array_double_1d held, array_double_2d estimate, array_double_1d scratch)
@@ -4293,11 +4364,40 @@ void segfmu_observer_correct(double length, array_double_1d lengths, array_doubl
         }
     }
 }
+/*Wake the feedback at the first deviation that is more than the sensors' steps. */
+/*                                                                               */
+/*    Until then there is nothing to correct that a rounded signal could show.   */
+/*                                                                               */
+static void track_wake(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory)
+{
+    int64_t i;
+    double tolerance;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        tolerance = (*cspan_at(&parameters, INT64_C(20)));
+        if (i == INT64_C(2))
+        {
+            tolerance = (*cspan_at(&parameters, INT64_C(21)));
+        }
+        if (fabs((*cspan_at(&measured, i)) - (*cspan_at(&reference, i))) > tolerance)
+        {
+            (*cspan_at(&memory, INT64_C(4), INT64_C(6))) = 1.0;
+        }
+    }
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        if (fabs((*cspan_at(&measured, INT64_C(3) + i)) - (*cspan_at(&reference, INT64_C(3) + i))) > (*cspan_at(&parameters, INT64_C(22))))
+        {
+            (*cspan_at(&memory, INT64_C(4), INT64_C(6))) = 1.0;
+        }
+    }
+}
 /*Bring estimate and velocity command to the present tick. */
 static void track_observe(array_double_1d parameters, array_double_1d lengths, array_double_3d table, array_double_1d measured, array_double_1d reference, array_double_2d memory)
 {
-    int64_t i;
     bool delayed;
+    int64_t i;
+    delayed = (*cspan_at(&parameters, INT64_C(2))) > 0.5;
     if ((*cspan_at(&memory, INT64_C(3), INT64_C(3))) < 0.5)
     {
         for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
@@ -4307,23 +4407,23 @@ static void track_observe(array_double_1d parameters, array_double_1d lengths, a
         (*cspan_at(&memory, INT64_C(0), INT64_C(1))) = (*cspan_at(&measured, INT64_C(3))) - (*cspan_at(&reference, INT64_C(3)));
         (*cspan_at(&memory, INT64_C(1), INT64_C(1))) = (*cspan_at(&reference, INT64_C(4))) - (*cspan_at(&measured, INT64_C(4)));
         (*cspan_at(&memory, INT64_C(3), INT64_C(3))) = 1.0;
+        track_wake(parameters, measured, reference, memory);
+    }
+    else if (delayed)
+    {
+        track_wake(parameters, measured, span_row(&memory, INT64_C(6)), memory);
+        segfmu_observer_correct((*cspan_at(&measured, INT64_C(2))), lengths, table, measured, span_row(&memory, INT64_C(6)), span_rows(&memory, INT64_C(0), INT64_C(3)));
+        segfmu_observer_predict((*cspan_at(&measured, INT64_C(2))), lengths, table, span_row(&memory, INT64_C(3)), span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(0), INT64_C(3)), span_row(&memory, INT64_C(8)));
     }
     else
     {
-        delayed = (*cspan_at(&parameters, INT64_C(2))) > 0.5;
-        if (delayed)
-        {
-            segfmu_observer_correct((*cspan_at(&measured, INT64_C(2))), lengths, table, measured, span_row(&memory, INT64_C(6)), span_rows(&memory, INT64_C(0), INT64_C(3)));
-        }
+        track_wake(parameters, measured, reference, memory);
         segfmu_observer_predict((*cspan_at(&measured, INT64_C(2))), lengths, table, span_row(&memory, INT64_C(3)), span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(0), INT64_C(3)), span_row(&memory, INT64_C(8)));
-        if (!delayed)
-        {
-            segfmu_observer_correct((*cspan_at(&measured, INT64_C(2))), lengths, table, measured, reference, span_rows(&memory, INT64_C(0), INT64_C(3)));
-        }
-        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-        {
-            (*cspan_at(&memory, INT64_C(3), i)) = (*cspan_at(&memory, INT64_C(3), i)) + (*cspan_at(&parameters, INT64_C(1))) * (*cspan_at(&memory, INT64_C(4), i));
-        }
+        segfmu_observer_correct((*cspan_at(&measured, INT64_C(2))), lengths, table, measured, reference, span_rows(&memory, INT64_C(0), INT64_C(3)));
+    }
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(3), i)) = (*cspan_at(&memory, INT64_C(3), i)) + (*cspan_at(&parameters, INT64_C(1))) * (*cspan_at(&memory, INT64_C(4), i));
     }
     for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
     {
@@ -4344,7 +4444,7 @@ static void track_law(array_double_1d parameters, double length, array_double_1d
     double pull;
     double rope;
     double share;
-    if ((*cspan_at(&parameters, INT64_C(9))) < 0.5)
+    if (((*cspan_at(&parameters, INT64_C(9))) < 0.5) || ((*cspan_at(&memory, INT64_C(4), INT64_C(6))) < 0.5))
     {
         for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
         {
@@ -4399,7 +4499,7 @@ static void track_hoist(array_double_1d parameters, array_double_2d memory)
     share = (*cspan_at(&memory, INT64_C(5), INT64_C(3)));
     rope = ((*cspan_at(&memory, INT64_C(4), INT64_C(5))) / (*cspan_at(&parameters, INT64_C(5))) + share * (*cspan_at(&parameters, INT64_C(6)))) / (1.0 + share);
     (*cspan_at(&memory, INT64_C(4), INT64_C(2))) = rope;
-    if ((*cspan_at(&parameters, INT64_C(9))) > 0.5)
+    if (((*cspan_at(&parameters, INT64_C(9))) > 0.5) && ((*cspan_at(&memory, INT64_C(4), INT64_C(6))) > 0.5))
     {
         share = share - (*cspan_at(&parameters, INT64_C(19))) * (1.0 + share) * rope / (*cspan_at(&parameters, INT64_C(6)));
         (*cspan_at(&memory, INT64_C(5), INT64_C(3))) = span_min(span_max(share, -0.98), 9.0);
@@ -6241,23 +6341,28 @@ static double next_normal(array_double_1d numbers)
 }
 /*Sines that add up to noise whose spectrum is flat up to a bandwidth [Hz] and zero above.           */
 /*                                                                                                   */
-/*    deviation (3,): standard deviations along x, y, z. components (count, 7): angular frequency,   */
-/*    three amplitudes, three phases. Spectral representation of M. Shinozuka and C.-M. Jan, J. Sound*/
-/*    Vib. 25 (1972); the frequencies lie at random in equal bands, so that the noise has no period. */
+/*    deviation (3,): standard deviations along x, y, z. components (count, 7): angular frequency w, */
+/*    and along each axis the factors of sin(w t) (3) and of cos(w t) (3), a sine with a phase.      */
+/*    Spectral representation of M. Shinozuka and C.-M. Jan, J. Sound Vib. 25 (1972); the frequencies*/
+/*    lie at random in equal bands, so that the noise has no period.                                 */
 /*                                                                                                   */
 void segfmu_noise_components(double bandwidth, array_double_1d deviation, array_double_1d numbers, array_double_2d components)
 {
     int64_t count;
     int64_t i;
     int64_t axis;
+    double amplitude;
+    double phase;
     count = components.shape[INT64_C(0)];
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         (*cspan_at(&components, i, INT64_C(0))) = full_circle() * bandwidth * (i + segfmu_next_uniform(numbers)) / count;
         for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
         {
-            (*cspan_at(&components, i, INT64_C(1) + axis)) = (*cspan_at(&deviation, axis)) * sqrt(2.0 / count);
-            (*cspan_at(&components, i, INT64_C(4) + axis)) = full_circle() * segfmu_next_uniform(numbers);
+            amplitude = (*cspan_at(&deviation, axis)) * sqrt(2.0 / count);
+            phase = full_circle() * segfmu_next_uniform(numbers);
+            (*cspan_at(&components, i, INT64_C(1) + axis)) = amplitude * cos(phase);
+            (*cspan_at(&components, i, INT64_C(4) + axis)) = amplitude * sin(phase);
         }
     }
 }
@@ -6292,7 +6397,8 @@ static void wind_force(array_double_1d parameters, array_double_2d components, d
     double gust;
     int64_t i;
     int64_t k;
-    double angle;
+    double sine;
+    double cosine;
     gust = 0.0;
     if ((*cspan_at(&parameters, INT64_C(32))) > 0.0)
     {
@@ -6304,10 +6410,11 @@ static void wind_force(array_double_1d parameters, array_double_2d components, d
     }
     for (k = INT64_C(0); k < components.shape[INT64_C(0)]; k += INT64_C(1))
     {
-        angle = (*cspan_at(&components, k, INT64_C(0))) * time;
+        sine = sin((*cspan_at(&components, k, INT64_C(0))) * time);
+        cosine = cos((*cspan_at(&components, k, INT64_C(0))) * time);
         for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
         {
-            (*cspan_at(&force, i)) = (*cspan_at(&force, i)) + (*cspan_at(&components, k, INT64_C(1) + i)) * sin(angle + (*cspan_at(&components, k, INT64_C(4) + i)));
+            (*cspan_at(&force, i)) = (*cspan_at(&force, i)) + (*cspan_at(&components, k, INT64_C(1) + i)) * sine + (*cspan_at(&components, k, INT64_C(4) + i)) * cosine;
         }
     }
 }
@@ -7202,6 +7309,12 @@ int64_t segfmu_rig_step(array_double_1d loop, array_double_1d sensors, array_dou
     int64_t i;
     double until;
     int64_t status;
+    /*before anything that remembers, such as an observer, has seen it*/
+    if ((!(fabs(duration) < 1e+100)) || (!all_finite(setpoints, INT64_C(19))))
+    {
+        (*cspan_at(&memory, INT64_C(2), INT64_C(7))) = (*cspan_at(&memory, INT64_C(2), INT64_C(0))) + (*cspan_at(&memory, INT64_C(2), INT64_C(1)));
+        return INT64_C(4);
+    }
     status = INT64_C(0);
     if ((*cspan_at(&memory, INT64_C(2), INT64_C(2))) == 0.0)
     {
