@@ -7466,7 +7466,7 @@ static double wind_slope(array_double_1d parameters, array_double_2d components,
     double angle;
     double rate;
     int64_t k;
-    double phase;
+    double sines;
     double slope;
     slope = 0.0;
     if ((*cspan_at(&parameters, INT64_C(32))) > 0.0)
@@ -7489,8 +7489,9 @@ static double wind_slope(array_double_1d parameters, array_double_2d components,
     }
     for (k = INT64_C(0); k < components.shape[INT64_C(0)]; k += INT64_C(1))
     {
-        phase = (*cspan_at(&components, k, INT64_C(0))) * time + (*cspan_at(&components, k, INT64_C(4) + axis));
-        slope = slope + (*cspan_at(&components, k, INT64_C(1) + axis)) * (*cspan_at(&components, k, INT64_C(0))) * cos(phase);
+        angle = (*cspan_at(&components, k, INT64_C(0))) * time;
+        sines = (*cspan_at(&components, k, INT64_C(1) + axis)) * cos(angle) - (*cspan_at(&components, k, INT64_C(4) + axis)) * sin(angle);
+        slope = slope + (*cspan_at(&components, k, INT64_C(0))) * sines;
     }
     return slope;
 }
