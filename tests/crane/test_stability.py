@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from segfmu import Crane, InputError
-from segfmu.crane.feedback import SwayFeedback, design
+from segfmu.crane.feedback import SwayFeedback, design, design_schedule
 from segfmu.crane.flat_feedback import design_flat
 from segfmu.crane.observer import Uncertainty, design_observer
 from segfmu.crane.stability import largest_eigenvalue, stability_map
@@ -53,6 +53,16 @@ def test_stable_over_rope_lengths_and_payloads(
     # nothing decays slower than in two seconds, the time of the payload's estimate, and some
     assert grid.max() < np.exp(-period / 2.5)
     assert grid.min() > 0.0
+
+
+def test_stable_with_gains_for_the_payload() -> None:
+    loop = controller("lqr", False)
+    schedule = design_schedule(
+        INTECO, [0.25, 0.5, 1.0, 2.0], sample_time=0.01, shortest=SHORTEST, longest=LONGEST
+    )
+    for payload in (0.3, 0.7, 1.4, 2.0):
+        loop.feedback = schedule.at(payload)
+        assert stability_map(loop, LENGTHS, [payload]).max() < np.exp(-0.01 / 2.5)
 
 
 @pytest.mark.parametrize("kind", ["lqr", "flat"])
