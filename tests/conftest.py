@@ -7,7 +7,9 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 
+from segfmu.fmu import gantry_crane, gantry_feedforward, native
 from segfmu.fmu.build import build_all
+from segfmu.fmu.compilers import available
 
 # The same examples in every run of the whole suite; `--hypothesis-profile=search` looks for more.
 settings.register_profile("repeatable", derandomize=True, deadline=None)
@@ -20,3 +22,18 @@ def fmus(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
     """Archives of GantryFeedforward and GantryCrane."""
     feedforward, crane = build_all(tmp_path_factory.mktemp("fmus"))
     return feedforward, crane
+
+
+@pytest.fixture(scope="session")
+def native_fmus(tmp_path_factory: pytest.TempPathFactory) -> dict[int, tuple[Path, Path]]:
+    """Native archives of GantryFeedforward and GantryCrane, by version of FMI."""
+    if not available():
+        pytest.skip("native FMUs need a C compiler; none was found")
+    specs = (gantry_feedforward.native_spec(), gantry_crane.native_spec())
+    built = {}
+    for fmi in (2, 3):
+        feedforward, crane = native.build_all(
+            specs, tmp_path_factory.mktemp(f"native{fmi}"), fmi=fmi
+        )
+        built[fmi] = (feedforward, crane)
+    return built

@@ -49,14 +49,30 @@ def plan(
         _write_plan(task, trajectory, output)
 
 
-@app.command(epilog="Example: segfmu build --output fmus/dist")
+@app.command(epilog="Example: segfmu build models/paper.toml --output fmus/dist --fmi 3")
 def build(
+    mission: Annotated[
+        Path | None,
+        typer.Argument(help="Mission file (TOML) whose values the FMUs start with."),
+    ] = None,
     output: Annotated[
         Path, typer.Option("--output", "-o", help="Folder for the two archives.")
     ] = Path("fmus/dist"),
+    fmi: Annotated[int, typer.Option(help="Version of the standard, 2 or 3.")] = 2,
+    backend: Annotated[
+        str, typer.Option(help="native: C, with sources; python: needs segfmu where it runs.")
+    ] = "native",
+    platforms: Annotated[
+        str, typer.Option(help="Of native binaries: all, or names with commas; else this one.")
+    ] = "",
 ) -> None:
-    """Build GantryFeedforward.fmu and GantryCrane.fmu (FMI 2.0 co-simulation)."""
-    for path in _built(output):
+    """Build GantryFeedforward.fmu and GantryCrane.fmu.
+
+    Native FMUs have co-simulation and model exchange; those of the Python backend have FMI 2.0
+    co-simulation.
+    """
+    task = None if mission is None else load_mission(mission)
+    for path in _built(output, task, fmi=fmi, backend=backend, platforms=platforms):
         console.print(f"{path}  {path.stat().st_size / 1024:.0f} KiB", highlight=False)
 
 
@@ -78,7 +94,7 @@ def simulate(
         simulation = task.simulation.model_copy(update={"step": step})
         task = task.model_copy(update={"simulation": simulation})
     trajectory = _planned(task)
-    feedforward, crane = _built(output)
+    feedforward, crane = _built(output, task, trajectory)
     rows = _run(task, trajectory, feedforward, crane)
     from segfmu.cosim import write_csv
     from segfmu.validation.criteria import judge
@@ -131,11 +147,31 @@ def _samples(task: Mission, trajectory: Trajectory) -> NDArray[np.void]:
     return rows
 
 
-def _built(folder: Path) -> tuple[Path, Path]:
-    from segfmu.fmu.build import build_all
+def _built(
+    folder: Path, task: Mission | None, trajectory: Trajectory | None = None, *, fmi: int = 2,
+    backend: str = "native", platforms: str = "",
+) -> tuple[Path, Path]:
+    """Build both FMUs, for a mission where there is one."""
+    from segfmu.fmu import build, choice, gantry_crane, gantry_feedforward, native
+    from segfmu.validation.scenario import specs
 
+    chosen = choice.chosen(fmi, backend, platforms)
+    if chosen.note:
+        print(f"segfmu: {chosen.note}", file=sys.stderr)
+    interfaces = (gantry_feedforward.spec(), gantry_crane.spec())
+    if task is not None:
+        interfaces = specs(task, trajectory or _planned(task))
     with console.status("building the FMUs") as status:
-        feedforward, crane = build_all(folder, status.update)
+        if chosen.native:
+            feedforward, crane = native.build_all(
+                (
+                    gantry_feedforward.native_spec(interfaces[0]),
+                    gantry_crane.native_spec(interfaces[1]),
+                ),
+                folder, fmi=fmi, platforms=chosen.platforms, report=status.update,
+            )
+        else:
+            feedforward, crane = build.build_all(folder, status.update, interfaces)
     return feedforward, crane
 
 

@@ -22,6 +22,7 @@ from segfmu.crane import (
     Wind,
 )
 from segfmu.crane.feedback import design
+from segfmu.crane.plant import TOLERANCE
 
 LAB = Crane(2.2, 1.155, 1.0)
 # a load so light that bridge and trolley do not feel it
@@ -257,9 +258,10 @@ def test_energy_balance_closes_with_everything_on(driven: bool) -> None:
 @pytest.mark.parametrize("driven", [False, True])
 def test_communication_step_does_not_matter_with_everything_on(driven: bool) -> None:
     runs = [shaken(driven, steps, everything()) for steps in (12, 77, 1200)]
+    # every step of the integration may err by its tolerance, and there are two runs
+    error = 2.0 * 1200 * TOLERANCE
     for other in runs[1:]:
-        # where a drive meets its bound, the error control has a kink to step over
-        assert other.state == pytest.approx(runs[0].state, abs=3e-7)
+        assert other.state == pytest.approx(runs[0].state, abs=error)
         assert other.measured.tolist() == runs[0].measured.tolist()
 
 

@@ -12,7 +12,7 @@ import os
 import sys
 import tempfile
 import zipfile
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from importlib.metadata import version
 from importlib.resources import files
 from pathlib import Path
@@ -45,14 +45,19 @@ REFERENCES = [globals()]
 class {name}({base}):
     """See {module}."""
 
+    starts = {starts!r}
+
     def __init__(self, **kwargs):
         REFERENCES.append(globals())
         super().__init__(**kwargs)
 '''
 
 
-def build_all(folder: Path, report: Callable[[str], None] = lambda _: None) -> list[Path]:
-    """Build both FMUs into a folder; `report` gets a line before each.
+def build_all(
+    folder: Path, report: Callable[[str], None] = lambda _: None,
+    specs: Sequence[Spec] | None = None,
+) -> list[Path]:
+    """Build both FMUs, or those of `specs`, into a folder; `report` gets a line before each.
 
     Raises
     ------
@@ -60,8 +65,7 @@ def build_all(folder: Path, report: Callable[[str], None] = lambda _: None) -> l
         When the folder cannot be written.
     """
     built = []
-    for make in SPECS:
-        spec = make()
+    for spec in specs or [make() for make in SPECS]:
         report(f"building {spec.name}.fmu")
         built.append(build(spec, folder))
     return built
@@ -84,7 +88,12 @@ def build(spec: Spec, folder: Path) -> Path:
 
 def _pack(spec: Spec, work: Path) -> Path:
     module, base = SLAVES[spec.name]
-    text = SCRIPT.format(name=spec.name, module=module, base=base)
+    usual = {make().name: make() for make in SPECS}[spec.name]
+    starts = {
+        v.name: v.start
+        for v, u in zip(spec.variables, usual.variables, strict=True) if v.start != u.start
+    }
+    text = SCRIPT.format(name=spec.name, module=module, base=base, starts=starts)
     digest = hashlib.sha256(model_description(spec, version("segfmu")) + text.encode()).hexdigest()
     script = work / f"segfmu_{spec.name.lower()}_{digest[:12]}.py"
     script.write_text(text, encoding="utf-8")

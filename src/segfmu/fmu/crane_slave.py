@@ -7,7 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from segfmu.crane.feedback import Weights, design
+from segfmu.crane import Crane
+from segfmu.crane.feedback import SwayFeedback, Weights, design
+from segfmu.crane.flat_feedback import design_flat
 from segfmu.crane.plant import Plant, Setpoints
 from segfmu.errors import InputError
 from segfmu.fmu import gantry_crane
@@ -49,19 +51,29 @@ class CraneSlave(SpecSlave):
             raise InputError(f"rope.length must start above 0 m, got {state[2]}")
         driven = gantry_crane.MODES.items[int(self.value("drive.mode")) - 1] == "velocity"
         nominal = float(self.value("feedback.payload_mass")) or crane.payload_mass
-        feedback = design(
-            replace(crane, payload_mass=nominal),
-            sample_time=float(self.value("feedback.sample_time")),
-            shortest=crane.rope_min or 0.2 * state[2],
-            longest=crane.rope_max or 5.0 * state[2],
-            weights=Weights(*(float(self.value(f"feedback.weight.{n}")) for n in WEIGHTS)),
-            driven=driven,
-        )
+        feedback = self._feedback(replace(crane, payload_mass=nominal), float(state[2]), driven)
         self._plant = Plant(
             crane, state, self._setpoints(), feedback, driven=driven, rig=rig_from(self.value),
             start_time=self.start_time,
         )
         self._show(self._plant)
+
+    def _feedback(self, crane: Crane, length: float, driven: bool) -> SwayFeedback:
+        """Gains over rope length; `crane` has the payload that the feedback is designed for."""
+        sample_time = float(self.value("feedback.sample_time"))
+        shortest, longest = crane.rope_min or 0.2 * length, crane.rope_max or 5.0 * length
+        if gantry_crane.DESIGNS.items[int(self.value("feedback.design")) - 1] == "flatness":
+            return design_flat(
+                crane, sample_time=sample_time, shortest=shortest, longest=longest,
+                ratio=float(self.value("feedback.bandwidth")),
+                hoist_ratio=float(self.value("feedback.hoist_bandwidth")),
+                damping=float(self.value("feedback.damping")), driven=driven,
+            )
+        weights = Weights(*(float(self.value(f"feedback.weight.{n}")) for n in WEIGHTS))
+        return design(
+            crane, sample_time=sample_time, shortest=shortest, longest=longest, weights=weights,
+            driven=driven,
+        )
 
     def advance(self, time: float, step: float) -> None:
         """Step the plant to the setpoints now set."""

@@ -69,6 +69,7 @@ to 90 degrees.</p>""",
 TITLES = {
     "input": "Inputs",
     "output": "Outputs",
+    "local": "Local variables",
     "calculatedParameter": "Calculated parameters",
     "parameter": "Parameters",
 }

@@ -1,4 +1,8 @@
-"""modelDescription.xml of FMI 2.0 from an interface specification."""
+"""modelDescription.xml of FMI 2.0 from an interface specification.
+
+A native FMU has model exchange beside co-simulation, its capabilities and its sources; what
+PythonFMU packs has co-simulation alone.
+"""
 
 from __future__ import annotations
 
@@ -6,12 +10,13 @@ import hashlib
 from xml.etree import ElementTree as ET
 
 from segfmu.fmu.spec import Spec, Variable
-from segfmu.fmu.units import BASE_UNITS, DISPLAY_UNITS
+from segfmu.fmu.units import BASE_UNITS, DISPLAY_UNITS, nominal
 
 # Fixed, so that the same interface always gives the same file.
 GENERATED = "2026-01-01T00:00:00Z"
 
 CATEGORIES = {
+    "logEvents": "what the FMU did",
     "logStatusWarning": "messages with status warning",
     "logStatusDiscard": "messages with status discard",
     "logStatusError": "messages with status error",
@@ -26,8 +31,10 @@ def guid(spec: Spec) -> str:
     return f"{{{digest[:8]}-{digest[8:12]}-{digest[12:16]}-{digest[16:20]}-{digest[20:32]}}}"
 
 
-def model_description(spec: Spec, version: str) -> bytes:
-    """The XML text of modelDescription.xml for co-simulation."""
+def model_description(
+    spec: Spec, version: str, sources: tuple[str, ...] | None = None
+) -> bytes:
+    """The XML text of modelDescription.xml; `sources` are those of a native FMU."""
     root = ET.Element(
         "fmiModelDescription",
         {
@@ -42,15 +49,7 @@ def model_description(spec: Spec, version: str) -> bytes:
             "variableNamingConvention": "structured",
         },
     )
-    ET.SubElement(
-        root,
-        "CoSimulation",
-        {
-            "modelIdentifier": spec.name,
-            "canHandleVariableCommunicationStepSize": "true",
-            "canNotUseMemoryManagementFunctions": "true",
-        },
-    )
+    _interfaces(root, spec, sources)
     _units(root, spec)
     _types(root, spec)
     categories = ET.SubElement(root, "LogCategories")
@@ -63,11 +62,37 @@ def model_description(spec: Spec, version: str) -> bytes:
     )
     variables = ET.SubElement(root, "ModelVariables")
     for reference, variable in enumerate(spec.variables):
-        variables.append(_variable(reference, variable))
+        variables.append(_variable(reference, variable, spec))
     _structure(root, spec)
+    return document(root)
+
+
+def document(root: ET.Element) -> bytes:
+    """The text of an XML document."""
     ET.indent(root)
     text: bytes = ET.tostring(root, "utf-8")
     return b'<?xml version="1.0" encoding="UTF-8"?>\n' + text + b"\n"
+
+
+def _interfaces(root: ET.Element, spec: Spec, sources: tuple[str, ...] | None) -> None:
+    common = {"modelIdentifier": spec.name, "canNotUseMemoryManagementFunctions": "true"}
+    steps = {"canHandleVariableCommunicationStepSize": "true"}
+    if sources is None:
+        ET.SubElement(root, "CoSimulation", common | steps)
+        return
+    common |= {
+        "canGetAndSetFMUstate": "true", "canSerializeFMUstate": "true",
+        "providesDirectionalDerivative": "true",
+    }
+    steps |= {
+        "canInterpolateInputs": "true" if spec.where("input") else "false",
+        "maxOutputDerivativeOrder": str(spec.orders),
+    }
+    accepts = {} if spec.states else {"completedIntegratorStepNotNeeded": "true"}
+    for name, own in (("ModelExchange", accepts), ("CoSimulation", steps)):
+        files = ET.SubElement(ET.SubElement(root, name, common | own), "SourceFiles")
+        for source in sources:
+            ET.SubElement(files, "File", {"name": source})
 
 
 def _units(root: ET.Element, spec: Spec) -> None:
@@ -97,7 +122,7 @@ def _types(root: ET.Element, spec: Spec) -> None:
             ET.SubElement(items, "Item", {"name": name, "value": str(value)})
 
 
-def _variable(reference: int, variable: Variable) -> ET.Element:
+def _variable(reference: int, variable: Variable, spec: Spec) -> ET.Element:
     attributes = {
         "name": variable.name,
         "valueReference": str(reference),
@@ -108,36 +133,65 @@ def _variable(reference: int, variable: Variable) -> ET.Element:
     if variable.initial is not None:
         attributes["initial"] = variable.initial
     element = ET.Element("ScalarVariable", attributes)
-    details: dict[str, str] = {}
-    if variable.enumeration is not None:
-        details["declaredType"] = variable.enumeration.name
-    if variable.unit is not None:
-        details["unit"] = variable.unit
-        if variable.unit in DISPLAY_UNITS:
-            details["displayUnit"] = DISPLAY_UNITS[variable.unit][0]
-    for name, value in (
-        ("min", variable.minimum), ("max", variable.maximum), ("nominal", variable.nominal),
-        ("start", variable.start),
-    ):
-        if value is not None:
-            details[name] = _text(variable, value)
-    ET.SubElement(element, variable.kind, details)
+    found = details(variable)
+    state = {rate: state for state, rate in spec.states}.get(variable.name)
+    if state is not None:
+        found["derivative"] = str(spec.references[state] + 1)
+    ET.SubElement(element, variable.kind, found)
     return element
 
 
-def _text(variable: Variable, value: float | int | bool) -> str:
+def details(variable: Variable) -> dict[str, str]:
+    """Attributes of a variable's type, the same in both versions of FMI."""
+    found: dict[str, str] = {}
+    if variable.enumeration is not None:
+        found["declaredType"] = variable.enumeration.name
+    if variable.unit is not None:
+        found["unit"] = variable.unit
+        if variable.unit in DISPLAY_UNITS:
+            found["displayUnit"] = DISPLAY_UNITS[variable.unit][0]
+    for name, value in (
+        ("min", variable.minimum), ("max", variable.maximum), ("nominal", nominal(variable)),
+        ("start", variable.start),
+    ):
+        if value is not None:
+            found[name] = text(variable, value)
+    return found
+
+
+def text(variable: Variable, value: float | int | bool) -> str:
+    """A value as XML has it."""
     if variable.kind == "Boolean":
         return "true" if value else "false"
     return repr(float(value)) if variable.kind == "Real" else str(int(value))
 
 
 def _structure(root: ET.Element, spec: Spec) -> None:
-    """Outputs follow inputs only through a step, so none depends on an input directly."""
+    """Without other word, outputs follow inputs only through a step: none depends on one."""
     structure = ET.SubElement(root, "ModelStructure")
     outputs = ET.SubElement(structure, "Outputs")
+    for variable in spec.where("output"):
+        _unknown(outputs, spec, variable.name)
+    if spec.states:
+        derivatives = ET.SubElement(structure, "Derivatives")
+        for _, rate in sorted(spec.states, key=lambda pair: spec.references[pair[1]]):
+            _unknown(derivatives, spec, rate)
     unknowns = ET.SubElement(structure, "InitialUnknowns")
-    for index, variable in enumerate(spec.variables, 1):
-        if variable.causality == "output":
-            ET.SubElement(outputs, "Unknown", {"index": str(index), "dependencies": ""})
-        if variable.initial == "calculated":
-            ET.SubElement(unknowns, "Unknown", {"index": str(index)})
+    for name in initial_unknowns(spec):
+        ET.SubElement(unknowns, "Unknown", {"index": str(spec.references[name] + 1)})
+
+
+def initial_unknowns(spec: Spec) -> list[str]:
+    """What is calculated in initialisation: outputs, parameters, states and derivatives."""
+    involved = {name for pair in spec.states for name in pair}
+    return [
+        v.name for v in spec.variables
+        if v.initial == "calculated" and (v.causality != "local" or v.name in involved)
+    ]
+
+
+def _unknown(parent: ET.Element, spec: Spec, name: str) -> None:
+    knowns = sorted(spec.references[n] + 1 for n in dict(spec.dependencies).get(name, ()))
+    attributes = {"index": str(spec.references[name] + 1)}
+    attributes["dependencies"] = " ".join(map(str, knowns))
+    ET.SubElement(parent, "Unknown", attributes)

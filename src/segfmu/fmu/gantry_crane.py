@@ -2,8 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from typing import Any
+
+from segfmu.crane import Crane
+from segfmu.crane.feedback import SwayFeedback, design
+from segfmu.crane.flat_feedback import DAMPING, HOIST_RATIO, RATIO
 from segfmu.fmu.rig_parameters import DRIVES, rig_parameters
 from segfmu.fmu.spec import (
+    Array,
     Enumeration,
     Spec,
     Variable,
@@ -12,10 +19,16 @@ from segfmu.fmu.spec import (
     output,
     parameter,
     signal,
+    time,
     triple,
 )
 
 MODES = Enumeration("DriveMode", ("force", "velocity"), "what the drives follow")
+DESIGNS = Enumeration(
+    "FeedbackDesign", ("lqr", "flatness"), "how the gains of the feedback come about"
+)
+# of the rope lengths in the table of gains
+MOST_ROWS = 17
 
 # Names of the state's ten components, in the kernels' order.
 STATE = (
@@ -83,13 +96,12 @@ def _energies() -> list[Variable]:
 
 
 def _feedback() -> list[Variable]:
-    weights = (
-        ("position", "carriage and rope position"), ("angle", "sway angles"),
-        ("velocity", "carriage and rope velocity"), ("rate", "sway rates"), ("effort", "effort"),
-    )
     return [
         parameter(
             "feedback.enabled", True, None, "sway feedback acts", kind="Boolean", tunable=True
+        ),
+        choice(
+            "feedback.design", DESIGNS, "lqr", "gains of a linear-quadratic design, or closed form"
         ),
         parameter("feedback.sample_time", 0.01, "s", "period of the feedback", minimum=1e-6),
         parameter(
@@ -97,13 +109,34 @@ def _feedback() -> list[Variable]:
             "mass of the load that the feedback is designed for; 0: crane.payload_mass",
             minimum=0.0,
         ),
-        *(
-            parameter(
-                f"feedback.weight.{name}", 1.0, None,
-                f"weight of the {text} in the dimensionless LQR design", minimum=0.0,
-            )
-            for name, text in weights
+        parameter(
+            "feedback.bandwidth", RATIO, None,
+            "of design flatness: bandwidth in units of the pendulum's frequency", minimum=1e-6,
+            tunable=True,
         ),
+        parameter(
+            "feedback.hoist_bandwidth", HOIST_RATIO, None,
+            "of design flatness: bandwidth of the hoist in units of the pendulum's frequency",
+            minimum=1e-6, tunable=True,
+        ),
+        parameter(
+            "feedback.damping", DAMPING, None, "of design flatness: damping of all poles",
+            minimum=1e-6, tunable=True,
+        ),
+    ]
+
+
+def _weights() -> list[Variable]:
+    weights = (
+        ("position", "carriage and rope position"), ("angle", "sway angles"),
+        ("velocity", "carriage and rope velocity"), ("rate", "sway rates"), ("effort", "effort"),
+    )
+    return [
+        parameter(
+            f"feedback.weight.{name}", 1.0, None,
+            f"weight of the {text} in the dimensionless LQR design", minimum=0.0,
+        )
+        for name, text in weights
     ]
 
 
@@ -121,7 +154,121 @@ def spec() -> Spec:
             choice("drive.mode", MODES, "force", "what the drives follow"),
             *rig_parameters(),
             *_feedback(),
+            *_weights(),
         ),
         stop_time=8.0,
         step_size=0.001,
     )
+
+
+# State of model exchange and its derivatives: the crane's, then the integrated powers.
+RATES = (
+    *STATE[5:], "bridge.acceleration", "trolley.acceleration", "rope.acceleration",
+    "sway.x.acceleration", "sway.y.acceleration", "power.drives", "power.wind", "power.friction",
+)
+STATES = (*STATE, "energy.drives", "energy.wind", "energy.dissipated")
+
+# What an axis is corrected by, and the places of its gains among the state's ten.
+GAINS = {
+    "bridge": (("position", 0), ("angle", 3), ("velocity", 5), ("rate", 8)),
+    "trolley": (("position", 1), ("angle", 4), ("velocity", 6), ("rate", 9)),
+    "hoist": (("position", 2), ("velocity", 7)),
+}
+
+
+def native_spec(own: Spec | None = None) -> Spec:
+    """The interface of the native GantryCrane, from that of `spec` or with other start values.
+
+    The weights of the LQR design give way to the table of its gains, made here for the crane of
+    the start values; names of the derivatives and of time are added.
+    """
+    own = own or spec()
+    weights = {v.name for v in _weights()}
+    kept = [v for v in own.variables if v.name not in weights]
+    table = _table({v.name: v.start for v in own.variables})
+    locals_ = [
+        Variable(f"{n}.acceleration", "Real", "local", "continuous", f"acceleration of {n}", unit=u)
+        for n, u in (
+            ("bridge", "m/s2"), ("trolley", "m/s2"), ("rope", "m/s2"), ("sway.x", "rad/s2"),
+            ("sway.y", "rad/s2"),
+        )
+    ]
+    power = Variable(
+        "power.drives", "Real", "local", "continuous", "power of all drives", unit="W"
+    )
+    return replace(
+        own, variables=(*kept, *table, *locals_, power, time()), arrays=_table_arrays(),
+        states=tuple(zip(STATES, RATES, strict=True)),
+    )
+
+
+def _table(starts: dict[str, Any]) -> list[Variable]:
+    feedback, driven = _designed(starts)
+    used = len(feedback.lengths)
+    rows = [
+        parameter(
+            "feedback.table.count", used, None, "rope lengths in the table of gains",
+            kind="Integer", minimum=1, maximum=MOST_ROWS,
+        ),
+        choice(
+            "feedback.table.mode", MODES, MODES.items[driven],
+            "drive.mode that the gains in the table are for",
+        ),
+    ]
+    unit = "m/s2" if driven else "N"
+    for i in range(1, MOST_ROWS + 1):
+        row = min(i, used) - 1
+        name = f"feedback.table[{i}]"
+        rows.append(
+            parameter(
+                f"{name}.length", float(feedback.lengths[row]), "m", "rope length of a row",
+                minimum=1e-9, tunable=True,
+            )
+        )
+        for axis, drive in enumerate(GAINS):
+            for quantity, place in GAINS[drive]:
+                rows.append(
+                    parameter(
+                        f"{name}.{drive}.{quantity}", float(feedback.gains[row, axis, place]),
+                        None, f"gain of the {drive} [{unit}] by the error of {STATE[place]} in SI "
+                        "units", tunable=True,
+                    )
+                )
+    return rows
+
+
+def _designed(starts: dict[str, Any]) -> tuple[SwayFeedback, bool]:
+    """The LQR design for the crane of the start values, and whether it is for velocity drives."""
+    bridge, trolley, payload, gravity = (
+        float(starts[f"crane.{n}"])
+        for n in ("bridge_mass", "trolley_mass", "payload_mass", "gravity")
+    )
+    length = float(starts["rope.length"])
+    driven = MODES.items[int(starts["drive.mode"]) - 1] == "velocity"
+    crane = Crane(
+        bridge, trolley, float(starts["feedback.payload_mass"]) or payload, gravity
+    )
+    feedback = design(
+        crane, sample_time=float(starts["feedback.sample_time"]),
+        shortest=float(starts["crane.rope_min"]) or 0.2 * length,
+        longest=float(starts["crane.rope_max"]) or 5.0 * length, driven=driven, rows=MOST_ROWS,
+    )
+    return feedback, driven
+
+
+def _table_arrays() -> tuple[Array, ...]:
+    rows = range(1, MOST_ROWS + 1)
+    lengths = Array(
+        "feedback.table.length", tuple(f"feedback.table[{i}].length" for i in rows),
+        "feedback.table.count", 1, "rope lengths of the table of gains",
+    )
+    gains = [
+        Array(
+            f"feedback.table.{drive}",
+            tuple(f"feedback.table[{i}].{drive}.{q}" for i in rows for q, _ in quantities),
+            "feedback.table.count", len(quantities),
+            f"gains of the {drive} by the errors of {', '.join(q for q, _ in quantities)}",
+        )
+        for drive, quantities in GAINS.items()
+    ]
+    return lengths, *gains

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from segfmu.fmu.spec import (
+    Array,
     Enumeration,
     Spec,
     Variable,
@@ -10,6 +13,7 @@ from segfmu.fmu.spec import (
     crane_parameters,
     output,
     parameter,
+    time,
     triple,
 )
 
@@ -141,4 +145,35 @@ def spec() -> Spec:
         ),
         stop_time=8.0,
         step_size=0.001,
+    )
+
+
+def native_spec(own: Spec | None = None) -> Spec:
+    """The interface of the native GantryFeedforward, which also names time.
+
+    It is that of `spec`, or of one with other start values.
+    """
+    own = own or spec()
+    outputs = own.where("output")
+    return replace(
+        own,
+        variables=(*own.variables, time()),
+        arrays=_arrays(),
+        dependencies=tuple((v.name, ("time",)) for v in outputs),
+        orders=3,
+    )
+
+
+def _arrays() -> tuple[Array, ...]:
+    rows = range(1, MAX_WAYPOINTS + 1)
+    arrays = [
+        Array(
+            f"waypoint.{name}", tuple(f"waypoint[{i}].{name}.{a}" for i in rows for a in "xyz"),
+            "waypoint.count", 3, f"{name} of the load at the waypoints",
+        )
+        for name in ("position", "velocity", "acceleration")
+    ]
+    dwells = tuple(f"waypoint[{i}].dwell" for i in rows)
+    return (
+        *arrays, Array("waypoint.dwell", dwells, "waypoint.count", 1, "rest at the waypoints")
     )

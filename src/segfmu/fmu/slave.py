@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from typing import Any
+from typing import Any, ClassVar
 
 from pythonfmu import Fmi2Slave
 from pythonfmu.enums import Fmi2Status
@@ -28,6 +28,8 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
     """
 
     spec: Spec
+    # values in place of the specification's, where an FMU was built for a mission
+    starts: ClassVar[dict[str, Value]] = {}
 
     def __init__(self, **kwargs: Any) -> None:
         super().__init__(**kwargs)
@@ -35,6 +37,8 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
         self._values: list[Value] = [
             0 if v.start is None else v.start for v in self.spec.variables
         ]
+        for name, value in self.starts.items():
+            self._values[self.spec.references[name]] = value
         self.start_time = 0.0
 
     @abstractmethod

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, field
-from typing import Literal
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any, Literal
 
 Kind = Literal["Real", "Integer", "Boolean", "Enumeration"]
-Causality = Literal["input", "output", "parameter", "calculatedParameter"]
+Causality = Literal[
+    "input", "output", "parameter", "calculatedParameter", "local", "independent"
+]
 Variability = Literal["continuous", "discrete", "fixed", "tunable"]
 Value = float | int | bool
 
@@ -39,21 +41,45 @@ class Variable:
 
     @property
     def initial(self) -> str | None:
-        """The FMI attribute `initial`; inputs have none."""
-        if self.causality == "input":
+        """The FMI attribute `initial`; inputs and time have none."""
+        if self.causality in ("input", "independent"):
             return None
         return "calculated" if self.start is None else "exact"
 
 
 @dataclass(frozen=True)
+class Array:
+    """Scalars of FMI 2.0 that are one array in FMI 3.0, row by row.
+
+    `rows` names the variable that counts the rows in use; a row has `columns` members, and the
+    array has one dimension where `columns` is 1.
+    """
+
+    name: str
+    members: tuple[str, ...]
+    rows: str
+    columns: int
+    description: str
+
+
+@dataclass(frozen=True)
 class Spec:
-    """One FMU: its variables in the order of their value references."""
+    """One FMU: its variables in the order of their value references.
+
+    What follows the step size is for native FMUs alone: arrays of FMI 3.0, continuous states of
+    model exchange with their derivatives, the variables that an unknown depends on, and the
+    highest order of output derivatives.
+    """
 
     name: str
     description: str
     variables: tuple[Variable, ...]
     stop_time: float
     step_size: float
+    arrays: tuple[Array, ...] = ()
+    states: tuple[tuple[str, str], ...] = ()
+    dependencies: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    orders: int = 0
     references: dict[str, int] = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
@@ -70,6 +96,32 @@ class Spec:
     def enumerations(self) -> tuple[Enumeration, ...]:
         """Enumeration types in use, in the order of their first use."""
         return tuple(dict.fromkeys(v.enumeration for v in self.variables if v.enumeration))
+
+
+def started(spec: Spec, values: Mapping[str, Value | str], **changes: Any) -> Spec:
+    """A specification with other start values, enumerations also by item, and other fields.
+
+    Raises
+    ------
+    KeyError
+        For a name that the specification does not have.
+    """
+    unknown = values.keys() - spec.references.keys()
+    if unknown:
+        raise KeyError(f"{spec.name} has no {', '.join(sorted(unknown))}")
+
+    def number(v: Variable) -> Value:
+        value = values[v.name]
+        if isinstance(value, str):
+            if v.enumeration is None:
+                raise TypeError(f"{v.name} takes a number, got {value!r}")
+            return v.enumeration.items.index(value) + 1
+        return value if v.kind == "Real" else bool(value) if v.kind == "Boolean" else int(value)
+
+    variables = tuple(
+        replace(v, start=number(v)) if v.name in values else v for v in spec.variables
+    )
+    return replace(spec, variables=variables, **changes)
 
 
 def output(
@@ -132,3 +184,8 @@ def crane_parameters(which: str) -> list[Variable]:
         parameter("crane.rope_min", 0.16, "m", f"{which}: shortest rope; 0: no bound", minimum=0.0),
         parameter("crane.rope_max", 1.5, "m", f"{which}: longest rope; 0: no bound", minimum=0.0),
     ]
+
+
+def time() -> Variable:
+    """The independent variable, for descriptions that name it."""
+    return Variable("time", "Real", "independent", "continuous", "time", unit="s")

@@ -27,6 +27,7 @@ if COMPILED:
         feedback_bandwidth,
         feedback_correction,
         feedback_gains,
+        flat_derivatives,
         noise_components,
         observer_correct,
         observer_predict,
@@ -53,6 +54,7 @@ else:
     from segfmu.kernels.plant import plant_advance
     from segfmu.kernels.rig import rig_balance, rig_imbalance, rig_rows, rig_start, rig_step
     from segfmu.kernels.rope import check_rope
+    from segfmu.kernels.series import flat_derivatives
     from segfmu.kernels.tracking import track_setpoint
 
 __all__ = [
@@ -70,6 +72,7 @@ __all__ = [
     "feedback_bandwidth",
     "feedback_correction",
     "feedback_gains",
+    "flat_derivatives",
     "noise_components",
     "observer_correct",
     "observer_predict",

@@ -10,10 +10,24 @@ import numpy as np
 from numpy.typing import NDArray
 
 from segfmu.cosim import simulate
+from segfmu.fmu import gantry_crane, gantry_feedforward
+from segfmu.fmu.spec import Spec, started
 from segfmu.planning import Trajectory
 from segfmu.validation.mission import AXES, Mission
 
 QUANTITIES = ("position", "velocity", "acceleration")
+
+
+def specs(mission: Mission, trajectory: Trajectory) -> tuple[Spec, Spec]:
+    """Interfaces of both FMUs whose start values are those of a mission."""
+    changes = {
+        "stop_time": trajectory.duration + mission.simulation.settle,
+        "step_size": mission.simulation.step,
+    }
+    return (
+        started(gantry_feedforward.spec(), feedforward_values(mission, trajectory), **changes),
+        started(gantry_crane.spec(), crane_values(mission), **changes),
+    )
 
 
 def feedforward_values(mission: Mission, trajectory: Trajectory) -> dict[str, float | str]:

@@ -98,6 +98,10 @@ static void track_wake(array_double_1d parameters, array_double_1d measured, arr
 static void track_observe(array_double_1d parameters, array_double_1d lengths, array_double_3d table, array_double_1d measured, array_double_1d reference, array_double_2d memory);
 static void track_law(array_double_1d parameters, double length, array_double_1d gain_lengths, array_double_3d gains, array_double_2d memory, array_double_1d correction);
 static void track_hoist(array_double_1d parameters, array_double_2d memory);
+static void series_product(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found);
+static void series_quotient(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found);
+static void series_root(array_double_1d a, int64_t count, array_double_1d found);
+static void series_angle(array_double_1d y, array_double_1d x, array_double_1d square, int64_t count, array_double_1d scratch, array_double_1d found);
 static double stage_row(int64_t stage, array_double_1d row);
 static void error_weights(array_double_1d row);
 static double next_step(double error, double tolerance);
@@ -5026,6 +5030,149 @@ void segfmu_crane_energy(array_double_1d state, double bridge_mass, double troll
     (*cspan_at(&energy, INT64_C(0))) = 1.0 / 2.0 * bridge_mass * c0 + 1.0 / 2.0 * payload_mass * (c10 * c10 + c11 * c11 + c12 * c12) + 1.0 / 2.0 * trolley_mass * (c0 + y_t_rate * y_t_rate);
     (*cspan_at(&energy, INT64_C(1))) = (-c4) * c8 * gravity * payload_mass;
 }
+/*found = a b, `count` coefficients. */
+static void series_product(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found)
+{
+    int64_t k;
+    double total;
+    int64_t i;
+    for (k = INT64_C(0); k < count; k += INT64_C(1))
+    {
+        total = 0.0;
+        for (i = INT64_C(0); i < k + INT64_C(1); i += INT64_C(1))
+        {
+            total = total + (*cspan_at(&a, i)) * (*cspan_at(&b, k - i));
+        }
+        (*cspan_at(&found, k)) = total;
+    }
+}
+/*found = a / b, where b[0] is not zero. */
+static void series_quotient(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found)
+{
+    int64_t k;
+    double total;
+    int64_t i;
+    for (k = INT64_C(0); k < count; k += INT64_C(1))
+    {
+        total = (*cspan_at(&a, k));
+        for (i = INT64_C(0); i < k; i += INT64_C(1))
+        {
+            total = total - (*cspan_at(&found, i)) * (*cspan_at(&b, k - i));
+        }
+        (*cspan_at(&found, k)) = total / (*cspan_at(&b, INT64_C(0)));
+    }
+}
+/*found = sqrt(a), where a[0] is positive. */
+static void series_root(array_double_1d a, int64_t count, array_double_1d found)
+{
+    int64_t k;
+    double total;
+    int64_t i;
+    (*cspan_at(&found, INT64_C(0))) = sqrt((*cspan_at(&a, INT64_C(0))));
+    for (k = INT64_C(1); k < count; k += INT64_C(1))
+    {
+        total = (*cspan_at(&a, k));
+        for (i = INT64_C(1); i < k; i += INT64_C(1))
+        {
+            total = total - (*cspan_at(&found, i)) * (*cspan_at(&found, k - i));
+        }
+        (*cspan_at(&found, k)) = total / (2.0 * (*cspan_at(&found, INT64_C(0))));
+    }
+}
+/*found = atan2(y, x), where square = x x + y y: its rate is (x y' - y x') / square. */
+static void series_angle(array_double_1d y, array_double_1d x, array_double_1d square, int64_t count, array_double_1d scratch, array_double_1d found)
+{
+    int64_t k;
+    double total;
+    int64_t i;
+    (*cspan_at(&found, INT64_C(0))) = atan2((*cspan_at(&y, INT64_C(0))), (*cspan_at(&x, INT64_C(0))));
+    for (k = INT64_C(0); k < count - INT64_C(1); k += INT64_C(1))
+    {
+        total = 0.0;
+        for (i = INT64_C(0); i < k + INT64_C(1); i += INT64_C(1))
+        {
+            total = total + (k + INT64_C(1) - i) * ((*cspan_at(&x, i)) * (*cspan_at(&y, k + INT64_C(1) - i)) - (*cspan_at(&y, i)) * (*cspan_at(&x, k + INT64_C(1) - i)));
+        }
+        for (i = INT64_C(0); i < k; i += INT64_C(1))
+        {
+            total = total - (*cspan_at(&scratch, i)) * (*cspan_at(&square, k - i));
+        }
+        (*cspan_at(&scratch, k)) = total / (*cspan_at(&square, INT64_C(0)));
+        (*cspan_at(&found, k + INT64_C(1))) = (*cspan_at(&scratch, k)) / (k + 1.0);
+    }
+}
+/*Time derivatives of what `crane_flat_inverse` gives.                                             */
+/*                                                                                                 */
+/*    flat holds the derivatives 0 .. order + 4 of the load's position, work is (20, order + 3) or */
+/*    larger; found (18) are the derivatives of that order of forces, state and accelerations.     */
+/*                                                                                                 */
+void segfmu_flat_derivatives(array_double_2d flat, int64_t order, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d work, array_double_1d found)
+{
+    int64_t count;
+    double factorial;
+    int64_t i;
+    int64_t axis;
+    int64_t j;
+    count = order + INT64_C(3);
+    factorial = 1.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        if (i > INT64_C(1))
+        {
+            factorial = factorial * i;
+        }
+        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+        {
+            (*cspan_at(&work, axis, i)) = (*cspan_at(&flat, i, axis)) / factorial;
+            (*cspan_at(&work, INT64_C(3) + axis, i)) = (*cspan_at(&flat, i + INT64_C(2), axis)) / factorial;
+        }
+    }
+    (*cspan_at(&work, INT64_C(5), INT64_C(0))) = (*cspan_at(&work, INT64_C(5), INT64_C(0))) + gravity;
+    /*rows: 0-2 load, 3-5 pull w, 6-8 squares, 9 |w_yz|^2, 10 |w|^2, 11 |w_yz|, 12 |w|*/
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        series_product(span_row(&work, INT64_C(3) + axis), span_row(&work, INT64_C(3) + axis), count, span_row(&work, INT64_C(6) + axis));
+    }
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(9), i)) = (*cspan_at(&work, INT64_C(7), i)) + (*cspan_at(&work, INT64_C(8), i));
+        (*cspan_at(&work, INT64_C(10), i)) = (*cspan_at(&work, INT64_C(9), i)) + (*cspan_at(&work, INT64_C(6), i));
+    }
+    series_root(span_row(&work, INT64_C(9)), count, span_row(&work, INT64_C(11)));
+    series_root(span_row(&work, INT64_C(10)), count, span_row(&work, INT64_C(12)));
+    /*rows 15-19: the coordinates; 13 and 14 are scratch*/
+    series_quotient(span_row(&work, INT64_C(2)), span_row(&work, INT64_C(5)), count, span_row(&work, INT64_C(13)));
+    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+    {
+        series_product(span_row(&work, INT64_C(13)), span_row(&work, INT64_C(3) + axis), count, span_row(&work, INT64_C(14)));
+        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        {
+            (*cspan_at(&work, INT64_C(15) + axis, i)) = (*cspan_at(&work, axis, i)) - (*cspan_at(&work, INT64_C(14), i));
+        }
+    }
+    series_product(span_row(&work, INT64_C(13)), span_row(&work, INT64_C(12)), count, span_row(&work, INT64_C(17)));
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(17), i)) = -(*cspan_at(&work, INT64_C(17), i));
+        (*cspan_at(&work, INT64_C(13), i)) = -(*cspan_at(&work, INT64_C(3), i));
+    }
+    series_angle(span_row(&work, INT64_C(13)), span_row(&work, INT64_C(11)), span_row(&work, INT64_C(10)), count, span_row(&work, INT64_C(14)), span_row(&work, INT64_C(18)));
+    series_angle(span_row(&work, INT64_C(4)), span_row(&work, INT64_C(5)), span_row(&work, INT64_C(9)), count, span_row(&work, INT64_C(14)), span_row(&work, INT64_C(19)));
+    factorial = 1.0;
+    for (i = INT64_C(2); i < order + INT64_C(1); i += INT64_C(1))
+    {
+        factorial = factorial * i;
+    }
+    for (j = INT64_C(0); j < INT64_C(5); j += INT64_C(1))
+    {
+        (*cspan_at(&found, INT64_C(3) + j)) = factorial * (*cspan_at(&work, INT64_C(15) + j, order));
+        (*cspan_at(&found, INT64_C(8) + j)) = factorial * (order + 1.0) * (*cspan_at(&work, INT64_C(15) + j, order + INT64_C(1)));
+        (*cspan_at(&found, INT64_C(13) + j)) = factorial * (order + 1.0) * (order + 2.0) * (*cspan_at(&work, INT64_C(15) + j, order + INT64_C(2)));
+    }
+    (*cspan_at(&found, INT64_C(0))) = (bridge_mass + trolley_mass) * (*cspan_at(&found, INT64_C(13))) + payload_mass * (*cspan_at(&flat, order + INT64_C(2), INT64_C(0)));
+    (*cspan_at(&found, INT64_C(1))) = trolley_mass * (*cspan_at(&found, INT64_C(14))) + payload_mass * (*cspan_at(&flat, order + INT64_C(2), INT64_C(1)));
+    (*cspan_at(&found, INT64_C(2))) = (-payload_mass) * factorial * (*cspan_at(&work, INT64_C(12), order));
+}
 /*Coefficients a_ij of a stage (0 .. 6); returns its node c_i. */
 static double stage_row(int64_t stage, array_double_1d row)
 {
@@ -6200,5 +6347,75 @@ double segfmu_rig_imbalance(array_double_1d balance)
     double result;
     gained = (*cspan_at(&balance, INT64_C(3))) + (*cspan_at(&balance, INT64_C(4))) + (*cspan_at(&balance, INT64_C(5))) - (*cspan_at(&balance, INT64_C(6)));
     result = (*cspan_at(&balance, INT64_C(0))) + (*cspan_at(&balance, INT64_C(1))) - (*cspan_at(&balance, INT64_C(2))) - gained;
+    return result;
+}
+/*Time of the next tick, sample, or change of payload or wind. */
+double segfmu_rig_next_event(array_double_1d loop, array_double_1d sensors, array_double_2d memory)
+{
+    double time;
+    double result;
+    time = span_min((*cspan_at(&memory, INT64_C(2), INT64_C(3))) * (*cspan_at(&loop, INT64_C(1))), (*cspan_at(&memory, INT64_C(2), INT64_C(4))));
+    result = span_min(time, next_sample(sensors, span_rows(&memory, INT64_C(30), memory.shape[INT64_C(0)])));
+    return result;
+}
+/*Signals of the sensors at a time that does not decrease. */
+void segfmu_rig_signals(array_double_1d sensors, double time, array_double_2d memory)
+{
+    (*cspan_at(&memory, INT64_C(2), INT64_C(1))) = time;
+    (*cspan_at(&memory, INT64_C(2), INT64_C(2))) = 0.0;
+    sense_signals(sensors, time, span_row(&memory, INT64_C(0)), span_rows(&memory, INT64_C(30), memory.shape[INT64_C(0)]), span_row(&memory, INT64_C(5)));
+}
+/*Take samples, change the payload and correct the setpoints where it is due at a time.*/
+void segfmu_rig_event(array_double_1d loop, array_double_1d sensors, array_double_2d changes, array_double_1d lengths, array_double_3d gains, array_double_1d setpoints, double time, array_double_2d memory)
+{
+    int64_t i;
+    segfmu_rig_signals(sensors, time, memory);
+    for (i = INT64_C(0); i < INT64_C(19); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(3), i)) = (*cspan_at(&setpoints, i));
+    }
+    meet_events(loop, sensors, changes, memory);
+    if (controller_due(loop, memory))
+    {
+        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        {
+            (*cspan_at(&memory, INT64_C(9), i)) = (*cspan_at(&memory, INT64_C(9), i)) + (*cspan_at(&memory, INT64_C(8), i)) * (time - (*cspan_at(&memory, INT64_C(2), INT64_C(8))));
+        }
+        (*cspan_at(&memory, INT64_C(2), INT64_C(8))) = time;
+        prepare_tick(sensors, setpoints, 1.0, memory);
+        /*no tracking controller: its tables are not looked at*/
+        correct_setpoints(loop, lengths, lengths, gains, lengths, gains, span_rows(&memory, INT64_C(10), INT64_C(12)), memory);
+    }
+}
+/*Derivative of the state (13) at a time; the report, memory[4, :9], is that of the plant. */
+/*                                                                                         */
+/*    Returns `plant_status`.                                                              */
+/*                                                                                         */
+int64_t segfmu_rig_rates(array_double_2d components, array_double_1d setpoints, double time, array_double_2d memory, array_double_1d derivative)
+{
+    int64_t i;
+    double added;
+    array_double_2d work;
+    int64_t result;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(10), i)) = (*cspan_at(&setpoints, i)) + (*cspan_at(&memory, INT64_C(8), i));
+        if ((*cspan_at(&memory, INT64_C(1), INT64_C(4))) > 0.5)
+        {
+            added = (*cspan_at(&memory, INT64_C(9), i)) + (*cspan_at(&memory, INT64_C(8), i)) * (time - (*cspan_at(&memory, INT64_C(2), INT64_C(8))));
+            (*cspan_at(&memory, INT64_C(10), i)) = (*cspan_at(&setpoints, INT64_C(3) + i)) + added;
+        }
+        (*cspan_at(&memory, INT64_C(11), i)) = 0.0;
+        (*cspan_at(&memory, INT64_C(12), i)) = (*cspan_at(&setpoints, INT64_C(16) + i));
+    }
+    work = span_rows(&memory, INT64_C(14), INT64_C(30));
+    plant_derivative(span_row(&memory, INT64_C(1)), components, (*cspan_at(&memory, INT64_C(2), INT64_C(0))) + time, 0.0, span_row(&memory, INT64_C(0)), span_row(&memory, INT64_C(10)), span_row(&memory, INT64_C(11)), span_row(&memory, INT64_C(12)), work, derivative);
+    for (i = INT64_C(0); i < INT64_C(7); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(4), i)) = (*cspan_at(&work, INT64_C(10), i));
+    }
+    (*cspan_at(&memory, INT64_C(4), INT64_C(7))) = (*cspan_at(&derivative, INT64_C(11)));
+    (*cspan_at(&memory, INT64_C(4), INT64_C(8))) = (*cspan_at(&derivative, INT64_C(12)));
+    result = plant_status(span_row(&memory, INT64_C(1)), span_row(&memory, INT64_C(0)), (*cspan_at(&work, INT64_C(10), INT64_C(6))));
     return result;
 }

@@ -31,6 +31,7 @@ void segfmu_crane_driven(array_double_1d state, array_double_1d carriage, array_
 void segfmu_crane_flat_inverse(array_double_2d flat, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_1d force, array_double_1d state, array_double_1d acceleration);
 void segfmu_crane_load(array_double_1d state, array_double_2d load);
 void segfmu_crane_energy(array_double_1d state, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_1d energy);
+void segfmu_flat_derivatives(array_double_2d flat, int64_t order, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d work, array_double_1d found);
 double segfmu_next_uniform(array_double_1d numbers);
 void segfmu_seed_numbers(int64_t seed, array_double_1d numbers);
 void segfmu_noise_components(double bandwidth, array_double_1d deviation, array_double_1d numbers, array_double_2d components);
@@ -41,5 +42,9 @@ void segfmu_rig_start(array_double_1d loop, array_double_1d sensors, array_doubl
 int64_t segfmu_rig_step(array_double_1d loop, array_double_1d sensors, array_double_2d components, array_double_2d changes, array_double_1d tracking, array_double_1d lengths, array_double_3d table, array_double_1d gain_lengths, array_double_3d gains, array_double_2d tracker, array_double_1d setpoints, double duration, array_double_2d memory);
 void segfmu_rig_balance(array_double_2d memory, array_double_1d balance);
 double segfmu_rig_imbalance(array_double_1d balance);
+double segfmu_rig_next_event(array_double_1d loop, array_double_1d sensors, array_double_2d memory);
+void segfmu_rig_signals(array_double_1d sensors, double time, array_double_2d memory);
+void segfmu_rig_event(array_double_1d loop, array_double_1d sensors, array_double_2d changes, array_double_1d lengths, array_double_3d gains, array_double_1d setpoints, double time, array_double_2d memory);
+int64_t segfmu_rig_rates(array_double_2d components, array_double_1d setpoints, double time, array_double_2d memory, array_double_1d derivative);
 
 #endif

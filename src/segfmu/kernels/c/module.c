@@ -925,6 +925,44 @@ static PyObject *call_crane_energy(
     return answer;
 }
 
+static PyObject *call_flat_derivatives(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "flat_derivatives", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_flat;
+    int64_t in_order;
+    double in_bridge_mass;
+    double in_trolley_mass;
+    double in_payload_mass;
+    double in_gravity;
+    Py_buffer *in_work;
+    Py_buffer *in_found;
+    (void)self;
+    if (take_count(&call, count, 8)
+        && (in_flat = take_array(&call, 0, 2, 'd', false)) != NULL
+        && take_int(&call, 1, &in_order)
+        && take_float(&call, 2, &in_bridge_mass)
+        && take_float(&call, 3, &in_trolley_mass)
+        && take_float(&call, 4, &in_payload_mass)
+        && take_float(&call, 5, &in_gravity)
+        && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
+        && (in_found = take_array(&call, 7, 1, 'd', true)) != NULL) {
+        segfmu_flat_derivatives(
+            (array_double_2d){in_flat->buf, {in_flat->shape[0], in_flat->shape[1]}},
+            in_order,
+            in_bridge_mass,
+            in_trolley_mass,
+            in_payload_mass,
+            in_gravity,
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_1d){in_found->buf, {in_found->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_seed_numbers(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -1204,6 +1242,117 @@ static PyObject *call_rig_imbalance(
     return answer;
 }
 
+static PyObject *call_rig_next_event(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "rig_next_event", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_loop;
+    Py_buffer *in_sensors;
+    Py_buffer *in_memory;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && (in_loop = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_sensors = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_memory = take_array(&call, 2, 2, 'd', false)) != NULL) {
+        answer = PyFloat_FromDouble(segfmu_rig_next_event(
+            (array_double_1d){in_loop->buf, {in_loop->shape[0]}},
+            (array_double_1d){in_sensors->buf, {in_sensors->shape[0]}},
+            (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_rig_event(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "rig_event", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_loop;
+    Py_buffer *in_sensors;
+    Py_buffer *in_changes;
+    Py_buffer *in_lengths;
+    Py_buffer *in_gains;
+    Py_buffer *in_setpoints;
+    double in_time;
+    Py_buffer *in_memory;
+    (void)self;
+    if (take_count(&call, count, 8)
+        && (in_loop = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_sensors = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_changes = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_lengths = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_gains = take_array(&call, 4, 3, 'd', false)) != NULL
+        && (in_setpoints = take_array(&call, 5, 1, 'd', false)) != NULL
+        && take_float(&call, 6, &in_time)
+        && (in_memory = take_array(&call, 7, 2, 'd', true)) != NULL) {
+        segfmu_rig_event(
+            (array_double_1d){in_loop->buf, {in_loop->shape[0]}},
+            (array_double_1d){in_sensors->buf, {in_sensors->shape[0]}},
+            (array_double_2d){in_changes->buf, {in_changes->shape[0], in_changes->shape[1]}},
+            (array_double_1d){in_lengths->buf, {in_lengths->shape[0]}},
+            (array_double_3d){in_gains->buf, {in_gains->shape[0], in_gains->shape[1], in_gains->shape[2]}},
+            (array_double_1d){in_setpoints->buf, {in_setpoints->shape[0]}},
+            in_time,
+            (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_rig_signals(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "rig_signals", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_sensors;
+    double in_time;
+    Py_buffer *in_memory;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && (in_sensors = take_array(&call, 0, 1, 'd', false)) != NULL
+        && take_float(&call, 1, &in_time)
+        && (in_memory = take_array(&call, 2, 2, 'd', true)) != NULL) {
+        segfmu_rig_signals(
+            (array_double_1d){in_sensors->buf, {in_sensors->shape[0]}},
+            in_time,
+            (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_rig_rates(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "rig_rates", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_components;
+    Py_buffer *in_setpoints;
+    double in_time;
+    Py_buffer *in_memory;
+    Py_buffer *in_derivative;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && (in_components = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_setpoints = take_array(&call, 1, 1, 'd', false)) != NULL
+        && take_float(&call, 2, &in_time)
+        && (in_memory = take_array(&call, 3, 2, 'd', true)) != NULL
+        && (in_derivative = take_array(&call, 4, 1, 'd', true)) != NULL) {
+        answer = PyLong_FromLongLong(segfmu_rig_rates(
+            (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}},
+            (array_double_1d){in_setpoints->buf, {in_setpoints->shape[0]}},
+            in_time,
+            (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}},
+            (array_double_1d){in_derivative->buf, {in_derivative->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyMethodDef methods[] = {
     {"ramp_parameters", (PyCFunction)(void (*)(void))call_ramp_parameters, METH_FASTCALL, NULL},
     {"ramp_duration", (PyCFunction)(void (*)(void))call_ramp_duration, METH_FASTCALL, NULL},
@@ -1229,6 +1378,7 @@ static PyMethodDef methods[] = {
     {"crane_flat_inverse", (PyCFunction)(void (*)(void))call_crane_flat_inverse, METH_FASTCALL, NULL},
     {"crane_load", (PyCFunction)(void (*)(void))call_crane_load, METH_FASTCALL, NULL},
     {"crane_energy", (PyCFunction)(void (*)(void))call_crane_energy, METH_FASTCALL, NULL},
+    {"flat_derivatives", (PyCFunction)(void (*)(void))call_flat_derivatives, METH_FASTCALL, NULL},
     {"seed_numbers", (PyCFunction)(void (*)(void))call_seed_numbers, METH_FASTCALL, NULL},
     {"next_uniform", (PyCFunction)(void (*)(void))call_next_uniform, METH_FASTCALL, NULL},
     {"noise_components", (PyCFunction)(void (*)(void))call_noise_components, METH_FASTCALL, NULL},
@@ -1239,6 +1389,10 @@ static PyMethodDef methods[] = {
     {"rig_step", (PyCFunction)(void (*)(void))call_rig_step, METH_FASTCALL, NULL},
     {"rig_balance", (PyCFunction)(void (*)(void))call_rig_balance, METH_FASTCALL, NULL},
     {"rig_imbalance", (PyCFunction)(void (*)(void))call_rig_imbalance, METH_FASTCALL, NULL},
+    {"rig_next_event", (PyCFunction)(void (*)(void))call_rig_next_event, METH_FASTCALL, NULL},
+    {"rig_event", (PyCFunction)(void (*)(void))call_rig_event, METH_FASTCALL, NULL},
+    {"rig_signals", (PyCFunction)(void (*)(void))call_rig_signals, METH_FASTCALL, NULL},
+    {"rig_rates", (PyCFunction)(void (*)(void))call_rig_rates, METH_FASTCALL, NULL},
     {NULL, NULL, 0, NULL},
 };
 

@@ -1,0 +1,64 @@
+/* GantryCrane's block: the arrays of the kernels, and a rig's memory at its end. */
+#ifndef SEGFMU_CRANE_H
+#define SEGFMU_CRANE_H
+
+#include "kernels.h"
+#include "model.h"
+
+enum {
+    STATE = 10, SETPOINTS = 19, PARAMETERS = 37, SENSORS = 18, COLUMNS = 40, GAINS = 3 * STATE,
+    COMPONENTS = 32, CHANGES = 4, MOST_LENGTHS = MODEL_ROWS, MOST_SAMPLES = 100000
+};
+
+/* rows of the memory, see kernels/rig.py */
+enum {
+    ROW_STATE, ROW_PARAMETERS, ROW_CLOCK, ROW_LAST, ROW_REPORT, ROW_SIGNALS, ROW_DERIVATIVE = 20
+};
+
+typedef struct {
+    model base;
+    double loop[4], sensors[SENSORS], parameters[PARAMETERS], setpoints[SETPOINTS];
+    double changes[CHANGES * 2], components[COMPONENTS * 7];
+    double lengths[MOST_LENGTHS], gains[MOST_LENGTHS * GAINS];
+    double derivative[MODEL_STATES];
+    int64_t count_changes, count_components, count_lengths;
+    int64_t rows;       /* of the memory; 0: not initialised */
+    double memory[];
+} crane;
+
+static inline array_double_1d vector(double *data, int64_t n)
+{
+    array_double_1d a = {data, {n}};
+    return a;
+}
+
+static inline array_double_2d matrix(double *data, int64_t rows, int64_t columns)
+{
+    array_double_2d a = {data, {rows, columns}};
+    return a;
+}
+
+static inline array_double_2d memory_of(crane *m)
+{
+    return matrix(m->memory, m->rows, COLUMNS);
+}
+
+static inline array_double_3d gains_of(crane *m)
+{
+    array_double_3d a = {m->gains, {m->count_lengths, 3, STATE}};
+    return a;
+}
+
+/* Turn parameters into the kernels' arrays; false with a message where they do not fit. */
+bool crane_set_up(crane *m, char message[MESSAGE]);
+
+/* The gains, from the table or in closed form. */
+bool crane_set_gains(crane *m, char message[MESSAGE]);
+
+/* The inputs as setpoints. */
+void crane_read_inputs(crane *m);
+
+/* The message of a status of the plant. */
+bool crane_failed(crane *m, int64_t status, double time, char message[MESSAGE]);
+
+#endif

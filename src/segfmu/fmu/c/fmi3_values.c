@@ -1,0 +1,203 @@
+/* FMI 3.0: values, derivatives, dependencies, clocks. */
+#include "fmi3Functions.h"
+
+#include "glue.h"
+
+/* modes in which values are read and set */
+enum { ALIVE = MODE_ANY };
+
+#define ALLOW(modes) if (!glue_allows(c, (modes), __func__)) return fmi3Error
+#define GIVEN(pointer) if (!glue_given(c, (pointer), __func__)) return fmi3Error
+
+static fmi3Status status(bool good)
+{
+    return good ? fmi3OK : fmi3Error;
+}
+
+/* Types that no variable has: only a call for no variable is in order. */
+#define WITHOUT(Type)                                                                             \
+    fmi3Status fmi3Get##Type(fmi3Instance c, const fmi3ValueReference references[], size_t count, \
+                             fmi3##Type values[], size_t size)                                    \
+    {                                                                                             \
+        ALLOW(ALIVE);                                                                             \
+        return status(glue_readable(c, __func__, references, count, values, size, 0));            \
+    }                                                                                             \
+    fmi3Status fmi3Set##Type(fmi3Instance c, const fmi3ValueReference references[], size_t count, \
+                             const fmi3##Type values[], size_t size)                              \
+    {                                                                                             \
+        ALLOW(ALIVE);                                                                             \
+        return status(glue_settable(c, __func__, references, count, values, size, 0));            \
+    }
+
+WITHOUT(Float32)
+WITHOUT(Int8)
+WITHOUT(UInt8)
+WITHOUT(Int16)
+WITHOUT(UInt16)
+WITHOUT(UInt32)
+WITHOUT(String)
+
+/* Whole numbers and truth values: all of them scalars. */
+#define WHOLE(Type, kind)                                                                         \
+    fmi3Status fmi3Get##Type(fmi3Instance c, const fmi3ValueReference references[], size_t count, \
+                             fmi3##Type values[], size_t size)                                    \
+    {                                                                                             \
+        ALLOW(ALIVE);                                                                             \
+        if (!glue_readable(c, __func__, references, count, values, size, 1 << (kind))) {          \
+            return fmi3Error;                                                                     \
+        }                                                                                         \
+        for (size_t i = 0; i < count; i++) {                                                      \
+            values[i] = (fmi3##Type)glue_integer(c, references[i]);                               \
+        }                                                                                         \
+        return fmi3OK;                                                                            \
+    }                                                                                             \
+    fmi3Status fmi3Set##Type(fmi3Instance c, const fmi3ValueReference references[], size_t count, \
+                             const fmi3##Type values[], size_t size)                              \
+    {                                                                                             \
+        ALLOW(ALIVE);                                                                             \
+        if (!glue_settable(c, __func__, references, count, values, size, 1 << (kind))) {          \
+            return fmi3Error;                                                                     \
+        }                                                                                         \
+        for (size_t i = 0; i < count; i++) {                                                      \
+            if (!glue_set_integer(c, references[i], (int64_t)values[i])) {                        \
+                return fmi3Error;                                                                 \
+            }                                                                                     \
+        }                                                                                         \
+        return fmi3OK;                                                                            \
+    }
+
+WHOLE(Int32, KIND_INTEGER)
+WHOLE(Int64, KIND_ENUMERATION)
+WHOLE(UInt64, KIND_COUNT)
+WHOLE(Boolean, KIND_BOOLEAN)
+
+fmi3Status fmi3GetFloat64(fmi3Instance self, const fmi3ValueReference references[], size_t count,
+                          fmi3Float64 values[], size_t size)
+{
+    instance *c = self;
+    ALLOW(ALIVE);
+    if (!glue_readable(c, __func__, references, count, values, size, 1 << KIND_REAL)) {
+        return fmi3Error;
+    }
+    glue_get_reals(c, references, count, values);
+    return fmi3OK;
+}
+
+fmi3Status fmi3SetFloat64(fmi3Instance self, const fmi3ValueReference references[], size_t count,
+                          const fmi3Float64 values[], size_t size)
+{
+    instance *c = self;
+    ALLOW(ALIVE);
+    return status(glue_settable(c, __func__, references, count, values, size, 1 << KIND_REAL)
+                  && glue_set_reals(c, references, count, values));
+}
+
+fmi3Status fmi3GetBinary(fmi3Instance self, const fmi3ValueReference references[], size_t count,
+                         size_t sizes[], fmi3Binary values[], size_t size)
+{
+    instance *c = self;
+    ALLOW(ALIVE);
+    (void)sizes;
+    return status(glue_readable(c, __func__, references, count, values, size, 0));
+}
+
+fmi3Status fmi3SetBinary(fmi3Instance self, const fmi3ValueReference references[], size_t count,
+                         const size_t sizes[], const fmi3Binary values[], size_t size)
+{
+    instance *c = self;
+    ALLOW(ALIVE);
+    (void)sizes;
+    return status(glue_settable(c, __func__, references, count, values, size, 0));
+}
+
+/* ---- clocks: there are none ---- */
+
+static fmi3Status no_clock(fmi3Instance self, const fmi3ValueReference references[], size_t count,
+                           const char *function)
+{
+    instance *c = self;
+    if (!glue_allows(c, MODE_ANY, function)) {
+        return fmi3Error;
+    }
+    return status(glue_readable(c, function, references, count, references, count, 0));
+}
+
+fmi3Status fmi3GetClock(fmi3Instance self, const fmi3ValueReference references[], size_t count,
+                        fmi3Clock values[])
+{
+    (void)values;
+    return no_clock(self, references, count, __func__);
+}
+
+fmi3Status fmi3SetClock(fmi3Instance self, const fmi3ValueReference references[], size_t count,
+                        const fmi3Clock values[])
+{
+    (void)values;
+    return no_clock(self, references, count, __func__);
+}
+
+fmi3Status fmi3GetIntervalDecimal(fmi3Instance self, const fmi3ValueReference references[],
+                                  size_t count, fmi3Float64 intervals[],
+                                  fmi3IntervalQualifier qualifiers[])
+{
+    (void)intervals;
+    (void)qualifiers;
+    return no_clock(self, references, count, __func__);
+}
+
+fmi3Status fmi3GetIntervalFraction(fmi3Instance self, const fmi3ValueReference references[],
+                                   size_t count, fmi3UInt64 counters[], fmi3UInt64 resolutions[],
+                                   fmi3IntervalQualifier qualifiers[])
+{
+    (void)counters;
+    (void)resolutions;
+    (void)qualifiers;
+    return no_clock(self, references, count, __func__);
+}
+
+fmi3Status fmi3GetShiftDecimal(fmi3Instance self, const fmi3ValueReference references[],
+                               size_t count, fmi3Float64 shifts[])
+{
+    (void)shifts;
+    return no_clock(self, references, count, __func__);
+}
+
+fmi3Status fmi3GetShiftFraction(fmi3Instance self, const fmi3ValueReference references[],
+                                size_t count, fmi3UInt64 counters[], fmi3UInt64 resolutions[])
+{
+    (void)counters;
+    (void)resolutions;
+    return no_clock(self, references, count, __func__);
+}
+
+fmi3Status fmi3SetIntervalDecimal(fmi3Instance self, const fmi3ValueReference references[],
+                                  size_t count, const fmi3Float64 intervals[])
+{
+    (void)intervals;
+    return no_clock(self, references, count, __func__);
+}
+
+fmi3Status fmi3SetIntervalFraction(fmi3Instance self, const fmi3ValueReference references[],
+                                   size_t count, const fmi3UInt64 counters[],
+                                   const fmi3UInt64 resolutions[])
+{
+    (void)counters;
+    (void)resolutions;
+    return no_clock(self, references, count, __func__);
+}
+
+fmi3Status fmi3SetShiftDecimal(fmi3Instance self, const fmi3ValueReference references[],
+                               size_t count, const fmi3Float64 shifts[])
+{
+    (void)shifts;
+    return no_clock(self, references, count, __func__);
+}
+
+fmi3Status fmi3SetShiftFraction(fmi3Instance self, const fmi3ValueReference references[],
+                                size_t count, const fmi3UInt64 counters[],
+                                const fmi3UInt64 resolutions[])
+{
+    (void)counters;
+    (void)resolutions;
+    return no_clock(self, references, count, __func__);
+}

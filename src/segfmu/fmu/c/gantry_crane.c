@@ -1,0 +1,287 @@
+/* GantryCrane: the crane with its drives, sensors and sampled feedback. In co-simulation the kernel
+   rig_step goes from event to event by itself; in model exchange the importer integrates. */
+#include <math.h>
+#include <string.h>
+
+#include "crane.h"
+#include "say.h"
+
+enum { EXCHANGE = 0, ENERGIES = 7 };
+
+/* s by which an event may be met late: importers with fixed steps cannot do better */
+static const double LATEST = 1.0;
+
+/* the states in the order of the description: the crane's and its energies */
+const double model_nominals[MODEL_STATES + 1] = {
+    1.0, 1.0, 1.0, 0.1, 0.1, 1.0, 1.0, 1.0, 0.1, 0.1, 10.0, 10.0, 10.0, 0.0
+};
+
+size_t model_size(void)
+{
+    return sizeof(crane)
+        + (size_t)segfmu_rig_rows(1.0, MOST_SAMPLES) * COLUMNS * sizeof(double);
+}
+
+size_t model_used(const model *base)
+{
+    return sizeof(crane) + (size_t)((const crane *)base)->rows * COLUMNS * sizeof(double);
+}
+
+int64_t model_rows(const model *base)
+{
+    return base->integer[V_FEEDBACK_TABLE_COUNT];
+}
+
+static double *row(crane *m, int place)
+{
+    return m->memory + place * COLUMNS;
+}
+
+static bool in_exchange(const crane *m)
+{
+    return m->base.interface == EXCHANGE;
+}
+
+/* s since the start, as the rig counts them */
+static double elapsed(crane *m)
+{
+    return m->base.real[V_TIME] - row(m, ROW_CLOCK)[0];
+}
+
+/* Derivatives at the present time, state and inputs. */
+static int64_t find_rates(crane *m)
+{
+    crane_read_inputs(m);
+    return segfmu_rig_rates(matrix(m->components, m->count_components, 7),
+                            vector(m->setpoints, SETPOINTS), elapsed(m), memory_of(m),
+                            vector(m->derivative, MODEL_STATES));
+}
+
+/* The first derivatives, where they follow from the setpoints; the report stays that of a start. */
+static void start_rates(crane *m)
+{
+    double report[COLUMNS];
+    const double *lag = m->parameters + 5;
+    memset(m->derivative, 0, sizeof m->derivative);
+    if (m->parameters[4] > 0.5 && (lag[0] == 0.0 || lag[1] == 0.0 || lag[2] == 0.0)) {
+        return;
+    }
+    memcpy(report, row(m, ROW_REPORT), sizeof report);
+    find_rates(m);
+    memcpy(row(m, ROW_REPORT), report, sizeof report);
+}
+
+bool model_initialise(model *base, char message[MESSAGE])
+{
+    crane *m = (crane *)base;
+    m->rows = 0;
+    if (!crane_set_up(m, message)) {
+        return false;
+    }
+    m->rows = segfmu_rig_rows(m->sensors[0], m->sensors[1]);
+    crane_read_inputs(m);
+    segfmu_rig_start(
+        vector(m->loop, 4), vector(m->sensors, SENSORS), matrix(m->changes, m->count_changes, 2),
+        vector(m->parameters, PARAMETERS), vector(&base->real[V_BRIDGE_POSITION], STATE),
+        vector(m->setpoints, SETPOINTS), base->real[V_TIME], memory_of(m));
+    for (int i = 0; i < 3; i++) {
+        base->integer[V_DRIVE_BRIDGE_SATURATED + i] = 0;
+    }
+    start_rates(m);
+    return true;
+}
+
+/* ---- co-simulation ---- */
+
+/* Setpoints at a time within the step; inputs are those at its end, or at its beginning where
+   their slopes are given. */
+static void read_setpoints(crane *m, double time)
+{
+    const model *base = &m->base;
+    double *last = row(m, ROW_LAST);
+    double now = base->real[V_TIME], share = (time - now) / (base->step_end - now);
+    crane_read_inputs(m);
+    for (int i = 0; i < 16; i++) {
+        if (base->sloped) {
+            double start = m->setpoints[i];
+            last[i] = start + base->slope[i] * (now - base->step_start);
+            m->setpoints[i] = start + base->slope[i] * (time - base->step_start);
+        } else if (time < base->step_end) {
+            m->setpoints[i] = last[i] + (m->setpoints[i] - last[i]) * share;
+        }
+    }
+}
+
+bool model_advance(model *base, double time, char message[MESSAGE])
+{
+    crane *m = (crane *)base;
+    double nothing[COLUMNS] = {0.0};
+    if (base->tuned && !crane_set_gains(m, message)) {
+        return false;
+    }
+    read_setpoints(m, time);
+    array_double_3d none = {nothing, {1, 1, 1}};
+    int64_t status = segfmu_rig_step(
+        vector(m->loop, 4), vector(m->sensors, SENSORS),
+        matrix(m->components, m->count_components, 7), matrix(m->changes, m->count_changes, 2),
+        vector(nothing, 1), vector(nothing, 1), none, vector(m->lengths, m->count_lengths),
+        gains_of(m), matrix(nothing, 1, 1), vector(m->setpoints, SETPOINTS),
+        time - base->real[V_TIME], memory_of(m));
+    memcpy(m->derivative, row(m, ROW_DERIVATIVE), sizeof m->derivative);
+    for (int i = 0; i < 3; i++) {
+        base->integer[V_DRIVE_BRIDGE_SATURATED + i] = row(m, ROW_REPORT)[10 + i] > 0.0;
+    }
+    if (time >= base->step_end && base->sloped) {
+        memset(base->slope, 0, sizeof base->slope);
+        base->sloped = 0;
+    }
+    return status == 0 || crane_failed(m, status, row(m, ROW_CLOCK)[7], message);
+}
+
+/* ---- events: of model exchange, as co-simulation meets them within its steps ---- */
+
+double model_next_event(const model *base)
+{
+    crane *m = (crane *)base;
+    if (!in_exchange(m)) {
+        return INFINITY;
+    }
+    double since = segfmu_rig_next_event(vector(m->loop, 4), vector(m->sensors, SENSORS),
+                                         memory_of(m));
+    return since < 1e299 ? row(m, ROW_CLOCK)[0] + since : INFINITY;
+}
+
+bool model_event(model *base, char message[MESSAGE])
+{
+    crane *m = (crane *)base;
+    if (base->tuned && !crane_set_gains(m, message)) {
+        return false;
+    }
+    if (!in_exchange(m)) {
+        return true;
+    }
+    double late = elapsed(m) - segfmu_rig_next_event(
+        vector(m->loop, 4), vector(m->sensors, SENSORS), memory_of(m));
+    if (late > LATEST) {
+        return say(message, "the time event at %.9g s was missed by %g s; an importer has to stop at "
+                   "the times that the FMU names", base->real[V_TIME] - late, late);
+    }
+    crane_read_inputs(m);
+    segfmu_rig_event(vector(m->loop, 4), vector(m->sensors, SENSORS),
+                     matrix(m->changes, m->count_changes, 2), vector(m->lengths, m->count_lengths),
+                     gains_of(m), vector(m->setpoints, SETPOINTS), elapsed(m), memory_of(m));
+    find_rates(m);
+    for (int i = 0; i < 3; i++) {
+        base->integer[V_DRIVE_BRIDGE_SATURATED + i] = row(m, ROW_REPORT)[3 + i] > 0.0;
+    }
+    return true;
+}
+
+/* ---- outputs ---- */
+
+static void show_load(crane *m)
+{
+    double *real = m->base.real, *load = &real[V_LOAD_POSITION_X], square = 0.0;
+    segfmu_crane_load(vector(row(m, ROW_STATE), STATE), matrix(load, 2, 3));
+    for (int i = 0; i < 3; i++) {
+        double error = load[i] - real[V_REFERENCE_LOAD_POSITION_X + i];
+        real[V_ERROR_LOAD_X + i] = error;
+        square += error * error;
+    }
+    real[V_ERROR_LOAD_NORM] = sqrt(square);
+}
+
+static void show_energies(crane *m)
+{
+    double *real = m->base.real, balance[ENERGIES];
+    segfmu_rig_balance(memory_of(m), vector(balance, ENERGIES));
+    real[V_ENERGY_KINETIC] = balance[0];
+    real[V_ENERGY_POTENTIAL] = balance[1];
+    real[V_ENERGY_DRIVES] = balance[3];
+    real[V_ENERGY_WIND] = balance[4];
+    real[V_ENERGY_WORK] = balance[3] + balance[4];
+    real[V_ENERGY_PAYLOAD] = balance[5];
+    real[V_ENERGY_DISSIPATED] = balance[6];
+    real[V_ENERGY_IMBALANCE] = segfmu_rig_imbalance(vector(balance, ENERGIES));
+}
+
+bool model_evaluate(model *base, char message[MESSAGE])
+{
+    crane *m = (crane *)base;
+    double *real = base->real;
+    (void)message;
+    if (in_exchange(m)) {
+        find_rates(m);
+        if (m->sensors[0] <= 0.0) {
+            segfmu_rig_signals(vector(m->sensors, SENSORS), elapsed(m), memory_of(m));
+        }
+    }
+    const double *state = row(m, ROW_STATE), *report = row(m, ROW_REPORT);
+    memcpy(&real[V_BRIDGE_POSITION], state, STATE * sizeof *real);
+    memcpy(&real[V_MEASURED_BRIDGE_POSITION], row(m, ROW_SIGNALS), 5 * sizeof *real);
+    memcpy(&real[V_BRIDGE_ACCELERATION], m->derivative + 5, 5 * sizeof *real);
+    show_load(m);
+    show_energies(m);
+    real[V_POWER_DRIVES] = 0.0;
+    for (int i = 0; i < 3; i++) {
+        real[V_DRIVE_BRIDGE_FORCE + 2 * i] = report[i];
+        real[V_DRIVE_BRIDGE_POWER + 2 * i] = report[i] * state[5 + i];
+        real[V_POWER_DRIVES] += report[i] * state[5 + i];
+    }
+    real[V_ROPE_FORCE] = report[6];
+    real[V_POWER_WIND] = report[7];
+    real[V_POWER_FRICTION] = report[8];
+    real[V_PAYLOAD_MASS] = row(m, ROW_PARAMETERS)[2];
+    return true;
+}
+
+bool model_output_derivative(model *base, const variable *output, int64_t order, double *value)
+{
+    (void)base;
+    (void)output;
+    (void)order;
+    (void)value;
+    return false;
+}
+
+bool model_partial(model *base, const variable *unknown, const variable *known, double *value)
+{
+    (void)base;
+    (void)unknown;
+    (void)known;
+    (void)value;
+    return false;
+}
+
+/* ---- model exchange ---- */
+
+void model_get_states(const model *base, double states[])
+{
+    memcpy(states, row((crane *)base, ROW_STATE), MODEL_STATES * sizeof *states);
+}
+
+void model_set_states(model *base, const double states[])
+{
+    memcpy(row((crane *)base, ROW_STATE), states, MODEL_STATES * sizeof *states);
+}
+
+bool model_derivatives(model *base, double derivatives[], char message[MESSAGE])
+{
+    crane *m = (crane *)base;
+    memcpy(derivatives, m->derivative, sizeof m->derivative);
+    for (int i = 0; i < MODEL_STATES; i++) {
+        if (!isfinite(derivatives[i])) {
+            return crane_failed(m, 4, base->real[V_TIME], message);
+        }
+    }
+    return true;
+}
+
+bool model_accept(model *base, char message[MESSAGE])
+{
+    crane *m = (crane *)base;
+    int64_t status = find_rates(m);
+    base->evaluated = 0;
+    segfmu_rig_signals(vector(m->sensors, SENSORS), elapsed(m), memory_of(m));
+    return status == 0 || crane_failed(m, status, base->real[V_TIME], message);
+}

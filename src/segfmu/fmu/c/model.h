@@ -1,0 +1,92 @@
+/* All that the FMI glue knows of a model: a block of memory without pointers, and what can be done
+   with it. fmi2.c and fmi3.c are written once against this header; the table of variables comes
+   from the interface specification in Python. */
+#ifndef SEGFMU_MODEL_H
+#define SEGFMU_MODEL_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "variables.h"
+
+/* room for a message, its end included */
+enum { MESSAGE = 400 };
+
+enum { KIND_REAL, KIND_INTEGER, KIND_BOOLEAN, KIND_ENUMERATION, KIND_COUNT };
+
+/* Who may set a variable, and when: a parameter before the end of initialisation, a tunable one
+   later as well, start values as a parameter, inputs always, sizes in configuration mode. */
+enum { SET_NEVER, SET_FIXED, SET_TUNABLE, SET_START, SET_INPUT, SET_STRUCTURE };
+
+/* A variable; its value reference is its place in the table. */
+typedef struct {
+    const char *name;
+    double least, most;   /* range */
+    uint16_t offset;      /* of its first value in `real`, else in `integer` */
+    uint16_t columns;     /* of an array, whose rows model_rows counts; 0: a scalar */
+    uint8_t kind;
+    uint8_t setting;
+    bool calculated;      /* follows from the others */
+    bool differentiable;  /* an output or a state's derivative, continuous */
+} variable;
+
+extern const variable model_variables[MODEL_VARIABLES];
+extern const char model_name[], model_token[];
+/* start values, in the order of `real` and `integer` */
+extern const double model_real_start[MODEL_REALS];
+extern const int64_t model_integer_start[MODEL_INTEGERS];
+
+/* The beginning of every model's block. */
+typedef struct {
+    int64_t mode;         /* of the glue */
+    int64_t interface;    /* of the glue: co-simulation or model exchange */
+    int64_t initialised;  /* the model follows from the present parameters and start values */
+    int64_t evaluated;    /* outputs follow from the present time, states and inputs */
+    int64_t tuned;        /* a tunable parameter was set */
+    int64_t stops;        /* there is a stop time */
+    double start, stop;   /* s */
+    double step_start;    /* s; of the communication step under way */
+    double step_end;
+    double slope[MODEL_INPUTS + 1];  /* of the inputs over the step, where they are given */
+    int64_t sloped;       /* they are */
+    double real[MODEL_REALS];        /* real[V_TIME] is the time */
+    int64_t integer[MODEL_INTEGERS];
+} model;
+
+/* Bytes of the largest block, and of the part of a block that is in use. */
+size_t model_size(void);
+size_t model_used(const model *m);
+
+/* Rows of the variables that are arrays. */
+int64_t model_rows(const model *m);
+
+/* Follow parameters and start values, at the present time. Where a function returns false, it
+   has left a message of one line. */
+bool model_initialise(model *m, char message[MESSAGE]);
+
+/* Make the outputs follow time, states and inputs. */
+bool model_evaluate(model *m, char message[MESSAGE]);
+
+/* Co-simulation: go on to a time, at most to the next event. */
+bool model_advance(model *m, double time, char message[MESSAGE]);
+
+/* Events: when the next one is, infinite where there is none, and the event at the present time. */
+double model_next_event(const model *m);
+bool model_event(model *m, char message[MESSAGE]);
+
+/* Model exchange. */
+void model_get_states(const model *m, double states[]);
+void model_set_states(model *m, const double states[]);
+bool model_derivatives(model *m, double derivatives[], char message[MESSAGE]);
+bool model_accept(model *m, char message[MESSAGE]);
+extern const double model_nominals[MODEL_STATES + 1];
+
+/* Time derivative, from order 1, of a continuous output; false where there is none. */
+bool model_output_derivative(model *m, const variable *output, int64_t order, double *value);
+
+/* Partial derivative of an output or state derivative by a state, an input or time; false where
+   it is not one of these. */
+bool model_partial(model *m, const variable *unknown, const variable *known, double *value);
+
+#endif

@@ -1,0 +1,135 @@
+/* Saved states: the part of an instance's block that is in use, behind a header. As the block has
+   no pointers, a copy in another instance, process or run goes on bit for bit. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "glue.h"
+
+typedef struct {
+    uint64_t mark;    /* of the model and its interface */
+    uint64_t size;    /* bytes of the block behind the header */
+    uint64_t sum;     /* over the block, in serialised form */
+} header;
+
+static uint64_t mix(uint64_t sum, uint64_t word)
+{
+    sum = (sum ^ word) * 0x9E3779B97F4A7C15u;
+    return sum ^ (sum >> 29);
+}
+
+static uint64_t sum_of(const void *bytes, size_t size)
+{
+    uint64_t sum = size, word;
+    for (size_t i = 0; i + sizeof word <= size; i += sizeof word) {
+        memcpy(&word, (const char *)bytes + i, sizeof word);
+        sum = mix(sum, word);
+    }
+    return sum;
+}
+
+static uint64_t mark(const instance *c)
+{
+    uint64_t sum = (uint64_t)c->model->interface + 1;
+    for (const char *p = model_token; *p != '\0'; p++) {
+        sum = mix(sum, (unsigned char)*p);
+    }
+    return sum;
+}
+
+bool glue_save(instance *c, void **state)
+{
+    size_t used = model_used(c->model);
+    header head = {mark(c), used, 0};
+    if (*state != NULL && glue_state_size(*state) != sizeof head + used) {
+        free(*state);
+        *state = NULL;
+    }
+    char *bytes = *state == NULL ? malloc(sizeof head + used) : *state;
+    if (bytes == NULL) {
+        glue_log(c, STATUS_ERROR, "out of memory");
+        return false;
+    }
+    memcpy(bytes, &head, sizeof head);
+    memcpy(bytes + sizeof head, c->model, used);
+    *state = bytes;
+    return true;
+}
+
+/* Whether a header is that of a state of this model. */
+static bool fits(instance *c, const header *head)
+{
+    if (head->mark != mark(c) || head->size > model_size() || head->size < sizeof(model)) {
+        glue_log(c, STATUS_ERROR, "the state is not one of this model and interface");
+        return false;
+    }
+    return true;
+}
+
+bool glue_restore(instance *c, const void *state)
+{
+    header head;
+    memcpy(&head, state, sizeof head);
+    if (!fits(c, &head)) {
+        return false;
+    }
+    memcpy(c->model, (const char *)state + sizeof head, (size_t)head.size);
+    return true;
+}
+
+size_t glue_state_size(const void *state)
+{
+    header head;
+    memcpy(&head, state, sizeof head);
+    return sizeof head + (size_t)head.size;
+}
+
+void glue_free_state(void **state)
+{
+    free(*state);
+    *state = NULL;
+}
+
+bool glue_serialise(instance *c, const void *state, void *bytes, size_t size)
+{
+    header head;
+    memcpy(&head, state, sizeof head);
+    if (!fits(c, &head)) {
+        return false;
+    }
+    if (size < glue_state_size(state)) {
+        glue_log(c, STATUS_ERROR, "the state has %lu bytes, there is room for %lu",
+                 (unsigned long)glue_state_size(state), (unsigned long)size);
+        return false;
+    }
+    const char *block = (const char *)state + sizeof head;
+    head.sum = sum_of(block, (size_t)head.size);
+    memcpy(bytes, &head, sizeof head);
+    memcpy((char *)bytes + sizeof head, block, (size_t)head.size);
+    return true;
+}
+
+bool glue_deserialise(instance *c, const void *bytes, size_t size, void **state)
+{
+    header head;
+    if (size < sizeof head) {
+        glue_log(c, STATUS_ERROR, "%lu bytes are not a saved state", (unsigned long)size);
+        return false;
+    }
+    memcpy(&head, bytes, sizeof head);
+    if (!fits(c, &head)) {
+        return false;
+    }
+    const char *block = (const char *)bytes + sizeof head;
+    if (size < sizeof head + head.size || head.sum != sum_of(block, (size_t)head.size)) {
+        glue_log(c, STATUS_ERROR, "the bytes of the saved state are damaged");
+        return false;
+    }
+    char *copy = malloc(sizeof head + (size_t)head.size);
+    if (copy == NULL) {
+        glue_log(c, STATUS_ERROR, "out of memory");
+        return false;
+    }
+    memcpy(copy, bytes, sizeof head + (size_t)head.size);
+    *state = copy;
+    return true;
+}

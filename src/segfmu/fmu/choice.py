@@ -1,0 +1,52 @@
+"""Which backend builds the FMUs, and for which platforms."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from segfmu.errors import InputError
+from segfmu.fmu.compilers import PLATFORMS, available
+
+BACKENDS = ("native", "python")
+
+
+@dataclass(frozen=True)
+class Choice:
+    """A backend, its platforms (the host's where there are none), and what the user must know."""
+
+    native: bool
+    platforms: tuple[str, ...] = ()
+    note: str = ""
+
+
+def chosen(fmi: int, backend: str, platforms: str) -> Choice:
+    """The backend asked for, or Python where no C compiler is; `platforms` has commas, or is all.
+
+    Raises
+    ------
+    InputError
+        For choices that do not exist or do not fit together.
+    """
+    if fmi not in (2, 3):
+        raise InputError(f"--fmi must be 2 or 3, got {fmi}")
+    if backend not in BACKENDS:
+        raise InputError(f"--backend must be one of {', '.join(BACKENDS)}, got {backend!r}")
+    names = tuple(PLATFORMS) if platforms == "all" else tuple(
+        n.strip() for n in platforms.split(",") if n.strip()
+    )
+    for name in names:
+        if name not in PLATFORMS:
+            raise InputError(
+                f"--platforms must be all or some of {', '.join(PLATFORMS)}, got {name!r}"
+            )
+    if backend == "python":
+        if fmi == 3 or names:
+            raise InputError("--backend python has neither FMI 3 nor platforms; use native")
+        return Choice(native=False)
+    if names or fmi == 3 or available():
+        return Choice(True, names)
+    return Choice(
+        native=False,
+        note="no C compiler found; built with the Python backend. Install a C compiler, or the "
+        "extra segfmu[platforms]",
+    )
