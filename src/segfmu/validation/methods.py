@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 from math import sqrt
 
 import numpy as np
@@ -19,7 +20,7 @@ from segfmu.crane.feedback import Weights, design
 from segfmu.crane.feedforward import Compensation
 from segfmu.crane.flat_feedback import design_flat
 from segfmu.crane.linear import moved_masses
-from segfmu.crane.observer import design_observer
+from segfmu.crane.observer import Observer, design_observer
 from segfmu.crane.shaping import Motion, Shaped, Shaper, Trapezoid, zv, zvd
 from segfmu.crane.tracking import TrackingController
 from segfmu.planning import Trajectory
@@ -197,10 +198,8 @@ def rope_range(crane: Crane, trajectory: Trajectory) -> tuple[float, float]:
     )
 
 
-def feedback_gains(
-    crane: Crane, kind: str, driven: bool, ropes: tuple[float, float]
-) -> SwayFeedback:
-    """Gains of a design, "LQR" or "flatness"."""
+@cache
+def _gains(crane: Crane, kind: str, driven: bool, ropes: tuple[float, float]) -> SwayFeedback:
     shortest, longest = ropes
     if kind == "LQR":
         return design(
@@ -212,16 +211,23 @@ def feedback_gains(
     )
 
 
+@cache
+def _observer(
+    crane: Crane, driven: bool, ropes: tuple[float, float], delayed: bool
+) -> Observer:
+    return design_observer(
+        crane, sample_time=SAMPLE_TIME, shortest=ropes[0], longest=ropes[1], driven=driven,
+        lag=(LAG if driven else 0.0,) * 3, delayed=delayed,
+    )
+
+
 def tracking_controller(
     crane: Crane, kind: str, driven: bool, ropes: tuple[float, float], delayed: bool = False
 ) -> TrackingController:
-    """Observer and gains for a nominal crane."""
-    lag = LAG if driven else 0.0
-    observer = design_observer(
-        crane, sample_time=SAMPLE_TIME, shortest=ropes[0], longest=ropes[1], driven=driven,
-        lag=(lag,) * 3, delayed=delayed,
+    """Observer and gains, "LQR" or "flatness", for a nominal crane; the designs are kept."""
+    return TrackingController(
+        _observer(crane, driven, ropes, delayed), _gains(crane, kind, driven, ropes)
     )
-    return TrackingController(observer, feedback_gains(crane, kind, driven, ropes))
 
 
 class NoFeedback:

@@ -1,0 +1,123 @@
+"""Tables of the campaign: terminal, CSV, JSON."""
+
+from __future__ import annotations
+
+import csv
+import json
+from collections.abc import Iterable, Sequence
+from dataclasses import asdict, fields
+from math import isfinite
+from pathlib import Path
+from typing import Any
+
+from rich.table import Table
+
+from segfmu.cosim.result import replacing
+from segfmu.validation.campaign import Outcome
+from segfmu.validation.verdict import ERROR_FACTOR, SWAY_FACTOR, Comparison
+
+COLUMNS = ("T \\[s]", "RMS \\[mm]", "peak \\[mm]", "sway \\[deg]", "settled \\[s]", "force \\[N]")
+
+
+def outcome_table(mode: str, outcomes: Sequence[Outcome]) -> Table:
+    """Every metric of one mode of the drives; a run that failed has its reason instead."""
+    table = Table(title=f"{mode} mode", header_style="bold")
+    table.add_column("disturbance")
+    table.add_column("method")
+    for column in COLUMNS:
+        table.add_column(column, justify="right")
+    before = ""
+    for o in (o for o in outcomes if o.mode == mode):
+        if before not in ("", o.disturbance):
+            table.add_section()
+        name = o.disturbance if o.disturbance != before else ""
+        table.add_row(name, o.method, *_cells(o))
+        before = o.disturbance
+    return table
+
+
+def _cells(o: Outcome) -> list[str]:
+    if o.failure:
+        return [f"{o.duration:.2f}", "[red]failed[/]", "", "", "", ""]
+    force = max(o.peak_force_bridge, o.peak_force_trolley)
+    settled = f"{o.settling_time:.2f}" if isfinite(o.settling_time) else "-"
+    return [
+        f"{o.duration:.2f}", f"{1e3 * o.rms_error:.3f}", f"{1e3 * o.peak_error:.3f}",
+        f"{o.residual_sway:.4f}", settled, f"{force:.1f}",
+    ]
+
+
+def verdict_table(comparisons: Iterable[Comparison]) -> Table:
+    """What the feedback adds, and whether that is what is demanded."""
+    table = Table(
+        title=f"feedback against feedforward alone; demanded: {ERROR_FACTOR:g}x in RMS error, "
+        f"{SWAY_FACTOR:g}x in residual sway, and worse nowhere",
+        header_style="bold",
+    )
+    for column in ("mode", "disturbance", "method"):
+        table.add_column(column)
+    for column in ("RMS error", "residual sway"):
+        table.add_column(column, justify="right")
+    table.add_column("verdict")
+    for c in comparisons:
+        table.add_row(
+            c.mode, c.disturbance, c.method.removeprefix("feedforward + "),
+            factor(c.error_ratio), factor(c.sway_ratio), _word(c),
+        )
+    return table
+
+
+def factor(ratio: float) -> str:
+    """A ratio for the eye."""
+    if ratio != ratio:
+        return "none to gain"
+    return f"{ratio:.1f}x" if isfinite(ratio) else "fails without"
+
+
+def _word(c: Comparison) -> str:
+    if c.worse:
+        return "[red]worse[/]"
+    if not c.demanded:
+        return "[green]not worse[/]"
+    return "[green]reached[/]" if c.reached else "[red]missed[/]"
+
+
+def write_rows(path: Path, rows: Sequence[Any]) -> None:
+    """Write dataclasses of one kind as CSV; the file appears when it is complete.
+
+    Raises
+    ------
+    InputError
+        When the file cannot be written.
+    """
+    names = [field.name for field in fields(rows[0])]
+    with replacing(path) as temporary, temporary.open("w", encoding="utf-8", newline="") as file:
+        writer = csv.DictWriter(file, names)
+        writer.writeheader()
+        writer.writerows(asdict(row) for row in rows)
+
+
+def write_json(
+    path: Path, name: str, outcomes: Iterable[Outcome], comparisons: Iterable[Comparison]
+) -> None:
+    """Write outcomes and verdict as JSON, what is not finite as null.
+
+    Raises
+    ------
+    InputError
+        When the file cannot be written.
+    """
+    content = {
+        "mission": name,
+        "outcomes": [_plain(asdict(o)) for o in outcomes],
+        "comparisons": [_plain({**asdict(c), "reached": c.reached}) for c in comparisons],
+    }
+    with replacing(path) as temporary:
+        temporary.write_text(json.dumps(content, indent=1, allow_nan=False), encoding="utf-8")
+
+
+def _plain(values: dict[str, Any]) -> dict[str, Any]:
+    return {
+        key: None if isinstance(value, float) and not isfinite(value) else value
+        for key, value in values.items()
+    }
