@@ -1,18 +1,12 @@
-"""Tables of the campaign: terminal, CSV, JSON."""
+"""Tables of the campaign for the terminal."""
 
 from __future__ import annotations
 
-import csv
-import json
 from collections.abc import Iterable, Sequence
-from dataclasses import asdict, fields
 from math import isfinite
-from pathlib import Path
-from typing import Any
 
 from rich.table import Table
 
-from segfmu.cosim.result import replacing
 from segfmu.validation.campaign import Outcome
 from segfmu.validation.verdict import ERROR_FACTOR, SWAY_FACTOR, Comparison
 
@@ -80,44 +74,3 @@ def _word(c: Comparison) -> str:
     if not c.demanded:
         return "[green]not worse[/]"
     return "[green]reached[/]" if c.reached else "[red]missed[/]"
-
-
-def write_rows(path: Path, rows: Sequence[Any]) -> None:
-    """Write dataclasses of one kind as CSV; the file appears when it is complete.
-
-    Raises
-    ------
-    InputError
-        When the file cannot be written.
-    """
-    names = [field.name for field in fields(rows[0])]
-    with replacing(path) as temporary, temporary.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.DictWriter(file, names)
-        writer.writeheader()
-        writer.writerows(asdict(row) for row in rows)
-
-
-def write_json(
-    path: Path, name: str, outcomes: Iterable[Outcome], comparisons: Iterable[Comparison]
-) -> None:
-    """Write outcomes and verdict as JSON, what is not finite as null.
-
-    Raises
-    ------
-    InputError
-        When the file cannot be written.
-    """
-    content = {
-        "mission": name,
-        "outcomes": [_plain(asdict(o)) for o in outcomes],
-        "comparisons": [_plain({**asdict(c), "reached": c.reached}) for c in comparisons],
-    }
-    with replacing(path) as temporary:
-        temporary.write_text(json.dumps(content, indent=1, allow_nan=False), encoding="utf-8")
-
-
-def _plain(values: dict[str, Any]) -> dict[str, Any]:
-    return {
-        key: None if isinstance(value, float) and not isfinite(value) else value
-        for key, value in values.items()
-    }
