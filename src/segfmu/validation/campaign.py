@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterable
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, replace
 from functools import partial
+from math import ceil
 
 import numpy as np
 
@@ -162,7 +163,7 @@ def run_case(
 
 
 def _times(duration: float, step: float) -> FloatArray:
-    times: FloatArray = np.arange(int(np.ceil(duration / step)) + 1) * step
+    times: FloatArray = step * np.arange(ceil(duration / step) + 1, dtype=np.float64)
     return times
 
 

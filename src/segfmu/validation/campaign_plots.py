@@ -8,7 +8,7 @@ from typing import Any
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.colors import LogNorm, TwoSlopeNorm
+from matplotlib.colors import LogNorm, Normalize, TwoSlopeNorm
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
@@ -19,6 +19,10 @@ from segfmu.validation.methods import MODES
 from segfmu.validation.verdict import SMALL_ERROR, SMALL_SWAY
 
 FAILED = "#d0d0d0"
+
+# map of move times [%]: where the colours end, and contours
+STRONGEST = 20.0
+LEVELS = (-40, -30, -20, -10, -5, 0, 2, 3, 4, 5, 6, 8, 10, 15, 20, 30, 40)
 QUANTITIES = (
     ("rms_error", "RMS tracking error [mm]", 1e3, (1e3 * SMALL_ERROR, 200.0)),
     ("residual_sway", "residual sway [deg]", 1.0, (SMALL_SWAY, 10.0)),
@@ -74,13 +78,13 @@ def plot_move_times(rows: NDArray[np.void], limits: tuple[float, float]) -> Figu
         (plan, shaper): 100.0 * (1.0 - rows[plan] / rows[shaper])
         for plan in ("plan", "fixed") for shaper in ("zv", "zvd")
     }
-    most = max(float(np.nanmax(np.abs(gain))) for gain in gains.values())
-    norm = TwoSlopeNorm(0.0, -most, most)
+    norm = TwoSlopeNorm(0.0, -STRONGEST, STRONGEST)
     mesh: Any = None
     for panel, ((plan, shaper), gain) in zip(panels.ravel(), gains.items(), strict=True):
         table = gain.reshape(heights.size, distances.size)
-        mesh = panel.pcolormesh(distances, heights, table, norm=norm, cmap="RdBu", shading="gouraud"
-                                if np.isfinite(table).all() else "nearest")
+        mesh = panel.pcolormesh(
+            distances, heights, table, norm=norm, cmap="RdBu", shading="gouraud"
+        )
         _contours(panel, distances, heights, table)
         tuned = "jerk and snap tuned per move" if plan == "plan" else "one jerk and snap for all"
         panel.set_title(f"plan against {shaper.upper()}; {tuned}", fontsize=10)
@@ -88,23 +92,24 @@ def plot_move_times(rows: NDArray[np.void], limits: tuple[float, float]) -> Figu
         panel.set_xlabel("distance [m]")
     for panel in panels[:, 0]:
         panel.set_ylabel("rope length [m]")
-    figure.colorbar(mesh, ax=panels, label="move time saved by the plan [%]; red: the shaper wins")
+    figure.colorbar(
+        mesh, ax=panels, extend="both",
+        label="move time saved by the plan [%]; red: the shaper is faster",
+    )
     velocity, acceleration = limits
     figure.suptitle(
-        f"move time at equal limits of the carriage, {velocity:g} m/s and {acceleration:g} m/s²",
+        f"move time without residual sway; carriage within {velocity:g} m/s, {acceleration:g} m/s²",
         fontsize=11,
     )
     return figure
 
 
 def _contours(panel: Axes, x: FloatArray, y: FloatArray, table: FloatArray) -> None:
-    least, most = float(np.nanmin(table)), float(np.nanmax(table))
-    if most - least < 1e-9:
-        return
-    lines = panel.contour(x, y, table, levels=6, colors="black", linewidths=0.5)
-    panel.clabel(lines, fmt="%.0f %%", fontsize=7)
-    if least < 0.0 < most:
-        panel.contour(x, y, table, levels=[0.0], colors="black", linewidths=1.6)
+    levels = [level for level in LEVELS if table.min() < level < table.max()]
+    if levels:
+        widths = [1.6 if level == 0.0 else 0.5 for level in levels]
+        lines = panel.contour(x, y, table, levels=levels, colors="black", linewidths=widths)
+        panel.clabel(lines, fmt="%.0f %%", fontsize=7)
 
 
 def plot_eigenvalues(rows: NDArray[np.void], payload: float) -> Figure:
@@ -113,7 +118,7 @@ def plot_eigenvalues(rows: NDArray[np.void], payload: float) -> Figure:
     figure, panels = plt.subplots(
         2, 2, figsize=(11, 8), layout="constrained", sharex=True, sharey=True
     )
-    norm = plt.Normalize(float(rows["eigenvalue"].min()), max(1.0, float(rows["eigenvalue"].max())))
+    norm = Normalize(float(rows["eigenvalue"].min()), max(1.0, float(rows["eigenvalue"].max())))
     mesh: Any = None
     for row, mode in enumerate(MODES):
         for column, design in enumerate(DESIGNS):
@@ -127,7 +132,7 @@ def plot_eigenvalues(rows: NDArray[np.void], payload: float) -> Figure:
                 lines = panel.contour(
                     lengths, payloads / payload, table, levels=6, colors="white", linewidths=0.6
                 )
-                panel.clabel(lines, fmt="%.3f", fontsize=7)
+                panel.clabel(lines, fmt="%.4f", fontsize=7)
             panel.set_title(f"{mode} mode, {design}; largest {table.max():.4f}", fontsize=10)
     for panel in panels[-1]:
         panel.set_xlabel("rope length [m]")

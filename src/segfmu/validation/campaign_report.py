@@ -3,30 +3,31 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from math import isfinite
+from math import isfinite, isnan
 
 from rich.table import Table
 
 from segfmu.validation.campaign import Outcome
 from segfmu.validation.verdict import ERROR_FACTOR, SWAY_FACTOR, Comparison
 
-COLUMNS = ("T \\[s]", "RMS \\[mm]", "peak \\[mm]", "sway \\[deg]", "settled \\[s]", "force \\[N]")
+COLUMNS = ("T \\[s]", "RMS \\[mm]", "peak \\[mm]", "sway \\[deg]", "settled \\[s]", "F \\[N]")
+
+# ratios beyond say no more
+LARGEST_FACTOR = 1000.0
 
 
 def outcome_table(mode: str, outcomes: Sequence[Outcome]) -> Table:
-    """Every metric of one mode of the drives; a run that failed has its reason instead."""
+    """Every metric of one mode of the drives: duration, errors, sway, settling, peak force."""
     table = Table(title=f"{mode} mode", header_style="bold")
-    table.add_column("disturbance")
-    table.add_column("method")
+    table.add_column("", no_wrap=True)
     for column in COLUMNS:
         table.add_column(column, justify="right")
-    before = ""
-    for o in (o for o in outcomes if o.mode == mode):
-        if before not in ("", o.disturbance):
-            table.add_section()
-        name = o.disturbance if o.disturbance != before else ""
-        table.add_row(name, o.method, *_cells(o))
-        before = o.disturbance
+    chosen = [o for o in outcomes if o.mode == mode]
+    for name in dict.fromkeys(o.disturbance for o in chosen):
+        table.add_section()
+        table.add_row(f"[bold]{name}[/]")
+        for o in (o for o in chosen if o.disturbance == name):
+            table.add_row(f"  {o.method}", *_cells(o))
     return table
 
 
@@ -48,11 +49,11 @@ def verdict_table(comparisons: Iterable[Comparison]) -> Table:
         f"{SWAY_FACTOR:g}x in residual sway, and worse nowhere",
         header_style="bold",
     )
-    for column in ("mode", "disturbance", "method"):
+    for column in ("mode", "disturbance", "feedback"):
         table.add_column(column)
-    for column in ("RMS error", "residual sway"):
+    for column in ("RMS", "sway"):
         table.add_column(column, justify="right")
-    table.add_column("verdict")
+    table.add_column("verdict", no_wrap=True)
     for c in comparisons:
         table.add_row(
             c.mode, c.disturbance, c.method.removeprefix("feedforward + "),
@@ -62,10 +63,12 @@ def verdict_table(comparisons: Iterable[Comparison]) -> Table:
 
 
 def factor(ratio: float) -> str:
-    """A ratio for the eye."""
-    if ratio != ratio:
-        return "none to gain"
-    return f"{ratio:.1f}x" if isfinite(ratio) else "fails without"
+    """A ratio for the eye: - where there is nothing to gain."""
+    if isnan(ratio):
+        return "-"
+    if ratio > LARGEST_FACTOR:
+        return f"> {LARGEST_FACTOR:g}x" if isfinite(ratio) else "fails alone"
+    return f"{ratio:.1f}x"
 
 
 def _word(c: Comparison) -> str:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from segfmu.crane import Crane, Drive, Friction, Gust, Rig, Sensors, TravelLimits, Wind
-from segfmu.crane.feedforward import Compensation
+from segfmu.crane.feedforward import Compensation, Three
 from segfmu.crane.sensors import resolution
 from segfmu.planning.arrays import FloatArray
 
@@ -121,9 +121,7 @@ def meet(
     The velocity drives lag, which is known; the end stops of the rope are the crane's.
     """
     lag = LAG if driven else 0.0
-    known = [0.0] * 3, [0.0] * 3
-    if disturbance.friction:
-        known = [[COMPENSATED * f for f in fs] for fs in (INTECO.viscous, INTECO.coulomb)]
+    share = COMPENSATED if disturbance.friction else 0.0
     deviation = np.zeros(10)
     deviation[2] = disturbance.rope * length
     deviation[3] = np.radians(disturbance.sway)
@@ -140,9 +138,17 @@ def meet(
             sensors=_sensors(disturbance, deviation[2]),
             wind=_wind(disturbance, crane, duration),
         ),
-        compensation=Compensation((lag,) * 3, tuple(known[0]), tuple(known[1]), INTECO.width),
+        compensation=Compensation(
+            (lag, lag, lag), _scaled(share, INTECO.viscous), _scaled(share, INTECO.coulomb),
+            INTECO.width,
+        ),
         deviation=deviation,
     )
+
+
+def _scaled(share: float, values: Three) -> Three:
+    first, second, third = values
+    return share * first, share * second, share * third
 
 
 def _sensors(disturbance: Disturbance, rope: float) -> Sensors:

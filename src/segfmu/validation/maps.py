@@ -11,7 +11,7 @@ problem one without dimensions, and chosen for the least time by search.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import product
 from math import pi, sqrt
@@ -30,9 +30,9 @@ from segfmu.validation.methods import MODES, tracking_controller
 
 SHAPES = ("plateau", "smoothstep")
 
-# jerk and snap without dimensions: first search, and the refinement around its best
+# jerk and snap without dimensions: first search, and the refinements around its best
 COARSE = np.geomspace(0.3, 2.0, 9)
-FINE = np.geomspace(0.85, 1.18, 7)
+FINE = (np.geomspace(0.87, 1.15, 5), np.geomspace(0.97, 1.03, 5))
 
 SAMPLES = 401
 TOLERANCE = 1e-6
@@ -76,29 +76,40 @@ def carriage_usage(
 
 
 def fastest(
-    distance: float, limits: tuple[float, float], height: float, gravity: float
+    distances: Sequence[float], limits: tuple[float, float], height: float, gravity: float
 ) -> tuple[float, Setting]:
-    """Least duration [s] of a plan whose carriage keeps its limits too, and its setting."""
+    """Least total time [s] of plans that keep the carriage's limits too, and their setting.
 
-    def duration(setting: Setting) -> float:
-        try:
-            found = setting.plan(distance, limits, height, gravity)
-        except InfeasibleError:
-            return np.inf
-        usage = carriage_usage(found, limits, height, gravity)
-        return found.duration if usage <= 1.0 + TOLERANCE else np.inf
+    Raises
+    ------
+    InfeasibleError
+        When no setting of the search keeps the limits.
+    """
+    best: tuple[float, Setting | None] = (np.inf, None)
 
-    return _least(duration)
+    def search(shapes: Sequence[str], jerks: FloatArray, snaps: FloatArray) -> None:
+        nonlocal best
+        for shape, jerk, snap in product(shapes, jerks.tolist(), snaps.tolist()):
+            setting = Setting(shape, jerk, snap)
+            plans = [setting.plan(distance, limits, height, gravity) for distance in distances]
+            time = sum(found.duration for found in plans)
+            if time < best[0] and all(
+                carriage_usage(found, limits, height, gravity) <= 1.0 + TOLERANCE
+                for found in plans
+            ):
+                best = time, setting
 
-
-def _least(duration: Callable[[Setting], float]) -> tuple[float, Setting]:
-    settings = [Setting(*values) for values in product(SHAPES, COARSE, COARSE)]
-    time, best = min(((duration(s), s) for s in settings), key=lambda found: found[0])
-    near = [
-        Setting(best.shape, best.jerk * float(j), best.snap * float(s))
-        for j, s in product(FINE, FINE)
-    ]
-    return min([(time, best), *((duration(s), s) for s in near)], key=lambda found: found[0])
+    search(SHAPES, COARSE, COARSE)
+    for fine in FINE:
+        if best[1] is not None:
+            search((best[1].shape,), best[1].jerk * fine, best[1].snap * fine)
+    time, setting = best
+    if setting is None:
+        raise InfeasibleError(
+            f"no plan over {max(distances):g} m keeps the carriage within {limits[0]:g} m/s and "
+            f"{limits[1]:g} m/s2 at a rope length of {height:g} m; raise the limits"
+        )
+    return time, setting
 
 
 def move_times(
@@ -106,8 +117,9 @@ def move_times(
 ) -> NDArray[np.void]:
     """Times [s] of plan, trapezoid, ZV and ZVD for every height and distance [m].
 
-    `setting` is the plan with one setting of jerk and snap for all, in SI units: that which is
-    fastest for the longest rope and distance. It keeps the carriage's limits with shorter ropes.
+    `plan` has jerk and snap tuned for the height and the distance, as a shaper is for the height.
+    `fixed` has one jerk and snap for all, the fastest for the longest rope; it keeps the
+    carriage's limits with shorter ropes too, as the lever h / g is shorter.
 
     Returns
     -------
@@ -115,20 +127,15 @@ def move_times(
         height, distance, trapezoid, zv, zvd, plan, fixed.
     """
     longest = float(np.max(heights))
-    _, common = fastest(float(np.max(distances)), limits, longest, gravity)
+    _, common = fastest(distances.tolist(), limits, longest, gravity)
     rows = []
     for height, distance in product(heights.tolist(), distances.tolist()):
         trapezoid = Trapezoid(distance, *limits).duration
         half = pi * sqrt(height / gravity)
-        time, _ = fastest(distance, limits, height, gravity)
-        fixed = common.plan(distance, limits, longest, gravity)
-        if carriage_usage(fixed, limits, height, gravity) > 1.0 + TOLERANCE:
-            fixed_time = np.nan
-        else:
-            fixed_time = fixed.duration
+        tuned, _ = fastest([distance], limits, height, gravity)
+        fixed = common.plan(distance, limits, longest, gravity).duration
         rows.append(
-            (height, distance, trapezoid, trapezoid + half, trapezoid + 2.0 * half, time,
-             fixed_time)
+            (height, distance, trapezoid, trapezoid + half, trapezoid + 2.0 * half, tuned, fixed)
         )
     names = ("height", "distance", "trapezoid", "zv", "zvd", "plan", "fixed")
     return np.array(rows, dtype=[(name, np.float64) for name in names])

@@ -180,7 +180,7 @@ def baseline_course(
     position, velocity, acceleration = (
         np.stack([motion(times, d) for motion in motions], axis=-1) for d in range(3)
     )
-    moved = moved_masses(crane.masses) + [crane.payload_mass, crane.payload_mass, 0.0]
+    moved = moved_masses(crane.masses) + crane.payload_mass * np.array([1.0, 1.0, 0.0])
     force = moved * acceleration - [0.0, 0.0, crane.payload_mass * crane.gravity]
     force, setpoint = compensation.setpoints(force, velocity, acceleration)
     reference = np.zeros((times.size, 10))
