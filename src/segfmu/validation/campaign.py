@@ -10,6 +10,7 @@ from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, replace
 from functools import partial
 from math import ceil
+from multiprocessing import get_context
 
 import numpy as np
 
@@ -104,7 +105,7 @@ def run_campaign(
     columns = [(mode, method) for mode in modes for method in methods]
     work = partial(_column, mission, mission.plan(), disturbances)
     found: dict[tuple[str, str], list[Outcome]] = {}
-    with ProcessPoolExecutor(jobs) if jobs > 1 else _Here() as pool:
+    with _pool(jobs) as pool:
         for column, outcomes in zip(columns, pool.map(work, columns), strict=True):
             found[column[0], column[1].name] = outcomes
             progress(len(found) / len(columns))
@@ -114,6 +115,11 @@ def run_campaign(
         for row in range(len(disturbances))
         for method in methods
     ]
+
+
+def _pool(jobs: int) -> ProcessPoolExecutor | _Here:
+    # spawn: a progress bar has a thread, with which a fork may hang
+    return ProcessPoolExecutor(jobs, get_context("spawn")) if jobs > 1 else _Here()
 
 
 class _Here:

@@ -21,7 +21,7 @@ from segfmu.validation.verdict import SMALL_ERROR, SMALL_SWAY
 FAILED = "#d0d0d0"
 
 # map of move times [%]: where the colours end, and contours
-STRONGEST = 20.0
+STRONGEST = 30.0
 LEVELS = (-40, -30, -20, -10, -5, 0, 2, 3, 4, 5, 6, 8, 10, 15, 20, 30, 40)
 QUANTITIES = (
     ("rms_error", "RMS tracking error [mm]", 1e3, (1e3 * SMALL_ERROR, 200.0)),
