@@ -10,7 +10,7 @@ from rich.table import Table
 from segfmu.validation.campaign import Outcome
 from segfmu.validation.verdict import ERROR_FACTOR, SWAY_FACTOR, Comparison
 
-COLUMNS = ("T \\[s]", "RMS \\[mm]", "peak \\[mm]", "sway \\[deg]", "settled \\[s]", "F \\[N]")
+COLUMNS = ("T \\[s]", "RMS \\[mm]", "peak \\[mm]", "sway \\[deg]", "rest \\[s]", "F \\[N]")
 
 # ratios beyond say no more
 LARGEST_FACTOR = 1000.0
@@ -37,7 +37,7 @@ def _cells(o: Outcome) -> list[str]:
     force = max(o.peak_force_bridge, o.peak_force_trolley)
     settled = f"{o.settling_time:.2f}" if isfinite(o.settling_time) else "-"
     return [
-        f"{o.duration:.2f}", f"{1e3 * o.rms_error:.3f}", f"{1e3 * o.peak_error:.3f}",
+        f"{o.duration:.2f}", f"{1e3 * o.rms_error:.3f}", f"{1e3 * o.peak_error:.1f}",
         f"{o.residual_sway:.4f}", settled, f"{force:.1f}",
     ]
 
