@@ -13,7 +13,21 @@ from hypothesis import strategies as st
 
 from segfmu import Crane, Limits, Waypoint, plan
 from segfmu.crane import Drive, Friction, Gust, Rig, Wind
-from segfmu.kernels import _crane, backend, evaluate, expand, feedback, noise, plant
+from segfmu.crane.flat_feedback import design_flat
+from segfmu.crane.observer import design_observer
+from segfmu.crane.tracking import TrackingController
+from segfmu.kernels import (
+    _crane,
+    backend,
+    compensation,
+    evaluate,
+    expand,
+    feedback,
+    noise,
+    observer,
+    plant,
+    tracking,
+)
 from segfmu.kernels import plan as plan_kernel
 from segfmu.kernels.profile import shortest_profile
 from segfmu.kernels.synchronize import timed_profile
@@ -164,6 +178,74 @@ def test_feedback_agrees() -> None:
         feedback.feedback_correction(state, reference, lengths, gains, results[0])
         compiled.feedback_correction(state, reference, lengths, gains, results[1])
         assert close(*results)
+
+
+@pytest.mark.parametrize("driven", [False, True])
+def test_flat_gains_agree(driven: bool) -> None:
+    results = np.zeros((2, 3, 10))
+    for module, gains in zip((feedback, compiled), results, strict=True):
+        bandwidth = module.feedback_bandwidth(1.3, 0.2, 9.81, 0.05, 0.25)
+        module.feedback_gains(driven, 0.2, *MASSES, bandwidth, 9.0, 0.8, gains)
+    assert close(*results)
+    assert results[0].any()
+
+
+def test_compensation_agrees() -> None:
+    outputs = []
+    for module in (compensation, compiled):
+        random = np.random.default_rng(6)
+        velocity, acceleration, lag, viscous, coulomb, force = random.uniform(0.1, 1.0, (6, 3))
+        setpoint = np.zeros(3)
+        module.compensate_setpoints(
+            velocity, acceleration, lag, viscous, coulomb, 0.3, force, setpoint
+        )
+        outputs.append(np.concatenate([force, setpoint]))
+    assert close(*outputs)
+
+
+def test_observers_agree() -> None:
+    outputs = []
+    for module in (observer, compiled):
+        random = np.random.default_rng(8)
+        lengths, table = np.array([0.5, 1.0, 2.0]), random.uniform(-1.0, 1.0, (3, 18, 10))
+        estimate = random.uniform(-1.0, 1.0, (3, 6))
+        for length in (0.1, 0.7, 2.5):
+            command, held = random.uniform(-1.0, 1.0, (2, 3))
+            measured, reference = random.uniform(-1.0, 1.0, 5), random.uniform(-1.0, 1.0, 10)
+            module.observer_predict(length, lengths, table, command, held, estimate, np.zeros(10))
+            module.observer_correct(length, lengths, table, measured, reference, estimate)
+        outputs.append(estimate)
+    assert close(*outputs)
+
+
+@pytest.mark.parametrize("delayed", [False, True])
+@pytest.mark.parametrize("driven", [False, True])
+def test_tracking_agrees(driven: bool, delayed: bool) -> None:
+    crane = Crane(*MASSES)
+    options = {"sample_time": 0.01, "shortest": 0.3, "longest": 0.9, "driven": driven, "rows": 3}
+    watcher = design_observer(crane, lag=(0.02, 0.0, 0.01), delayed=delayed, **options)
+    outputs = []
+    for module in (tracking, compiled):
+        random = np.random.default_rng(9)
+        controller = TrackingController(
+            watcher, design_flat(crane, **options), rejection=(0.9, 0.8),
+            lower=[-6.0, -6.0, -20.0], upper=[6.0, 6.0, 0.0],
+        )
+        parameters, memory, rows = controller.parameters, np.zeros((9, 10)), []
+        for i in range(60):
+            parameters[9], memory[3, 4] = i < 40, i in (20, 40)
+            reference, correction = crane.hanging([0.1, 0.2, -0.6]), np.zeros(3)
+            feedforward = random.uniform(-1.0, 1.0, 3)
+            # the first ones are below the steps of the sensors
+            measured = reference[:5] + min(i, 3) * random.uniform(-1e-4, 1e-2, 5) * (i > 1)
+            module.track_setpoint(
+                parameters, watcher.lengths, watcher.table, controller.feedback.lengths,
+                controller.feedback.gains, measured, reference, feedforward, memory, correction,
+            )
+            rows.append(np.concatenate([correction, memory.ravel()]))
+        outputs.append(np.array(rows))
+    assert np.allclose(*outputs, rtol=1e-9, atol=1e-11)
+    assert np.abs(outputs[0][30]).max() > 0.1
 
 
 def readonly(shape: tuple[int, ...]) -> np.ndarray:

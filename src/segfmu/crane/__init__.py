@@ -1,18 +1,28 @@
-"""The gantry crane: parameters, equations of motion, flat inverse, sway feedback, real plant."""
+"""The gantry crane: equations of motion, flat inverse, real plant, control, and its baselines."""
 
 from segfmu.crane.actuators import ActuatedPlan, ActuatorBounds, plan_actuated
 from segfmu.crane.controller import Controller
 from segfmu.crane.disturbance import Gust, PayloadChange, Wind
 from segfmu.crane.equipment import Drive, Friction, TravelLimits
-from segfmu.crane.feedback import SwayFeedback
+from segfmu.crane.feedback import PayloadSchedule, SwayFeedback, Weights, design_schedule
+from segfmu.crane.feedback import design as design_lqr
+from segfmu.crane.feedforward import Compensation, Feedforward
+from segfmu.crane.flat_feedback import design_flat
 from segfmu.crane.inverse import FlatInverse
+from segfmu.crane.observer import Observer, Uncertainty, design_observer
 from segfmu.crane.parameters import Crane
 from segfmu.crane.plant import Plant, Setpoints
 from segfmu.crane.rig import Rig
 from segfmu.crane.sensors import Sensors
+from segfmu.crane.shaping import Shaped, Shaper, Trapezoid, zv, zvd
+from segfmu.crane.stability import largest_eigenvalue, stability_map
+from segfmu.crane.tracking import TrackingController
 
 __all__ = [
-    "ActuatedPlan", "ActuatorBounds", "Controller", "Crane", "Drive", "FlatInverse", "Friction",
-    "Gust", "PayloadChange", "Plant", "Rig", "Sensors", "Setpoints", "SwayFeedback",
-    "TravelLimits", "Wind", "plan_actuated",
+    "ActuatedPlan", "ActuatorBounds", "Compensation", "Controller", "Crane", "Drive",
+    "Feedforward", "FlatInverse", "Friction", "Gust", "Observer", "PayloadChange",
+    "PayloadSchedule", "Plant", "Rig", "Sensors", "Setpoints", "Shaped", "Shaper", "SwayFeedback",
+    "TrackingController", "TravelLimits", "Trapezoid", "Uncertainty", "Weights", "Wind",
+    "design_flat", "design_lqr", "design_observer", "design_schedule", "largest_eigenvalue",
+    "plan_actuated", "stability_map", "zv", "zvd",
 ]

@@ -26,21 +26,32 @@ from segfmu.crane.parameters import Crane
 from segfmu.errors import InputError
 from segfmu.planning.arrays import FloatArray, finite_vector
 
+# effort that counts as one, over the moved weight
+EFFORT = 2.0
+
+# weights without which a gain does not exist, or nothing holds its place
+NEEDED = ("position", "effort", "rope")
+
 
 @dataclass(frozen=True)
 class Weights:
-    """Weights of the dimensionless design: carriage position, sway, their rates, and effort."""
+    """Weights of the dimensionless design: carriage position, sway, their rates, and effort.
+
+    `rope` is that of the rope's length; 20 gives the hoist, which does not wait for the pendulum,
+    a bandwidth of three times the pendulum's frequency.
+    """
 
     position: float = 1.0
     angle: float = 1.0
     velocity: float = 1.0
     rate: float = 1.0
     effort: float = 1.0
+    rope: float = 20.0
 
     def __post_init__(self) -> None:
-        for name in ("position", "angle", "velocity", "rate", "effort"):
+        for name in ("position", "angle", "velocity", "rate", "effort", "rope"):
             value = getattr(self, name)
-            if not 0.0 <= value < np.inf or (name in ("position", "effort") and value == 0.0):
+            if not 0.0 <= value < np.inf or (name in NEEDED and value == 0.0):
                 raise InputError(f"weight {name} must be positive and finite, got {value!r}")
 
 
@@ -76,10 +87,10 @@ def gain(
     coordinates = np.array([1.0 / length] * 3 + [1.0] * 2)
     scale = np.concatenate([coordinates, coordinates / frequency])
     w = weights
-    values = [w.position] * 3 + [w.angle] * 2 + [w.velocity] * 3 + [w.rate] * 2
+    values = [w.position] * 2 + [w.rope] + [w.angle] * 2 + [w.velocity] * 3 + [w.rate] * 2
     state_cost = np.diag(scale**2 * values)
     unit = np.ones(3) if driven else moved_masses(crane.masses)
-    effort = np.diag(w.effort / (unit * crane.gravity) ** 2)
+    effort = np.diag(w.effort / (EFFORT * unit * crane.gravity) ** 2)
     riccati = solve_discrete_are(ad, bd, state_cost, effort)
     found: FloatArray = np.linalg.solve(
         effort + bd.T @ riccati @ bd, bd.T @ riccati @ ad

@@ -21,18 +21,28 @@ from segfmu.kernels import backend
 from segfmu.planning.arrays import FloatArray
 
 RATIO = 1.0
-DAMPING = 0.8
+HOIST_RATIO = 3.0
+DAMPING = 1.0
 
 # radians a sample
 LARGEST = 0.25
 
 
 def flat_gain(
-    crane: Crane, length: float, bandwidth: float, damping: float, driven: bool
+    crane: Crane,
+    length: float,
+    bandwidth: float,
+    damping: float,
+    driven: bool,
+    hoist_bandwidth: float | None = None,
 ) -> FloatArray:
-    """Gains (3, 10) at a rope length [m] for a bandwidth [rad/s] and a damping."""
+    """Gains (3, 10) at a rope length [m] for bandwidths [rad/s] and a damping.
+
+    The hoist has the same bandwidth as the others unless its own is given.
+    """
+    hoist = bandwidth if hoist_bandwidth is None else hoist_bandwidth
     gains = np.zeros((3, 10))
-    backend.feedback_gains(driven, length, *crane.masses, bandwidth, damping, gains)
+    backend.feedback_gains(driven, length, *crane.masses, bandwidth, hoist, damping, gains)
     return gains
 
 
@@ -43,6 +53,7 @@ def design_flat(
     shortest: float,
     longest: float,
     ratio: float = RATIO,
+    hoist_ratio: float = HOIST_RATIO,
     damping: float = DAMPING,
     driven: bool = False,
     rows: int = ROWS,
@@ -59,6 +70,8 @@ def design_flat(
         Rope lengths [m].
     ratio : float
         Bandwidth over the pendulum's frequency sqrt(g / l).
+    hoist_ratio : float
+        That of the hoist, which does not wait for the pendulum.
     damping : float
         Of all poles.
     driven : bool
@@ -71,14 +84,16 @@ def design_flat(
     """
     require_positive("sample_time", sample_time)
     require_positive("feedback ratio", ratio)
+    require_positive("feedback hoist_ratio", hoist_ratio)
     require_positive("feedback damping", damping)
     lengths = scheduled_lengths(shortest, longest, rows)
-    table = [
-        flat_gain(
-            crane, float(x),
-            backend.feedback_bandwidth(ratio, float(x), crane.gravity, sample_time, LARGEST),
-            damping, driven,
+
+    def gains(length: float) -> FloatArray:
+        bandwidth, hoist = (
+            backend.feedback_bandwidth(x, length, crane.gravity, sample_time, LARGEST)
+            for x in (ratio, hoist_ratio)
         )
-        for x in lengths
-    ]
+        return flat_gain(crane, length, bandwidth, damping, driven, hoist)
+
+    table = [gains(float(x)) for x in lengths]
     return SwayFeedback(sample_time, lengths, np.array(table), crane.payload_mass)

@@ -36,24 +36,36 @@ class Uncertainty:
     position, length, angle : float
         Quantisation steps of the carriages' positions [m], the rope's length [m] and the sway
         angles [rad]; their errors are taken as evenly distributed, hence step^2 / 12.
-    drift : float
-        Random walks of the disturbances: standard deviation after one second, as a multiple of
-        gravity. More makes the observer faster and noisier.
+    drift, wind : float
+        Random walks of the disturbances, of carriages and rope, and of the load: standard
+        deviation after one second, as a multiple of gravity. More makes the observer faster and
+        noisier.
+    wake : float
+        A controller acts from the first time on at which a signal is further from its reference
+        than this many of the steps: less may be rounding, and is left alone. 0: from the start.
 
     Raises
     ------
     InputError
-        For values that are not positive.
+        For values that are not positive; `wake` may be 0.
     """
 
     position: float = 1e-4
     length: float = 1e-4
     angle: float = 2.0 * pi / 4096.0
-    drift: float = 0.1
+    drift: float = 0.3
+    wind: float = 0.05
+    wake: float = 1.0
 
     def __post_init__(self) -> None:
-        for name in ("position", "length", "angle", "drift"):
+        for name in ("position", "length", "angle", "drift", "wind"):
             require_positive(f"uncertainty {name}", getattr(self, name))
+        require_not_negative("uncertainty wake", self.wake)
+
+    @property
+    def tolerances(self) -> FloatArray:
+        """Deviations that may be rounding: carriages, rope [m], angles [rad]; shape (3,)."""
+        return self.wake * np.array([self.position, self.length, self.angle])
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,6 +86,8 @@ class Observer:
         Rope lengths [m], ascending.
     table : ndarray, shape (rows, 18, 10)
         See kernels/observer.py.
+    tolerances : ndarray, shape (3,)
+        Of `Uncertainty`.
     """
 
     crane: Crane
@@ -82,6 +96,7 @@ class Observer:
     delayed: bool
     lengths: FloatArray
     table: FloatArray
+    tolerances: FloatArray
 
 
 def axis_model(
@@ -139,9 +154,10 @@ def _axis_table(
     kept = np.arange(6) if axis < 2 else HOIST
     outputs = kept[kept <= ANGLE]
     a, b = axis_model(crane, axis, length, driven, lag)
-    walks = np.where(kept >= INPUT, expected.drift * crane.gravity, 0.0)
+    walks = np.zeros(6)
+    walks[[INPUT, LOAD]] = expected.drift * crane.gravity, expected.wind * crane.gravity
     step = expected.position if axis < 2 else expected.length
-    ad, bd, covariance = _discretised(a[np.ix_(kept, kept)], b[kept], walks, sample_time)
+    ad, bd, covariance = _discretised(a[np.ix_(kept, kept)], b[kept], walks[kept], sample_time)
     noise = np.diag(np.array([step, expected.angle])[: outputs.size] ** 2 / 12.0)
     read = np.eye(kept.size)[: outputs.size]
     spread = solve_discrete_are(ad.T, read.T, covariance, noise)
@@ -202,4 +218,6 @@ def design_observer(
         )
         for x in lengths
     ]
-    return Observer(crane, sample_time, driven, delayed, lengths, np.array(table))
+    return Observer(
+        crane, sample_time, driven, delayed, lengths, np.array(table), expected.tolerances
+    )

@@ -123,7 +123,7 @@ def _respond(
     memory, correction = np.zeros((9, 10)), np.zeros(3)
     memory[:3, :6] = start[13:31].reshape(3, 6)
     memory[3, :3], memory[4, :3], memory[6] = start[10:13], start[31:34], reference
-    memory[3, 3], memory[5, 3] = 1.0, start[-1]
+    memory[3, 3], memory[4, 6], memory[5, 3] = 1.0, 1.0, start[-1]
     backend.track_setpoint(
         controller.parameters, observer.lengths, observer.table, feedback.lengths, feedback.gains,
         signals, reference, np.zeros(3), memory, correction,

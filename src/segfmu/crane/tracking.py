@@ -60,20 +60,21 @@ class TrackingController:
         lower: ArrayLike | None = None,
         upper: ArrayLike | None = None,
         fade: float = 0.1,
-        payload_time: float = 0.5,
+        payload_time: float = 2.0,
         enabled: bool = True,
     ) -> None:
         require_not_negative("fade", fade)
         require_positive("payload_time", payload_time)
         period = observer.sample_time
         self.observer = observer
-        self._parameters = np.zeros(20)
+        self._parameters = np.zeros(23)
         self._parameters[:3] = observer.driven, period, observer.delayed
         self._parameters[3:6] = moved_masses(observer.crane.masses)
         self._parameters[6] = observer.crane.gravity
         self._parameters[10] = fade
         self._parameters[11] = exp(-period / fade) if fade > 0.0 else 0.0
         self._parameters[19] = period / payload_time
+        self._parameters[20:23] = observer.tolerances
         least, greatest = _limits("lower", lower, -UNLIMITED), _limits("upper", upper, UNLIMITED)
         if (least > greatest).any():
             raise InputError(

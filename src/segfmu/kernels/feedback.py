@@ -55,6 +55,7 @@ def feedback_gains(
     payload_mass: float,
     gravity: float,
     bandwidth: float,
+    hoist_bandwidth: float,
     damping: float,
     gains: 'float[:,:]',
 ) -> None:
@@ -63,8 +64,8 @@ def feedback_gains(
     About the load hanging at rest, with the sway angle counted such that the load is at
     p = x_t + l phi: p'' = -g phi and p'''' = (g / l) (g phi + a) under the carriage's
     acceleration a. The error of p is given the characteristic polynomial
-    (s^2 + 2 D w s + w^2)^2, that of the rope s^2 + 2 D w s + w^2, with the bandwidth w [rad/s]
-    and the damping D. The corrections are accelerations if driven; otherwise forces, which
+    (s^2 + 2 D w s + w^2)^2, that of the rope s^2 + 2 D w s + w^2, each with its bandwidth w
+    [rad/s], and the damping D. The corrections are accelerations if driven; otherwise forces, which
     also cancel the rope's pull on the carriage.
     """
     k0 = bandwidth * bandwidth * bandwidth * bandwidth
@@ -91,5 +92,5 @@ def feedback_gains(
     weight = 1.0
     if not driven:
         weight = payload_mass
-    gains[2, 2] = weight * bandwidth * bandwidth
-    gains[2, 7] = weight * 2.0 * damping * bandwidth
+    gains[2, 2] = weight * hoist_bandwidth * hoist_bandwidth
+    gains[2, 7] = weight * 2.0 * damping * hoist_bandwidth

@@ -1,15 +1,17 @@
 """One tick of the tracking controller: observer, feedback, disturbance rejection, limits.
 
-`parameters` (20): driven, sample time [s], whether measurements are one sample old, mass that
+`parameters` (23): driven, sample time [s], whether measurements are one sample old, mass that
 moves in x, in y and with the rope [kg], gravity [m/s2], share of the carriage's and of the load's
 estimated disturbance that is rejected, enabled, time constant [s] of switching and decay of a
 switching step over a sample, the least (3) and the greatest (3) setpoint, the payload [kg] that
-the gains are for, and the sample time as a share of the payload estimate's time constant.
+the gains are for, the sample time as a share of the payload estimate's time constant, and the
+deviations of carriages, rope and angles up to which the feedback stays asleep.
 
 `memory` (9, 10): estimate (3 rows, see kernels/observer.py); velocity command (3), whether
 there was a tick before, whether something was switched since; what the observer takes as input
-since the last tick (3), last correction (3); what remains of a switching step (3), estimate of
-the payload over the nominal one, minus 1; reference at the tick before; two rows of work space.
+since the last tick (3), last correction (3), whether it is awake; what remains of a switching
+step (3), estimate of the payload over the nominal one, minus 1; reference at the tick before; two
+rows of work space.
 
 The force on the rope holds the load's weight, so a wrong payload is a large disturbance, and it
 changes what a force does. Both are cured by asking for an acceleration v of the rope and applying
@@ -21,6 +23,24 @@ from segfmu.kernels.feedback import feedback_correction
 from segfmu.kernels.observer import observer_correct, observer_predict
 
 
+def track_wake(
+    parameters: 'float[:]', measured: 'float[:]', reference: 'float[:]', memory: 'float[:,:]'
+) -> None:
+    """Wake the feedback at the first deviation that is more than the sensors' steps.
+
+    Until then there is nothing to correct that a rounded signal could show.
+    """
+    for i in range(3):
+        tolerance = parameters[20]
+        if i == 2:
+            tolerance = parameters[21]
+        if abs(measured[i] - reference[i]) > tolerance:
+            memory[4, 6] = 1.0
+    for i in range(2):
+        if abs(measured[3 + i] - reference[3 + i]) > parameters[22]:
+            memory[4, 6] = 1.0
+
+
 def track_observe(
     parameters: 'float[:]',
     lengths: 'float[:]',
@@ -30,25 +50,28 @@ def track_observe(
     memory: 'float[:,:]',
 ) -> None:
     """Bring estimate and velocity command to the present tick."""
+    delayed = parameters[2] > 0.5
     if memory[3, 3] < 0.5:
         for i in range(3):
             memory[i, 0] = measured[i] - reference[i]
         memory[0, 1] = measured[3] - reference[3]
         memory[1, 1] = reference[4] - measured[4]
         memory[3, 3] = 1.0
-    else:
-        delayed = parameters[2] > 0.5
-        if delayed:
-            observer_correct(
-                measured[2], lengths, table, measured, memory[6, :], memory[0:3, :]
-            )
+        track_wake(parameters, measured, reference, memory)
+    elif delayed:
+        track_wake(parameters, measured, memory[6, :], memory)
+        observer_correct(measured[2], lengths, table, measured, memory[6, :], memory[0:3, :])
         observer_predict(
             measured[2], lengths, table, memory[3, :], memory[4, :], memory[0:3, :], memory[8, :]
         )
-        if not delayed:
-            observer_correct(measured[2], lengths, table, measured, reference, memory[0:3, :])
-        for i in range(3):
-            memory[3, i] = memory[3, i] + parameters[1] * memory[4, i]
+    else:
+        track_wake(parameters, measured, reference, memory)
+        observer_predict(
+            measured[2], lengths, table, memory[3, :], memory[4, :], memory[0:3, :], memory[8, :]
+        )
+        observer_correct(measured[2], lengths, table, measured, reference, memory[0:3, :])
+    for i in range(3):
+        memory[3, i] = memory[3, i] + parameters[1] * memory[4, i]
     for i in range(10):
         memory[6, i] = reference[i]
 
@@ -66,7 +89,7 @@ def track_law(
     A load pushed by an acceleration w hangs at the angle w / g; its position is right with the
     carriage at -l w / g.
     """
-    if parameters[9] < 0.5:
+    if parameters[9] < 0.5 or memory[4, 6] < 0.5:
         for i in range(3):
             correction[i] = 0.0
             if parameters[0] > 0.5:
@@ -103,7 +126,7 @@ def track_hoist(parameters: 'float[:]', memory: 'float[:,:]') -> None:
     share = memory[5, 3]
     rope = (memory[4, 5] / parameters[5] + share * parameters[6]) / (1.0 + share)
     memory[4, 2] = rope
-    if parameters[9] > 0.5:
+    if parameters[9] > 0.5 and memory[4, 6] > 0.5:
         share = share - parameters[19] * (1.0 + share) * rope / parameters[6]
         memory[5, 3] = min(max(share, -0.98), 9.0)
 

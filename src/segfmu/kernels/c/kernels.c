@@ -86,6 +86,7 @@ static bool within(array_double_2d hull, int64_t count, double limit);
 static bool check_axis(int64_t axis, array_double_2d timing, array_double_2d coefficients, int64_t first, int64_t last, array_double_2d limits, double tolerance, array_double_2d work);
 static int64_t table_row(double value, array_double_1d nodes);
 static double table_share(double value, array_double_1d nodes, int64_t row);
+static void track_wake(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory);
 static void track_observe(array_double_1d parameters, array_double_1d lengths, array_double_3d table, array_double_1d measured, array_double_1d reference, array_double_2d memory);
 static void track_law(array_double_1d parameters, double length, array_double_1d gain_lengths, array_double_3d gains, array_double_2d memory, array_double_1d correction);
 static void track_hoist(array_double_1d parameters, array_double_2d memory);
@@ -3742,16 +3743,16 @@ double segfmu_feedback_bandwidth(double ratio, double length, double gravity, do
     double result;
     return span_min(ratio * sqrt(gravity / length), largest / sample_time);
 }
-/*Gains (3, 10) that give the flat output's error chosen poles; closed form.                     */
-/*                                                                                               */
-/*    About the load hanging at rest, with the sway angle counted such that the load is at       */
-/*    p = x_t + l phi: p'' = -g phi and p'''' = (g / l) (g phi + a) under the carriage's         */
-/*    acceleration a. The error of p is given the characteristic polynomial                      */
-/*    (s^2 + 2 D w s + w^2)^2, that of the rope s^2 + 2 D w s + w^2, with the bandwidth w [rad/s]*/
-/*    and the damping D. The corrections are accelerations if driven; otherwise forces, which    */
-/*    also cancel the rope's pull on the carriage.                                               */
-/*                                                                                               */
-void segfmu_feedback_gains(bool driven, double length, double bridge_mass, double trolley_mass, double payload_mass, double gravity, double bandwidth, double damping, array_double_2d gains)
+/*Gains (3, 10) that give the flat output's error chosen poles; closed form.                           */
+/*                                                                                                     */
+/*    About the load hanging at rest, with the sway angle counted such that the load is at             */
+/*    p = x_t + l phi: p'' = -g phi and p'''' = (g / l) (g phi + a) under the carriage's               */
+/*    acceleration a. The error of p is given the characteristic polynomial                            */
+/*    (s^2 + 2 D w s + w^2)^2, that of the rope s^2 + 2 D w s + w^2, each with its bandwidth w         */
+/*    [rad/s], and the damping D. The corrections are accelerations if driven; otherwise forces, which */
+/*    also cancel the rope's pull on the carriage.                                                     */
+/*                                                                                                     */
+void segfmu_feedback_gains(bool driven, double length, double bridge_mass, double trolley_mass, double payload_mass, double gravity, double bandwidth, double hoist_bandwidth, double damping, array_double_2d gains)
 {
     double k0;
     double k1;
@@ -3800,8 +3801,8 @@ void segfmu_feedback_gains(bool driven, double length, double bridge_mass, doubl
     {
         weight = payload_mass;
     }
-    (*cspan_at(&gains, INT64_C(2), INT64_C(2))) = weight * bandwidth * bandwidth;
-    (*cspan_at(&gains, INT64_C(2), INT64_C(7))) = weight * 2.0 * damping * bandwidth;
+    (*cspan_at(&gains, INT64_C(2), INT64_C(2))) = weight * hoist_bandwidth * hoist_bandwidth;
+    (*cspan_at(&gains, INT64_C(2), INT64_C(7))) = weight * 2.0 * damping * hoist_bandwidth;
 }
 /*Advance the estimate (3, 6 or more) by a sample under command and held correction. */
 void segfmu_observer_predict(double length, array_double_1d lengths, array_double_3d table, array_double_1d command, array_double_1d held, array_double_2d estimate, array_double_1d scratch)
@@ -3874,11 +3875,40 @@ void segfmu_observer_correct(double length, array_double_1d lengths, array_doubl
         }
     }
 }
+/*Wake the feedback at the first deviation that is more than the sensors' steps. */
+/*                                                                               */
+/*    Until then there is nothing to correct that a rounded signal could show.   */
+/*                                                                               */
+static void track_wake(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory)
+{
+    int64_t i;
+    double tolerance;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        tolerance = (*cspan_at(&parameters, INT64_C(20)));
+        if (i == INT64_C(2))
+        {
+            tolerance = (*cspan_at(&parameters, INT64_C(21)));
+        }
+        if (fabs((*cspan_at(&measured, i)) - (*cspan_at(&reference, i))) > tolerance)
+        {
+            (*cspan_at(&memory, INT64_C(4), INT64_C(6))) = 1.0;
+        }
+    }
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        if (fabs((*cspan_at(&measured, INT64_C(3) + i)) - (*cspan_at(&reference, INT64_C(3) + i))) > (*cspan_at(&parameters, INT64_C(22))))
+        {
+            (*cspan_at(&memory, INT64_C(4), INT64_C(6))) = 1.0;
+        }
+    }
+}
 /*Bring estimate and velocity command to the present tick. */
 static void track_observe(array_double_1d parameters, array_double_1d lengths, array_double_3d table, array_double_1d measured, array_double_1d reference, array_double_2d memory)
 {
-    int64_t i;
     bool delayed;
+    int64_t i;
+    delayed = (*cspan_at(&parameters, INT64_C(2))) > 0.5;
     if ((*cspan_at(&memory, INT64_C(3), INT64_C(3))) < 0.5)
     {
         for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
@@ -3888,23 +3918,23 @@ static void track_observe(array_double_1d parameters, array_double_1d lengths, a
         (*cspan_at(&memory, INT64_C(0), INT64_C(1))) = (*cspan_at(&measured, INT64_C(3))) - (*cspan_at(&reference, INT64_C(3)));
         (*cspan_at(&memory, INT64_C(1), INT64_C(1))) = (*cspan_at(&reference, INT64_C(4))) - (*cspan_at(&measured, INT64_C(4)));
         (*cspan_at(&memory, INT64_C(3), INT64_C(3))) = 1.0;
+        track_wake(parameters, measured, reference, memory);
+    }
+    else if (delayed)
+    {
+        track_wake(parameters, measured, span_row(&memory, INT64_C(6)), memory);
+        segfmu_observer_correct((*cspan_at(&measured, INT64_C(2))), lengths, table, measured, span_row(&memory, INT64_C(6)), span_rows(&memory, INT64_C(0), INT64_C(3)));
+        segfmu_observer_predict((*cspan_at(&measured, INT64_C(2))), lengths, table, span_row(&memory, INT64_C(3)), span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(0), INT64_C(3)), span_row(&memory, INT64_C(8)));
     }
     else
     {
-        delayed = (*cspan_at(&parameters, INT64_C(2))) > 0.5;
-        if (delayed)
-        {
-            segfmu_observer_correct((*cspan_at(&measured, INT64_C(2))), lengths, table, measured, span_row(&memory, INT64_C(6)), span_rows(&memory, INT64_C(0), INT64_C(3)));
-        }
+        track_wake(parameters, measured, reference, memory);
         segfmu_observer_predict((*cspan_at(&measured, INT64_C(2))), lengths, table, span_row(&memory, INT64_C(3)), span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(0), INT64_C(3)), span_row(&memory, INT64_C(8)));
-        if (!delayed)
-        {
-            segfmu_observer_correct((*cspan_at(&measured, INT64_C(2))), lengths, table, measured, reference, span_rows(&memory, INT64_C(0), INT64_C(3)));
-        }
-        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-        {
-            (*cspan_at(&memory, INT64_C(3), i)) = (*cspan_at(&memory, INT64_C(3), i)) + (*cspan_at(&parameters, INT64_C(1))) * (*cspan_at(&memory, INT64_C(4), i));
-        }
+        segfmu_observer_correct((*cspan_at(&measured, INT64_C(2))), lengths, table, measured, reference, span_rows(&memory, INT64_C(0), INT64_C(3)));
+    }
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(3), i)) = (*cspan_at(&memory, INT64_C(3), i)) + (*cspan_at(&parameters, INT64_C(1))) * (*cspan_at(&memory, INT64_C(4), i));
     }
     for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
     {
@@ -3925,7 +3955,7 @@ static void track_law(array_double_1d parameters, double length, array_double_1d
     double pull;
     double rope;
     double share;
-    if ((*cspan_at(&parameters, INT64_C(9))) < 0.5)
+    if (((*cspan_at(&parameters, INT64_C(9))) < 0.5) || ((*cspan_at(&memory, INT64_C(4), INT64_C(6))) < 0.5))
     {
         for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
         {
@@ -3980,7 +4010,7 @@ static void track_hoist(array_double_1d parameters, array_double_2d memory)
     share = (*cspan_at(&memory, INT64_C(5), INT64_C(3)));
     rope = ((*cspan_at(&memory, INT64_C(4), INT64_C(5))) / (*cspan_at(&parameters, INT64_C(5))) + share * (*cspan_at(&parameters, INT64_C(6)))) / (1.0 + share);
     (*cspan_at(&memory, INT64_C(4), INT64_C(2))) = rope;
-    if ((*cspan_at(&parameters, INT64_C(9))) > 0.5)
+    if (((*cspan_at(&parameters, INT64_C(9))) > 0.5) && ((*cspan_at(&memory, INT64_C(4), INT64_C(6))) > 0.5))
     {
         share = share - (*cspan_at(&parameters, INT64_C(19))) * (1.0 + share) * rope / (*cspan_at(&parameters, INT64_C(6)));
         (*cspan_at(&memory, INT64_C(5), INT64_C(3))) = span_min(span_max(share, -0.98), 9.0);

@@ -535,10 +535,11 @@ static PyObject *call_feedback_gains(
     double in_payload_mass;
     double in_gravity;
     double in_bandwidth;
+    double in_hoist_bandwidth;
     double in_damping;
     Py_buffer *in_gains;
     (void)self;
-    if (take_count(&call, count, 9)
+    if (take_count(&call, count, 10)
         && take_bool(&call, 0, &in_driven)
         && take_float(&call, 1, &in_length)
         && take_float(&call, 2, &in_bridge_mass)
@@ -546,8 +547,9 @@ static PyObject *call_feedback_gains(
         && take_float(&call, 4, &in_payload_mass)
         && take_float(&call, 5, &in_gravity)
         && take_float(&call, 6, &in_bandwidth)
-        && take_float(&call, 7, &in_damping)
-        && (in_gains = take_array(&call, 8, 2, 'd', true)) != NULL) {
+        && take_float(&call, 7, &in_hoist_bandwidth)
+        && take_float(&call, 8, &in_damping)
+        && (in_gains = take_array(&call, 9, 2, 'd', true)) != NULL) {
         segfmu_feedback_gains(
             in_driven,
             in_length,
@@ -556,6 +558,7 @@ static PyObject *call_feedback_gains(
             in_payload_mass,
             in_gravity,
             in_bandwidth,
+            in_hoist_bandwidth,
             in_damping,
             (array_double_2d){in_gains->buf, {in_gains->shape[0], in_gains->shape[1]}});
         answer = Py_NewRef(Py_None);
