@@ -15,11 +15,10 @@ from multiprocessing import get_context
 import numpy as np
 
 from segfmu.crane import Controller, Plant, Setpoints
-from segfmu.crane.dead_band import DeadBand
 from segfmu.errors import SimulationError
 from segfmu.planning import Trajectory
 from segfmu.planning.arrays import FloatArray
-from segfmu.validation.disturbances import DISTURBANCES, ENCODERS, Case, Disturbance, meet
+from segfmu.validation.disturbances import DISTURBANCES, Case, Disturbance, meet
 from segfmu.validation.methods import (
     METHODS,
     MODES,
@@ -183,12 +182,9 @@ def _controller(
     if not method.feedback:
         return NO_FEEDBACK
     crane = mission.build_crane()
-    tracking = tracking_controller(
+    return tracking_controller(
         crane, method.feedback, driven, rope_range(crane, trajectory), disturbance.dead_time
     )
-    if not disturbance.encoder:
-        return tracking
-    return DeadBand(tracking, ENCODERS, delayed=disturbance.dead_time)
 
 
 def _simulate(

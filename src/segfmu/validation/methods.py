@@ -16,22 +16,22 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from segfmu.crane import Controller, Crane, FlatInverse, SwayFeedback
-from segfmu.crane.feedback import Weights, design
+from segfmu.crane.feedback import design
 from segfmu.crane.feedforward import Compensation
 from segfmu.crane.flat_feedback import design_flat
 from segfmu.crane.linear import moved_masses
-from segfmu.crane.observer import Observer, design_observer
+from segfmu.crane.observer import Observer, Uncertainty, design_observer
 from segfmu.crane.shaping import Motion, Shaped, Shaper, Trapezoid, zv, zvd
 from segfmu.crane.tracking import TrackingController
 from segfmu.planning import Trajectory
 from segfmu.planning.arrays import FloatArray
-from segfmu.validation.disturbances import LAG, SAMPLE_TIME
+from segfmu.validation.disturbances import ENCODERS, LAG, SAMPLE_TIME
 from segfmu.validation.mission import AXES, Mission
 
 MODES = ("velocity", "force")
 
-# of the LQR; less costly effort than the default one damps an initial sway faster
-WEIGHTS = Weights(effort=0.4)
+# what the observer reckons with: the encoders' steps, whether signals are rounded or not
+EXPECTED = Uncertainty(position=ENCODERS[0], length=ENCODERS[2], angle=ENCODERS[3])
 
 # where a crane's file has no rope range: of the rope lengths of the move
 MARGIN = 0.2
@@ -203,8 +203,7 @@ def _gains(crane: Crane, kind: str, driven: bool, ropes: tuple[float, float]) ->
     shortest, longest = ropes
     if kind == "LQR":
         return design(
-            crane, sample_time=SAMPLE_TIME, shortest=shortest, longest=longest, weights=WEIGHTS,
-            driven=driven,
+            crane, sample_time=SAMPLE_TIME, shortest=shortest, longest=longest, driven=driven
         )
     return design_flat(
         crane, sample_time=SAMPLE_TIME, shortest=shortest, longest=longest, driven=driven
@@ -217,7 +216,7 @@ def _observer(
 ) -> Observer:
     return design_observer(
         crane, sample_time=SAMPLE_TIME, shortest=ropes[0], longest=ropes[1], driven=driven,
-        lag=(LAG if driven else 0.0,) * 3, delayed=delayed,
+        lag=(LAG if driven else 0.0,) * 3, delayed=delayed, uncertainty=EXPECTED,
     )
 
 
