@@ -84,7 +84,8 @@ def test_terminal_tables_fit_eighty_columns() -> None:
 
 
 def test_factors() -> None:
-    assert factor(3.04) == "3.0x"
+    assert factor(2.98) == "2.98x"
+    assert factor(63.1) == "63x"
     assert factor(float("nan")) == "-"
     assert factor(2e5) == "> 1000x"
     assert factor(float("inf")) == "fails alone"

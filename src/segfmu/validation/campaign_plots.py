@@ -133,6 +133,11 @@ def plot_eigenvalues(rows: NDArray[np.void], payload: float) -> Figure:
                     lengths, payloads / payload, table, levels=6, colors="white", linewidths=0.6
                 )
                 panel.clabel(lines, fmt="%.4f", fontsize=7)
+            else:
+                panel.text(
+                    0.5, 0.5, f"{table.max():.4f} everywhere", ha="center",
+                    transform=panel.transAxes,
+                )
             panel.set_title(f"{mode} mode, {design}; largest {table.max():.4f}", fontsize=10)
     for panel in panels[-1]:
         panel.set_xlabel("rope length [m]")

@@ -68,7 +68,7 @@ def factor(ratio: float) -> str:
         return "-"
     if ratio > LARGEST_FACTOR:
         return f"> {LARGEST_FACTOR:g}x" if isfinite(ratio) else "fails alone"
-    return f"{ratio:.1f}x"
+    return f"{ratio:.2f}x" if ratio < 10.0 else f"{ratio:.0f}x"
 
 
 def _word(c: Comparison) -> str:
