@@ -7,7 +7,7 @@ Runge-Kutta steps, quantised and delayed signals.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -34,7 +34,7 @@ class Rig:
     offset: tuple[float, ...] = (0.0,) * 5
     delayed: bool = False
     bound: float = np.inf
-    substeps: int = field(default=2)
+    substeps: int = 1
 
     def measure(self, state: np.ndarray) -> np.ndarray:
         steps, values = np.array(self.resolution), state[:5] + self.offset

@@ -7,8 +7,7 @@ import pytest
 
 from segfmu import Crane
 from segfmu.crane import Plant, Rig, Sensors, Setpoints
-from segfmu.crane.controller import StateFeedback
-from tests.crane.test_rig import HANGING, feedback
+from tests.crane.test_rig import HANGING
 
 LAB = Crane(2.2, 1.155, 1.0)
 HOLD = Setpoints(np.array([0.0, 0.0, -9.81]), reference=HANGING)
@@ -97,12 +96,3 @@ def test_a_controller_that_is_off_goes_on_sampling_without_effect() -> None:
     plant.step(0.1, HOLD)
     assert len(controller.times) == 5
     assert plant.drive_force == pytest.approx([0.0, 0.0, -9.81])
-
-
-def test_state_feedback_reads_the_state_it_was_given() -> None:
-    state = HANGING.copy()
-    controller = StateFeedback(feedback(False), state)
-    assert controller.sample_time == 0.01
-    assert controller.sample(0.0, np.zeros(5), HANGING, np.zeros(3)).tolist() == [0.0, 0.0, 0.0]
-    state[0] = 0.1
-    assert controller.sample(0.0, np.zeros(5), HANGING, np.zeros(3))[0] < 0.0

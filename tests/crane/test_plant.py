@@ -11,7 +11,7 @@ from segfmu import Crane
 from segfmu.crane import Friction, Rig, TravelLimits
 from segfmu.crane.feedback import design
 from segfmu.crane.plant import Plant, Setpoints
-from segfmu.errors import SimulationError
+from segfmu.errors import InputError, SimulationError
 
 CRANE = Crane(2.2, 1.155, 1.0)
 HANGING = CRANE.hanging([0.0, 0.0, -0.5])
@@ -118,3 +118,26 @@ def test_balance_has_its_parts() -> None:
     assert swinging.drive_power == pytest.approx(swinging.drive_force * swinging.state[5:8])
     assert swinging.wind_power == pytest.approx(0.3 * swinging.load[1, 0])
     assert swinging.rope_force == swinging.drive_force[2]
+
+
+@pytest.mark.parametrize(
+    ("duration", "setpoints"),
+    [
+        (np.nan, HOLD), (np.inf, HOLD), (0.01, replace(HOLD, wind=np.array([0.0, 0.0, np.inf]))),
+        (0.01, replace(HOLD, reference=np.full(10, np.nan))),
+        (0.01, replace(HOLD, force=np.array([np.nan, 0.0, 0.0]))),
+    ],
+)
+def test_a_step_that_is_not_finite_changes_nothing(duration: float, setpoints: Setpoints) -> None:
+    swinging, other = plant(), plant()
+    with pytest.raises(SimulationError, match=r"at 0\.000 s: a value is not finite"):
+        swinging.step(duration, setpoints)
+    for run in (swinging, other):
+        run.step(0.02, HOLD)
+    assert swinging.state.tolist() == other.state.tolist()
+
+
+def test_a_controller_without_a_period_is_refused() -> None:
+    feedback = replace(design(CRANE, sample_time=0.01, shortest=0.2, longest=1.0), sample_time=0.0)
+    with pytest.raises(InputError, match="controller sample_time must be a finite number > 0"):
+        Plant(CRANE, HANGING, HOLD, feedback)

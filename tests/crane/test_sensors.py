@@ -7,7 +7,7 @@ import pytest
 
 from segfmu import Crane, InputError
 from segfmu.crane import Plant, Rig, Sensors, Setpoints
-from segfmu.crane.sensors import Readings, resolution
+from segfmu.crane.sensors import resolution
 from tests.crane.test_rig import HANGING, feedback
 
 LAB = Crane(2.2, 1.155, 1.0)
@@ -84,20 +84,13 @@ def test_noise_is_new_at_every_sample_and_held_between() -> None:
     assert plant.measured.tolist() == held.tolist()
 
 
-def test_readings_tell_their_next_tick() -> None:
-    assert Readings(Sensors(), HANGING).next_tick == np.inf
-    readings = Readings(Sensors(sample_time=0.02), HANGING)
-    assert readings.next_tick == 0.02
-    readings.sample(HANGING)
-    assert readings.next_tick == 0.04
-
-
 @pytest.mark.parametrize(
     ("values", "words"),
     [
         ({"sample_time": -0.01}, "sensor sample_time must be a finite number >= 0"),
         ({"sample_time": float("nan")}, "sensor sample_time"),
         ({"dead_time": -1.0, "sample_time": 0.01}, "sensor dead_time"),
+        ({"dead_time": 10.1, "sample_time": 1e-4}, "longer than 100000 samples of 0.0001 s; lower"),
         ({"dead_time": 0.01}, "set sensor sample_time above 0 s"),
         ({"deviation": (0.1,) * 5}, "set sensor sample_time above 0 s"),
         ({"resolution": (0.1,) * 4}, "sensor resolution must have 5 values, got 4"),

@@ -12,7 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from segfmu import Crane, Limits, Waypoint, plan
-from segfmu.crane import Drive, Friction, Gust, Rig, Wind
+from segfmu.crane import Drive, Friction, Gust, Plant, Rig, Setpoints, Wind
 from segfmu.crane.flat_feedback import design_flat
 from segfmu.crane.observer import design_observer
 from segfmu.crane.tracking import TrackingController
@@ -26,12 +26,15 @@ from segfmu.kernels import (
     noise,
     observer,
     plant,
+    rig,
+    rope,
     tracking,
 )
 from segfmu.kernels import plan as plan_kernel
 from segfmu.kernels.profile import shortest_profile
 from segfmu.kernels.synchronize import timed_profile
 from segfmu.kernels.transition import ramp_parameters
+from tests.kernels.rigs import CONTROLLERS, HANGING, LAB, everything
 from tests.problems import AxisProblem, axis_problems
 
 compiled = pytest.importorskip(
@@ -80,7 +83,7 @@ def test_timed_profiles_agree(problem: AxisProblem, factor: float) -> None:
         return
     results = []
     for timed in (timed_profile, compiled.timed_profile):
-        found, below, above = np.zeros(4), np.zeros((12, 4)), np.zeros((12, 4))
+        found, below, above = np.zeros(5), np.zeros((12, 4)), np.zeros((12, 4))
         weight = timed(
             target, *state, *limits, ramp, found, below, above, np.zeros((12, 4))
         )
@@ -105,6 +108,24 @@ def test_plans_agree(monkeypatch: pytest.MonkeyPatch) -> None:
     assert close(fast.timing, slow.timing)
     assert close(fast.coefficients, slow.coefficients)
     assert close(values, slow(times, 2))
+
+
+@pytest.mark.parametrize("smoothness", [2, 4, 6])
+@pytest.mark.parametrize("bounds", [(0.0, 0.0), (0.45, 0.0), (0.0, 0.95), (0.1, 2.0)])
+def test_proofs_of_the_rope_agree(smoothness: int, bounds: tuple[float, float]) -> None:
+    points = [Waypoint([0.0, 0.0, -1.0]), Waypoint([0.5, 0.3, -0.6]), Waypoint([0.1, 0.0, -0.5])]
+    limits = Limits([1.0, 0.4, 0.5], [1.0, 0.5, 12.0], [10.0, 9.0, 400.0])
+    found = plan(points, limits, smoothness=smoothness)
+    for gravity in (9.81, 3.0):
+        outputs = []
+        for module in (rope, compiled):
+            report = np.zeros(3)
+            status = module.check_rope(
+                found.timing, found.coefficients, found.offsets, gravity, *bounds,
+                np.zeros((52, 8 * smoothness - 5)), report,
+            )
+            outputs.append([status, *report])
+        assert close(*outputs)
 
 
 def test_crane_kernels_agree() -> None:
@@ -156,16 +177,32 @@ def test_plants_agree(driven: bool) -> None:
 def test_noise_agrees() -> None:
     outputs = []
     for module in (noise, compiled):
-        numbers, components = np.zeros(2, dtype=np.int64), np.zeros((8, 7))
-        measured, steps = np.zeros((6, 5)), np.array([0.0, 1e-3, 1e-3, 0.01, 0.1])
+        numbers, components = np.zeros(2), np.zeros((8, 7))
         module.seed_numbers(2**31 - 1, numbers)
         module.noise_components(2.0, np.array([1.0, 2.0, 0.5]), numbers, components)
-        for row in measured:
-            module.measure_state(
-                np.linspace(-1.0, 1.0, 10), np.zeros(5), np.full(5, 0.01), steps, numbers, row
-            )
-        outputs.append(np.concatenate([numbers, components.ravel(), measured.ravel()]))
+        outputs.append(np.concatenate([numbers, components.ravel()]))
     assert close(*outputs)
+
+
+@pytest.mark.parametrize("driven", [False, True])
+@pytest.mark.parametrize("kind", CONTROLLERS)
+def test_rigs_agree(monkeypatch: pytest.MonkeyPatch, kind: str, driven: bool) -> None:
+    start = HANGING.copy()
+    start[3:5] = 0.1, -0.05
+    outputs = []
+    for module in (compiled, rig):
+        for name in ("rig_rows", "rig_start", "rig_step"):
+            monkeypatch.setattr(backend, name, getattr(module, name))
+        plant = Plant(
+            LAB, start, Setpoints(np.array([0.0, 0.0, -9.81]), reference=HANGING),
+            CONTROLLERS[kind](driven), driven=driven, rig=everything(), start_time=0.3,
+        )
+        for i in range(1, 13):
+            share = i / 12
+            force, velocity = np.array([share, share, -9.81 - share]), np.full(3, 0.1 * share)
+            plant.step(0.003 * (1 + i % 3), Setpoints(force, velocity, HANGING))
+        outputs.append(np.concatenate([plant.state, plant.measured, plant.drive_force]))
+    assert np.allclose(*outputs, rtol=1e-10, atol=1e-12)
 
 
 def test_feedback_agrees() -> None:

@@ -1,4 +1,4 @@
-"""Random numbers, wind noise and noisy sensors by their statistics."""
+"""Random numbers and wind noise by their statistics."""
 
 from __future__ import annotations
 
@@ -7,7 +7,6 @@ import pytest
 from scipy import stats
 
 from segfmu.kernels.noise import (
-    measure_state,
     next_normal,
     next_uniform,
     noise_components,
@@ -16,7 +15,7 @@ from segfmu.kernels.noise import (
 
 
 def seeded(seed: int) -> np.ndarray:
-    numbers = np.zeros(2, dtype=np.int64)
+    numbers = np.zeros(2)
     seed_numbers(seed, numbers)
     return numbers
 
@@ -47,23 +46,17 @@ def test_noise_has_its_deviation_and_its_band() -> None:
     time = np.linspace(0.0, 2000.0, 40001)
     for axis, deviation in enumerate((1.5, 0.5, 0.0)):
         values = sum(
-            row[1 + axis] * np.sin(row[0] * time + row[4 + axis]) for row in components
+            row[1 + axis] * np.sin(row[0] * time) + row[4 + axis] * np.cos(row[0] * time)
+            for row in components
         )
         assert np.std(values) == pytest.approx(deviation, rel=0.02)
 
 
-def test_measured_is_offset_noisy_and_rounded_to_steps() -> None:
-    state, measured, steps = np.linspace(-1.0, 1.0, 10), np.zeros(5), np.array([0.1] * 4 + [0.0])
-    offset = np.array([0.0, 0.02, 0.2, 0.0, 0.3])
-    measure_state(state, offset, np.zeros(5), steps, seeded(1), measured)
-    exact = state[:5] + offset
-    assert measured[4] == exact[4]
-    assert measured[:4] == pytest.approx(np.round(exact[:4] / 0.1) * 0.1)
-    numbers = seeded(5)
-    rows = []
+def test_numbers_are_those_of_integer_arithmetic() -> None:
+    numbers = seeded(2**31 - 1)
+    first, second = (int(n) for n in numbers)
     for _ in range(2000):
-        measure_state(state, offset, np.array([0.1, 0.0, 0.2, 0.3, 0.4]), np.zeros(5), numbers,
-                      measured)
-        rows.append(measured - exact)
-    assert np.mean(rows, axis=0) == pytest.approx(np.zeros(5), abs=0.03)
-    assert np.std(rows, axis=0) == pytest.approx([0.1, 0.0, 0.2, 0.3, 0.4], rel=0.05, abs=1e-12)
+        found = next_uniform(numbers)
+        first, second = 40014 * first % 2147483563, 40692 * second % 2147483399
+        assert numbers.tolist() == [first, second]
+        assert found == ((first - second - 1) % 2147483562 + 1) / 2147483563

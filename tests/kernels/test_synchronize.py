@@ -16,7 +16,7 @@ from tests.problems import AxisProblem, axis_problems
 def timed(problem: AxisProblem, target: float):
     """Weight of the mean (-1: infeasible), and duration, distance and velocities of both parts."""
     ramp = problem.ramp()
-    found, below, above = np.zeros(4), np.zeros((12, 4)), np.zeros((12, 4))
+    found, below, above = np.zeros(5), np.zeros((12, 4)), np.zeros((12, 4))
     weight = timed_profile(
         target, problem.v, problem.a, problem.w, problem.b, problem.distance, problem.limits[0],
         problem.limits[1], ramp, found, below, above, np.zeros((12, 4)),

@@ -13,13 +13,13 @@ import numpy as np
 
 from segfmu import InfeasibleError, Limits, Trajectory, Waypoint, plan, verify
 from segfmu.kernels.backend import COMPILED
+from segfmu.planning.solver import Options, plan_phases, states
 from tests.property.soak import shares
 
 if COMPILED:
-    from segfmu.kernels._compiled import ramp_parameters, timed_profile
+    from segfmu.kernels._compiled import timed_profile
 else:
     from segfmu.kernels.synchronize import timed_profile
-    from segfmu.kernels.transition import ramp_parameters
 
 GRID = 60
 
@@ -48,11 +48,9 @@ def earlier(trajectory: Trajectory) -> str | None:
     """A common duration shorter than the one found, if the grid holds one."""
     axes, n = trajectory.axes, trajectory.smoothness
     table = trajectory.limits.table(axes, n)
-    ramps, work = np.zeros((axes, 48)), np.zeros((2, 4 + 2 * n))
-    for axis in range(axes):
-        ramp_parameters(
-            n, int(trajectory.shape == "plateau"), 0.1, table[axis], work[0], work[1], ramps[axis]
-        )
+    dwells = np.array([p.dwell for p in trajectory.waypoints])
+    options = Options(n, trajectory.shape, "waypoints", 0.0, 0.0)
+    ramps = plan_phases(states(trajectory.waypoints), dwells, table, options).ramps
     alone = plan(
         trajectory.waypoints, trajectory.limits, smoothness=n, shape=trajectory.shape,
         synchronize="none",

@@ -1,13 +1,9 @@
-"""What the plant needs of a controller, and the state feedback as one."""
+"""What the plant needs of a controller."""
 
 from __future__ import annotations
 
 from typing import Protocol
 
-import numpy as np
-
-from segfmu.crane.feedback import SwayFeedback
-from segfmu.kernels import backend
 from segfmu.planning.arrays import FloatArray
 
 
@@ -38,30 +34,3 @@ class Controller(Protocol):
         feedforward : ndarray, shape (3,)
             What the correction is added to: force setpoints, or slopes of the velocity setpoints.
         """
-
-
-class StateFeedback:
-    """`SwayFeedback` on the true state, which no sensor gives.
-
-    Parameters
-    ----------
-    feedback : SwayFeedback
-        Gains.
-    state : ndarray, shape (10 or more,)
-        The true state; a view, read at every sample.
-    """
-
-    def __init__(self, feedback: SwayFeedback, state: FloatArray) -> None:
-        self.sample_time = feedback.sample_time
-        self._feedback = feedback
-        self._state = state
-
-    def sample(
-        self, time: float, measured: FloatArray, reference: FloatArray, feedforward: FloatArray
-    ) -> FloatArray:
-        """-K(l) (x - x*); see `Controller.sample`."""
-        correction = np.zeros(3)
-        backend.feedback_correction(
-            self._state, reference, self._feedback.lengths, self._feedback.gains, correction
-        )
-        return correction

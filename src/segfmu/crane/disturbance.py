@@ -85,7 +85,7 @@ class Wind:
         require_positive("wind bandwidth", self.bandwidth)
         require_seed("wind seed", self.seed)
         components = np.zeros((COMPONENTS if deviation.any() else 0, 7))
-        numbers = np.zeros(2, dtype=np.int64)
+        numbers = np.zeros(2)
         backend.seed_numbers(self.seed, numbers)
         backend.noise_components(self.bandwidth, deviation, numbers, components)
         object.__setattr__(self, "components", components)

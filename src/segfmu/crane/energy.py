@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
+
+import numpy as np
+
+from segfmu.kernels import backend
 
 
 @dataclass(frozen=True)
@@ -36,5 +40,4 @@ class EnergyBalance:
     @property
     def imbalance(self) -> float:
         """What the balance misses by integration and rounding [J]."""
-        gained = self.drives + self.wind + self.payload - self.dissipated
-        return self.kinetic + self.potential - self.initial - gained
+        return float(backend.rig_imbalance(np.array(astuple(self))))

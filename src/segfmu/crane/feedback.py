@@ -91,7 +91,13 @@ def gain(
     state_cost = np.diag(scale**2 * values)
     unit = np.ones(3) if driven else moved_masses(crane.masses)
     effort = np.diag(w.effort / (EFFORT * unit * crane.gravity) ** 2)
-    riccati = solve_discrete_are(ad, bd, state_cost, effort)
+    try:
+        riccati = solve_discrete_are(ad, bd, state_cost, effort)
+    except np.linalg.LinAlgError as error:
+        raise InputError(
+            f"no gain at a rope of {length:.6g} m for {weights}: {error}; raise the weights of "
+            "angle and rate"
+        ) from None
     found: FloatArray = np.linalg.solve(
         effort + bd.T @ riccati @ bd, bd.T @ riccati @ ad
     )
@@ -113,7 +119,7 @@ def design(
     Raises
     ------
     InputError
-        For a period or rope lengths that are not positive.
+        For a period or rope lengths that are not positive, and weights without a solution.
     """
     require_positive("sample_time", sample_time)
     lengths = scheduled_lengths(shortest, longest, rows)

@@ -45,13 +45,9 @@ class Rig:
         return self.bridge, self.trolley, self.hoist
 
     @property
-    def edges(self) -> list[float]:
-        """Times [s] at which a payload or the course of the wind changes, ascending."""
-        times = [change.time for change in self.payload]
-        gust = self.wind.gust
-        if gust is not None:
-            times += [gust.start, gust.start + gust.duration]
-        return sorted(times)
+    def changes(self) -> FloatArray:
+        """Times [s] and masses [kg] of the payload changes, shape (changes, 2)."""
+        return np.array([(c.time, c.mass) for c in self.payload], dtype=np.float64).reshape(-1, 2)
 
     def parameters(self, crane: Crane, driven: bool) -> FloatArray:
         """The array of kernels/plant.py, shape (37,)."""

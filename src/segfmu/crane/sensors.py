@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import deque
 from dataclasses import dataclass
 from math import pi
 
@@ -10,10 +9,11 @@ import numpy as np
 
 from segfmu.crane.checks import require_not_negative, require_positive, require_seed, sized
 from segfmu.errors import InputError
-from segfmu.kernels import backend
 from segfmu.planning.arrays import FloatArray
 
 Five = tuple[float, float, float, float, float]
+# that are on their way at a time, for each of which there is memory
+MOST_SAMPLES = 10**5
 NONE: Five = (0.0, 0.0, 0.0, 0.0, 0.0)
 
 
@@ -74,47 +74,14 @@ class Sensors:
             raise InputError(
                 "sensor noise and dead_time belong to samples: set sensor sample_time above 0 s"
             )
-
-
-class Readings:
-    """The sensors' signals over time; `sample` is called at every tick, in their order."""
-
-    def __init__(self, sensors: Sensors, state: FloatArray) -> None:
-        self._sensors = sensors
-        self._values = [
-            np.array(v, dtype=np.float64)
-            for v in (sensors.offset, sensors.deviation, sensors.resolution)
-        ]
-        self._numbers = np.zeros(2, dtype=np.int64)
-        backend.seed_numbers(sensors.seed, self._numbers)
-        self._held: FloatArray | None = None
-        self._coming: deque[tuple[float, FloatArray]] = deque()
-        self._ticks = 0
-        if sensors.sample_time > 0.0:
-            self.sample(state)
+        if self.dead_time > MOST_SAMPLES * self.sample_time:
+            raise InputError(
+                f"sensor dead_time {self.dead_time} s is longer than {MOST_SAMPLES} samples of "
+                f"{self.sample_time} s; lower dead_time or raise sensor sample_time"
+            )
 
     @property
-    def next_tick(self) -> float:
-        """Time of the next sample since the start [s]; infinite for continuous sensors."""
-        period = self._sensors.sample_time
-        return self._ticks * period if period > 0.0 else np.inf
-
-    def sample(self, state: FloatArray) -> None:
-        """Take the sample that is due."""
-        self._coming.append((self.next_tick + self._sensors.dead_time, self._read(state)))
-        self._ticks += 1
-
-    def at(self, time: float, state: FloatArray) -> FloatArray:
-        """Measured signals at a time since the start, shape (5,); times must not decrease."""
-        if self._sensors.sample_time == 0.0:
-            return self._read(state)
-        tolerance = 1e-9 * self._sensors.sample_time
-        while self._coming and (self._held is None or self._coming[0][0] <= time + tolerance):
-            self._held = self._coming.popleft()[1]
-        assert self._held is not None
-        return self._held.copy()
-
-    def _read(self, state: FloatArray) -> FloatArray:
-        measured = np.zeros(5)
-        backend.measure_state(state, *self._values, self._numbers, measured)
-        return measured
+    def vector(self) -> FloatArray:
+        """The array of kernels/sensing.py, shape (18,)."""
+        timing = (self.sample_time, self.dead_time, self.seed)
+        return np.array([*timing, *self.offset, *self.deviation, *self.resolution])

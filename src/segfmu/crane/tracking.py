@@ -98,6 +98,14 @@ class TrackingController:
         return self._parameters.copy()
 
     @property
+    def arrays(self) -> tuple[FloatArray, ...]:
+        """The first five arguments of the kernel, and its memory; not copies."""
+        return (
+            self._parameters, self.observer.lengths, self.observer.table, self._feedback.lengths,
+            self._feedback.gains, self._memory,
+        )
+
+    @property
     def enabled(self) -> bool:
         """Whether corrections are made; the observer always goes on."""
         return bool(self._parameters[9])
@@ -192,11 +200,8 @@ class TrackingController:
         """
         correction = np.zeros(3)
         given = np.zeros(3) if feedforward is None else feedforward
-        backend.track_setpoint(
-            self._parameters, self.observer.lengths, self.observer.table,
-            self._feedback.lengths, self._feedback.gains, measured, reference, given,
-            self._memory, correction,
-        )
+        *given_to, memory = self.arrays
+        backend.track_setpoint(*given_to, measured, reference, given, memory, correction)
         return correction
 
 

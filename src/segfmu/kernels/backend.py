@@ -15,6 +15,7 @@ COMPILED = (
 if COMPILED:
     from segfmu.kernels._compiled import (
         check_plan,
+        check_rope,
         compensate_setpoints,
         count_pieces,
         crane_energy,
@@ -26,12 +27,16 @@ if COMPILED:
         feedback_bandwidth,
         feedback_correction,
         feedback_gains,
-        measure_state,
         noise_components,
         observer_correct,
         observer_predict,
         plan_phases,
         plant_advance,
+        rig_balance,
+        rig_imbalance,
+        rig_rows,
+        rig_start,
+        rig_step,
         seed_numbers,
         track_setpoint,
     )
@@ -42,15 +47,18 @@ else:
     from segfmu.kernels.evaluate import evaluate
     from segfmu.kernels.expand import count_pieces, expand_plan
     from segfmu.kernels.feedback import feedback_bandwidth, feedback_correction, feedback_gains
-    from segfmu.kernels.noise import measure_state, noise_components, seed_numbers
+    from segfmu.kernels.noise import noise_components, seed_numbers
     from segfmu.kernels.observer import observer_correct, observer_predict
     from segfmu.kernels.plan import plan_phases
     from segfmu.kernels.plant import plant_advance
+    from segfmu.kernels.rig import rig_balance, rig_imbalance, rig_rows, rig_start, rig_step
+    from segfmu.kernels.rope import check_rope
     from segfmu.kernels.tracking import track_setpoint
 
 __all__ = [
     "COMPILED",
     "check_plan",
+    "check_rope",
     "compensate_setpoints",
     "count_pieces",
     "crane_energy",
@@ -62,12 +70,16 @@ __all__ = [
     "feedback_bandwidth",
     "feedback_correction",
     "feedback_gains",
-    "measure_state",
     "noise_components",
     "observer_correct",
     "observer_predict",
     "plan_phases",
     "plant_advance",
+    "rig_balance",
+    "rig_imbalance",
+    "rig_rows",
+    "rig_start",
+    "rig_step",
     "seed_numbers",
     "track_setpoint",
 ]

@@ -11,8 +11,10 @@ from segfmu.kernels.noise import full_circle
 
 def friction_force(parameters: 'float[:]', axis: int, velocity: float) -> float:
     """Viscous and Coulomb friction against a velocity; the sign change is a tanh."""
-    viscous = parameters[14 + axis] * velocity
-    return viscous + parameters[17 + axis] * tanh(velocity / parameters[20])
+    friction = parameters[14 + axis] * velocity
+    if parameters[17 + axis] > 0.0:
+        friction = friction + parameters[17 + axis] * tanh(velocity / parameters[20])
+    return friction
 
 
 def gust_share(shape: float, share: float) -> float:
@@ -38,9 +40,10 @@ def wind_force(
     for i in range(3):
         force[i] = load_force[i] + parameters[28 + i] + gust * parameters[34 + i]
     for k in range(components.shape[0]):
-        angle = components[k, 0] * time
+        sine = sin(components[k, 0] * time)
+        cosine = cos(components[k, 0] * time)
         for i in range(3):
-            force[i] = force[i] + components[k, 1 + i] * sin(angle + components[k, 4 + i])
+            force[i] = force[i] + components[k, 1 + i] * sine + components[k, 4 + i] * cosine
 
 
 def beyond(value: float, bound: float) -> bool:

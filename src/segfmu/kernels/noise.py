@@ -1,10 +1,11 @@
-"""Reproducible noise: random numbers, the spectral components of gusty wind, noisy sensors.
+"""Reproducible noise: random numbers and the spectral components of gusty wind.
 
 The numbers are those of P. L'Ecuyer, Efficient and portable combined random number generators,
-Comm. ACM 31 (1988): two integers as state, the same on every machine.
+Comm. ACM 31 (1988): two integers as state, the same on every machine. They are kept as floats, so
+that a model's memory is one block of floats; all products are below 2^53 and hence exact.
 """
 
-from math import cos, floor, log, sqrt
+from math import cos, floor, log, sin, sqrt
 
 
 def full_circle() -> float:
@@ -12,66 +13,49 @@ def full_circle() -> float:
     return 6.283185307179586
 
 
-def seed_numbers(seed: int, numbers: 'int[:]') -> None:
+def seed_numbers(seed: int, numbers: 'float[:]') -> None:
     """Start the random numbers; seed in 0 .. 2^31 - 1, numbers (2,) is their state."""
     other = seed * 69069 + 12345
-    numbers[0] = 1 + seed - (seed // 2147483562) * 2147483562
-    numbers[1] = 1 + other - (other // 2147483398) * 2147483398
+    numbers[0] = 1.0 + seed - (seed // 2147483562) * 2147483562
+    numbers[1] = 1.0 + other - (other // 2147483398) * 2147483398
     # neighbouring seeds start alike
     for _ in range(20):
         next_uniform(numbers)
 
 
-def next_uniform(numbers: 'int[:]') -> float:
+def next_uniform(numbers: 'float[:]') -> float:
     """A number in the open interval (0, 1)."""
-    first = 40014 * numbers[0]
-    second = 40692 * numbers[1]
-    numbers[0] = first - (first // 2147483563) * 2147483563
-    numbers[1] = second - (second // 2147483399) * 2147483399
+    first = 40014.0 * numbers[0]
+    second = 40692.0 * numbers[1]
+    numbers[0] = first - floor(first / 2147483563.0) * 2147483563.0
+    numbers[1] = second - floor(second / 2147483399.0) * 2147483399.0
     difference = numbers[0] - numbers[1]
-    if difference < 1:
-        difference = difference + 2147483562
+    if difference < 1.0:
+        difference = difference + 2147483562.0
     return difference / 2147483563.0
 
 
-def next_normal(numbers: 'int[:]') -> float:
+def next_normal(numbers: 'float[:]') -> float:
     """A number of the standard normal distribution, by Box and Muller."""
     radius = sqrt(-2.0 * log(next_uniform(numbers)))
     return radius * cos(full_circle() * next_uniform(numbers))
 
 
 def noise_components(
-    bandwidth: float, deviation: 'float[:]', numbers: 'int[:]', components: 'float[:,:]'
+    bandwidth: float, deviation: 'float[:]', numbers: 'float[:]', components: 'float[:,:]'
 ) -> None:
     """Sines that add up to noise whose spectrum is flat up to a bandwidth [Hz] and zero above.
 
-    deviation (3,): standard deviations along x, y, z. components (count, 7): angular frequency,
-    three amplitudes, three phases. Spectral representation of M. Shinozuka and C.-M. Jan, J. Sound
-    Vib. 25 (1972); the frequencies lie at random in equal bands, so that the noise has no period.
+    deviation (3,): standard deviations along x, y, z. components (count, 7): angular frequency w,
+    and along each axis the factors of sin(w t) (3) and of cos(w t) (3), a sine with a phase.
+    Spectral representation of M. Shinozuka and C.-M. Jan, J. Sound Vib. 25 (1972); the frequencies
+    lie at random in equal bands, so that the noise has no period.
     """
     count = components.shape[0]
     for i in range(count):
         components[i, 0] = full_circle() * bandwidth * (i + next_uniform(numbers)) / count
         for axis in range(3):
-            components[i, 1 + axis] = deviation[axis] * sqrt(2.0 / count)
-            components[i, 4 + axis] = full_circle() * next_uniform(numbers)
-
-
-def measure_state(
-    state: 'float[:]',
-    offset: 'float[:]',
-    deviation: 'float[:]',
-    resolution: 'float[:]',
-    numbers: 'int[:]',
-    measured: 'float[:]',
-) -> None:
-    """Sensors of the first five components of the state: offset, noise, then quantisation.
-
-    resolution: width of a step, 0 for none. Five random numbers are used whatever the deviations
-    are, so that the noise of one sensor does not depend on that of the others.
-    """
-    for i in range(5):
-        value = state[i] + offset[i] + deviation[i] * next_normal(numbers)
-        if resolution[i] > 0.0:
-            value = floor(value / resolution[i] + 0.5) * resolution[i]
-        measured[i] = value
+            amplitude = deviation[axis] * sqrt(2.0 / count)
+            phase = full_circle() * next_uniform(numbers)
+            components[i, 1 + axis] = amplitude * cos(phase)
+            components[i, 4 + axis] = amplitude * sin(phase)

@@ -16,9 +16,10 @@ Parameters (37), triples in the order bridge, trolley, rope; 0 where a bound or 
     33     its shape, 0: 1 - cosine, 1: half a sine             34:37  its force [N]
 
 Work space (16, 13): 0:7 derivatives of the stages, 7 trial state, 8 coefficients of the pair,
-9 generalised forces, 10 results as in `driven_derivative` and, from 9 on, its flags at the step's
-start, 11 wind, 12:14 position and velocity of the load, 14 commands and accelerations, 15 friction
-and scratch.
+and in 8, 7 the step to try first (0: the whole interval), kept for the next call; 9 generalised
+forces, 10 results as in `driven_derivative` and, from 9 on, its flags at the step's start, 11 wind,
+12:14 position and velocity of the load, and in 12 the error, 14 commands and accelerations, 15
+friction and scratch.
 """
 
 from segfmu.kernels._crane import crane_load
@@ -55,14 +56,35 @@ def plant_derivative(
         driven_derivative(parameters, state, work, derivative)
     else:
         forced_derivative(parameters, state, work, derivative)
-    crane_load(state, work[12:14, :])
+    # without wind, it does no work, whatever the load's velocity is
+    calm = work[11, 0] == 0.0 and work[11, 1] == 0.0 and work[11, 2] == 0.0
+    if not calm:
+        crane_load(state, work[12:14, :])
     derivative[10] = 0.0
     derivative[11] = 0.0
     derivative[12] = parameters[21] * (state[8] * state[8] + state[9] * state[9])
     for i in range(3):
         derivative[10] = derivative[10] + work[10, i] * state[5 + i]
-        derivative[11] = derivative[11] + work[11, i] * work[13, i]
+        if not calm:
+            derivative[11] = derivative[11] + work[11, i] * work[13, i]
         derivative[12] = derivative[12] + work[15, i] * state[5 + i]
+
+
+def add_stages(h: float, count: int, work: 'float[:,:]', total: 'float[:]') -> None:
+    """Add the derivatives of the first stages, weighted by work[8, :] and the step h."""
+    for j in range(count):
+        weight = h * work[8, j]
+        if weight != 0.0:
+            for i in range(13):
+                total[i] = total[i] + weight * work[j, i]
+
+
+def first_stage(work: 'float[:,:]') -> None:
+    """Take the last stage of a step, at its end, as the first one of the next step."""
+    for i in range(13):
+        work[0, i] = work[6, i]
+    for i in range(3):
+        work[10, 9 + i] = work[10, 3 + i]
 
 
 def plant_attempt(
@@ -77,14 +99,15 @@ def plant_attempt(
     h: float,
     work: 'float[:,:]',
 ) -> float:
-    """Try a step of length h: the new state goes to work[7, :]; returns the error."""
-    for stage in range(7):
+    """Try a step of length h: the new state goes to work[7, :]; returns the error.
+
+    work[0, :] is the derivative at its start.
+    """
+    for stage in range(1, 7):
         node = stage_row(stage, work[8, :])
         for i in range(13):
-            value = state[i]
-            for j in range(stage):
-                value = value + h * work[8, j] * work[j, i]
-            work[7, i] = value
+            work[7, i] = state[i]
+        add_stages(h, stage, work, work[7, :])
         # a stage out of all bounds is a step that was much too long
         if not all_finite(work[7, :], 13):
             return 1e100
@@ -92,16 +115,14 @@ def plant_attempt(
             parameters, components, time, elapsed + node * h, work[7, :], command, rate,
             load_force, work, work[stage, :],
         )
-        if stage == 0:
-            for i in range(3):
-                work[10, 9 + i] = work[10, 3 + i]
     error_weights(work[8, :])
+    for i in range(13):
+        work[12, i] = 0.0
+    add_stages(h, 7, work, work[12, :])
     error = 0.0
     for i in range(13):
-        value = 0.0
-        for j in range(7):
-            value = value + h * work[8, j] * work[j, i]
-        error = max(error, abs(value) / (1.0 + max(abs(state[i]), abs(work[7, i]))))
+        size = 1.0 + max(abs(state[i]), abs(work[7, i]))
+        error = max(error, abs(work[12, i]) / size)
     if not error < 1e100:
         return 1e100
     return error
@@ -129,18 +150,27 @@ def plant_advance(
     (3), force on the rope, power of the wind and of friction [W], time advanced.
 
     Returns `plant_status`, or 3: the steps became too small (for stiff friction, too many), 4: a
-    value is not all_finite. What has a status is approached until within 0.1 us of it; the state is
+    value is not finite. What has a status is approached until within 0.1 us of it; the state is
     the last one without.
     """
     for i in range(10):
         report[i] = 0.0
     if not all_finite(state, 13) or not all_finite(command, 3) or not all_finite(load_force, 3):
         return 4
+    plant_derivative(
+        parameters, components, time, 0.0, state, command, rate, load_force, work, work[6, :]
+    )
+    first_stage(work)
     t = 0.0
-    h = duration
+    # what a step was before is a better guess than an interval that may hold many
+    planned = work[8, 7]
+    if planned <= 0.0:
+        planned = duration
+    h = planned
     for _ in range(200000):
         last = h >= duration - t
         if last:
+            planned = h
             h = duration - t
         error = plant_attempt(
             parameters, components, time, t, state, command, rate, load_force, h, work
@@ -160,7 +190,10 @@ def plant_advance(
         h = h * next_step(error, tolerance)
         accept(state, work, t, report)
         if last:
+            # cut short by the interval's end, it tells less than the step planned before
+            work[8, 7] = max(h, planned)
             return 0
+        first_stage(work)
     return 3
 
 

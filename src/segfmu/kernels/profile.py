@@ -28,7 +28,8 @@ from segfmu.kernels.phases import (
     without_dust,
     without_excess,
 )
-from segfmu.kernels.search import canonical_search, falsi_weight, timed_search
+from segfmu.kernels.roots import root_share
+from segfmu.kernels.search import canonical_search, timed_search
 from segfmu.kernels.transition import ramp_duration
 
 
@@ -90,7 +91,7 @@ def merged_form(
     top: float,
     ramp: 'float[:]',
 ) -> int:
-    """The merged form on one of its four branches; the number of phases, 0 if it has none.
+    """The merged form on one of its four branches; the number of phases, -1 if it has none.
 
     which >= 0 takes the which-th member that lasts `target`, which < 0 the first one that covers
     the distance. Reversal exchanges the boundary states,
@@ -118,12 +119,12 @@ def merged_form(
     else:
         p = timed_search(which, target, v1, a1, v2, a2, high, top, t_top, ramp)
     if p < 0.0:
-        return 0
+        return -1
     duration, y, t1, hold1, level1, hold2, level2, t3 = canonical_point(
         p, v1, a1, v2, a2, high, top, t_top, ramp
     )
     if duration < 0.0:
-        return 0
+        return -1
     count = append_ramp(phases, 0, a1, level1, t1, ramp)
     count = append_hold(phases, count, level1, hold1)
     count = append_change(phases, count, level1, level2, ramp)
@@ -136,13 +137,12 @@ def merged_form(
     return count
 
 
-def keeps_velocity(
+def velocity_excess(
     phases: 'float[:,:]', count: int, v: float, limit: float, ramp: 'float[:]'
-) -> bool:
-    """Whether the phases that start with velocity v keep the velocity limit."""
+) -> float:
+    """By how much the phases that start with velocity v pass the velocity limit, or less than 0."""
     duration, y, end, lowest, highest = measure_phases(phases, count, v, ramp)
-    most = limit * (1.0 + 1e-12)
-    return lowest >= -most and highest <= most
+    return max(highest, -lowest) - limit
 
 
 def tempered_form(
@@ -160,35 +160,71 @@ def tempered_form(
     top: float,
     ramp: 'float[:]',
 ) -> int:
-    """The merged form that keeps the velocity limit; the number of phases, 0 if it has none.
+    """The merged form that keeps the velocity limit; the number of phases.
+
+    It is -1 where there is no merged form, 0 where none keeps the limit.
 
     Between its levels the velocity has a peak. Where that passes the limit, the first level is
-    lowered, and held, until the peak is at the limit; as far as 16 bisections tell.
+    lowered, and held, until the peak is at the limit less a billionth.
     """
     count = merged_form(
         phases, reverse, mirror, which, target, v, a, w, b, distance, top, top, ramp
     )
-    if count == 0 or keeps_velocity(phases, count, v, velocity_limit, ramp):
+    rounding = 1e-12 * velocity_limit
+    margin = 1e-9 * velocity_limit
+    if count <= 0:
+        return count
+    e_outside = velocity_excess(phases, count, v, velocity_limit, ramp) + margin
+    if e_outside <= margin + rounding:
         return count
     inside = max(a, b)
     if reverse != mirror:
         inside = -min(a, b)
     inside = max(inside, 0.001 * top)
-    outside = top
     count = merged_form(
         phases, reverse, mirror, which, target, v, a, w, b, distance, inside, top, ramp
     )
-    if count == 0 or not keeps_velocity(phases, count, v, velocity_limit, ramp):
+    if count <= 0:
         return 0
-    for i in range(16):
-        high = 0.5 * (inside + outside)
+    e_inside = velocity_excess(phases, count, v, velocity_limit, ramp) + margin
+    if e_inside > margin + rounding:
+        return 0
+    outside = top
+    before = top
+    e_before = e_outside
+    newest_inside = True
+    for i in range(60):
+        if abs(e_inside) <= margin:
+            break
+        if newest_inside:
+            share = root_share(inside, outside, before, e_inside, e_outside, e_before)
+        else:
+            share = 1.0 - root_share(outside, inside, before, e_outside, e_inside, e_before)
+        high = inside + share * (outside - inside)
         count = merged_form(
             phases, reverse, mirror, which, target, v, a, w, b, distance, high, top, ramp
         )
-        if count > 0 and keeps_velocity(phases, count, v, velocity_limit, ramp):
+        error = 0.0
+        if count > 0:
+            error = velocity_excess(phases, count, v, velocity_limit, ramp) + margin
+        if count > 0 and error <= margin:
+            before = outside
+            e_before = e_outside
+            if newest_inside:
+                before = inside
+                e_before = e_inside
             inside = high
+            e_inside = error
+            newest_inside = True
         else:
+            before = inside
+            e_before = e_inside
+            if not newest_inside:
+                before = outside
+                e_before = e_outside
             outside = high
+            e_outside = error
+            newest_inside = False
     return merged_form(
         phases, reverse, mirror, which, target, v, a, w, b, distance, inside, top, ramp
     )
@@ -228,48 +264,48 @@ def slower_cruise(
 ) -> int:
     """The paper's form whose cruise velocity, below the limit, makes the cruise vanish.
 
-    Regula falsi (Anderson-Bjoerck) on the distance between the two limits, of which one falls
-    short and the other one is too far; bisection where the form does not exist.
+    Searched between the two limits, of which one falls short of the distance and the other one
+    is too far; by bisection where the form does not exist.
     """
-    lower = -velocity_limit
-    upper = velocity_limit
-    e_lower = 0.0
-    e_upper = 0.0
-    side = 0
-    middle = max(v, w)
-    for i in range(200):
+    newest = -velocity_limit
+    other = velocity_limit
+    before = velocity_limit
+    e_newest = 0.0
+    e_other = 0.0
+    e_before = 0.0
+    falls_short = True
+    for i in range(120):
+        middle = max(v, w)
         if i > 0:
-            middle = 0.5 * (lower + upper)
-            if e_lower < 0.0 and e_upper > 0.0 and i < 60:
-                falsi = upper - e_upper * (upper - lower) / (e_upper - e_lower)
-                if falsi > lower and falsi < upper:
-                    middle = falsi
-        if middle <= lower or middle >= upper:
+            share = root_share(newest, other, before, e_newest, e_other, e_before)
+            middle = newest + share * (other - newest)
+        if (middle - newest) * (middle - other) >= 0.0:
             if i > 0:
                 break
             middle = 0.0
         count, row, duration, y = cruise_form(phases, middle, v, a, w, b, top, ramp)
         error = y - distance
+        short = count < 0 or error < 0.0
         if count < 0:
-            error = -1.0
+            error = 0.0
+        before = newest
+        e_before = e_newest
+        if short != falls_short:
+            before = other
+            e_before = e_other
+            other = newest
+            e_other = e_newest
+        newest = middle
+        e_newest = error
+        falls_short = short
         if count >= 0 and abs(error) <= 1e-15 * abs(distance):
-            lower = middle
-            upper = middle
+            other = newest
             break
-        if error < 0.0:
-            if side == -1:
-                e_upper = e_upper * falsi_weight(error, e_lower)
-            lower = middle
-            e_lower = error
-            side = -1
-            if count < 0:
-                e_lower = 0.0
-        else:
-            if side == 1:
-                e_lower = e_lower * falsi_weight(error, e_upper)
-            upper = middle
-            e_upper = error
-            side = 1
+    lower = newest
+    upper = other
+    if not falls_short:
+        lower = other
+        upper = newest
     # the side whose rounding error a short cruise can make up
     cruise = lower
     if cruise < 0.0:

@@ -1,10 +1,12 @@
 """Searches along the canonical family of levels.py: by the distance, and by the duration."""
 
 from segfmu.kernels.levels import canonical_point
+from segfmu.kernels.roots import root_share
 from segfmu.kernels.transition import ramp_duration
 
 
 def window_edge(
+    halvings: int,
     inside: float,
     outside: float,
     v: float,
@@ -17,7 +19,7 @@ def window_edge(
     ramp: 'float[:]',
 ) -> float:
     """Bisect between a parameter that has a canonical member and one that has none."""
-    for i in range(80):
+    for i in range(halvings):
         middle = 0.5 * (inside + outside)
         if middle == inside or middle == outside:
             break
@@ -52,16 +54,6 @@ def canonical_value(
     return y, duration
 
 
-def falsi_weight(error: float, previous: float) -> float:
-    """Weight of the other side's error when one side is replaced twice (Anderson-Bjoerck)."""
-    if previous == 0.0:
-        return 0.5
-    weight = 1.0 - error / previous
-    if weight <= 0.0:
-        return 0.5
-    return weight
-
-
 def bracketed_root(
     lower: float,
     upper: float,
@@ -78,39 +70,40 @@ def bracketed_root(
     t_top: float,
     ramp: 'float[:]',
 ) -> float:
-    """Regula falsi (Anderson-Bjoerck) on the canonical family; f_lower < target <= f_upper.
+    """Bracketed root on the canonical family; f_lower < target <= f_upper.
 
     `lower` and `upper` name the values, not the order of the parameters.
     """
-    e_lower = f_lower - target
-    e_upper = f_upper - target
-    side = 0
-    p = upper
-    for i in range(200):
-        if e_upper == 0.0 or abs(upper - lower) <= 2e-16 * abs(upper):
-            return upper
-        p = upper - e_upper * (upper - lower) / (e_upper - e_lower)
-        if i > 40 or (p - lower) * (p - upper) >= 0.0:
-            p = 0.5 * (lower + upper)
-            if (p - lower) * (p - upper) >= 0.0:
-                return upper
+    a_p = upper
+    a_error = f_upper - target
+    b_p = lower
+    b_error = f_lower - target
+    c_p = lower
+    c_error = b_error
+    speed = abs(v) + abs(w)
+    if by_time:
+        speed = 0.0
+    for i in range(120):
+        if a_error == 0.0 or abs(a_p - b_p) <= 2e-16 * abs(a_p):
+            break
+        p = a_p + root_share(a_p, b_p, c_p, a_error, b_error, c_error) * (b_p - a_p)
         value, duration = canonical_value(p, by_time, v, a, w, b, high, top, t_top, ramp)
         error = value - target
-        if abs(error) <= 1e-15 * abs(target):
-            return p
-        if error > 0.0:
-            if side == 1:
-                e_lower = e_lower * falsi_weight(error, e_upper)
-            upper = p
-            e_upper = error
-            side = 1
-        else:
-            if side == -1:
-                e_upper = e_upper * falsi_weight(error, e_lower)
-            lower = p
-            e_lower = error
-            side = -1
-    return p
+        c_p = a_p
+        c_error = a_error
+        if error * a_error < 0.0:
+            c_p = b_p
+            c_error = b_error
+            b_p = a_p
+            b_error = a_error
+        a_p = p
+        a_error = error
+        # what rounding leaves of a sum whose terms may cancel
+        if abs(error) <= 2e-15 * (abs(target) + speed * duration):
+            break
+    if abs(b_error) < abs(a_error):
+        return b_p
+    return a_p
 
 
 def first_window(
@@ -150,7 +143,7 @@ def first_window(
     value, duration = canonical_value(t_zero, False, v, a, w, b, high, top, t_top, ramp)
     end = t_zero
     if duration < 0.0:
-        end = window_edge(0.0, t_zero, v, a, w, b, high, top, t_top, ramp)
+        end = window_edge(80, 0.0, t_zero, v, a, w, b, high, top, t_top, ramp)
         value, duration = canonical_value(end, False, v, a, w, b, high, top, t_top, ramp)
     going_on = -1.0
     if end == t_zero:
@@ -233,7 +226,7 @@ def canonical_search(
                 value, duration = canonical_value(
                     upper, False, v, a, w, b, high, top, t_top, ramp
                 )
-            lower = window_edge(upper, t_zero, v, a, w, b, high, top, t_top, ramp)
+            lower = window_edge(80, upper, t_zero, v, a, w, b, high, top, t_top, ramp)
         f_lower, duration = canonical_value(lower, False, v, a, w, b, high, top, t_top, ramp)
         if f_lower > target:
             return -1.0
@@ -283,12 +276,12 @@ def timed_search(
         upper = p
         inside = duration >= 0.0
         if inside and lower < 0.0 and i > 0:
-            lower = window_edge(p, previous, v, a, w, b, high, top, t_top, ramp)
+            lower = window_edge(24, p, previous, v, a, w, b, high, top, t_top, ramp)
             t_lower, duration = canonical_value(
                 lower, True, v, a, w, b, high, top, t_top, ramp
             )
         if not inside and lower >= 0.0:
-            upper = window_edge(lower, p, v, a, w, b, high, top, t_top, ramp)
+            upper = window_edge(24, lower, p, v, a, w, b, high, top, t_top, ramp)
             t, duration = canonical_value(upper, True, v, a, w, b, high, top, t_top, ramp)
         if lower >= 0.0 and (t_lower - target) * (t - target) <= 0.0 and t != t_lower:
             if found == which and t > t_lower:

@@ -21,7 +21,7 @@ from segfmu.kernels.phases import (
     without_excess,
 )
 from segfmu.kernels.profile import cruise_form, tempered_form
-from segfmu.kernels.search import falsi_weight
+from segfmu.kernels.roots import root_share
 
 
 def stretch_phases(phases: 'float[:,:]', count: int, factor: float) -> None:
@@ -70,30 +70,39 @@ def timed_cruise(
 def cruise_range(
     phases: 'float[:,:]',
     middle: float,
-    limit: float,
+    y: float,
     target: float,
     v: float,
     a: float,
     w: float,
     b: float,
+    distance: float,
+    velocity_limit: float,
     top: float,
     ramp: 'float[:]',
 ) -> float:
-    """The cruise velocity nearest to `limit` that leaves a cruise; `middle` leaves one."""
-    count, y, hold = timed_cruise(phases, limit, target, v, a, w, b, top, ramp)
-    if count >= 0 and hold >= 0.0:
-        return limit
+    """A cruise velocity that leaves a cruise and, if there is one, passes the distance.
+
+    The cruise velocity `middle` leaves a cruise and covers y; from there the search goes to the
+    velocity limit on the side of the distance. Without such a velocity, the last one that leaves a
+    cruise is returned.
+    """
+    outside = velocity_limit
+    if y > distance:
+        outside = -velocity_limit
     inside = middle
-    outside = limit
-    for i in range(45):
+    trial = outside
+    for i in range(30):
+        count, y_trial, hold = timed_cruise(phases, trial, target, v, a, w, b, top, ramp)
+        if count >= 0 and hold >= 0.0:
+            inside = trial
+            if i == 0 or (y_trial - distance) * (y - distance) <= 0.0:
+                break
+        else:
+            outside = trial
         trial = 0.5 * (inside + outside)
         if trial == inside or trial == outside:
             break
-        count, y, hold = timed_cruise(phases, trial, target, v, a, w, b, top, ramp)
-        if count >= 0 and hold >= 0.0:
-            inside = trial
-        else:
-            outside = trial
     return inside
 
 
@@ -120,7 +129,7 @@ def keep_nearest(
     most = velocity_limit * (1.0 + 1e-12)
     if lowest < -most or highest > most:
         return
-    if abs(duration - target) > 1e-12 * target or abs(end - w) > 1e-11 * velocity_limit:
+    if abs(duration - target) > 3e-11 * target or abs(end - w) > 1e-11 * velocity_limit:
         return
     if y <= distance and (found[0] == 0.0 or y > found[1]):
         copy_phases(trial, below, count)
@@ -151,37 +160,37 @@ def between_cruises(
     above: 'float[:,:]',
     trial: 'float[:,:]',
 ) -> None:
-    """Close in on the cruise velocity that covers the distance, by regula falsi."""
-    e_lower = y_lower - distance
-    e_upper = y_upper - distance
-    side = 0
+    """Close in on the cruise velocity that covers the distance."""
+    newest = upper
+    other = lower
+    before = lower
+    e_newest = y_upper - distance
+    e_other = y_lower - distance
+    e_before = e_other
+    rounding = 2e-15 * (abs(distance) + (abs(v) + abs(w)) * target)
     for i in range(100):
-        if e_lower == 0.0 or e_upper == 0.0:
+        if e_newest == 0.0 or e_other == 0.0:
             return
-        cruise = upper - e_upper * (upper - lower) / (e_upper - e_lower)
-        if i > 30 or (cruise - lower) * (cruise - upper) >= 0.0:
-            cruise = 0.5 * (lower + upper)
-            if cruise == lower or cruise == upper:
-                return
+        share = root_share(newest, other, before, e_newest, e_other, e_before)
+        cruise = newest + share * (other - newest)
+        if cruise == newest or cruise == other:
+            return
         count, y, hold = timed_cruise(trial, cruise, target, v, a, w, b, top, ramp)
         keep_nearest(
             trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp
         )
         error = y - distance
-        if abs(error) <= 1e-15 * abs(distance):
+        if abs(error) <= rounding:
             return
-        if error * e_lower > 0.0:
-            if side == -1:
-                e_upper = e_upper * falsi_weight(error, e_lower)
-            lower = cruise
-            e_lower = error
-            side = -1
-        else:
-            if side == 1:
-                e_lower = e_lower * falsi_weight(error, e_upper)
-            upper = cruise
-            e_upper = error
-            side = 1
+        before = newest
+        e_before = e_newest
+        if error * e_newest < 0.0:
+            before = other
+            e_before = e_other
+            other = newest
+            e_other = e_newest
+        newest = cruise
+        e_newest = error
 
 
 def timed_between(
@@ -213,10 +222,9 @@ def timed_between(
         keep_nearest(
             trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp
         )
-        limit = velocity_limit
-        if y > distance:
-            limit = -velocity_limit
-        edge = cruise_range(trial, middle, limit, target, v, a, w, b, top, ramp)
+        edge = cruise_range(
+            trial, middle, y, target, v, a, w, b, distance, velocity_limit, top, ramp
+        )
         count, y_edge, hold = timed_cruise(trial, edge, target, v, a, w, b, top, ramp)
         keep_nearest(
             trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp
@@ -227,16 +235,19 @@ def timed_between(
                 found, below, above, trial,
             )
             return
-    for branch in range(8):
-        reverse = branch % 4 == 1 or branch % 4 == 2
-        mirror = branch % 4 >= 2
-        count = tempered_form(
-            trial, reverse, mirror, branch // 4, target, v, a, w, b, distance, velocity_limit,
-            top, ramp,
-        )
-        keep_nearest(
-            trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp
-        )
+    for branch in range(4):
+        reverse = branch == 1 or branch == 2
+        mirror = branch >= 2
+        for which in range(2):
+            count = tempered_form(
+                trial, reverse, mirror, which, target, v, a, w, b, distance, velocity_limit,
+                top, ramp,
+            )
+            if count < 0:
+                break
+            keep_nearest(
+                trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp
+            )
 
 
 def timed_profile(
@@ -257,15 +268,15 @@ def timed_profile(
     """Profiles that last `target`; returns the weight of `above`, or -1 if none is feasible.
 
     The motion is (1 - weight) * below + weight * above; found[0] and found[2] are the numbers
-    of phases of the two (12 rows each).
+    of phases of the two (12 rows each). Where none is feasible, found[4] is the least distance by
+    which a profile that lasts `target` misses, or 0 if there is no such profile.
     """
     v = without_excess(v, velocity_limit)
     w = without_excess(w, velocity_limit)
     a = without_excess(a, top)
     b = without_excess(b, top)
     distance = without_dust(distance, velocity_limit * velocity_limit / top)
-    for i in range(4):
-        found[i] = 0.0
+    found[4] = 0.0
     for variant in range(4):
         brake_start = variant == 1 or variant == 3
         brake_end = variant >= 2
@@ -318,4 +329,11 @@ def timed_profile(
             fit_duration(below, int(found[0]), target)
             fit_duration(above, int(found[2]), target)
             return weight
+        missed = 0.0
+        if found[0] > 0.0:
+            missed = rest - found[1]
+        elif found[2] > 0.0:
+            missed = found[3] - rest
+        if missed > 0.0 and (found[4] == 0.0 or missed < found[4]):
+            found[4] = missed
     return -1.0

@@ -35,9 +35,9 @@ static int64_t root_level(double* result_0, double* result_1, double gain, doubl
 static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, array_double_1d ramp);
 static int64_t levels_distance(double* result_0_0001, double* result_1, double v, double a, double t1, double hold1, double level1, double hold2, double level2, double t3, double b, array_double_1d ramp);
 static int64_t canonical_point(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, double* result_6, double* result_7, double p, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
-static double window_edge(double inside, double outside, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
+static double root_share(double a, double b, double c, double f_a, double f_b, double f_c);
+static double window_edge(int64_t halvings, double inside, double outside, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
 static int64_t canonical_value(double* result_0_0001, double* result_1, double p, bool by_time, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
-static double falsi_weight(double error, double previous);
 static double bracketed_root(double lower, double upper, double f_lower, double f_upper, double target, bool by_time, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
 static int64_t first_window(double* result_0, double* result_1_0001, double target, double f_start, double v, double a, double w, double b, double high, double top, double t_top, double t_zero, array_double_1d ramp);
 static double dip(double target, double f_start, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
@@ -46,7 +46,7 @@ static double timed_search(int64_t which, double target, double v, double a, dou
 static int64_t append_velocity_change(array_double_2d phases, int64_t count, double v, double a, double w, double top, array_double_1d ramp);
 static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_2, double* result_3, array_double_2d phases, double cruise, double v, double a, double w, double b, double top, array_double_1d ramp);
 static int64_t merged_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, double target, double v, double a, double w, double b, double distance, double high, double top, array_double_1d ramp);
-static bool keeps_velocity(array_double_2d phases, int64_t count, double v, double limit, array_double_1d ramp);
+static double velocity_excess(array_double_2d phases, int64_t count, double v, double limit, array_double_1d ramp);
 static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
 static double meets(array_double_2d phases, int64_t count, double v, double w, double distance, double limit, array_double_1d ramp);
 static int64_t with_cruise(array_double_2d phases, double cruise, double v, double a, double w, double b, double distance, double top, array_double_1d ramp);
@@ -56,7 +56,7 @@ static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_d
 static void stretch_phases(array_double_2d phases, int64_t count, double factor);
 static void fit_duration(array_double_2d phases, int64_t count, double target);
 static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, double target, double v, double a, double w, double b, double top, array_double_1d ramp);
-static double cruise_range(array_double_2d phases, double middle, double limit, double target, double v, double a, double w, double b, double top, array_double_1d ramp);
+static double cruise_range(array_double_2d phases, double middle, double y, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
 static void keep_nearest(array_double_2d trial, int64_t count, double target, double v, double w, double distance, double velocity_limit, array_double_1d found, array_double_2d below, array_double_2d above, array_double_1d ramp);
 static void between_cruises(double lower, double y_lower, double upper, double y_upper, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial);
 static void timed_between(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial);
@@ -84,6 +84,14 @@ static int64_t bernstein_coefficients(array_double_2d coefficients, int64_t row,
 static void split_hull(array_double_2d hull, int64_t row, int64_t count);
 static bool within(array_double_2d hull, int64_t count, double limit);
 static bool check_axis(int64_t axis, array_double_2d timing, array_double_2d coefficients, int64_t first, int64_t last, array_double_2d limits, double tolerance, array_double_2d work);
+static double interval_end(double time, array_double_2d timing, array_int64_t_1d offsets);
+static void interval_pieces(double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work);
+static void add_product(int64_t first, int64_t first_count, int64_t second, int64_t second_count, int64_t row, array_double_2d work);
+static void length_margin(int64_t width, double bound, double sign, array_double_2d work);
+static int64_t rope_demand(int64_t demand, double gravity, double shortest, double longest, double tolerance, array_double_2d work);
+static double first_negative(int64_t count, double length, array_double_2d work);
+static double rope_value(int64_t demand, double local, double gravity, array_double_2d work);
+static double worst_value(int64_t demand, double first, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work);
 static int64_t table_row(double value, array_double_1d nodes);
 static double table_share(double value, array_double_1d nodes, int64_t row);
 static void track_wake(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory);
@@ -95,7 +103,7 @@ static void error_weights(array_double_1d row);
 static double next_step(double error, double tolerance);
 static bool all_finite(array_double_1d values, int64_t count);
 static double full_circle(void);
-static double next_normal(array_int64_t_1d numbers);
+static double next_normal(array_double_1d numbers);
 static double friction_force(array_double_1d parameters, int64_t axis, double velocity);
 static double gust_share(double shape, double share);
 static void wind_force(array_double_1d parameters, array_double_2d components, double time, array_double_1d load_force, array_double_1d force);
@@ -109,9 +117,30 @@ static void change_accelerations(array_double_1d parameters, array_double_1d for
 static void limit_accelerations(array_double_1d parameters, array_double_1d state, array_double_1d force, array_double_1d acceleration, array_double_1d scratch);
 static void driven_derivative(array_double_1d parameters, array_double_1d state, array_double_2d work, array_double_1d derivative);
 static void plant_derivative(array_double_1d parameters, array_double_2d components, double time, double elapsed, array_double_1d state, array_double_1d command, array_double_1d rate, array_double_1d load_force, array_double_2d work, array_double_1d derivative);
+static void add_stages(double h, int64_t count, array_double_2d work, array_double_1d total);
+static void first_stage(array_double_2d work);
 static double plant_attempt(array_double_1d parameters, array_double_2d components, double time, double elapsed, array_double_1d state, array_double_1d command, array_double_1d rate, array_double_1d load_force, double h, array_double_2d work);
 static int64_t plant_status(array_double_1d parameters, array_double_1d state, double rope_force);
 static void accept(array_double_1d state, array_double_2d work, double elapsed, array_double_1d report);
+static int64_t sensing_rows(double sample_time, double dead_time);
+static double next_sample(array_double_1d sensors, array_double_2d memory);
+static int64_t queue_entry(int64_t* result_0_0001, int64_t* result_1_0001, int64_t place, array_double_2d memory);
+static void deliver_samples(array_double_1d sensors, double time, array_double_2d memory);
+static void take_sample(array_double_1d sensors, array_double_1d state, array_double_2d memory);
+static void start_sensing(array_double_1d sensors, array_double_1d state, array_double_2d memory);
+static void sense_signals(array_double_1d sensors, double time, array_double_1d state, array_double_2d memory, array_double_1d measured);
+static double instant(array_double_1d loop);
+static double next_event(array_double_1d loop, array_double_1d sensors, double duration, array_double_2d memory);
+static double next_edge(array_double_2d changes, double after, array_double_2d memory);
+static double mechanical_energy(array_double_2d memory);
+static void change_payload(array_double_1d loop, array_double_2d changes, double time, array_double_2d memory);
+static void meet_events(array_double_1d loop, array_double_1d sensors, array_double_2d changes, array_double_2d memory);
+static double between(double start, double end, double share);
+static bool controller_due(array_double_1d loop, array_double_2d memory);
+static void prepare_tick(array_double_1d sensors, array_double_1d setpoints, double duration, array_double_2d memory);
+static void correct_setpoints(array_double_1d loop, array_double_1d tracking, array_double_1d lengths, array_double_3d table, array_double_1d gain_lengths, array_double_3d gains, array_double_2d tracker, array_double_2d memory);
+static void command_velocities(array_double_1d setpoints, double duration, double until, array_double_2d memory);
+static int64_t advance_plant(array_double_1d loop, array_double_2d components, array_double_1d setpoints, double duration, double until, array_double_2d memory);
 
 
 /*Coefficients of Psi(s, 1) of (12) in ascending powers of s; 2 order + 2 of them. */
@@ -1270,8 +1299,32 @@ static int64_t canonical_point(double* result_0, double* result_1, double* resul
     (*result_7) = t3;
     return 0;
 }
+/*Share of the way from a to b at which to evaluate next, inside (0, 1). */
+static double root_share(double a, double b, double c, double f_a, double f_b, double f_c)
+{
+    double place;
+    double height;
+    double share;
+    double least;
+    double result;
+    if ((f_a * f_b * f_c == 0.0) || (f_c == f_a) || (f_c == f_b) || (c == b))
+    {
+        return 0.5;
+    }
+    place = (a - b) / (c - b);
+    height = (f_a - f_b) / (f_c - f_b);
+    if ((height * height >= place) || ((1.0 - height) * (1.0 - height) >= 1.0 - place))
+    {
+        return 0.5;
+    }
+    share = f_a / (f_b - f_a) * f_c / (f_b - f_c);
+    share = share + (c - a) / (b - a) * f_a / (f_c - f_a) * f_b / (f_c - f_b);
+    /*the point must differ from both ends*/
+    least = 2e-16 * span_max(fabs(a), fabs(b)) / fabs(b - a);
+    return span_max(span_min(share, 1.0 - least), least);
+}
 /*Bisect between a parameter that has a canonical member and one that has none.*/
-static double window_edge(double inside, double outside, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
+static double window_edge(int64_t halvings, double inside, double outside, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
 {
     int64_t i;
     double middle;
@@ -1284,7 +1337,7 @@ static double window_edge(double inside, double outside, double v, double a, dou
     double level2;
     double t3;
     double result;
-    for (i = INT64_C(0); i < INT64_C(80); i += INT64_C(1))
+    for (i = INT64_C(0); i < halvings; i += INT64_C(1))
     {
         middle = 0.5 * (inside + outside);
         if ((middle == inside) || (middle == outside))
@@ -1325,83 +1378,67 @@ static int64_t canonical_value(double* result_0_0001, double* result_1, double p
     (*result_1) = duration;
     return 0;
 }
-/*Weight of the other side's error when one side is replaced twice (Anderson-Bjoerck). */
-static double falsi_weight(double error, double previous)
-{
-    double weight;
-    if (previous == 0.0)
-    {
-        return 0.5;
-    }
-    weight = 1.0 - error / previous;
-    if (weight <= 0.0)
-    {
-        return 0.5;
-    }
-    return weight;
-}
-/*Regula falsi (Anderson-Bjoerck) on the canonical family; f_lower < target <= f_upper.*/
-/*                                                                                     */
-/*    `lower` and `upper` name the values, not the order of the parameters.            */
-/*                                                                                     */
+/*Bracketed root on the canonical family; f_lower < target <= f_upper.     */
+/*                                                                         */
+/*    `lower` and `upper` name the values, not the order of the parameters.*/
+/*                                                                         */
 static double bracketed_root(double lower, double upper, double f_lower, double f_upper, double target, bool by_time, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
 {
-    double e_lower;
-    double e_upper;
-    int64_t side;
-    double p;
+    double a_p;
+    double a_error;
+    double b_p;
+    double b_error;
+    double c_p;
+    double c_error;
+    double speed;
     int64_t i;
+    double p;
     double value;
     double duration;
     double error;
     double result;
-    e_lower = f_lower - target;
-    e_upper = f_upper - target;
-    side = INT64_C(0);
-    p = upper;
-    for (i = INT64_C(0); i < INT64_C(200); i += INT64_C(1))
+    a_p = upper;
+    a_error = f_upper - target;
+    b_p = lower;
+    b_error = f_lower - target;
+    c_p = lower;
+    c_error = b_error;
+    speed = fabs(v) + fabs(w);
+    if (by_time)
     {
-        if ((e_upper == 0.0) || (fabs(upper - lower) <= 2e-16 * fabs(upper)))
+        speed = 0.0;
+    }
+    for (i = INT64_C(0); i < INT64_C(120); i += INT64_C(1))
+    {
+        if ((a_error == 0.0) || (fabs(a_p - b_p) <= 2e-16 * fabs(a_p)))
         {
-            return upper;
+            break;
         }
-        p = upper - e_upper * (upper - lower) / (e_upper - e_lower);
-        if ((i > INT64_C(40)) || ((p - lower) * (p - upper) >= 0.0))
-        {
-            p = 0.5 * (lower + upper);
-            if ((p - lower) * (p - upper) >= 0.0)
-            {
-                return upper;
-            }
-        }
+        p = a_p + root_share(a_p, b_p, c_p, a_error, b_error, c_error) * (b_p - a_p);
         canonical_value(&value, &duration, p, by_time, v, a, w, b, high, top, t_top, ramp);
         error = value - target;
-        if (fabs(error) <= 1e-15 * fabs(target))
+        c_p = a_p;
+        c_error = a_error;
+        if (error * a_error < 0.0)
         {
-            return p;
+            c_p = b_p;
+            c_error = b_error;
+            b_p = a_p;
+            b_error = a_error;
         }
-        if (error > 0.0)
+        a_p = p;
+        a_error = error;
+        /*what rounding leaves of a sum whose terms may cancel*/
+        if (fabs(error) <= 2e-15 * (fabs(target) + speed * duration))
         {
-            if (side == INT64_C(1))
-            {
-                e_lower = e_lower * falsi_weight(error, e_upper);
-            }
-            upper = p;
-            e_upper = error;
-            side = INT64_C(1);
-        }
-        else
-        {
-            if (side == -INT64_C(1))
-            {
-                e_upper = e_upper * falsi_weight(error, e_lower);
-            }
-            lower = p;
-            e_lower = error;
-            side = -INT64_C(1);
+            break;
         }
     }
-    return p;
+    if (fabs(b_error) < fabs(a_error))
+    {
+        return b_p;
+    }
+    return a_p;
 }
 /*Search the members whose second level lies between the end acceleration and zero.                */
 /*                                                                                                 */
@@ -1447,7 +1484,7 @@ static int64_t first_window(double* result_0, double* result_1_0001, double targ
     end = t_zero;
     if (duration < 0.0)
     {
-        end = window_edge(0.0, t_zero, v, a, w, b, high, top, t_top, ramp);
+        end = window_edge(INT64_C(80), 0.0, t_zero, v, a, w, b, high, top, t_top, ramp);
         canonical_value(&value, &duration, end, 0, v, a, w, b, high, top, t_top, ramp);
     }
     going_on = -1.0;
@@ -1555,7 +1592,7 @@ static double canonical_search(double target, double v, double a, double w, doub
                 upper = 2.0 * upper;
                 canonical_value(&value, &duration, upper, 0, v, a, w, b, high, top, t_top, ramp);
             }
-            lower = window_edge(upper, t_zero, v, a, w, b, high, top, t_top, ramp);
+            lower = window_edge(INT64_C(80), upper, t_zero, v, a, w, b, high, top, t_top, ramp);
         }
         canonical_value(&f_lower, &duration, lower, 0, v, a, w, b, high, top, t_top, ramp);
         if (f_lower > target)
@@ -1617,12 +1654,12 @@ static double timed_search(int64_t which, double target, double v, double a, dou
         inside = duration >= 0.0;
         if (inside && (lower < 0.0) && (i > INT64_C(0)))
         {
-            lower = window_edge(p, previous, v, a, w, b, high, top, t_top, ramp);
+            lower = window_edge(INT64_C(24), p, previous, v, a, w, b, high, top, t_top, ramp);
             canonical_value(&t_lower, &duration, lower, 1, v, a, w, b, high, top, t_top, ramp);
         }
         if ((!inside) && (lower >= 0.0))
         {
-            upper = window_edge(lower, p, v, a, w, b, high, top, t_top, ramp);
+            upper = window_edge(INT64_C(24), lower, p, v, a, w, b, high, top, t_top, ramp);
             canonical_value(&t, &duration, upper, 1, v, a, w, b, high, top, t_top, ramp);
         }
         if ((lower >= 0.0) && ((t_lower - target) * (t - target) <= 0.0) && (t != t_lower))
@@ -1718,7 +1755,7 @@ static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_
     (*result_3) = y;
     return 0;
 }
-/*The merged form on one of its four branches; the number of phases, 0 if it has none.             */
+/*The merged form on one of its four branches; the number of phases, -1 if it has none.            */
 /*                                                                                                 */
 /*    which >= 0 takes the which-th member that lasts `target`, which < 0 the first one that covers*/
 /*    the distance. Reversal exchanges the boundary states,                                        */
@@ -1774,12 +1811,12 @@ static int64_t merged_form(array_double_2d phases, bool reverse, bool mirror, in
     }
     if (p < 0.0)
     {
-        return INT64_C(0);
+        return -INT64_C(1);
     }
     canonical_point(&duration, &y, &t1, &hold1, &level1, &hold2, &level2, &t3, p, v1, a1, v2, a2, high, top, t_top, ramp);
     if (duration < 0.0)
     {
-        return INT64_C(0);
+        return -INT64_C(1);
     }
     count = append_ramp(phases, INT64_C(0), a1, level1, t1, ramp);
     count = append_hold(phases, count, level1, hold1);
@@ -1796,34 +1833,50 @@ static int64_t merged_form(array_double_2d phases, bool reverse, bool mirror, in
     }
     return count;
 }
-/*Whether the phases that start with velocity v keep the velocity limit. */
-static bool keeps_velocity(array_double_2d phases, int64_t count, double v, double limit, array_double_1d ramp)
+/*By how much the phases that start with velocity v pass the velocity limit, or less than 0. */
+static double velocity_excess(array_double_2d phases, int64_t count, double v, double limit, array_double_1d ramp)
 {
     double duration;
     double y;
     double end;
     double lowest;
     double highest;
-    double most;
-    bool result;
+    double result;
     segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, ramp);
-    most = limit * (1.0 + 1e-12);
-    return (lowest >= -most) && (highest <= most);
+    return span_max(highest, -lowest) - limit;
 }
-/*The merged form that keeps the velocity limit; the number of phases, 0 if it has none.         */
+/*The merged form that keeps the velocity limit; the number of phases.                           */
+/*                                                                                               */
+/*    It is -1 where there is no merged form, 0 where none keeps the limit.                      */
 /*                                                                                               */
 /*    Between its levels the velocity has a peak. Where that passes the limit, the first level is*/
-/*    lowered, and held, until the peak is at the limit; as far as 16 bisections tell.           */
+/*    lowered, and held, until the peak is at the limit less a billionth.                        */
 /*                                                                                               */
 static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
 {
+    double rounding;
+    double margin;
+    double e_outside;
     double inside;
+    double e_inside;
     double outside;
+    double before;
+    double e_before;
+    bool newest_inside;
     int64_t i;
+    double share;
     double high;
+    double error;
     int64_t count;
     count = merged_form(phases, reverse, mirror, which, target, v, a, w, b, distance, top, top, ramp);
-    if ((count == INT64_C(0)) || keeps_velocity(phases, count, v, velocity_limit, ramp))
+    rounding = 1e-12 * velocity_limit;
+    margin = 1e-09 * velocity_limit;
+    if (count <= INT64_C(0))
+    {
+        return count;
+    }
+    e_outside = velocity_excess(phases, count, v, velocity_limit, ramp) + margin;
+    if (e_outside <= margin + rounding)
     {
         return count;
     }
@@ -1833,23 +1886,66 @@ static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, 
         inside = -span_min(a, b);
     }
     inside = span_max(inside, 0.001 * top);
-    outside = top;
     count = merged_form(phases, reverse, mirror, which, target, v, a, w, b, distance, inside, top, ramp);
-    if ((count == INT64_C(0)) || (!keeps_velocity(phases, count, v, velocity_limit, ramp)))
+    if (count <= INT64_C(0))
     {
         return INT64_C(0);
     }
-    for (i = INT64_C(0); i < INT64_C(16); i += INT64_C(1))
+    e_inside = velocity_excess(phases, count, v, velocity_limit, ramp) + margin;
+    if (e_inside > margin + rounding)
     {
-        high = 0.5 * (inside + outside);
-        count = merged_form(phases, reverse, mirror, which, target, v, a, w, b, distance, high, top, ramp);
-        if ((count > INT64_C(0)) && keeps_velocity(phases, count, v, velocity_limit, ramp))
+        return INT64_C(0);
+    }
+    outside = top;
+    before = top;
+    e_before = e_outside;
+    newest_inside = 1;
+    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    {
+        if (fabs(e_inside) <= margin)
         {
-            inside = high;
+            break;
+        }
+        if (newest_inside)
+        {
+            share = root_share(inside, outside, before, e_inside, e_outside, e_before);
         }
         else
         {
+            share = 1.0 - root_share(outside, inside, before, e_outside, e_inside, e_before);
+        }
+        high = inside + share * (outside - inside);
+        count = merged_form(phases, reverse, mirror, which, target, v, a, w, b, distance, high, top, ramp);
+        error = 0.0;
+        if (count > INT64_C(0))
+        {
+            error = velocity_excess(phases, count, v, velocity_limit, ramp) + margin;
+        }
+        if ((count > INT64_C(0)) && (error <= margin))
+        {
+            before = outside;
+            e_before = e_outside;
+            if (newest_inside)
+            {
+                before = inside;
+                e_before = e_inside;
+            }
+            inside = high;
+            e_inside = error;
+            newest_inside = 1;
+        }
+        else
+        {
+            before = inside;
+            e_before = e_inside;
+            if (!newest_inside)
+            {
+                before = outside;
+                e_before = e_outside;
+            }
             outside = high;
+            e_outside = error;
+            newest_inside = 0;
         }
     }
     count = merged_form(phases, reverse, mirror, which, target, v, a, w, b, distance, inside, top, ramp);
@@ -1905,47 +2001,47 @@ static int64_t with_cruise(array_double_2d phases, double cruise, double v, doub
 }
 /*The paper's form whose cruise velocity, below the limit, makes the cruise vanish.              */
 /*                                                                                               */
-/*    Regula falsi (Anderson-Bjoerck) on the distance between the two limits, of which one falls */
-/*    short and the other one is too far; bisection where the form does not exist.               */
+/*    Searched between the two limits, of which one falls short of the distance and the other one*/
+/*    is too far; by bisection where the form does not exist.                                    */
 /*                                                                                               */
 static int64_t slower_cruise(array_double_2d phases, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
 {
-    double lower;
-    double upper;
-    double e_lower;
-    double e_upper;
-    int64_t side;
-    double middle;
+    double newest;
+    double other;
+    double before;
+    double e_newest;
+    double e_other;
+    double e_before;
+    bool falls_short;
     int64_t i;
-    double falsi;
+    double middle;
+    double share;
     int64_t count;
     int64_t row;
     double duration;
     double y;
     double error;
+    bool short_0001;
+    double lower;
+    double upper;
     double cruise;
     int64_t result;
-    lower = -velocity_limit;
-    upper = velocity_limit;
-    e_lower = 0.0;
-    e_upper = 0.0;
-    side = INT64_C(0);
-    middle = span_max(v, w);
-    for (i = INT64_C(0); i < INT64_C(200); i += INT64_C(1))
+    newest = -velocity_limit;
+    other = velocity_limit;
+    before = velocity_limit;
+    e_newest = 0.0;
+    e_other = 0.0;
+    e_before = 0.0;
+    falls_short = 1;
+    for (i = INT64_C(0); i < INT64_C(120); i += INT64_C(1))
     {
+        middle = span_max(v, w);
         if (i > INT64_C(0))
         {
-            middle = 0.5 * (lower + upper);
-            if ((e_lower < 0.0) && (e_upper > 0.0) && (i < INT64_C(60)))
-            {
-                falsi = upper - e_upper * (upper - lower) / (e_upper - e_lower);
-                if ((falsi > lower) && (falsi < upper))
-                {
-                    middle = falsi;
-                }
-            }
+            share = root_share(newest, other, before, e_newest, e_other, e_before);
+            middle = newest + share * (other - newest);
         }
-        if ((middle <= lower) || (middle >= upper))
+        if ((middle - newest) * (middle - other) >= 0.0)
         {
             if (i > INT64_C(0))
             {
@@ -1955,40 +2051,35 @@ static int64_t slower_cruise(array_double_2d phases, double v, double a, double 
         }
         cruise_form(&count, &row, &duration, &y, phases, middle, v, a, w, b, top, ramp);
         error = y - distance;
+        short_0001 = (count < INT64_C(0)) || (error < 0.0);
         if (count < INT64_C(0))
         {
-            error = -1.0;
+            error = 0.0;
         }
+        before = newest;
+        e_before = e_newest;
+        if (short_0001 != falls_short)
+        {
+            before = other;
+            e_before = e_other;
+            other = newest;
+            e_other = e_newest;
+        }
+        newest = middle;
+        e_newest = error;
+        falls_short = short_0001;
         if ((count >= INT64_C(0)) && (fabs(error) <= 1e-15 * fabs(distance)))
         {
-            lower = middle;
-            upper = middle;
+            other = newest;
             break;
         }
-        if (error < 0.0)
-        {
-            if (side == -INT64_C(1))
-            {
-                e_upper = e_upper * falsi_weight(error, e_lower);
-            }
-            lower = middle;
-            e_lower = error;
-            side = -INT64_C(1);
-            if (count < INT64_C(0))
-            {
-                e_lower = 0.0;
-            }
-        }
-        else
-        {
-            if (side == INT64_C(1))
-            {
-                e_lower = e_lower * falsi_weight(error, e_upper);
-            }
-            upper = middle;
-            e_upper = error;
-            side = INT64_C(1);
-        }
+    }
+    lower = newest;
+    upper = other;
+    if (!falls_short)
+    {
+        lower = other;
+        upper = newest;
     }
     /*the side whose rounding error a short cruise can make up*/
     cruise = lower;
@@ -2278,39 +2369,47 @@ static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* re
     (*result_2) = hold;
     return 0;
 }
-/*The cruise velocity nearest to `limit` that leaves a cruise; `middle` leaves one.*/
-static double cruise_range(array_double_2d phases, double middle, double limit, double target, double v, double a, double w, double b, double top, array_double_1d ramp)
+/*A cruise velocity that leaves a cruise and, if there is one, passes the distance.                  */
+/*                                                                                                   */
+/*    The cruise velocity `middle` leaves a cruise and covers y; from there the search goes to the   */
+/*    velocity limit on the side of the distance. Without such a velocity, the last one that leaves a*/
+/*    cruise is returned.                                                                            */
+/*                                                                                                   */
+static double cruise_range(array_double_2d phases, double middle, double y, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
 {
+    double outside;
+    double trial;
+    int64_t i;
     int64_t count;
-    double y;
+    double y_trial;
     double hold;
     double inside;
-    double outside;
-    int64_t i;
-    double trial;
-    double result;
-    timed_cruise(&count, &y, &hold, phases, limit, target, v, a, w, b, top, ramp);
-    if ((count >= INT64_C(0)) && (hold >= 0.0))
+    outside = velocity_limit;
+    if (y > distance)
     {
-        return limit;
+        outside = -velocity_limit;
     }
     inside = middle;
-    outside = limit;
-    for (i = INT64_C(0); i < INT64_C(45); i += INT64_C(1))
+    trial = outside;
+    for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
     {
-        trial = 0.5 * (inside + outside);
-        if ((trial == inside) || (trial == outside))
-        {
-            break;
-        }
-        timed_cruise(&count, &y, &hold, phases, trial, target, v, a, w, b, top, ramp);
+        timed_cruise(&count, &y_trial, &hold, phases, trial, target, v, a, w, b, top, ramp);
         if ((count >= INT64_C(0)) && (hold >= 0.0))
         {
             inside = trial;
+            if ((i == INT64_C(0)) || ((y_trial - distance) * (y - distance) <= 0.0))
+            {
+                break;
+            }
         }
         else
         {
             outside = trial;
+        }
+        trial = 0.5 * (inside + outside);
+        if ((trial == inside) || (trial == outside))
+        {
+            break;
         }
     }
     return inside;
@@ -2337,7 +2436,7 @@ static void keep_nearest(array_double_2d trial, int64_t count, double target, do
     {
         return;
     }
-    if ((fabs(duration - target) > 1e-12 * target) || (fabs(end - w) > 1e-11 * velocity_limit))
+    if ((fabs(duration - target) > 3e-11 * target) || (fabs(end - w) > 1e-11 * velocity_limit))
     {
         return;
     }
@@ -2354,63 +2453,60 @@ static void keep_nearest(array_double_2d trial, int64_t count, double target, do
         (*cspan_at(&found, INT64_C(3))) = y;
     }
 }
-/*Close in on the cruise velocity that covers the distance, by regula falsi. */
+/*Close in on the cruise velocity that covers the distance.*/
 static void between_cruises(double lower, double y_lower, double upper, double y_upper, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial)
 {
-    double e_lower;
-    double e_upper;
-    int64_t side;
+    double newest;
+    double other;
+    double before;
+    double e_newest;
+    double e_other;
+    double e_before;
+    double rounding;
     int64_t i;
+    double share;
     double cruise;
     int64_t count;
     double y;
     double hold;
     double error;
-    e_lower = y_lower - distance;
-    e_upper = y_upper - distance;
-    side = INT64_C(0);
+    newest = upper;
+    other = lower;
+    before = lower;
+    e_newest = y_upper - distance;
+    e_other = y_lower - distance;
+    e_before = e_other;
+    rounding = 2e-15 * (fabs(distance) + (fabs(v) + fabs(w)) * target);
     for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
     {
-        if ((e_lower == 0.0) || (e_upper == 0.0))
+        if ((e_newest == 0.0) || (e_other == 0.0))
         {
             return;
         }
-        cruise = upper - e_upper * (upper - lower) / (e_upper - e_lower);
-        if ((i > INT64_C(30)) || ((cruise - lower) * (cruise - upper) >= 0.0))
+        share = root_share(newest, other, before, e_newest, e_other, e_before);
+        cruise = newest + share * (other - newest);
+        if ((cruise == newest) || (cruise == other))
         {
-            cruise = 0.5 * (lower + upper);
-            if ((cruise == lower) || (cruise == upper))
-            {
-                return;
-            }
+            return;
         }
         timed_cruise(&count, &y, &hold, trial, cruise, target, v, a, w, b, top, ramp);
         keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
         error = y - distance;
-        if (fabs(error) <= 1e-15 * fabs(distance))
+        if (fabs(error) <= rounding)
         {
             return;
         }
-        if (error * e_lower > 0.0)
+        before = newest;
+        e_before = e_newest;
+        if (error * e_newest < 0.0)
         {
-            if (side == -INT64_C(1))
-            {
-                e_upper = e_upper * falsi_weight(error, e_lower);
-            }
-            lower = cruise;
-            e_lower = error;
-            side = -INT64_C(1);
+            before = other;
+            e_before = e_other;
+            other = newest;
+            e_other = e_newest;
         }
-        else
-        {
-            if (side == INT64_C(1))
-            {
-                e_lower = e_lower * falsi_weight(error, e_upper);
-            }
-            upper = cruise;
-            e_upper = error;
-            side = INT64_C(1);
-        }
+        newest = cruise;
+        e_newest = error;
     }
 }
 /*Nearest profiles below and above the distance, from boundary states taken as they are. */
@@ -2422,12 +2518,12 @@ static void timed_between(double target, double v, double a, double w, double b,
     int64_t count;
     double y;
     double hold;
-    double limit;
     double edge;
     double y_edge;
     int64_t branch;
     bool reverse;
     bool mirror;
+    int64_t which;
     clipped = span_min(span_max(distance / target, span_min(v, w)), span_max(v, w));
     for (start = INT64_C(0); start < INT64_C(3); start += INT64_C(1))
     {
@@ -2446,12 +2542,7 @@ static void timed_between(double target, double v, double a, double w, double b,
             continue;
         }
         keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
-        limit = velocity_limit;
-        if (y > distance)
-        {
-            limit = -velocity_limit;
-        }
-        edge = cruise_range(trial, middle, limit, target, v, a, w, b, top, ramp);
+        edge = cruise_range(trial, middle, y, target, v, a, w, b, distance, velocity_limit, top, ramp);
         timed_cruise(&count, &y_edge, &hold, trial, edge, target, v, a, w, b, top, ramp);
         keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
         if (((*cspan_at(&found, INT64_C(0))) > 0.0) && ((*cspan_at(&found, INT64_C(2))) > 0.0))
@@ -2460,22 +2551,29 @@ static void timed_between(double target, double v, double a, double w, double b,
             return;
         }
     }
-    for (branch = INT64_C(0); branch < INT64_C(8); branch += INT64_C(1))
+    for (branch = INT64_C(0); branch < INT64_C(4); branch += INT64_C(1))
     {
-        reverse = (span_floor_mod(branch, INT64_C(4)) == INT64_C(1)) || (span_floor_mod(branch, INT64_C(4)) == INT64_C(2));
-        mirror = span_floor_mod(branch, INT64_C(4)) >= INT64_C(2);
-        count = tempered_form(trial, reverse, mirror, span_floor_div(branch, INT64_C(4)), target, v, a, w, b, distance, velocity_limit, top, ramp);
-        keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
+        reverse = (branch == INT64_C(1)) || (branch == INT64_C(2));
+        mirror = branch >= INT64_C(2);
+        for (which = INT64_C(0); which < INT64_C(2); which += INT64_C(1))
+        {
+            count = tempered_form(trial, reverse, mirror, which, target, v, a, w, b, distance, velocity_limit, top, ramp);
+            if (count < INT64_C(0))
+            {
+                break;
+            }
+            keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
+        }
     }
 }
-/*Profiles that last `target`; returns the weight of `above`, or -1 if none is feasible.         */
-/*                                                                                               */
-/*    The motion is (1 - weight) * below + weight * above; found[0] and found[2] are the numbers */
-/*    of phases of the two (12 rows each).                                                       */
-/*                                                                                               */
+/*Profiles that last `target`; returns the weight of `above`, or -1 if none is feasible.             */
+/*                                                                                                   */
+/*    The motion is (1 - weight) * below + weight * above; found[0] and found[2] are the numbers     */
+/*    of phases of the two (12 rows each). Where none is feasible, found[4] is the least distance by */
+/*    which a profile that lasts `target` misses, or 0 if there is no such profile.                  */
+/*                                                                                                   */
 double segfmu_timed_profile(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial)
 {
-    int64_t i;
     int64_t variant;
     bool brake_start;
     bool brake_end;
@@ -2490,16 +2588,14 @@ double segfmu_timed_profile(double target, double v, double a, double w, double 
     double y;
     double span;
     double tiny;
+    double missed;
     double weight;
     v = without_excess(v, velocity_limit);
     w = without_excess(w, velocity_limit);
     a = without_excess(a, top);
     b = without_excess(b, top);
     distance = without_dust(distance, velocity_limit * velocity_limit / top);
-    for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
-    {
-        (*cspan_at(&found, i)) = 0.0;
-    }
+    (*cspan_at(&found, INT64_C(4))) = 0.0;
     for (variant = INT64_C(0); variant < INT64_C(4); variant += INT64_C(1))
     {
         brake_start = (variant == INT64_C(1)) || (variant == INT64_C(3));
@@ -2562,6 +2658,19 @@ double segfmu_timed_profile(double target, double v, double a, double w, double 
             fit_duration(below, (int64_t)((*cspan_at(&found, INT64_C(0)))), target);
             fit_duration(above, (int64_t)((*cspan_at(&found, INT64_C(2)))), target);
             return weight;
+        }
+        missed = 0.0;
+        if ((*cspan_at(&found, INT64_C(0))) > 0.0)
+        {
+            missed = rest - (*cspan_at(&found, INT64_C(1)));
+        }
+        else if ((*cspan_at(&found, INT64_C(2))) > 0.0)
+        {
+            missed = (*cspan_at(&found, INT64_C(3))) - rest;
+        }
+        if ((missed > 0.0) && (((*cspan_at(&found, INT64_C(4))) == 0.0) || (missed < (*cspan_at(&found, INT64_C(4))))))
+        {
+            (*cspan_at(&found, INT64_C(4))) = missed;
         }
     }
     return -1.0;
@@ -2646,7 +2755,11 @@ static bool set_duration(int64_t interval, int64_t axis, double target, double s
     (*cspan_at(&counts, INT64_C(2) * cell + INT64_C(1))) = (int64_t)((*cspan_at(&found, INT64_C(2))));
     return 1;
 }
-/*The end of the gap that holds the infeasible duration `start`; -1 if none is found.*/
+/*The end of the gap that holds the infeasible duration `start`; -1 if none is found.                */
+/*                                                                                                   */
+/*    found[4] is the distance by which the profiles of `start` miss. To cover it takes at least the */
+/*    time that it takes at the velocity limit, of which a tenth is skipped at once.                 */
+/*                                                                                                   */
 static double next_feasible(int64_t interval, int64_t axis, double start, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial)
 {
     double outside;
@@ -2659,7 +2772,7 @@ static double next_feasible(int64_t interval, int64_t axis, double start, double
     growth = 1.005;
     for (i = INT64_C(0); i < INT64_C(500); i += INT64_C(1))
     {
-        duration = outside * growth;
+        duration = span_max(outside * growth, outside + 0.1 * (*cspan_at(&found, INT64_C(4))) / (*cspan_at(&limits, axis, INT64_C(0))));
         if (set_duration(interval, axis, duration, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial))
         {
             inside = duration;
@@ -2682,7 +2795,7 @@ static double next_feasible(int64_t interval, int64_t axis, double start, double
     for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
     {
         duration = 0.5 * (outside + inside);
-        if (inside - outside <= 1e-12 * inside)
+        if (inside - outside <= 1e-09 * inside)
         {
             break;
         }
@@ -3688,6 +3801,343 @@ int64_t segfmu_check_plan(array_double_2d positions, array_double_2d velocities,
     }
     return INT64_C(0);
 }
+/*First end of a piece of any of three axes after a time, or the time if there is none.*/
+static double interval_end(double time, array_double_2d timing, array_int64_t_1d offsets)
+{
+    int64_t axis;
+    int64_t last;
+    int64_t row;
+    double end;
+    double until;
+    until = time;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        last = (*cspan_at(&offsets, axis + INT64_C(1)));
+        row = find_piece(time, timing, (*cspan_at(&offsets, axis)), last);
+        end = (*cspan_at(&timing, row, INT64_C(0))) + (*cspan_at(&timing, row, INT64_C(1)));
+        if (row + INT64_C(1) < last)
+        {
+            end = (*cspan_at(&timing, row + INT64_C(1), INT64_C(0)));
+        }
+        if ((end > time) && ((until == time) || (end < until)))
+        {
+            until = end;
+        }
+    }
+    return until;
+}
+/*Position and pull of all axes in an interval's local time; an axis that has ended stays. */
+static void interval_pieces(double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work)
+{
+    int64_t width;
+    double middle;
+    int64_t axis;
+    int64_t last;
+    int64_t row;
+    int64_t i;
+    double offset;
+    int64_t j;
+    int64_t k;
+    width = coefficients.shape[INT64_C(1)];
+    middle = 0.5 * (time + until);
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        last = (*cspan_at(&offsets, axis + INT64_C(1)));
+        row = find_piece(middle, timing, (*cspan_at(&offsets, axis)), last);
+        for (i = INT64_C(0); i < width; i += INT64_C(1))
+        {
+            (*cspan_at(&work, axis, i)) = (*cspan_at(&coefficients, row, i));
+        }
+        if (middle > (*cspan_at(&timing, row, INT64_C(0))) + (*cspan_at(&timing, row, INT64_C(1))))
+        {
+            (*cspan_at(&work, axis, INT64_C(0))) = evaluate_piece(coefficients, row, width, (*cspan_at(&timing, row, INT64_C(1))), INT64_C(0));
+            for (i = INT64_C(1); i < width; i += INT64_C(1))
+            {
+                (*cspan_at(&work, axis, i)) = 0.0;
+            }
+        }
+        else
+        {
+            /*the piece about a later time, by repeated synthetic division*/
+            offset = time - (*cspan_at(&timing, row, INT64_C(0)));
+            for (i = INT64_C(0); i < width - INT64_C(1); i += INT64_C(1))
+            {
+                for (j = INT64_C(0); j < width - INT64_C(1) - i; j += INT64_C(1))
+                {
+                    k = width - INT64_C(2) - j;
+                    (*cspan_at(&work, axis, k)) = (*cspan_at(&work, axis, k)) + offset * (*cspan_at(&work, axis, k + INT64_C(1)));
+                }
+            }
+        }
+        for (i = INT64_C(0); i < width - INT64_C(2); i += INT64_C(1))
+        {
+            (*cspan_at(&work, INT64_C(3) + axis, i)) = (i + 1.0) * (i + 2.0) * (*cspan_at(&work, axis, i + INT64_C(2)));
+        }
+    }
+    (*cspan_at(&work, INT64_C(5), INT64_C(0))) = (*cspan_at(&work, INT64_C(5), INT64_C(0))) + gravity;
+}
+/*Add the product of the polynomials in two rows to a third one. */
+static void add_product(int64_t first, int64_t first_count, int64_t second, int64_t second_count, int64_t row, array_double_2d work)
+{
+    int64_t i;
+    int64_t j;
+    for (i = INT64_C(0); i < first_count; i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < second_count; j += INT64_C(1))
+        {
+            (*cspan_at(&work, row, i + j)) = (*cspan_at(&work, row, i + j)) + (*cspan_at(&work, first, i)) * (*cspan_at(&work, second, j));
+        }
+    }
+}
+/*sign * (bound^2 w_z^2 - z^2 |w|^2) in work[6, :].*/
+static void length_margin(int64_t width, double bound, double sign, array_double_2d work)
+{
+    int64_t columns;
+    int64_t count;
+    int64_t row;
+    int64_t i;
+    int64_t axis;
+    columns = work.shape[INT64_C(1)] - INT64_C(2);
+    count = width - INT64_C(2);
+    for (row = INT64_C(6); row < INT64_C(10); row += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < columns; i += INT64_C(1))
+        {
+            (*cspan_at(&work, row, i)) = 0.0;
+        }
+    }
+    add_product(INT64_C(2), width, INT64_C(2), width, INT64_C(7), work);
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        add_product(INT64_C(3) + axis, count, INT64_C(3) + axis, count, INT64_C(8), work);
+    }
+    add_product(INT64_C(5), count, INT64_C(5), count, INT64_C(9), work);
+    add_product(INT64_C(7), INT64_C(2) * width - INT64_C(1), INT64_C(8), INT64_C(2) * count - INT64_C(1), INT64_C(6), work);
+    for (i = INT64_C(0); i < columns; i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(6), i)) = sign * (bound * bound * (*cspan_at(&work, INT64_C(9), i)) - (*cspan_at(&work, INT64_C(6), i)));
+    }
+}
+/*Put the polynomial of a demand into work[6, :]; returns its length, 0: no such demand. */
+static int64_t rope_demand(int64_t demand, double gravity, double shortest, double longest, double tolerance, array_double_2d work)
+{
+    int64_t columns;
+    int64_t width;
+    int64_t i;
+    int64_t result;
+    columns = work.shape[INT64_C(1)] - INT64_C(2);
+    width = span_floor_div((columns + INT64_C(7)), INT64_C(4));
+    if (demand == INT64_C(1))
+    {
+        for (i = INT64_C(0); i < width; i += INT64_C(1))
+        {
+            (*cspan_at(&work, INT64_C(6), i)) = -(*cspan_at(&work, INT64_C(2), i));
+        }
+        (*cspan_at(&work, INT64_C(6), INT64_C(0))) = (*cspan_at(&work, INT64_C(6), INT64_C(0))) - tolerance;
+        return width;
+    }
+    if (demand == INT64_C(2))
+    {
+        for (i = INT64_C(0); i < width - INT64_C(2); i += INT64_C(1))
+        {
+            (*cspan_at(&work, INT64_C(6), i)) = (*cspan_at(&work, INT64_C(5), i));
+        }
+        (*cspan_at(&work, INT64_C(6), INT64_C(0))) = (*cspan_at(&work, INT64_C(6), INT64_C(0))) - tolerance * gravity;
+        return width - INT64_C(2);
+    }
+    if (demand == INT64_C(3))
+    {
+        if (longest <= 0.0)
+        {
+            return INT64_C(0);
+        }
+        length_margin(width, longest * (1.0 + tolerance), 1.0, work);
+    }
+    else
+    {
+        if (shortest <= 0.0)
+        {
+            return INT64_C(0);
+        }
+        length_margin(width, shortest * (1.0 - tolerance), -1.0, work);
+    }
+    return columns;
+}
+/*Where, as a share of the interval, work[6, :] is first not proved to be zero or more.*/
+/*                                                                                     */
+/*    -1: nowhere. Hulls are reversed, so that the first half of an interval is on top.*/
+/*                                                                                     */
+static double first_negative(int64_t count, double length, array_double_2d work)
+{
+    int64_t start;
+    int64_t depth;
+    array_double_2d hull;
+    int64_t Dummy_0000;
+    int64_t i;
+    double swapped;
+    int64_t rows;
+    int64_t row;
+    double smallest;
+    double result;
+    start = work.shape[INT64_C(1)] - INT64_C(2);
+    depth = work.shape[INT64_C(1)] - INT64_C(1);
+    hull = span_rows(&work, INT64_C(10), work.shape[INT64_C(0)]);
+    Dummy_0000 = bernstein_coefficients(work, INT64_C(6), count, INT64_C(0), length, hull);
+    for (i = INT64_C(0); i < span_floor_div(count, INT64_C(2)); i += INT64_C(1))
+    {
+        swapped = (*cspan_at(&hull, INT64_C(0), i));
+        (*cspan_at(&hull, INT64_C(0), i)) = (*cspan_at(&hull, INT64_C(0), count - INT64_C(1) - i));
+        (*cspan_at(&hull, INT64_C(0), count - INT64_C(1) - i)) = swapped;
+    }
+    (*cspan_at(&hull, INT64_C(0), start)) = 0.0;
+    (*cspan_at(&hull, INT64_C(0), depth)) = 0.0;
+    rows = INT64_C(1);
+    while(rows > INT64_C(0))
+    {
+        row = rows - INT64_C(1);
+        smallest = (*cspan_at(&hull, row, INT64_C(0)));
+        for (i = INT64_C(1); i < count; i += INT64_C(1))
+        {
+            smallest = span_min(smallest, (*cspan_at(&hull, row, i)));
+        }
+        if (smallest >= 0.0)
+        {
+            rows = row;
+        }
+        else if (((*cspan_at(&hull, row, count - INT64_C(1))) < 0.0) || ((*cspan_at(&hull, row, depth)) > 39.5))
+        {
+            result = (*cspan_at(&hull, row, start));
+            return result;
+        }
+        else
+        {
+            split_hull(hull, row, count);
+            (*cspan_at(&hull, row + INT64_C(1), start)) = (*cspan_at(&hull, row, start));
+            (*cspan_at(&hull, row, depth)) = (*cspan_at(&hull, row, depth)) + 1.0;
+            (*cspan_at(&hull, row + INT64_C(1), depth)) = (*cspan_at(&hull, row, depth));
+            (*cspan_at(&hull, row, start)) = (*cspan_at(&hull, row, start)) + pow(0.5, (*cspan_at(&hull, row, depth)));
+            rows = rows + INT64_C(1);
+        }
+    }
+    return -1.0;
+}
+/*What a demand bounds, at a local time of the interval: height, fall or length. */
+static double rope_value(int64_t demand, double local, double gravity, array_double_2d work)
+{
+    int64_t width;
+    double pull;
+    double x_pull;
+    double y_pull;
+    double z;
+    width = span_floor_div((work.shape[INT64_C(1)] + INT64_C(5)), INT64_C(4));
+    z = evaluate_piece(work, INT64_C(2), width, local, INT64_C(0));
+    pull = evaluate_piece(work, INT64_C(5), width - INT64_C(2), local, INT64_C(0));
+    if (demand == INT64_C(1))
+    {
+        return z;
+    }
+    if (demand == INT64_C(2))
+    {
+        return gravity - pull;
+    }
+    x_pull = evaluate_piece(work, INT64_C(3), width - INT64_C(2), local, INT64_C(0));
+    y_pull = evaluate_piece(work, INT64_C(4), width - INT64_C(2), local, INT64_C(0));
+    return (-z) * sqrt(x_pull * x_pull + y_pull * y_pull + pull * pull) / pull;
+}
+/*The worst of samples, 33 an interval, of what a demand bounds from a time on.*/
+static double worst_value(int64_t demand, double first, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work)
+{
+    double sign;
+    double worst;
+    double time;
+    double until;
+    int64_t i;
+    double local;
+    double result;
+    sign = 1.0;
+    if (demand == INT64_C(4))
+    {
+        sign = -1.0;
+    }
+    worst = -1e+300;
+    time = (*cspan_at(&timing, (*cspan_at(&offsets, INT64_C(0))), INT64_C(0)));
+    until = interval_end(time, timing, offsets);
+    while(until > time)
+    {
+        if (until >= first)
+        {
+            interval_pieces(time, until, timing, coefficients, offsets, gravity, work);
+            for (i = INT64_C(0); i < INT64_C(33); i += INT64_C(1))
+            {
+                local = span_max((until - time) * i / 32.0, first - time);
+                worst = span_max(worst, sign * rope_value(demand, local, gravity, work));
+            }
+        }
+        time = until;
+        until = interval_end(time, timing, offsets);
+    }
+    return sign * worst;
+}
+/*Check a trajectory x, y, z; pieces as in kernels/evaluate.py, pieces rise in time.                 */
+/*                                                                                                   */
+/*    shortest and longest: bounds of the rope's length [m], 0 where there is none. Returns 0, or the*/
+/*    first demand, 1 to 4, that is not met; the later ones rely on the earlier ones. report (3): the*/
+/*    time [s] from which on it is not, the worst value after that, and its bound: of the load's     */
+/*    height [m], of its acceleration downwards [m/s2], or of the rope's length [m].                 */
+/*                                                                                                   */
+int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, double shortest, double longest, array_double_2d work, array_double_1d report)
+{
+    double tolerance;
+    double time;
+    double until;
+    int64_t demand;
+    int64_t count;
+    double share;
+    int64_t failed;
+    tolerance = 1e-09;
+    time = (*cspan_at(&timing, (*cspan_at(&offsets, INT64_C(0))), INT64_C(0)));
+    until = interval_end(time, timing, offsets);
+    failed = INT64_C(5);
+    while(until > time)
+    {
+        interval_pieces(time, until, timing, coefficients, offsets, gravity, work);
+        for (demand = INT64_C(1); demand < failed; demand += INT64_C(1))
+        {
+            count = rope_demand(demand, gravity, shortest, longest, tolerance, work);
+            if (count > INT64_C(0))
+            {
+                share = first_negative(count, until - time, work);
+                if (share >= 0.0)
+                {
+                    failed = demand;
+                    (*cspan_at(&report, INT64_C(0))) = time + share * (until - time);
+                    break;
+                }
+            }
+        }
+        time = until;
+        until = interval_end(time, timing, offsets);
+    }
+    if (failed == INT64_C(5))
+    {
+        return INT64_C(0);
+    }
+    (*cspan_at(&report, INT64_C(2))) = 0.0;
+    if (failed == INT64_C(2))
+    {
+        (*cspan_at(&report, INT64_C(2))) = gravity;
+    }
+    else if (failed == INT64_C(3))
+    {
+        (*cspan_at(&report, INT64_C(2))) = longest;
+    }
+    else if (failed == INT64_C(4))
+    {
+        (*cspan_at(&report, INT64_C(2))) = shortest;
+    }
+    (*cspan_at(&report, INT64_C(1))) = worst_value(failed, (*cspan_at(&report, INT64_C(0))), timing, coefficients, offsets, gravity, work);
+    return failed;
+}
 /*Row of an ascending table before which or at which a value lies; 0 .. rows - 2.*/
 static int64_t table_row(double value, array_double_1d nodes)
 {
@@ -3944,11 +4394,12 @@ static void track_observe(array_double_1d parameters, array_double_1d lengths, a
 /*Feedback on the estimated deviation from where the disturbances are balanced.                  */
 /*                                                                                               */
 /*    A load pushed by an acceleration w hangs at the angle w / g; its position is right with the*/
-/*    carriage at -l w / g.                                                                      */
+/*    carriage at -l w / g, and its height with a rope longer by l (w / g)^2 / 2.                */
 /*                                                                                               */
 static void track_law(array_double_1d parameters, double length, array_double_1d gain_lengths, array_double_3d gains, array_double_2d memory, array_double_1d correction)
 {
     int64_t i;
+    double slant;
     double sign;
     double angle;
     double mass;
@@ -3977,6 +4428,7 @@ static void track_law(array_double_1d parameters, double length, array_double_1d
         (*cspan_at(&memory, INT64_C(7), i)) = (*cspan_at(&memory, i, INT64_C(0)));
         (*cspan_at(&memory, INT64_C(7), INT64_C(5) + i)) = (*cspan_at(&memory, i, INT64_C(2)));
     }
+    slant = 0.0;
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
         sign = 1.0 - 2.0 * i;
@@ -3984,9 +4436,10 @@ static void track_law(array_double_1d parameters, double length, array_double_1d
         (*cspan_at(&memory, INT64_C(7), i)) = (*cspan_at(&memory, INT64_C(7), i)) + length * angle;
         (*cspan_at(&memory, INT64_C(7), INT64_C(3) + i)) = sign * ((*cspan_at(&memory, i, INT64_C(1))) - angle);
         (*cspan_at(&memory, INT64_C(7), INT64_C(8) + i)) = sign * (*cspan_at(&memory, i, INT64_C(3)));
+        slant = slant + 0.5 * length * angle * angle;
     }
     /*the first argument's length chooses the gains, the difference is the deviation*/
-    (*cspan_at(&memory, INT64_C(8), INT64_C(2))) = length - (*cspan_at(&memory, INT64_C(7), INT64_C(2)));
+    (*cspan_at(&memory, INT64_C(8), INT64_C(2))) = length - (*cspan_at(&memory, INT64_C(7), INT64_C(2))) + slant;
     (*cspan_at(&memory, INT64_C(7), INT64_C(2))) = length;
     segfmu_feedback_correction(span_row(&memory, INT64_C(7)), span_row(&memory, INT64_C(8)), gain_lengths, gains, correction);
     if ((*cspan_at(&parameters, INT64_C(0))) < 0.5)
@@ -4670,33 +5123,33 @@ static double full_circle(void)
     return 6.283185307179586;
 }
 /*A number in the open interval (0, 1).*/
-double segfmu_next_uniform(array_int64_t_1d numbers)
+double segfmu_next_uniform(array_double_1d numbers)
 {
-    int64_t first;
-    int64_t second;
-    int64_t difference;
+    double first;
+    double second;
+    double difference;
     double result;
-    first = INT64_C(40014) * (*cspan_at(&numbers, INT64_C(0)));
-    second = INT64_C(40692) * (*cspan_at(&numbers, INT64_C(1)));
-    (*cspan_at(&numbers, INT64_C(0))) = first - span_floor_div(first, INT64_C(2147483563)) * INT64_C(2147483563);
-    (*cspan_at(&numbers, INT64_C(1))) = second - span_floor_div(second, INT64_C(2147483399)) * INT64_C(2147483399);
+    first = 40014.0 * (*cspan_at(&numbers, INT64_C(0)));
+    second = 40692.0 * (*cspan_at(&numbers, INT64_C(1)));
+    (*cspan_at(&numbers, INT64_C(0))) = first - (int64_t)floor(first / 2147483563.0) * 2147483563.0;
+    (*cspan_at(&numbers, INT64_C(1))) = second - (int64_t)floor(second / 2147483399.0) * 2147483399.0;
     difference = (*cspan_at(&numbers, INT64_C(0))) - (*cspan_at(&numbers, INT64_C(1)));
-    if (difference < INT64_C(1))
+    if (difference < 1.0)
     {
-        difference = difference + INT64_C(2147483562);
+        difference = difference + 2147483562.0;
     }
     return difference / 2147483563.0;
 }
 /*Start the random numbers; seed in 0 .. 2^31 - 1, numbers (2,) is their state.*/
-void segfmu_seed_numbers(int64_t seed, array_int64_t_1d numbers)
+void segfmu_seed_numbers(int64_t seed, array_double_1d numbers)
 {
     int64_t other;
     int64_t Dummy_0000;
     int64_t Dummy_0001;
     double Dummy_0002;
     other = seed * INT64_C(69069) + INT64_C(12345);
-    (*cspan_at(&numbers, INT64_C(0))) = INT64_C(1) + seed - span_floor_div(seed, INT64_C(2147483562)) * INT64_C(2147483562);
-    (*cspan_at(&numbers, INT64_C(1))) = INT64_C(1) + other - span_floor_div(other, INT64_C(2147483398)) * INT64_C(2147483398);
+    (*cspan_at(&numbers, INT64_C(0))) = 1.0 + seed - span_floor_div(seed, INT64_C(2147483562)) * INT64_C(2147483562);
+    (*cspan_at(&numbers, INT64_C(1))) = 1.0 + other - span_floor_div(other, INT64_C(2147483398)) * INT64_C(2147483398);
     /*neighbouring seeds start alike*/
     for (Dummy_0000 = INT64_C(0); Dummy_0000 < INT64_C(20); Dummy_0000 += INT64_C(1))
     {
@@ -4704,7 +5157,7 @@ void segfmu_seed_numbers(int64_t seed, array_int64_t_1d numbers)
     }
 }
 /*A number of the standard normal distribution, by Box and Muller. */
-static double next_normal(array_int64_t_1d numbers)
+static double next_normal(array_double_1d numbers)
 {
     double radius;
     double result;
@@ -4714,53 +5167,41 @@ static double next_normal(array_int64_t_1d numbers)
 }
 /*Sines that add up to noise whose spectrum is flat up to a bandwidth [Hz] and zero above.           */
 /*                                                                                                   */
-/*    deviation (3,): standard deviations along x, y, z. components (count, 7): angular frequency,   */
-/*    three amplitudes, three phases. Spectral representation of M. Shinozuka and C.-M. Jan, J. Sound*/
-/*    Vib. 25 (1972); the frequencies lie at random in equal bands, so that the noise has no period. */
+/*    deviation (3,): standard deviations along x, y, z. components (count, 7): angular frequency w, */
+/*    and along each axis the factors of sin(w t) (3) and of cos(w t) (3), a sine with a phase.      */
+/*    Spectral representation of M. Shinozuka and C.-M. Jan, J. Sound Vib. 25 (1972); the frequencies*/
+/*    lie at random in equal bands, so that the noise has no period.                                 */
 /*                                                                                                   */
-void segfmu_noise_components(double bandwidth, array_double_1d deviation, array_int64_t_1d numbers, array_double_2d components)
+void segfmu_noise_components(double bandwidth, array_double_1d deviation, array_double_1d numbers, array_double_2d components)
 {
     int64_t count;
     int64_t i;
     int64_t axis;
+    double amplitude;
+    double phase;
     count = components.shape[INT64_C(0)];
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         (*cspan_at(&components, i, INT64_C(0))) = full_circle() * bandwidth * (i + segfmu_next_uniform(numbers)) / count;
         for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
         {
-            (*cspan_at(&components, i, INT64_C(1) + axis)) = (*cspan_at(&deviation, axis)) * sqrt(2.0 / count);
-            (*cspan_at(&components, i, INT64_C(4) + axis)) = full_circle() * segfmu_next_uniform(numbers);
+            amplitude = (*cspan_at(&deviation, axis)) * sqrt(2.0 / count);
+            phase = full_circle() * segfmu_next_uniform(numbers);
+            (*cspan_at(&components, i, INT64_C(1) + axis)) = amplitude * cos(phase);
+            (*cspan_at(&components, i, INT64_C(4) + axis)) = amplitude * sin(phase);
         }
-    }
-}
-/*Sensors of the first five components of the state: offset, noise, then quantisation.             */
-/*                                                                                                 */
-/*    resolution: width of a step, 0 for none. Five random numbers are used whatever the deviations*/
-/*    are, so that the noise of one sensor does not depend on that of the others.                  */
-/*                                                                                                 */
-void segfmu_measure_state(array_double_1d state, array_double_1d offset, array_double_1d deviation, array_double_1d resolution, array_int64_t_1d numbers, array_double_1d measured)
-{
-    int64_t i;
-    double value;
-    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
-    {
-        value = (*cspan_at(&state, i)) + (*cspan_at(&offset, i)) + (*cspan_at(&deviation, i)) * next_normal(numbers);
-        if ((*cspan_at(&resolution, i)) > 0.0)
-        {
-            value = (int64_t)floor(value / (*cspan_at(&resolution, i)) + 0.5) * (*cspan_at(&resolution, i));
-        }
-        (*cspan_at(&measured, i)) = value;
     }
 }
 /*Viscous and Coulomb friction against a velocity; the sign change is a tanh.*/
 static double friction_force(array_double_1d parameters, int64_t axis, double velocity)
 {
-    double viscous;
-    double result;
-    viscous = (*cspan_at(&parameters, INT64_C(14) + axis)) * velocity;
-    result = viscous + (*cspan_at(&parameters, INT64_C(17) + axis)) * tanh(velocity / (*cspan_at(&parameters, INT64_C(20))));
-    return result;
+    double friction;
+    friction = (*cspan_at(&parameters, INT64_C(14) + axis)) * velocity;
+    if ((*cspan_at(&parameters, INT64_C(17) + axis)) > 0.0)
+    {
+        friction = friction + (*cspan_at(&parameters, INT64_C(17) + axis)) * tanh(velocity / (*cspan_at(&parameters, INT64_C(20))));
+    }
+    return friction;
 }
 /*Course of a gust over its duration: 1 - cosine, or half a sine; both rise to 1.*/
 static double gust_share(double shape, double share)
@@ -4782,7 +5223,8 @@ static void wind_force(array_double_1d parameters, array_double_2d components, d
     double gust;
     int64_t i;
     int64_t k;
-    double angle;
+    double sine;
+    double cosine;
     gust = 0.0;
     if ((*cspan_at(&parameters, INT64_C(32))) > 0.0)
     {
@@ -4794,10 +5236,11 @@ static void wind_force(array_double_1d parameters, array_double_2d components, d
     }
     for (k = INT64_C(0); k < components.shape[INT64_C(0)]; k += INT64_C(1))
     {
-        angle = (*cspan_at(&components, k, INT64_C(0))) * time;
+        sine = sin((*cspan_at(&components, k, INT64_C(0))) * time);
+        cosine = cos((*cspan_at(&components, k, INT64_C(0))) * time);
         for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
         {
-            (*cspan_at(&force, i)) = (*cspan_at(&force, i)) + (*cspan_at(&components, k, INT64_C(1) + i)) * sin(angle + (*cspan_at(&components, k, INT64_C(4) + i)));
+            (*cspan_at(&force, i)) = (*cspan_at(&force, i)) + (*cspan_at(&components, k, INT64_C(1) + i)) * sine + (*cspan_at(&components, k, INT64_C(4) + i)) * cosine;
         }
     }
 }
@@ -5033,6 +5476,7 @@ static void driven_derivative(array_double_1d parameters, array_double_1d state,
 static void plant_derivative(array_double_1d parameters, array_double_2d components, double time, double elapsed, array_double_1d state, array_double_1d command, array_double_1d rate, array_double_1d load_force, array_double_2d work, array_double_1d derivative)
 {
     int64_t i;
+    bool calm;
     wind_force(parameters, components, time + elapsed, load_force, span_row(&work, INT64_C(11)));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
@@ -5050,62 +5494,93 @@ static void plant_derivative(array_double_1d parameters, array_double_2d compone
     {
         forced_derivative(parameters, state, work, derivative);
     }
-    segfmu_crane_load(state, span_rows(&work, INT64_C(12), INT64_C(14)));
+    /*without wind, it does no work, whatever the load's velocity is*/
+    calm = ((*cspan_at(&work, INT64_C(11), INT64_C(0))) == 0.0) && ((*cspan_at(&work, INT64_C(11), INT64_C(1))) == 0.0) && ((*cspan_at(&work, INT64_C(11), INT64_C(2))) == 0.0);
+    if (!calm)
+    {
+        segfmu_crane_load(state, span_rows(&work, INT64_C(12), INT64_C(14)));
+    }
     (*cspan_at(&derivative, INT64_C(10))) = 0.0;
     (*cspan_at(&derivative, INT64_C(11))) = 0.0;
     (*cspan_at(&derivative, INT64_C(12))) = (*cspan_at(&parameters, INT64_C(21))) * ((*cspan_at(&state, INT64_C(8))) * (*cspan_at(&state, INT64_C(8))) + (*cspan_at(&state, INT64_C(9))) * (*cspan_at(&state, INT64_C(9))));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         (*cspan_at(&derivative, INT64_C(10))) = (*cspan_at(&derivative, INT64_C(10))) + (*cspan_at(&work, INT64_C(10), i)) * (*cspan_at(&state, INT64_C(5) + i));
-        (*cspan_at(&derivative, INT64_C(11))) = (*cspan_at(&derivative, INT64_C(11))) + (*cspan_at(&work, INT64_C(11), i)) * (*cspan_at(&work, INT64_C(13), i));
+        if (!calm)
+        {
+            (*cspan_at(&derivative, INT64_C(11))) = (*cspan_at(&derivative, INT64_C(11))) + (*cspan_at(&work, INT64_C(11), i)) * (*cspan_at(&work, INT64_C(13), i));
+        }
         (*cspan_at(&derivative, INT64_C(12))) = (*cspan_at(&derivative, INT64_C(12))) + (*cspan_at(&work, INT64_C(15), i)) * (*cspan_at(&state, INT64_C(5) + i));
     }
 }
+/*Add the derivatives of the first stages, weighted by work[8, :] and the step h.*/
+static void add_stages(double h, int64_t count, array_double_2d work, array_double_1d total)
+{
+    int64_t j;
+    double weight;
+    int64_t i;
+    for (j = INT64_C(0); j < count; j += INT64_C(1))
+    {
+        weight = h * (*cspan_at(&work, INT64_C(8), j));
+        if (weight != 0.0)
+        {
+            for (i = INT64_C(0); i < INT64_C(13); i += INT64_C(1))
+            {
+                (*cspan_at(&total, i)) = (*cspan_at(&total, i)) + weight * (*cspan_at(&work, j, i));
+            }
+        }
+    }
+}
+/*Take the last stage of a step, at its end, as the first one of the next step.*/
+static void first_stage(array_double_2d work)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < INT64_C(13); i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(0), i)) = (*cspan_at(&work, INT64_C(6), i));
+    }
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(10), INT64_C(9) + i)) = (*cspan_at(&work, INT64_C(10), INT64_C(3) + i));
+    }
+}
 /*Try a step of length h: the new state goes to work[7, :]; returns the error. */
+/*                                                                             */
+/*    work[0, :] is the derivative at its start.                               */
+/*                                                                             */
 static double plant_attempt(array_double_1d parameters, array_double_2d components, double time, double elapsed, array_double_1d state, array_double_1d command, array_double_1d rate, array_double_1d load_force, double h, array_double_2d work)
 {
     int64_t stage;
     double node;
     int64_t i;
-    double value;
-    int64_t j;
+    double size;
     double error;
-    for (stage = INT64_C(0); stage < INT64_C(7); stage += INT64_C(1))
+    for (stage = INT64_C(1); stage < INT64_C(7); stage += INT64_C(1))
     {
         node = stage_row(stage, span_row(&work, INT64_C(8)));
         for (i = INT64_C(0); i < INT64_C(13); i += INT64_C(1))
         {
-            value = (*cspan_at(&state, i));
-            for (j = INT64_C(0); j < stage; j += INT64_C(1))
-            {
-                value = value + h * (*cspan_at(&work, INT64_C(8), j)) * (*cspan_at(&work, j, i));
-            }
-            (*cspan_at(&work, INT64_C(7), i)) = value;
+            (*cspan_at(&work, INT64_C(7), i)) = (*cspan_at(&state, i));
         }
+        add_stages(h, stage, work, span_row(&work, INT64_C(7)));
         /*a stage out of all bounds is a step that was much too long*/
         if (!all_finite(span_row(&work, INT64_C(7)), INT64_C(13)))
         {
             return 1e+100;
         }
         plant_derivative(parameters, components, time, elapsed + node * h, span_row(&work, INT64_C(7)), command, rate, load_force, work, span_row(&work, stage));
-        if (stage == INT64_C(0))
-        {
-            for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-            {
-                (*cspan_at(&work, INT64_C(10), INT64_C(9) + i)) = (*cspan_at(&work, INT64_C(10), INT64_C(3) + i));
-            }
-        }
     }
     error_weights(span_row(&work, INT64_C(8)));
+    for (i = INT64_C(0); i < INT64_C(13); i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(12), i)) = 0.0;
+    }
+    add_stages(h, INT64_C(7), work, span_row(&work, INT64_C(12)));
     error = 0.0;
     for (i = INT64_C(0); i < INT64_C(13); i += INT64_C(1))
     {
-        value = 0.0;
-        for (j = INT64_C(0); j < INT64_C(7); j += INT64_C(1))
-        {
-            value = value + h * (*cspan_at(&work, INT64_C(8), j)) * (*cspan_at(&work, j, i));
-        }
-        error = span_max(error, fabs(value) / (1.0 + span_max(fabs((*cspan_at(&state, i))), fabs((*cspan_at(&work, INT64_C(7), i))))));
+        size = 1.0 + span_max(fabs((*cspan_at(&state, i))), fabs((*cspan_at(&work, INT64_C(7), i))));
+        error = span_max(error, fabs((*cspan_at(&work, INT64_C(12), i))) / size);
     }
     if (!(error < 1e+100))
     {
@@ -5166,22 +5641,23 @@ static void accept(array_double_1d state, array_double_2d work, double elapsed, 
     (*cspan_at(&report, INT64_C(8))) = (*cspan_at(&work, INT64_C(6), INT64_C(12)));
     (*cspan_at(&report, INT64_C(9))) = elapsed;
 }
-/*Advance the state (13), in place, by a duration from a time on.                                      */
-/*                                                                                                     */
-/*    components (count, 7): sines of the wind's noise. command and rate (3): forces [N] of bridge,    */
-/*    trolley and hoist at the start, and their rates; or velocities [m/s], or where a drive has no    */
-/*    lag accelerations [m/s2]. load_force (3): on the load, held [N]. tolerance: relative and         */
-/*    absolute error of a step. report (10): forces of the drives (3), whether they were at a bound    */
-/*    (3), force on the rope, power of the wind and of friction [W], time advanced.                    */
-/*                                                                                                     */
-/*    Returns `plant_status`, or 3: the steps became too small (for stiff friction, too many), 4: a    */
-/*    value is not all_finite. What has a status is approached until within 0.1 us of it; the state is */
-/*    the last one without.                                                                            */
-/*                                                                                                     */
+/*Advance the state (13), in place, by a duration from a time on.                                  */
+/*                                                                                                 */
+/*    components (count, 7): sines of the wind's noise. command and rate (3): forces [N] of bridge,*/
+/*    trolley and hoist at the start, and their rates; or velocities [m/s], or where a drive has no*/
+/*    lag accelerations [m/s2]. load_force (3): on the load, held [N]. tolerance: relative and     */
+/*    absolute error of a step. report (10): forces of the drives (3), whether they were at a bound*/
+/*    (3), force on the rope, power of the wind and of friction [W], time advanced.                */
+/*                                                                                                 */
+/*    Returns `plant_status`, or 3: the steps became too small (for stiff friction, too many), 4: a*/
+/*    value is not finite. What has a status is approached until within 0.1 us of it; the state is */
+/*    the last one without.                                                                        */
+/*                                                                                                 */
 int64_t segfmu_plant_advance(array_double_1d parameters, array_double_2d components, double time, array_double_1d state, array_double_1d command, array_double_1d rate, array_double_1d load_force, double duration, double tolerance, array_double_2d work, array_double_1d report)
 {
     int64_t i;
     double t;
+    double planned;
     double h;
     int64_t Dummy_0000;
     int64_t Dummy_0001;
@@ -5196,13 +5672,22 @@ int64_t segfmu_plant_advance(array_double_1d parameters, array_double_2d compone
     {
         return INT64_C(4);
     }
+    plant_derivative(parameters, components, time, 0.0, state, command, rate, load_force, work, span_row(&work, INT64_C(6)));
+    first_stage(work);
     t = 0.0;
-    h = duration;
+    /*what a step was before is a better guess than an interval that may hold many*/
+    planned = (*cspan_at(&work, INT64_C(8), INT64_C(7)));
+    if (planned <= 0.0)
+    {
+        planned = duration;
+    }
+    h = planned;
     for (Dummy_0000 = INT64_C(0); Dummy_0000 < INT64_C(200000); Dummy_0000 += INT64_C(1))
     {
         last = h >= duration - t;
         if (last)
         {
+            planned = h;
             h = duration - t;
         }
         error = plant_attempt(parameters, components, time, t, state, command, rate, load_force, h, work);
@@ -5230,8 +5715,490 @@ int64_t segfmu_plant_advance(array_double_1d parameters, array_double_2d compone
         accept(state, work, t, report);
         if (last)
         {
+            /*cut short by the interval's end, it tells less than the step planned before*/
+            (*cspan_at(&work, INT64_C(8), INT64_C(7))) = span_max(h, planned);
             return INT64_C(0);
         }
+        first_stage(work);
     }
     return INT64_C(3);
+}
+/*Rows of memory; samples younger than the dead time, the new one, and one for rounding. */
+static int64_t sensing_rows(double sample_time, double dead_time)
+{
+    int64_t result;
+    if (sample_time <= 0.0)
+    {
+        return INT64_C(4);
+    }
+    return INT64_C(4) + span_floor_div(((int64_t)ceil(dead_time / sample_time) + INT64_C(7)), INT64_C(6));
+}
+/*Measured values (5) of the first components of the state: offset, noise, quantisation.           */
+/*                                                                                                 */
+/*    Where there is noise, five random numbers are used, so that the noise of one sensor does not */
+/*    depend on that of the others.                                                                */
+/*                                                                                                 */
+void segfmu_measure_state(array_double_1d state, array_double_1d sensors, array_double_1d numbers, array_double_1d measured)
+{
+    bool noisy;
+    int64_t i;
+    double value;
+    noisy = 0;
+    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
+    {
+        noisy = noisy || ((*cspan_at(&sensors, INT64_C(8) + i)) > 0.0);
+    }
+    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
+    {
+        value = (*cspan_at(&state, i)) + (*cspan_at(&sensors, INT64_C(3) + i));
+        if (noisy)
+        {
+            value = value + (*cspan_at(&sensors, INT64_C(8) + i)) * next_normal(numbers);
+        }
+        /*a step below the last digit of the value is none, nor are there integers for it*/
+        if (fabs(value) < 1000000000000000.0 * (*cspan_at(&sensors, INT64_C(13) + i)))
+        {
+            value = (int64_t)floor(value / (*cspan_at(&sensors, INT64_C(13) + i)) + 0.5) * (*cspan_at(&sensors, INT64_C(13) + i));
+        }
+        (*cspan_at(&measured, i)) = value;
+    }
+}
+/*Time of the next sample since the start [s]; 1e300 for continuous signals. */
+static double next_sample(array_double_1d sensors, array_double_2d memory)
+{
+    double result;
+    if ((*cspan_at(&sensors, INT64_C(0))) <= 0.0)
+    {
+        return 1e+300;
+    }
+    result = (*cspan_at(&memory, INT64_C(0), INT64_C(0))) * (*cspan_at(&sensors, INT64_C(0)));
+    return result;
+}
+/*Row and column of an entry of the ring.*/
+static int64_t queue_entry(int64_t* result_0_0001, int64_t* result_1_0001, int64_t place, array_double_2d memory)
+{
+    int64_t entry;
+    entry = span_floor_mod(place, (INT64_C(6) * (memory.shape[INT64_C(0)] - INT64_C(4))));
+    (*result_0_0001) = INT64_C(4) + span_floor_div(entry, INT64_C(6));
+    (*result_1_0001) = INT64_C(6) * (span_floor_mod(entry, INT64_C(6)));
+    return 0;
+}
+/*Take the samples that are available at a time out of the queue; the first one at once. */
+static void deliver_samples(array_double_1d sensors, double time, array_double_2d memory)
+{
+    double latest;
+    int64_t row;
+    int64_t column;
+    int64_t i;
+    latest = time + 1e-09 * (*cspan_at(&sensors, INT64_C(0)));
+    while((*cspan_at(&memory, INT64_C(0), INT64_C(2))) > 0.5)
+    {
+        queue_entry(&row, &column, (int64_t)((*cspan_at(&memory, INT64_C(0), INT64_C(1)))), memory);
+        if (((*cspan_at(&memory, INT64_C(0), INT64_C(3))) > 0.5) && ((*cspan_at(&memory, row, column)) > latest))
+        {
+            return;
+        }
+        for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
+        {
+            (*cspan_at(&memory, INT64_C(2), i)) = (*cspan_at(&memory, row, column + INT64_C(1) + i));
+        }
+        (*cspan_at(&memory, INT64_C(0), INT64_C(1))) = (double)(span_floor_mod(((int64_t)((*cspan_at(&memory, INT64_C(0), INT64_C(1)))) + INT64_C(1)), (INT64_C(6) * (memory.shape[INT64_C(0)] - INT64_C(4)))));
+        (*cspan_at(&memory, INT64_C(0), INT64_C(2))) = (*cspan_at(&memory, INT64_C(0), INT64_C(2))) - 1.0;
+        (*cspan_at(&memory, INT64_C(0), INT64_C(3))) = 1.0;
+    }
+}
+/*Put the sample that is due into the queue. */
+static void take_sample(array_double_1d sensors, array_double_1d state, array_double_2d memory)
+{
+    double time;
+    int64_t row;
+    int64_t column;
+    int64_t i;
+    time = next_sample(sensors, memory);
+    deliver_samples(sensors, time, memory);
+    segfmu_measure_state(state, sensors, span_row(&memory, INT64_C(1)), span_row(&memory, INT64_C(3)));
+    queue_entry(&row, &column, (int64_t)((*cspan_at(&memory, INT64_C(0), INT64_C(1)))) + (int64_t)((*cspan_at(&memory, INT64_C(0), INT64_C(2)))), memory);
+    (*cspan_at(&memory, row, column)) = time + (*cspan_at(&sensors, INT64_C(1)));
+    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, row, column + INT64_C(1) + i)) = (*cspan_at(&memory, INT64_C(3), i));
+    }
+    (*cspan_at(&memory, INT64_C(0), INT64_C(0))) = (*cspan_at(&memory, INT64_C(0), INT64_C(0))) + 1.0;
+    (*cspan_at(&memory, INT64_C(0), INT64_C(2))) = (*cspan_at(&memory, INT64_C(0), INT64_C(2))) + 1.0;
+}
+/*Forget the past and take the first sample. */
+static void start_sensing(array_double_1d sensors, array_double_1d state, array_double_2d memory)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(0), i)) = 0.0;
+    }
+    segfmu_seed_numbers((int64_t)((*cspan_at(&sensors, INT64_C(2)))), span_row(&memory, INT64_C(1)));
+    if ((*cspan_at(&sensors, INT64_C(0))) > 0.0)
+    {
+        take_sample(sensors, state, memory);
+    }
+}
+/*Signals (5) at a time [s] since the start; times must not decrease.*/
+static void sense_signals(array_double_1d sensors, double time, array_double_1d state, array_double_2d memory, array_double_1d measured)
+{
+    int64_t i;
+    if ((*cspan_at(&sensors, INT64_C(0))) <= 0.0)
+    {
+        segfmu_measure_state(state, sensors, span_row(&memory, INT64_C(1)), measured);
+        return;
+    }
+    deliver_samples(sensors, time, memory);
+    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
+    {
+        (*cspan_at(&measured, i)) = (*cspan_at(&memory, INT64_C(2), i));
+    }
+}
+/*Times that differ by less are the same; sums of steps are rounded. */
+static double instant(array_double_1d loop)
+{
+    double result;
+    result = 1e-09 * (*cspan_at(&loop, INT64_C(1)));
+    return result;
+}
+/*Time within the step of the next event, or the step's end. */
+static double next_event(array_double_1d loop, array_double_1d sensors, double duration, array_double_2d memory)
+{
+    double time;
+    double until;
+    double result;
+    time = span_min((*cspan_at(&memory, INT64_C(2), INT64_C(3))) * (*cspan_at(&loop, INT64_C(1))), (*cspan_at(&memory, INT64_C(2), INT64_C(4))));
+    time = span_min(time, next_sample(sensors, span_rows(&memory, INT64_C(30), memory.shape[INT64_C(0)])));
+    until = time - (*cspan_at(&memory, INT64_C(2), INT64_C(1)));
+    if (until >= duration - instant(loop))
+    {
+        return duration;
+    }
+    return until;
+}
+/*Time of the first change of payload or wind after another time; 1e300 if there is none.*/
+static double next_edge(array_double_2d changes, double after, array_double_2d memory)
+{
+    int64_t i;
+    double time;
+    double first;
+    first = 1e+300;
+    for (i = INT64_C(0); i < changes.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        time = (*cspan_at(&changes, i, INT64_C(0))) - (*cspan_at(&memory, INT64_C(2), INT64_C(0)));
+        if (time > after)
+        {
+            first = span_min(first, time);
+        }
+    }
+    if ((*cspan_at(&memory, INT64_C(1), INT64_C(32))) > 0.0)
+    {
+        time = (*cspan_at(&memory, INT64_C(1), INT64_C(31))) - (*cspan_at(&memory, INT64_C(2), INT64_C(0)));
+        if (time > after)
+        {
+            first = span_min(first, time);
+        }
+        time = (*cspan_at(&memory, INT64_C(1), INT64_C(31))) + (*cspan_at(&memory, INT64_C(1), INT64_C(32))) - (*cspan_at(&memory, INT64_C(2), INT64_C(0)));
+        if (time > after)
+        {
+            first = span_min(first, time);
+        }
+    }
+    return first;
+}
+/*Kinetic and potential energy of the crane [J]. */
+static double mechanical_energy(array_double_2d memory)
+{
+    double result;
+    segfmu_crane_energy(span_row(&memory, INT64_C(0)), (*cspan_at(&memory, INT64_C(1), INT64_C(0))), (*cspan_at(&memory, INT64_C(1), INT64_C(1))), (*cspan_at(&memory, INT64_C(1), INT64_C(2))), (*cspan_at(&memory, INT64_C(1), INT64_C(3))), span_row(&memory, INT64_C(13)));
+    result = (*cspan_at(&memory, INT64_C(13), INT64_C(0))) + (*cspan_at(&memory, INT64_C(13), INT64_C(1)));
+    return result;
+}
+/*Give the load the mass that it has from a time on. */
+static void change_payload(array_double_1d loop, array_double_2d changes, double time, array_double_2d memory)
+{
+    int64_t chosen;
+    int64_t i;
+    chosen = -INT64_C(1);
+    for (i = INT64_C(0); i < changes.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        if ((*cspan_at(&changes, i, INT64_C(0))) <= time + instant(loop))
+        {
+            if ((chosen < INT64_C(0)) || ((*cspan_at(&changes, i, INT64_C(0))) > (*cspan_at(&changes, chosen, INT64_C(0)))))
+            {
+                chosen = i;
+            }
+        }
+    }
+    if (chosen >= INT64_C(0))
+    {
+        (*cspan_at(&memory, INT64_C(1), INT64_C(2))) = (*cspan_at(&changes, chosen, INT64_C(1)));
+    }
+}
+/*Take the samples and change the payload if they are due. */
+static void meet_events(array_double_1d loop, array_double_1d sensors, array_double_2d changes, array_double_2d memory)
+{
+    double time;
+    double latest;
+    double before;
+    time = (*cspan_at(&memory, INT64_C(2), INT64_C(1))) + (*cspan_at(&memory, INT64_C(2), INT64_C(2)));
+    latest = time + instant(loop);
+    while(next_sample(sensors, span_rows(&memory, INT64_C(30), memory.shape[INT64_C(0)])) <= latest)
+    {
+        take_sample(sensors, span_row(&memory, INT64_C(0)), span_rows(&memory, INT64_C(30), memory.shape[INT64_C(0)]));
+    }
+    while((*cspan_at(&memory, INT64_C(2), INT64_C(4))) <= latest)
+    {
+        (*cspan_at(&memory, INT64_C(2), INT64_C(4))) = next_edge(changes, (*cspan_at(&memory, INT64_C(2), INT64_C(4))), memory);
+        before = mechanical_energy(memory);
+        change_payload(loop, changes, (*cspan_at(&memory, INT64_C(2), INT64_C(0))) + time, memory);
+        (*cspan_at(&memory, INT64_C(2), INT64_C(6))) = (*cspan_at(&memory, INT64_C(2), INT64_C(6))) + (mechanical_energy(memory) - before);
+    }
+}
+/*Value a share of the way from start to end.*/
+static double between(double start, double end, double share)
+{
+    double result;
+    return start + (end - start) * share;
+}
+/*Whether the controller's next tick has come. */
+static bool controller_due(array_double_1d loop, array_double_2d memory)
+{
+    bool result;
+    result = (*cspan_at(&memory, INT64_C(2), INT64_C(3))) * (*cspan_at(&loop, INT64_C(1))) <= (*cspan_at(&memory, INT64_C(2), INT64_C(1))) + (*cspan_at(&memory, INT64_C(2), INT64_C(2))) + instant(loop);
+    return result;
+}
+/*What the controller gets at the tick that is due.*/
+static void prepare_tick(array_double_1d sensors, array_double_1d setpoints, double duration, array_double_2d memory)
+{
+    double time;
+    double share;
+    int64_t i;
+    time = (*cspan_at(&memory, INT64_C(2), INT64_C(1))) + (*cspan_at(&memory, INT64_C(2), INT64_C(2)));
+    share = (*cspan_at(&memory, INT64_C(2), INT64_C(2))) / duration;
+    (*cspan_at(&memory, INT64_C(2), INT64_C(3))) = (*cspan_at(&memory, INT64_C(2), INT64_C(3))) + 1.0;
+    (*cspan_at(&memory, INT64_C(2), INT64_C(7))) = (*cspan_at(&memory, INT64_C(2), INT64_C(0))) + time;
+    sense_signals(sensors, time, span_row(&memory, INT64_C(0)), span_rows(&memory, INT64_C(30), memory.shape[INT64_C(0)]), span_row(&memory, INT64_C(5)));
+    for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(6), i)) = between((*cspan_at(&memory, INT64_C(3), INT64_C(6) + i)), (*cspan_at(&setpoints, INT64_C(6) + i)), share);
+    }
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        if ((*cspan_at(&memory, INT64_C(1), INT64_C(4))) > 0.5)
+        {
+            (*cspan_at(&memory, INT64_C(7), i)) = ((*cspan_at(&setpoints, INT64_C(3) + i)) - (*cspan_at(&memory, INT64_C(3), INT64_C(3) + i))) / duration;
+        }
+        else
+        {
+            (*cspan_at(&memory, INT64_C(7), i)) = between((*cspan_at(&memory, INT64_C(3), i)), (*cspan_at(&setpoints, i)), share);
+        }
+    }
+}
+/*The correction at a tick; the tracking controller's observer goes on when it is off. */
+static void correct_setpoints(array_double_1d loop, array_double_1d tracking, array_double_1d lengths, array_double_3d table, array_double_1d gain_lengths, array_double_3d gains, array_double_2d tracker, array_double_2d memory)
+{
+    int64_t i;
+    if ((*cspan_at(&loop, INT64_C(0))) > 1.5)
+    {
+        segfmu_track_setpoint(tracking, lengths, table, gain_lengths, gains, span_row(&memory, INT64_C(5)), span_row(&memory, INT64_C(6)), span_row(&memory, INT64_C(7)), tracker, span_row(&memory, INT64_C(8)));
+    }
+    else
+    {
+        segfmu_feedback_correction(span_row(&memory, INT64_C(0)), span_row(&memory, INT64_C(6)), gain_lengths, gains, span_row(&memory, INT64_C(8)));
+    }
+    if ((*cspan_at(&loop, INT64_C(2))) < 0.5)
+    {
+        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        {
+            (*cspan_at(&memory, INT64_C(8), i)) = 0.0;
+        }
+    }
+}
+/*Commands of velocity drives now and their rates until a time; advances what is added.*/
+static void command_velocities(array_double_1d setpoints, double duration, double until, array_double_2d memory)
+{
+    double done;
+    double length;
+    int64_t i;
+    double start;
+    double end;
+    double command;
+    double rate;
+    double aim;
+    done = (*cspan_at(&memory, INT64_C(2), INT64_C(2)));
+    length = until - done;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        start = (*cspan_at(&memory, INT64_C(3), INT64_C(3) + i));
+        end = (*cspan_at(&setpoints, INT64_C(3) + i));
+        command = between(start, end, done / duration) + (*cspan_at(&memory, INT64_C(9), i));
+        rate = (end - start) / duration + (*cspan_at(&memory, INT64_C(8), i));
+        (*cspan_at(&memory, INT64_C(9), i)) = (*cspan_at(&memory, INT64_C(9), i)) + (*cspan_at(&memory, INT64_C(8), i)) * length;
+        if ((*cspan_at(&memory, INT64_C(1), INT64_C(5) + i)) == 0.0)
+        {
+            /*at the end it has its setpoint, wherever a bound has left it before*/
+            aim = between(start, end, until / duration) + (*cspan_at(&memory, INT64_C(9), i));
+            command = (aim - (*cspan_at(&memory, INT64_C(0), INT64_C(5) + i))) / length;
+            rate = 0.0;
+        }
+        (*cspan_at(&memory, INT64_C(10), i)) = command;
+        (*cspan_at(&memory, INT64_C(11), i)) = rate;
+    }
+}
+/*Integrate until a time within the step; returns the status of kernels/plant.py.*/
+static int64_t advance_plant(array_double_1d loop, array_double_2d components, array_double_1d setpoints, double duration, double until, array_double_2d memory)
+{
+    double time;
+    int64_t i;
+    double force;
+    int64_t status;
+    time = (*cspan_at(&memory, INT64_C(2), INT64_C(0))) + (*cspan_at(&memory, INT64_C(2), INT64_C(1))) + (*cspan_at(&memory, INT64_C(2), INT64_C(2)));
+    if ((*cspan_at(&memory, INT64_C(1), INT64_C(4))) > 0.5)
+    {
+        command_velocities(setpoints, duration, until, memory);
+    }
+    else
+    {
+        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        {
+            force = between((*cspan_at(&memory, INT64_C(3), i)), (*cspan_at(&setpoints, i)), (*cspan_at(&memory, INT64_C(2), INT64_C(2))) / duration);
+            (*cspan_at(&memory, INT64_C(10), i)) = force + (*cspan_at(&memory, INT64_C(8), i));
+            (*cspan_at(&memory, INT64_C(11), i)) = ((*cspan_at(&setpoints, i)) - (*cspan_at(&memory, INT64_C(3), i))) / duration;
+        }
+    }
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(12), i)) = (*cspan_at(&setpoints, INT64_C(16) + i));
+    }
+    status = segfmu_plant_advance(span_row(&memory, INT64_C(1)), components, time, span_row(&memory, INT64_C(0)), span_row(&memory, INT64_C(10)), span_row(&memory, INT64_C(11)), span_row(&memory, INT64_C(12)), until - (*cspan_at(&memory, INT64_C(2), INT64_C(2))), (*cspan_at(&loop, INT64_C(3))), span_rows(&memory, INT64_C(14), INT64_C(30)), span_row(&memory, INT64_C(4)));
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(4), INT64_C(10) + i)) = span_max((*cspan_at(&memory, INT64_C(4), INT64_C(10) + i)), (*cspan_at(&memory, INT64_C(4), INT64_C(3) + i)));
+    }
+    if (status != INT64_C(0))
+    {
+        (*cspan_at(&memory, INT64_C(2), INT64_C(7))) = time + (*cspan_at(&memory, INT64_C(4), INT64_C(9)));
+    }
+    return status;
+}
+/*Rows of memory for sensors with these times [s]. */
+int64_t segfmu_rig_rows(double sample_time, double dead_time)
+{
+    int64_t result;
+    return INT64_C(30) + sensing_rows(sample_time, dead_time);
+}
+/*Put a state (10) and the setpoints at the start into the memory and forget the past. */
+void segfmu_rig_start(array_double_1d loop, array_double_1d sensors, array_double_2d changes, array_double_1d parameters, array_double_1d state, array_double_1d setpoints, double start, array_double_2d memory)
+{
+    int64_t row;
+    int64_t i;
+    for (row = INT64_C(0); row < memory.shape[INT64_C(0)]; row += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < memory.shape[INT64_C(1)]; i += INT64_C(1))
+        {
+            (*cspan_at(&memory, row, i)) = 0.0;
+        }
+    }
+    for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(0), i)) = (*cspan_at(&state, i));
+    }
+    for (i = INT64_C(0); i < INT64_C(37); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(1), i)) = (*cspan_at(&parameters, i));
+    }
+    for (i = INT64_C(0); i < INT64_C(19); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(3), i)) = (*cspan_at(&setpoints, i));
+    }
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(4), i)) = (*cspan_at(&setpoints, i));
+    }
+    (*cspan_at(&memory, INT64_C(4), INT64_C(6))) = (*cspan_at(&setpoints, INT64_C(2)));
+    (*cspan_at(&memory, INT64_C(2), INT64_C(0))) = start;
+    (*cspan_at(&memory, INT64_C(2), INT64_C(4))) = next_edge(changes, 0.0, memory);
+    change_payload(loop, changes, start, memory);
+    (*cspan_at(&memory, INT64_C(2), INT64_C(5))) = mechanical_energy(memory);
+    start_sensing(sensors, span_row(&memory, INT64_C(0)), span_rows(&memory, INT64_C(30), memory.shape[INT64_C(0)]));
+    sense_signals(sensors, 0.0, span_row(&memory, INT64_C(0)), span_rows(&memory, INT64_C(30), memory.shape[INT64_C(0)]), span_row(&memory, INT64_C(5)));
+}
+/*Advance by a duration [s] to the given setpoints; returns the status.                              */
+/*                                                                                                   */
+/*    gain_lengths and gains are those of the feedback; tracking, lengths, table and tracker are what*/
+/*    kernels/tracking.py calls parameters, lengths, table and memory, and unused without it.        */
+/*                                                                                                   */
+int64_t segfmu_rig_step(array_double_1d loop, array_double_1d sensors, array_double_2d components, array_double_2d changes, array_double_1d tracking, array_double_1d lengths, array_double_3d table, array_double_1d gain_lengths, array_double_3d gains, array_double_2d tracker, array_double_1d setpoints, double duration, array_double_2d memory)
+{
+    int64_t i;
+    double until;
+    int64_t status;
+    /*before anything that remembers, such as an observer, has seen it*/
+    if ((!(fabs(duration) < 1e+100)) || (!all_finite(setpoints, INT64_C(19))))
+    {
+        (*cspan_at(&memory, INT64_C(2), INT64_C(7))) = (*cspan_at(&memory, INT64_C(2), INT64_C(0))) + (*cspan_at(&memory, INT64_C(2), INT64_C(1)));
+        return INT64_C(4);
+    }
+    status = INT64_C(0);
+    if ((*cspan_at(&memory, INT64_C(2), INT64_C(2))) == 0.0)
+    {
+        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        {
+            (*cspan_at(&memory, INT64_C(4), INT64_C(10) + i)) = 0.0;
+        }
+    }
+    while((status == INT64_C(0)) && ((*cspan_at(&memory, INT64_C(2), INT64_C(2))) < duration))
+    {
+        if (controller_due(loop, memory))
+        {
+            prepare_tick(sensors, setpoints, duration, memory);
+            if ((*cspan_at(&loop, INT64_C(0))) < 0.5)
+            {
+                return -INT64_C(1);
+            }
+            correct_setpoints(loop, tracking, lengths, table, gain_lengths, gains, tracker, memory);
+        }
+        until = next_event(loop, sensors, duration, memory);
+        status = advance_plant(loop, components, setpoints, duration, until, memory);
+        if (status == INT64_C(0))
+        {
+            (*cspan_at(&memory, INT64_C(2), INT64_C(2))) = until;
+            meet_events(loop, sensors, changes, memory);
+        }
+    }
+    (*cspan_at(&memory, INT64_C(2), INT64_C(2))) = 0.0;
+    if (status == INT64_C(0))
+    {
+        (*cspan_at(&memory, INT64_C(2), INT64_C(1))) = (*cspan_at(&memory, INT64_C(2), INT64_C(1))) + duration;
+        for (i = INT64_C(0); i < INT64_C(19); i += INT64_C(1))
+        {
+            (*cspan_at(&memory, INT64_C(3), i)) = (*cspan_at(&setpoints, i));
+        }
+    }
+    sense_signals(sensors, (*cspan_at(&memory, INT64_C(2), INT64_C(1))), span_row(&memory, INT64_C(0)), span_rows(&memory, INT64_C(30), memory.shape[INT64_C(0)]), span_row(&memory, INT64_C(5)));
+    return status;
+}
+/*Energies [J] (7): kinetic, potential, their sum at the start, work of the drives and of the*/
+/*    wind, energy that payload changes brought, energy dissipated.                          */
+void segfmu_rig_balance(array_double_2d memory, array_double_1d balance)
+{
+    segfmu_crane_energy(span_row(&memory, INT64_C(0)), (*cspan_at(&memory, INT64_C(1), INT64_C(0))), (*cspan_at(&memory, INT64_C(1), INT64_C(1))), (*cspan_at(&memory, INT64_C(1), INT64_C(2))), (*cspan_at(&memory, INT64_C(1), INT64_C(3))), span_row(&memory, INT64_C(13)));
+    (*cspan_at(&balance, INT64_C(0))) = (*cspan_at(&memory, INT64_C(13), INT64_C(0)));
+    (*cspan_at(&balance, INT64_C(1))) = (*cspan_at(&memory, INT64_C(13), INT64_C(1)));
+    (*cspan_at(&balance, INT64_C(2))) = (*cspan_at(&memory, INT64_C(2), INT64_C(5)));
+    (*cspan_at(&balance, INT64_C(3))) = (*cspan_at(&memory, INT64_C(0), INT64_C(10)));
+    (*cspan_at(&balance, INT64_C(4))) = (*cspan_at(&memory, INT64_C(0), INT64_C(11)));
+    (*cspan_at(&balance, INT64_C(5))) = (*cspan_at(&memory, INT64_C(2), INT64_C(6)));
+    (*cspan_at(&balance, INT64_C(6))) = (*cspan_at(&memory, INT64_C(0), INT64_C(12)));
+}
+/*What the balance (7) misses by integration and rounding [J]. */
+double segfmu_rig_imbalance(array_double_1d balance)
+{
+    double gained;
+    double result;
+    gained = (*cspan_at(&balance, INT64_C(3))) + (*cspan_at(&balance, INT64_C(4))) + (*cspan_at(&balance, INT64_C(5))) - (*cspan_at(&balance, INT64_C(6)));
+    result = (*cspan_at(&balance, INT64_C(0))) + (*cspan_at(&balance, INT64_C(1))) - (*cspan_at(&balance, INT64_C(2))) - gained;
+    return result;
 }

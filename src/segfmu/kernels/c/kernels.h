@@ -18,6 +18,7 @@ void segfmu_evaluate(array_double_1d times, array_double_2d timing, array_double
 int64_t segfmu_count_pieces(array_int64_t_1d counts, int64_t cells);
 int64_t segfmu_expand_plan(array_double_2d positions, array_double_2d velocities, array_double_1d dwells, int64_t smoothness, int64_t shape, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d durations, array_double_2d ramps, array_double_2d scratch_timing, array_double_2d scratch, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times);
 int64_t segfmu_check_plan(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d limits, double tolerance, array_double_2d work);
+int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, double shortest, double longest, array_double_2d work, array_double_1d report);
 void segfmu_feedback_correction(array_double_1d state, array_double_1d reference, array_double_1d lengths, array_double_3d gains, array_double_1d correction);
 double segfmu_feedback_bandwidth(double ratio, double length, double gravity, double sample_time, double largest);
 void segfmu_feedback_gains(bool driven, double length, double bridge_mass, double trolley_mass, double payload_mass, double gravity, double bandwidth, double hoist_bandwidth, double damping, array_double_2d gains);
@@ -30,10 +31,15 @@ void segfmu_crane_driven(array_double_1d state, array_double_1d carriage, array_
 void segfmu_crane_flat_inverse(array_double_2d flat, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_1d force, array_double_1d state, array_double_1d acceleration);
 void segfmu_crane_load(array_double_1d state, array_double_2d load);
 void segfmu_crane_energy(array_double_1d state, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_1d energy);
-double segfmu_next_uniform(array_int64_t_1d numbers);
-void segfmu_seed_numbers(int64_t seed, array_int64_t_1d numbers);
-void segfmu_noise_components(double bandwidth, array_double_1d deviation, array_int64_t_1d numbers, array_double_2d components);
-void segfmu_measure_state(array_double_1d state, array_double_1d offset, array_double_1d deviation, array_double_1d resolution, array_int64_t_1d numbers, array_double_1d measured);
+double segfmu_next_uniform(array_double_1d numbers);
+void segfmu_seed_numbers(int64_t seed, array_double_1d numbers);
+void segfmu_noise_components(double bandwidth, array_double_1d deviation, array_double_1d numbers, array_double_2d components);
 int64_t segfmu_plant_advance(array_double_1d parameters, array_double_2d components, double time, array_double_1d state, array_double_1d command, array_double_1d rate, array_double_1d load_force, double duration, double tolerance, array_double_2d work, array_double_1d report);
+void segfmu_measure_state(array_double_1d state, array_double_1d sensors, array_double_1d numbers, array_double_1d measured);
+int64_t segfmu_rig_rows(double sample_time, double dead_time);
+void segfmu_rig_start(array_double_1d loop, array_double_1d sensors, array_double_2d changes, array_double_1d parameters, array_double_1d state, array_double_1d setpoints, double start, array_double_2d memory);
+int64_t segfmu_rig_step(array_double_1d loop, array_double_1d sensors, array_double_2d components, array_double_2d changes, array_double_1d tracking, array_double_1d lengths, array_double_3d table, array_double_1d gain_lengths, array_double_3d gains, array_double_2d tracker, array_double_1d setpoints, double duration, array_double_2d memory);
+void segfmu_rig_balance(array_double_2d memory, array_double_1d balance);
+double segfmu_rig_imbalance(array_double_1d balance);
 
 #endif

@@ -466,6 +466,43 @@ static PyObject *call_check_plan(
     return answer;
 }
 
+static PyObject *call_check_rope(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "check_rope", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    double in_gravity;
+    double in_shortest;
+    double in_longest;
+    Py_buffer *in_work;
+    Py_buffer *in_report;
+    (void)self;
+    if (take_count(&call, count, 8)
+        && (in_timing = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
+        && take_float(&call, 3, &in_gravity)
+        && take_float(&call, 4, &in_shortest)
+        && take_float(&call, 5, &in_longest)
+        && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
+        && (in_report = take_array(&call, 7, 1, 'd', true)) != NULL) {
+        answer = PyLong_FromLongLong(segfmu_check_rope(
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            in_gravity,
+            in_shortest,
+            in_longest,
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_1d){in_report->buf, {in_report->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_feedback_correction(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -898,10 +935,10 @@ static PyObject *call_seed_numbers(
     (void)self;
     if (take_count(&call, count, 2)
         && take_int(&call, 0, &in_seed)
-        && (in_numbers = take_array(&call, 1, 1, 'l', true)) != NULL) {
+        && (in_numbers = take_array(&call, 1, 1, 'd', true)) != NULL) {
         segfmu_seed_numbers(
             in_seed,
-            (array_int64_t_1d){in_numbers->buf, {in_numbers->shape[0]}});
+            (array_double_1d){in_numbers->buf, {in_numbers->shape[0]}});
         answer = Py_NewRef(Py_None);
     }
     release_arguments(&call);
@@ -916,9 +953,9 @@ static PyObject *call_next_uniform(
     Py_buffer *in_numbers;
     (void)self;
     if (take_count(&call, count, 1)
-        && (in_numbers = take_array(&call, 0, 1, 'l', true)) != NULL) {
+        && (in_numbers = take_array(&call, 0, 1, 'd', true)) != NULL) {
         answer = PyFloat_FromDouble(segfmu_next_uniform(
-            (array_int64_t_1d){in_numbers->buf, {in_numbers->shape[0]}}));
+            (array_double_1d){in_numbers->buf, {in_numbers->shape[0]}}));
     }
     release_arguments(&call);
     return answer;
@@ -937,45 +974,13 @@ static PyObject *call_noise_components(
     if (take_count(&call, count, 4)
         && take_float(&call, 0, &in_bandwidth)
         && (in_deviation = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_numbers = take_array(&call, 2, 1, 'l', true)) != NULL
+        && (in_numbers = take_array(&call, 2, 1, 'd', true)) != NULL
         && (in_components = take_array(&call, 3, 2, 'd', true)) != NULL) {
         segfmu_noise_components(
             in_bandwidth,
             (array_double_1d){in_deviation->buf, {in_deviation->shape[0]}},
-            (array_int64_t_1d){in_numbers->buf, {in_numbers->shape[0]}},
+            (array_double_1d){in_numbers->buf, {in_numbers->shape[0]}},
             (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_measure_state(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "measure_state", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_state;
-    Py_buffer *in_offset;
-    Py_buffer *in_deviation;
-    Py_buffer *in_resolution;
-    Py_buffer *in_numbers;
-    Py_buffer *in_measured;
-    (void)self;
-    if (take_count(&call, count, 6)
-        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_offset = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_deviation = take_array(&call, 2, 1, 'd', false)) != NULL
-        && (in_resolution = take_array(&call, 3, 1, 'd', false)) != NULL
-        && (in_numbers = take_array(&call, 4, 1, 'l', true)) != NULL
-        && (in_measured = take_array(&call, 5, 1, 'd', true)) != NULL) {
-        segfmu_measure_state(
-            (array_double_1d){in_state->buf, {in_state->shape[0]}},
-            (array_double_1d){in_offset->buf, {in_offset->shape[0]}},
-            (array_double_1d){in_deviation->buf, {in_deviation->shape[0]}},
-            (array_double_1d){in_resolution->buf, {in_resolution->shape[0]}},
-            (array_int64_t_1d){in_numbers->buf, {in_numbers->shape[0]}},
-            (array_double_1d){in_measured->buf, {in_measured->shape[0]}});
         answer = Py_NewRef(Py_None);
     }
     release_arguments(&call);
@@ -1028,6 +1033,177 @@ static PyObject *call_plant_advance(
     return answer;
 }
 
+static PyObject *call_measure_state(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "measure_state", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_state;
+    Py_buffer *in_sensors;
+    Py_buffer *in_numbers;
+    Py_buffer *in_measured;
+    (void)self;
+    if (take_count(&call, count, 4)
+        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_sensors = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_numbers = take_array(&call, 2, 1, 'd', true)) != NULL
+        && (in_measured = take_array(&call, 3, 1, 'd', true)) != NULL) {
+        segfmu_measure_state(
+            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+            (array_double_1d){in_sensors->buf, {in_sensors->shape[0]}},
+            (array_double_1d){in_numbers->buf, {in_numbers->shape[0]}},
+            (array_double_1d){in_measured->buf, {in_measured->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_rig_rows(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "rig_rows", .values = values};
+    PyObject *answer = NULL;
+    double in_sample_time;
+    double in_dead_time;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && take_float(&call, 0, &in_sample_time)
+        && take_float(&call, 1, &in_dead_time)) {
+        answer = PyLong_FromLongLong(segfmu_rig_rows(
+            in_sample_time,
+            in_dead_time));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_rig_start(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "rig_start", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_loop;
+    Py_buffer *in_sensors;
+    Py_buffer *in_changes;
+    Py_buffer *in_parameters;
+    Py_buffer *in_state;
+    Py_buffer *in_setpoints;
+    double in_start;
+    Py_buffer *in_memory;
+    (void)self;
+    if (take_count(&call, count, 8)
+        && (in_loop = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_sensors = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_changes = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_parameters = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_state = take_array(&call, 4, 1, 'd', false)) != NULL
+        && (in_setpoints = take_array(&call, 5, 1, 'd', false)) != NULL
+        && take_float(&call, 6, &in_start)
+        && (in_memory = take_array(&call, 7, 2, 'd', true)) != NULL) {
+        segfmu_rig_start(
+            (array_double_1d){in_loop->buf, {in_loop->shape[0]}},
+            (array_double_1d){in_sensors->buf, {in_sensors->shape[0]}},
+            (array_double_2d){in_changes->buf, {in_changes->shape[0], in_changes->shape[1]}},
+            (array_double_1d){in_parameters->buf, {in_parameters->shape[0]}},
+            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+            (array_double_1d){in_setpoints->buf, {in_setpoints->shape[0]}},
+            in_start,
+            (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_rig_step(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "rig_step", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_loop;
+    Py_buffer *in_sensors;
+    Py_buffer *in_components;
+    Py_buffer *in_changes;
+    Py_buffer *in_tracking;
+    Py_buffer *in_lengths;
+    Py_buffer *in_table;
+    Py_buffer *in_gain_lengths;
+    Py_buffer *in_gains;
+    Py_buffer *in_tracker;
+    Py_buffer *in_setpoints;
+    double in_duration;
+    Py_buffer *in_memory;
+    (void)self;
+    if (take_count(&call, count, 13)
+        && (in_loop = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_sensors = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_components = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_changes = take_array(&call, 3, 2, 'd', false)) != NULL
+        && (in_tracking = take_array(&call, 4, 1, 'd', false)) != NULL
+        && (in_lengths = take_array(&call, 5, 1, 'd', false)) != NULL
+        && (in_table = take_array(&call, 6, 3, 'd', false)) != NULL
+        && (in_gain_lengths = take_array(&call, 7, 1, 'd', false)) != NULL
+        && (in_gains = take_array(&call, 8, 3, 'd', false)) != NULL
+        && (in_tracker = take_array(&call, 9, 2, 'd', true)) != NULL
+        && (in_setpoints = take_array(&call, 10, 1, 'd', false)) != NULL
+        && take_float(&call, 11, &in_duration)
+        && (in_memory = take_array(&call, 12, 2, 'd', true)) != NULL) {
+        answer = PyLong_FromLongLong(segfmu_rig_step(
+            (array_double_1d){in_loop->buf, {in_loop->shape[0]}},
+            (array_double_1d){in_sensors->buf, {in_sensors->shape[0]}},
+            (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}},
+            (array_double_2d){in_changes->buf, {in_changes->shape[0], in_changes->shape[1]}},
+            (array_double_1d){in_tracking->buf, {in_tracking->shape[0]}},
+            (array_double_1d){in_lengths->buf, {in_lengths->shape[0]}},
+            (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}},
+            (array_double_1d){in_gain_lengths->buf, {in_gain_lengths->shape[0]}},
+            (array_double_3d){in_gains->buf, {in_gains->shape[0], in_gains->shape[1], in_gains->shape[2]}},
+            (array_double_2d){in_tracker->buf, {in_tracker->shape[0], in_tracker->shape[1]}},
+            (array_double_1d){in_setpoints->buf, {in_setpoints->shape[0]}},
+            in_duration,
+            (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_rig_balance(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "rig_balance", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_memory;
+    Py_buffer *in_balance;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_memory = take_array(&call, 0, 2, 'd', true)) != NULL
+        && (in_balance = take_array(&call, 1, 1, 'd', true)) != NULL) {
+        segfmu_rig_balance(
+            (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}},
+            (array_double_1d){in_balance->buf, {in_balance->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_rig_imbalance(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "rig_imbalance", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_balance;
+    (void)self;
+    if (take_count(&call, count, 1)
+        && (in_balance = take_array(&call, 0, 1, 'd', false)) != NULL) {
+        answer = PyFloat_FromDouble(segfmu_rig_imbalance(
+            (array_double_1d){in_balance->buf, {in_balance->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyMethodDef methods[] = {
     {"ramp_parameters", (PyCFunction)(void (*)(void))call_ramp_parameters, METH_FASTCALL, NULL},
     {"ramp_duration", (PyCFunction)(void (*)(void))call_ramp_duration, METH_FASTCALL, NULL},
@@ -1040,6 +1216,7 @@ static PyMethodDef methods[] = {
     {"count_pieces", (PyCFunction)(void (*)(void))call_count_pieces, METH_FASTCALL, NULL},
     {"expand_plan", (PyCFunction)(void (*)(void))call_expand_plan, METH_FASTCALL, NULL},
     {"check_plan", (PyCFunction)(void (*)(void))call_check_plan, METH_FASTCALL, NULL},
+    {"check_rope", (PyCFunction)(void (*)(void))call_check_rope, METH_FASTCALL, NULL},
     {"feedback_correction", (PyCFunction)(void (*)(void))call_feedback_correction, METH_FASTCALL, NULL},
     {"feedback_bandwidth", (PyCFunction)(void (*)(void))call_feedback_bandwidth, METH_FASTCALL, NULL},
     {"feedback_gains", (PyCFunction)(void (*)(void))call_feedback_gains, METH_FASTCALL, NULL},
@@ -1055,8 +1232,13 @@ static PyMethodDef methods[] = {
     {"seed_numbers", (PyCFunction)(void (*)(void))call_seed_numbers, METH_FASTCALL, NULL},
     {"next_uniform", (PyCFunction)(void (*)(void))call_next_uniform, METH_FASTCALL, NULL},
     {"noise_components", (PyCFunction)(void (*)(void))call_noise_components, METH_FASTCALL, NULL},
-    {"measure_state", (PyCFunction)(void (*)(void))call_measure_state, METH_FASTCALL, NULL},
     {"plant_advance", (PyCFunction)(void (*)(void))call_plant_advance, METH_FASTCALL, NULL},
+    {"measure_state", (PyCFunction)(void (*)(void))call_measure_state, METH_FASTCALL, NULL},
+    {"rig_rows", (PyCFunction)(void (*)(void))call_rig_rows, METH_FASTCALL, NULL},
+    {"rig_start", (PyCFunction)(void (*)(void))call_rig_start, METH_FASTCALL, NULL},
+    {"rig_step", (PyCFunction)(void (*)(void))call_rig_step, METH_FASTCALL, NULL},
+    {"rig_balance", (PyCFunction)(void (*)(void))call_rig_balance, METH_FASTCALL, NULL},
+    {"rig_imbalance", (PyCFunction)(void (*)(void))call_rig_imbalance, METH_FASTCALL, NULL},
     {NULL, NULL, 0, NULL},
 };
 

@@ -1,0 +1,89 @@
+"""The sampled loop in a program without Python: the numbers of `Plant`, nothing out of bounds."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from segfmu.codegen.native import TARGET
+from segfmu.crane import Plant, Rig, Sensors, Setpoints, SwayFeedback
+from tests.kernels.rigs import HANGING, LAB, everything, feedback, observer, tracking
+
+COMPILER = shutil.which("cc")
+STEPS = 60
+SANITIZERS = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
+
+pytestmark = pytest.mark.skipif(COMPILER is None, reason="no C compiler found")
+
+
+def compiled(program: Path, *flags: str) -> Path:
+    sources = [Path(__file__).with_name("rig_driver.c"), TARGET / "kernels.c"]
+    strict = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-ffp-contract=off"]
+    unused = ["-Wno-unused-variable", "-Wno-unused-but-set-variable"]
+    subprocess.run(
+        [COMPILER, *strict, *unused, *flags, f"-I{TARGET}", *sources, "-lm", "-o", program],
+        check=True,
+    )
+    return program
+
+
+@pytest.fixture(scope="module")
+def driver(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The driver with the compiler's checks of memory and undefined behaviour."""
+    return compiled(tmp_path_factory.mktemp("driver") / "driver", "-O1", "-g", *SANITIZERS)
+
+
+def steps(driven: bool) -> list[tuple[float, Setpoints]]:
+    """Durations and setpoints; the first is the start."""
+    found = []
+    for i in range(STEPS + 1):
+        share = i / STEPS
+        force, velocity = np.array([share, share, -9.81 - share]), np.full(3, 0.1 * share)
+        found.append((0.001 * (1 + i % 7), Setpoints(force, velocity, HANGING + 0.01 * share)))
+    return found
+
+
+def case(rig: Rig, kind: str, driven: bool) -> tuple[str, Plant]:
+    """What the driver reads, and the same as a plant."""
+    controller = feedback(driven) if kind == "state" else tracking(driven)
+    start = HANGING.copy()
+    start[3:5] = 0.1, -0.05
+    table = steps(driven)
+    plant = Plant(LAB, start, table[0][1], controller, driven=driven, rig=rig, start_time=0.3)
+    parameters = np.zeros(20) if isinstance(controller, SwayFeedback) else controller.parameters
+    seen, gains = observer(driven), feedback(driven)
+    arrays = [
+        [1.0 if kind == "state" else 2.0, controller.sample_time, 1.0, 1e-10], rig.sensors.vector,
+        rig.parameters(LAB, driven), start, [0.3], rig.wind.components, rig.changes, parameters,
+        seen.lengths, seen.table, gains.lengths, gains.gains,
+        *(np.append(duration, setpoints.vector) for duration, setpoints in table),
+    ]
+    sizes = len(rig.wind.components), len(rig.changes), seen.lengths.size, STEPS
+    numbers = np.concatenate([np.ravel(a) for a in arrays])
+    return " ".join(map(str, sizes)) + " " + " ".join(float(x).hex() for x in numbers), plant
+
+
+@pytest.mark.parametrize("driven", [False, True])
+@pytest.mark.parametrize("kind", ["state", "tracking"])
+@pytest.mark.parametrize("rig", [Rig(), everything(), Rig(sensors=Sensors(0.001, 0.0317))])
+def test_c_steps_as_the_plant_and_its_memory_is_one_block(
+    driver: Path, rig: Rig, kind: str, driven: bool
+) -> None:
+    text, plant = case(rig, kind, driven)
+    done = subprocess.run(
+        [driver], input=text, capture_output=True, text=True, check=True, timeout=60
+    )
+    rows = np.array([[float.fromhex(x) for x in line.split()] for line in done.stdout.splitlines()])
+    expected = []
+    for duration, setpoints in steps(driven)[1:]:
+        plant.step(duration, setpoints)
+        expected.append(np.concatenate([plant.state, plant.measured, plant.drive_force]))
+    assert rows[:STEPS] == pytest.approx(np.array(expected), rel=1e-10, abs=1e-12)
+    # from the middle on once more, after the block was put back
+    again = STEPS - (STEPS + 1) // 2 + 1
+    assert len(rows) == STEPS + again
+    assert rows[STEPS:].tolist() == rows[STEPS - again : STEPS].tolist()
