@@ -209,9 +209,16 @@ def test_campaign_writes_tables_and_maps(monkeypatch, capsys, tmp_path: Path) ->
     }
 
 
-def test_campaign_refuses_a_wrong_file_and_wrong_jobs(monkeypatch, capsys, tmp_path) -> None:
+def test_campaign_refuses_wrong_files_folders_and_jobs(monkeypatch, capsys, tmp_path) -> None:
     code, _, err = invoke(monkeypatch, capsys, "campaign", str(tmp_path / "none.toml"))
     assert code == 2
     assert err.count("\n") == 1 and "none.toml" in err
     code, _, _ = invoke(monkeypatch, capsys, "campaign", "x.toml", "--jobs", "0")
     assert code == 2
+    (tmp_path / "mission.toml").write_text(GOOD, encoding="utf-8")
+    code, _, err = invoke(
+        monkeypatch, capsys, "campaign", str(tmp_path / "mission.toml"), "--output",
+        str(tmp_path / "mission.toml" / "out"),
+    )
+    assert code == 2
+    assert err.count("\n") == 1 and "cannot be made" in err

@@ -108,11 +108,12 @@ def campaign(
     task = load_mission(mission)
     trajectory = _planned(task)
     from segfmu.validation.campaign import run_campaign
-    from segfmu.validation.campaign_files import write_maps, write_tables
+    from segfmu.validation.campaign_files import require_folder, write_maps, write_tables
     from segfmu.validation.campaign_report import outcome_table, verdict_table
     from segfmu.validation.methods import MODES
     from segfmu.validation.verdict import compare
 
+    require_folder(output)
     with Progress(console=console, transient=True) as progress:
         bar = progress.add_task("disturbances and methods", total=1.0)
         outcomes = run_campaign(

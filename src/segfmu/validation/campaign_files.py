@@ -14,6 +14,7 @@ import numpy as np
 
 from segfmu.cosim import write_csv
 from segfmu.cosim.result import replacing
+from segfmu.errors import InputError
 from segfmu.planning import Trajectory
 from segfmu.validation.campaign import Outcome
 from segfmu.validation.campaign_plots import plot_eigenvalues, plot_move_times, plot_outcomes
@@ -29,6 +30,20 @@ COARSE_GRIDS = ((3, 4), (4, 3))
 
 # distances of the map of move times [m]
 DISTANCES = (0.02, 1.2)
+
+
+def require_folder(folder: Path) -> None:
+    """Make a folder, before a minute of computing for it.
+
+    Raises
+    ------
+    InputError
+        When it cannot be made.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise InputError(f"{folder}: cannot be made: {error.strerror}") from None
 
 
 def write_tables(
