@@ -30,7 +30,8 @@ def controller(
     observer = design_observer(
         INTECO, lag=lags(driven), delayed=delayed, uncertainty=Uncertainty(wake=0.0), **ranges
     )
-    found = DESIGNS[kind](INTECO, **ranges)
+    known = {"lag": max(lags(driven))} if kind == "flat" else {}
+    found = DESIGNS[kind](INTECO, **ranges, **known)
     gains = SwayFeedback(period, found.lengths, factor * found.gains, found.payload)
     return TrackingController(observer, gains, **options)
 
@@ -111,12 +112,14 @@ def test_force_mode_decays_as_its_largest_eigenvalue_says(kind: str, payload: fl
     assert 1.0 - found == pytest.approx(1.0 - expected, rel=0.05)
 
 
-@pytest.mark.parametrize(("kind", "factor"), [("lqr", 16.0), ("flat", 12.0)])
+@pytest.mark.parametrize(("kind", "factor"), [("lqr", 12.0), ("flat", 12.0)])
 def test_gains_that_are_too_high_are_unstable(kind: str, factor: float) -> None:
     loop = controller(kind, True, factor=factor)
     expected = largest_eigenvalue(loop, 0.5, 1.0, lags(True))
     assert expected > 1.05
-    sizes = np.linalg.norm(deviations(loop, 0.5, 1.0, True, 1.0), axis=1)
+    # until it has grown enough to be seen, and is still small
+    duration = 0.01 * np.log(1e4) / np.log(expected)
+    sizes = np.linalg.norm(deviations(loop, 0.5, 1.0, True, duration), axis=1)
     assert decay(sizes) == pytest.approx(expected, abs=0.02)
 
 

@@ -4187,11 +4187,11 @@ void segfmu_feedback_correction(array_double_1d state, array_double_1d reference
         (*cspan_at(&correction, i)) = -total;
     }
 }
-/*Bandwidth [rad/s]: `ratio` pendulum frequencies, at most `largest` radians a sample. */
-double segfmu_feedback_bandwidth(double ratio, double length, double gravity, double sample_time, double largest)
+/*Bandwidth [rad/s]: `ratio` pendulum frequencies, at most `largest` radians in a delay [s]. */
+double segfmu_feedback_bandwidth(double ratio, double length, double gravity, double delay, double largest)
 {
     double result;
-    return span_min(ratio * sqrt(gravity / length), largest / sample_time);
+    return span_min(ratio * sqrt(gravity / length), largest / delay);
 }
 /*Gains (3, 10) that give the flat output's error chosen poles; closed form.                           */
 /*                                                                                                     */
