@@ -206,7 +206,8 @@ def _gains(crane: Crane, kind: str, driven: bool, ropes: tuple[float, float]) ->
             crane, sample_time=SAMPLE_TIME, shortest=shortest, longest=longest, driven=driven
         )
     return design_flat(
-        crane, sample_time=SAMPLE_TIME, shortest=shortest, longest=longest, driven=driven
+        crane, sample_time=SAMPLE_TIME, shortest=shortest, longest=longest, driven=driven,
+        lag=LAG if driven else 0.0,
     )
 
 
