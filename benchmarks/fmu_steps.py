@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from benchmarks.drivers import NATIVE, compiled
 from benchmarks.report import Part, Record, Section, Settings
@@ -49,11 +50,11 @@ def measure(settings: Settings) -> Part:
     ours = native.build_all(natives, settings.folder / "native")
     theirs = build_all(settings.folder / "python", specs=specs)
     driver = compiled(
-        "cc", ["-std=c99", f"-I{HEADERS}", "-shared", "-fPIC"], [NATIVE / "fmu_driver.c"],
+        "cc", ["-std=c99", f"-I{HEADERS}"], [NATIVE / "fmu_driver.c"],
         settings.folder / "fmu_driver.so",
     )
     nothing = settings.folder / "nothing.so"
-    compiled("cc", ["-std=c99", f"-I{HEADERS}", "-shared", "-fPIC"], [NATIVE / "nothing.c"], nothing)
+    compiled("cc", ["-std=c99", f"-I{HEADERS}"], [NATIVE / "nothing.c"], nothing)
     records: list[Record] = []
     for spec, path, other in zip(natives, ours, theirs, strict=True):
         steps = 40 * settings.samples
@@ -114,7 +115,7 @@ def _in_c(driver: ctypes.CDLL, spec: Spec, library: Path, steps: int) -> tuple[f
     references = {v.name: i for i, v in enumerate(spec.variables)}
     inputs = spec.where("input")
     outputs = [v for v in spec.where("output") if v.kind == "Real"]
-    arrays = [
+    arrays: list[NDArray[Any]] = [
         np.zeros(0, np.uint32), np.zeros(0, np.uint32),
         np.array([references[v.name] for v in inputs], np.uint32),
         np.array([references[v.name] for v in outputs], np.uint32), np.zeros(0),

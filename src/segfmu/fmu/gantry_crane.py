@@ -7,7 +7,8 @@ from typing import Any
 
 from segfmu.crane import Crane
 from segfmu.crane.feedback import SwayFeedback, design
-from segfmu.crane.flat_feedback import DAMPING, HOIST_RATIO, RATIO
+from segfmu.crane.flat_feedback import DAMPING, HOIST_LARGEST, HOIST_RATIO, LARGEST, RATIO
+from segfmu.crane.plant import TOLERANCE
 from segfmu.fmu.rig_parameters import DRIVES, rig_parameters
 from segfmu.fmu.spec import (
     Array,
@@ -200,6 +201,10 @@ def native_spec(own: Spec | None = None) -> Spec:
         own, variables=(*kept, *table, *locals_, power, time()), arrays=_table_arrays(),
         states=tuple(zip(STATES, RATES, strict=True)), dependencies=_dependencies(),
         partials=("ModelExchange",),
+        constants=(
+            ("LARGEST_ANGLE", LARGEST), ("LARGEST_HOIST_ANGLE", HOIST_LARGEST),
+            ("TOLERANCE", TOLERANCE),
+        ),
     )
 
 

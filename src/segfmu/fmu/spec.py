@@ -68,7 +68,8 @@ class Spec:
 
     What follows the step size is for native FMUs alone: arrays of FMI 3.0, continuous states of
     model exchange with their derivatives, the variables that an unknown depends on, the highest
-    order of output derivatives, and the interfaces with directional derivatives.
+    order of output derivatives, the interfaces with directional derivatives, and constants of the
+    Python package that the model in C shares.
     """
 
     name: str
@@ -81,6 +82,7 @@ class Spec:
     dependencies: tuple[tuple[str, tuple[str, ...]], ...] = ()
     orders: int = 0
     partials: tuple[str, ...] = ("ModelExchange", "CoSimulation")
+    constants: tuple[tuple[str, float], ...] = ()
     references: dict[str, int] = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:

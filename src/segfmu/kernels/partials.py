@@ -6,7 +6,7 @@ the drives, 8 force on the rope, 9 power of the drives, 10 of the wind, 11 of fr
 time. `memory` is that of kernels/rig.py after `rig_rates` for the same time and setpoints.
 """
 
-from math import cos, tanh
+from math import cos, sin, tanh
 
 from segfmu.kernels._partials import (
     crane_driven_partials,
@@ -40,8 +40,9 @@ def wind_slope(parameters: 'float[:]', components: 'float[:,:]', time: float, ax
                 rate = 0.5 * full_circle() * cos(angle - 0.25 * full_circle())
             slope = rate / parameters[32] * parameters[34 + axis]
     for k in range(components.shape[0]):
-        phase = components[k, 0] * time + components[k, 4 + axis]
-        slope = slope + components[k, 1 + axis] * components[k, 0] * cos(phase)
+        angle = components[k, 0] * time
+        sines = components[k, 1 + axis] * cos(angle) - components[k, 4 + axis] * sin(angle)
+        slope = slope + components[k, 0] * sines
     return slope
 
 

@@ -4226,11 +4226,11 @@ void segfmu_feedback_correction(array_double_1d state, array_double_1d reference
         (*cspan_at(&correction, i)) = -total;
     }
 }
-/*Bandwidth [rad/s]: `ratio` pendulum frequencies, at most `largest` radians a sample. */
-double segfmu_feedback_bandwidth(double ratio, double length, double gravity, double sample_time, double largest)
+/*Bandwidth [rad/s]: `ratio` pendulum frequencies, at most `largest` radians in a delay [s]. */
+double segfmu_feedback_bandwidth(double ratio, double length, double gravity, double delay, double largest)
 {
     double result;
-    return span_min(ratio * sqrt(gravity / length), largest / sample_time);
+    return span_min(ratio * sqrt(gravity / length), largest / delay);
 }
 /*Gains (3, 10) that give the flat output's error chosen poles; closed form.                           */
 /*                                                                                                     */
@@ -4433,11 +4433,12 @@ static void track_observe(array_double_1d parameters, array_double_1d lengths, a
 /*Feedback on the estimated deviation from where the disturbances are balanced.                  */
 /*                                                                                               */
 /*    A load pushed by an acceleration w hangs at the angle w / g; its position is right with the*/
-/*    carriage at -l w / g.                                                                      */
+/*    carriage at -l w / g, and its height with a rope longer by l (w / g)^2 / 2.                */
 /*                                                                                               */
 static void track_law(array_double_1d parameters, double length, array_double_1d gain_lengths, array_double_3d gains, array_double_2d memory, array_double_1d correction)
 {
     int64_t i;
+    double slant;
     double sign;
     double angle;
     double mass;
@@ -4466,6 +4467,7 @@ static void track_law(array_double_1d parameters, double length, array_double_1d
         (*cspan_at(&memory, INT64_C(7), i)) = (*cspan_at(&memory, i, INT64_C(0)));
         (*cspan_at(&memory, INT64_C(7), INT64_C(5) + i)) = (*cspan_at(&memory, i, INT64_C(2)));
     }
+    slant = 0.0;
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
         sign = 1.0 - 2.0 * i;
@@ -4473,9 +4475,10 @@ static void track_law(array_double_1d parameters, double length, array_double_1d
         (*cspan_at(&memory, INT64_C(7), i)) = (*cspan_at(&memory, INT64_C(7), i)) + length * angle;
         (*cspan_at(&memory, INT64_C(7), INT64_C(3) + i)) = sign * ((*cspan_at(&memory, i, INT64_C(1))) - angle);
         (*cspan_at(&memory, INT64_C(7), INT64_C(8) + i)) = sign * (*cspan_at(&memory, i, INT64_C(3)));
+        slant = slant + 0.5 * length * angle * angle;
     }
     /*the first argument's length chooses the gains, the difference is the deviation*/
-    (*cspan_at(&memory, INT64_C(8), INT64_C(2))) = length - (*cspan_at(&memory, INT64_C(7), INT64_C(2)));
+    (*cspan_at(&memory, INT64_C(8), INT64_C(2))) = length - (*cspan_at(&memory, INT64_C(7), INT64_C(2))) + slant;
     (*cspan_at(&memory, INT64_C(7), INT64_C(2))) = length;
     segfmu_feedback_correction(span_row(&memory, INT64_C(7)), span_row(&memory, INT64_C(8)), gain_lengths, gains, correction);
     if ((*cspan_at(&parameters, INT64_C(0))) < 0.5)
@@ -7466,7 +7469,7 @@ static double wind_slope(array_double_1d parameters, array_double_2d components,
     double angle;
     double rate;
     int64_t k;
-    double phase;
+    double sines;
     double slope;
     slope = 0.0;
     if ((*cspan_at(&parameters, INT64_C(32))) > 0.0)
@@ -7489,8 +7492,9 @@ static double wind_slope(array_double_1d parameters, array_double_2d components,
     }
     for (k = INT64_C(0); k < components.shape[INT64_C(0)]; k += INT64_C(1))
     {
-        phase = (*cspan_at(&components, k, INT64_C(0))) * time + (*cspan_at(&components, k, INT64_C(4) + axis));
-        slope = slope + (*cspan_at(&components, k, INT64_C(1) + axis)) * (*cspan_at(&components, k, INT64_C(0))) * cos(phase);
+        angle = (*cspan_at(&components, k, INT64_C(0))) * time;
+        sines = (*cspan_at(&components, k, INT64_C(1) + axis)) * cos(angle) - (*cspan_at(&components, k, INT64_C(4) + axis)) * sin(angle);
+        slope = slope + (*cspan_at(&components, k, INT64_C(0))) * sines;
     }
     return slope;
 }

@@ -21,7 +21,7 @@ int64_t segfmu_expand_plan(array_double_2d positions, array_double_2d velocities
 int64_t segfmu_check_plan(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d limits, double tolerance, array_double_2d work);
 int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, double shortest, double longest, array_double_2d work, array_double_1d report);
 void segfmu_feedback_correction(array_double_1d state, array_double_1d reference, array_double_1d lengths, array_double_3d gains, array_double_1d correction);
-double segfmu_feedback_bandwidth(double ratio, double length, double gravity, double sample_time, double largest);
+double segfmu_feedback_bandwidth(double ratio, double length, double gravity, double delay, double largest);
 void segfmu_feedback_gains(bool driven, double length, double bridge_mass, double trolley_mass, double payload_mass, double gravity, double bandwidth, double hoist_bandwidth, double damping, array_double_2d gains);
 void segfmu_observer_predict(double length, array_double_1d lengths, array_double_3d table, array_double_1d command, array_double_1d held, array_double_2d estimate, array_double_1d scratch);
 void segfmu_observer_correct(double length, array_double_1d lengths, array_double_3d table, array_double_1d measured, array_double_1d reference, array_double_2d estimate);

@@ -572,20 +572,20 @@ static PyObject *call_feedback_bandwidth(
     double in_ratio;
     double in_length;
     double in_gravity;
-    double in_sample_time;
+    double in_delay;
     double in_largest;
     (void)self;
     if (take_count(&call, count, 5)
         && take_float(&call, 0, &in_ratio)
         && take_float(&call, 1, &in_length)
         && take_float(&call, 2, &in_gravity)
-        && take_float(&call, 3, &in_sample_time)
+        && take_float(&call, 3, &in_delay)
         && take_float(&call, 4, &in_largest)) {
         answer = PyFloat_FromDouble(segfmu_feedback_bandwidth(
             in_ratio,
             in_length,
             in_gravity,
-            in_sample_time,
+            in_delay,
             in_largest));
     }
     release_arguments(&call);
