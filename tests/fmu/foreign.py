@@ -1,7 +1,7 @@
 """The native FMUs' sources on other platforms: `python -m tests.fmu.foreign`, or make foreign.
 
-The random call sequences of fuzz.py are compiled with ziglang for Windows and Arm, and run under Wine
-and qemu where these are installed; a line says where they are not.
+The random call sequences of fuzz.py are compiled with ziglang for Windows and Arm, and run under
+Wine and qemu where these are installed; a line says where they are not.
 """
 
 from __future__ import annotations
