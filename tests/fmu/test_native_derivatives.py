@@ -164,6 +164,42 @@ def test_feedforward_by_time_is_its_first_output_derivative(native_fmus, fmi: in
             assert adjoint[0] == pytest.approx(found @ [1.0, 2.0, 3.0])
 
 
+@pytest.mark.parametrize("fmi", [2, 3])
+@pytest.mark.parametrize("case", ["force", "friction", "velocity", "clamped"])
+def test_crane_outputs_over_time(native_fmus, fmi: int, case: str) -> None:
+    random = np.random.default_rng(7)
+    rates = random.uniform(-0.5, 0.5, len(INPUTS))
+    rates[19:] = 0.0
+    start = np.zeros(len(INPUTS))
+    start[2] = -9.81
+    with Importer(native_fmus[fmi][1]) as fmu:
+        fmu.set(CASES[case] | {"feedback.enabled": 0, "sway.x.angle": 0.1, "sway.y.rate": 0.2,
+                               "bridge.velocity": 0.1})
+        fmu.write(INPUTS, start)
+        fmu.initialise()
+        names = [
+            n for n, v in fmu.variables.items()
+            if v.causality == "output" and v.variability == "continuous"
+        ]
+        references = [fmu.variables[n].valueReference for n in names]
+        library = fmu.fmu
+        read = library.getOutputDerivatives if fmu.three else library.getRealOutputDerivatives
+        h, rows = 1e-4, []
+        for i in range(1, 304):
+            fmu.write(INPUTS, start + rates * i * h)
+            fmu.step((i - 1) * h, h)
+            if i >= 299:
+                rows.append(fmu.get(*names))
+            if i == 301:
+                found = np.array(read(references, [1] * len(names)))
+        quotient = (rows[0] - 8.0 * rows[1] + 8.0 * rows[3] - rows[4]) / (12.0 * h)
+        scale = np.maximum(np.abs(quotient), 1.0)
+        worst = int(np.argmax(np.abs(found - quotient) / scale))
+        assert abs(found - quotient)[worst] <= 1e-6 * scale[worst], (
+            names[worst], found[worst], quotient[worst]
+        )
+
+
 def test_what_has_no_derivative_is_refused(native_fmus) -> None:
     with Importer(native_fmus[2][0]) as fmu:
         fmu.initialise()

@@ -200,7 +200,7 @@ def native_spec(own: Spec | None = None) -> Spec:
     return replace(
         own, variables=(*kept, *table, *locals_, power, time()), arrays=_table_arrays(),
         states=tuple(zip(STATES, RATES, strict=True)), dependencies=_dependencies(),
-        partials=("ModelExchange",),
+        orders=1, partials=("ModelExchange",),
         constants=(
             ("LARGEST_ANGLE", LARGEST), ("LARGEST_HOIST_ANGLE", HOIST_LARGEST),
             ("TOLERANCE", TOLERANCE),

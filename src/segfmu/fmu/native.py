@@ -30,7 +30,9 @@ VERSIONS = {
     ),
 }
 MODELS = {
-    "GantryFeedforward": ("gantry_feedforward.c", "messages.c", "messages.h"),
+    "GantryFeedforward": (
+        "feedforward.h", "feedforward_plan.c", "gantry_feedforward.c", "messages.c", "messages.h",
+    ),
     "GantryCrane": ("crane.h", "crane_partials.c", "crane_setup.c", "gantry_crane.c"),
 }
 # of every entry of an archive, so that equal content gives equal bytes

@@ -21,6 +21,8 @@ typedef struct {
     double changes[CHANGES * 2], components[COMPONENTS * 7];
     double lengths[MOST_LENGTHS], gains[MOST_LENGTHS * GAINS];
     double derivative[MODEL_STATES];
+    /* co-simulation: inputs at the end of the last step, and their slopes in it */
+    double input[MODEL_INPUTS], slope[MODEL_INPUTS];
     /* by state, commands, wind and time, see kernels/partials.py; of load and energies by state */
     double partials[PARTIAL_ROWS * PARTIAL_COLUMNS], load_partials[6 * STATE];
     double energy_partials[2 * STATE];
@@ -64,6 +66,12 @@ void crane_read_inputs(crane *m);
 
 /* s since the start, as the rig counts them */
 double crane_elapsed(const crane *m);
+
+/* Derivatives of the state at the present time under setpoints; the plant's status. */
+int64_t crane_rates(crane *m);
+
+/* Whether accelerations follow from the setpoints: not without lag in velocity mode. */
+bool crane_follows(const crane *m);
 
 /* The message of a status of the plant. */
 bool crane_failed(crane *m, int64_t status, double time, char message[MESSAGE]);

@@ -1,5 +1,6 @@
-/* GantryCrane: exact partial derivatives in model exchange. */
-#include <math.h>
+/* GantryCrane: exact partial derivatives in model exchange, and with them the time derivatives of
+   outputs in co-simulation. */
+#include <string.h>
 
 #include "crane.h"
 
@@ -126,39 +127,105 @@ static double of_drive(const crane *m, int place, const known_place *k)
         + (k->column == 5 + drive ? real[V_DRIVE_BRIDGE_FORCE + place - 1] : 0.0);
 }
 
+/* Of an output or state derivative by one variable; `rig`: it follows from forces. */
+static double of_unknown(const crane *m, const variable *unknown, const known_place *k, bool *rig)
+{
+    int place, offset = unknown->offset;
+    *rig = false;
+    if (at(unknown, V_BRIDGE_POSITION, STATE, &place)) {
+        return k->column == place;
+    }
+    if (at(unknown, V_MEASURED_BRIDGE_POSITION, 5, &place)) {
+        return of_signal(m, place, k);
+    }
+    if (at(unknown, V_LOAD_POSITION_X, 6, &place)) {
+        return of_state(m->load_partials, place, k);
+    }
+    if (at(unknown, V_ERROR_LOAD_X, 3, &place)) {
+        return of_error(m, place, k);
+    }
+    if (offset == V_ERROR_LOAD_NORM) {
+        return of_norm(m, k);
+    }
+    *rig = true;
+    if (at(unknown, V_BRIDGE_ACCELERATION, 5, &place)) {
+        return of_rig(m, place, k);
+    }
+    if (at(unknown, V_DRIVE_BRIDGE_FORCE, 6, &place)) {
+        return of_drive(m, place, k);
+    }
+    if (offset == V_ROPE_FORCE) {
+        return of_rig(m, 8, k);
+    }
+    if (offset == V_POWER_DRIVES || offset == V_POWER_WIND || offset == V_POWER_FRICTION) {
+        return of_rig(m, offset == V_POWER_DRIVES ? 9 : offset == V_POWER_WIND ? 10 : 11, k);
+    }
+    *rig = false;
+    return of_energy(m, offset, k);
+}
+
 bool model_partial(model *base, const variable *unknown, const variable *known, double *value)
 {
     crane *m = (crane *)base;
     known_place k;
-    int place;
+    bool rig;
     if (base->interface != 0 || unknown->kind != KIND_REAL || !unknown->calculated
         || !find_known(m, known, &k) || !differentiate(m)) {
         return false;
     }
-    if (at(unknown, V_BRIDGE_POSITION, STATE, &place)) {
-        *value = k.column == place;
-    } else if (at(unknown, V_BRIDGE_ACCELERATION, 5, &place)) {
-        *value = of_rig(m, place, &k);
-    } else if (at(unknown, V_MEASURED_BRIDGE_POSITION, 5, &place)) {
-        *value = of_signal(m, place, &k);
-    } else if (at(unknown, V_LOAD_POSITION_X, 6, &place)) {
-        *value = of_state(m->load_partials, place, &k);
-    } else if (at(unknown, V_ERROR_LOAD_X, 3, &place)) {
-        *value = of_error(m, place, &k);
-    } else if (unknown->offset == V_ERROR_LOAD_NORM) {
-        *value = of_norm(m, &k);
-    } else if (at(unknown, V_DRIVE_BRIDGE_FORCE, 6, &place)) {
-        *value = of_drive(m, place, &k);
-    } else if (unknown->offset == V_ROPE_FORCE) {
-        *value = of_rig(m, 8, &k);
-    } else if (unknown->offset == V_POWER_DRIVES) {
-        *value = of_rig(m, 9, &k);
-    } else if (unknown->offset == V_POWER_WIND) {
-        *value = of_rig(m, 10, &k);
-    } else if (unknown->offset == V_POWER_FRICTION) {
-        *value = of_rig(m, 11, &k);
-    } else {
-        *value = of_energy(m, unknown->offset, &k);
+    *value = of_unknown(m, unknown, &k, &rig);
+    return true;
+}
+
+/* Make the kernel's work space that of the present time; the step's report stays. */
+static void settle(crane *m)
+{
+    double report[COLUMNS], *now = m->memory + ROW_REPORT * COLUMNS;
+    if (m->differentiated != 0 || !crane_follows(m)) {
+        return;
     }
+    memcpy(report, now, sizeof report);
+    memcpy(m->setpoints, m->input, 16 * sizeof *m->setpoints);
+    /* corrections are in the velocities already */
+    m->memory[ROW_CLOCK * COLUMNS + 8] = crane_elapsed(m);
+    crane_rates(m);
+    memcpy(now, report, sizeof report);
+}
+
+bool model_output_derivative(model *base, const variable *output, int64_t order, double *value)
+{
+    crane *m = (crane *)base;
+    bool rig, smooth;
+    if (base->interface == 0 || order != 1) {
+        return false;
+    }
+    settle(m);
+    smooth = differentiate(m) && crane_follows(m);
+    const double *commands = m->slope
+        + (m->parameters[4] > 0.5 ? V_VELOCITY_BRIDGE : V_FORCE_BRIDGE);
+    known_place k = {-1, -1, -1};
+    *value = of_unknown(m, output, &k, &rig);
+    if (rig && !smooth) {
+        return false;
+    }
+    double sum = 0.0;
+    for (k.column = 0; k.column < STATE; k.column++) {
+        sum += of_unknown(m, output, &k, &rig) * m->derivative[k.column];
+    }
+    for (k.column = COMMAND; k.column < WIND; k.column++) {
+        sum += of_unknown(m, output, &k, &rig) * commands[k.column - COMMAND];
+    }
+    k.column = TIME;
+    sum += of_unknown(m, output, &k, &rig);
+    k.column = -1;
+    for (k.energy = 0; k.energy < ENERGIES; k.energy++) {
+        sum += of_unknown(m, output, &k, &rig) * m->derivative[STATE + k.energy];
+    }
+    k.energy = -1;
+    for (k.reference = 0; k.reference < 3; k.reference++) {
+        sum += of_unknown(m, output, &k, &rig)
+            * m->slope[V_REFERENCE_LOAD_POSITION_X + k.reference];
+    }
+    *value = sum;
     return true;
 }

@@ -47,27 +47,36 @@ double crane_elapsed(const crane *m)
     return m->base.real[V_TIME] - m->memory[ROW_CLOCK * COLUMNS];
 }
 
-/* Derivatives at the present time, state and inputs. */
-static int64_t find_rates(crane *m)
+int64_t crane_rates(crane *m)
 {
-    crane_read_inputs(m);
     return segfmu_rig_rates(matrix(m->components, m->count_components, 7),
                             vector(m->setpoints, SETPOINTS), crane_elapsed(m), memory_of(m),
                             vector(m->derivative, MODEL_STATES));
 }
 
-/* The first derivatives, where they follow from the setpoints; the report stays that of a start. */
+/* The same under the present inputs. */
+static int64_t find_rates(crane *m)
+{
+    crane_read_inputs(m);
+    return crane_rates(m);
+}
+
+bool crane_follows(const crane *m)
+{
+    const double *lag = m->parameters + 5;
+    return m->parameters[4] < 0.5 || (lag[0] > 0.0 && lag[1] > 0.0 && lag[2] > 0.0);
+}
+
+/* The first derivatives; the report stays that of a start. */
 static void start_rates(crane *m)
 {
     double report[COLUMNS];
-    const double *lag = m->parameters + 5;
     memset(m->derivative, 0, sizeof m->derivative);
-    if (m->parameters[4] > 0.5 && (lag[0] == 0.0 || lag[1] == 0.0 || lag[2] == 0.0)) {
-        return;
+    if (crane_follows(m)) {
+        memcpy(report, row(m, ROW_REPORT), sizeof report);
+        find_rates(m);
+        memcpy(row(m, ROW_REPORT), report, sizeof report);
     }
-    memcpy(report, row(m, ROW_REPORT), sizeof report);
-    find_rates(m);
-    memcpy(row(m, ROW_REPORT), report, sizeof report);
 }
 
 bool model_initialise(model *base, char message[MESSAGE])
@@ -87,6 +96,8 @@ bool model_initialise(model *base, char message[MESSAGE])
         base->integer[V_DRIVE_BRIDGE_SATURATED + i] = 0;
     }
     start_rates(m);
+    memcpy(m->input, base->real, sizeof m->input);
+    memset(m->slope, 0, sizeof m->slope);
     return true;
 }
 
@@ -97,16 +108,21 @@ bool model_initialise(model *base, char message[MESSAGE])
 static void read_setpoints(crane *m, double time)
 {
     const model *base = &m->base;
-    double *last = row(m, ROW_LAST);
     double now = base->real[V_TIME], share = (time - now) / (base->step_end - now);
     crane_read_inputs(m);
-    for (int i = 0; i < 16; i++) {
+    for (int i = 0; i < V_WIND_X; i++) {
+        double start = m->input[i], end = base->real[i];
         if (base->sloped) {
-            double start = m->setpoints[i];
-            last[i] = start + base->slope[i] * (now - base->step_start);
-            m->setpoints[i] = start + base->slope[i] * (time - base->step_start);
+            start = end + base->slope[i] * (now - base->step_start);
+            end = end + base->slope[i] * (time - base->step_start);
         } else if (time < base->step_end) {
-            m->setpoints[i] = last[i] + (m->setpoints[i] - last[i]) * share;
+            end = start + (end - start) * share;
+        }
+        m->slope[i] = (end - start) / (time - now);
+        m->input[i] = end;
+        if (i < V_REFERENCE_LOAD_POSITION_X) {
+            row(m, ROW_LAST)[i] = start;
+            m->setpoints[i] = end;
         }
     }
 }
@@ -233,15 +249,6 @@ bool model_evaluate(model *base, char message[MESSAGE])
     real[V_POWER_FRICTION] = report[8];
     real[V_PAYLOAD_MASS] = row(m, ROW_PARAMETERS)[2];
     return true;
-}
-
-bool model_output_derivative(model *base, const variable *output, int64_t order, double *value)
-{
-    (void)base;
-    (void)output;
-    (void)order;
-    (void)value;
-    return false;
 }
 
 /* ---- model exchange ---- */

@@ -1113,6 +1113,7 @@ static int64_t root_level(double* result_0, double* result_1, double gain, doubl
     double rate;
     double following;
     double newton;
+    double found;
     t = lower + (upper - lower) * sqrt(share);
     level = a;
     for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
@@ -1142,6 +1143,12 @@ static int64_t root_level(double* result_0, double* result_1, double gain, doubl
         if (rate > 0.0)
         {
             newton = t - error / rate;
+            found = first + second;
+            /*far from the root, Newton's method on logarithms, as the gain is nearly a power*/
+            if ((found > 0.0) && (gain > 0.0) && ((found > 2.0 * gain) || (gain > 2.0 * found)))
+            {
+                newton = t * pow((gain / found), (found / (t * rate)));
+            }
             if ((newton > lower) && (newton < upper))
             {
                 following = newton;
@@ -1155,8 +1162,9 @@ static int64_t root_level(double* result_0, double* result_1, double gain, doubl
         }
         t = following;
     }
+    ramp_change(&change, &growth, t, ramp);
     (*result_0) = t;
-    (*result_1) = level;
+    (*result_1) = a + change;
     return 0;
 }
 /*Ramp from a to a level in [low, high], hold it, ramp to b, and gain a velocity.                  */
