@@ -971,54 +971,58 @@ static double level_past_zero(double v, double a, double velocity_limit, double 
     }
     return inside;
 }
-/*Phases from (v, a) to zero acceleration; their number (-1: the limit does not admit them). */
-/*                                                                                           */
-/*    Also returns duration, distance and end velocity.                                      */
-/*                                                                                           */
+/*Phases from (v, a) to zero acceleration; their number (-1: the limit does not admit them).     */
+/*                                                                                               */
+/*    Also returns duration, distance and end velocity. Where the way back from a level past zero*/
+/*    passes the limit on the other side, it is braked in turn.                                  */
+/*                                                                                               */
 static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases)
 {
     int64_t count;
+    double level;
+    double reached;
+    int64_t i;
     double duration;
     double y;
     double end;
     double lowest;
     double highest;
     double sign;
-    double level;
-    count = append_change(phases, INT64_C(0), a, 0.0, ramp);
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, ramp);
-    if (fabs(end) > velocity_limit * (1.0 + 1e-12))
+    double past;
+    count = INT64_C(0);
+    level = a;
+    reached = v;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
+        count = append_change(phases, count, level, 0.0, ramp);
+        segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, ramp);
+        if (fabs(end) <= velocity_limit * (1.0 + 1e-12))
+        {
+            (*result_0) = count;
+            (*result_1) = duration;
+            (*result_2) = y;
+            (*result_3) = end;
+            return 0;
+        }
+        count = count - INT64_C(1);
         sign = 1.0;
-        if (a < 0.0)
+        if (level < 0.0)
         {
             sign = -1.0;
         }
-        level = sign * level_past_zero(sign * v, sign * a, velocity_limit, top, ramp);
-        if (level * sign > 0.0)
+        past = sign * level_past_zero(sign * reached, sign * level, velocity_limit, top, ramp);
+        if (past * sign > 0.0)
         {
-            (*result_0) = -INT64_C(1);
-            (*result_1) = 0.0;
-            (*result_2) = 0.0;
-            (*result_3) = 0.0;
-            return 0;
+            break;
         }
-        count = append_change(phases, INT64_C(0), a, level, ramp);
-        count = append_change(phases, count, level, 0.0, ramp);
-        segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, ramp);
-        if (fabs(end) > velocity_limit)
-        {
-            (*result_0) = -INT64_C(1);
-            (*result_1) = 0.0;
-            (*result_2) = 0.0;
-            (*result_3) = 0.0;
-            return 0;
-        }
+        count = append_change(phases, count, level, past, ramp);
+        segfmu_measure_phases(&duration, &y, &reached, &lowest, &highest, phases, count, v, ramp);
+        level = past;
     }
-    (*result_0) = count;
-    (*result_1) = duration;
-    (*result_2) = y;
-    (*result_3) = end;
+    (*result_0) = -INT64_C(1);
+    (*result_1) = 0.0;
+    (*result_2) = 0.0;
+    (*result_3) = 0.0;
     return 0;
 }
 /*Put the braking of the initial and the build-up of the final acceleration around phases. */
@@ -2238,6 +2242,8 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
     double shortest;
     int64_t variant;
     int64_t attempt;
+    int64_t first;
+    int64_t last;
     bool brake_start;
     bool brake_end;
     double v1;
@@ -2275,6 +2281,8 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
         {
             break;
         }
+        first = INT64_C(0);
+        last = INT64_C(0);
         brake_start = span_floor_mod(variant, INT64_C(2)) == INT64_C(1);
         brake_end = span_floor_mod(variant, INT64_C(4)) >= INT64_C(2);
         if ((brake_start && (a == 0.0)) || (brake_end && (b == 0.0)))
@@ -2288,8 +2296,8 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
         rest = distance;
         if (brake_start)
         {
-            brake(&count, &duration, &y, &v1, v, a, velocity_limit, top, ramp, trial);
-            if (count < INT64_C(0))
+            brake(&first, &duration, &y, &v1, v, a, velocity_limit, top, ramp, trial);
+            if (first < INT64_C(0))
             {
                 return -INT64_C(1);
             }
@@ -2298,13 +2306,18 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
         }
         if (brake_end)
         {
-            brake(&count, &duration, &y, &w1, w, -b, velocity_limit, top, ramp, trial);
-            if (count < INT64_C(0))
+            brake(&last, &duration, &y, &w1, w, -b, velocity_limit, top, ramp, trial);
+            if (last < INT64_C(0))
             {
                 return -INT64_C(2);
             }
             rest = rest - y;
             b1 = 0.0;
+        }
+        /*12 rows hold seven phases between them*/
+        if (first + last > INT64_C(5))
+        {
+            continue;
         }
         count = shortest_between(attempt, found, trial, v1, a1, w1, b1, rest, velocity_limit, top, ramp);
         if ((count == INT64_C(0)) && (!((rest == 0.0) && (v1 == w1) && (a1 == 0.0) && (b1 == 0.0))))
@@ -2587,6 +2600,8 @@ static void timed_between(double target, double v, double a, double w, double b,
 double segfmu_timed_profile(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial)
 {
     int64_t variant;
+    int64_t first;
+    int64_t last;
     bool brake_start;
     bool brake_end;
     double time;
@@ -2595,7 +2610,6 @@ double segfmu_timed_profile(double target, double v, double a, double w, double 
     double a1;
     double w1;
     double b1;
-    int64_t count;
     double duration;
     double y;
     double span;
@@ -2610,6 +2624,8 @@ double segfmu_timed_profile(double target, double v, double a, double w, double 
     (*cspan_at(&found, INT64_C(4))) = 0.0;
     for (variant = INT64_C(0); variant < INT64_C(4); variant += INT64_C(1))
     {
+        first = INT64_C(0);
+        last = INT64_C(0);
         brake_start = (variant == INT64_C(1)) || (variant == INT64_C(3));
         brake_end = variant >= INT64_C(2);
         if ((brake_start && (a == 0.0)) || (brake_end && (b == 0.0)))
@@ -2624,8 +2640,8 @@ double segfmu_timed_profile(double target, double v, double a, double w, double 
         b1 = b;
         if (brake_start)
         {
-            brake(&count, &duration, &y, &v1, v, a, velocity_limit, top, ramp, trial);
-            if (count < INT64_C(0))
+            brake(&first, &duration, &y, &v1, v, a, velocity_limit, top, ramp, trial);
+            if (first < INT64_C(0))
             {
                 return -1.0;
             }
@@ -2635,8 +2651,8 @@ double segfmu_timed_profile(double target, double v, double a, double w, double 
         }
         if (brake_end)
         {
-            brake(&count, &duration, &y, &w1, w, -b, velocity_limit, top, ramp, trial);
-            if (count < INT64_C(0))
+            brake(&last, &duration, &y, &w1, w, -b, velocity_limit, top, ramp, trial);
+            if (last < INT64_C(0))
             {
                 return -1.0;
             }
@@ -2644,7 +2660,8 @@ double segfmu_timed_profile(double target, double v, double a, double w, double 
             rest = rest - y;
             b1 = 0.0;
         }
-        if (time <= 0.0)
+        /*12 rows hold seven phases between them*/
+        if ((time <= 0.0) || (first + last > INT64_C(5)))
         {
             continue;
         }
@@ -2770,32 +2787,41 @@ static bool set_duration(int64_t interval, int64_t axis, double target, double s
 /*The end of the gap that holds the infeasible duration `start`; -1 if none is found.                */
 /*                                                                                                   */
 /*    found[4] is the distance by which the profiles of `start` miss. To cover it takes at least the */
-/*    time that it takes at the velocity limit, of which a tenth is skipped at once.                 */
+/*    time that it takes at the velocity limit, of which a part is skipped at once. Windows of       */
+/*    feasible durations are narrower the smoother the ramps are, so for smoothness 5 and more the   */
+/*    steps are shorter.                                                                             */
 /*                                                                                                   */
 static double next_feasible(int64_t interval, int64_t axis, double start, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial)
 {
     double outside;
     double growth;
+    double skipped;
     int64_t i;
     double duration;
     double inside;
     outside = start;
     inside = -1.0;
     growth = 1.005;
-    for (i = INT64_C(0); i < INT64_C(500); i += INT64_C(1))
+    skipped = 0.1;
+    if (limits.shape[INT64_C(1)] > INT64_C(5))
     {
-        duration = span_max(outside * growth, outside + 0.1 * (*cspan_at(&found, INT64_C(4))) / (*cspan_at(&limits, axis, INT64_C(0))));
+        growth = 1.003;
+        skipped = 0.02;
+    }
+    for (i = INT64_C(0); i < INT64_C(600); i += INT64_C(1))
+    {
+        duration = span_max(outside * growth, outside + skipped * (*cspan_at(&found, INT64_C(4))) / (*cspan_at(&limits, axis, INT64_C(0))));
         if (set_duration(interval, axis, duration, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial))
         {
             inside = duration;
             break;
         }
         outside = duration;
-        if (i > INT64_C(140))
+        if (i > INT64_C(230))
         {
             growth = 1.02;
         }
-        if (i > INT64_C(260))
+        if (i > INT64_C(350))
         {
             growth = 1.1;
         }
