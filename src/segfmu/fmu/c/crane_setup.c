@@ -20,8 +20,6 @@ SIDE_BY_SIDE(V_SENSOR_BRIDGE_POSITION_RESOLUTION, V_SENSOR_SWAY_Y_ANGLE_OFFSET, 
 SIDE_BY_SIDE(V_PAYLOAD_1_TIME, V_PAYLOAD_4_MASS, 2 * CHANGES);
 
 static const double SMALLEST_SAMPLE = 1e-6;
-/* radians a sample, as in crane/flat_feedback.py */
-static const double LARGEST_ANGLE = 0.25;
 
 static bool driven(const crane *m)
 {
@@ -148,6 +146,10 @@ static bool design_flat(crane *m, char message[MESSAGE])
     shortest = shortest > 0.0 ? shortest : 0.2 * real[V_ROPE_LENGTH];
     longest = longest > 0.0 ? longest : 5.0 * real[V_ROPE_LENGTH];
     payload = payload > 0.0 ? payload : real[V_CRANE_PAYLOAD_MASS];
+    double delay = real[V_FEEDBACK_SAMPLE_TIME];
+    if (driven(m)) {
+        delay += fmax(m->parameters[5], fmax(m->parameters[6], m->parameters[7]));
+    }
     if (shortest > longest) {
         return say(message, "the rope lengths of the feedback, %g to %g m, must be ascending; set "
                    "crane.rope_min and crane.rope_max", shortest, longest);
@@ -157,15 +159,14 @@ static bool design_flat(crane *m, char message[MESSAGE])
         double share = (double)row / (MOST_LENGTHS - 1);
         double length = shortest * pow(longest / shortest, share);
         m->lengths[row] = row == MOST_LENGTHS - 1 ? longest : length;
-        double bandwidths[2];
-        for (int i = 0; i < 2; i++) {
-            double ratio = real[i == 0 ? V_FEEDBACK_BANDWIDTH : V_FEEDBACK_HOIST_BANDWIDTH];
-            bandwidths[i] = segfmu_feedback_bandwidth(
-                ratio, m->lengths[row], gravity, real[V_FEEDBACK_SAMPLE_TIME], LARGEST_ANGLE);
-        }
+        double bandwidth = segfmu_feedback_bandwidth(
+            real[V_FEEDBACK_BANDWIDTH], m->lengths[row], gravity, delay, LARGEST_ANGLE);
+        double hoist = segfmu_feedback_bandwidth(
+            real[V_FEEDBACK_HOIST_BANDWIDTH], m->lengths[row], gravity, delay,
+            LARGEST_HOIST_ANGLE);
         segfmu_feedback_gains(
             driven(m), m->lengths[row], real[V_CRANE_BRIDGE_MASS], real[V_CRANE_TROLLEY_MASS],
-            payload, gravity, bandwidths[0], bandwidths[1], real[V_FEEDBACK_DAMPING],
+            payload, gravity, bandwidth, hoist, real[V_FEEDBACK_DAMPING],
             matrix(m->gains + row * GAINS, 3, STATE));
     }
     return true;
@@ -191,7 +192,7 @@ bool crane_set_up(crane *m, char message[MESSAGE])
     }
     m->loop[0] = 1.0;
     m->loop[1] = real[V_FEEDBACK_SAMPLE_TIME];
-    m->loop[3] = 1e-10;
+    m->loop[3] = TOLERANCE;
     if (!set_parameters(m, message) || !set_sensors(m, message) || !crane_set_gains(m, message)) {
         return false;
     }
