@@ -119,3 +119,8 @@ def test_csv_holds_every_digit_and_appears_whole(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("x")
     with pytest.raises(InputError, match="cannot be written"):
         write_csv(tmp_path / "file" / "r.csv", rows)
+
+
+def test_unknown_coupling_is_refused(fmus: tuple[Path, Path]) -> None:
+    with pytest.raises(InputError, match="coupling must be sequential or parallel, got 'both'"):
+        simulate(*fmus, stop_time=1.0, step=0.1, coupling="both")  # type: ignore[arg-type]

@@ -1,7 +1,8 @@
 """The master: two FMUs, the first one's outputs are the second one's inputs by their names.
 
 In every communication step the source steps first and its outputs at the end of the step are
-handed to the sink, which then makes the same step.
+handed to the sink, which then makes the same step. In parallel, as most importers do it, both step
+with the values of the step before and the outputs are handed on afterwards.
 """
 
 from __future__ import annotations
@@ -9,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from math import ceil, isfinite
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +28,7 @@ def simulate(
     start_time: float = 0.0,
     source_values: Mapping[str, Any] | None = None,
     sink_values: Mapping[str, Any] | None = None,
+    coupling: Literal["sequential", "parallel"] = "sequential",
     progress: Callable[[float], None] = lambda _: None,
 ) -> NDArray[np.void]:
     """Co-simulate two FMUs.
@@ -40,6 +42,9 @@ def simulate(
         [s]; the last step is shorter where the step does not divide the time.
     source_values, sink_values : mapping of str to number or str
         Parameters, start values and constant inputs; enumerations by the name of an item.
+    coupling : str
+        "sequential": the sink's step has the inputs of its end, an error of second order in the
+        step; "parallel": those of its beginning, an error of first order.
     progress : callable
         Gets the share done, now and then.
 
@@ -55,6 +60,8 @@ def simulate(
     SimulationError
         When an FMU reports an error, with its message.
     """
+    if coupling not in ("sequential", "parallel"):
+        raise InputError(f"coupling must be sequential or parallel, got {coupling!r}")
     times = _times(start_time, stop_time, step)
     with Unit(source) as first, Unit(sink) as second:
         first.set(dict(source_values or {}))
@@ -70,8 +77,11 @@ def simulate(
         for i in range(1, times.size):
             time, length = float(times[i - 1]), float(times[i] - times[i - 1])
             first.step(time, length)
-            link.transfer()
+            if coupling == "sequential":
+                link.transfer()
             second.step(time, length)
+            if coupling == "parallel":
+                link.transfer()
             table.record(i)
             if i % 100 == 0:
                 progress(i / (times.size - 1))
