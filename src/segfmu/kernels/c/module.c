@@ -604,6 +604,53 @@ static PyObject *call_feedback_gains(
     return answer;
 }
 
+static PyObject *call_observer_design(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "observer_design", .values = values};
+    PyObject *answer = NULL;
+    bool in_driven;
+    double in_sample_time;
+    double in_length;
+    double in_bridge_mass;
+    double in_trolley_mass;
+    double in_payload_mass;
+    double in_gravity;
+    Py_buffer *in_lag;
+    Py_buffer *in_expected;
+    Py_buffer *in_work;
+    Py_buffer *in_table;
+    (void)self;
+    if (take_count(&call, count, 11)
+        && take_bool(&call, 0, &in_driven)
+        && take_float(&call, 1, &in_sample_time)
+        && take_float(&call, 2, &in_length)
+        && take_float(&call, 3, &in_bridge_mass)
+        && take_float(&call, 4, &in_trolley_mass)
+        && take_float(&call, 5, &in_payload_mass)
+        && take_float(&call, 6, &in_gravity)
+        && (in_lag = take_array(&call, 7, 1, 'd', false)) != NULL
+        && (in_expected = take_array(&call, 8, 1, 'd', false)) != NULL
+        && (in_work = take_array(&call, 9, 2, 'd', true)) != NULL
+        && (in_table = take_array(&call, 10, 2, 'd', true)) != NULL) {
+        segfmu_observer_design(
+            in_driven,
+            in_sample_time,
+            in_length,
+            in_bridge_mass,
+            in_trolley_mass,
+            in_payload_mass,
+            in_gravity,
+            (array_double_1d){in_lag->buf, {in_lag->shape[0]}},
+            (array_double_1d){in_expected->buf, {in_expected->shape[0]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_2d){in_table->buf, {in_table->shape[0], in_table->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_observer_predict(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -1369,6 +1416,7 @@ static PyMethodDef methods[] = {
     {"feedback_correction", (PyCFunction)(void (*)(void))call_feedback_correction, METH_FASTCALL, NULL},
     {"feedback_bandwidth", (PyCFunction)(void (*)(void))call_feedback_bandwidth, METH_FASTCALL, NULL},
     {"feedback_gains", (PyCFunction)(void (*)(void))call_feedback_gains, METH_FASTCALL, NULL},
+    {"observer_design", (PyCFunction)(void (*)(void))call_observer_design, METH_FASTCALL, NULL},
     {"observer_predict", (PyCFunction)(void (*)(void))call_observer_predict, METH_FASTCALL, NULL},
     {"observer_correct", (PyCFunction)(void (*)(void))call_observer_correct, METH_FASTCALL, NULL},
     {"track_setpoint", (PyCFunction)(void (*)(void))call_track_setpoint, METH_FASTCALL, NULL},
