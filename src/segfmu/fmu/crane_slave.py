@@ -11,10 +11,12 @@ from segfmu.crane import Crane
 from segfmu.crane.feedback import SwayFeedback, Weights, design
 from segfmu.crane.flat_feedback import design_flat
 from segfmu.crane.plant import Plant, Setpoints
+from segfmu.crane.tracking import TrackingController
 from segfmu.errors import InputError
 from segfmu.fmu import gantry_crane
 from segfmu.fmu.rig_parameters import DRIVES, rig_from
 from segfmu.fmu.slave import SpecSlave, crane_from
+from segfmu.fmu.tracking_parameters import SOURCES, estimates, tracking_from, tune
 
 STATE = gantry_crane.STATE
 FORCE = tuple(f"force.{d}" for d in DRIVES)
@@ -31,6 +33,7 @@ DRIVE = tuple(
 ENERGY = tuple(
     f"energy.{n}" for n in ("kinetic", "potential", "drives", "wind", "payload", "dissipated")
 )
+ESTIMATE = tuple(v.name for v in estimates())
 WEIGHTS = ("position", "angle", "velocity", "rate", "effort")
 
 
@@ -42,6 +45,7 @@ class CraneSlave(SpecSlave):
     def __init__(self, **kwargs: Any) -> None:
         super().__init__(**kwargs)
         self._plant: Plant | None = None
+        self._tracking: TrackingController | None = None
 
     def initialise(self) -> None:
         """Design the feedback and put the crane into its initial state."""
@@ -51,10 +55,15 @@ class CraneSlave(SpecSlave):
             raise InputError(f"rope.length must start above 0 m, got {state[2]}")
         driven = gantry_crane.MODES.items[int(self.value("drive.mode")) - 1] == "velocity"
         nominal = float(self.value("feedback.payload_mass")) or crane.payload_mass
-        feedback = self._feedback(replace(crane, payload_mass=nominal), float(state[2]), driven)
+        expected = replace(crane, payload_mass=nominal)
+        feedback = self._feedback(expected, float(state[2]), driven)
+        self._tracking = None
+        if SOURCES.items[int(self.value("feedback.source")) - 1] == "measured":
+            self._tracking = tracking_from(self.value, expected, feedback, driven)
+        self.assign(ESTIMATE, (nominal, *np.zeros(5)))
         self._plant = Plant(
-            crane, state, self._setpoints(), feedback, driven=driven, rig=rig_from(self.value),
-            start_time=self.start_time,
+            crane, state, self._setpoints(), self._tracking or feedback, driven=driven,
+            rig=rig_from(self.value), start_time=self.start_time,
         )
         self._show(self._plant)
 
@@ -80,7 +89,10 @@ class CraneSlave(SpecSlave):
         plant = self._plant
         if plant is None:
             raise AssertionError("a step before the end of initialisation")
-        plant.enabled = bool(self.value("feedback.enabled"))
+        if self._tracking is None:
+            plant.enabled = bool(self.value("feedback.enabled"))
+        else:
+            tune(self._tracking, self.value)
         plant.step(step, self._setpoints())
         self._show(plant)
 
@@ -100,6 +112,9 @@ class CraneSlave(SpecSlave):
         self.assign(
             DRIVE, (*plant.drive_force, *map(bool, plant.saturated), *plant.drive_power)
         )
+        if self._tracking is not None:
+            carriages, loads = self._tracking.disturbance
+            self.assign(ESTIMATE, (self._tracking.payload, *carriages, *loads[:2]))
         balance = plant.balance
         self.assign(ENERGY, [getattr(balance, n.removeprefix("energy.")) for n in ENERGY])
         self.assign(

@@ -31,7 +31,7 @@ VERSIONS = {
 }
 MODELS = {
     "GantryFeedforward": ("gantry_feedforward.c", "messages.c", "messages.h"),
-    "GantryCrane": ("crane.h", "crane_setup.c", "gantry_crane.c"),
+    "GantryCrane": ("crane.h", "crane_setup.c", "crane_tracking.c", "gantry_crane.c"),
 }
 # of every entry of an archive, so that equal content gives equal bytes
 DATE = (*(int(fmi2.GENERATED[i:j]) for i, j in ((0, 4), (5, 7), (8, 10))), 0, 0, 0)

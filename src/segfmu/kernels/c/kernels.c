@@ -6790,8 +6790,12 @@ void segfmu_rig_signals(array_double_1d sensors, double time, array_double_2d me
     (*cspan_at(&memory, INT64_C(2), INT64_C(2))) = 0.0;
     sense_signals(sensors, time, span_row(&memory, INT64_C(0)), span_rows(&memory, INT64_C(30), memory.shape[INT64_C(0)]), span_row(&memory, INT64_C(5)));
 }
-/*Take samples, change the payload and correct the setpoints where it is due at a time.*/
-void segfmu_rig_event(array_double_1d loop, array_double_1d sensors, array_double_2d changes, array_double_1d lengths, array_double_3d gains, array_double_1d setpoints, double time, array_double_2d memory)
+/*Take samples, change the payload and correct the setpoints where it is due at a time.            */
+/*                                                                                                 */
+/*    What the setpoints' slopes are is not known, so with velocity drives the limits of a tracking*/
+/*    controller count for its correction alone.                                                   */
+/*                                                                                                 */
+void segfmu_rig_event(array_double_1d loop, array_double_1d sensors, array_double_2d changes, array_double_1d tracking, array_double_1d lengths, array_double_3d table, array_double_1d gain_lengths, array_double_3d gains, array_double_2d tracker, array_double_1d setpoints, double time, array_double_2d memory)
 {
     int64_t i;
     segfmu_rig_signals(sensors, time, memory);
@@ -6808,8 +6812,7 @@ void segfmu_rig_event(array_double_1d loop, array_double_1d sensors, array_doubl
         }
         (*cspan_at(&memory, INT64_C(2), INT64_C(8))) = time;
         prepare_tick(sensors, setpoints, 1.0, memory);
-        /*no tracking controller: its tables are not looked at*/
-        correct_setpoints(loop, lengths, lengths, gains, lengths, gains, span_rows(&memory, INT64_C(10), INT64_C(12)), memory);
+        correct_setpoints(loop, tracking, lengths, table, gain_lengths, gains, tracker, memory);
     }
 }
 /*Derivative of the state (13) at a time; the report, memory[4, :9], is that of the plant. */

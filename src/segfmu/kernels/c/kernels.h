@@ -45,7 +45,7 @@ void segfmu_rig_balance(array_double_2d memory, array_double_1d balance);
 double segfmu_rig_imbalance(array_double_1d balance);
 double segfmu_rig_next_event(array_double_1d loop, array_double_1d sensors, array_double_2d memory);
 void segfmu_rig_signals(array_double_1d sensors, double time, array_double_2d memory);
-void segfmu_rig_event(array_double_1d loop, array_double_1d sensors, array_double_2d changes, array_double_1d lengths, array_double_3d gains, array_double_1d setpoints, double time, array_double_2d memory);
+void segfmu_rig_event(array_double_1d loop, array_double_1d sensors, array_double_2d changes, array_double_1d tracking, array_double_1d lengths, array_double_3d table, array_double_1d gain_lengths, array_double_3d gains, array_double_2d tracker, array_double_1d setpoints, double time, array_double_2d memory);
 int64_t segfmu_rig_rates(array_double_2d components, array_double_1d setpoints, double time, array_double_2d memory, array_double_1d derivative);
 
 #endif

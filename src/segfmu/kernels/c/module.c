@@ -1319,27 +1319,39 @@ static PyObject *call_rig_event(
     Py_buffer *in_loop;
     Py_buffer *in_sensors;
     Py_buffer *in_changes;
+    Py_buffer *in_tracking;
     Py_buffer *in_lengths;
+    Py_buffer *in_table;
+    Py_buffer *in_gain_lengths;
     Py_buffer *in_gains;
+    Py_buffer *in_tracker;
     Py_buffer *in_setpoints;
     double in_time;
     Py_buffer *in_memory;
     (void)self;
-    if (take_count(&call, count, 8)
+    if (take_count(&call, count, 12)
         && (in_loop = take_array(&call, 0, 1, 'd', false)) != NULL
         && (in_sensors = take_array(&call, 1, 1, 'd', false)) != NULL
         && (in_changes = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_lengths = take_array(&call, 3, 1, 'd', false)) != NULL
-        && (in_gains = take_array(&call, 4, 3, 'd', false)) != NULL
-        && (in_setpoints = take_array(&call, 5, 1, 'd', false)) != NULL
-        && take_float(&call, 6, &in_time)
-        && (in_memory = take_array(&call, 7, 2, 'd', true)) != NULL) {
+        && (in_tracking = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_lengths = take_array(&call, 4, 1, 'd', false)) != NULL
+        && (in_table = take_array(&call, 5, 3, 'd', false)) != NULL
+        && (in_gain_lengths = take_array(&call, 6, 1, 'd', false)) != NULL
+        && (in_gains = take_array(&call, 7, 3, 'd', false)) != NULL
+        && (in_tracker = take_array(&call, 8, 2, 'd', true)) != NULL
+        && (in_setpoints = take_array(&call, 9, 1, 'd', false)) != NULL
+        && take_float(&call, 10, &in_time)
+        && (in_memory = take_array(&call, 11, 2, 'd', true)) != NULL) {
         segfmu_rig_event(
             (array_double_1d){in_loop->buf, {in_loop->shape[0]}},
             (array_double_1d){in_sensors->buf, {in_sensors->shape[0]}},
             (array_double_2d){in_changes->buf, {in_changes->shape[0], in_changes->shape[1]}},
+            (array_double_1d){in_tracking->buf, {in_tracking->shape[0]}},
             (array_double_1d){in_lengths->buf, {in_lengths->shape[0]}},
+            (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}},
+            (array_double_1d){in_gain_lengths->buf, {in_gain_lengths->shape[0]}},
             (array_double_3d){in_gains->buf, {in_gains->shape[0], in_gains->shape[1], in_gains->shape[2]}},
+            (array_double_2d){in_tracker->buf, {in_tracker->shape[0], in_tracker->shape[1]}},
             (array_double_1d){in_setpoints->buf, {in_setpoints->shape[0]}},
             in_time,
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}});
