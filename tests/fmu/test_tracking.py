@@ -201,11 +201,11 @@ def test_sway_decays_by_measured_signals_alone(
     }
     names = ("sway.x.angle", "sway.y.angle", "load.position.x", "load.position.y")
     found = held(path, values, 4.0, *names)
-    # 30 times less after three swings; uncontrolled, it stays
+    # 30 times less after three swings; uncontrolled, it stays, but for what the rope gives way
     assert np.abs(found[-100:, :2]).max() < np.radians(5.0) / 30.0
     assert np.abs(found[-100:, 2:]).max() < 2e-3
     free = held(path, values | {"feedback.enabled": 0}, 4.0, *names)
-    assert np.abs(free[-100:, :2]).max() > np.radians(4.0)
+    assert np.abs(free[-100:, :2]).max() > np.radians(3.0)
 
 
 @pytest.mark.parametrize("fmi", [2, 3])
@@ -252,12 +252,13 @@ def test_switching_is_bumpless(native_fmus, fmus, driven: bool, tuned: str) -> N
     assert jumps[0] < 0.25 * jumps[1] and jumps[1] > 0.1
 
 
-def test_tuning_is_the_same_in_both_backends(native_fmus, fmus) -> None:
+@pytest.mark.parametrize("source", [1, 2])
+def test_tuning_is_the_same_in_both_backends(native_fmus, fmus, source: int) -> None:
     found = []
     for path in (native_fmus[2][1], fmus[1]):
         with Importer(path) as fmu:
             fmu.set(HELD | ENCODERS | mode(False) | {
-                "feedback.source": 2, "sensor.sample_time": 0.01, "sway.x.angle": 0.1,
+                "feedback.source": source, "sensor.sample_time": 0.01, "sway.x.angle": 0.1,
             })
             fmu.initialise()
             for i in range(60):
@@ -265,6 +266,8 @@ def test_tuning_is_the_same_in_both_backends(native_fmus, fmus) -> None:
                     "feedback.enabled": int(not 20 <= i < 30), "feedback.fade": 0.05 + 1e-3 * i,
                     "feedback.rejection.carriage": 0.5 if i > 40 else 1.0,
                     "feedback.rejection.load": 0.7 if i > 10 else 0.2,
+                    "feedback.bandwidth": 0.8 if i > 45 else 1.0,
+                    "feedback.hoist_bandwidth": 2.0 if i > 50 else 3.0,
                 })
                 fmu.step(0.01 * i, 0.01)
             found.append(fmu.get("bridge.position", "sway.x.angle", "drive.bridge.force"))

@@ -113,8 +113,12 @@ def tracking_from(
     )
 
 
-def tune(controller: TrackingController, value: Callable[[str], Any]) -> None:
-    """Take over the tunable parameters; what stays the same is no switching."""
+def tune(
+    controller: TrackingController, value: Callable[[str], Any], feedback: SwayFeedback | None
+) -> None:
+    """Take over the tunable parameters and new gains; what stays the same is no switching."""
+    if feedback is not None:
+        controller.feedback = feedback
     controller.fade = float(value("feedback.fade"))
     controller.enabled = bool(value("feedback.enabled"))
     if controller.rejection != _rejection(value):
