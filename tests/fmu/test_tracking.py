@@ -12,10 +12,12 @@ from fmpy import simulate_fmu
 
 from segfmu import Crane, FlatInverse, plan
 from segfmu.cosim import simulate
+from segfmu.cosim.unit import Unit
 from segfmu.crane import Plant, Setpoints
 from segfmu.crane.flat_feedback import design_flat
 from segfmu.crane.observer import Uncertainty, design_observer
 from segfmu.crane.tracking import TrackingController
+from segfmu.errors import SimulationError
 from segfmu.fmu import gantry_crane
 from segfmu.fmu.rig_parameters import rig_from, rig_parameters
 from tests.fmu.importer import Importer
@@ -272,6 +274,30 @@ def test_tuning_is_the_same_in_both_backends(native_fmus, fmus, source: int) -> 
                 fmu.step(0.01 * i, 0.01)
             found.append(fmu.get("bridge.position", "sway.x.angle", "drive.bridge.force"))
     assert found[0] == pytest.approx(found[1], rel=1e-7, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("values", "words"),
+    [
+        ({"feedback.observer.wind": 1e200}, "the observer has no finite gains between 0.16"),
+        ({"feedback.rejection.load": 1.1}, "rejection.load must be at least 0 and at most 1"),
+        ({"feedback.payload_time": 0.0}, "feedback.payload_time must be at least"),
+        ({"feedback.source": 3}, "feedback.source must be at least 1 and at most 2, got 3"),
+    ],
+)
+def test_what_cannot_be_is_told(native_fmus, fmus, values, words: str) -> None:
+    with Importer(native_fmus[2][1]) as fmu:
+        fmu.set({"feedback.source": 2} | values)
+        fmu.begin()
+        with pytest.raises(Exception, match="fmi2ExitInitializationMode"):
+            fmu.fmu.exitInitializationMode()
+        assert words in fmu.messages[-1]
+    with Unit(fmus[1]) as unit:
+        unit.set({"feedback.source": 2} | values)
+        unit.enter_initialization(0.0, 1.0)
+        with pytest.raises(SimulationError) as caught:
+            unit.exit_initialization()
+        assert words in str(caught.value)
 
 
 def test_the_lqr_table_works_with_measured_signals(native_fmus, fmus) -> None:

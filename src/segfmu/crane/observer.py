@@ -20,6 +20,7 @@ import numpy as np
 from segfmu.crane.checks import require_not_negative, require_positive, sized
 from segfmu.crane.linear import ROWS, scheduled_lengths
 from segfmu.crane.parameters import Crane
+from segfmu.errors import InputError
 from segfmu.kernels import backend
 from segfmu.planning.arrays import FloatArray
 
@@ -134,7 +135,8 @@ def design_observer(
     Raises
     ------
     InputError
-        For a period or rope lengths that are not positive, and negative lags.
+        For a period or rope lengths that are not positive, negative lags, and numbers so large or
+        small that no finite gains come out.
     """
     require_positive("sample_time", sample_time)
     lags = sized("lag", lag, 3)
@@ -143,9 +145,16 @@ def design_observer(
     lengths = scheduled_lengths(shortest, longest, rows)
     expected = uncertainty or Uncertainty()
     table, work = np.zeros((lengths.size, 18, 10)), np.zeros((80, 16))
-    for length, block in zip(lengths, table, strict=True):
-        backend.observer_design(
-            driven, sample_time, float(length), *crane.masses, lags, expected.vector(crane.gravity),
-            work, block,
+    # what overflows is told below, by interpreted kernels as by compiled ones
+    with np.errstate(all="ignore"):
+        walks = expected.vector(crane.gravity)
+        for length, block in zip(lengths, table, strict=True):
+            backend.observer_design(
+                driven, sample_time, float(length), *crane.masses, lags, walks, work, block
+            )
+    if not np.isfinite(table).all():
+        raise InputError(
+            f"the observer has no finite gains between {shortest} and {longest} m of rope; check "
+            "masses, lags and what it expects"
         )
     return Observer(crane, sample_time, driven, delayed, lengths, table, expected.tolerances)

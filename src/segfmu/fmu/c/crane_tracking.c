@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "crane.h"
+#include "say.h"
 
 /* What is read as one array lies side by side. */
 typedef char expected_is_first
@@ -17,8 +18,8 @@ static bool driven(const crane *m)
     return m->base.integer[V_DRIVE_MODE] == 2;
 }
 
-/* Work space (80, 16), rope lengths and the table of the observer. */
-static void design_observer(crane *m, const double range[2])
+/* Rope lengths and the table of the observer, with a work space of the kernel. */
+static bool design_observer(crane *m, const double range[2], char message[MESSAGE])
 {
     const double *real = m->base.real;
     double work[80 * 16], expected[5], lag[3], gravity = real[V_CRANE_GRAVITY];
@@ -36,6 +37,13 @@ static void design_observer(crane *m, const double range[2])
             real[V_CRANE_TROLLEY_MASS], nominal_payload(m), gravity, vector(lag, 3),
             vector(expected, 5), matrix(work, 80, 16), matrix(m->observer + row * BLOCK, 18, STATE));
     }
+    for (int64_t i = 0; i < m->count_nodes * BLOCK; i++) {
+        if (!isfinite(m->observer[i])) {
+            return say(message, "the observer has no finite gains between %g and %g m of rope; check "
+                       "masses, lags and feedback.observer", range[0], range[1]);
+        }
+    }
+    return true;
 }
 
 bool crane_set_tracking(crane *m, char message[MESSAGE])
@@ -49,10 +57,9 @@ bool crane_set_tracking(crane *m, char message[MESSAGE])
     if (m->base.integer[V_FEEDBACK_SOURCE] != 2) {
         return true;
     }
-    if (!crane_rope_range(m, range, message)) {
+    if (!crane_rope_range(m, range, message) || !design_observer(m, range, message)) {
         return false;
     }
-    design_observer(m, range);
     p[0] = driven(m);
     p[1] = period;
     p[2] = real[V_SENSOR_DEAD_TIME] >= 0.5 * period;
