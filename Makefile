@@ -6,7 +6,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 OUT ?= out
 
-.PHONY: demo test lint examples bench generate golden lock clean
+.PHONY: demo test lint examples bench fuzz foreign generate golden lock clean
 .DEFAULT_GOAL := demo
 
 $(VENV)/installed: pyproject.toml setup.py requirements-dev.lock $(wildcard src/segfmu/kernels/c/*)
@@ -39,6 +39,12 @@ $(VENV)/installed-bench: $(VENV)/installed
 
 bench: $(VENV)/installed-bench ## measure beside the peers; BENCH="--quick --only a,b"
 	$(BIN)/python -m benchmarks --output $(OUT)/benchmarks.json $(BENCH)
+
+fuzz: $(VENV)/installed ## a million random call sequences against each native FMU, with sanitizers
+	$(BIN)/python -m tests.fmu.fuzz
+
+foreign: $(VENV)/installed ## run binaries of other platforms under Wine and qemu, where installed
+	$(BIN)/python -m tests.fmu.foreign
 
 generate: $(VENV)/installed ## write the generated files again
 	SEGFMU_INTERPRETED=1 $(BIN)/python -m segfmu.codegen

@@ -19,6 +19,7 @@ PARTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "d": ("effort", ("casadi",)),
     "e": ("growth", ()),
     "f": ("evaluation", ()),
+    "g": ("fmu_steps", ()),
 }
 
 LIST = ", ".join(f"{letter} {module}" for letter, (module, _) in PARTS.items())

@@ -108,7 +108,7 @@ def segfmu_library(folder: Path) -> ctypes.CDLL:
     """
     sources = [NATIVE / "segfmu_driver.c", KERNELS / "plan.c", KERNELS / "kernels.c"]
     flags = ["-std=c99", "-ffp-contract=off", "-w", f"-I{KERNELS}"]
-    return _compiled("cc", flags, sources, folder / "segfmu.so")
+    return compiled("cc", flags, sources, folder / "segfmu.so")
 
 
 def ruckig_library(folder: Path) -> ctypes.CDLL:
@@ -123,7 +123,7 @@ def ruckig_library(folder: Path) -> ctypes.CDLL:
     sources = [NATIVE / "ruckig_driver.cpp", *sorted((source / "src" / "ruckig").glob("*.cpp"))]
     sources = [path for path in sources if path.name != "cloud_client.cpp"]
     flags = ["-std=c++20", "-w", f"-I{source / 'include'}"]
-    return _compiled("c++", flags, sources, folder / "ruckig.so")
+    return compiled("c++", flags, sources, folder / "ruckig.so")
 
 
 def ruckig_source(folder: Path) -> Path:
@@ -140,7 +140,8 @@ def ruckig_source(folder: Path) -> Path:
     return folder / name
 
 
-def _compiled(compiler: str, flags: list[str], sources: list[Path], target: Path) -> ctypes.CDLL:
+def compiled(compiler: str, flags: list[str], sources: list[Path], target: Path) -> ctypes.CDLL:
+    """Compile sources to a library and load it."""
     if shutil.which(compiler) is None:
         raise DriverError(f"no {compiler} found; install a compiler")
     target.parent.mkdir(parents=True, exist_ok=True)

@@ -1,4 +1,4 @@
-"""The command line: plan, build, simulate."""
+"""The command line: plan, build, simulate, campaign."""
 
 from __future__ import annotations
 
@@ -108,6 +108,42 @@ def simulate(
     console.print(run_table(task.name, found))
     console.print(f"FMUs, run.csv and run.png are in {output}", highlight=False)
     if not found.passed:
+        raise typer.Exit(1)
+
+
+@app.command(epilog="Example: segfmu campaign models/inteco.toml --output out")
+def campaign(
+    mission: MissionFile,
+    output: Annotated[
+        Path, typer.Option("--output", "-o", help="Folder for tables (CSV, JSON) and maps (PNG).")
+    ] = Path("out"),
+    jobs: Annotated[int, typer.Option(help="Processes.", min=1, max=64)] = 1,
+    coarse: Annotated[bool, typer.Option("--coarse", help="Maps of few points.")] = False,
+) -> None:
+    """Compare six methods of control under every disturbance; map move times and eigenvalues."""
+    task = load_mission(mission)
+    trajectory = _planned(task)
+    from segfmu.validation.campaign import run_campaign
+    from segfmu.validation.campaign_files import require_folder, write_maps, write_tables
+    from segfmu.validation.campaign_report import outcome_table, verdict_table
+    from segfmu.validation.methods import MODES
+    from segfmu.validation.verdict import compare
+
+    require_folder(output)
+    with Progress(console=console, transient=True) as progress:
+        bar = progress.add_task("disturbances and methods", total=1.0)
+        outcomes = run_campaign(
+            task, jobs=jobs, progress=lambda share: progress.update(bar, completed=share)
+        )
+    comparisons = compare(outcomes)
+    write_tables(output, task.name, outcomes, comparisons)
+    with console.status("mapping move times and eigenvalues"):
+        write_maps(output, task, trajectory, coarse)
+    for mode in MODES:
+        console.print(outcome_table(mode, outcomes))
+    console.print(verdict_table(comparisons))
+    console.print(f"tables (CSV, JSON) and maps (CSV, PNG) are in {output}", highlight=False)
+    if not all(c.reached for c in comparisons):
         raise typer.Exit(1)
 
 

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy.signal import cont2discrete
 
 from segfmu import Crane, InputError
-from segfmu.crane.feedback import Weights, design, linearised
+from segfmu.crane.feedback import EFFORT, Weights, design, design_schedule
+from segfmu.crane.linear import linearised
 from segfmu.crane.plant import Plant, Setpoints
 
 LAB = (2.2, 1.155, 1.0)
@@ -24,6 +26,48 @@ def test_linearisation_is_the_derivative_of_the_rhs(length: float) -> None:
     for i, unit in enumerate(np.eye(3)):
         numeric = crane.rhs(state, force + h * unit) - crane.rhs(state, force - h * unit)
         assert numeric / (2.0 * h) == pytest.approx(b[:, i], abs=1e-6 / length)
+
+
+@pytest.mark.parametrize("driven", [False, True])
+def test_gain_is_the_limit_of_the_riccati_recursion(driven: bool) -> None:
+    """Dynamic programming over 20 s, with the weights of the crane made dimensionless."""
+    length, weights = 0.4, Weights(2.0, 0.5, 0.7, 1.5, 0.8, 10.0)
+    found = design(
+        Crane(*LAB), sample_time=0.01, shortest=length, longest=length, weights=weights,
+        driven=driven,
+    ).gains[0]
+    a, b = linearised(Crane(*LAB), length, driven)
+    a, b = cont2discrete((a, b, np.eye(10), np.zeros((10, 3))), 0.01)[:2]
+    units = np.array([length] * 3 + [1.0] * 2)
+    units = np.concatenate([units, units * np.sqrt(9.81 / length)])
+    cost = np.diag([2.0, 2.0, 10.0, 0.5, 0.5, 0.7, 0.7, 0.7, 1.5, 1.5] / units**2)
+    masses = np.ones(3) if driven else np.array([3.355, 1.155, 1.0])
+    effort = np.diag(0.8 / (EFFORT * 9.81 * masses) ** 2)
+    value = cost
+    for _ in range(2000):
+        gain = np.linalg.solve(effort + b.T @ value @ b, b.T @ value @ a)
+        value = cost + a.T @ value @ (a - b @ gain)
+    assert found == pytest.approx(gain, rel=1e-6, abs=1e-6 * np.abs(gain).max())
+
+
+def test_payload_schedule() -> None:
+    options = {"sample_time": 0.01, "shortest": 0.3, "longest": 0.9, "rows": 3}
+    schedule = design_schedule(
+        Crane(*LAB), [0.5, 1.0, 3.0], sample_time=0.01, shortest=0.3, longest=0.9
+    )
+    for payload, table in zip((0.5, 1.0, 3.0), schedule.tables, strict=True):
+        assert schedule.at(payload).gains == pytest.approx(table.gains)
+        same = design(Crane(2.2, 1.155, payload), **{**options, "rows": table.lengths.size})
+        assert table.gains == pytest.approx(same.gains)
+    between = schedule.at(2.0)
+    assert between.payload == 2.0
+    expected = 0.5 * (schedule.tables[1].gains + schedule.tables[2].gains)
+    assert between.gains == pytest.approx(expected)
+    assert schedule.at(0.1).payload == 0.5
+    assert schedule.at(9.0).gains == pytest.approx(schedule.tables[2].gains)
+    for payloads in ([1.0, 0.5], [0.0, 1.0], [1.0, 1.0]):
+        with pytest.raises(InputError, match="payloads must be positive and ascending"):
+            design_schedule(Crane(*LAB), payloads, **{k: options[k] for k in list(options)[:3]})
 
 
 def sway_after(masses, length: float, periods: float, *, driven: bool, enabled: bool) -> float:
@@ -69,3 +113,11 @@ def test_bad_designs_are_refused() -> None:
         design(crane, sample_time=0.01, shortest=2.0, longest=1.0)
     with pytest.raises(InputError, match="weight effort"):
         Weights(effort=0.0)
+    with pytest.raises(InputError, match="weight rope"):
+        Weights(rope=0.0)
+    with pytest.raises(InputError, match="raise the weights of angle and rate"):
+        design(
+            crane, sample_time=0.01, shortest=0.16, longest=0.98,
+            driven=True,
+            weights=Weights(angle=0.0, rate=0.0),
+        )

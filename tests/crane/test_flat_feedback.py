@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from segfmu import Crane, InputError
-from segfmu.crane.flat_feedback import LARGEST, design_flat, flat_gain
+from segfmu.crane.flat_feedback import HOIST_LARGEST, LARGEST, design_flat, flat_gain
 from tests.crane.newton import accelerations
 
 LAB = Crane(2.2, 1.155, 1.0)
@@ -70,14 +70,18 @@ def test_the_table_has_the_gains_of_its_lengths() -> None:
         assert gains == pytest.approx(expected)
 
 
-def test_slow_sampling_bounds_the_bandwidth() -> None:
-    feedback = design_flat(LAB, sample_time=0.05, shortest=0.16, longest=0.16, driven=True)
-    expected = flat_gain(LAB, 0.16, LARGEST / 0.05, 1.0, True)
+@pytest.mark.parametrize(("sample_time", "lag"), [(0.05, 0.0), (0.01, 0.04)])
+def test_a_slow_loop_bounds_the_bandwidths(sample_time: float, lag: float) -> None:
+    feedback = design_flat(
+        LAB, sample_time=sample_time, shortest=0.16, longest=0.16, damping=0.9, lag=lag,
+        driven=True,
+    )
+    expected = flat_gain(LAB, 0.16, LARGEST / 0.05, 0.9, True, HOIST_LARGEST / 0.05)
     assert np.sqrt(9.81 / 0.16) > LARGEST / 0.05
     assert feedback.gains[0] == pytest.approx(expected)
 
 
-@pytest.mark.parametrize("name", ["sample_time", "ratio", "hoist_ratio", "damping"])
+@pytest.mark.parametrize("name", ["sample_time", "ratio", "hoist_ratio", "damping", "lag"])
 def test_bad_values_are_refused(name: str) -> None:
     values = {"sample_time": 0.01, "shortest": 0.1, "longest": 1.0, name: -1.0}
     with pytest.raises(InputError, match=name):

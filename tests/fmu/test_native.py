@@ -8,9 +8,11 @@ import zipfile
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
+import fmpy
 import pytest
 from fmpy import read_model_description
 from fmpy.validation import validate_fmu
+from lxml import etree
 
 from segfmu.fmu import gantry_crane, gantry_feedforward, native, tables
 
@@ -124,3 +126,20 @@ def test_places_of_values_do_not_overlap() -> None:
             assert places == list(range(places[0], places[0] + len(places)))
         for i, variable in enumerate(spec.where("input")):
             assert placed.offsets[variable.name] == i
+
+
+@pytest.mark.parametrize("index", [0, 1])
+@pytest.mark.parametrize(
+    ("name", "schema"),
+    [
+        ("modelDescription.xml", "fmi3ModelDescription.xsd"),
+        ("sources/buildDescription.xml", "fmi3BuildDescription.xsd"),
+        ("terminalsAndIcons/terminalsAndIcons.xml", "fmi3TerminalsAndIcons.xsd"),
+    ],
+)
+def test_schemas_of_fmi3(native_fmus, index: int, name: str, schema: str) -> None:
+    folder = Path(fmpy.__file__).parent / "schema" / "fmi3"
+    judge = etree.XMLSchema(etree.parse(str(folder / schema)))
+    with zipfile.ZipFile(native_fmus[3][index]) as archive:
+        document = etree.fromstring(archive.read(name))
+    assert judge.validate(document), judge.error_log

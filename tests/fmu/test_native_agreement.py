@@ -14,7 +14,7 @@ from segfmu.crane import FlatInverse, Plant, Setpoints
 from segfmu.crane.feedback import design
 from segfmu.crane.flat_feedback import design_flat
 from segfmu.fmu import gantry_crane
-from segfmu.fmu.rig_parameters import rig_from, rig_parameters
+from segfmu.fmu.rig_parameters import DRIVES, rig_from, rig_parameters
 from segfmu.fmu.spec import started
 from segfmu.validation.mission import load_mission
 from segfmu.validation.scenario import crane_values, specs
@@ -109,6 +109,7 @@ def plant_of(task, inverse, values: dict[str, float], driven: bool = False) -> t
     gains = design_flat(
         crane, sample_time=0.01, shortest=crane.rope_min or 0.2 * state[2],
         longest=crane.rope_max or 5.0 * state[2], driven=driven,
+        lag=max(values.get(f"drive.{d}.lag", 0.0) for d in DRIVES) if driven else 0.0,
     )
     parameters = {v.name: v.start for v in rig_parameters()} | values
     plant = Plant(

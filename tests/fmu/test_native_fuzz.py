@@ -31,8 +31,8 @@ def objects(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
     return fuzz.kernels(COMPILER, folder)
 
 
-@pytest.mark.parametrize("spec", fuzz.SPECS, ids=lambda s: s.name)
-@pytest.mark.parametrize("fmi", [2, 3])
+# every source is in one of the two; the command makes all four
+@pytest.mark.parametrize(("fmi", "spec"), [(3, fuzz.SPECS[0]), (2, fuzz.SPECS[1])])
 def test_random_calls_end_with_a_status(objects, tmp_path: Path, spec, fmi: int) -> None:
     assert COMPILER is not None
     target = fuzz.program(COMPILER, spec, fmi, tmp_path, objects)

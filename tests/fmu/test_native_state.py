@@ -81,6 +81,23 @@ def test_a_step_can_be_taken_back(native_fmus, fmi: int, index: int) -> None:
 
 
 @each
+def test_reading_changes_nothing(native_fmus, fmi: int, index: int) -> None:
+    with Importer(native_fmus[fmi][index]) as fmu:
+        start(fmu, index)
+        expected = run(fmu, 0, 30)
+    with Importer(native_fmus[fmi][index]) as fmu:
+        start(fmu, index)
+        reference = fmu.variables["load.position.x" if index else "force.bridge"].valueReference
+        library, rows = fmu.fmu, []
+        read = library.getOutputDerivatives if fmu.three else library.getRealOutputDerivatives
+        for i in range(30):
+            rows.append(run(fmu, i, i + 1)[0])
+            assert np.isfinite(read([reference], [1])).all()
+            serialised(fmu)
+        assert np.array(rows).tobytes() == expected.tobytes()
+
+
+@each
 def test_damaged_and_foreign_states_are_refused(native_fmus, fmi: int, index: int) -> None:
     with Importer(native_fmus[fmi][index]) as fmu, Importer(native_fmus[fmi][1 - index]) as other:
         start(fmu, index)

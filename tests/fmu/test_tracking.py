@@ -89,7 +89,8 @@ def loop(driven: bool, values: dict[str, float], **options) -> Loop:
         uncertainty=Uncertainty(wake=values.get("feedback.observer.wake", 1.0)), **ranges,
     )
     controller = TrackingController(
-        observer, design_flat(CRANE, **ranges), lower=-most, upper=most, **options
+        observer, design_flat(CRANE, lag=max(lag) if driven else 0.0, **ranges), lower=-most,
+        upper=most, **options,
     )
     state = np.array([values.get(n, REST[i]) for i, n in enumerate(gantry_crane.STATE)])
     plant = Plant(

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from segfmu.kernels.evaluate import evaluate, expand_phases, find_piece
+from segfmu import Limits, Waypoint, plan
+from segfmu.kernels.evaluate import evaluate, evaluate_orders, expand_phases, find_piece
 
 
 @pytest.mark.parametrize(
@@ -71,3 +72,14 @@ def test_a_piece_does_not_go_on_beyond_its_length() -> None:
         np.array([0.4, 0.9]), timing, coefficients, np.array([0, 2]), np.array([2.0]), 0, found
     )
     assert found[:, 0].tolist() == [0.4, 0.5]
+
+
+def test_all_derivatives_at_once_are_those_one_by_one() -> None:
+    trajectory = plan([Waypoint([0.0, 1.0]), Waypoint([1.0, 0.5])], Limits(1.0, 1.0, 2.0))
+    for time in (-0.1, 0.0, 0.3, trajectory.duration, 99.0):
+        found = np.zeros((5, 2))
+        evaluate_orders(
+            time, trajectory.timing, trajectory.coefficients, trajectory.offsets,
+            trajectory.axis_durations, found,
+        )
+        assert found.tolist() == [trajectory(time, d).tolist() for d in range(5)]

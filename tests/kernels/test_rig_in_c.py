@@ -69,7 +69,7 @@ def case(rig: Rig, kind: str, driven: bool) -> tuple[str, Plant]:
 
 @pytest.mark.parametrize("driven", [False, True])
 @pytest.mark.parametrize("kind", ["state", "tracking"])
-@pytest.mark.parametrize("rig", [Rig(), everything(), Rig(sensors=Sensors(0.001, 0.0317))])
+@pytest.mark.parametrize("rig", [Rig(), everything(), Rig(sensors=Sensors(0.001, 0.0117))])
 def test_c_steps_as_the_plant_and_its_memory_is_one_block(
     driver: Path, rig: Rig, kind: str, driven: bool
 ) -> None:

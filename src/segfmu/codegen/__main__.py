@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from segfmu.codegen import crane, glue, native
+from segfmu.codegen import crane, glue, native, partials
 from segfmu.codegen.files import write
 
 
 def main() -> None:
     """The crane's equations first: the kernels in C contain them."""
     write(crane.TARGET, crane.generate())
+    write(partials.TARGET, partials.generate())
     for name, text in (native.generate() | glue.generate()).items():
         write(native.TARGET / name, text)
 

@@ -91,7 +91,7 @@ def _eliminated(values: Sequence[sp.Expr]) -> tuple[Steps, list[sp.Expr]]:
     return steps, rests
 
 
-def _function(
+def function(
     head: str,
     doc: str,
     inputs: Sequence[tuple[sp.Expr, str]],
@@ -110,7 +110,7 @@ def _function(
     return "\n".join(lines)
 
 
-def _state_inputs(s: lagrangian.Symbols) -> list[tuple[sp.Expr, str]]:
+def state_inputs(s: lagrangian.Symbols) -> list[tuple[sp.Expr, str]]:
     return [(v, f"state[{i}]") for i, v in enumerate([*s.q, *s.rate])]
 
 
@@ -121,13 +121,13 @@ def _require_solution(s: lagrangian.Symbols, motion: sp.Matrix) -> None:
 
 def _rhs() -> str:
     s = lagrangian.symbols()
-    inputs = _state_inputs(s)
+    inputs = state_inputs(s)
     inputs += [(v, f"generalized_force[{i}]") for i, v in enumerate(s.force)]
     inputs += [(v, f"load_force[{i}]") for i, v in enumerate(s.load_force)]
     motion = lagrangian.accelerations(s)
     _require_solution(s, motion)
     values = [*s.rate, *motion]
-    return _function(
+    return function(
         "crane_rhs(\n    state: 'float[:]', generalized_force: 'float[:]', load_force: 'float[:]',"
         f"\n    {MASSES},\n    derivative: 'float[:]',\n)",
         "Right-hand side of (1): derivative of the state under forces on every coordinate.",
@@ -141,13 +141,13 @@ def _driven() -> str:
     carriage = sp.Matrix(sp.symbols("a_x a_y a_l", real=True))
     motion, forces = lagrangian.driven_accelerations(s, carriage)
     _require_solution(replace(s, force=forces.col_join(s.force[3:, :])), motion)
-    inputs = _state_inputs(s)
+    inputs = state_inputs(s)
     inputs += [(v, f"carriage[{i}]") for i, v in enumerate(carriage)]
     inputs += [(v, f"generalized_force[{i}]") for i, v in enumerate(s.force)]
     inputs += [(v, f"load_force[{i}]") for i, v in enumerate(s.load_force)]
     outputs = [(f"derivative[{i}]", v) for i, v in enumerate([*s.rate, *motion])]
     outputs += [(f"force[{i}]", v) for i, v in enumerate(forces)]
-    return _function(
+    return function(
         "crane_driven(\n    state: 'float[:]', carriage: 'float[:]', "
         "generalized_force: 'float[:]',\n    load_force: 'float[:]',"
         f"\n    {MASSES},\n    derivative: 'float[:]', force: 'float[:]',\n)",
@@ -165,7 +165,7 @@ def _inverse() -> str:
     outputs = [(f"force[{i}]", v) for i, v in enumerate(force)]
     outputs += [(f"state[{i}]", v) for i, v in enumerate(state)]
     outputs += [(f"acceleration[{i}]", v) for i, v in enumerate(acceleration)]
-    return _function(
+    return function(
         f"crane_flat_inverse(\n    flat: 'float[:,:]', {MASSES},\n"
         "    force: 'float[:]', state: 'float[:]', acceleration: 'float[:]',\n)",
         "Flat inverse (7): flat[d, i] is the d-th derivative of the load's position in axis i.",
@@ -177,20 +177,20 @@ def _inverse() -> str:
 def _load() -> str:
     s = lagrangian.symbols()
     values = [*lagrangian.load_position(s.q), *lagrangian.load_velocity(s)]
-    return _function(
+    return function(
         "crane_load(state: 'float[:]', load: 'float[:,:]')",
         "Position load[0] and velocity load[1] of the load, (16).",
-        _state_inputs(s),
+        state_inputs(s),
         [(f"load[{i // 3}, {i % 3}]", v) for i, v in enumerate(values)],
     )
 
 
 def _energy() -> str:
     s = lagrangian.symbols()
-    return _function(
+    return function(
         f"crane_energy(\n    state: 'float[:]', {MASSES},\n    energy: 'float[:]',\n)",
         "Kinetic and potential energy, (17a) and (17b).",
-        _state_inputs(s),
+        state_inputs(s),
         [(f"energy[{i}]", v) for i, v in enumerate(lagrangian.energies(s))],
     )
 

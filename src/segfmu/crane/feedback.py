@@ -27,7 +27,7 @@ from segfmu.errors import InputError
 from segfmu.planning.arrays import FloatArray, finite_vector
 
 # effort that counts as one, over the moved weight
-EFFORT = 2.0
+EFFORT = 3.0
 
 # weights without which a gain does not exist, or nothing holds its place
 NEEDED = ("position", "effort", "rope")
@@ -37,7 +37,7 @@ NEEDED = ("position", "effort", "rope")
 class Weights:
     """Weights of the dimensionless design: carriage position, sway, their rates, and effort.
 
-    `rope` is that of the rope's length; 20 gives the hoist, which does not wait for the pendulum,
+    `rope` is that of the rope's length; 9 gives the hoist, which does not wait for the pendulum,
     a bandwidth of three times the pendulum's frequency.
     """
 
@@ -46,7 +46,7 @@ class Weights:
     velocity: float = 1.0
     rate: float = 1.0
     effort: float = 1.0
-    rope: float = 20.0
+    rope: float = 9.0
 
     def __post_init__(self) -> None:
         for name in ("position", "angle", "velocity", "rate", "effort", "rope"):
@@ -91,7 +91,13 @@ def gain(
     state_cost = np.diag(scale**2 * values)
     unit = np.ones(3) if driven else moved_masses(crane.masses)
     effort = np.diag(w.effort / (EFFORT * unit * crane.gravity) ** 2)
-    riccati = solve_discrete_are(ad, bd, state_cost, effort)
+    try:
+        riccati = solve_discrete_are(ad, bd, state_cost, effort)
+    except np.linalg.LinAlgError as error:
+        raise InputError(
+            f"no gain at a rope of {length:.6g} m for {weights}: {error}; raise the weights of "
+            "angle and rate"
+        ) from None
     found: FloatArray = np.linalg.solve(
         effort + bd.T @ riccati @ bd, bd.T @ riccati @ ad
     )
@@ -113,7 +119,7 @@ def design(
     Raises
     ------
     InputError
-        For a period or rope lengths that are not positive.
+        For a period or rope lengths that are not positive, and weights without a solution.
     """
     require_positive("sample_time", sample_time)
     lengths = scheduled_lengths(shortest, longest, rows)

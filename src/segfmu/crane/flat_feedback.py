@@ -4,28 +4,29 @@ About rest the load's position is a chain of four integrators behind each horizo
 rope's length one of two behind the hoist. `feedback_gains` of kernels/feedback.py gives each error
 the poles chosen here; no Riccati equation is solved, so the same table can be made anywhere.
 
-The design is in continuous time. A sample and hold delays by half a period, which leaves the poles
-in place as long as bandwidth * sample_time is small: the bandwidth is a ratio to the pendulum's
-frequency sqrt(g / l), and held below LARGEST radians a sample where the rope is short.
+The design is in continuous time and knows no lag. Both delay the loop, which leaves the poles in
+place as long as the bandwidth times the delay is small: the bandwidth is a ratio to the pendulum's
+frequency sqrt(g / l), and held below LARGEST radians in a sample and a lag where the rope is short.
 """
 
 from __future__ import annotations
 
 import numpy as np
 
-from segfmu.crane.checks import require_positive
+from segfmu.crane.checks import require_not_negative, require_positive
 from segfmu.crane.feedback import SwayFeedback
 from segfmu.crane.linear import ROWS, scheduled_lengths
 from segfmu.crane.parameters import Crane
 from segfmu.kernels import backend
 from segfmu.planning.arrays import FloatArray
 
-RATIO = 1.0
+RATIO = 1.1
 HOIST_RATIO = 3.0
 DAMPING = 1.0
 
-# radians a sample
+# radians in a sample and a lag; the hoist, with two poles instead of four, bears more
 LARGEST = 0.25
+HOIST_LARGEST = 0.5
 
 
 def flat_gain(
@@ -55,6 +56,7 @@ def design_flat(
     ratio: float = RATIO,
     hoist_ratio: float = HOIST_RATIO,
     damping: float = DAMPING,
+    lag: float = 0.0,
     driven: bool = False,
     rows: int = ROWS,
 ) -> SwayFeedback:
@@ -74,24 +76,27 @@ def design_flat(
         That of the hoist, which does not wait for the pendulum.
     damping : float
         Of all poles.
+    lag : float
+        Largest lag of the velocity drives [s], which bounds the bandwidths.
     driven : bool
         Corrections are accelerations, else forces.
 
     Raises
     ------
     InputError
-        For values that are not positive.
+        For values that are not positive, and a negative lag.
     """
     require_positive("sample_time", sample_time)
     require_positive("feedback ratio", ratio)
     require_positive("feedback hoist_ratio", hoist_ratio)
     require_positive("feedback damping", damping)
+    require_not_negative("feedback lag", lag)
     lengths = scheduled_lengths(shortest, longest, rows)
 
     def gains(length: float) -> FloatArray:
         bandwidth, hoist = (
-            backend.feedback_bandwidth(x, length, crane.gravity, sample_time, LARGEST)
-            for x in (ratio, hoist_ratio)
+            backend.feedback_bandwidth(x, length, crane.gravity, sample_time + lag, largest)
+            for x, largest in ((ratio, LARGEST), (hoist_ratio, HOIST_LARGEST))
         )
         return flat_gain(crane, length, bandwidth, damping, driven, hoist)
 

@@ -52,7 +52,7 @@ class Uncertainty:
     length: float = 1e-4
     angle: float = 2.0 * pi / 4096.0
     drift: float = 0.3
-    wind: float = 0.05
+    wind: float = 0.1
     wake: float = 1.0
 
     def __post_init__(self) -> None:

@@ -84,6 +84,7 @@ class CraneSlave(SpecSlave):
                 ratio=float(self.value("feedback.bandwidth")),
                 hoist_ratio=float(self.value("feedback.hoist_bandwidth")),
                 damping=float(self.value("feedback.damping")), driven=driven,
+                lag=max(float(self.value(f"drive.{d}.lag")) for d in DRIVES) if driven else 0.0,
             )
         weights = Weights(*(float(self.value(f"feedback.weight.{n}")) for n in WEIGHTS))
         return design(

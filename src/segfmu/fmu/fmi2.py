@@ -80,17 +80,15 @@ def _interfaces(root: ET.Element, spec: Spec, sources: tuple[str, ...] | None) -
     if sources is None:
         ET.SubElement(root, "CoSimulation", common | steps)
         return
-    common |= {
-        "canGetAndSetFMUstate": "true", "canSerializeFMUstate": "true",
-        "providesDirectionalDerivative": "true",
-    }
+    common |= {"canGetAndSetFMUstate": "true", "canSerializeFMUstate": "true"}
     steps |= {
         "canInterpolateInputs": "true" if spec.where("input") else "false",
         "maxOutputDerivativeOrder": str(spec.orders),
     }
     accepts = {} if spec.states else {"completedIntegratorStepNotNeeded": "true"}
     for name, own in (("ModelExchange", accepts), ("CoSimulation", steps)):
-        files = ET.SubElement(ET.SubElement(root, name, common | own), "SourceFiles")
+        partial = {"providesDirectionalDerivative": "true"} if name in spec.partials else {}
+        files = ET.SubElement(ET.SubElement(root, name, common | partial | own), "SourceFiles")
         for source in sources:
             ET.SubElement(files, "File", {"name": source})
 

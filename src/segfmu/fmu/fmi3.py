@@ -95,10 +95,12 @@ def terminals(spec: Spec) -> bytes:
 def _interfaces(root: ET.Element, spec: Spec) -> None:
     common = {
         "modelIdentifier": spec.name, "canGetAndSetFMUState": "true",
-        "canSerializeFMUState": "true", "providesDirectionalDerivatives": "true",
-        "providesAdjointDerivatives": "true",
+        "canSerializeFMUState": "true",
     }
+    partials = {"providesDirectionalDerivatives": "true", "providesAdjointDerivatives": "true"}
     accepts = {"needsCompletedIntegratorStep": "true"} if spec.states else {}
+    if "ModelExchange" in spec.partials:
+        accepts |= partials
     ET.SubElement(root, "ModelExchange", common | accepts)
     steps = {
         "canHandleVariableCommunicationStepSize": "true",
@@ -106,6 +108,8 @@ def _interfaces(root: ET.Element, spec: Spec) -> None:
         "mightReturnEarlyFromDoStep": "true", "canReturnEarlyAfterIntermediateUpdate": "true",
         "hasEventMode": "true",
     }
+    if "CoSimulation" in spec.partials:
+        steps |= partials
     ET.SubElement(root, "CoSimulation", common | steps)
 
 

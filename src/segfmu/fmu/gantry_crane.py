@@ -7,7 +7,8 @@ from typing import Any
 
 from segfmu.crane import Crane
 from segfmu.crane.feedback import SwayFeedback, design
-from segfmu.crane.flat_feedback import DAMPING, HOIST_RATIO, RATIO
+from segfmu.crane.flat_feedback import DAMPING, HOIST_LARGEST, HOIST_RATIO, LARGEST, RATIO
+from segfmu.crane.plant import TOLERANCE
 from segfmu.fmu.rig_parameters import DRIVES, rig_parameters
 from segfmu.fmu.spec import (
     Array,
@@ -200,8 +201,36 @@ def native_spec(own: Spec | None = None) -> Spec:
     )
     return replace(
         own, variables=(*kept, *table, *locals_, power, time()), arrays=_table_arrays(),
-        states=tuple(zip(STATES, RATES, strict=True)),
+        states=tuple(zip(STATES, RATES, strict=True)), dependencies=_dependencies(),
+        orders=1, partials=("ModelExchange",),
+        constants=(
+            ("LARGEST_ANGLE", LARGEST), ("LARGEST_HOIST_ANGLE", HOIST_LARGEST),
+            ("TOLERANCE", TOLERANCE),
+        ),
     )
+
+
+def _dependencies() -> tuple[tuple[str, tuple[str, ...]], ...]:
+    """What unknowns of model exchange depend on at one time: states, inputs that act, time."""
+    forces = tuple(f"force.{d}" for d in DRIVES) + tuple(f"velocity.{d}" for d in DRIVES)
+    winds = tuple(f"wind.{a}" for a in "xyz")
+    acting = (*STATE, *forces, *winds, "time")
+    targets = tuple(f"reference.load.position.{a}" for a in "xyz")
+    found: dict[str, tuple[str, ...]] = {n: (n,) for n in STATES}
+    found |= {f"measured.{n}": (n,) for n in STATE[:5]}
+    for i, axis in enumerate("xyz"):
+        found[f"load.position.{axis}"] = STATE[:5]
+        found[f"load.velocity.{axis}"] = STATE
+        found[f"error.load.{axis}"] = (*STATE[:5], targets[i])
+    found["error.load.norm"] = (*STATE[:5], *targets)
+    for drive in DRIVES:
+        for name in ("force", "saturated", "power"):
+            found[f"drive.{drive}.{name}"] = acting
+    found |= dict.fromkeys((*RATES[5:], "rope.force"), acting)
+    found["energy.kinetic"], found["energy.potential"] = STATE, STATE[:5]
+    found["energy.work"] = ("energy.drives", "energy.wind")
+    found["energy.imbalance"] = STATES
+    return tuple(found.items())
 
 
 def _table(starts: dict[str, Any]) -> list[Variable]:

@@ -67,8 +67,9 @@ class Spec:
     """One FMU: its variables in the order of their value references.
 
     What follows the step size is for native FMUs alone: arrays of FMI 3.0, continuous states of
-    model exchange with their derivatives, the variables that an unknown depends on, and the
-    highest order of output derivatives.
+    model exchange with their derivatives, the variables that an unknown depends on, the highest
+    order of output derivatives, the interfaces with directional derivatives, and constants of the
+    Python package that the model in C shares.
     """
 
     name: str
@@ -80,6 +81,8 @@ class Spec:
     states: tuple[tuple[str, str], ...] = ()
     dependencies: tuple[tuple[str, tuple[str, ...]], ...] = ()
     orders: int = 0
+    partials: tuple[str, ...] = ("ModelExchange", "CoSimulation")
+    constants: tuple[tuple[str, float], ...] = ()
     references: dict[str, int] = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:

@@ -98,6 +98,7 @@ def header(spec: Spec, version: int) -> str:
     lines = [
         BANNER + "#ifndef SEGFMU_VARIABLES_H", "#define SEGFMU_VARIABLES_H", "", "enum {",
         *(f"    MODEL_{name} = {size}," for name, size in sizes.items()), "};", "",
+        *(f"#define {name} {value!r}" for name, value in spec.constants), "",
         "/* places in `real` and `integer` */", "enum {", *names, "};", "", "#endif", "",
     ]
     return "\n".join(lines).replace(",\n}", "\n}")

@@ -217,3 +217,26 @@ def evaluate(
                 # where the clock is coarser than a piece is long, the piece must not go on
                 local = min(t - timing[row, 0], timing[row, 1])
                 values[i, axis] = evaluate_piece(coefficients, row, width, local, derivative)
+
+
+def evaluate_orders(
+    time: float,
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+    offsets: 'int[:]',
+    ends: 'float[:]',
+    values: 'float[:,:]',
+) -> None:
+    """The first derivatives of every axis at one time: values[derivative, axis], as `evaluate`."""
+    width = coefficients.shape[1]
+    for axis in range(ends.shape[0]):
+        t = min(max(time, timing[offsets[axis], 0]), ends[axis])
+        row = find_piece(t, timing, offsets[axis], offsets[axis + 1])
+        local = min(t - timing[row, 0], timing[row, 1])
+        for derivative in range(values.shape[0]):
+            if derivative > 0 and t != time:
+                values[derivative, axis] = 0.0
+            else:
+                values[derivative, axis] = evaluate_piece(
+                    coefficients, row, width, local, derivative
+                )

@@ -41,10 +41,10 @@ def feedback_correction(
 
 
 def feedback_bandwidth(
-    ratio: float, length: float, gravity: float, sample_time: float, largest: float
+    ratio: float, length: float, gravity: float, delay: float, largest: float
 ) -> float:
-    """Bandwidth [rad/s]: `ratio` pendulum frequencies, at most `largest` radians a sample."""
-    return min(ratio * sqrt(gravity / length), largest / sample_time)
+    """Bandwidth [rad/s]: `ratio` pendulum frequencies, at most `largest` radians in a delay [s]."""
+    return min(ratio * sqrt(gravity / length), largest / delay)
 
 
 def feedback_gains(

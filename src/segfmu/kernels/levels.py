@@ -88,12 +88,17 @@ def root_level(
         following = 0.5 * (lower + upper)
         if rate > 0.0:
             newton = t - error / rate
+            found = first + second
+            # far from the root, Newton's method on logarithms, as the gain is nearly a power
+            if found > 0.0 and gain > 0.0 and (found > 2.0 * gain or gain > 2.0 * found):
+                newton = t * (gain / found) ** (found / (t * rate))
             if newton > lower and newton < upper:
                 following = newton
         if abs(following - t) <= 4e-16 * t:
             return t, level
         t = following
-    return t, level
+    change, growth = ramp_change(t, ramp)
+    return t, a + change
 
 
 def levels_distance(

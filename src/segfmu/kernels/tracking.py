@@ -87,7 +87,7 @@ def track_law(
     """Feedback on the estimated deviation from where the disturbances are balanced.
 
     A load pushed by an acceleration w hangs at the angle w / g; its position is right with the
-    carriage at -l w / g.
+    carriage at -l w / g, and its height with a rope longer by l (w / g)^2 / 2.
     """
     if parameters[9] < 0.5 or memory[4, 6] < 0.5:
         for i in range(3):
@@ -101,14 +101,16 @@ def track_law(
     for i in range(3):
         memory[7, i] = memory[i, 0]
         memory[7, 5 + i] = memory[i, 2]
+    slant = 0.0
     for i in range(2):
         sign = 1.0 - 2.0 * i
         angle = parameters[8] * memory[i, 5] / parameters[6]
         memory[7, i] = memory[7, i] + length * angle
         memory[7, 3 + i] = sign * (memory[i, 1] - angle)
         memory[7, 8 + i] = sign * memory[i, 3]
+        slant = slant + 0.5 * length * angle * angle
     # the first argument's length chooses the gains, the difference is the deviation
-    memory[8, 2] = length - memory[7, 2]
+    memory[8, 2] = length - memory[7, 2] + slant
     memory[7, 2] = length
     feedback_correction(memory[7, :], memory[8, :], gain_lengths, gains, correction)
     if parameters[0] < 0.5:

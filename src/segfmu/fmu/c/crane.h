@@ -7,7 +7,8 @@
 
 enum {
     STATE = 10, SETPOINTS = 19, PARAMETERS = 37, SENSORS = 18, COLUMNS = 40, GAINS = 3 * STATE,
-    TRACKING = 23, BLOCK = 18 * STATE, TRACKER = 9 * STATE, COMPONENTS = 32, CHANGES = 4, MOST_LENGTHS = MODEL_ROWS, MOST_SAMPLES = 100000
+    PARTIAL_ROWS = 12, PARTIAL_COLUMNS = 17, TRACKING = 23, BLOCK = 18 * STATE, TRACKER = 9 * STATE,
+    COMPONENTS = 32, CHANGES = 4, MOST_LENGTHS = MODEL_ROWS, MOST_SAMPLES = 100000
 };
 
 /* rows of the memory, see kernels/rig.py */
@@ -24,6 +25,12 @@ typedef struct {
     double tracking[TRACKING], nodes[MOST_LENGTHS], observer[MOST_LENGTHS * BLOCK];
     double tracker[TRACKER];
     double derivative[MODEL_STATES];
+    /* co-simulation: inputs at the end of the last step, and their slopes in it */
+    double input[MODEL_INPUTS], slope[MODEL_INPUTS];
+    /* by state, commands, wind and time, see kernels/partials.py; of load and energies by state */
+    double partials[PARTIAL_ROWS * PARTIAL_COLUMNS], load_partials[6 * STATE];
+    double energy_partials[2 * STATE];
+    int64_t differentiated;  /* 1: partials are those of the present time, -1: there are none */
     int64_t count_changes, count_components, count_lengths, count_nodes;
     int64_t rows;       /* of the memory; 0: not initialised */
     double memory[];
@@ -89,6 +96,15 @@ bool crane_set_gains(crane *m, char message[MESSAGE]);
 
 /* The inputs as setpoints. */
 void crane_read_inputs(crane *m);
+
+/* s since the start, as the rig counts them */
+double crane_elapsed(const crane *m);
+
+/* Derivatives of the state at the present time under setpoints; the plant's status. */
+int64_t crane_rates(crane *m);
+
+/* Whether accelerations follow from the setpoints: not without lag in velocity mode. */
+bool crane_follows(const crane *m);
 
 /* The message of a status of the plant. */
 bool crane_failed(crane *m, int64_t status, double time, char message[MESSAGE]);

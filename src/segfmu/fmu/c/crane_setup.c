@@ -20,8 +20,6 @@ SIDE_BY_SIDE(V_SENSOR_BRIDGE_POSITION_RESOLUTION, V_SENSOR_SWAY_Y_ANGLE_OFFSET, 
 SIDE_BY_SIDE(V_PAYLOAD_1_TIME, V_PAYLOAD_4_MASS, 2 * CHANGES);
 
 static const double SMALLEST_SAMPLE = 1e-6;
-/* radians a sample, as in crane/flat_feedback.py */
-static const double LARGEST_ANGLE = 0.25;
 
 static bool driven(const crane *m)
 {
@@ -161,21 +159,24 @@ static bool design_flat(crane *m, char message[MESSAGE])
 {
     const double *real = m->base.real;
     double payload = nominal_payload(m), gravity = real[V_CRANE_GRAVITY], range[2];
+    double delay = real[V_FEEDBACK_SAMPLE_TIME];
+    if (driven(m)) {
+        delay += fmax(m->parameters[5], fmax(m->parameters[6], m->parameters[7]));
+    }
     if (!crane_rope_range(m, range, message)) {
         return false;
     }
     m->count_lengths = range[1] > range[0] ? MOST_LENGTHS : 1;
     for (int64_t row = 0; row < m->count_lengths; row++) {
         m->lengths[row] = crane_node(range, row);
-        double bandwidths[2];
-        for (int i = 0; i < 2; i++) {
-            double ratio = real[i == 0 ? V_FEEDBACK_BANDWIDTH : V_FEEDBACK_HOIST_BANDWIDTH];
-            bandwidths[i] = segfmu_feedback_bandwidth(
-                ratio, m->lengths[row], gravity, real[V_FEEDBACK_SAMPLE_TIME], LARGEST_ANGLE);
-        }
+        double bandwidth = segfmu_feedback_bandwidth(
+            real[V_FEEDBACK_BANDWIDTH], m->lengths[row], gravity, delay, LARGEST_ANGLE);
+        double hoist = segfmu_feedback_bandwidth(
+            real[V_FEEDBACK_HOIST_BANDWIDTH], m->lengths[row], gravity, delay,
+            LARGEST_HOIST_ANGLE);
         segfmu_feedback_gains(
             driven(m), m->lengths[row], real[V_CRANE_BRIDGE_MASS], real[V_CRANE_TROLLEY_MASS],
-            payload, gravity, bandwidths[0], bandwidths[1], real[V_FEEDBACK_DAMPING],
+            payload, gravity, bandwidth, hoist, real[V_FEEDBACK_DAMPING],
             matrix(m->gains + row * GAINS, 3, STATE));
     }
     return true;
@@ -209,7 +210,7 @@ bool crane_set_up(crane *m, char message[MESSAGE])
     }
     m->loop[0] = (double)m->base.integer[V_FEEDBACK_SOURCE];
     m->loop[1] = real[V_FEEDBACK_SAMPLE_TIME];
-    m->loop[3] = 1e-10;
+    m->loop[3] = TOLERANCE;
     if (!set_parameters(m, message) || !set_sensors(m, message) || !crane_set_gains(m, message)
         || !crane_set_tracking(m, message)) {
         return false;

@@ -42,33 +42,41 @@ static bool in_exchange(const crane *m)
     return m->base.interface == EXCHANGE;
 }
 
-/* s since the start, as the rig counts them */
-static double elapsed(crane *m)
+double crane_elapsed(const crane *m)
 {
-    return m->base.real[V_TIME] - row(m, ROW_CLOCK)[0];
+    return m->base.real[V_TIME] - m->memory[ROW_CLOCK * COLUMNS];
 }
 
-/* Derivatives at the present time, state and inputs. */
-static int64_t find_rates(crane *m)
+int64_t crane_rates(crane *m)
 {
-    crane_read_inputs(m);
     return segfmu_rig_rates(matrix(m->components, m->count_components, 7),
-                            vector(m->setpoints, SETPOINTS), elapsed(m), memory_of(m),
+                            vector(m->setpoints, SETPOINTS), crane_elapsed(m), memory_of(m),
                             vector(m->derivative, MODEL_STATES));
 }
 
-/* The first derivatives, where they follow from the setpoints; the report stays that of a start. */
+/* The same under the present inputs. */
+static int64_t find_rates(crane *m)
+{
+    crane_read_inputs(m);
+    return crane_rates(m);
+}
+
+bool crane_follows(const crane *m)
+{
+    const double *lag = m->parameters + 5;
+    return m->parameters[4] < 0.5 || (lag[0] > 0.0 && lag[1] > 0.0 && lag[2] > 0.0);
+}
+
+/* The first derivatives; the report stays that of a start. */
 static void start_rates(crane *m)
 {
     double report[COLUMNS];
-    const double *lag = m->parameters + 5;
     memset(m->derivative, 0, sizeof m->derivative);
-    if (m->parameters[4] > 0.5 && (lag[0] == 0.0 || lag[1] == 0.0 || lag[2] == 0.0)) {
-        return;
+    if (crane_follows(m)) {
+        memcpy(report, row(m, ROW_REPORT), sizeof report);
+        find_rates(m);
+        memcpy(row(m, ROW_REPORT), report, sizeof report);
     }
-    memcpy(report, row(m, ROW_REPORT), sizeof report);
-    find_rates(m);
-    memcpy(row(m, ROW_REPORT), report, sizeof report);
 }
 
 bool model_initialise(model *base, char message[MESSAGE])
@@ -88,6 +96,8 @@ bool model_initialise(model *base, char message[MESSAGE])
         base->integer[V_DRIVE_BRIDGE_SATURATED + i] = 0;
     }
     start_rates(m);
+    memcpy(m->input, base->real, sizeof m->input);
+    memset(m->slope, 0, sizeof m->slope);
     return true;
 }
 
@@ -98,16 +108,21 @@ bool model_initialise(model *base, char message[MESSAGE])
 static void read_setpoints(crane *m, double time)
 {
     const model *base = &m->base;
-    double *last = row(m, ROW_LAST);
     double now = base->real[V_TIME], share = (time - now) / (base->step_end - now);
     crane_read_inputs(m);
-    for (int i = 0; i < 16; i++) {
+    for (int i = 0; i < V_WIND_X; i++) {
+        double start = m->input[i], end = base->real[i];
         if (base->sloped) {
-            double start = m->setpoints[i];
-            last[i] = start + base->slope[i] * (now - base->step_start);
-            m->setpoints[i] = start + base->slope[i] * (time - base->step_start);
+            start = end + base->slope[i] * (now - base->step_start);
+            end = end + base->slope[i] * (time - base->step_start);
         } else if (time < base->step_end) {
-            m->setpoints[i] = last[i] + (m->setpoints[i] - last[i]) * share;
+            end = start + (end - start) * share;
+        }
+        m->slope[i] = (end - start) / (time - now);
+        m->input[i] = end;
+        if (i < V_REFERENCE_LOAD_POSITION_X) {
+            row(m, ROW_LAST)[i] = start;
+            m->setpoints[i] = end;
         }
     }
 }
@@ -159,7 +174,7 @@ bool model_event(model *base, char message[MESSAGE])
     if (!in_exchange(m)) {
         return true;
     }
-    double late = elapsed(m) - segfmu_rig_next_event(
+    double late = crane_elapsed(m) - segfmu_rig_next_event(
         vector(m->loop, 4), vector(m->sensors, SENSORS), memory_of(m));
     if (late > LATEST) {
         return say(message, "the time event at %.9g s was missed by %g s; an importer has to stop at "
@@ -170,8 +185,8 @@ bool model_event(model *base, char message[MESSAGE])
                      matrix(m->changes, m->count_changes, 2), vector(m->tracking, TRACKING),
                      vector(m->nodes, m->count_nodes), observer_of(m),
                      vector(m->lengths, m->count_lengths), gains_of(m),
-                     matrix(m->tracker, 9, STATE), vector(m->setpoints, SETPOINTS), elapsed(m),
-                     memory_of(m));
+                     matrix(m->tracker, 9, STATE), vector(m->setpoints, SETPOINTS),
+                     crane_elapsed(m), memory_of(m));
     find_rates(m);
     for (int i = 0; i < 3; i++) {
         base->integer[V_DRIVE_BRIDGE_SATURATED + i] = row(m, ROW_REPORT)[3 + i] > 0.0;
@@ -212,10 +227,11 @@ bool model_evaluate(model *base, char message[MESSAGE])
     crane *m = (crane *)base;
     double *real = base->real;
     (void)message;
+    m->differentiated = 0;
     if (in_exchange(m)) {
         find_rates(m);
         if (m->sensors[0] <= 0.0) {
-            segfmu_rig_signals(vector(m->sensors, SENSORS), elapsed(m), memory_of(m));
+            segfmu_rig_signals(vector(m->sensors, SENSORS), crane_elapsed(m), memory_of(m));
         }
     }
     const double *state = row(m, ROW_STATE), *report = row(m, ROW_REPORT);
@@ -236,24 +252,6 @@ bool model_evaluate(model *base, char message[MESSAGE])
     real[V_POWER_FRICTION] = report[8];
     real[V_PAYLOAD_MASS] = row(m, ROW_PARAMETERS)[2];
     return true;
-}
-
-bool model_output_derivative(model *base, const variable *output, int64_t order, double *value)
-{
-    (void)base;
-    (void)output;
-    (void)order;
-    (void)value;
-    return false;
-}
-
-bool model_partial(model *base, const variable *unknown, const variable *known, double *value)
-{
-    (void)base;
-    (void)unknown;
-    (void)known;
-    (void)value;
-    return false;
 }
 
 /* ---- model exchange ---- */
@@ -285,6 +283,6 @@ bool model_accept(model *base, char message[MESSAGE])
     crane *m = (crane *)base;
     int64_t status = find_rates(m);
     base->evaluated = 0;
-    segfmu_rig_signals(vector(m->sensors, SENSORS), elapsed(m), memory_of(m));
+    segfmu_rig_signals(vector(m->sensors, SENSORS), crane_elapsed(m), memory_of(m));
     return status == 0 || crane_failed(m, status, base->real[V_TIME], message);
 }

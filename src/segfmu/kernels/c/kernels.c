@@ -112,6 +112,8 @@ static void track_wake(array_double_1d parameters, array_double_1d measured, arr
 static void track_observe(array_double_1d parameters, array_double_1d lengths, array_double_3d table, array_double_1d measured, array_double_1d reference, array_double_2d memory);
 static void track_law(array_double_1d parameters, double length, array_double_1d gain_lengths, array_double_3d gains, array_double_2d memory, array_double_1d correction);
 static void track_hoist(array_double_1d parameters, array_double_2d memory);
+static void crane_rhs_partials(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d partials);
+static void crane_driven_partials(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d partials);
 static void series_product(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found);
 static void series_quotient(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found);
 static void series_root(array_double_1d a, int64_t count, array_double_1d found);
@@ -159,6 +161,11 @@ static void prepare_tick(array_double_1d sensors, array_double_1d setpoints, dou
 static void correct_setpoints(array_double_1d loop, array_double_1d tracking, array_double_1d lengths, array_double_3d table, array_double_1d gain_lengths, array_double_3d gains, array_double_2d tracker, array_double_2d memory);
 static void command_velocities(array_double_1d setpoints, double duration, double until, array_double_2d memory);
 static int64_t advance_plant(array_double_1d loop, array_double_2d components, array_double_1d setpoints, double duration, double until, array_double_2d memory);
+static double friction_slope(array_double_1d parameters, int64_t axis, double velocity);
+static double wind_slope(array_double_1d parameters, array_double_2d components, double time, int64_t axis);
+static void forced_partials(array_double_1d parameters, array_double_1d state, array_double_2d rig, array_double_2d work, array_double_2d partials);
+static bool driven_partials(array_double_1d parameters, array_double_1d state, array_double_2d rig, array_double_1d command, array_double_2d work, array_double_2d partials);
+static void power_partials(array_double_1d parameters, array_double_1d state, array_double_2d rig, array_double_2d work, array_double_2d partials);
 
 
 /*Coefficients of Psi(s, 1) of (12) in ascending powers of s; 2 order + 2 of them. */
@@ -985,54 +992,58 @@ static double level_past_zero(double v, double a, double velocity_limit, double 
     }
     return inside;
 }
-/*Phases from (v, a) to zero acceleration; their number (-1: the limit does not admit them). */
-/*                                                                                           */
-/*    Also returns duration, distance and end velocity.                                      */
-/*                                                                                           */
+/*Phases from (v, a) to zero acceleration; their number (-1: the limit does not admit them).     */
+/*                                                                                               */
+/*    Also returns duration, distance and end velocity. Where the way back from a level past zero*/
+/*    passes the limit on the other side, it is braked in turn.                                  */
+/*                                                                                               */
 static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases)
 {
     int64_t count;
+    double level;
+    double reached;
+    int64_t i;
     double duration;
     double y;
     double end;
     double lowest;
     double highest;
     double sign;
-    double level;
-    count = append_change(phases, INT64_C(0), a, 0.0, ramp);
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, ramp);
-    if (fabs(end) > velocity_limit * (1.0 + 1e-12))
+    double past;
+    count = INT64_C(0);
+    level = a;
+    reached = v;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
+        count = append_change(phases, count, level, 0.0, ramp);
+        segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, ramp);
+        if (fabs(end) <= velocity_limit * (1.0 + 1e-12))
+        {
+            (*result_0) = count;
+            (*result_1) = duration;
+            (*result_2) = y;
+            (*result_3) = end;
+            return 0;
+        }
+        count = count - INT64_C(1);
         sign = 1.0;
-        if (a < 0.0)
+        if (level < 0.0)
         {
             sign = -1.0;
         }
-        level = sign * level_past_zero(sign * v, sign * a, velocity_limit, top, ramp);
-        if (level * sign > 0.0)
+        past = sign * level_past_zero(sign * reached, sign * level, velocity_limit, top, ramp);
+        if (past * sign > 0.0)
         {
-            (*result_0) = -INT64_C(1);
-            (*result_1) = 0.0;
-            (*result_2) = 0.0;
-            (*result_3) = 0.0;
-            return 0;
+            break;
         }
-        count = append_change(phases, INT64_C(0), a, level, ramp);
-        count = append_change(phases, count, level, 0.0, ramp);
-        segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, ramp);
-        if (fabs(end) > velocity_limit)
-        {
-            (*result_0) = -INT64_C(1);
-            (*result_1) = 0.0;
-            (*result_2) = 0.0;
-            (*result_3) = 0.0;
-            return 0;
-        }
+        count = append_change(phases, count, level, past, ramp);
+        segfmu_measure_phases(&duration, &y, &reached, &lowest, &highest, phases, count, v, ramp);
+        level = past;
     }
-    (*result_0) = count;
-    (*result_1) = duration;
-    (*result_2) = y;
-    (*result_3) = end;
+    (*result_0) = -INT64_C(1);
+    (*result_1) = 0.0;
+    (*result_2) = 0.0;
+    (*result_3) = 0.0;
     return 0;
 }
 /*Put the braking of the initial and the build-up of the final acceleration around phases. */
@@ -1120,6 +1131,7 @@ static int64_t root_level(double* result_0, double* result_1, double gain, doubl
     double rate;
     double following;
     double newton;
+    double found;
     t = lower + (upper - lower) * sqrt(share);
     level = a;
     for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
@@ -1149,6 +1161,12 @@ static int64_t root_level(double* result_0, double* result_1, double gain, doubl
         if (rate > 0.0)
         {
             newton = t - error / rate;
+            found = first + second;
+            /*far from the root, Newton's method on logarithms, as the gain is nearly a power*/
+            if ((found > 0.0) && (gain > 0.0) && ((found > 2.0 * gain) || (gain > 2.0 * found)))
+            {
+                newton = t * pow((gain / found), (found / (t * rate)));
+            }
             if ((newton > lower) && (newton < upper))
             {
                 following = newton;
@@ -1162,8 +1180,9 @@ static int64_t root_level(double* result_0, double* result_1, double gain, doubl
         }
         t = following;
     }
+    ramp_change(&change, &growth, t, ramp);
     (*result_0) = t;
-    (*result_1) = level;
+    (*result_1) = a + change;
     return 0;
 }
 /*Ramp from a to a level in [low, high], hold it, ramp to b, and gain a velocity.                  */
@@ -2244,6 +2263,8 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
     double shortest;
     int64_t variant;
     int64_t attempt;
+    int64_t first;
+    int64_t last;
     bool brake_start;
     bool brake_end;
     double v1;
@@ -2281,6 +2302,8 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
         {
             break;
         }
+        first = INT64_C(0);
+        last = INT64_C(0);
         brake_start = span_floor_mod(variant, INT64_C(2)) == INT64_C(1);
         brake_end = span_floor_mod(variant, INT64_C(4)) >= INT64_C(2);
         if ((brake_start && (a == 0.0)) || (brake_end && (b == 0.0)))
@@ -2294,8 +2317,8 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
         rest = distance;
         if (brake_start)
         {
-            brake(&count, &duration, &y, &v1, v, a, velocity_limit, top, ramp, trial);
-            if (count < INT64_C(0))
+            brake(&first, &duration, &y, &v1, v, a, velocity_limit, top, ramp, trial);
+            if (first < INT64_C(0))
             {
                 return -INT64_C(1);
             }
@@ -2304,13 +2327,18 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
         }
         if (brake_end)
         {
-            brake(&count, &duration, &y, &w1, w, -b, velocity_limit, top, ramp, trial);
-            if (count < INT64_C(0))
+            brake(&last, &duration, &y, &w1, w, -b, velocity_limit, top, ramp, trial);
+            if (last < INT64_C(0))
             {
                 return -INT64_C(2);
             }
             rest = rest - y;
             b1 = 0.0;
+        }
+        /*12 rows hold seven phases between them*/
+        if (first + last > INT64_C(5))
+        {
+            continue;
         }
         count = shortest_between(attempt, found, trial, v1, a1, w1, b1, rest, velocity_limit, top, ramp);
         if ((count == INT64_C(0)) && (!((rest == 0.0) && (v1 == w1) && (a1 == 0.0) && (b1 == 0.0))))
@@ -2593,6 +2621,8 @@ static void timed_between(double target, double v, double a, double w, double b,
 double segfmu_timed_profile(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial)
 {
     int64_t variant;
+    int64_t first;
+    int64_t last;
     bool brake_start;
     bool brake_end;
     double time;
@@ -2601,7 +2631,6 @@ double segfmu_timed_profile(double target, double v, double a, double w, double 
     double a1;
     double w1;
     double b1;
-    int64_t count;
     double duration;
     double y;
     double span;
@@ -2616,6 +2645,8 @@ double segfmu_timed_profile(double target, double v, double a, double w, double 
     (*cspan_at(&found, INT64_C(4))) = 0.0;
     for (variant = INT64_C(0); variant < INT64_C(4); variant += INT64_C(1))
     {
+        first = INT64_C(0);
+        last = INT64_C(0);
         brake_start = (variant == INT64_C(1)) || (variant == INT64_C(3));
         brake_end = variant >= INT64_C(2);
         if ((brake_start && (a == 0.0)) || (brake_end && (b == 0.0)))
@@ -2630,8 +2661,8 @@ double segfmu_timed_profile(double target, double v, double a, double w, double 
         b1 = b;
         if (brake_start)
         {
-            brake(&count, &duration, &y, &v1, v, a, velocity_limit, top, ramp, trial);
-            if (count < INT64_C(0))
+            brake(&first, &duration, &y, &v1, v, a, velocity_limit, top, ramp, trial);
+            if (first < INT64_C(0))
             {
                 return -1.0;
             }
@@ -2641,8 +2672,8 @@ double segfmu_timed_profile(double target, double v, double a, double w, double 
         }
         if (brake_end)
         {
-            brake(&count, &duration, &y, &w1, w, -b, velocity_limit, top, ramp, trial);
-            if (count < INT64_C(0))
+            brake(&last, &duration, &y, &w1, w, -b, velocity_limit, top, ramp, trial);
+            if (last < INT64_C(0))
             {
                 return -1.0;
             }
@@ -2650,7 +2681,8 @@ double segfmu_timed_profile(double target, double v, double a, double w, double 
             rest = rest - y;
             b1 = 0.0;
         }
-        if (time <= 0.0)
+        /*12 rows hold seven phases between them*/
+        if ((time <= 0.0) || (first + last > INT64_C(5)))
         {
             continue;
         }
@@ -2776,32 +2808,41 @@ static bool set_duration(int64_t interval, int64_t axis, double target, double s
 /*The end of the gap that holds the infeasible duration `start`; -1 if none is found.                */
 /*                                                                                                   */
 /*    found[4] is the distance by which the profiles of `start` miss. To cover it takes at least the */
-/*    time that it takes at the velocity limit, of which a tenth is skipped at once.                 */
+/*    time that it takes at the velocity limit, of which a part is skipped at once. Windows of       */
+/*    feasible durations are narrower the smoother the ramps are, so for smoothness 5 and more the   */
+/*    steps are shorter.                                                                             */
 /*                                                                                                   */
 static double next_feasible(int64_t interval, int64_t axis, double start, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial)
 {
     double outside;
     double growth;
+    double skipped;
     int64_t i;
     double duration;
     double inside;
     outside = start;
     inside = -1.0;
     growth = 1.005;
-    for (i = INT64_C(0); i < INT64_C(500); i += INT64_C(1))
+    skipped = 0.1;
+    if (limits.shape[INT64_C(1)] > INT64_C(5))
     {
-        duration = span_max(outside * growth, outside + 0.1 * (*cspan_at(&found, INT64_C(4))) / (*cspan_at(&limits, axis, INT64_C(0))));
+        growth = 1.003;
+        skipped = 0.02;
+    }
+    for (i = INT64_C(0); i < INT64_C(600); i += INT64_C(1))
+    {
+        duration = span_max(outside * growth, outside + skipped * (*cspan_at(&found, INT64_C(4))) / (*cspan_at(&limits, axis, INT64_C(0))));
         if (set_duration(interval, axis, duration, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial))
         {
             inside = duration;
             break;
         }
         outside = duration;
-        if (i > INT64_C(140))
+        if (i > INT64_C(230))
         {
             growth = 1.02;
         }
-        if (i > INT64_C(260))
+        if (i > INT64_C(350))
         {
             growth = 1.1;
         }
@@ -3410,6 +3451,34 @@ void segfmu_evaluate(array_double_1d times, array_double_2d timing, array_double
                 /*where the clock is coarser than a piece is long, the piece must not go on*/
                 local = span_min(t - (*cspan_at(&timing, row, INT64_C(0))), (*cspan_at(&timing, row, INT64_C(1))));
                 (*cspan_at(&values, i, axis)) = evaluate_piece(coefficients, row, width, local, derivative);
+            }
+        }
+    }
+}
+/*The first derivatives of every axis at one time: values[derivative, axis], as `evaluate`.*/
+void segfmu_evaluate_orders(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d values)
+{
+    int64_t width;
+    int64_t axis;
+    double t;
+    int64_t row;
+    double local;
+    int64_t derivative;
+    width = coefficients.shape[INT64_C(1)];
+    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        t = span_min(span_max(time, (*cspan_at(&timing, (*cspan_at(&offsets, axis)), INT64_C(0)))), (*cspan_at(&ends, axis)));
+        row = find_piece(t, timing, (*cspan_at(&offsets, axis)), (*cspan_at(&offsets, axis + INT64_C(1))));
+        local = span_min(t - (*cspan_at(&timing, row, INT64_C(0))), (*cspan_at(&timing, row, INT64_C(1))));
+        for (derivative = INT64_C(0); derivative < values.shape[INT64_C(0)]; derivative += INT64_C(1))
+        {
+            if ((derivative > INT64_C(0)) && (t != time))
+            {
+                (*cspan_at(&values, derivative, axis)) = 0.0;
+            }
+            else
+            {
+                (*cspan_at(&values, derivative, axis)) = evaluate_piece(coefficients, row, width, local, derivative);
             }
         }
     }
@@ -4205,11 +4274,11 @@ void segfmu_feedback_correction(array_double_1d state, array_double_1d reference
         (*cspan_at(&correction, i)) = -total;
     }
 }
-/*Bandwidth [rad/s]: `ratio` pendulum frequencies, at most `largest` radians a sample. */
-double segfmu_feedback_bandwidth(double ratio, double length, double gravity, double sample_time, double largest)
+/*Bandwidth [rad/s]: `ratio` pendulum frequencies, at most `largest` radians in a delay [s]. */
+double segfmu_feedback_bandwidth(double ratio, double length, double gravity, double delay, double largest)
 {
     double result;
-    return span_min(ratio * sqrt(gravity / length), largest / sample_time);
+    return span_min(ratio * sqrt(gravity / length), largest / delay);
 }
 /*Gains (3, 10) that give the flat output's error chosen poles; closed form.                           */
 /*                                                                                                     */
@@ -4826,11 +4895,12 @@ static void track_observe(array_double_1d parameters, array_double_1d lengths, a
 /*Feedback on the estimated deviation from where the disturbances are balanced.                  */
 /*                                                                                               */
 /*    A load pushed by an acceleration w hangs at the angle w / g; its position is right with the*/
-/*    carriage at -l w / g.                                                                      */
+/*    carriage at -l w / g, and its height with a rope longer by l (w / g)^2 / 2.                */
 /*                                                                                               */
 static void track_law(array_double_1d parameters, double length, array_double_1d gain_lengths, array_double_3d gains, array_double_2d memory, array_double_1d correction)
 {
     int64_t i;
+    double slant;
     double sign;
     double angle;
     double mass;
@@ -4859,6 +4929,7 @@ static void track_law(array_double_1d parameters, double length, array_double_1d
         (*cspan_at(&memory, INT64_C(7), i)) = (*cspan_at(&memory, i, INT64_C(0)));
         (*cspan_at(&memory, INT64_C(7), INT64_C(5) + i)) = (*cspan_at(&memory, i, INT64_C(2)));
     }
+    slant = 0.0;
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
         sign = 1.0 - 2.0 * i;
@@ -4866,9 +4937,10 @@ static void track_law(array_double_1d parameters, double length, array_double_1d
         (*cspan_at(&memory, INT64_C(7), i)) = (*cspan_at(&memory, INT64_C(7), i)) + length * angle;
         (*cspan_at(&memory, INT64_C(7), INT64_C(3) + i)) = sign * ((*cspan_at(&memory, i, INT64_C(1))) - angle);
         (*cspan_at(&memory, INT64_C(7), INT64_C(8) + i)) = sign * (*cspan_at(&memory, i, INT64_C(3)));
+        slant = slant + 0.5 * length * angle * angle;
     }
     /*the first argument's length chooses the gains, the difference is the deviation*/
-    (*cspan_at(&memory, INT64_C(8), INT64_C(2))) = length - (*cspan_at(&memory, INT64_C(7), INT64_C(2)));
+    (*cspan_at(&memory, INT64_C(8), INT64_C(2))) = length - (*cspan_at(&memory, INT64_C(7), INT64_C(2))) + slant;
     (*cspan_at(&memory, INT64_C(7), INT64_C(2))) = length;
     segfmu_feedback_correction(span_row(&memory, INT64_C(7)), span_row(&memory, INT64_C(8)), gain_lengths, gains, correction);
     if ((*cspan_at(&parameters, INT64_C(0))) < 0.5)
@@ -5454,6 +5526,1001 @@ void segfmu_crane_energy(array_double_1d state, double bridge_mass, double troll
     c12 = (-c4) * c9 - c5 * c7 + c6 * c7 + y_t_rate;
     (*cspan_at(&energy, INT64_C(0))) = 1.0 / 2.0 * bridge_mass * c0 + 1.0 / 2.0 * payload_mass * (c10 * c10 + c11 * c11 + c12 * c12) + 1.0 / 2.0 * trolley_mass * (c0 + y_t_rate * y_t_rate);
     (*cspan_at(&energy, INT64_C(1))) = (-c4) * c8 * gravity * payload_mass;
+}
+/*Accelerations (5) by the state (10), generalised forces (5) and load forces (3). */
+static void crane_rhs_partials(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d partials)
+{
+    double l;
+    double phi_x;
+    double phi_y;
+    double l_rate;
+    double phi_x_rate;
+    double phi_y_rate;
+    double f_x_t;
+    double f_y_t;
+    double f_l;
+    double f_phi_x;
+    double f_phi_y;
+    double w_x;
+    double w_y;
+    double w_z;
+    double c0;
+    double c1;
+    double c2;
+    double c3;
+    double c4;
+    double c5;
+    double c6;
+    double c7;
+    double c8;
+    double c9;
+    double c10;
+    double c11;
+    double c12;
+    double c13;
+    double c14;
+    double c15;
+    double c16;
+    double c17;
+    double c18;
+    double c19;
+    double c20;
+    double c21;
+    double c22;
+    double c23;
+    double c24;
+    double c25;
+    double c26;
+    double c27;
+    double c28;
+    double c29;
+    double c30;
+    double c31;
+    double c32;
+    double c33;
+    double c34;
+    double c35;
+    double c36;
+    double c37;
+    double c38;
+    double c39;
+    double c40;
+    double c41;
+    double c42;
+    double c43;
+    double c44;
+    double c45;
+    double c46;
+    double c47;
+    double c48;
+    double c49;
+    double c50;
+    double c51;
+    double c52;
+    double c53;
+    double c54;
+    double c55;
+    double c56;
+    double c57;
+    double c58;
+    double c59;
+    double c60;
+    double c61;
+    double c62;
+    double c63;
+    double c64;
+    double c65;
+    double c66;
+    double c67;
+    double c68;
+    double c69;
+    double c70;
+    double c71;
+    double c72;
+    double c73;
+    double c74;
+    double c75;
+    double c76;
+    double c77;
+    double c78;
+    double c79;
+    double c80;
+    double c81;
+    double c82;
+    double c83;
+    double c84;
+    double c85;
+    double c86;
+    double c87;
+    double c88;
+    double c89;
+    double c90;
+    double c91;
+    double c92;
+    double c93;
+    double c94;
+    double c95;
+    double c96;
+    double c97;
+    double c98;
+    double c99;
+    double c100;
+    double c101;
+    double c102;
+    double c103;
+    double c104;
+    double c105;
+    double c106;
+    double c107;
+    double c108;
+    double c109;
+    double c110;
+    double c111;
+    double c112;
+    l = (*cspan_at(&state, INT64_C(2)));
+    phi_x = (*cspan_at(&state, INT64_C(3)));
+    phi_y = (*cspan_at(&state, INT64_C(4)));
+    l_rate = (*cspan_at(&state, INT64_C(7)));
+    phi_x_rate = (*cspan_at(&state, INT64_C(8)));
+    phi_y_rate = (*cspan_at(&state, INT64_C(9)));
+    f_x_t = (*cspan_at(&generalized_force, INT64_C(0)));
+    f_y_t = (*cspan_at(&generalized_force, INT64_C(1)));
+    f_l = (*cspan_at(&generalized_force, INT64_C(2)));
+    f_phi_x = (*cspan_at(&generalized_force, INT64_C(3)));
+    f_phi_y = (*cspan_at(&generalized_force, INT64_C(4)));
+    w_x = (*cspan_at(&load_force, INT64_C(0)));
+    w_y = (*cspan_at(&load_force, INT64_C(1)));
+    w_z = (*cspan_at(&load_force, INT64_C(2)));
+    c0 = INT64_C(1) / (bridge_mass + trolley_mass);
+    c1 = INT64_C(1) / (l * l);
+    c2 = cos(phi_x);
+    c3 = c2 * f_phi_x;
+    c4 = c0 * c1 * c3;
+    c5 = c2 * f_l;
+    c6 = INT64_C(1) / l;
+    c7 = sin(phi_x);
+    c8 = c7 * f_phi_x;
+    c9 = c6 * c8;
+    c10 = c5 - c9;
+    c11 = c0 * c10;
+    c12 = (-c0) * c7;
+    c13 = c2 * c6;
+    c14 = (-c0) * c13;
+    c15 = sin(phi_y);
+    c16 = cos(phi_y);
+    c17 = INT64_C(1) / c2;
+    c18 = c17 * f_phi_y;
+    c19 = c16 * c18;
+    c20 = c15 * c8 - c19;
+    c21 = INT64_C(1) / trolley_mass;
+    c22 = c1 * c21;
+    c23 = c20 * c22;
+    c24 = c7 * f_l;
+    c25 = c13 * f_phi_x;
+    c26 = c16 * c7;
+    c27 = c2 * c2;
+    c28 = INT64_C(1) / c27;
+    c29 = c28 * c6 * f_phi_y;
+    c30 = c15 * c24 + c15 * c25 - c26 * c29;
+    c31 = (-c21) * c30;
+    c32 = c15 * c18;
+    c33 = (-c16) * c5 + c16 * c9 + c32 * c6;
+    c34 = c15 * c2;
+    c35 = c21 * c34;
+    c36 = c15 * c7;
+    c37 = c21 * c6;
+    c38 = (-c36) * c37;
+    c39 = c17 * c6;
+    c40 = c16 * c39;
+    c41 = c21 * c40;
+    c42 = INT64_C(1) / payload_mass;
+    c43 = c1 * c42;
+    c44 = c3 * c43 + c4 - c7 * (phi_x_rate * phi_x_rate);
+    c45 = c16 * c2;
+    c46 = c45 * phi_x_rate;
+    c47 = c7 * phi_y_rate;
+    c48 = c15 * c47;
+    c49 = c46 - c48;
+    c50 = c7 * phi_x_rate;
+    c51 = c15 * c50;
+    c52 = (-c16) * c2 * phi_y_rate + c51;
+    c53 = -c52;
+    c54 = c43 * (c16 * c8 + c32) + c49 * phi_x_rate + c53 * phi_y_rate;
+    c55 = c34 * phi_x_rate;
+    c56 = c16 * c47;
+    c57 = c55 + c56;
+    c58 = c16 * c50;
+    c59 = c34 * phi_y_rate;
+    c60 = c58 + c59;
+    c61 = c20 * c43 + c23 + c57 * phi_x_rate + c60 * phi_y_rate;
+    c62 = c7 * l_rate;
+    c63 = c10 * c42 + c11 + c62 * phi_x_rate + phi_x_rate * (c2 * l * phi_x_rate + c62);
+    c64 = c2 * l_rate;
+    c65 = c50 * l - c64;
+    c66 = c24 + c25;
+    c67 = c42 * (c66 + w_x);
+    c68 = c66 - f_x_t;
+    c69 = c15 * c62 + c55 * l + c56 * l;
+    c70 = c69 * phi_y_rate;
+    c71 = (-c16) * c64 + c58 * l + c59 * l;
+    c72 = c42 * (c16 * c24 + c16 * c25 + c29 * c36);
+    c73 = c16 * c62 + c46 * l - c48 * l;
+    c74 = c15 * c64 + c45 * l * phi_y_rate - c51 * l;
+    c75 = c60 * l_rate + c73 * phi_x_rate + c74 * phi_y_rate;
+    c76 = (-c42) * (c33 + w_z) + c75 + gravity;
+    c77 = c16 * c76;
+    c78 = c15 * c5 - c15 * c9 + c19 * c6;
+    c79 = c78 - w_y;
+    c80 = c69 * phi_x_rate;
+    c81 = c21 * (c78 + f_y_t) + c52 * l_rate + c71 * phi_y_rate + c80;
+    c82 = (-c30) * c42 + c57 * l_rate + c73 * phi_y_rate + c74 * phi_x_rate;
+    c83 = -c71;
+    c84 = (-c42) * c78 + c53 * l_rate - c80 + c83 * phi_y_rate;
+    c85 = c15 * c76;
+    c86 = (-c21) * c33 - c33 * c42 + c75;
+    c87 = c42 * c79 + c81;
+    c88 = c16 * c87;
+    c89 = c15 * c86 + c16 * c84 - c85 + c88;
+    c90 = c16 * c60;
+    c91 = c15 * c52;
+    c92 = INT64_C(2) * c2;
+    c93 = c15 * c71 + c16 * c74;
+    c94 = c16 * c16;
+    c95 = c42 * c94;
+    c96 = c7 * c7;
+    c97 = c0 + c42;
+    c98 = c15 * c15;
+    c99 = c21 + c42;
+    c100 = c98 * c99;
+    c101 = c13 * c7 * (c0 - c100 + c42 - c95);
+    c102 = c15 * c16 * c37;
+    c103 = c42 * c7;
+    c104 = (-c0) * c68 + c64 * phi_x_rate - c65 * phi_x_rate - c67;
+    c105 = c49 * l_rate - c70 - c72 + c83 * phi_x_rate;
+    c106 = c15 * c87;
+    c107 = (-c21) * c30 + c82;
+    c108 = c6 * c7;
+    c109 = INT64_C(2) * c6;
+    c110 = (-c16) * c17 * c22 * c36;
+    c111 = c103 * c6;
+    c112 = c109 * c17;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(0))) = 0.0;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(1))) = 0.0;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(2))) = c4;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(3))) = -c11;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(4))) = 0.0;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(5))) = 0.0;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(6))) = 0.0;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(7))) = 0.0;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(8))) = 0.0;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(9))) = 0.0;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(10))) = c0;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(11))) = 0.0;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(12))) = c12;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(13))) = c14;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(14))) = 0.0;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(15))) = 0.0;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(16))) = 0.0;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(17))) = 0.0;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(0))) = 0.0;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(1))) = 0.0;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(2))) = c23;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(3))) = c31;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(4))) = (-c21) * c33;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(5))) = 0.0;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(6))) = 0.0;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(7))) = 0.0;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(8))) = 0.0;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(9))) = 0.0;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(10))) = 0.0;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(11))) = c21;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(12))) = c35;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(13))) = c38;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(14))) = c41;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(15))) = 0.0;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(16))) = 0.0;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(17))) = 0.0;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(0))) = 0.0;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(1))) = 0.0;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(2))) = c34 * c61 - c44 * c7 + c45 * c54;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(3))) = (-c2) * ((-c0) * c68 + c2 * l_rate * phi_x_rate - c65 * phi_x_rate - c67) + c34 * (c31 + c82) - c36 * (c42 * c79 + c81) + c45 * (c49 * l_rate - c70 - c71 * phi_x_rate - c72) + c63 * c7 - c7 * c77;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(4))) = c2 * c89;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(5))) = 0.0;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(6))) = 0.0;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(7))) = c92 * ((-c50) + c90 + c91);
+    (*cspan_at(&partials, INT64_C(2), INT64_C(8))) = INT64_C(2) * c34 * c69 + INT64_C(2) * c45 * c73 + INT64_C(2) * c65 * c7;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(9))) = c92 * c93;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(10))) = c12;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(11))) = c35;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(12))) = c100 * c27 + c27 * c95 + c96 * c97;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(13))) = c101;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(14))) = c102;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(15))) = c103;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(16))) = (-c34) * c42;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(17))) = (-c42) * c45;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(0))) = 0.0;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(1))) = 0.0;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(2))) = c6 * (c104 * c2 * c6 + c15 * c6 * c7 * c87 + c16 * c6 * c7 * c76 - c2 * c44 - c26 * c54 - c36 * c61);
+    (*cspan_at(&partials, INT64_C(3), INT64_C(3))) = c6 * (c104 * c7 - c105 * c26 - c106 * c2 - c107 * c36 + c2 * c63 - c2 * c77);
+    (*cspan_at(&partials, INT64_C(3), INT64_C(4))) = (-c108) * c89;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(5))) = 0.0;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(6))) = 0.0;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(7))) = (-c109) * (c27 * phi_x_rate + c7 * c90 + c7 * c91);
+    (*cspan_at(&partials, INT64_C(3), INT64_C(8))) = c109 * (c2 * c65 - c26 * c73 - c36 * c69);
+    (*cspan_at(&partials, INT64_C(3), INT64_C(9))) = (-INT64_C(2)) * c108 * c93;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(10))) = c14;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(11))) = c38;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(12))) = c101;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(13))) = c1 * (c100 * c96 + c27 * c97 + c95 * c96);
+    (*cspan_at(&partials, INT64_C(3), INT64_C(14))) = c110;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(15))) = c13 * c42;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(16))) = c111 * c15;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(17))) = c111 * c16;
+    (*cspan_at(&partials, INT64_C(4), INT64_C(0))) = 0.0;
+    (*cspan_at(&partials, INT64_C(4), INT64_C(1))) = 0.0;
+    (*cspan_at(&partials, INT64_C(4), INT64_C(2))) = c39 * ((-c15) * c54 + c15 * c6 * c76 + c16 * c61 - c6 * c88);
+    (*cspan_at(&partials, INT64_C(4), INT64_C(3))) = c39 * ((-c105) * c15 + c107 * c16 + c16 * c17 * c7 * c87 - c17 * c7 * c85);
+    (*cspan_at(&partials, INT64_C(4), INT64_C(4))) = c39 * ((-c106) - c15 * c84 + c16 * c86 - c77);
+    (*cspan_at(&partials, INT64_C(4), INT64_C(5))) = 0.0;
+    (*cspan_at(&partials, INT64_C(4), INT64_C(6))) = 0.0;
+    (*cspan_at(&partials, INT64_C(4), INT64_C(7))) = c112 * ((-c15) * c60 + c16 * c52);
+    (*cspan_at(&partials, INT64_C(4), INT64_C(8))) = c112 * ((-c15) * c73 + c16 * c69);
+    (*cspan_at(&partials, INT64_C(4), INT64_C(9))) = c112 * ((-c15) * c74 + c16 * c71);
+    (*cspan_at(&partials, INT64_C(4), INT64_C(10))) = 0.0;
+    (*cspan_at(&partials, INT64_C(4), INT64_C(11))) = c41;
+    (*cspan_at(&partials, INT64_C(4), INT64_C(12))) = c102;
+    (*cspan_at(&partials, INT64_C(4), INT64_C(13))) = c110;
+    (*cspan_at(&partials, INT64_C(4), INT64_C(14))) = c1 * c28 * (c42 * c98 + c94 * c99);
+    (*cspan_at(&partials, INT64_C(4), INT64_C(15))) = 0.0;
+    (*cspan_at(&partials, INT64_C(4), INT64_C(16))) = (-c40) * c42;
+    (*cspan_at(&partials, INT64_C(4), INT64_C(17))) = c15 * c39 * c42;
+}
+/*Sway accelerations (2) and forces (3) by the state (10), the accelerations of bridge, trolley*/
+/*    and rope (3), the torques (2) and load forces (3).                                       */
+static void crane_driven_partials(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d partials)
+{
+    double l;
+    double phi_x;
+    double phi_y;
+    double l_rate;
+    double phi_x_rate;
+    double phi_y_rate;
+    double a_x;
+    double a_y;
+    double a_l;
+    double f_phi_x;
+    double f_phi_y;
+    double w_x;
+    double w_y;
+    double w_z;
+    double c0;
+    double c1;
+    double c2;
+    double c3;
+    double c4;
+    double c5;
+    double c6;
+    double c7;
+    double c8;
+    double c9;
+    double c10;
+    double c11;
+    double c12;
+    double c13;
+    double c14;
+    double c15;
+    double c16;
+    double c17;
+    double c18;
+    double c19;
+    double c20;
+    double c21;
+    double c22;
+    double c23;
+    double c24;
+    double c25;
+    double c26;
+    double c27;
+    double c28;
+    double c29;
+    double c30;
+    double c31;
+    double c32;
+    double c33;
+    double c34;
+    double c35;
+    double c36;
+    double c37;
+    double c38;
+    double c39;
+    double c40;
+    double c41;
+    double c42;
+    double c43;
+    double c44;
+    double c45;
+    double c46;
+    double c47;
+    double c48;
+    double c49;
+    double c50;
+    double c51;
+    double c52;
+    double c53;
+    double c54;
+    double c55;
+    double c56;
+    double c57;
+    double c58;
+    double c59;
+    double c60;
+    double c61;
+    double c62;
+    double c63;
+    double c64;
+    double c65;
+    double c66;
+    double c67;
+    double c68;
+    double c69;
+    double c70;
+    double c71;
+    double c72;
+    double c73;
+    double c74;
+    double c75;
+    double c76;
+    double c77;
+    double c78;
+    double c79;
+    double c80;
+    double c81;
+    double c82;
+    double c83;
+    double c84;
+    double c85;
+    double c86;
+    double c87;
+    double c88;
+    double c89;
+    double c90;
+    double c91;
+    double c92;
+    double c93;
+    double c94;
+    double c95;
+    double c96;
+    double c97;
+    double c98;
+    double c99;
+    double c100;
+    double c101;
+    double c102;
+    double c103;
+    double c104;
+    double c105;
+    double c106;
+    double c107;
+    double c108;
+    double c109;
+    double c110;
+    double c111;
+    double c112;
+    double c113;
+    double c114;
+    double c115;
+    double c116;
+    double c117;
+    double c118;
+    double c119;
+    double c120;
+    double c121;
+    double c122;
+    double c123;
+    double c124;
+    double c125;
+    double c126;
+    double c127;
+    double c128;
+    double c129;
+    double c130;
+    double c131;
+    double c132;
+    double c133;
+    double c134;
+    double c135;
+    double c136;
+    double c137;
+    double c138;
+    double c139;
+    double c140;
+    double c141;
+    double c142;
+    double c143;
+    double c144;
+    double c145;
+    double c146;
+    double c147;
+    double c148;
+    double c149;
+    double c150;
+    double c151;
+    double c152;
+    double c153;
+    double c154;
+    double c155;
+    double c156;
+    double c157;
+    double c158;
+    double c159;
+    double c160;
+    double c161;
+    double c162;
+    l = (*cspan_at(&state, INT64_C(2)));
+    phi_x = (*cspan_at(&state, INT64_C(3)));
+    phi_y = (*cspan_at(&state, INT64_C(4)));
+    l_rate = (*cspan_at(&state, INT64_C(7)));
+    phi_x_rate = (*cspan_at(&state, INT64_C(8)));
+    phi_y_rate = (*cspan_at(&state, INT64_C(9)));
+    a_x = (*cspan_at(&carriage, INT64_C(0)));
+    a_y = (*cspan_at(&carriage, INT64_C(1)));
+    a_l = (*cspan_at(&carriage, INT64_C(2)));
+    f_phi_x = (*cspan_at(&generalized_force, INT64_C(3)));
+    f_phi_y = (*cspan_at(&generalized_force, INT64_C(4)));
+    w_x = (*cspan_at(&load_force, INT64_C(0)));
+    w_y = (*cspan_at(&load_force, INT64_C(1)));
+    w_z = (*cspan_at(&load_force, INT64_C(2)));
+    c0 = INT64_C(1) / (l * l);
+    c1 = INT64_C(1) / l;
+    c2 = INT64_C(1) / payload_mass;
+    c3 = c2 * f_phi_x;
+    c4 = cos(phi_x);
+    c5 = sin(phi_x);
+    c6 = c5 * phi_x_rate;
+    c7 = c6 * l;
+    c8 = (-c4) * l_rate + c7;
+    c9 = a_l * c5;
+    c10 = c4 * l_rate;
+    c11 = a_x + c10 * phi_x_rate - c2 * w_x + c9;
+    c12 = c11 - c8 * phi_x_rate;
+    c13 = c12 * c4;
+    c14 = sin(phi_y);
+    c15 = c2 * w_y;
+    c16 = a_l * c4;
+    c17 = c14 * c16;
+    c18 = cos(phi_y);
+    c19 = c4 * phi_y_rate;
+    c20 = c18 * c19;
+    c21 = c14 * c6 - c20;
+    c22 = c21 * l_rate;
+    c23 = c5 * l_rate;
+    c24 = c4 * phi_x_rate;
+    c25 = c14 * c24;
+    c26 = c5 * phi_y_rate;
+    c27 = c18 * c26;
+    c28 = c14 * c23 + c25 * l + c27 * l;
+    c29 = c28 * phi_x_rate;
+    c30 = c10 * c18;
+    c31 = c18 * c7;
+    c32 = c14 * c19;
+    c33 = c32 * l;
+    c34 = (-c30) + c31 + c33;
+    c35 = c34 * phi_y_rate;
+    c36 = a_y - c15 - c17 + c22 + c29 + c35;
+    c37 = c14 * c36;
+    c38 = c37 * c5;
+    c39 = c18 * c6 + c32;
+    c40 = c18 * c24;
+    c41 = c14 * c26;
+    c42 = c18 * c23 + c40 * l - c41 * l;
+    c43 = c10 * c14 - c14 * c7 + c20 * l;
+    c44 = (-c16) * c18 + c39 * l_rate + c42 * phi_x_rate + c43 * phi_y_rate;
+    c45 = (-c2) * w_z + c44 + gravity;
+    c46 = c18 * c45;
+    c47 = c46 * c5;
+    c48 = c13 * l - c3 + c38 * l + c47 * l;
+    c49 = phi_x_rate * phi_x_rate;
+    c50 = c14 * c5;
+    c51 = c25 + c27;
+    c52 = c39 * phi_y_rate + c51 * phi_x_rate;
+    c53 = c52 * l;
+    c54 = c50 * c53;
+    c55 = c18 * c5;
+    c56 = c40 - c41;
+    c57 = -c21;
+    c58 = c56 * phi_x_rate + c57 * phi_y_rate;
+    c59 = c58 * l;
+    c60 = c55 * c59;
+    c61 = c13 + c38 - c4 * c49 * c5 * l + c47 + c54 + c60;
+    c62 = (-c16) + c23 * phi_x_rate + phi_x_rate * (c23 + c24 * l);
+    c63 = c14 * c9 + c42 * phi_y_rate + c43 * phi_x_rate + c51 * l_rate;
+    c64 = c28 * phi_y_rate;
+    c65 = -c34;
+    c66 = c18 * c9 + c56 * l_rate - c64 + c65 * phi_x_rate;
+    c67 = (-c12) * c5 + c37 * c4 + c4 * c46 - c4 * c62 + c50 * c63 + c55 * c66;
+    c68 = c17 - c29;
+    c69 = c57 * l_rate + c65 * phi_y_rate + c68;
+    c70 = c18 * c36;
+    c71 = c14 * c45;
+    c72 = c70 - c71;
+    c73 = c14 * c44 + c18 * c69 + c72;
+    c74 = c1 * c5;
+    c75 = c4 * c4;
+    c76 = c21 * c50 + c39 * c55 + c75 * phi_x_rate;
+    c77 = INT64_C(2) * c1;
+    c78 = c28 * c50 - c4 * c8 + c42 * c55;
+    c79 = c14 * c34 + c18 * c43;
+    c80 = c5 * c77;
+    c81 = c1 * c4;
+    c82 = c1 * c50;
+    c83 = c14 * c14;
+    c84 = c18 * c18;
+    c85 = c84 - INT64_C(1);
+    c86 = c83 + c85;
+    c87 = c5 * c81;
+    c88 = c0 * c2;
+    c89 = c1 * c55;
+    c90 = c18 * c53;
+    c91 = -c36;
+    c92 = -c45;
+    c93 = c14 * c92;
+    c94 = c4 * l;
+    c95 = c2 * f_phi_y + c70 * c94 - c71 * c94;
+    c96 = INT64_C(1) / c4;
+    c97 = c77 * c96;
+    c98 = c0 * c96;
+    c99 = c18 * c4;
+    c100 = c14 * c4;
+    c101 = (-c100) * c66 - c5 * c70 + c5 * c71 + c63 * c99;
+    c102 = INT64_C(1) / c75;
+    c103 = c1 * c102;
+    c104 = c14 * c69 - c18 * c44 + c37 + c46;
+    c105 = c1 * c96;
+    c106 = c14 * c39 - c18 * c21;
+    c107 = c18 * c28;
+    c108 = (-c107) + c14 * c42;
+    c109 = c14 * c43 - c18 * c34;
+    c110 = c105 * c18;
+    c111 = c105 * c14;
+    c112 = c49 * c5;
+    c113 = -c48;
+    c114 = c0 * c4;
+    c115 = -c61;
+    c116 = c113 * c74 + c4 * c67 + c62;
+    c117 = c5 * payload_mass;
+    c118 = (-c76) + phi_x_rate;
+    c119 = INT64_C(2) * payload_mass;
+    c120 = c119 * c4;
+    c121 = c75 - INT64_C(1);
+    c122 = c4 * c50;
+    c123 = (-c122) * payload_mass;
+    c124 = c75 * c86 + INT64_C(1);
+    c125 = (-c14) * c58 * l + c90;
+    c126 = c1 * c18;
+    c127 = c0 * c50;
+    c128 = c95 * c98;
+    c129 = c128 * c18 + c52;
+    c130 = (-c101) * c96;
+    c131 = c48 * c81;
+    c132 = (-c103) * c55 * c95 + c130 * c18 - c131 * c14 - c50 * c67 + c63;
+    c133 = c5 * c5;
+    c134 = c111 * c95;
+    c135 = c134 - c48 * c89;
+    c136 = c21 - c50 * c76;
+    c137 = c133 * c79;
+    c138 = c137 * c14;
+    c139 = c133 * c83 + c85;
+    c140 = (-c133) * c86 + INT64_C(1);
+    c141 = c100 * payload_mass;
+    c142 = c133 - INT64_C(1);
+    c143 = (-c12) * c4;
+    c144 = c50 * c91;
+    c145 = c55 * c92;
+    c146 = (-c125) + c18 * c91 - c93;
+    c147 = c110 * c95;
+    c148 = c147 - c22 - c35 + c68;
+    c149 = -c73;
+    c150 = c113 * c82;
+    c151 = c113 * c89 + c134;
+    c152 = -c104;
+    c153 = c133 * c149;
+    c154 = c14 * c39 + c18 * c57;
+    c155 = -c78;
+    c156 = c107 - c14 * c42;
+    c157 = -c109;
+    c158 = c75 * c83;
+    c159 = c75 * c84;
+    c160 = c158 + c159 - c75 + INT64_C(1);
+    c161 = -c133;
+    c162 = c139 + c142 * c84 + c161;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(0))) = 0.0;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(1))) = 0.0;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(2))) = c0 * (INT64_C(2) * c1 * c48 - c61);
+    (*cspan_at(&partials, INT64_C(0), INT64_C(3))) = (-c1) * c67;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(4))) = (-c73) * c74;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(5))) = 0.0;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(6))) = 0.0;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(7))) = (-c76) * c77;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(8))) = (-c77) * c78;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(9))) = (-c79) * c80;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(10))) = -c81;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(11))) = -c82;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(12))) = c86 * c87;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(13))) = c88;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(14))) = 0.0;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(15))) = c2 * c81;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(16))) = c2 * c82;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(17))) = c2 * c89;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(0))) = 0.0;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(1))) = 0.0;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(2))) = (-c98) * (c14 * c59 + c18 * c91 - c90 - c93 + c95 * c97);
+    (*cspan_at(&partials, INT64_C(1), INT64_C(3))) = c103 * (c101 + c80 * c95 * c96);
+    (*cspan_at(&partials, INT64_C(1), INT64_C(4))) = (-c104) * c105;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(5))) = 0.0;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(6))) = 0.0;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(7))) = (-c106) * c97;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(8))) = (-c108) * c97;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(9))) = (-c109) * c97;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(10))) = 0.0;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(11))) = c110;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(12))) = 0.0;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(13))) = 0.0;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(14))) = c102 * c88;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(15))) = 0.0;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(16))) = (-c110) * c2;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(17))) = c111 * c2;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(0))) = 0.0;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(1))) = 0.0;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(2))) = (-payload_mass) * (c112 + c113 * c114 - c115 * c81);
+    (*cspan_at(&partials, INT64_C(2), INT64_C(3))) = (-c116) * payload_mass;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(4))) = (-c117) * c4 * c73;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(5))) = 0.0;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(6))) = 0.0;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(7))) = c118 * c120;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(8))) = c119 * ((-c4) * c78 - c8);
+    (*cspan_at(&partials, INT64_C(2), INT64_C(9))) = (-c120) * c5 * c79;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(10))) = bridge_mass - c121 * payload_mass + trolley_mass;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(11))) = c123;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(12))) = c117 * c124;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(13))) = c81;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(14))) = 0.0;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(15))) = c121;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(16))) = c122;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(17))) = c4 * c55;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(0))) = 0.0;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(1))) = 0.0;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(2))) = payload_mass * (c126 * ((-c125) - c72) + c127 * c48 + c129 - c61 * c82);
+    (*cspan_at(&partials, INT64_C(3), INT64_C(3))) = c132 * payload_mass;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(4))) = payload_mass * (c104 * c18 - c133 * c14 * c73 + c135 + c44);
+    (*cspan_at(&partials, INT64_C(3), INT64_C(5))) = 0.0;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(6))) = 0.0;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(7))) = c119 * (c106 * c18 + c136);
+    (*cspan_at(&partials, INT64_C(3), INT64_C(8))) = c119 * (c108 * c18 + c28 - c50 * c78);
+    (*cspan_at(&partials, INT64_C(3), INT64_C(9))) = c119 * (c109 * c18 - c138 + c34);
+    (*cspan_at(&partials, INT64_C(3), INT64_C(10))) = c123;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(11))) = (-c139) * payload_mass + trolley_mass;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(12))) = (-c140) * c141;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(13))) = c82;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(14))) = -c110;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(15))) = c122;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(16))) = c139;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(17))) = c14 * c142 * c18;
+    (*cspan_at(&partials, INT64_C(4), INT64_C(0))) = 0.0;
+    (*cspan_at(&partials, INT64_C(4), INT64_C(1))) = 0.0;
+    (*cspan_at(&partials, INT64_C(4), INT64_C(2))) = (-payload_mass) * (c100 * ((-c113) * c127 + c115 * c82 + c126 * c146 + c129) + c5 * (c112 + c114 * (c143 * l + c144 * l + c145 * l + c3) - c81 * (c112 * c94 + c143 + c144 + c145 - c54 - c60)) + c99 * ((-c0) * c113 * c55 + c1 * c115 * c18 * c5 - c1 * c14 * c146 - c128 * c14 - c21 * phi_y_rate + c56 * phi_x_rate));
+    (*cspan_at(&partials, INT64_C(4), INT64_C(3))) = payload_mass * ((-c100) * c132 - c116 * c5 + c14 * c5 * (a_y - c148 - c15 - c48 * c82) + c18 * c5 * (c135 + c45) + c4 * (c11 - c131 - c8 * phi_x_rate) - c99 * (a_l * c18 * c5 + c1 * c102 * c14 * c5 * c95 - c130 * c14 - c131 * c18 - c34 * phi_x_rate - c55 * c67 + c56 * l_rate - c64));
+    (*cspan_at(&partials, INT64_C(4), INT64_C(4))) = c4 * payload_mass * (c133 * c149 + c14 * (c151 + c45) - c14 * (c14 * c153 + c151 - c152 * c18 + c44) - c18 * ((-c147) + c150 + c36) - c18 * (c14 * c152 + c148 - c150 + c153 * c18));
+    (*cspan_at(&partials, INT64_C(4), INT64_C(5))) = 0.0;
+    (*cspan_at(&partials, INT64_C(4), INT64_C(6))) = 0.0;
+    (*cspan_at(&partials, INT64_C(4), INT64_C(7))) = c120 * (c118 * c5 - c14 * (c136 + c154 * c18) - c18 * ((-c14) * c154 + c39 - c55 * c76));
+    (*cspan_at(&partials, INT64_C(4), INT64_C(8))) = c119 * ((-c100) * (c155 * c50 - c156 * c18 + c28) + c5 * (c10 + c155 * c4 - c7) - c99 * (c14 * c156 + c155 * c55 + c42));
+    (*cspan_at(&partials, INT64_C(4), INT64_C(9))) = (-c120) * (c137 + c14 * ((-c138) - c157 * c18 - c30 + c31 + c33) + c18 * ((-c137) * c18 + c14 * c157 + c43));
+    (*cspan_at(&partials, INT64_C(4), INT64_C(10))) = c117 * c160;
+    (*cspan_at(&partials, INT64_C(4), INT64_C(11))) = c141 * c162;
+    (*cspan_at(&partials, INT64_C(4), INT64_C(12))) = payload_mass * (c124 * c133 + c140 * c158 + c140 * c159);
+    (*cspan_at(&partials, INT64_C(4), INT64_C(13))) = (-c86) * c87;
+    (*cspan_at(&partials, INT64_C(4), INT64_C(14))) = 0.0;
+    (*cspan_at(&partials, INT64_C(4), INT64_C(15))) = (-c160) * c5;
+    (*cspan_at(&partials, INT64_C(4), INT64_C(16))) = (-c100) * c162;
+    (*cspan_at(&partials, INT64_C(4), INT64_C(17))) = c99 * ((-c133) * c84 - c142 * c83 - c161 - c83 + INT64_C(1));
+}
+/*Position and velocity of the load (6) by the state (10). */
+void segfmu_crane_load_partials(array_double_1d state, array_double_2d partials)
+{
+    double l;
+    double phi_x;
+    double phi_y;
+    double l_rate;
+    double phi_x_rate;
+    double phi_y_rate;
+    double c0;
+    double c1;
+    double c2;
+    double c3;
+    double c4;
+    double c5;
+    double c6;
+    double c7;
+    double c8;
+    double c9;
+    double c10;
+    double c11;
+    double c12;
+    double c13;
+    double c14;
+    double c15;
+    double c16;
+    l = (*cspan_at(&state, INT64_C(2)));
+    phi_x = (*cspan_at(&state, INT64_C(3)));
+    phi_y = (*cspan_at(&state, INT64_C(4)));
+    l_rate = (*cspan_at(&state, INT64_C(7)));
+    phi_x_rate = (*cspan_at(&state, INT64_C(8)));
+    phi_y_rate = (*cspan_at(&state, INT64_C(9)));
+    c0 = sin(phi_x);
+    c1 = cos(phi_x);
+    c2 = c1 * l;
+    c3 = sin(phi_y);
+    c4 = c1 * c3;
+    c5 = -c4;
+    c6 = c0 * l;
+    c7 = c3 * c6;
+    c8 = cos(phi_y);
+    c9 = c2 * c8;
+    c10 = -c9;
+    c11 = c1 * c8;
+    c12 = -c11;
+    c13 = c6 * c8;
+    c14 = c2 * c3;
+    c15 = c0 * c3;
+    c16 = c0 * c8;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(0))) = INT64_C(1);
+    (*cspan_at(&partials, INT64_C(0), INT64_C(1))) = 0.0;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(2))) = c0;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(3))) = c2;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(4))) = 0.0;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(5))) = 0.0;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(6))) = 0.0;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(7))) = 0.0;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(8))) = 0.0;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(9))) = 0.0;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(0))) = 0.0;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(1))) = INT64_C(1);
+    (*cspan_at(&partials, INT64_C(1), INT64_C(2))) = c5;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(3))) = c7;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(4))) = c10;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(5))) = 0.0;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(6))) = 0.0;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(7))) = 0.0;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(8))) = 0.0;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(9))) = 0.0;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(0))) = 0.0;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(1))) = 0.0;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(2))) = c12;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(3))) = c13;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(4))) = c14;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(5))) = 0.0;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(6))) = 0.0;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(7))) = 0.0;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(8))) = 0.0;
+    (*cspan_at(&partials, INT64_C(2), INT64_C(9))) = 0.0;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(0))) = 0.0;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(1))) = 0.0;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(2))) = c1 * phi_x_rate;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(3))) = c1 * l_rate - c6 * phi_x_rate;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(4))) = 0.0;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(5))) = INT64_C(1);
+    (*cspan_at(&partials, INT64_C(3), INT64_C(6))) = 0.0;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(7))) = c0;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(8))) = c2;
+    (*cspan_at(&partials, INT64_C(3), INT64_C(9))) = 0.0;
+    (*cspan_at(&partials, INT64_C(4), INT64_C(0))) = 0.0;
+    (*cspan_at(&partials, INT64_C(4), INT64_C(1))) = 0.0;
+    (*cspan_at(&partials, INT64_C(4), INT64_C(2))) = (-c11) * phi_y_rate + c15 * phi_x_rate;
+    (*cspan_at(&partials, INT64_C(4), INT64_C(3))) = c13 * phi_y_rate + c14 * phi_x_rate + c15 * l_rate;
+    (*cspan_at(&partials, INT64_C(4), INT64_C(4))) = (-c11) * l_rate + c13 * phi_x_rate + c14 * phi_y_rate;
+    (*cspan_at(&partials, INT64_C(4), INT64_C(5))) = 0.0;
+    (*cspan_at(&partials, INT64_C(4), INT64_C(6))) = INT64_C(1);
+    (*cspan_at(&partials, INT64_C(4), INT64_C(7))) = c5;
+    (*cspan_at(&partials, INT64_C(4), INT64_C(8))) = c7;
+    (*cspan_at(&partials, INT64_C(4), INT64_C(9))) = c10;
+    (*cspan_at(&partials, INT64_C(5), INT64_C(0))) = 0.0;
+    (*cspan_at(&partials, INT64_C(5), INT64_C(1))) = 0.0;
+    (*cspan_at(&partials, INT64_C(5), INT64_C(2))) = c16 * phi_x_rate + c4 * phi_y_rate;
+    (*cspan_at(&partials, INT64_C(5), INT64_C(3))) = c16 * l_rate - c7 * phi_y_rate + c9 * phi_x_rate;
+    (*cspan_at(&partials, INT64_C(5), INT64_C(4))) = c4 * l_rate - c7 * phi_x_rate + c9 * phi_y_rate;
+    (*cspan_at(&partials, INT64_C(5), INT64_C(5))) = 0.0;
+    (*cspan_at(&partials, INT64_C(5), INT64_C(6))) = 0.0;
+    (*cspan_at(&partials, INT64_C(5), INT64_C(7))) = c12;
+    (*cspan_at(&partials, INT64_C(5), INT64_C(8))) = c13;
+    (*cspan_at(&partials, INT64_C(5), INT64_C(9))) = c14;
+}
+/*Kinetic and potential energy by the state (10).*/
+void segfmu_crane_energy_partials(array_double_1d state, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d partials)
+{
+    double l;
+    double phi_x;
+    double phi_y;
+    double x_t_rate;
+    double y_t_rate;
+    double l_rate;
+    double phi_x_rate;
+    double phi_y_rate;
+    double c0;
+    double c1;
+    double c2;
+    double c3;
+    double c4;
+    double c5;
+    double c6;
+    double c7;
+    double c8;
+    double c9;
+    double c10;
+    double c11;
+    double c12;
+    double c13;
+    double c14;
+    double c15;
+    double c16;
+    double c17;
+    double c18;
+    double c19;
+    double c20;
+    double c21;
+    double c22;
+    double c23;
+    l = (*cspan_at(&state, INT64_C(2)));
+    phi_x = (*cspan_at(&state, INT64_C(3)));
+    phi_y = (*cspan_at(&state, INT64_C(4)));
+    x_t_rate = (*cspan_at(&state, INT64_C(5)));
+    y_t_rate = (*cspan_at(&state, INT64_C(6)));
+    l_rate = (*cspan_at(&state, INT64_C(7)));
+    phi_x_rate = (*cspan_at(&state, INT64_C(8)));
+    phi_y_rate = (*cspan_at(&state, INT64_C(9)));
+    c0 = cos(phi_x);
+    c1 = sin(phi_x);
+    c2 = c1 * l_rate;
+    c3 = c0 * l;
+    c4 = c3 * phi_x_rate;
+    c5 = c2 + c4 + x_t_rate;
+    c6 = c0 * c5;
+    c7 = cos(phi_y);
+    c8 = c1 * phi_x_rate;
+    c9 = c7 * c8;
+    c10 = sin(phi_y);
+    c11 = c0 * phi_y_rate;
+    c12 = c10 * c11;
+    c13 = c0 * l_rate;
+    c14 = c12 * l - c13 * c7 + c9 * l;
+    c15 = c10 * c8;
+    c16 = c11 * c7;
+    c17 = (-c10) * c13 + c15 * l - c16 * l + y_t_rate;
+    c18 = c1 * l * phi_y_rate;
+    c19 = c14 * c7;
+    c20 = c10 * c17;
+    c21 = l * payload_mass;
+    c22 = c3 * payload_mass;
+    c23 = c7 * gravity;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(0))) = 0.0;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(1))) = 0.0;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(2))) = payload_mass * (c14 * (c12 + c9) + c17 * (c15 - c16) + c6 * phi_x_rate);
+    (*cspan_at(&partials, INT64_C(0), INT64_C(3))) = payload_mass * (c14 * ((-c10) * c18 + c2 * c7 + c4 * c7) + c17 * (c10 * c2 + c10 * c4 + c18 * c7) - c5 * ((-c13) + c8 * l));
+    (*cspan_at(&partials, INT64_C(0), INT64_C(4))) = c14 * payload_mass * y_t_rate;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(5))) = bridge_mass * x_t_rate + c5 * payload_mass + trolley_mass * x_t_rate;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(6))) = c17 * payload_mass + trolley_mass * y_t_rate;
+    (*cspan_at(&partials, INT64_C(0), INT64_C(7))) = (-payload_mass) * (c0 * c19 + c0 * c20 - c1 * c5);
+    (*cspan_at(&partials, INT64_C(0), INT64_C(8))) = c21 * (c1 * c19 + c1 * c20 + c6);
+    (*cspan_at(&partials, INT64_C(0), INT64_C(9))) = c22 * (c10 * c14 - c17 * c7);
+    (*cspan_at(&partials, INT64_C(1), INT64_C(0))) = 0.0;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(1))) = 0.0;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(2))) = (-c0) * c23 * payload_mass;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(3))) = c1 * c21 * c23;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(4))) = c10 * c22 * gravity;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(5))) = 0.0;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(6))) = 0.0;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(7))) = 0.0;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(8))) = 0.0;
+    (*cspan_at(&partials, INT64_C(1), INT64_C(9))) = 0.0;
 }
 /*found = a b, `count` coefficients. */
 static void series_product(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found)
@@ -6846,4 +7913,241 @@ int64_t segfmu_rig_rates(array_double_2d components, array_double_1d setpoints, 
     (*cspan_at(&memory, INT64_C(4), INT64_C(8))) = (*cspan_at(&derivative, INT64_C(12)));
     result = plant_status(span_row(&memory, INT64_C(1)), span_row(&memory, INT64_C(0)), (*cspan_at(&work, INT64_C(10), INT64_C(6))));
     return result;
+}
+/*Derivative of the friction force of an axis by its velocity. */
+static double friction_slope(array_double_1d parameters, int64_t axis, double velocity)
+{
+    double share;
+    double slope;
+    slope = (*cspan_at(&parameters, INT64_C(14) + axis));
+    if ((*cspan_at(&parameters, INT64_C(17) + axis)) > 0.0)
+    {
+        share = tanh(velocity / (*cspan_at(&parameters, INT64_C(20))));
+        slope = slope + (*cspan_at(&parameters, INT64_C(17) + axis)) * (1.0 - share * share) / (*cspan_at(&parameters, INT64_C(20)));
+    }
+    return slope;
+}
+/*Time derivative of the wind's force on the load along an axis. */
+static double wind_slope(array_double_1d parameters, array_double_2d components, double time, int64_t axis)
+{
+    double share;
+    double angle;
+    double rate;
+    int64_t k;
+    double sines;
+    double slope;
+    slope = 0.0;
+    if ((*cspan_at(&parameters, INT64_C(32))) > 0.0)
+    {
+        share = (time - (*cspan_at(&parameters, INT64_C(31)))) / (*cspan_at(&parameters, INT64_C(32)));
+        if ((share > 0.0) && (share < 1.0))
+        {
+            /*both shapes are sines of the share: their rate is the shape a quarter on*/
+            angle = full_circle() * share;
+            if ((*cspan_at(&parameters, INT64_C(33))) > 0.5)
+            {
+                rate = 0.5 * full_circle() * cos(0.5 * angle);
+            }
+            else
+            {
+                rate = 0.5 * full_circle() * cos(angle - 0.25 * full_circle());
+            }
+            slope = rate / (*cspan_at(&parameters, INT64_C(32))) * (*cspan_at(&parameters, INT64_C(34) + axis));
+        }
+    }
+    for (k = INT64_C(0); k < components.shape[INT64_C(0)]; k += INT64_C(1))
+    {
+        angle = (*cspan_at(&components, k, INT64_C(0))) * time;
+        sines = (*cspan_at(&components, k, INT64_C(1) + axis)) * cos(angle) - (*cspan_at(&components, k, INT64_C(4) + axis)) * sin(angle);
+        slope = slope + (*cspan_at(&components, k, INT64_C(0))) * sines;
+    }
+    return slope;
+}
+/*Accelerations and forces under force commands; rig is the plant's work space.*/
+static void forced_partials(array_double_1d parameters, array_double_1d state, array_double_2d rig, array_double_2d work, array_double_2d partials)
+{
+    int64_t i;
+    int64_t j;
+    double slope;
+    crane_rhs_partials(state, span_row(&rig, INT64_C(9)), span_row(&rig, INT64_C(11)), (*cspan_at(&parameters, INT64_C(0))), (*cspan_at(&parameters, INT64_C(1))), (*cspan_at(&parameters, INT64_C(2))), (*cspan_at(&parameters, INT64_C(3))), work);
+    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < INT64_C(10); j += INT64_C(1))
+        {
+            (*cspan_at(&partials, i, j)) = (*cspan_at(&work, i, j));
+        }
+        for (j = INT64_C(0); j < INT64_C(3); j += INT64_C(1))
+        {
+            slope = friction_slope(parameters, j, (*cspan_at(&state, INT64_C(5) + j)));
+            (*cspan_at(&partials, i, INT64_C(5) + j)) = (*cspan_at(&partials, i, INT64_C(5) + j)) - slope * (*cspan_at(&work, i, INT64_C(10) + j));
+            (*cspan_at(&partials, i, INT64_C(13) + j)) = (*cspan_at(&work, i, INT64_C(15) + j));
+            if ((*cspan_at(&rig, INT64_C(10), INT64_C(3) + j)) < 0.5)
+            {
+                (*cspan_at(&partials, i, INT64_C(10) + j)) = (*cspan_at(&work, i, INT64_C(10) + j));
+            }
+        }
+        for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
+        {
+            (*cspan_at(&partials, i, INT64_C(8) + j)) = (*cspan_at(&partials, i, INT64_C(8) + j)) - (*cspan_at(&parameters, INT64_C(21))) * (*cspan_at(&work, i, INT64_C(13) + j));
+        }
+    }
+    for (j = INT64_C(0); j < INT64_C(3); j += INT64_C(1))
+    {
+        if ((*cspan_at(&rig, INT64_C(10), INT64_C(3) + j)) < 0.5)
+        {
+            (*cspan_at(&partials, INT64_C(5) + j, INT64_C(10) + j)) = 1.0;
+        }
+    }
+    (*cspan_at(&partials, INT64_C(8), INT64_C(12))) = (*cspan_at(&partials, INT64_C(7), INT64_C(12)));
+    (*cspan_at(&partials, INT64_C(8), INT64_C(7))) = -friction_slope(parameters, INT64_C(2), (*cspan_at(&state, INT64_C(7))));
+}
+/*The same under velocity commands; false where a drive is at its largest force. */
+static bool driven_partials(array_double_1d parameters, array_double_1d state, array_double_2d rig, array_double_1d command, array_double_2d work, array_double_2d partials)
+{
+    int64_t i;
+    double demand;
+    int64_t row;
+    int64_t j;
+    double slope;
+    bool result;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        demand = ((*cspan_at(&command, i)) - (*cspan_at(&state, INT64_C(5) + i))) / (*cspan_at(&parameters, INT64_C(5) + i));
+        if (((*cspan_at(&rig, INT64_C(10), INT64_C(3) + i)) > 0.5) && (!beyond(demand, (*cspan_at(&parameters, INT64_C(11) + i)))))
+        {
+            return 0;
+        }
+        if (((*cspan_at(&parameters, INT64_C(8) + i)) > 0.0) && (fabs((*cspan_at(&rig, INT64_C(10), i))) >= (*cspan_at(&parameters, INT64_C(8) + i)) * (1.0 - 1e-09)))
+        {
+            return 0;
+        }
+        if (!beyond(demand, (*cspan_at(&parameters, INT64_C(11) + i))))
+        {
+            (*cspan_at(&partials, i, INT64_C(10) + i)) = 1.0 / (*cspan_at(&parameters, INT64_C(5) + i));
+            (*cspan_at(&partials, i, INT64_C(5) + i)) = (-1.0) / (*cspan_at(&parameters, INT64_C(5) + i));
+        }
+    }
+    crane_driven_partials(state, span_row(&rig, INT64_C(14)), span_row(&rig, INT64_C(9)), span_row(&rig, INT64_C(11)), (*cspan_at(&parameters, INT64_C(0))), (*cspan_at(&parameters, INT64_C(1))), (*cspan_at(&parameters, INT64_C(2))), (*cspan_at(&parameters, INT64_C(3))), work);
+    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
+    {
+        row = INT64_C(3) + i;
+        for (j = INT64_C(0); j < INT64_C(10); j += INT64_C(1))
+        {
+            (*cspan_at(&partials, row, j)) = (*cspan_at(&work, i, j));
+        }
+        for (j = INT64_C(0); j < INT64_C(3); j += INT64_C(1))
+        {
+            /*through the accelerations of the drives*/
+            (*cspan_at(&partials, row, INT64_C(5) + j)) = (*cspan_at(&partials, row, INT64_C(5) + j)) + (*cspan_at(&work, i, INT64_C(10) + j)) * (*cspan_at(&partials, j, INT64_C(5) + j));
+            (*cspan_at(&partials, row, INT64_C(10) + j)) = (*cspan_at(&work, i, INT64_C(10) + j)) * (*cspan_at(&partials, j, INT64_C(10) + j));
+            (*cspan_at(&partials, row, INT64_C(13) + j)) = (*cspan_at(&work, i, INT64_C(15) + j));
+        }
+        for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
+        {
+            (*cspan_at(&partials, row, INT64_C(8) + j)) = (*cspan_at(&partials, row, INT64_C(8) + j)) - (*cspan_at(&parameters, INT64_C(21))) * (*cspan_at(&work, i, INT64_C(13) + j));
+        }
+    }
+    for (j = INT64_C(0); j < INT64_C(17); j += INT64_C(1))
+    {
+        (*cspan_at(&partials, INT64_C(8), j)) = (*cspan_at(&partials, INT64_C(7), j));
+    }
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        slope = friction_slope(parameters, i, (*cspan_at(&state, INT64_C(5) + i)));
+        (*cspan_at(&partials, INT64_C(5) + i, INT64_C(5) + i)) = (*cspan_at(&partials, INT64_C(5) + i, INT64_C(5) + i)) + slope;
+    }
+    return 1;
+}
+/*Powers of drives, wind and friction. */
+static void power_partials(array_double_1d parameters, array_double_1d state, array_double_2d rig, array_double_2d work, array_double_2d partials)
+{
+    int64_t j;
+    int64_t i;
+    double velocity;
+    double slope;
+    segfmu_crane_load_partials(state, work);
+    for (j = INT64_C(0); j < INT64_C(10); j += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        {
+            (*cspan_at(&partials, INT64_C(10), j)) = (*cspan_at(&partials, INT64_C(10), j)) + (*cspan_at(&rig, INT64_C(11), i)) * (*cspan_at(&work, INT64_C(3) + i, j));
+        }
+    }
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        velocity = (*cspan_at(&state, INT64_C(5) + i));
+        for (j = INT64_C(0); j < INT64_C(16); j += INT64_C(1))
+        {
+            (*cspan_at(&partials, INT64_C(9), j)) = (*cspan_at(&partials, INT64_C(9), j)) + (*cspan_at(&partials, INT64_C(5) + i, j)) * velocity;
+        }
+        (*cspan_at(&partials, INT64_C(9), INT64_C(5) + i)) = (*cspan_at(&partials, INT64_C(9), INT64_C(5) + i)) + (*cspan_at(&rig, INT64_C(10), i));
+        /*the load's velocity is linear in the rates*/
+        for (j = INT64_C(0); j < INT64_C(5); j += INT64_C(1))
+        {
+            (*cspan_at(&partials, INT64_C(10), INT64_C(13) + i)) = (*cspan_at(&partials, INT64_C(10), INT64_C(13) + i)) + (*cspan_at(&work, INT64_C(3) + i, INT64_C(5) + j)) * (*cspan_at(&state, INT64_C(5) + j));
+        }
+        slope = friction_slope(parameters, i, velocity);
+        (*cspan_at(&partials, INT64_C(11), INT64_C(5) + i)) = slope * velocity + friction_force(parameters, i, velocity);
+    }
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&partials, INT64_C(11), INT64_C(8) + i)) = 2.0 * (*cspan_at(&parameters, INT64_C(21))) * (*cspan_at(&state, INT64_C(8) + i));
+    }
+}
+/*All partial derivatives at a time [s] since the start; work is (6, 18).                        */
+/*                                                                                               */
+/*    False where a velocity drive is at its largest force: there they jump with its neighbours'.*/
+/*                                                                                               */
+bool segfmu_rig_partials(array_double_2d components, double time, array_double_2d memory, array_double_2d work, array_double_2d partials)
+{
+    array_double_1d parameters;
+    array_double_1d state;
+    int64_t i;
+    int64_t j;
+    array_double_2d rig;
+    double slope;
+    bool result;
+    parameters = span_row(&memory, INT64_C(1));
+    state = span_row(&memory, INT64_C(0));
+    for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < INT64_C(17); j += INT64_C(1))
+        {
+            (*cspan_at(&partials, i, j)) = 0.0;
+        }
+    }
+    for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < INT64_C(18); j += INT64_C(1))
+        {
+            (*cspan_at(&work, i, j)) = 0.0;
+        }
+    }
+    rig = span_rows(&memory, INT64_C(14), INT64_C(30));
+    if ((*cspan_at(&parameters, INT64_C(4))) > 0.5)
+    {
+        if (!driven_partials(parameters, state, rig, span_row(&memory, INT64_C(10)), work, partials))
+        {
+            return 0;
+        }
+    }
+    else
+    {
+        forced_partials(parameters, state, rig, work, partials);
+    }
+    power_partials(parameters, state, rig, work, partials);
+    for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < INT64_C(3); j += INT64_C(1))
+        {
+            slope = wind_slope(parameters, components, (*cspan_at(&memory, INT64_C(2), INT64_C(0))) + time, j);
+            (*cspan_at(&partials, i, INT64_C(16))) = (*cspan_at(&partials, i, INT64_C(16))) + (*cspan_at(&partials, i, INT64_C(13) + j)) * slope;
+            if ((*cspan_at(&parameters, INT64_C(4))) > 0.5)
+            {
+                /*corrections are integrated into the velocities*/
+                (*cspan_at(&partials, i, INT64_C(16))) = (*cspan_at(&partials, i, INT64_C(16))) + (*cspan_at(&partials, i, INT64_C(10) + j)) * (*cspan_at(&memory, INT64_C(8), j));
+            }
+        }
+    }
+    return 1;
 }

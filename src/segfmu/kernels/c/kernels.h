@@ -15,12 +15,13 @@ double segfmu_timed_profile(double target, double v, double a, double w, double 
 int64_t segfmu_plan_phases(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d dwells, array_double_2d limits, int64_t smoothness, int64_t shape, int64_t synchronization, double sample_time, double duration, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d shortest, array_double_2d durations, array_int64_t_1d active, array_double_2d work, array_double_1d report);
 int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, int64_t smoothness, int64_t shape, double share, array_double_1d psi, array_double_1d state, array_double_2d timing, array_double_2d coefficients, int64_t row);
 void segfmu_evaluate(array_double_1d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, int64_t derivative, array_double_2d values);
+void segfmu_evaluate_orders(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d values);
 int64_t segfmu_count_pieces(array_int64_t_1d counts, int64_t cells);
 int64_t segfmu_expand_plan(array_double_2d positions, array_double_2d velocities, array_double_1d dwells, int64_t smoothness, int64_t shape, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d durations, array_double_2d ramps, array_double_2d scratch_timing, array_double_2d scratch, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times);
 int64_t segfmu_check_plan(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d limits, double tolerance, array_double_2d work);
 int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, double shortest, double longest, array_double_2d work, array_double_1d report);
 void segfmu_feedback_correction(array_double_1d state, array_double_1d reference, array_double_1d lengths, array_double_3d gains, array_double_1d correction);
-double segfmu_feedback_bandwidth(double ratio, double length, double gravity, double sample_time, double largest);
+double segfmu_feedback_bandwidth(double ratio, double length, double gravity, double delay, double largest);
 void segfmu_feedback_gains(bool driven, double length, double bridge_mass, double trolley_mass, double payload_mass, double gravity, double bandwidth, double hoist_bandwidth, double damping, array_double_2d gains);
 void segfmu_observer_design(bool driven, double sample_time, double length, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_1d lag, array_double_1d expected, array_double_2d work, array_double_2d table);
 void segfmu_observer_predict(double length, array_double_1d lengths, array_double_3d table, array_double_1d command, array_double_1d held, array_double_2d estimate, array_double_1d scratch);
@@ -32,6 +33,8 @@ void segfmu_crane_driven(array_double_1d state, array_double_1d carriage, array_
 void segfmu_crane_flat_inverse(array_double_2d flat, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_1d force, array_double_1d state, array_double_1d acceleration);
 void segfmu_crane_load(array_double_1d state, array_double_2d load);
 void segfmu_crane_energy(array_double_1d state, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_1d energy);
+void segfmu_crane_load_partials(array_double_1d state, array_double_2d partials);
+void segfmu_crane_energy_partials(array_double_1d state, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d partials);
 void segfmu_flat_derivatives(array_double_2d flat, int64_t order, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d work, array_double_1d found);
 double segfmu_next_uniform(array_double_1d numbers);
 void segfmu_seed_numbers(int64_t seed, array_double_1d numbers);
@@ -47,5 +50,6 @@ double segfmu_rig_next_event(array_double_1d loop, array_double_1d sensors, arra
 void segfmu_rig_signals(array_double_1d sensors, double time, array_double_2d memory);
 void segfmu_rig_event(array_double_1d loop, array_double_1d sensors, array_double_2d changes, array_double_1d tracking, array_double_1d lengths, array_double_3d table, array_double_1d gain_lengths, array_double_3d gains, array_double_2d tracker, array_double_1d setpoints, double time, array_double_2d memory);
 int64_t segfmu_rig_rates(array_double_2d components, array_double_1d setpoints, double time, array_double_2d memory, array_double_1d derivative);
+bool segfmu_rig_partials(array_double_2d components, double time, array_double_2d memory, array_double_2d work, array_double_2d partials);
 
 #endif

@@ -340,6 +340,38 @@ static PyObject *call_evaluate(
     return answer;
 }
 
+static PyObject *call_evaluate_orders(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "evaluate_orders", .values = values};
+    PyObject *answer = NULL;
+    double in_time;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_ends;
+    Py_buffer *in_values;
+    (void)self;
+    if (take_count(&call, count, 6)
+        && take_float(&call, 0, &in_time)
+        && (in_timing = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
+        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
+        && (in_values = take_array(&call, 5, 2, 'd', true)) != NULL) {
+        segfmu_evaluate_orders(
+            in_time,
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
+            (array_double_2d){in_values->buf, {in_values->shape[0], in_values->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_count_pieces(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -540,20 +572,20 @@ static PyObject *call_feedback_bandwidth(
     double in_ratio;
     double in_length;
     double in_gravity;
-    double in_sample_time;
+    double in_delay;
     double in_largest;
     (void)self;
     if (take_count(&call, count, 5)
         && take_float(&call, 0, &in_ratio)
         && take_float(&call, 1, &in_length)
         && take_float(&call, 2, &in_gravity)
-        && take_float(&call, 3, &in_sample_time)
+        && take_float(&call, 3, &in_delay)
         && take_float(&call, 4, &in_largest)) {
         answer = PyFloat_FromDouble(segfmu_feedback_bandwidth(
             in_ratio,
             in_length,
             in_gravity,
-            in_sample_time,
+            in_delay,
             in_largest));
     }
     release_arguments(&call);
@@ -966,6 +998,58 @@ static PyObject *call_crane_energy(
             in_payload_mass,
             in_gravity,
             (array_double_1d){in_energy->buf, {in_energy->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_crane_load_partials(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "crane_load_partials", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_state;
+    Py_buffer *in_partials;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_partials = take_array(&call, 1, 2, 'd', true)) != NULL) {
+        segfmu_crane_load_partials(
+            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+            (array_double_2d){in_partials->buf, {in_partials->shape[0], in_partials->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_crane_energy_partials(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "crane_energy_partials", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_state;
+    double in_bridge_mass;
+    double in_trolley_mass;
+    double in_payload_mass;
+    double in_gravity;
+    Py_buffer *in_partials;
+    (void)self;
+    if (take_count(&call, count, 6)
+        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
+        && take_float(&call, 1, &in_bridge_mass)
+        && take_float(&call, 2, &in_trolley_mass)
+        && take_float(&call, 3, &in_payload_mass)
+        && take_float(&call, 4, &in_gravity)
+        && (in_partials = take_array(&call, 5, 2, 'd', true)) != NULL) {
+        segfmu_crane_energy_partials(
+            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+            in_bridge_mass,
+            in_trolley_mass,
+            in_payload_mass,
+            in_gravity,
+            (array_double_2d){in_partials->buf, {in_partials->shape[0], in_partials->shape[1]}});
         answer = Py_NewRef(Py_None);
     }
     release_arguments(&call);
@@ -1412,6 +1496,34 @@ static PyObject *call_rig_rates(
     return answer;
 }
 
+static PyObject *call_rig_partials(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "rig_partials", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_components;
+    double in_time;
+    Py_buffer *in_memory;
+    Py_buffer *in_work;
+    Py_buffer *in_partials;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && (in_components = take_array(&call, 0, 2, 'd', false)) != NULL
+        && take_float(&call, 1, &in_time)
+        && (in_memory = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_work = take_array(&call, 3, 2, 'd', true)) != NULL
+        && (in_partials = take_array(&call, 4, 2, 'd', true)) != NULL) {
+        answer = PyBool_FromLong(segfmu_rig_partials(
+            (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}},
+            in_time,
+            (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_2d){in_partials->buf, {in_partials->shape[0], in_partials->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyMethodDef methods[] = {
     {"ramp_parameters", (PyCFunction)(void (*)(void))call_ramp_parameters, METH_FASTCALL, NULL},
     {"ramp_duration", (PyCFunction)(void (*)(void))call_ramp_duration, METH_FASTCALL, NULL},
@@ -1421,6 +1533,7 @@ static PyMethodDef methods[] = {
     {"plan_phases", (PyCFunction)(void (*)(void))call_plan_phases, METH_FASTCALL, NULL},
     {"expand_phases", (PyCFunction)(void (*)(void))call_expand_phases, METH_FASTCALL, NULL},
     {"evaluate", (PyCFunction)(void (*)(void))call_evaluate, METH_FASTCALL, NULL},
+    {"evaluate_orders", (PyCFunction)(void (*)(void))call_evaluate_orders, METH_FASTCALL, NULL},
     {"count_pieces", (PyCFunction)(void (*)(void))call_count_pieces, METH_FASTCALL, NULL},
     {"expand_plan", (PyCFunction)(void (*)(void))call_expand_plan, METH_FASTCALL, NULL},
     {"check_plan", (PyCFunction)(void (*)(void))call_check_plan, METH_FASTCALL, NULL},
@@ -1438,6 +1551,8 @@ static PyMethodDef methods[] = {
     {"crane_flat_inverse", (PyCFunction)(void (*)(void))call_crane_flat_inverse, METH_FASTCALL, NULL},
     {"crane_load", (PyCFunction)(void (*)(void))call_crane_load, METH_FASTCALL, NULL},
     {"crane_energy", (PyCFunction)(void (*)(void))call_crane_energy, METH_FASTCALL, NULL},
+    {"crane_load_partials", (PyCFunction)(void (*)(void))call_crane_load_partials, METH_FASTCALL, NULL},
+    {"crane_energy_partials", (PyCFunction)(void (*)(void))call_crane_energy_partials, METH_FASTCALL, NULL},
     {"flat_derivatives", (PyCFunction)(void (*)(void))call_flat_derivatives, METH_FASTCALL, NULL},
     {"seed_numbers", (PyCFunction)(void (*)(void))call_seed_numbers, METH_FASTCALL, NULL},
     {"next_uniform", (PyCFunction)(void (*)(void))call_next_uniform, METH_FASTCALL, NULL},
@@ -1453,6 +1568,7 @@ static PyMethodDef methods[] = {
     {"rig_event", (PyCFunction)(void (*)(void))call_rig_event, METH_FASTCALL, NULL},
     {"rig_signals", (PyCFunction)(void (*)(void))call_rig_signals, METH_FASTCALL, NULL},
     {"rig_rates", (PyCFunction)(void (*)(void))call_rig_rates, METH_FASTCALL, NULL},
+    {"rig_partials", (PyCFunction)(void (*)(void))call_rig_partials, METH_FASTCALL, NULL},
     {NULL, NULL, 0, NULL},
 };
 

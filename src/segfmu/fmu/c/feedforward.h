@@ -1,0 +1,38 @@
+/* GantryFeedforward's block: the plan, at the end of it. */
+#ifndef SEGFMU_FEEDFORWARD_H
+#define SEGFMU_FEEDFORWARD_H
+
+#include "kernels.h"
+#include "model.h"
+#include "segfmu.h"
+
+enum { AXES = 3, ORDERS = 5, RESULTS = 18, MOST_POINTS = MODEL_ROWS };
+
+typedef struct {
+    model base;
+    int64_t points, smoothness, pieces;
+    double duration;
+    double events[MOST_POINTS + 1];  /* s, ascending: arrival at the waypoints, end */
+    int64_t passed;                  /* of the events */
+    double space[];                  /* timing, coefficients, offsets, times, ends */
+} feedforward;
+
+static inline array_double_1d vector(double *data, int64_t n)
+{
+    array_double_1d a = {data, {n}};
+    return a;
+}
+
+static inline array_double_2d matrix(double *data, int64_t rows, int64_t columns)
+{
+    array_double_2d a = {data, {rows, columns}};
+    return a;
+}
+
+/* Plan by the parameters; false with a message where that cannot be done. */
+bool feedforward_plan(feedforward *m, char message[MESSAGE]);
+
+/* The trajectory in the block. */
+segfmu_trajectory feedforward_trajectory(const feedforward *m);
+
+#endif

@@ -1,0 +1,106 @@
+/* GantryFeedforward: the plan from the parameters, and how the block keeps it. */
+#include <math.h>
+#include <string.h>
+
+#include "feedforward.h"
+#include "messages.h"
+
+static void move(double **to, const void *from, int64_t count)
+{
+    memmove(*to, from, (size_t)count * sizeof **to);
+    *to += count;
+}
+
+/* Keep of the planner's work space what evaluation needs, at its beginning. */
+static void compact(feedforward *m, const segfmu_trajectory *found)
+{
+    double *to = m->space;
+    move(&to, found->timing, found->pieces * 2);
+    move(&to, found->coefficients, found->pieces * 2 * found->smoothness);
+    move(&to, found->offsets, AXES + 1);
+    move(&to, found->times, found->points * AXES);
+    move(&to, found->ends, AXES);
+    m->points = found->points;
+    m->smoothness = found->smoothness;
+    m->pieces = found->pieces;
+    m->duration = found->duration;
+}
+
+segfmu_trajectory feedforward_trajectory(const feedforward *m)
+{
+    segfmu_trajectory t = {0};
+    t.points = m->points;
+    t.axes = AXES;
+    t.smoothness = m->smoothness;
+    t.pieces = m->pieces;
+    t.duration = m->duration;
+    t.timing = m->space;
+    t.coefficients = t.timing + m->pieces * 2;
+    t.offsets = (const int64_t *)(const void *)(t.coefficients + m->pieces * 2 * m->smoothness);
+    t.times = (const double *)(const void *)(t.offsets + AXES + 1);
+    t.ends = t.times + m->points * AXES;
+    return t;
+}
+
+static void note_events(feedforward *m, const segfmu_trajectory *found)
+{
+    double start = m->base.real[V_PLANNER_START_TIME];
+    for (int64_t i = 1; i < m->points; i++) {
+        double last = 0.0;
+        for (int axis = 0; axis < AXES; axis++) {
+            last = fmax(last, found->times[i * AXES + axis]);
+        }
+        m->events[i - 1] = start + last;
+    }
+    m->events[m->points - 1] = start + m->duration;
+}
+
+/* Limits as the planner takes them, (axes, n + 1). */
+static bool gather_limits(const double *real, int64_t smoothness, double *table,
+                          char message[MESSAGE])
+{
+    for (int axis = 0; axis < AXES; axis++) {
+        for (int64_t i = 0; i <= smoothness; i++) {
+            table[axis * (smoothness + 1) + i] = i < 4 ? real[V_LIMITS_X_VELOCITY + axis * 4 + i]
+                                                       : 0.0;
+        }
+        for (int i = 0; i < 2; i++) {
+            double value = real[V_LIMITS_X_VELOCITY + axis * 4 + i];
+            if (!(value > 0.0)) {
+                return say(message, "limits.%c.%s must be greater than 0, got %g", "xyz"[axis],
+                           i == 0 ? "velocity" : "acceleration", value);
+            }
+        }
+    }
+    return true;
+}
+
+bool feedforward_plan(feedforward *m, char message[MESSAGE])
+{
+    const double *real = m->base.real;
+    const int64_t *integer = m->base.integer;
+    double limits[AXES * 7];
+    segfmu_problem problem = {
+        integer[V_WAYPOINT_COUNT], AXES, integer[V_PLANNER_SMOOTHNESS],
+        integer[V_PLANNER_SHAPE] - 1, integer[V_PLANNER_SYNCHRONIZATION] - 1,
+        real[V_PLANNER_SAMPLE_TIME], real[V_PLANNER_DURATION],
+        &real[V_WAYPOINT_POSITION], &real[V_WAYPOINT_VELOCITY], &real[V_WAYPOINT_ACCELERATION],
+        &real[V_WAYPOINT_DWELL], limits
+    };
+    segfmu_trajectory found;
+    if (!gather_limits(real, problem.smoothness, limits, message)
+        || !waypoints_differ(&problem, message)) {
+        return false;
+    }
+    int status = segfmu_plan(&problem, m->space, &found);
+    if (status != 0) {
+        return say_infeasible(message, status, &problem, found.report);
+    }
+    if (!require_rope(&found, &real[V_CRANE_BRIDGE_MASS], message)) {
+        return false;
+    }
+    compact(m, &found);
+    const segfmu_trajectory plan = feedforward_trajectory(m);
+    note_events(m, &plan);
+    return true;
+}

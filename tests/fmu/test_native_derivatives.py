@@ -1,0 +1,212 @@
+"""Derivatives that native FMUs give against finite differences of their own values."""
+
+from __future__ import annotations
+
+import ctypes
+
+import numpy as np
+import pytest
+
+from segfmu.fmu import gantry_crane
+from tests.fmu.importer import Importer
+
+FRICTION = {
+    "friction.bridge.viscous": 3.0, "friction.trolley.coulomb": 0.4, "friction.width": 0.05,
+    "friction.hoist.viscous": 2.0, "friction.sway.viscous": 0.03, "wind.noise.deviation.x": 0.3,
+    "wind.gust.start": -1.0, "wind.gust.duration": 3.0, "wind.gust.force.y": 0.4,
+}
+VELOCITY = {
+    "drive.mode": "velocity", "feedback.design": "flatness", "drive.bridge.lag": 0.05,
+    "drive.trolley.lag": 0.04, "drive.hoist.lag": 0.03,
+}
+CASES = {
+    "force": {}, "friction": FRICTION, "velocity": VELOCITY | FRICTION,
+    "saturated": {"drive.bridge.force_max": 0.1, **FRICTION},
+    "clamped": {**VELOCITY, "drive.bridge.acceleration_max": 0.1},
+}
+
+
+def directional(fmu: Importer, unknowns: list[str], knowns: list[str]) -> np.ndarray:
+    """Jacobian by one directional derivative a known, (unknowns, knowns)."""
+    references = [fmu.variables[n].valueReference for n in unknowns]
+    columns = [
+        fmu.fmu.getDirectionalDerivative(references, [fmu.variables[n].valueReference], [1.0])
+        for n in knowns
+    ]
+    return np.array(columns).T
+
+
+class Point:
+    """A crane in continuous-time mode whose states, inputs and time can be moved."""
+
+    def __init__(self, fmu: Importer, seed: int) -> None:
+        random = np.random.default_rng(seed)
+        self.fmu = fmu
+        self.states, self.inputs = gantry_crane.STATES, INPUTS
+        state = random.uniform(-0.4, 0.4, 13)
+        state[2] = 0.8 + state[2]
+        self.place = np.concatenate([state, random.uniform(-1.0, 1.0, len(INPUTS)), [0.005]])
+        self.names = (*gantry_crane.STATES, *INPUTS, "time")
+
+    def go(self, place: np.ndarray) -> None:
+        fmu, n = self.fmu, len(self.states)
+        fmu.fmu.setTime(place[-1])
+        fmu.fmu.setContinuousStates((ctypes.c_double * n)(*place[:n]), n)
+        fmu.write(self.inputs, place[n:-1])
+
+    def differences(self, unknowns: list[str]) -> np.ndarray:
+        columns = []
+        for i in range(self.place.size):
+            rows = []
+            for sign in (-1.0, 1.0):
+                moved = self.place.copy()
+                moved[i] += sign * 1e-5
+                self.go(moved)
+                rows.append(self.fmu.get(*unknowns))
+            columns.append((rows[1] - rows[0]) / 2e-5)
+        self.go(self.place)
+        return np.array(columns).T
+
+
+INPUTS = tuple(v.name for v in gantry_crane.spec().where("input"))
+
+
+@pytest.mark.parametrize("fmi", [2, 3])
+@pytest.mark.parametrize("case", CASES)
+def test_crane_in_every_direction(native_fmus, fmi: int, case: str) -> None:
+    with Importer(native_fmus[fmi][1], "ModelExchange") as fmu:
+        fmu.set(CASES[case] | {"rope.length": 0.8, "sway.x.angle": 0.1})
+        fmu.initialise()
+        unknowns = [
+            n for n, v in fmu.variables.items()
+            if v.causality in ("output", "local") and v.variability == "continuous"
+        ]
+        for seed in range(4):
+            point = Point(fmu, seed)
+            point.go(point.place)
+            found = directional(fmu, unknowns, list(point.names))
+            expected = point.differences(unknowns)
+            scale = np.maximum(np.abs(expected), 1.0)
+            worst = np.unravel_index(np.argmax(np.abs(found - expected) / scale), found.shape)
+            assert np.abs(found - expected)[worst] <= 1e-6 * scale[worst], (
+                unknowns[worst[0]], point.names[worst[1]], found[worst], expected[worst]
+            )
+
+
+def test_structure_names_every_dependency(native_fmus) -> None:
+    """Where the structure of the crane says nothing, the derivative is zero."""
+    with Importer(native_fmus[2][1], "ModelExchange") as fmu:
+        fmu.set(CASES["friction"])
+        fmu.initialise()
+        point = Point(fmu, 1)
+        point.go(point.place)
+        found = fmu.description
+        listed = {
+            u.variable.name: {v.name for v in u.dependencies}
+            for u in (*found.outputs, *found.derivatives)
+        }
+        continuous = [n for n in listed if fmu.variables[n].variability == "continuous"]
+        jacobian = directional(fmu, continuous, list(point.names))
+        for row, unknown in zip(jacobian, continuous, strict=True):
+            used = {n for n, x in zip(point.names, row, strict=True) if x != 0.0}
+            assert used <= listed[unknown], unknown
+
+
+@pytest.mark.parametrize("fmi", [2, 3])
+@pytest.mark.parametrize("order", [1, 2, 3])
+def test_feedforward_over_time(native_fmus, fmi: int, order: int) -> None:
+    with Importer(native_fmus[fmi][0]) as fmu:
+        fmu.initialise()
+        names = [
+            n for n, v in fmu.variables.items()
+            if v.causality == "output" and v.variability == "continuous"
+        ]
+        references = [fmu.variables[n].valueReference for n in names]
+        library = fmu.fmu
+        read = library.getOutputDerivatives if fmu.three else library.getRealOutputDerivatives
+
+        def values(which: int) -> np.ndarray:
+            return np.array(
+                read(references, [which] * len(names)) if which else fmu.get(*names)
+            )
+
+        # five points within one polynomial piece: the error is of the fourth power of the step
+        time, h = 0.0, 1e-3
+        for target in (0.05, 1.0, 2.5):
+            rows = []
+            for k in range(-2, 3):
+                fmu.step(time, target + k * h - time)
+                time = target + k * h
+                rows.append(values(order - 1))
+                if k == 0:
+                    found = values(order)
+            quotient = (rows[0] - 8.0 * rows[1] + 8.0 * rows[3] - rows[4]) / (12.0 * h)
+            scale = np.maximum(np.abs(quotient), 1.0)
+            assert (np.abs(found - quotient) <= 1e-6 * scale).all()
+
+
+@pytest.mark.parametrize("fmi", [2, 3])
+def test_feedforward_by_time_is_its_first_output_derivative(native_fmus, fmi: int) -> None:
+    with Importer(native_fmus[fmi][0]) as fmu:
+        fmu.initialise()
+        fmu.step(0.0, 0.7)
+        names = ["force.bridge", "reference.sway.x.angle", "reference.load.jerk.y"]
+        found = directional(fmu, names, ["time"])[:, 0]
+        references = [fmu.variables[n].valueReference for n in names]
+        library = fmu.fmu
+        read = library.getOutputDerivatives if fmu.three else library.getRealOutputDerivatives
+        assert found.tolist() == read(references, [1] * 3)
+        assert found[1] == pytest.approx(fmu.get("reference.sway.x.rate")[0], rel=1e-12)
+        if fmu.three:
+            adjoint = fmu.fmu.getAdjointDerivative(
+                references, [fmu.variables["time"].valueReference], [1.0, 2.0, 3.0], 1
+            )
+            assert adjoint[0] == pytest.approx(found @ [1.0, 2.0, 3.0])
+
+
+@pytest.mark.parametrize("fmi", [2, 3])
+@pytest.mark.parametrize("case", ["force", "friction", "velocity", "clamped"])
+def test_crane_outputs_over_time(native_fmus, fmi: int, case: str) -> None:
+    random = np.random.default_rng(7)
+    rates = random.uniform(-0.5, 0.5, len(INPUTS))
+    rates[19:] = 0.0
+    start = np.zeros(len(INPUTS))
+    start[2] = -9.81
+    with Importer(native_fmus[fmi][1]) as fmu:
+        fmu.set(CASES[case] | {"feedback.enabled": 0, "sway.x.angle": 0.1, "sway.y.rate": 0.2,
+                               "bridge.velocity": 0.1})
+        fmu.write(INPUTS, start)
+        fmu.initialise()
+        names = [
+            n for n, v in fmu.variables.items()
+            if v.causality == "output" and v.variability == "continuous"
+        ]
+        references = [fmu.variables[n].valueReference for n in names]
+        library = fmu.fmu
+        read = library.getOutputDerivatives if fmu.three else library.getRealOutputDerivatives
+        h, rows = 1e-4, []
+        for i in range(1, 304):
+            fmu.write(INPUTS, start + rates * i * h)
+            fmu.step((i - 1) * h, h)
+            if i >= 299:
+                rows.append(fmu.get(*names))
+            if i == 301:
+                found = np.array(read(references, [1] * len(names)))
+        quotient = (rows[0] - 8.0 * rows[1] + 8.0 * rows[3] - rows[4]) / (12.0 * h)
+        scale = np.maximum(np.abs(quotient), 1.0)
+        worst = int(np.argmax(np.abs(found - quotient) / scale))
+        assert abs(found - quotient)[worst] <= 1e-6 * scale[worst], (
+            names[worst], found[worst], quotient[worst]
+        )
+
+
+def test_what_has_no_derivative_is_refused(native_fmus) -> None:
+    with Importer(native_fmus[2][0]) as fmu:
+        fmu.initialise()
+        for unknown, known in (("force.bridge", "crane.gravity"), ("plan.duration", "time")):
+            with pytest.raises(Exception, match="fmi2GetDirectionalDerivative"):
+                directional(fmu, [unknown], [known])
+            assert f"no derivative of {unknown} by {known}" in fmu.messages[-1]
+        with pytest.raises(Exception, match="fmi2GetRealOutputDerivatives"):
+            fmu.fmu.getRealOutputDerivatives([0], [4])
+        assert "force.bridge has no derivative of order 4" in fmu.messages[-1]
