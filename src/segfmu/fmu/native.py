@@ -40,7 +40,9 @@ MODELS = {
     "GantryFeedforward": (
         "feedforward.h", "feedforward_plan.c", "gantry_feedforward.c", "messages.c", "messages.h",
     ),
-    "GantryCrane": ("crane.h", "crane_partials.c", "crane_setup.c", "gantry_crane.c"),
+    "GantryCrane": (
+        "crane.h", "crane_partials.c", "crane_setup.c", "crane_tracking.c", "gantry_crane.c",
+    ),
 }
 DARWIN = ("x86_64-darwin", "aarch64-darwin")
 # of every entry of an archive, so that equal content gives equal bytes
