@@ -8,8 +8,9 @@ from scipy.signal import cont2discrete
 
 from segfmu import Crane, InputError
 from segfmu.crane.flat_feedback import design_flat
-from segfmu.crane.observer import Uncertainty, axis_model, design_observer
+from segfmu.crane.observer import Uncertainty, design_observer
 from segfmu.crane.tracking import TrackingController
+from tests.crane.kalman import axis_model, axis_table
 from tests.crane.loop import Rig, simulate
 
 LAB = Crane(2.2, 1.155, 1.0)
@@ -72,6 +73,28 @@ def test_gain_is_the_limit_of_the_riccati_recursion(axis: int, driven: bool) -> 
     assert block[np.ix_(kept, 8 + outputs)] == pytest.approx(gain, rel=1e-4, abs=1e-6)
 
 
+@pytest.mark.parametrize("lag", [0.0, 0.003, 0.05])
+@pytest.mark.parametrize("driven", [False, True])
+@pytest.mark.parametrize("period", [1e-3, 0.01, 0.05])
+def test_the_table_is_that_of_scipy(period: float, driven: bool, lag: float) -> None:
+    """Over four decades of rope length, and for sensors much better and worse than usual."""
+    for expected in (
+        Uncertainty(), Uncertainty(1e-2, 1e-6, 1e-5, 0.03, 0.5), Uncertainty(drift=3.0, wind=1e-3)
+    ):
+        observer = design_observer(
+            LAB, sample_time=period, shortest=0.01, longest=100.0, driven=driven, lag=(lag,) * 3,
+            uncertainty=expected, rows=5,
+        )
+        for length, block in zip(observer.lengths, observer.table, strict=True):
+            for axis in range(3):
+                rows = axis_table(LAB, axis, float(length), (period, driven, lag, expected))
+                found = block[6 * axis : 6 * axis + 6]
+                assert found[:, :8] == pytest.approx(rows[:, :8], rel=1e-11, abs=1e-12)
+                assert found[:, 8:] == pytest.approx(
+                    rows[:, 8:], rel=1e-6, abs=1e-8 * np.abs(rows[:, 8:]).max()
+                )
+
+
 @pytest.mark.parametrize("delayed", [False, True])
 @pytest.mark.parametrize("driven", [False, True])
 def test_velocities_and_rates_are_found_from_positions_and_angles(
@@ -131,6 +154,7 @@ def test_switched_off_it_goes_on() -> None:
         ({"shortest": 2.0}, "rope lengths"),
         ({"lag": (0.0, -0.1, 0.0)}, "lag of the trolley"),
         ({"lag": (0.0, 0.1)}, "lag must have 3 values"),
+        ({"uncertainty": Uncertainty(wind=1e200)}, "no finite gains between 0.2 and 1.0 m"),
     ],
 )
 def test_bad_designs_are_refused(values, message: str) -> None:

@@ -10,7 +10,10 @@ import pytest
 from segfmu import Crane
 from segfmu.crane import Friction, Rig, TravelLimits
 from segfmu.crane.feedback import design
+from segfmu.crane.flat_feedback import design_flat
+from segfmu.crane.observer import design_observer
 from segfmu.crane.plant import Plant, Setpoints
+from segfmu.crane.tracking import TrackingController
 from segfmu.errors import InputError, SimulationError
 
 CRANE = Crane(2.2, 1.155, 1.0)
@@ -141,3 +144,29 @@ def test_a_controller_without_a_period_is_refused() -> None:
     feedback = replace(design(CRANE, sample_time=0.01, shortest=0.2, longest=1.0), sample_time=0.0)
     with pytest.raises(InputError, match="controller sample_time must be a finite number > 0"):
         Plant(CRANE, HANGING, HOLD, feedback)
+
+
+def test_gains_may_be_replaced_on_the_way() -> None:
+    """From a state on, a crane with replaced gains moves as one that starts there with them."""
+    other = design_flat(CRANE, sample_time=0.01, shortest=0.2, longest=1.0)
+    swinging = plant()
+    swinging.step(0.03, HOLD)
+    unchanged = plant()
+    unchanged.step(0.03, HOLD)
+    fresh = Plant(CRANE, swinging.state, HOLD, other)
+    swinging.retune(other)
+    for one in (swinging, unchanged, fresh):
+        one.step(0.02, HOLD)
+    assert swinging.state == pytest.approx(fresh.state, abs=1e-10)
+    assert np.abs(swinging.state - unchanged.state).max() > 1e-4
+
+
+def test_gains_of_another_period_or_for_another_controller_are_refused() -> None:
+    swinging = plant()
+    with pytest.raises(InputError, match=r"got 0\.02 s and 0\.01 s of SwayFeedback"):
+        swinging.retune(design(CRANE, sample_time=0.02, shortest=0.2, longest=1.0))
+    feedback = design(CRANE, sample_time=0.01, shortest=0.2, longest=1.0)
+    observer = design_observer(CRANE, sample_time=0.01, shortest=0.2, longest=1.0)
+    tracking = Plant(CRANE, HANGING, HOLD, TrackingController(observer, feedback))
+    with pytest.raises(InputError, match="of TrackingController"):
+        tracking.retune(feedback)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import struct
+
 import pytest
 
 from segfmu.errors import BuildError, InputError
@@ -64,3 +66,14 @@ def test_a_compiler_that_fails_is_quoted_in_one_line(tmp_path) -> None:
     with pytest.raises(BuildError, match=f"compiling for {name} failed: .*nothing") as caught:
         compilers.compiler(name).compile(tmp_path / "wrong.c", tmp_path / "wrong.o")
     assert "\n" not in str(caught.value)
+
+
+def test_a_universal_binary_holds_both_unchanged() -> None:
+    slices = {"x86_64-darwin": b"intel" * 5000, "aarch64-darwin": b"arm" * 11}
+    found = compilers.universal(slices)
+    magic, count = struct.unpack_from(">II", found)
+    assert (magic, count) == (0xCAFEBABE, 2)
+    for i, content in enumerate(slices.values()):
+        _, _, offset, size, align = struct.unpack_from(">IIIII", found, 8 + 20 * i)
+        assert offset % (1 << align) == 0
+        assert found[offset : offset + size] == content

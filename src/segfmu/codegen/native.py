@@ -22,18 +22,18 @@ TARGET = KERNELS / "c"
 # in the order in which they use each other
 MODULES = (
     "transition", "phases", "braking", "levels", "roots", "search", "profile", "synchronize",
-    "intervals", "plan", "evaluate", "expand", "check", "rope", "feedback", "observer", "tracking",
-    "compensation", "_crane", "_partials", "series", "integrate", "noise", "drives", "plant",
-    "sensing", "events", "loop", "rig", "exchange", "partials",
+    "intervals", "plan", "evaluate", "expand", "check", "rope", "feedback", "matrices", "kalman",
+    "observer", "tracking", "compensation", "_crane", "_partials", "series", "integrate", "noise",
+    "drives", "plant", "sensing", "events", "loop", "rig", "exchange", "partials",
 )
 # what C programs and the compiled extension may call
 ENTRY_POINTS = (
     "ramp_parameters", "ramp_duration", "measure_phases", "shortest_profile", "timed_profile",
     "plan_phases", "count_pieces", "expand_phases", "expand_plan", "check_plan", "check_rope",
     "evaluate", "evaluate_orders", "feedback_correction", "feedback_bandwidth", "feedback_gains",
-    "observer_predict",
-    "observer_correct", "track_setpoint", "compensate_setpoints", "crane_rhs", "crane_driven",
-    "crane_flat_inverse", "flat_derivatives", "crane_load", "crane_energy", "plant_advance",
+    "observer_design", "observer_predict", "observer_correct", "track_setpoint",
+    "compensate_setpoints", "crane_rhs", "crane_driven", "crane_flat_inverse", "flat_derivatives",
+    "crane_load", "crane_energy", "plant_advance",
     "seed_numbers", "next_uniform", "noise_components", "measure_state",
     "rig_rows", "rig_start", "rig_step", "rig_balance", "rig_imbalance",
     "rig_next_event", "rig_event", "rig_signals", "rig_rates", "rig_partials",

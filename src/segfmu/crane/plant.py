@@ -21,7 +21,7 @@ from segfmu.crane.feedback import SwayFeedback
 from segfmu.crane.parameters import Crane
 from segfmu.crane.rig import Rig
 from segfmu.crane.tracking import TrackingController
-from segfmu.errors import SimulationError
+from segfmu.errors import InputError, SimulationError
 from segfmu.kernels import backend
 from segfmu.planning.arrays import FloatArray
 
@@ -122,6 +122,22 @@ class Plant:
     @enabled.setter
     def enabled(self, value: bool) -> None:
         self._loop[2] = bool(value)
+
+    def retune(self, feedback: SwayFeedback) -> None:
+        """Go on with other gains on the true state.
+
+        Raises
+        ------
+        InputError
+            For another period, and where another controller corrects.
+        """
+        own = self._controller
+        if not isinstance(own, SwayFeedback) or own.sample_time != feedback.sample_time:
+            raise InputError(
+                "retune replaces gains on the true state by gains of the same period, got "
+                f"{feedback.sample_time} s and {own.sample_time} s of {type(own).__name__}"
+            )
+        self._controller = feedback
 
     @property
     def time(self) -> float:

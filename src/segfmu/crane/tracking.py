@@ -21,6 +21,9 @@ from segfmu.kernels import backend
 from segfmu.planning.arrays import FloatArray
 
 UNLIMITED = 1e99
+# s
+FADE = 0.1
+PAYLOAD_TIME = 2.0
 
 
 class TrackingController:
@@ -59,11 +62,10 @@ class TrackingController:
         rejection: tuple[float, float] = (1.0, 1.0),
         lower: ArrayLike | None = None,
         upper: ArrayLike | None = None,
-        fade: float = 0.1,
-        payload_time: float = 2.0,
+        fade: float = FADE,
+        payload_time: float = PAYLOAD_TIME,
         enabled: bool = True,
     ) -> None:
-        require_not_negative("fade", fade)
         require_positive("payload_time", payload_time)
         period = observer.sample_time
         self.observer = observer
@@ -71,8 +73,6 @@ class TrackingController:
         self._parameters[:3] = observer.driven, period, observer.delayed
         self._parameters[3:6] = moved_masses(observer.crane.masses)
         self._parameters[6] = observer.crane.gravity
-        self._parameters[10] = fade
-        self._parameters[11] = exp(-period / fade) if fade > 0.0 else 0.0
         self._parameters[19] = period / payload_time
         self._parameters[20:23] = observer.tolerances
         least, greatest = _limits("lower", lower, -UNLIMITED), _limits("upper", upper, UNLIMITED)
@@ -82,6 +82,7 @@ class TrackingController:
             )
         self._parameters[12:15], self._parameters[15:18] = least, greatest
         self._memory = np.zeros((9, 10))
+        self.fade = fade
         self.rejection = rejection
         self.feedback = feedback
         self.enabled = enabled
@@ -115,6 +116,17 @@ class TrackingController:
         if bool(value) != self.enabled:
             self._parameters[9] = bool(value)
             self._memory[3, 4] = 1.0
+
+    @property
+    def fade(self) -> float:
+        """Time constant [s] of changes by switching; may be changed while running."""
+        return float(self._parameters[10])
+
+    @fade.setter
+    def fade(self, value: float) -> None:
+        require_not_negative("fade", value)
+        self._parameters[10] = value
+        self._parameters[11] = exp(-self.sample_time / value) if value > 0.0 else 0.0
 
     @property
     def feedback(self) -> SwayFeedback:

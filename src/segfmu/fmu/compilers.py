@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import platform
 import shutil
+import struct
 import subprocess
 import sys
 import sysconfig
@@ -74,6 +75,23 @@ class Compiler:
             lines = [line for line in done.stderr.splitlines() if "error" in line]
             told = (lines or done.stderr.splitlines() or [f"exit code {done.returncode}"])[0]
             raise BuildError(f"compiling for {self.platform.name} failed: {told}")
+
+
+# of the two in a universal binary: type and subtype of the processor, by Apple's mach/machine.h
+_MACHINES = {"x86_64-darwin": (0x01000007, 3), "aarch64-darwin": (0x0100000C, 0)}
+_ALIGNMENT = 14
+
+
+def universal(slices: dict[str, bytes]) -> bytes:
+    """One macOS library from those of several processors, by platform: Apple's fat format."""
+    unit = 1 << _ALIGNMENT
+    found = struct.pack(">II", 0xCAFEBABE, len(slices))
+    place, body = unit, b""
+    for name, content in slices.items():
+        found += struct.pack(">IIIII", *_MACHINES[name], place, len(content), _ALIGNMENT)
+        body += content + bytes(-len(content) % unit)
+        place = unit + len(body)
+    return found + bytes(unit - len(found)) + body
 
 
 def host() -> str | None:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -11,10 +13,12 @@ from segfmu.crane import Crane
 from segfmu.crane.feedback import SwayFeedback, Weights, design
 from segfmu.crane.flat_feedback import design_flat
 from segfmu.crane.plant import Plant, Setpoints
+from segfmu.crane.tracking import TrackingController
 from segfmu.errors import InputError
 from segfmu.fmu import gantry_crane
 from segfmu.fmu.rig_parameters import DRIVES, rig_from
 from segfmu.fmu.slave import SpecSlave, crane_from
+from segfmu.fmu.tracking_parameters import SOURCES, estimates, tracking_from, tune
 
 STATE = gantry_crane.STATE
 FORCE = tuple(f"force.{d}" for d in DRIVES)
@@ -31,6 +35,8 @@ DRIVE = tuple(
 ENERGY = tuple(
     f"energy.{n}" for n in ("kinetic", "potential", "drives", "wind", "payload", "dissipated")
 )
+ESTIMATE = tuple(v.name for v in estimates())
+POLES = ("bandwidth", "hoist_bandwidth", "damping")
 WEIGHTS = ("position", "angle", "velocity", "rate", "effort")
 
 
@@ -42,6 +48,9 @@ class CraneSlave(SpecSlave):
     def __init__(self, **kwargs: Any) -> None:
         super().__init__(**kwargs)
         self._plant: Plant | None = None
+        self._tracking: TrackingController | None = None
+        self._design: Callable[[], SwayFeedback] | None = None
+        self._tuned: tuple[float, ...] = ()
 
     def initialise(self) -> None:
         """Design the feedback and put the crane into its initial state."""
@@ -51,10 +60,17 @@ class CraneSlave(SpecSlave):
             raise InputError(f"rope.length must start above 0 m, got {state[2]}")
         driven = gantry_crane.MODES.items[int(self.value("drive.mode")) - 1] == "velocity"
         nominal = float(self.value("feedback.payload_mass")) or crane.payload_mass
-        feedback = self._feedback(replace(crane, payload_mass=nominal), float(state[2]), driven)
+        expected = replace(crane, payload_mass=nominal)
+        self._design = partial(self._feedback, expected, float(state[2]), driven)
+        self._tuned = self._poles()
+        feedback = self._design()
+        self._tracking = None
+        if SOURCES.items[int(self.value("feedback.source")) - 1] == "measured":
+            self._tracking = tracking_from(self.value, expected, feedback, driven)
+        self.assign(ESTIMATE, (nominal, *np.zeros(5)))
         self._plant = Plant(
-            crane, state, self._setpoints(), feedback, driven=driven, rig=rig_from(self.value),
-            start_time=self.start_time,
+            crane, state, self._setpoints(), self._tracking or feedback, driven=driven,
+            rig=rig_from(self.value), start_time=self.start_time,
         )
         self._show(self._plant)
 
@@ -62,7 +78,7 @@ class CraneSlave(SpecSlave):
         """Gains over rope length; `crane` has the payload that the feedback is designed for."""
         sample_time = float(self.value("feedback.sample_time"))
         shortest, longest = crane.rope_min or 0.2 * length, crane.rope_max or 5.0 * length
-        if gantry_crane.DESIGNS.items[int(self.value("feedback.design")) - 1] == "flatness":
+        if self._flat():
             return design_flat(
                 crane, sample_time=sample_time, shortest=shortest, longest=longest,
                 ratio=float(self.value("feedback.bandwidth")),
@@ -81,9 +97,30 @@ class CraneSlave(SpecSlave):
         plant = self._plant
         if plant is None:
             raise AssertionError("a step before the end of initialisation")
-        plant.enabled = bool(self.value("feedback.enabled"))
+        self._tune(plant)
         plant.step(step, self._setpoints())
         self._show(plant)
+
+    def _poles(self) -> tuple[float, ...]:
+        """The tunable parameters that gains follow from; none of design lqr."""
+        names = POLES if self._flat() else ()
+        return tuple(float(self.value(f"feedback.{n}")) for n in names)
+
+    def _flat(self) -> bool:
+        return gantry_crane.DESIGNS.items[int(self.value("feedback.design")) - 1] == "flatness"
+
+    def _tune(self, plant: Plant) -> None:
+        """Take over the tunable parameters."""
+        feedback = None
+        if self._design is not None and self._poles() != self._tuned:
+            self._tuned = self._poles()
+            feedback = self._design()
+        if self._tracking is not None:
+            tune(self._tracking, self.value, feedback)
+            return
+        plant.enabled = bool(self.value("feedback.enabled"))
+        if feedback is not None:
+            plant.retune(feedback)
 
     def _vector(self, names: tuple[str, ...]) -> Any:
         return np.array([float(self.value(n)) for n in names])
@@ -101,6 +138,9 @@ class CraneSlave(SpecSlave):
         self.assign(
             DRIVE, (*plant.drive_force, *map(bool, plant.saturated), *plant.drive_power)
         )
+        if self._tracking is not None:
+            carriages, loads = self._tracking.disturbance
+            self.assign(ESTIMATE, (self._tracking.payload, *carriages, *loads[:2]))
         balance = plant.balance
         self.assign(ENERGY, [getattr(balance, n.removeprefix("energy.")) for n in ENERGY])
         self.assign(

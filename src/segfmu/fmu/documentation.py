@@ -42,6 +42,12 @@ variable length. The equations are Lagrange's, solved exactly; the integration i
 <code>force</code> the drives apply the force setpoints, in mode <code>velocity</code> bridge,
 trolley and rope follow the velocity setpoints. A sampled state feedback, scheduled by rope length,
 corrects the setpoints by the deviation of the state from its reference.</p>
+<p>With <code>feedback.source</code> at <code>state</code> the feedback knows the true state. At
+<code>measured</code> it gets <code>measured.*</code> alone: a Kalman filter for the crane of
+<code>crane.*</code> with <code>feedback.payload_mass</code> finds velocities, rates, and unknown
+accelerations of carriages, rope and load, which are rejected; the load's mass is estimated from the
+force that holds it; setpoints stay within the drives' bounds without windup, and what is switched
+or tuned fades in with <code>feedback.fade</code>.</p>
 <p>Setpoints and references are taken as linear in time between the end of one step and the end of
 the next: set the inputs to their values at the end of the step, as a co-simulation does that steps
 GantryFeedforward first.</p>
@@ -54,7 +60,10 @@ d/dt dL/dq' - dL/dq = Q        u = u* - K(l) (x - x*)
 velocity drives: v' = clamp((v* - v) / lag, acceleration_max), force at most force_max
 friction: viscous v + coulomb tanh(v / width), torque -friction.sway.viscous phi'
 energy.kinetic + energy.potential
-  = their start + energy.drives + energy.wind + energy.payload - energy.dissipated</pre>
+  = their start + energy.drives + energy.wind + energy.payload - energy.dissipated
+observer, an axis: p' = v   v' = (u + m_p g phi) / m + d   l phi'' = -g phi - v' + w   d', w' noise
+  (velocity drives: v' = a + d, or (v* - v) / lag + d); it expects signals that are one sample old
+  where sensor.dead_time is half a feedback.sample_time or more</pre>
 <h2>Use</h2>
 <p>The start values of bridge, trolley, rope and sway set the initial state. The sign of
 <code>force.hoist</code> is that of the rope's lengthening: tension is negative.</p>

@@ -23,6 +23,7 @@ from segfmu.fmu.spec import (
     time,
     triple,
 )
+from segfmu.fmu.tracking_parameters import estimates, tracking_parameters
 
 MODES = Enumeration("DriveMode", ("force", "velocity"), "what the drives follow")
 DESIGNS = Enumeration(
@@ -76,7 +77,7 @@ def _outputs() -> list[Variable]:
             )
         )
         rows.append(output(f"drive.{drive}.power", "W", f"power of the {drive} drive"))
-    return [*rows, *_energies()]
+    return [*rows, *_energies(), *estimates()]
 
 
 def _energies() -> list[Variable]:
@@ -156,6 +157,7 @@ def spec() -> Spec:
             *rig_parameters(),
             *_feedback(),
             *_weights(),
+            *tracking_parameters(),
         ),
         stop_time=8.0,
         step_size=0.001,
@@ -242,6 +244,10 @@ def _table(starts: dict[str, Any]) -> list[Variable]:
         choice(
             "feedback.table.mode", MODES, MODES.items[driven],
             "drive.mode that the gains in the table are for",
+        ),
+        parameter(
+            "feedback.table.payload_mass", feedback.payload, "kg",
+            "mass of the load that the gains in the table are for", minimum=1e-9,
         ),
     ]
     unit = "m/s2" if driven else "N"

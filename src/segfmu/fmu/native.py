@@ -13,7 +13,14 @@ from pathlib import Path
 
 from segfmu.errors import BuildError
 from segfmu.fmu import fmi2, fmi3, tables
-from segfmu.fmu.compilers import WARNINGS, Compiler, compiler, host
+from segfmu.fmu.compilers import (
+    PLATFORMS,
+    WARNINGS,
+    Compiler,
+    compiler,
+    host,
+    universal,
+)
 from segfmu.fmu.documentation import page
 from segfmu.fmu.spec import Spec
 
@@ -33,8 +40,11 @@ MODELS = {
     "GantryFeedforward": (
         "feedforward.h", "feedforward_plan.c", "gantry_feedforward.c", "messages.c", "messages.h",
     ),
-    "GantryCrane": ("crane.h", "crane_partials.c", "crane_setup.c", "gantry_crane.c"),
+    "GantryCrane": (
+        "crane.h", "crane_partials.c", "crane_setup.c", "crane_tracking.c", "gantry_crane.c",
+    ),
 }
+DARWIN = ("x86_64-darwin", "aarch64-darwin")
 # of every entry of an archive, so that equal content gives equal bytes
 DATE = (*(int(fmi2.GENERATED[i:j]) for i, j in ((0, 4), (5, 7), (8, 10))), 0, 0, 0)
 
@@ -134,10 +144,20 @@ def _build(
         one.link([*objects.kernels(one), *made], library)
         directory = one.platform.folder if fmi == 2 else one.platform.name
         entries[f"binaries/{directory}/{library.name}"] = library.read_bytes()
+    if fmi == 2:
+        _join_darwin(spec.name, entries)
     target, complete = folder / f"{spec.name}.fmu", work / f"{spec.name}.zip"
     _pack(entries, complete)
     os.replace(complete, target)
     return target
+
+
+def _join_darwin(name: str, entries: dict[str, bytes]) -> None:
+    """FMI 2.0 has one folder for macOS: where both processors are built, it gets both."""
+    both = [f"binaries/{PLATFORMS[p].folder}/{name}.dylib" for p in DARWIN]
+    if all(path in entries for path in both):
+        slices = dict(zip(DARWIN, (entries.pop(path) for path in both), strict=True))
+        entries[both[0]] = universal(slices)
 
 
 def _described(spec: Spec, fmi: int, texts: dict[str, bytes]) -> dict[str, bytes]:

@@ -30,6 +30,7 @@ if COMPILED:
         flat_derivatives,
         noise_components,
         observer_correct,
+        observer_design,
         observer_predict,
         plan_phases,
         plant_advance,
@@ -48,6 +49,7 @@ else:
     from segfmu.kernels.evaluate import evaluate
     from segfmu.kernels.expand import count_pieces, expand_plan
     from segfmu.kernels.feedback import feedback_bandwidth, feedback_correction, feedback_gains
+    from segfmu.kernels.kalman import observer_design
     from segfmu.kernels.noise import noise_components, seed_numbers
     from segfmu.kernels.observer import observer_correct, observer_predict
     from segfmu.kernels.plan import plan_phases
@@ -75,6 +77,7 @@ __all__ = [
     "flat_derivatives",
     "noise_components",
     "observer_correct",
+    "observer_design",
     "observer_predict",
     "plan_phases",
     "plant_advance",

@@ -54,23 +54,28 @@ def brake(
 ) -> 'tuple[int, float, float, float]':
     """Phases from (v, a) to zero acceleration; their number (-1: the limit does not admit them).
 
-    Also returns duration, distance and end velocity.
+    Also returns duration, distance and end velocity. Where the way back from a level past zero
+    passes the limit on the other side, it is braked in turn.
     """
-    count = append_change(phases, 0, a, 0.0, ramp)
-    duration, y, end, lowest, highest = measure_phases(phases, count, v, ramp)
-    if abs(end) > velocity_limit * (1.0 + 1e-12):
-        sign = 1.0
-        if a < 0.0:
-            sign = -1.0
-        level = sign * level_past_zero(sign * v, sign * a, velocity_limit, top, ramp)
-        if level * sign > 0.0:
-            return -1, 0.0, 0.0, 0.0
-        count = append_change(phases, 0, a, level, ramp)
+    count = 0
+    level = a
+    reached = v
+    for i in range(3):
         count = append_change(phases, count, level, 0.0, ramp)
         duration, y, end, lowest, highest = measure_phases(phases, count, v, ramp)
-        if abs(end) > velocity_limit:
-            return -1, 0.0, 0.0, 0.0
-    return count, duration, y, end
+        if abs(end) <= velocity_limit * (1.0 + 1e-12):
+            return count, duration, y, end
+        count = count - 1
+        sign = 1.0
+        if level < 0.0:
+            sign = -1.0
+        past = sign * level_past_zero(sign * reached, sign * level, velocity_limit, top, ramp)
+        if past * sign > 0.0:
+            break
+        count = append_change(phases, count, level, past, ramp)
+        duration, y, reached, lowest, highest = measure_phases(phases, count, v, ramp)
+        level = past
+    return -1, 0.0, 0.0, 0.0
 
 
 def surround(

@@ -23,13 +23,21 @@ def rig_event(
     loop: 'float[:]',
     sensors: 'float[:]',
     changes: 'float[:,:]',
+    tracking: 'float[:]',
     lengths: 'float[:]',
+    table: 'float[:,:,:]',
+    gain_lengths: 'float[:]',
     gains: 'float[:,:,:]',
+    tracker: 'float[:,:]',
     setpoints: 'float[:]',
     time: float,
     memory: 'float[:,:]',
 ) -> None:
-    """Take samples, change the payload and correct the setpoints where it is due at a time."""
+    """Take samples, change the payload and correct the setpoints where it is due at a time.
+
+    What the setpoints' slopes are is not known, so with velocity drives the limits of a tracking
+    controller count for its correction alone.
+    """
     rig_signals(sensors, time, memory)
     for i in range(19):
         memory[3, i] = setpoints[i]
@@ -39,9 +47,8 @@ def rig_event(
             memory[9, i] = memory[9, i] + memory[8, i] * (time - memory[2, 8])
         memory[2, 8] = time
         prepare_tick(sensors, setpoints, 1.0, memory)
-        # no tracking controller: its tables are not looked at
         correct_setpoints(
-            loop, lengths, lengths, gains, lengths, gains, memory[10:12, :], memory
+            loop, tracking, lengths, table, gain_lengths, gains, tracker, memory
         )
 
 

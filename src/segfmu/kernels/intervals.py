@@ -125,13 +125,19 @@ def next_feasible(
     """The end of the gap that holds the infeasible duration `start`; -1 if none is found.
 
     found[4] is the distance by which the profiles of `start` miss. To cover it takes at least the
-    time that it takes at the velocity limit, of which a tenth is skipped at once.
+    time that it takes at the velocity limit, of which a part is skipped at once. Windows of
+    feasible durations are narrower the smoother the ramps are, so for smoothness 5 and more the
+    steps are shorter.
     """
     outside = start
     inside = -1.0
     growth = 1.005
-    for i in range(500):
-        duration = max(outside * growth, outside + 0.1 * found[4] / limits[axis, 0])
+    skipped = 0.1
+    if limits.shape[1] > 5:
+        growth = 1.003
+        skipped = 0.02
+    for i in range(600):
+        duration = max(outside * growth, outside + skipped * found[4] / limits[axis, 0])
         if set_duration(
             interval, axis, duration, shortest, positions, velocities, accelerations, limits,
             ramps, phases, counts, weights, found, trial,
@@ -139,9 +145,9 @@ def next_feasible(
             inside = duration
             break
         outside = duration
-        if i > 140:
+        if i > 230:
             growth = 1.02
-        if i > 260:
+        if i > 350:
             growth = 1.1
     if inside < 0.0:
         return -1.0

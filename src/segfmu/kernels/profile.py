@@ -467,6 +467,8 @@ def shortest_profile(
         attempt = variant // 4
         if variant > 4 and best > 0:
             break
+        first = 0
+        last = 0
         brake_start = variant % 2 == 1
         brake_end = variant % 4 >= 2
         if (brake_start and a == 0.0) or (brake_end and b == 0.0):
@@ -477,17 +479,20 @@ def shortest_profile(
         b1 = b
         rest = distance
         if brake_start:
-            count, duration, y, v1 = brake(v, a, velocity_limit, top, ramp, trial)
-            if count < 0:
+            first, duration, y, v1 = brake(v, a, velocity_limit, top, ramp, trial)
+            if first < 0:
                 return -1
             rest = rest - y
             a1 = 0.0
         if brake_end:
-            count, duration, y, w1 = brake(w, -b, velocity_limit, top, ramp, trial)
-            if count < 0:
+            last, duration, y, w1 = brake(w, -b, velocity_limit, top, ramp, trial)
+            if last < 0:
                 return -2
             rest = rest - y
             b1 = 0.0
+        # 12 rows hold seven phases between them
+        if first + last > 5:
+            continue
         count = shortest_between(
             attempt, found, trial, v1, a1, w1, b1, rest, velocity_limit, top, ramp
         )

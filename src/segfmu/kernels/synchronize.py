@@ -278,6 +278,8 @@ def timed_profile(
     distance = without_dust(distance, velocity_limit * velocity_limit / top)
     found[4] = 0.0
     for variant in range(4):
+        first = 0
+        last = 0
         brake_start = variant == 1 or variant == 3
         brake_end = variant >= 2
         if (brake_start and a == 0.0) or (brake_end and b == 0.0):
@@ -289,20 +291,21 @@ def timed_profile(
         w1 = w
         b1 = b
         if brake_start:
-            count, duration, y, v1 = brake(v, a, velocity_limit, top, ramp, trial)
-            if count < 0:
+            first, duration, y, v1 = brake(v, a, velocity_limit, top, ramp, trial)
+            if first < 0:
                 return -1.0
             time = time - duration
             rest = rest - y
             a1 = 0.0
         if brake_end:
-            count, duration, y, w1 = brake(w, -b, velocity_limit, top, ramp, trial)
-            if count < 0:
+            last, duration, y, w1 = brake(w, -b, velocity_limit, top, ramp, trial)
+            if last < 0:
                 return -1.0
             time = time - duration
             rest = rest - y
             b1 = 0.0
-        if time <= 0.0:
+        # 12 rows hold seven phases between them
+        if time <= 0.0 or first + last > 5:
             continue
         found[0] = 0.0
         found[2] = 0.0

@@ -7,7 +7,8 @@
 
 enum {
     STATE = 10, SETPOINTS = 19, PARAMETERS = 37, SENSORS = 18, COLUMNS = 40, GAINS = 3 * STATE,
-    PARTIAL_ROWS = 12, PARTIAL_COLUMNS = 17, COMPONENTS = 32, CHANGES = 4, MOST_LENGTHS = MODEL_ROWS, MOST_SAMPLES = 100000
+    PARTIAL_ROWS = 12, PARTIAL_COLUMNS = 17, TRACKING = 23, BLOCK = 18 * STATE, TRACKER = 9 * STATE,
+    COMPONENTS = 32, CHANGES = 4, MOST_LENGTHS = MODEL_ROWS, MOST_SAMPLES = 100000
 };
 
 /* rows of the memory, see kernels/rig.py */
@@ -20,6 +21,9 @@ typedef struct {
     double loop[4], sensors[SENSORS], parameters[PARAMETERS], setpoints[SETPOINTS];
     double changes[CHANGES * 2], components[COMPONENTS * 7];
     double lengths[MOST_LENGTHS], gains[MOST_LENGTHS * GAINS];
+    /* of source measured: the observer's table, and what the controller remembers */
+    double tracking[TRACKING], nodes[MOST_LENGTHS], observer[MOST_LENGTHS * BLOCK];
+    double tracker[TRACKER];
     double derivative[MODEL_STATES];
     /* co-simulation: inputs at the end of the last step, and their slopes in it */
     double input[MODEL_INPUTS], slope[MODEL_INPUTS];
@@ -27,7 +31,7 @@ typedef struct {
     double partials[PARTIAL_ROWS * PARTIAL_COLUMNS], load_partials[6 * STATE];
     double energy_partials[2 * STATE];
     int64_t differentiated;  /* 1: partials are those of the present time, -1: there are none */
-    int64_t count_changes, count_components, count_lengths;
+    int64_t count_changes, count_components, count_lengths, count_nodes;
     int64_t rows;       /* of the memory; 0: not initialised */
     double memory[];
 } crane;
@@ -54,6 +58,35 @@ static inline array_double_3d gains_of(crane *m)
     array_double_3d a = {m->gains, {m->count_lengths, 3, STATE}};
     return a;
 }
+
+static inline array_double_3d observer_of(crane *m)
+{
+    array_double_3d a = {m->observer, {m->count_nodes, 18, STATE}};
+    return a;
+}
+
+/* kg; of the load that feedback and observer are for */
+static inline double nominal_payload(const crane *m)
+{
+    double payload = m->base.real[V_FEEDBACK_PAYLOAD_MASS];
+    return payload > 0.0 ? payload : m->base.real[V_CRANE_PAYLOAD_MASS];
+}
+
+/* The least and greatest rope length of the closed form and the observer; false with a message
+   where there is none. */
+bool crane_rope_range(const crane *m, double range[2], char message[MESSAGE]);
+
+/* A rope length of their tables, in equal ratios. */
+double crane_node(const double range[2], int64_t row);
+
+/* The observer and the controller on measured signals, from the start. */
+bool crane_set_tracking(crane *m, char message[MESSAGE]);
+
+/* The controller's tunable parameters; `switched` makes what changes fade in. */
+void crane_tune_tracking(crane *m, bool switched);
+
+/* The estimates as outputs. */
+void crane_show_estimates(crane *m);
 
 /* Turn parameters into the kernels' arrays; false with a message where they do not fit. */
 bool crane_set_up(crane *m, char message[MESSAGE]);

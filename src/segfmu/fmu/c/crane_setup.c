@@ -137,28 +137,38 @@ static bool read_table(crane *m, char message[MESSAGE])
     return true;
 }
 
+bool crane_rope_range(const crane *m, double range[2], char message[MESSAGE])
+{
+    const double *real = m->base.real;
+    double shortest = real[V_CRANE_ROPE_MIN], longest = real[V_CRANE_ROPE_MAX];
+    range[0] = shortest > 0.0 ? shortest : 0.2 * real[V_ROPE_LENGTH];
+    range[1] = longest > 0.0 ? longest : 5.0 * real[V_ROPE_LENGTH];
+    return range[0] <= range[1]
+        || say(message, "the rope lengths of the feedback, %g to %g m, must be ascending; set "
+               "crane.rope_min and crane.rope_max", range[0], range[1]);
+}
+
+double crane_node(const double range[2], int64_t row)
+{
+    double share = (double)row / (MOST_LENGTHS - 1);
+    return row == MOST_LENGTHS - 1 ? range[1] : range[0] * pow(range[1] / range[0], share);
+}
+
 /* The closed form over rope lengths in equal ratios. */
 static bool design_flat(crane *m, char message[MESSAGE])
 {
     const double *real = m->base.real;
-    double shortest = real[V_CRANE_ROPE_MIN], longest = real[V_CRANE_ROPE_MAX];
-    double payload = real[V_FEEDBACK_PAYLOAD_MASS], gravity = real[V_CRANE_GRAVITY];
-    shortest = shortest > 0.0 ? shortest : 0.2 * real[V_ROPE_LENGTH];
-    longest = longest > 0.0 ? longest : 5.0 * real[V_ROPE_LENGTH];
-    payload = payload > 0.0 ? payload : real[V_CRANE_PAYLOAD_MASS];
+    double payload = nominal_payload(m), gravity = real[V_CRANE_GRAVITY], range[2];
     double delay = real[V_FEEDBACK_SAMPLE_TIME];
     if (driven(m)) {
         delay += fmax(m->parameters[5], fmax(m->parameters[6], m->parameters[7]));
     }
-    if (shortest > longest) {
-        return say(message, "the rope lengths of the feedback, %g to %g m, must be ascending; set "
-                   "crane.rope_min and crane.rope_max", shortest, longest);
+    if (!crane_rope_range(m, range, message)) {
+        return false;
     }
-    m->count_lengths = longest > shortest ? MOST_LENGTHS : 1;
+    m->count_lengths = range[1] > range[0] ? MOST_LENGTHS : 1;
     for (int64_t row = 0; row < m->count_lengths; row++) {
-        double share = (double)row / (MOST_LENGTHS - 1);
-        double length = shortest * pow(longest / shortest, share);
-        m->lengths[row] = row == MOST_LENGTHS - 1 ? longest : length;
+        m->lengths[row] = crane_node(range, row);
         double bandwidth = segfmu_feedback_bandwidth(
             real[V_FEEDBACK_BANDWIDTH], m->lengths[row], gravity, delay, LARGEST_ANGLE);
         double hoist = segfmu_feedback_bandwidth(
@@ -174,10 +184,18 @@ static bool design_flat(crane *m, char message[MESSAGE])
 
 bool crane_set_gains(crane *m, char message[MESSAGE])
 {
+    double before[MOST_LENGTHS * GAINS];
+    memcpy(before, m->gains, sizeof before);
     m->base.tuned = 0;
     m->loop[2] = (double)m->base.integer[V_FEEDBACK_ENABLED];
-    return m->base.integer[V_FEEDBACK_DESIGN] == 2 ? design_flat(m, message)
-                                                   : read_table(m, message);
+    if (!(m->base.integer[V_FEEDBACK_DESIGN] == 2 ? design_flat(m, message)
+                                                  : read_table(m, message))) {
+        return false;
+    }
+    if (m->loop[0] > 1.5) {
+        crane_tune_tracking(m, memcmp(before, m->gains, sizeof before) != 0);
+    }
+    return true;
 }
 
 bool crane_set_up(crane *m, char message[MESSAGE])
@@ -190,10 +208,11 @@ bool crane_set_up(crane *m, char message[MESSAGE])
         return say(message, "rope_min %g m must be less than rope_max %g m",
                    real[V_CRANE_ROPE_MIN], real[V_CRANE_ROPE_MAX]);
     }
-    m->loop[0] = 1.0;
+    m->loop[0] = (double)m->base.integer[V_FEEDBACK_SOURCE];
     m->loop[1] = real[V_FEEDBACK_SAMPLE_TIME];
     m->loop[3] = TOLERANCE;
-    if (!set_parameters(m, message) || !set_sensors(m, message) || !crane_set_gains(m, message)) {
+    if (!set_parameters(m, message) || !set_sensors(m, message) || !crane_set_gains(m, message)
+        || !crane_set_tracking(m, message)) {
         return false;
     }
     set_disturbances(m);

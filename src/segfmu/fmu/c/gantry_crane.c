@@ -130,17 +130,16 @@ static void read_setpoints(crane *m, double time)
 bool model_advance(model *base, double time, char message[MESSAGE])
 {
     crane *m = (crane *)base;
-    double nothing[COLUMNS] = {0.0};
     if (base->tuned && !crane_set_gains(m, message)) {
         return false;
     }
     read_setpoints(m, time);
-    array_double_3d none = {nothing, {1, 1, 1}};
     int64_t status = segfmu_rig_step(
         vector(m->loop, 4), vector(m->sensors, SENSORS),
         matrix(m->components, m->count_components, 7), matrix(m->changes, m->count_changes, 2),
-        vector(nothing, 1), vector(nothing, 1), none, vector(m->lengths, m->count_lengths),
-        gains_of(m), matrix(nothing, 1, 1), vector(m->setpoints, SETPOINTS),
+        vector(m->tracking, TRACKING), vector(m->nodes, m->count_nodes), observer_of(m),
+        vector(m->lengths, m->count_lengths), gains_of(m), matrix(m->tracker, 9, STATE),
+        vector(m->setpoints, SETPOINTS),
         time - base->real[V_TIME], memory_of(m));
     memcpy(m->derivative, row(m, ROW_DERIVATIVE), sizeof m->derivative);
     for (int i = 0; i < 3; i++) {
@@ -183,8 +182,11 @@ bool model_event(model *base, char message[MESSAGE])
     }
     crane_read_inputs(m);
     segfmu_rig_event(vector(m->loop, 4), vector(m->sensors, SENSORS),
-                     matrix(m->changes, m->count_changes, 2), vector(m->lengths, m->count_lengths),
-                     gains_of(m), vector(m->setpoints, SETPOINTS), crane_elapsed(m), memory_of(m));
+                     matrix(m->changes, m->count_changes, 2), vector(m->tracking, TRACKING),
+                     vector(m->nodes, m->count_nodes), observer_of(m),
+                     vector(m->lengths, m->count_lengths), gains_of(m),
+                     matrix(m->tracker, 9, STATE), vector(m->setpoints, SETPOINTS),
+                     crane_elapsed(m), memory_of(m));
     find_rates(m);
     for (int i = 0; i < 3; i++) {
         base->integer[V_DRIVE_BRIDGE_SATURATED + i] = row(m, ROW_REPORT)[3 + i] > 0.0;
@@ -238,6 +240,7 @@ bool model_evaluate(model *base, char message[MESSAGE])
     memcpy(&real[V_BRIDGE_ACCELERATION], m->derivative + 5, 5 * sizeof *real);
     show_load(m);
     show_energies(m);
+    crane_show_estimates(m);
     real[V_POWER_DRIVES] = 0.0;
     for (int i = 0; i < 3; i++) {
         real[V_DRIVE_BRIDGE_FORCE + 2 * i] = report[i];

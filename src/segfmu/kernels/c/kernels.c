@@ -94,6 +94,20 @@ static double rope_value(int64_t demand, double local, double gravity, array_dou
 static double worst_value(int64_t demand, double first, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work);
 static int64_t table_row(double value, array_double_1d nodes);
 static double table_share(double value, array_double_1d nodes, int64_t row);
+static void matrix_set(int64_t n, double value, array_double_2d a);
+static void matrix_copy(int64_t n, array_double_2d a, array_double_2d c);
+static void matrix_add(int64_t n, double factor, array_double_2d a, array_double_2d c);
+static void matrix_product(int64_t n, array_double_2d a, array_double_2d b, array_double_2d c);
+static void matrix_product_transposed(int64_t n, array_double_2d a, array_double_2d b, array_double_2d c);
+static void matrix_transpose(int64_t n, array_double_2d a, array_double_2d c);
+static void matrix_reduce(int64_t n, int64_t columns, int64_t pivot, array_double_2d a, array_double_2d b);
+static void matrix_solve(int64_t n, int64_t columns, array_double_2d a, array_double_2d b);
+static void kalman_model(int64_t axis, bool driven, double mass, double payload, double gravity, double length, double lag, array_double_2d model);
+static void kalman_series(double part, double drift, double wind, array_double_2d model, array_double_2d transition, array_double_2d covariance, array_double_2d work);
+static void kalman_sampled(double sample_time, double drift, double wind, array_double_2d model, array_double_2d transition, array_double_2d covariance, array_double_2d work);
+static double kalman_turn(array_double_2d spread, array_double_2d work);
+static void kalman_gain(int64_t axis, double first, double second, array_double_2d spread, array_double_2d table);
+static void kalman_axis(int64_t axis, double sample_time, array_double_1d expected, array_double_2d work, array_double_2d table);
 static void track_wake(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory);
 static void track_observe(array_double_1d parameters, array_double_1d lengths, array_double_3d table, array_double_1d measured, array_double_1d reference, array_double_2d memory);
 static void track_law(array_double_1d parameters, double length, array_double_1d gain_lengths, array_double_3d gains, array_double_2d memory, array_double_1d correction);
@@ -978,54 +992,58 @@ static double level_past_zero(double v, double a, double velocity_limit, double 
     }
     return inside;
 }
-/*Phases from (v, a) to zero acceleration; their number (-1: the limit does not admit them). */
-/*                                                                                           */
-/*    Also returns duration, distance and end velocity.                                      */
-/*                                                                                           */
+/*Phases from (v, a) to zero acceleration; their number (-1: the limit does not admit them).     */
+/*                                                                                               */
+/*    Also returns duration, distance and end velocity. Where the way back from a level past zero*/
+/*    passes the limit on the other side, it is braked in turn.                                  */
+/*                                                                                               */
 static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases)
 {
     int64_t count;
+    double level;
+    double reached;
+    int64_t i;
     double duration;
     double y;
     double end;
     double lowest;
     double highest;
     double sign;
-    double level;
-    count = append_change(phases, INT64_C(0), a, 0.0, ramp);
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, ramp);
-    if (fabs(end) > velocity_limit * (1.0 + 1e-12))
+    double past;
+    count = INT64_C(0);
+    level = a;
+    reached = v;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
+        count = append_change(phases, count, level, 0.0, ramp);
+        segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, ramp);
+        if (fabs(end) <= velocity_limit * (1.0 + 1e-12))
+        {
+            (*result_0) = count;
+            (*result_1) = duration;
+            (*result_2) = y;
+            (*result_3) = end;
+            return 0;
+        }
+        count = count - INT64_C(1);
         sign = 1.0;
-        if (a < 0.0)
+        if (level < 0.0)
         {
             sign = -1.0;
         }
-        level = sign * level_past_zero(sign * v, sign * a, velocity_limit, top, ramp);
-        if (level * sign > 0.0)
+        past = sign * level_past_zero(sign * reached, sign * level, velocity_limit, top, ramp);
+        if (past * sign > 0.0)
         {
-            (*result_0) = -INT64_C(1);
-            (*result_1) = 0.0;
-            (*result_2) = 0.0;
-            (*result_3) = 0.0;
-            return 0;
+            break;
         }
-        count = append_change(phases, INT64_C(0), a, level, ramp);
-        count = append_change(phases, count, level, 0.0, ramp);
-        segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, ramp);
-        if (fabs(end) > velocity_limit)
-        {
-            (*result_0) = -INT64_C(1);
-            (*result_1) = 0.0;
-            (*result_2) = 0.0;
-            (*result_3) = 0.0;
-            return 0;
-        }
+        count = append_change(phases, count, level, past, ramp);
+        segfmu_measure_phases(&duration, &y, &reached, &lowest, &highest, phases, count, v, ramp);
+        level = past;
     }
-    (*result_0) = count;
-    (*result_1) = duration;
-    (*result_2) = y;
-    (*result_3) = end;
+    (*result_0) = -INT64_C(1);
+    (*result_1) = 0.0;
+    (*result_2) = 0.0;
+    (*result_3) = 0.0;
     return 0;
 }
 /*Put the braking of the initial and the build-up of the final acceleration around phases. */
@@ -2245,6 +2263,8 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
     double shortest;
     int64_t variant;
     int64_t attempt;
+    int64_t first;
+    int64_t last;
     bool brake_start;
     bool brake_end;
     double v1;
@@ -2282,6 +2302,8 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
         {
             break;
         }
+        first = INT64_C(0);
+        last = INT64_C(0);
         brake_start = span_floor_mod(variant, INT64_C(2)) == INT64_C(1);
         brake_end = span_floor_mod(variant, INT64_C(4)) >= INT64_C(2);
         if ((brake_start && (a == 0.0)) || (brake_end && (b == 0.0)))
@@ -2295,8 +2317,8 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
         rest = distance;
         if (brake_start)
         {
-            brake(&count, &duration, &y, &v1, v, a, velocity_limit, top, ramp, trial);
-            if (count < INT64_C(0))
+            brake(&first, &duration, &y, &v1, v, a, velocity_limit, top, ramp, trial);
+            if (first < INT64_C(0))
             {
                 return -INT64_C(1);
             }
@@ -2305,13 +2327,18 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
         }
         if (brake_end)
         {
-            brake(&count, &duration, &y, &w1, w, -b, velocity_limit, top, ramp, trial);
-            if (count < INT64_C(0))
+            brake(&last, &duration, &y, &w1, w, -b, velocity_limit, top, ramp, trial);
+            if (last < INT64_C(0))
             {
                 return -INT64_C(2);
             }
             rest = rest - y;
             b1 = 0.0;
+        }
+        /*12 rows hold seven phases between them*/
+        if (first + last > INT64_C(5))
+        {
+            continue;
         }
         count = shortest_between(attempt, found, trial, v1, a1, w1, b1, rest, velocity_limit, top, ramp);
         if ((count == INT64_C(0)) && (!((rest == 0.0) && (v1 == w1) && (a1 == 0.0) && (b1 == 0.0))))
@@ -2594,6 +2621,8 @@ static void timed_between(double target, double v, double a, double w, double b,
 double segfmu_timed_profile(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial)
 {
     int64_t variant;
+    int64_t first;
+    int64_t last;
     bool brake_start;
     bool brake_end;
     double time;
@@ -2602,7 +2631,6 @@ double segfmu_timed_profile(double target, double v, double a, double w, double 
     double a1;
     double w1;
     double b1;
-    int64_t count;
     double duration;
     double y;
     double span;
@@ -2617,6 +2645,8 @@ double segfmu_timed_profile(double target, double v, double a, double w, double 
     (*cspan_at(&found, INT64_C(4))) = 0.0;
     for (variant = INT64_C(0); variant < INT64_C(4); variant += INT64_C(1))
     {
+        first = INT64_C(0);
+        last = INT64_C(0);
         brake_start = (variant == INT64_C(1)) || (variant == INT64_C(3));
         brake_end = variant >= INT64_C(2);
         if ((brake_start && (a == 0.0)) || (brake_end && (b == 0.0)))
@@ -2631,8 +2661,8 @@ double segfmu_timed_profile(double target, double v, double a, double w, double 
         b1 = b;
         if (brake_start)
         {
-            brake(&count, &duration, &y, &v1, v, a, velocity_limit, top, ramp, trial);
-            if (count < INT64_C(0))
+            brake(&first, &duration, &y, &v1, v, a, velocity_limit, top, ramp, trial);
+            if (first < INT64_C(0))
             {
                 return -1.0;
             }
@@ -2642,8 +2672,8 @@ double segfmu_timed_profile(double target, double v, double a, double w, double 
         }
         if (brake_end)
         {
-            brake(&count, &duration, &y, &w1, w, -b, velocity_limit, top, ramp, trial);
-            if (count < INT64_C(0))
+            brake(&last, &duration, &y, &w1, w, -b, velocity_limit, top, ramp, trial);
+            if (last < INT64_C(0))
             {
                 return -1.0;
             }
@@ -2651,7 +2681,8 @@ double segfmu_timed_profile(double target, double v, double a, double w, double 
             rest = rest - y;
             b1 = 0.0;
         }
-        if (time <= 0.0)
+        /*12 rows hold seven phases between them*/
+        if ((time <= 0.0) || (first + last > INT64_C(5)))
         {
             continue;
         }
@@ -2777,32 +2808,41 @@ static bool set_duration(int64_t interval, int64_t axis, double target, double s
 /*The end of the gap that holds the infeasible duration `start`; -1 if none is found.                */
 /*                                                                                                   */
 /*    found[4] is the distance by which the profiles of `start` miss. To cover it takes at least the */
-/*    time that it takes at the velocity limit, of which a tenth is skipped at once.                 */
+/*    time that it takes at the velocity limit, of which a part is skipped at once. Windows of       */
+/*    feasible durations are narrower the smoother the ramps are, so for smoothness 5 and more the   */
+/*    steps are shorter.                                                                             */
 /*                                                                                                   */
 static double next_feasible(int64_t interval, int64_t axis, double start, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial)
 {
     double outside;
     double growth;
+    double skipped;
     int64_t i;
     double duration;
     double inside;
     outside = start;
     inside = -1.0;
     growth = 1.005;
-    for (i = INT64_C(0); i < INT64_C(500); i += INT64_C(1))
+    skipped = 0.1;
+    if (limits.shape[INT64_C(1)] > INT64_C(5))
     {
-        duration = span_max(outside * growth, outside + 0.1 * (*cspan_at(&found, INT64_C(4))) / (*cspan_at(&limits, axis, INT64_C(0))));
+        growth = 1.003;
+        skipped = 0.02;
+    }
+    for (i = INT64_C(0); i < INT64_C(600); i += INT64_C(1))
+    {
+        duration = span_max(outside * growth, outside + skipped * (*cspan_at(&found, INT64_C(4))) / (*cspan_at(&limits, axis, INT64_C(0))));
         if (set_duration(interval, axis, duration, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial))
         {
             inside = duration;
             break;
         }
         outside = duration;
-        if (i > INT64_C(140))
+        if (i > INT64_C(230))
         {
             growth = 1.02;
         }
-        if (i > INT64_C(260))
+        if (i > INT64_C(350))
         {
             growth = 1.1;
         }
@@ -4300,6 +4340,420 @@ void segfmu_feedback_gains(bool driven, double length, double bridge_mass, doubl
     }
     (*cspan_at(&gains, INT64_C(2), INT64_C(2))) = weight * hoist_bandwidth * hoist_bandwidth;
     (*cspan_at(&gains, INT64_C(2), INT64_C(7))) = weight * 2.0 * damping * hoist_bandwidth;
+}
+/*a = value times the identity.*/
+static void matrix_set(int64_t n, double value, array_double_2d a)
+{
+    int64_t i;
+    int64_t j;
+    for (i = INT64_C(0); i < n; i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < n; j += INT64_C(1))
+        {
+            (*cspan_at(&a, i, j)) = 0.0;
+        }
+        (*cspan_at(&a, i, i)) = value;
+    }
+}
+/*c = a.               */
+static void matrix_copy(int64_t n, array_double_2d a, array_double_2d c)
+{
+    int64_t i;
+    int64_t j;
+    for (i = INT64_C(0); i < n; i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < n; j += INT64_C(1))
+        {
+            (*cspan_at(&c, i, j)) = (*cspan_at(&a, i, j));
+        }
+    }
+}
+/*c = c + factor * a.  */
+static void matrix_add(int64_t n, double factor, array_double_2d a, array_double_2d c)
+{
+    int64_t i;
+    int64_t j;
+    for (i = INT64_C(0); i < n; i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < n; j += INT64_C(1))
+        {
+            (*cspan_at(&c, i, j)) = (*cspan_at(&c, i, j)) + factor * (*cspan_at(&a, i, j));
+        }
+    }
+}
+/*c = a b; c is neither of them. */
+static void matrix_product(int64_t n, array_double_2d a, array_double_2d b, array_double_2d c)
+{
+    int64_t i;
+    int64_t j;
+    double total;
+    int64_t k;
+    for (i = INT64_C(0); i < n; i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < n; j += INT64_C(1))
+        {
+            total = 0.0;
+            for (k = INT64_C(0); k < n; k += INT64_C(1))
+            {
+                total = total + (*cspan_at(&a, i, k)) * (*cspan_at(&b, k, j));
+            }
+            (*cspan_at(&c, i, j)) = total;
+        }
+    }
+}
+/*c = a b^T; c is neither of them. */
+static void matrix_product_transposed(int64_t n, array_double_2d a, array_double_2d b, array_double_2d c)
+{
+    int64_t i;
+    int64_t j;
+    double total;
+    int64_t k;
+    for (i = INT64_C(0); i < n; i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < n; j += INT64_C(1))
+        {
+            total = 0.0;
+            for (k = INT64_C(0); k < n; k += INT64_C(1))
+            {
+                total = total + (*cspan_at(&a, i, k)) * (*cspan_at(&b, j, k));
+            }
+            (*cspan_at(&c, i, j)) = total;
+        }
+    }
+}
+/*c = a^T; c is not a. */
+static void matrix_transpose(int64_t n, array_double_2d a, array_double_2d c)
+{
+    int64_t i;
+    int64_t j;
+    for (i = INT64_C(0); i < n; i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < n; j += INT64_C(1))
+        {
+            (*cspan_at(&c, i, j)) = (*cspan_at(&a, j, i));
+        }
+    }
+}
+/*Bring the largest entry of a column to the pivot's row and clear the rows after it.*/
+static void matrix_reduce(int64_t n, int64_t columns, int64_t pivot, array_double_2d a, array_double_2d b)
+{
+    int64_t best;
+    int64_t i;
+    int64_t j;
+    double kept;
+    double factor;
+    best = pivot;
+    for (i = pivot + INT64_C(1); i < n; i += INT64_C(1))
+    {
+        if (fabs((*cspan_at(&a, i, pivot))) > fabs((*cspan_at(&a, best, pivot))))
+        {
+            best = i;
+        }
+    }
+    for (j = INT64_C(0); j < n; j += INT64_C(1))
+    {
+        kept = (*cspan_at(&a, pivot, j));
+        (*cspan_at(&a, pivot, j)) = (*cspan_at(&a, best, j));
+        (*cspan_at(&a, best, j)) = kept;
+    }
+    for (j = INT64_C(0); j < columns; j += INT64_C(1))
+    {
+        kept = (*cspan_at(&b, pivot, j));
+        (*cspan_at(&b, pivot, j)) = (*cspan_at(&b, best, j));
+        (*cspan_at(&b, best, j)) = kept;
+    }
+    for (i = pivot + INT64_C(1); i < n; i += INT64_C(1))
+    {
+        factor = (*cspan_at(&a, i, pivot)) / (*cspan_at(&a, pivot, pivot));
+        for (j = pivot; j < n; j += INT64_C(1))
+        {
+            (*cspan_at(&a, i, j)) = (*cspan_at(&a, i, j)) - factor * (*cspan_at(&a, pivot, j));
+        }
+        for (j = INT64_C(0); j < columns; j += INT64_C(1))
+        {
+            (*cspan_at(&b, i, j)) = (*cspan_at(&b, i, j)) - factor * (*cspan_at(&b, pivot, j));
+        }
+    }
+}
+/*b = a^-1 b for b with so many columns, by elimination; a is used up. */
+static void matrix_solve(int64_t n, int64_t columns, array_double_2d a, array_double_2d b)
+{
+    int64_t pivot;
+    int64_t step;
+    int64_t i;
+    int64_t j;
+    double total;
+    int64_t k;
+    for (pivot = INT64_C(0); pivot < n; pivot += INT64_C(1))
+    {
+        matrix_reduce(n, columns, pivot, a, b);
+    }
+    for (step = INT64_C(0); step < n; step += INT64_C(1))
+    {
+        i = n - INT64_C(1) - step;
+        for (j = INT64_C(0); j < columns; j += INT64_C(1))
+        {
+            total = (*cspan_at(&b, i, j));
+            for (k = i + INT64_C(1); k < n; k += INT64_C(1))
+            {
+                total = total - (*cspan_at(&a, i, k)) * (*cspan_at(&b, k, j));
+            }
+            (*cspan_at(&b, i, j)) = total / (*cspan_at(&a, i, i));
+        }
+    }
+}
+/*Derivatives (8, 8) of six states and two inputs by themselves. */
+static void kalman_model(int64_t axis, bool driven, double mass, double payload, double gravity, double length, double lag, array_double_2d model)
+{
+    int64_t j;
+    matrix_set(INT64_C(8), 0.0, model);
+    (*cspan_at(&model, INT64_C(6), INT64_C(7))) = 1.0;
+    (*cspan_at(&model, INT64_C(0), INT64_C(2))) = 1.0;
+    (*cspan_at(&model, INT64_C(2), INT64_C(4))) = 1.0;
+    if (driven && (lag > 0.0))
+    {
+        (*cspan_at(&model, INT64_C(2), INT64_C(2))) = (-1.0) / lag;
+        (*cspan_at(&model, INT64_C(2), INT64_C(6))) = 1.0 / lag;
+    }
+    else if (driven || (axis == INT64_C(2)))
+    {
+        (*cspan_at(&model, INT64_C(2), INT64_C(7))) = 1.0;
+    }
+    else
+    {
+        (*cspan_at(&model, INT64_C(2), INT64_C(7))) = 1.0 / mass;
+        (*cspan_at(&model, INT64_C(2), INT64_C(1))) = payload * gravity / mass;
+    }
+    if (axis < INT64_C(2))
+    {
+        /*l angle'' = -g angle - carriage acceleration + acceleration of the load*/
+        (*cspan_at(&model, INT64_C(1), INT64_C(3))) = 1.0;
+        for (j = INT64_C(0); j < INT64_C(8); j += INT64_C(1))
+        {
+            (*cspan_at(&model, INT64_C(3), j)) = (-(*cspan_at(&model, INT64_C(2), j))) / length;
+        }
+        (*cspan_at(&model, INT64_C(3), INT64_C(1))) = (*cspan_at(&model, INT64_C(3), INT64_C(1))) - gravity / length;
+        (*cspan_at(&model, INT64_C(3), INT64_C(5))) = 1.0 / length;
+    }
+}
+/*exp(M h) = 1 + M h + ..., and the integral W h + (M W + W M^T) h^2 / 2 + ... of the walks. */
+static void kalman_series(double part, double drift, double wind, array_double_2d model, array_double_2d transition, array_double_2d covariance, array_double_2d work)
+{
+    int64_t n;
+    matrix_set(INT64_C(8), 1.0, transition);
+    matrix_set(INT64_C(8), 1.0, span_rows(&work, INT64_C(0), INT64_C(8)));
+    for (n = INT64_C(1); n < INT64_C(17); n += INT64_C(1))
+    {
+        matrix_product(INT64_C(8), model, span_rows(&work, INT64_C(0), INT64_C(8)), span_rows(&work, INT64_C(8), INT64_C(16)));
+        matrix_set(INT64_C(8), 0.0, span_rows(&work, INT64_C(0), INT64_C(8)));
+        matrix_add(INT64_C(8), part / n, span_rows(&work, INT64_C(8), INT64_C(16)), span_rows(&work, INT64_C(0), INT64_C(8)));
+        matrix_add(INT64_C(8), 1.0, span_rows(&work, INT64_C(0), INT64_C(8)), transition);
+    }
+    matrix_set(INT64_C(6), 0.0, covariance);
+    matrix_set(INT64_C(6), 0.0, span_rows(&work, INT64_C(0), INT64_C(8)));
+    (*cspan_at(&work, INT64_C(4), INT64_C(4))) = drift * drift * part;
+    (*cspan_at(&work, INT64_C(5), INT64_C(5))) = wind * wind * part;
+    for (n = INT64_C(2); n < INT64_C(18); n += INT64_C(1))
+    {
+        matrix_add(INT64_C(6), 1.0, span_rows(&work, INT64_C(0), INT64_C(8)), covariance);
+        matrix_product(INT64_C(6), model, span_rows(&work, INT64_C(0), INT64_C(8)), span_rows(&work, INT64_C(8), INT64_C(16)));
+        matrix_product_transposed(INT64_C(6), span_rows(&work, INT64_C(0), INT64_C(8)), model, span_rows(&work, INT64_C(16), INT64_C(24)));
+        matrix_add(INT64_C(6), 1.0, span_rows(&work, INT64_C(16), INT64_C(24)), span_rows(&work, INT64_C(8), INT64_C(16)));
+        matrix_set(INT64_C(6), 0.0, span_rows(&work, INT64_C(0), INT64_C(8)));
+        matrix_add(INT64_C(6), part / n, span_rows(&work, INT64_C(8), INT64_C(16)), span_rows(&work, INT64_C(0), INT64_C(8)));
+    }
+}
+/*Transition (8, 8) over a sample, and what the walks add to the covariance (6, 6).      */
+/*                                                                                       */
+/*    Taylor series over a part of the sample that is short, then doubled; work (24, 16).*/
+/*                                                                                       */
+static void kalman_sampled(double sample_time, double drift, double wind, array_double_2d model, array_double_2d transition, array_double_2d covariance, array_double_2d work)
+{
+    double size;
+    int64_t i;
+    double total;
+    int64_t j;
+    double part;
+    int64_t doublings;
+    int64_t Dummy_0000;
+    int64_t Dummy_0001;
+    size = 0.0;
+    for (i = INT64_C(0); i < INT64_C(8); i += INT64_C(1))
+    {
+        total = 0.0;
+        for (j = INT64_C(0); j < INT64_C(8); j += INT64_C(1))
+        {
+            total = total + fabs((*cspan_at(&model, i, j)));
+        }
+        size = span_max(size, total);
+    }
+    part = sample_time;
+    doublings = INT64_C(0);
+    while(size * part > 0.5)
+    {
+        part = 0.5 * part;
+        doublings = doublings + INT64_C(1);
+    }
+    kalman_series(part, drift, wind, model, transition, covariance, work);
+    for (Dummy_0000 = INT64_C(0); Dummy_0000 < doublings; Dummy_0000 += INT64_C(1))
+    {
+        matrix_product(INT64_C(6), transition, covariance, span_rows(&work, INT64_C(0), INT64_C(8)));
+        matrix_product_transposed(INT64_C(6), span_rows(&work, INT64_C(0), INT64_C(8)), transition, span_rows(&work, INT64_C(8), INT64_C(16)));
+        matrix_add(INT64_C(6), 1.0, span_rows(&work, INT64_C(8), INT64_C(16)), covariance);
+        matrix_product(INT64_C(8), transition, transition, span_rows(&work, INT64_C(0), INT64_C(8)));
+        matrix_copy(INT64_C(8), span_rows(&work, INT64_C(0), INT64_C(8)), transition);
+    }
+}
+/*One doubling of X in `spread` with A^T and G in work[0:8] and work[8:16].*/
+/*                                                                         */
+/*    Returns the largest relative change of a variance; work (56, 16).    */
+/*                                                                         */
+static double kalman_turn(array_double_2d spread, array_double_2d work)
+{
+    int64_t i;
+    int64_t j;
+    double change;
+    /*one solution for both: (1 + G X)^-1 A^T and (1 + G X)^-1 G*/
+    matrix_set(INT64_C(6), 1.0, span_rows(&work, INT64_C(16), INT64_C(24)));
+    matrix_product(INT64_C(6), span_rows(&work, INT64_C(8), INT64_C(16)), spread, span_rows(&work, INT64_C(24), INT64_C(32)));
+    matrix_add(INT64_C(6), 1.0, span_rows(&work, INT64_C(24), INT64_C(32)), span_rows(&work, INT64_C(16), INT64_C(24)));
+    for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < INT64_C(6); j += INT64_C(1))
+        {
+            (*cspan_at(&work, INT64_C(24) + i, j)) = (*cspan_at(&work, i, j));
+            (*cspan_at(&work, INT64_C(24) + i, INT64_C(6) + j)) = (*cspan_at(&work, INT64_C(8) + i, j));
+        }
+    }
+    matrix_solve(INT64_C(6), INT64_C(12), span_rows(&work, INT64_C(16), INT64_C(24)), span_rows(&work, INT64_C(24), INT64_C(32)));
+    for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < INT64_C(6); j += INT64_C(1))
+        {
+            (*cspan_at(&work, INT64_C(32) + i, j)) = (*cspan_at(&work, INT64_C(24) + i, INT64_C(6) + j));
+        }
+    }
+    /*G + A^T (1 + G X)^-1 G A*/
+    matrix_product(INT64_C(6), span_rows(&work, INT64_C(0), INT64_C(8)), span_rows(&work, INT64_C(32), INT64_C(40)), span_rows(&work, INT64_C(16), INT64_C(24)));
+    matrix_product_transposed(INT64_C(6), span_rows(&work, INT64_C(16), INT64_C(24)), span_rows(&work, INT64_C(0), INT64_C(8)), span_rows(&work, INT64_C(32), INT64_C(40)));
+    matrix_add(INT64_C(6), 1.0, span_rows(&work, INT64_C(32), INT64_C(40)), span_rows(&work, INT64_C(8), INT64_C(16)));
+    /*X + A X (1 + G X)^-1 A^T*/
+    matrix_product(INT64_C(6), spread, span_rows(&work, INT64_C(24), INT64_C(32)), span_rows(&work, INT64_C(16), INT64_C(24)));
+    matrix_transpose(INT64_C(6), span_rows(&work, INT64_C(0), INT64_C(8)), span_rows(&work, INT64_C(32), INT64_C(40)));
+    matrix_product(INT64_C(6), span_rows(&work, INT64_C(32), INT64_C(40)), span_rows(&work, INT64_C(16), INT64_C(24)), span_rows(&work, INT64_C(40), INT64_C(48)));
+    matrix_add(INT64_C(6), 1.0, span_rows(&work, INT64_C(40), INT64_C(48)), spread);
+    /*A^T (1 + G X)^-1 A^T*/
+    matrix_product(INT64_C(6), span_rows(&work, INT64_C(0), INT64_C(8)), span_rows(&work, INT64_C(24), INT64_C(32)), span_rows(&work, INT64_C(16), INT64_C(24)));
+    matrix_copy(INT64_C(6), span_rows(&work, INT64_C(16), INT64_C(24)), span_rows(&work, INT64_C(0), INT64_C(8)));
+    change = 0.0;
+    for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+    {
+        if ((*cspan_at(&spread, i, i)) > 0.0)
+        {
+            change = span_max(change, (*cspan_at(&work, INT64_C(40) + i, i)) / (*cspan_at(&spread, i, i)));
+        }
+    }
+    return change;
+}
+/*Columns 8 and 9 of an axis' rows: X C^T (C X C^T + R)^-1, for variances R of the signals.*/
+static void kalman_gain(int64_t axis, double first, double second, array_double_2d spread, array_double_2d table)
+{
+    double a;
+    double b;
+    double d;
+    double determinant;
+    int64_t i;
+    int64_t k;
+    a = (*cspan_at(&spread, INT64_C(0), INT64_C(0))) + first;
+    b = 0.5 * ((*cspan_at(&spread, INT64_C(0), INT64_C(1))) + (*cspan_at(&spread, INT64_C(1), INT64_C(0))));
+    d = (*cspan_at(&spread, INT64_C(1), INT64_C(1))) + second;
+    if (axis == INT64_C(2))
+    {
+        b = 0.0;
+    }
+    determinant = a * d - b * b;
+    for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+    {
+        k = INT64_C(6) * axis + i;
+        (*cspan_at(&table, k, INT64_C(8))) = (d * (*cspan_at(&spread, i, INT64_C(0))) - b * (*cspan_at(&spread, i, INT64_C(1)))) / determinant;
+        (*cspan_at(&table, k, INT64_C(9))) = (a * (*cspan_at(&spread, i, INT64_C(1))) - b * (*cspan_at(&spread, i, INT64_C(0)))) / determinant;
+    }
+}
+/*An axis' rows of the table for the model (8, 8) in work[72:80]; work (80, 16). */
+static void kalman_axis(int64_t axis, double sample_time, array_double_1d expected, array_double_2d work, array_double_2d table)
+{
+    array_double_2d transition;
+    array_double_2d spread;
+    double position;
+    double angle;
+    double wind;
+    int64_t i;
+    int64_t j;
+    int64_t turns;
+    transition = span_rows(&work, INT64_C(56), INT64_C(64));
+    spread = span_rows(&work, INT64_C(64), INT64_C(72));
+    position = (*cspan_at(&expected, INT64_C(0))) * (*cspan_at(&expected, INT64_C(0))) / 12.0;
+    if (axis == INT64_C(2))
+    {
+        position = (*cspan_at(&expected, INT64_C(1))) * (*cspan_at(&expected, INT64_C(1))) / 12.0;
+    }
+    angle = (*cspan_at(&expected, INT64_C(2))) * (*cspan_at(&expected, INT64_C(2))) / 12.0;
+    wind = (*cspan_at(&expected, INT64_C(4)));
+    if (axis == INT64_C(2))
+    {
+        wind = 0.0;
+    }
+    kalman_sampled(sample_time, (*cspan_at(&expected, INT64_C(3))), wind, span_rows(&work, INT64_C(72), INT64_C(80)), transition, spread, span_rows(&work, INT64_C(0), INT64_C(24)));
+    for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < INT64_C(8); j += INT64_C(1))
+        {
+            (*cspan_at(&table, INT64_C(6) * axis + i, j)) = (*cspan_at(&transition, i, j));
+        }
+    }
+    matrix_transpose(INT64_C(6), transition, span_rows(&work, INT64_C(0), INT64_C(8)));
+    matrix_set(INT64_C(6), 0.0, span_rows(&work, INT64_C(8), INT64_C(16)));
+    (*cspan_at(&work, INT64_C(8), INT64_C(0))) = 1.0 / position;
+    if (axis < INT64_C(2))
+    {
+        (*cspan_at(&work, INT64_C(9), INT64_C(1))) = 1.0 / angle;
+    }
+    turns = INT64_C(0);
+    while((kalman_turn(spread, span_rows(&work, INT64_C(0), INT64_C(56))) > 1e-15) && (turns < INT64_C(60)))
+    {
+        turns = turns + INT64_C(1);
+    }
+    kalman_gain(axis, position, angle, spread, table);
+    if (axis == INT64_C(2))
+    {
+        /*the hoist has no angle and no load*/
+        for (i = INT64_C(1); i < INT64_C(6); i += INT64_C(2))
+        {
+            for (j = INT64_C(0); j < INT64_C(10); j += INT64_C(1))
+            {
+                (*cspan_at(&table, INT64_C(12) + i, j)) = 0.0;
+            }
+        }
+    }
+}
+/*One rope length's part (18, 10) of the table of kernels/observer.py. */
+/*                                                                     */
+/*    lag (3) of the velocity drives [s]; work (80, 16).               */
+/*                                                                     */
+void segfmu_observer_design(bool driven, double sample_time, double length, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_1d lag, array_double_1d expected, array_double_2d work, array_double_2d table)
+{
+    int64_t axis;
+    double mass;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        mass = trolley_mass;
+        if (axis == INT64_C(0))
+        {
+            mass = bridge_mass + trolley_mass;
+        }
+        kalman_model(axis, driven, mass, payload_mass, gravity, length, (*cspan_at(&lag, axis)), span_rows(&work, INT64_C(72), INT64_C(80)));
+        kalman_axis(axis, sample_time, expected, work, table);
+    }
 }
 /*Advance the estimate (3, 6 or more) by a sample under command and held correction. */
 void segfmu_observer_predict(double length, array_double_1d lengths, array_double_3d table, array_double_1d command, array_double_1d held, array_double_2d estimate, array_double_1d scratch)
@@ -7403,8 +7857,12 @@ void segfmu_rig_signals(array_double_1d sensors, double time, array_double_2d me
     (*cspan_at(&memory, INT64_C(2), INT64_C(2))) = 0.0;
     sense_signals(sensors, time, span_row(&memory, INT64_C(0)), span_rows(&memory, INT64_C(30), memory.shape[INT64_C(0)]), span_row(&memory, INT64_C(5)));
 }
-/*Take samples, change the payload and correct the setpoints where it is due at a time.*/
-void segfmu_rig_event(array_double_1d loop, array_double_1d sensors, array_double_2d changes, array_double_1d lengths, array_double_3d gains, array_double_1d setpoints, double time, array_double_2d memory)
+/*Take samples, change the payload and correct the setpoints where it is due at a time.            */
+/*                                                                                                 */
+/*    What the setpoints' slopes are is not known, so with velocity drives the limits of a tracking*/
+/*    controller count for its correction alone.                                                   */
+/*                                                                                                 */
+void segfmu_rig_event(array_double_1d loop, array_double_1d sensors, array_double_2d changes, array_double_1d tracking, array_double_1d lengths, array_double_3d table, array_double_1d gain_lengths, array_double_3d gains, array_double_2d tracker, array_double_1d setpoints, double time, array_double_2d memory)
 {
     int64_t i;
     segfmu_rig_signals(sensors, time, memory);
@@ -7421,8 +7879,7 @@ void segfmu_rig_event(array_double_1d loop, array_double_1d sensors, array_doubl
         }
         (*cspan_at(&memory, INT64_C(2), INT64_C(8))) = time;
         prepare_tick(sensors, setpoints, 1.0, memory);
-        /*no tracking controller: its tables are not looked at*/
-        correct_setpoints(loop, lengths, lengths, gains, lengths, gains, span_rows(&memory, INT64_C(10), INT64_C(12)), memory);
+        correct_setpoints(loop, tracking, lengths, table, gain_lengths, gains, tracker, memory);
     }
 }
 /*Derivative of the state (13) at a time; the report, memory[4, :9], is that of the plant. */

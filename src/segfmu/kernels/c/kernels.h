@@ -23,6 +23,7 @@ int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, 
 void segfmu_feedback_correction(array_double_1d state, array_double_1d reference, array_double_1d lengths, array_double_3d gains, array_double_1d correction);
 double segfmu_feedback_bandwidth(double ratio, double length, double gravity, double delay, double largest);
 void segfmu_feedback_gains(bool driven, double length, double bridge_mass, double trolley_mass, double payload_mass, double gravity, double bandwidth, double hoist_bandwidth, double damping, array_double_2d gains);
+void segfmu_observer_design(bool driven, double sample_time, double length, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_1d lag, array_double_1d expected, array_double_2d work, array_double_2d table);
 void segfmu_observer_predict(double length, array_double_1d lengths, array_double_3d table, array_double_1d command, array_double_1d held, array_double_2d estimate, array_double_1d scratch);
 void segfmu_observer_correct(double length, array_double_1d lengths, array_double_3d table, array_double_1d measured, array_double_1d reference, array_double_2d estimate);
 void segfmu_track_setpoint(array_double_1d parameters, array_double_1d lengths, array_double_3d table, array_double_1d gain_lengths, array_double_3d gains, array_double_1d measured, array_double_1d reference, array_double_1d feedforward, array_double_2d memory, array_double_1d correction);
@@ -47,7 +48,7 @@ void segfmu_rig_balance(array_double_2d memory, array_double_1d balance);
 double segfmu_rig_imbalance(array_double_1d balance);
 double segfmu_rig_next_event(array_double_1d loop, array_double_1d sensors, array_double_2d memory);
 void segfmu_rig_signals(array_double_1d sensors, double time, array_double_2d memory);
-void segfmu_rig_event(array_double_1d loop, array_double_1d sensors, array_double_2d changes, array_double_1d lengths, array_double_3d gains, array_double_1d setpoints, double time, array_double_2d memory);
+void segfmu_rig_event(array_double_1d loop, array_double_1d sensors, array_double_2d changes, array_double_1d tracking, array_double_1d lengths, array_double_3d table, array_double_1d gain_lengths, array_double_3d gains, array_double_2d tracker, array_double_1d setpoints, double time, array_double_2d memory);
 int64_t segfmu_rig_rates(array_double_2d components, array_double_1d setpoints, double time, array_double_2d memory, array_double_1d derivative);
 bool segfmu_rig_partials(array_double_2d components, double time, array_double_2d memory, array_double_2d work, array_double_2d partials);
 

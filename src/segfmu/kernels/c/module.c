@@ -636,6 +636,53 @@ static PyObject *call_feedback_gains(
     return answer;
 }
 
+static PyObject *call_observer_design(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "observer_design", .values = values};
+    PyObject *answer = NULL;
+    bool in_driven;
+    double in_sample_time;
+    double in_length;
+    double in_bridge_mass;
+    double in_trolley_mass;
+    double in_payload_mass;
+    double in_gravity;
+    Py_buffer *in_lag;
+    Py_buffer *in_expected;
+    Py_buffer *in_work;
+    Py_buffer *in_table;
+    (void)self;
+    if (take_count(&call, count, 11)
+        && take_bool(&call, 0, &in_driven)
+        && take_float(&call, 1, &in_sample_time)
+        && take_float(&call, 2, &in_length)
+        && take_float(&call, 3, &in_bridge_mass)
+        && take_float(&call, 4, &in_trolley_mass)
+        && take_float(&call, 5, &in_payload_mass)
+        && take_float(&call, 6, &in_gravity)
+        && (in_lag = take_array(&call, 7, 1, 'd', false)) != NULL
+        && (in_expected = take_array(&call, 8, 1, 'd', false)) != NULL
+        && (in_work = take_array(&call, 9, 2, 'd', true)) != NULL
+        && (in_table = take_array(&call, 10, 2, 'd', true)) != NULL) {
+        segfmu_observer_design(
+            in_driven,
+            in_sample_time,
+            in_length,
+            in_bridge_mass,
+            in_trolley_mass,
+            in_payload_mass,
+            in_gravity,
+            (array_double_1d){in_lag->buf, {in_lag->shape[0]}},
+            (array_double_1d){in_expected->buf, {in_expected->shape[0]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_2d){in_table->buf, {in_table->shape[0], in_table->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_observer_predict(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -1356,27 +1403,39 @@ static PyObject *call_rig_event(
     Py_buffer *in_loop;
     Py_buffer *in_sensors;
     Py_buffer *in_changes;
+    Py_buffer *in_tracking;
     Py_buffer *in_lengths;
+    Py_buffer *in_table;
+    Py_buffer *in_gain_lengths;
     Py_buffer *in_gains;
+    Py_buffer *in_tracker;
     Py_buffer *in_setpoints;
     double in_time;
     Py_buffer *in_memory;
     (void)self;
-    if (take_count(&call, count, 8)
+    if (take_count(&call, count, 12)
         && (in_loop = take_array(&call, 0, 1, 'd', false)) != NULL
         && (in_sensors = take_array(&call, 1, 1, 'd', false)) != NULL
         && (in_changes = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_lengths = take_array(&call, 3, 1, 'd', false)) != NULL
-        && (in_gains = take_array(&call, 4, 3, 'd', false)) != NULL
-        && (in_setpoints = take_array(&call, 5, 1, 'd', false)) != NULL
-        && take_float(&call, 6, &in_time)
-        && (in_memory = take_array(&call, 7, 2, 'd', true)) != NULL) {
+        && (in_tracking = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_lengths = take_array(&call, 4, 1, 'd', false)) != NULL
+        && (in_table = take_array(&call, 5, 3, 'd', false)) != NULL
+        && (in_gain_lengths = take_array(&call, 6, 1, 'd', false)) != NULL
+        && (in_gains = take_array(&call, 7, 3, 'd', false)) != NULL
+        && (in_tracker = take_array(&call, 8, 2, 'd', true)) != NULL
+        && (in_setpoints = take_array(&call, 9, 1, 'd', false)) != NULL
+        && take_float(&call, 10, &in_time)
+        && (in_memory = take_array(&call, 11, 2, 'd', true)) != NULL) {
         segfmu_rig_event(
             (array_double_1d){in_loop->buf, {in_loop->shape[0]}},
             (array_double_1d){in_sensors->buf, {in_sensors->shape[0]}},
             (array_double_2d){in_changes->buf, {in_changes->shape[0], in_changes->shape[1]}},
+            (array_double_1d){in_tracking->buf, {in_tracking->shape[0]}},
             (array_double_1d){in_lengths->buf, {in_lengths->shape[0]}},
+            (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}},
+            (array_double_1d){in_gain_lengths->buf, {in_gain_lengths->shape[0]}},
             (array_double_3d){in_gains->buf, {in_gains->shape[0], in_gains->shape[1], in_gains->shape[2]}},
+            (array_double_2d){in_tracker->buf, {in_tracker->shape[0], in_tracker->shape[1]}},
             (array_double_1d){in_setpoints->buf, {in_setpoints->shape[0]}},
             in_time,
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}});
@@ -1482,6 +1541,7 @@ static PyMethodDef methods[] = {
     {"feedback_correction", (PyCFunction)(void (*)(void))call_feedback_correction, METH_FASTCALL, NULL},
     {"feedback_bandwidth", (PyCFunction)(void (*)(void))call_feedback_bandwidth, METH_FASTCALL, NULL},
     {"feedback_gains", (PyCFunction)(void (*)(void))call_feedback_gains, METH_FASTCALL, NULL},
+    {"observer_design", (PyCFunction)(void (*)(void))call_observer_design, METH_FASTCALL, NULL},
     {"observer_predict", (PyCFunction)(void (*)(void))call_observer_predict, METH_FASTCALL, NULL},
     {"observer_correct", (PyCFunction)(void (*)(void))call_observer_correct, METH_FASTCALL, NULL},
     {"track_setpoint", (PyCFunction)(void (*)(void))call_track_setpoint, METH_FASTCALL, NULL},
