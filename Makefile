@@ -6,7 +6,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 OUT ?= out
 
-.PHONY: demo test lint examples bench fuzz foreign generate golden lock clean
+.PHONY: demo test lint examples bench fmus fuzz check-platforms generate golden lock clean
 .DEFAULT_GOAL := demo
 
 $(VENV)/installed: pyproject.toml setup.py requirements-dev.lock $(wildcard src/segfmu/kernels/c/*)
@@ -43,7 +43,17 @@ bench: $(VENV)/installed-bench ## measure beside the peers; BENCH="--quick --onl
 fuzz: $(VENV)/installed ## a million random call sequences against each native FMU, with sanitizers
 	$(BIN)/python -m tests.fmu.fuzz
 
-foreign: $(VENV)/installed ## run binaries of other platforms under Wine and qemu, where installed
+$(VENV)/installed-platforms: $(VENV)/installed
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check \
+		--constraint requirements-dev.lock --editable '.[dev,platforms]'
+	@touch $@
+
+fmus: $(VENV)/installed-platforms ## both FMUs, FMI 2 and 3, with the binaries of all platforms
+	$(BIN)/segfmu build --platforms all --output fmus/dist/fmi2
+	$(BIN)/segfmu build --platforms all --fmi 3 --output fmus/dist/fmi3
+
+check-platforms: $(VENV)/installed-platforms ## run binaries under Wine and qemu, where installed
+	$(BIN)/python -m tests.fmu.platforms
 	$(BIN)/python -m tests.fmu.foreign
 
 generate: $(VENV)/installed ## write the generated files again

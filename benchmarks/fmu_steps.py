@@ -1,85 +1,179 @@
 """Communication steps of the FMUs, native and on PythonFMU, beside an FMU that does nothing.
 
-Every step sets all inputs, steps by 1 ms and reads all real outputs: in C through a small importer,
-and in Python through fmpy's bindings.
+Every step sets all real inputs, steps by 1 ms and reads all real outputs: in C through a small
+importer that loads the FMU's library, and in Python through fmpy's bindings. The backends take
+turns, and every measurement loads and initialises the FMU anew.
 """
 
 from __future__ import annotations
 
 import ctypes
-import statistics
 import time
 import zipfile
+from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from fmpy import extract, read_model_description
 from numpy.typing import NDArray
 
-from benchmarks.drivers import NATIVE, compiled
+from benchmarks.drivers import NATIVE, DriverError, compiled
 from benchmarks.report import Part, Record, Section, Settings
+from benchmarks.timing import ratios
 from segfmu.cosim.unit import Unit
+from segfmu.errors import BuildError
 from segfmu.fmu import gantry_crane, gantry_feedforward, native
 from segfmu.fmu.build import build_all
-from segfmu.fmu.fmi2 import guid
 from segfmu.fmu.spec import Spec, started
 
+FloatArray = NDArray[np.float64]
 HEADERS = Path(native.__file__).parent / "c" / "fmi"
 STEP = 1e-3
 WAYPOINTS = 16
+TITLE = "FMUs: a communication step of 1 ms, all inputs set, all outputs read"
+NATIVE_C, PYTHON, NOTHING = "native", "PythonFMU", "does nothing"
+# steps of a measurement, so that each takes some 10 ms
+STEPS = {
+    (NATIVE_C, "C"): 10000, (PYTHON, "C"): 200, (NOTHING, "C"): 100000,
+    (NATIVE_C, "fmpy"): 2000, (PYTHON, "fmpy"): 200, (NOTHING, "fmpy"): 2000,
+}
 
 
 class Job(ctypes.Structure):
     """What fmu_driver.c measures."""
 
     _fields_ = [
-        ("library", ctypes.c_char_p), ("token", ctypes.c_char_p),
-        *((n, ctypes.c_size_t) for n in ("reals", "integers", "inputs", "outputs")),
-        *((n, ctypes.c_void_p) for n in (
-            "real_references", "integer_references", "input_references", "output_references",
-            "real_values", "input_values", "integer_values",
-        )),
+        *((n, ctypes.c_char_p) for n in ("library", "token", "resources")),
+        *((n, ctypes.c_size_t) for n in ("inputs", "outputs")),
+        *((n, ctypes.c_void_p) for n in ("input_references", "output_references", "input_values")),
         ("steps", ctypes.c_int64), ("step", ctypes.c_double),
     ]
 
 
+@dataclass(frozen=True)
+class Archive:
+    """An FMU, unpacked for the importer in C; inputs keep their start values."""
+
+    path: Path
+    library: Path
+    resources: str
+    token: str
+    inputs: NDArray[np.uint32]
+    outputs: NDArray[np.uint32]
+    values: FloatArray
+
+
 def measure(settings: Settings) -> Part:
     """Microseconds a step of 1 ms, and initialisation with a plan through 16 waypoints."""
+    try:
+        driver = _compiled("fmu_driver", settings.folder)
+        _compiled("nothing", settings.folder)
+        archives = _archives(settings.folder)
+    except (DriverError, BuildError) as problem:
+        return Part(TITLE, (), (f"not measured: {problem}",))
+    sections = []
+    for name, backends in archives.items():
+        calls = {
+            (backend, importer): _call(driver, archive, importer, STEPS[backend, importer])
+            for importer in ("C", "fmpy")
+            for backend, archive in backends.items()
+        }
+        found = _in_turns(calls, settings.repetitions)
+        records = [_record(b, i, found[b, i], found[NATIVE_C, i]) for b, i in calls]
+        inputs, outputs = (len(a) for a in (backends[NATIVE_C].inputs, backends[NATIVE_C].outputs))
+        sections.append(Section(f"{name}, {inputs} inputs, {outputs} outputs", records))
+    return Part(TITLE, sections, (
+        f"median, least and largest of {settings.repetitions} measurements; ratio: time over the "
+        "native FMU's in the same importer and pass",
+        "C: the FMU's library, loaded and called by a program in C; fmpy: by its bindings",
+        f"initialisation: GantryFeedforward plans through {WAYPOINTS} waypoints, GantryCrane finds "
+        "its feedback gains",
+    ))
+
+
+def _compiled(name: str, folder: Path) -> ctypes.CDLL:
+    return compiled("cc", ["-std=c99", f"-I{HEADERS}"], [NATIVE / f"{name}.c"],
+                    folder / f"{name}.so")
+
+
+def _in_turns(
+    calls: dict[tuple[str, str], Callable[[], tuple[float, float]]], repetitions: int
+) -> dict[tuple[str, str], FloatArray]:
+    """Seconds of initialisation and of a step, shape (repetitions, 2), after one warm-up."""
+    rows: dict[tuple[str, str], list[tuple[float, float]]] = {key: [] for key in calls}
+    order = list(calls)
+    for _ in range(repetitions + 1):
+        order.append(order.pop(0))
+        for key in order:
+            rows[key].append(calls[key]())
+    return {key: np.array(found[1:]) for key, found in rows.items()}
+
+
+def _record(backend: str, importer: str, times: FloatArray, reference: FloatArray) -> Record:
+    initialisation, step = 1e3 * times[:, 0], 1e6 * times[:, 1]
+    return {
+        "importer": importer, "backend": backend,
+        "us a step": float(np.median(step)), "least us": float(step.min()),
+        "largest us": float(step.max()), **ratios(times[:, 1], reference[:, 1]),
+        "ms initialisation": float(np.median(initialisation)),
+        "least ms": float(initialisation.min()), "largest ms": float(initialisation.max()),
+    }
+
+
+def _archives(folder: Path) -> dict[str, dict[str, Archive]]:
+    """By FMU and backend."""
     specs = (_mission(gantry_feedforward.spec()), _hanging(gantry_crane.spec()))
     natives = (gantry_feedforward.native_spec(specs[0]), gantry_crane.native_spec(specs[1]))
-    ours = native.build_all(natives, settings.folder / "native")
-    theirs = build_all(settings.folder / "python", specs=specs)
-    driver = compiled(
-        "cc", ["-std=c99", f"-I{HEADERS}"], [NATIVE / "fmu_driver.c"],
-        settings.folder / "fmu_driver.so",
-    )
-    nothing = settings.folder / "nothing.so"
-    compiled("cc", ["-std=c99", f"-I{HEADERS}"], [NATIVE / "nothing.c"], nothing)
-    records: list[Record] = []
-    for spec, path, other in zip(natives, ours, theirs, strict=True):
-        steps = 40 * settings.samples
-        library = _library(path, settings.folder / "binaries")
-        in_c = [_in_c(driver, spec, library, steps) for _ in range(settings.repetitions)]
-        records.append(_record(spec.name, "native", "C", in_c))
-        for name, archive, count in (("native", path, steps // 4), ("python", other, 400)):
-            taken = [_in_python(archive, count) for _ in range(min(settings.repetitions, 3))]
-            records.append(_record(spec.name, name, "fmpy", taken))
-    empty = [_in_c(driver, natives[1], nothing, 200000) for _ in range(settings.repetitions)]
-    records.append(_record("does nothing", "native", "C", empty))
-    return Part(
-        "FMUs",
-        (Section("Communication steps of 1 ms, all inputs set, all outputs read", records),),
-        (f"GantryFeedforward plans through {WAYPOINTS} waypoints in its initialisation",),
-    )
-
-
-def _record(name: str, backend: str, importer: str, taken: list[tuple[float, float]]) -> Record:
-    start, step = zip(*taken, strict=True)
+    ours = native.build_all(natives, folder / "native")
+    theirs = build_all(folder / "python", specs=specs)
+    empty = [_emptied(path, folder / "nothing.so", folder / "empty") for path in ours]
     return {
-        "FMU": name, "backend": backend, "importer": importer,
-        "us a step, median": 1e6 * statistics.median(step), "us a step, largest": 1e6 * max(step),
-        "ms initialisation, median": 1e3 * statistics.median(start),
+        spec.name: {
+            backend: _unpacked(path, folder / "unpacked" / backend)
+            for backend, path in zip((NATIVE_C, PYTHON, NOTHING), paths, strict=True)
+        }
+        for spec, paths in zip(specs, zip(ours, theirs, empty, strict=True), strict=True)
     }
+
+
+def _emptied(path: Path, library: Path, folder: Path) -> Path:
+    """An FMU of the same interface that does nothing."""
+    folder.mkdir(parents=True, exist_ok=True)
+    target = folder / path.name
+    with zipfile.ZipFile(path) as source, zipfile.ZipFile(target, "w") as archive:
+        for name in source.namelist():
+            binary = name.startswith("binaries/")
+            archive.writestr(name, library.read_bytes() if binary else source.read(name))
+    return target
+
+
+def _unpacked(path: Path, folder: Path) -> Archive:
+    place = folder / path.stem
+    extract(str(path), unzipdir=str(place))
+    found = read_model_description(str(path))
+    # PythonFMU packs binaries of several platforms
+    library = place / "binaries" / "linux64" / f"{path.stem}.so"
+    if not library.exists():
+        raise DriverError("the importer in C needs Linux on x86_64")
+    real = [v for v in found.modelVariables if v.type == "Real"]
+    inputs = [v for v in real if v.causality == "input"]
+    outputs = [v for v in real if v.causality == "output"]
+    return Archive(
+        path, library, (place / "resources").resolve().as_uri(), found.guid,
+        np.array([v.valueReference for v in inputs], np.uint32),
+        np.array([v.valueReference for v in outputs], np.uint32),
+        np.array([float(v.start) for v in inputs]),
+    )
+
+
+def _call(
+    driver: ctypes.CDLL, archive: Archive, importer: str, steps: int
+) -> Callable[[], tuple[float, float]]:
+    if importer == "C":
+        return lambda: _in_c(driver, archive, steps)
+    return lambda: _in_python(archive, steps)
 
 
 def _mission(spec: Spec) -> Spec:
@@ -104,46 +198,33 @@ def _hanging(spec: Spec) -> Spec:
     )
 
 
-def _library(path: Path, folder: Path) -> Path:
-    with zipfile.ZipFile(path) as archive:
-        name = next(n for n in archive.namelist() if n.startswith("binaries/"))
-        return Path(archive.extract(name, folder / path.stem))
-
-
-def _in_c(driver: ctypes.CDLL, spec: Spec, library: Path, steps: int) -> tuple[float, float]:
+def _in_c(driver: ctypes.CDLL, archive: Archive, steps: int) -> tuple[float, float]:
     """Seconds of initialisation and of a step."""
-    references = {v.name: i for i, v in enumerate(spec.variables)}
-    inputs = spec.where("input")
-    outputs = [v for v in spec.where("output") if v.kind == "Real"]
-    arrays: list[NDArray[Any]] = [
-        np.zeros(0, np.uint32), np.zeros(0, np.uint32),
-        np.array([references[v.name] for v in inputs], np.uint32),
-        np.array([references[v.name] for v in outputs], np.uint32), np.zeros(0),
-        np.array([v.start for v in inputs], np.float64), np.zeros(0, np.int32),
-    ]
     job = Job(
-        str(library.resolve()).encode(), guid(spec).encode(), 0, 0, len(inputs), len(outputs),
-        *(a.ctypes.data for a in arrays), steps, STEP,
+        str(archive.library.resolve()).encode(), archive.token.encode(),
+        archive.resources.encode(), len(archive.inputs), len(archive.outputs),
+        archive.inputs.ctypes.data, archive.outputs.ctypes.data, archive.values.ctypes.data,
+        steps, STEP,
     )
-    times = (ctypes.c_double * 3)()
+    times = (ctypes.c_double * 2)()
     status = driver.measure(ctypes.byref(job), times)
     if status != 0:
-        raise RuntimeError(f"fmu_driver.c: status {status} for {library.name}")
+        raise RuntimeError(f"fmu_driver.c: status {status} for {archive.path}")
     return times[0], times[1] / steps
 
 
-def _in_python(path: Path, steps: int) -> tuple[float, float]:
+def _in_python(archive: Archive, steps: int) -> tuple[float, float]:
     """The same through the master's bindings."""
-    with Unit(path) as unit:
+    with Unit(archive.path) as unit:
         begin = time.perf_counter()
         unit.enter_initialization(0.0, STEP * steps)
         unit.exit_initialization()
         start = time.perf_counter() - begin
-        names = [v.name for v in unit.description.modelVariables if v.causality == "input"]
-        written = unit.channel(names).get("Real")
+        names = {n: v.causality for n, v in unit.variables.items() if v.type == "Real"}
+        written = unit.channel([n for n, c in names.items() if c == "input"]).get("Real")
         if written is not None:
-            written.values[:] = [float(unit.variables[n].start) for n in names]
-        read = unit.channel([n for n in unit.outputs() if unit.variables[n].type == "Real"])["Real"]
+            written.values[:] = archive.values
+        read = unit.channel([n for n, c in names.items() if c == "output"])["Real"]
         begin = time.perf_counter()
         for i in range(steps):
             if written is not None:

@@ -1,5 +1,5 @@
 /* An FMU that does nothing: what a call costs without a model. One output, equal to the time. */
-#include "fmi2Functions.h"
+#include "fmi2FunctionTypes.h"
 
 #include <stdlib.h>
 
@@ -50,13 +50,6 @@ fmi2Status fmi2SetReal(fmi2Component c, const fmi2ValueReference references[], s
     return fmi2OK;
 }
 
-fmi2Status fmi2SetInteger(fmi2Component c, const fmi2ValueReference references[], size_t count,
-                          const fmi2Integer values[])
-{
-    (void)c; (void)references; (void)count; (void)values;
-    return fmi2OK;
-}
-
 fmi2Status fmi2GetReal(fmi2Component c, const fmi2ValueReference references[], size_t count,
                        fmi2Real values[])
 {
@@ -73,3 +66,27 @@ fmi2Status fmi2DoStep(fmi2Component c, fmi2Real time, fmi2Real step, fmi2Boolean
     *(double *)c = time + step;
     return fmi2OK;
 }
+
+const char *fmi2GetTypesPlatform(void)
+{
+    return fmi2TypesPlatform;
+}
+
+const char *fmi2GetVersion(void)
+{
+    return "2.0";
+}
+
+/* importers look for all functions; these are not called */
+#define REFUSE(name) fmi2Status name(void); fmi2Status name(void) { return fmi2Error; }
+REFUSE(fmi2SetDebugLogging) REFUSE(fmi2Reset) REFUSE(fmi2GetInteger)
+REFUSE(fmi2GetBoolean) REFUSE(fmi2GetString) REFUSE(fmi2SetInteger) REFUSE(fmi2SetBoolean)
+REFUSE(fmi2SetString) REFUSE(fmi2GetFMUstate) REFUSE(fmi2SetFMUstate) REFUSE(fmi2FreeFMUstate)
+REFUSE(fmi2SerializedFMUstateSize) REFUSE(fmi2SerializeFMUstate) REFUSE(fmi2DeSerializeFMUstate)
+REFUSE(fmi2GetDirectionalDerivative) REFUSE(fmi2EnterEventMode) REFUSE(fmi2NewDiscreteStates)
+REFUSE(fmi2EnterContinuousTimeMode) REFUSE(fmi2CompletedIntegratorStep) REFUSE(fmi2SetTime)
+REFUSE(fmi2SetContinuousStates) REFUSE(fmi2GetDerivatives) REFUSE(fmi2GetEventIndicators)
+REFUSE(fmi2GetContinuousStates) REFUSE(fmi2GetNominalsOfContinuousStates)
+REFUSE(fmi2SetRealInputDerivatives) REFUSE(fmi2GetRealOutputDerivatives) REFUSE(fmi2CancelStep)
+REFUSE(fmi2GetStatus) REFUSE(fmi2GetRealStatus) REFUSE(fmi2GetIntegerStatus)
+REFUSE(fmi2GetBooleanStatus) REFUSE(fmi2GetStringStatus)

@@ -1,7 +1,8 @@
-"""The native FMUs' sources on other platforms: `python -m tests.fmu.foreign`, or make foreign.
+"""The native FMUs' sources on other platforms: `python -m tests.fmu.foreign`.
 
 The random call sequences of fuzz.py are compiled with ziglang for Windows and Arm, and run under
-Wine and qemu where these are installed; a line says where they are not.
+Wine and qemu where these are installed; a line says where they are not. The binaries of archives
+are run by platforms.py.
 """
 
 from __future__ import annotations

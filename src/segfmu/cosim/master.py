@@ -1,7 +1,8 @@
 """The master: two FMUs, the first one's outputs are the second one's inputs by their names.
 
 In every communication step the source steps first and its outputs at the end of the step are
-handed to the sink, which then makes the same step.
+handed to the sink, which then makes the same step. In parallel, as most importers do it, both step
+with the values of the step before and the outputs are handed on afterwards.
 """
 
 from __future__ import annotations
@@ -9,13 +10,15 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from math import ceil, isfinite
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
-from segfmu.cosim.unit import Channel, Unit
+from segfmu.cosim.unit import Channel, Slopes, Unit
 from segfmu.errors import InputError
+
+Coupling = Literal["sequential", "parallel", "derivatives"]
 
 
 def simulate(
@@ -27,6 +30,7 @@ def simulate(
     start_time: float = 0.0,
     source_values: Mapping[str, Any] | None = None,
     sink_values: Mapping[str, Any] | None = None,
+    coupling: Coupling = "sequential",
     progress: Callable[[float], None] = lambda _: None,
 ) -> NDArray[np.void]:
     """Co-simulate two FMUs.
@@ -40,6 +44,10 @@ def simulate(
         [s]; the last step is shorter where the step does not divide the time.
     source_values, sink_values : mapping of str to number or str
         Parameters, start values and constant inputs; enumerations by the name of an item.
+    coupling : str
+        "sequential": the sink's step has the inputs of its end, an error of second order in the
+        step; "parallel": those of its beginning, an error of first order; "derivatives": those of
+        its beginning and their slopes, by output and input derivatives, of second order again.
     progress : callable
         Gets the share done, now and then.
 
@@ -55,13 +63,16 @@ def simulate(
     SimulationError
         When an FMU reports an error, with its message.
     """
+    if coupling not in get_args(Coupling):
+        allowed = " or ".join(get_args(Coupling))
+        raise InputError(f"coupling must be {allowed}, got {coupling!r}")
     times = _times(start_time, stop_time, step)
     with Unit(source) as first, Unit(sink) as second:
         first.set(dict(source_values or {}))
         second.set(dict(sink_values or {}))
         for unit in (first, second):
             unit.enter_initialization(start_time, stop_time)
-        link = _Link(first, second)
+        link = _Link(first, second, slopes=coupling == "derivatives")
         first.exit_initialization()
         link.transfer()
         second.exit_initialization()
@@ -69,9 +80,13 @@ def simulate(
         table.record(0)
         for i in range(1, times.size):
             time, length = float(times[i - 1]), float(times[i] - times[i - 1])
+            link.transfer_slopes()
             first.step(time, length)
-            link.transfer()
+            if coupling == "sequential":
+                link.transfer()
             second.step(time, length)
+            if coupling != "sequential":
+                link.transfer()
             table.record(i)
             if i % 100 == 0:
                 progress(i / (times.size - 1))
@@ -94,7 +109,7 @@ def _times(start: float, stop: float, step: float) -> NDArray[np.float64]:
 class _Link:
     """Equal names: outputs of one unit to inputs of the other."""
 
-    def __init__(self, first: Unit, second: Unit) -> None:
+    def __init__(self, first: Unit, second: Unit, *, slopes: bool) -> None:
         inputs = {
             v.name: v.type for v in second.description.modelVariables if v.causality == "input"
         }
@@ -104,6 +119,17 @@ class _Link:
                 raise InputError(f"{name}: types of output and input differ")
         sources, sinks = first.channel(names), second.channel(names)
         self._pairs: list[tuple[Channel, Channel]] = [(sources[g], sinks[g]) for g in sources]
+        self._slopes: tuple[Slopes, Slopes] | None = None
+        if slopes:
+            self._slopes = first.output_slopes(names), second.input_slopes(names)
+
+    def transfer_slopes(self) -> None:
+        """Slopes at the beginning of a step; they hold until its end."""
+        if self._slopes:
+            source, sink = self._slopes
+            source.read()
+            sink.values[:] = source.values
+            sink.write()
 
     def transfer(self) -> None:
         for source, sink in self._pairs:

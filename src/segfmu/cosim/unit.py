@@ -52,6 +52,26 @@ class Channel:
             self._write(self._component, self._references, self._size, self._buffer)
 
 
+class Slopes:
+    """First time derivatives of real outputs, or of real inputs, with their buffers."""
+
+    def __init__(self, fmu: Any, references: Sequence[int]) -> None:
+        size = len(references)
+        orders = (ctypes.c_int * size)(*[1] * size)
+        self._arguments = fmu.component, (ctypes.c_uint * size)(*references), size, orders
+        self._buffer = (ctypes.c_double * size)()
+        self._fmu = fmu
+        self.values: NDArray[Any] = np.ctypeslib.as_array(self._buffer)
+
+    def read(self) -> None:
+        """Fetch those of outputs into `values`."""
+        self._fmu.fmi2GetRealOutputDerivatives(*self._arguments, self._buffer)
+
+    def write(self) -> None:
+        """Set those of inputs from `values`."""
+        self._fmu.fmi2SetRealInputDerivatives(*self._arguments, self._buffer)
+
+
 class Unit:
     """An instantiated FMI 2.0 co-simulation FMU; a context manager that frees it on every path."""
 
@@ -153,6 +173,38 @@ class Unit:
             variable = self.variables[name]
             grouped.setdefault(GROUPS[variable.type], []).append(variable.valueReference)
         return {g: Channel(self.fmu, g, references) for g, references in grouped.items()}
+
+    def output_slopes(self, names: Sequence[str]) -> Slopes:
+        """First derivatives of the real ones among some outputs.
+
+        Raises
+        ------
+        InputError
+            When the FMU does not tell derivatives.
+        """
+        if int(self.description.coSimulation.maxOutputDerivativeOrder or 0) < 1:
+            raise InputError(
+                f"{self.name} tells no output derivatives; use coupling sequential or parallel"
+            )
+        return self._slopes(names)
+
+    def input_slopes(self, names: Sequence[str]) -> Slopes:
+        """First derivatives of the real ones among some inputs.
+
+        Raises
+        ------
+        InputError
+            When the FMU takes no derivatives.
+        """
+        if not self.description.coSimulation.canInterpolateInputs:
+            raise InputError(
+                f"{self.name} takes no input derivatives; use coupling sequential or parallel"
+            )
+        return self._slopes(names)
+
+    def _slopes(self, names: Sequence[str]) -> Slopes:
+        reals = [n for n in names if self.variables[n].type == "Real"]
+        return Slopes(self.fmu, [self.variables[n].valueReference for n in reals])
 
     def outputs(self) -> list[str]:
         """Names of the outputs, real ones first, as the channels group them."""
