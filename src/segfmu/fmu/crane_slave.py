@@ -16,9 +16,9 @@ from segfmu.crane.plant import Plant, Setpoints
 from segfmu.crane.tracking import TrackingController
 from segfmu.errors import InputError
 from segfmu.fmu import gantry_crane
+from segfmu.fmu.feedback_parameters import DESIGNS, SOURCES, estimates, tracking_from, tune
 from segfmu.fmu.rig_parameters import DRIVES, rig_from
 from segfmu.fmu.slave import SpecSlave, crane_from
-from segfmu.fmu.tracking_parameters import SOURCES, estimates, tracking_from, tune
 
 STATE = gantry_crane.STATE
 FORCE = tuple(f"force.{d}" for d in DRIVES)
@@ -107,7 +107,7 @@ class CraneSlave(SpecSlave):
         return tuple(float(self.value(f"feedback.{n}")) for n in names)
 
     def _flat(self) -> bool:
-        return gantry_crane.DESIGNS.items[int(self.value("feedback.design")) - 1] == "flatness"
+        return DESIGNS.items[int(self.value("feedback.design")) - 1] == "flatness"
 
     def _tune(self, plant: Plant) -> None:
         """Take over the tunable parameters."""

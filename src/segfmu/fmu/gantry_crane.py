@@ -7,8 +7,9 @@ from typing import Any
 
 from segfmu.crane import Crane
 from segfmu.crane.feedback import SwayFeedback, design
-from segfmu.crane.flat_feedback import DAMPING, HOIST_LARGEST, HOIST_RATIO, LARGEST, RATIO
+from segfmu.crane.flat_feedback import HOIST_LARGEST, LARGEST
 from segfmu.crane.plant import TOLERANCE
+from segfmu.fmu.feedback_parameters import estimates, feedback_parameters, weight_parameters
 from segfmu.fmu.rig_parameters import DRIVES, rig_parameters
 from segfmu.fmu.spec import (
     Array,
@@ -23,12 +24,8 @@ from segfmu.fmu.spec import (
     time,
     triple,
 )
-from segfmu.fmu.tracking_parameters import estimates, tracking_parameters
 
 MODES = Enumeration("DriveMode", ("force", "velocity"), "what the drives follow")
-DESIGNS = Enumeration(
-    "FeedbackDesign", ("lqr", "flatness"), "how the gains of the feedback come about"
-)
 # of the rope lengths in the table of gains
 MOST_ROWS = 17
 
@@ -97,51 +94,6 @@ def _energies() -> list[Variable]:
     ]
 
 
-def _feedback() -> list[Variable]:
-    return [
-        parameter(
-            "feedback.enabled", True, None, "sway feedback acts", kind="Boolean", tunable=True
-        ),
-        choice(
-            "feedback.design", DESIGNS, "lqr", "gains of a linear-quadratic design, or closed form"
-        ),
-        parameter("feedback.sample_time", 0.01, "s", "period of the feedback", minimum=1e-6),
-        parameter(
-            "feedback.payload_mass", 0.0, "kg",
-            "mass of the load that the feedback is designed for; 0: crane.payload_mass",
-            minimum=0.0,
-        ),
-        parameter(
-            "feedback.bandwidth", RATIO, None,
-            "of design flatness: bandwidth in units of the pendulum's frequency", minimum=1e-6,
-            tunable=True,
-        ),
-        parameter(
-            "feedback.hoist_bandwidth", HOIST_RATIO, None,
-            "of design flatness: bandwidth of the hoist in units of the pendulum's frequency",
-            minimum=1e-6, tunable=True,
-        ),
-        parameter(
-            "feedback.damping", DAMPING, None, "of design flatness: damping of all poles",
-            minimum=1e-6, tunable=True,
-        ),
-    ]
-
-
-def _weights() -> list[Variable]:
-    weights = (
-        ("position", "carriage and rope position"), ("angle", "sway angles"),
-        ("velocity", "carriage and rope velocity"), ("rate", "sway rates"), ("effort", "effort"),
-    )
-    return [
-        parameter(
-            f"feedback.weight.{name}", 1.0, None,
-            f"weight of the {text} in the dimensionless LQR design", minimum=0.0,
-        )
-        for name, text in weights
-    ]
-
-
 def spec() -> Spec:
     """The interface of GantryCrane."""
     return Spec(
@@ -155,9 +107,7 @@ def spec() -> Spec:
             *crane_parameters("true crane"),
             choice("drive.mode", MODES, "force", "what the drives follow"),
             *rig_parameters(),
-            *_feedback(),
-            *_weights(),
-            *tracking_parameters(),
+            *feedback_parameters(),
         ),
         stop_time=8.0,
         step_size=0.001,
@@ -186,7 +136,7 @@ def native_spec(own: Spec | None = None) -> Spec:
     the start values; names of the derivatives and of time are added.
     """
     own = own or spec()
-    weights = {v.name for v in _weights()}
+    weights = {v.name for v in weight_parameters()}
     kept = [v for v in own.variables if v.name not in weights]
     table = _table({v.name: v.start for v in own.variables})
     locals_ = [

@@ -1,4 +1,4 @@
-/* GantryCrane: the feedback from measured signals, as `tracking_from` of tracking_parameters.py. */
+/* GantryCrane: the feedback from measured signals, as `tracking_from` of feedback_parameters.py. */
 #include <math.h>
 #include <string.h>
 

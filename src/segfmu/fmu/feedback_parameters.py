@@ -1,4 +1,4 @@
-"""GantryCrane's feedback from measured signals: `segfmu.crane.TrackingController` as variables."""
+"""GantryCrane's parameters for the feedback, and the controller on measured signals from them."""
 
 from __future__ import annotations
 
@@ -9,28 +9,83 @@ import numpy as np
 
 from segfmu.crane import Crane
 from segfmu.crane.feedback import SwayFeedback
+from segfmu.crane.flat_feedback import DAMPING, HOIST_RATIO, RATIO
 from segfmu.crane.observer import Uncertainty, design_observer
 from segfmu.crane.tracking import FADE, PAYLOAD_TIME, UNLIMITED, TrackingController
 from segfmu.fmu.rig_parameters import DRIVES
 from segfmu.fmu.spec import Enumeration, Variable, choice, parameter
 
+DESIGNS = Enumeration(
+    "FeedbackDesign", ("lqr", "flatness"), "how the gains of the feedback come about"
+)
 SOURCES = Enumeration(
     "FeedbackSource", ("state", "measured"), "what the feedback knows of the crane"
+)
+OBSERVER = (
+    ("position", "m", "quantisation step of the carriages' positions"),
+    ("length", "m", "quantisation step of the rope's length"),
+    ("angle", "rad", "quantisation step of the sway angles"),
+    ("drift", None, "random walk of the carriages' and the rope's unknown accelerations: "
+     "standard deviation after 1 s over gravity"),
+    ("wind", None, "the same of the load's"),
 )
 EXPECTED = ("position", "length", "angle", "drift", "wind", "wake")
 
 
-def tracking_parameters() -> list[Variable]:
+def feedback_parameters() -> list[Variable]:
+    """All of them; by default the gains of an LQR design on the true state."""
+    return [*_design(), *weight_parameters(), *_tracking()]
+
+
+def _design() -> list[Variable]:
+    return [
+        parameter(
+            "feedback.enabled", True, None, "sway feedback acts", kind="Boolean", tunable=True
+        ),
+        choice(
+            "feedback.design", DESIGNS, "lqr", "gains of a linear-quadratic design, or closed form"
+        ),
+        parameter("feedback.sample_time", 0.01, "s", "period of the feedback", minimum=1e-6),
+        parameter(
+            "feedback.payload_mass", 0.0, "kg",
+            "mass of the load that the feedback is designed for; 0: crane.payload_mass",
+            minimum=0.0,
+        ),
+        parameter(
+            "feedback.bandwidth", RATIO, None,
+            "of design flatness: bandwidth in units of the pendulum's frequency", minimum=1e-6,
+            tunable=True,
+        ),
+        parameter(
+            "feedback.hoist_bandwidth", HOIST_RATIO, None,
+            "of design flatness: bandwidth of the hoist in units of the pendulum's frequency",
+            minimum=1e-6, tunable=True,
+        ),
+        parameter(
+            "feedback.damping", DAMPING, None, "of design flatness: damping of all poles",
+            minimum=1e-6, tunable=True,
+        ),
+    ]
+
+
+def weight_parameters() -> list[Variable]:
+    """Of design lqr; a native FMU has the table of gains instead."""
+    weights = (
+        ("position", "carriage and rope position"), ("angle", "sway angles"),
+        ("velocity", "carriage and rope velocity"), ("rate", "sway rates"), ("effort", "effort"),
+    )
+    return [
+        parameter(
+            f"feedback.weight.{name}", 1.0, None,
+            f"weight of the {text} in the dimensionless LQR design", minimum=0.0,
+        )
+        for name, text in weights
+    ]
+
+
+def _tracking() -> list[Variable]:
     """Of source measured; the observer's expectations are those of `crane.Uncertainty`."""
     expected = Uncertainty()
-    observer = (
-        ("position", "m", "quantisation step of the carriages' positions"),
-        ("length", "m", "quantisation step of the rope's length"),
-        ("angle", "rad", "quantisation step of the sway angles"),
-        ("drift", None, "random walk of the carriages' and the rope's unknown accelerations: "
-         "standard deviation after 1 s over gravity"),
-        ("wind", None, "the same of the load's"),
-    )
     return [
         choice(
             "feedback.source", SOURCES, "state",
@@ -57,7 +112,7 @@ def tracking_parameters() -> list[Variable]:
                 f"feedback.observer.{n}", getattr(expected, n), unit, f"expected {text}",
                 minimum=1e-12,
             )
-            for n, unit, text in observer
+            for n, unit, text in OBSERVER
         ),
         parameter(
             "feedback.observer.wake", expected.wake, None, "number of quantisation steps that a "
