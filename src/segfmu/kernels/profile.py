@@ -193,13 +193,26 @@ def tempered_form(
     before = top
     e_before = e_outside
     newest_inside = True
-    for i in range(60):
-        if abs(e_inside) <= margin:
-            break
+    # a boundary state can hold the excess near zero, whatever the level; then it only says whether
+    # the limit is kept
+    constant = False
+    probing = False
+    steps = 0
+    while steps < 60:
+        steps = steps + 1
+        probing = False
+        if constant:
+            e_inside = 0.0
+            if steps > 24:
+                break
+        elif abs(e_inside) <= margin:
+            probing = True
         if newest_inside:
             share = root_share(inside, outside, before, e_inside, e_outside, e_before)
         else:
             share = 1.0 - root_share(outside, inside, before, e_outside, e_inside, e_before)
+        if probing:
+            share = 1e-3
         high = inside + share * (outside - inside)
         count = merged_form(
             phases, reverse, mirror, which, target, v, a, w, b, distance, high, top, ramp
@@ -216,6 +229,9 @@ def tempered_form(
             inside = high
             e_inside = error
             newest_inside = True
+            constant = constant or probing
+        elif probing:
+            break
         else:
             before = inside
             e_before = e_inside
@@ -461,12 +477,15 @@ def shortest_profile(
         return count
     best = 0
     shortest = 0.0
+    # longer than a paper's form with cruise needs for the velocity changes and the distance
+    t_top, rise, slope = ramp_duration(top, ramp)
+    usual = 4.0 * (velocity_limit / top + t_top) + abs(distance) / velocity_limit
     for variant in range(1, 8):
         # variants 0 to 3: braking none, the first, the last or both of the accelerations to zero;
         # 4 to 7 the same with the second attempt, of which the last three are the way out
-        attempt = variant // 4
-        if variant > 4 and best > 0:
+        if variant > 4 and best > 0 and shortest <= usual:
             break
+        attempt = variant // 4
         first = 0
         last = 0
         brake_start = variant % 2 == 1

@@ -1900,7 +1900,9 @@ static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, 
     double before;
     double e_before;
     bool newest_inside;
-    int64_t i;
+    bool constant;
+    bool probing;
+    int64_t steps;
     double share;
     double high;
     double error;
@@ -1937,11 +1939,26 @@ static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, 
     before = top;
     e_before = e_outside;
     newest_inside = 1;
-    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    /*a boundary state can hold the excess near zero, whatever the level; then it only says whether*/
+    /*the limit is kept*/
+    constant = 0;
+    probing = 0;
+    steps = INT64_C(0);
+    while(steps < INT64_C(60))
     {
-        if (fabs(e_inside) <= margin)
+        steps = steps + INT64_C(1);
+        probing = 0;
+        if (constant)
         {
-            break;
+            e_inside = 0.0;
+            if (steps > INT64_C(24))
+            {
+                break;
+            }
+        }
+        else if (fabs(e_inside) <= margin)
+        {
+            probing = 1;
         }
         if (newest_inside)
         {
@@ -1950,6 +1967,10 @@ static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, 
         else
         {
             share = 1.0 - root_share(outside, inside, before, e_outside, e_inside, e_before);
+        }
+        if (probing)
+        {
+            share = 0.001;
         }
         high = inside + share * (outside - inside);
         count = merged_form(phases, reverse, mirror, which, target, v, a, w, b, distance, high, top, ramp);
@@ -1970,6 +1991,11 @@ static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, 
             inside = high;
             e_inside = error;
             newest_inside = 1;
+            constant = constant || probing;
+        }
+        else if (probing)
+        {
+            break;
         }
         else
         {
@@ -2261,6 +2287,10 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
     int64_t count;
     int64_t best;
     double shortest;
+    double t_top;
+    double rise;
+    double slope;
+    double usual;
     int64_t variant;
     int64_t attempt;
     int64_t first;
@@ -2293,15 +2323,18 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
     }
     best = INT64_C(0);
     shortest = 0.0;
+    /*longer than a paper's form with cruise needs for the velocity changes and the distance*/
+    segfmu_ramp_duration(&t_top, &rise, &slope, top, ramp);
+    usual = 4.0 * (velocity_limit / top + t_top) + fabs(distance) / velocity_limit;
     for (variant = INT64_C(1); variant < INT64_C(8); variant += INT64_C(1))
     {
         /*variants 0 to 3: braking none, the first, the last or both of the accelerations to zero;*/
         /*4 to 7 the same with the second attempt, of which the last three are the way out*/
-        attempt = span_floor_div(variant, INT64_C(4));
-        if ((variant > INT64_C(4)) && (best > INT64_C(0)))
+        if ((variant > INT64_C(4)) && (best > INT64_C(0)) && (shortest <= usual))
         {
             break;
         }
+        attempt = span_floor_div(variant, INT64_C(4));
         first = INT64_C(0);
         last = INT64_C(0);
         brake_start = span_floor_mod(variant, INT64_C(2)) == INT64_C(1);
