@@ -268,3 +268,13 @@ def test_specifications_start_with_what_is_asked_for() -> None:
     assert (starts["drive.mode"], starts["rope.length"]) == (2, 0.7)
     with pytest.raises(KeyError, match="no nonsense"):
         started(gantry_crane.spec(), {"nonsense": 1.0})
+
+
+@pytest.mark.parametrize("fmi", [2, 3])
+@pytest.mark.parametrize("interface", ["CoSimulation", "ModelExchange"])
+def test_a_crane_alone_hangs_at_rest(native_fmus, fmi: int, interface: str) -> None:
+    rows = simulate_fmu(
+        str(native_fmus[fmi][1]), stop_time=2.0, fmi_type=interface, output=list(gantry_crane.STATE)
+    )
+    for name in gantry_crane.STATE:
+        assert rows[name] == pytest.approx(rows[name][0], abs=1e-9)

@@ -21,6 +21,7 @@ from segfmu.fmu.spec import (
     output,
     parameter,
     signal,
+    started,
     time,
     triple,
 )
@@ -96,7 +97,7 @@ def _energies() -> list[Variable]:
 
 def spec() -> Spec:
     """The interface of GantryCrane."""
-    return Spec(
+    return held(Spec(
         "GantryCrane",
         "Dynamics of a 3-DOF gantry crane from Lagrange's equations, driven by force or velocity "
         "setpoints, with a sampled sway feedback about a reference state; drives, friction, end "
@@ -111,7 +112,21 @@ def spec() -> Spec:
         ),
         stop_time=8.0,
         step_size=0.001,
-    )
+    ))
+
+
+def held(own: Spec) -> Spec:
+    """With start values of the inputs that hold the crane where its start values put it.
+
+    So an importer that connects nothing sees the load hang at rest, not fall.
+    """
+    starts: dict[str, Any] = {v.name: v.start for v in own.variables}
+    place = [starts[name] for name in STATE[:3]]
+    weight = starts["crane.payload_mass"] * starts["crane.gravity"]
+    values = {f"reference.{name}": p for name, p in zip(STATE[:3], place, strict=True)}
+    load = (*place[:2], -place[2])
+    values |= {f"reference.load.position.{a}": p for a, p in zip("xyz", load, strict=True)}
+    return started(own, values | {"force.hoist": -weight})
 
 
 # State of model exchange and its derivatives: the crane's, then the integrated powers.

@@ -26,7 +26,7 @@ def specs(mission: Mission, trajectory: Trajectory) -> tuple[Spec, Spec]:
     }
     return (
         started(gantry_feedforward.spec(), feedforward_values(mission, trajectory), **changes),
-        started(gantry_crane.spec(), crane_values(mission), **changes),
+        gantry_crane.held(started(gantry_crane.spec(), crane_values(mission), **changes)),
     )
 
 
