@@ -480,6 +480,7 @@ def shortest_profile(
     # longer than a paper's form with cruise needs for the velocity changes and the distance
     t_top, rise, slope = ramp_duration(top, ramp)
     usual = 4.0 * (velocity_limit / top + t_top) + abs(distance) / velocity_limit
+    crowded = False
     for variant in range(1, 8):
         # variants 0 to 3: braking none, the first, the last or both of the accelerations to zero;
         # 4 to 7 the same with the second attempt, of which the last three are the way out
@@ -511,6 +512,7 @@ def shortest_profile(
             b1 = 0.0
         # 12 rows hold seven phases between them
         if first + last > 5:
+            crowded = True
             continue
         count = shortest_between(
             attempt, found, trial, v1, a1, w1, b1, rest, velocity_limit, top, ramp
@@ -525,6 +527,8 @@ def shortest_profile(
             copy_phases(found, phases, count)
             best = count
             shortest = duration
+    if best == 0 and crowded:
+        return -1
     if best == 0:
         return -3
     return best

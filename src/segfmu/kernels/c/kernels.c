@@ -2291,6 +2291,7 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
     double rise;
     double slope;
     double usual;
+    bool crowded;
     int64_t variant;
     int64_t attempt;
     int64_t first;
@@ -2326,6 +2327,7 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
     /*longer than a paper's form with cruise needs for the velocity changes and the distance*/
     segfmu_ramp_duration(&t_top, &rise, &slope, top, ramp);
     usual = 4.0 * (velocity_limit / top + t_top) + fabs(distance) / velocity_limit;
+    crowded = 0;
     for (variant = INT64_C(1); variant < INT64_C(8); variant += INT64_C(1))
     {
         /*variants 0 to 3: braking none, the first, the last or both of the accelerations to zero;*/
@@ -2371,6 +2373,7 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
         /*12 rows hold seven phases between them*/
         if (first + last > INT64_C(5))
         {
+            crowded = 1;
             continue;
         }
         count = shortest_between(attempt, found, trial, v1, a1, w1, b1, rest, velocity_limit, top, ramp);
@@ -2386,6 +2389,10 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
             best = count;
             shortest = duration;
         }
+    }
+    if ((best == INT64_C(0)) && crowded)
+    {
+        return -INT64_C(1);
     }
     if (best == INT64_C(0))
     {
