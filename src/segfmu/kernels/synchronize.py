@@ -13,6 +13,8 @@ E10); outside the gaps the profile is, in this order:
 """
 
 from segfmu.kernels.braking import brake, surround
+from segfmu.kernels.cruise import cruise_form
+from segfmu.kernels.merged import tempered_form
 from segfmu.kernels.phases import (
     copy_phases,
     insert_hold,
@@ -20,7 +22,6 @@ from segfmu.kernels.phases import (
     without_dust,
     without_excess,
 )
-from segfmu.kernels.profile import cruise_form, tempered_form
 from segfmu.kernels.roots import root_share
 
 

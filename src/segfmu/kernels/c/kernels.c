@@ -45,13 +45,13 @@ static double canonical_search(double target, double v, double a, double w, doub
 static double timed_search(int64_t which, double target, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
 static int64_t append_velocity_change(array_double_2d phases, int64_t count, double v, double a, double w, double top, array_double_1d ramp);
 static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_2, double* result_3, array_double_2d phases, double cruise, double v, double a, double w, double b, double top, array_double_1d ramp);
+static int64_t with_cruise(array_double_2d phases, double cruise, double v, double a, double w, double b, double distance, double top, array_double_1d ramp);
+static int64_t slower_cruise(array_double_2d phases, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
+static int64_t direct_form(array_double_2d phases, bool from_start, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
 static int64_t merged_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, double target, double v, double a, double w, double b, double distance, double high, double top, array_double_1d ramp);
 static double velocity_excess(array_double_2d phases, int64_t count, double v, double limit, array_double_1d ramp);
 static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
 static double meets(array_double_2d phases, int64_t count, double v, double w, double distance, double limit, array_double_1d ramp);
-static int64_t with_cruise(array_double_2d phases, double cruise, double v, double a, double w, double b, double distance, double top, array_double_1d ramp);
-static int64_t slower_cruise(array_double_2d phases, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
-static int64_t direct_form(array_double_2d phases, bool from_start, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
 static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_double_2d trial, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
 static void stretch_phases(array_double_2d phases, int64_t count, double factor);
 static void fit_duration(array_double_2d phases, int64_t count, double target);
@@ -1792,6 +1792,168 @@ static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_
     (*result_3) = y;
     return 0;
 }
+/*The paper's form with the cruise that covers the distance; 0 if it is overshot.*/
+static int64_t with_cruise(array_double_2d phases, double cruise, double v, double a, double w, double b, double distance, double top, array_double_1d ramp)
+{
+    int64_t count;
+    int64_t row;
+    double duration;
+    double y;
+    double hold;
+    int64_t result;
+    cruise_form(&count, &row, &duration, &y, phases, cruise, v, a, w, b, top, ramp);
+    if ((count < INT64_C(0)) || (cruise == 0.0))
+    {
+        return span_max_int(count, INT64_C(0));
+    }
+    hold = (distance - y) / cruise;
+    /*shorter than rounding: no cruise, and what it misses is judged by its caller*/
+    if ((hold < 0.0) && (fabs(distance - y) > 1e-13 * fabs(distance)))
+    {
+        return INT64_C(0);
+    }
+    result = insert_hold(phases, count, row, 0.0, hold);
+    return result;
+}
+/*The paper's form whose cruise velocity, below the limit, makes the cruise vanish.              */
+/*                                                                                               */
+/*    Searched between the two limits, of which one falls short of the distance and the other one*/
+/*    is too far; by bisection where the form does not exist.                                    */
+/*                                                                                               */
+static int64_t slower_cruise(array_double_2d phases, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
+{
+    double newest;
+    double other;
+    double before;
+    double e_newest;
+    double e_other;
+    double e_before;
+    bool falls_short;
+    int64_t i;
+    double middle;
+    double share;
+    int64_t count;
+    int64_t row;
+    double duration;
+    double y;
+    double error;
+    bool short_0001;
+    double lower;
+    double upper;
+    double cruise;
+    int64_t result;
+    newest = -velocity_limit;
+    other = velocity_limit;
+    before = velocity_limit;
+    e_newest = 0.0;
+    e_other = 0.0;
+    e_before = 0.0;
+    falls_short = 1;
+    for (i = INT64_C(0); i < INT64_C(120); i += INT64_C(1))
+    {
+        middle = span_max(v, w);
+        if (i > INT64_C(0))
+        {
+            share = root_share(newest, other, before, e_newest, e_other, e_before);
+            middle = newest + share * (other - newest);
+        }
+        if ((middle - newest) * (middle - other) >= 0.0)
+        {
+            if (i > INT64_C(0))
+            {
+                break;
+            }
+            middle = 0.0;
+        }
+        cruise_form(&count, &row, &duration, &y, phases, middle, v, a, w, b, top, ramp);
+        error = y - distance;
+        short_0001 = (count < INT64_C(0)) || (error < 0.0);
+        if (count < INT64_C(0))
+        {
+            error = 0.0;
+        }
+        before = newest;
+        e_before = e_newest;
+        if (short_0001 != falls_short)
+        {
+            before = other;
+            e_before = e_other;
+            other = newest;
+            e_other = e_newest;
+        }
+        newest = middle;
+        e_newest = error;
+        falls_short = short_0001;
+        if ((count >= INT64_C(0)) && (fabs(error) <= 1e-15 * fabs(distance)))
+        {
+            other = newest;
+            break;
+        }
+    }
+    lower = newest;
+    upper = other;
+    if (!falls_short)
+    {
+        lower = other;
+        upper = newest;
+    }
+    /*the side whose rounding error a short cruise can make up*/
+    cruise = lower;
+    if (cruise < 0.0)
+    {
+        cruise = upper;
+    }
+    result = with_cruise(phases, cruise, v, a, w, b, distance, top, ramp);
+    return result;
+}
+/*The paper's form around the velocity that one ramp to zero reaches from one end, or 0.         */
+/*                                                                                               */
+/*    The distance has a kink there, which can be the only member that covers it: a state on the */
+/*    way of another profile leads to such problems.                                             */
+/*                                                                                               */
+static int64_t direct_form(array_double_2d phases, bool from_start, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
+{
+    double end;
+    double cruise;
+    double t;
+    double rise;
+    double slope;
+    int64_t count;
+    int64_t row;
+    double duration;
+    double y;
+    int64_t result;
+    end = fabs(b);
+    cruise = w;
+    if (from_start)
+    {
+        end = fabs(a);
+        cruise = v;
+    }
+    if (end == 0.0)
+    {
+        return INT64_C(0);
+    }
+    segfmu_ramp_duration(&t, &rise, &slope, end, ramp);
+    if (from_start)
+    {
+        cruise = v + 0.5 * a * t;
+    }
+    else
+    {
+        cruise = w - 0.5 * b * t;
+    }
+    if (fabs(cruise) > velocity_limit)
+    {
+        return INT64_C(0);
+    }
+    cruise_form(&count, &row, &duration, &y, phases, cruise, v, a, w, b, top, ramp);
+    if (fabs(y - distance) > 1e-14 * (fabs(distance) + (fabs(v) + fabs(w)) * duration))
+    {
+        return INT64_C(0);
+    }
+    return span_max_int(count, INT64_C(0));
+}
 /*The merged form on one of its four branches; the number of phases, -1 if it has none.            */
 /*                                                                                                 */
 /*    which >= 0 takes the which-th member that lasts `target`, which < 0 the first one that covers*/
@@ -2038,168 +2200,6 @@ static double meets(array_double_2d phases, int64_t count, double v, double w, d
         return -1.0;
     }
     return duration;
-}
-/*The paper's form with the cruise that covers the distance; 0 if it is overshot.*/
-static int64_t with_cruise(array_double_2d phases, double cruise, double v, double a, double w, double b, double distance, double top, array_double_1d ramp)
-{
-    int64_t count;
-    int64_t row;
-    double duration;
-    double y;
-    double hold;
-    int64_t result;
-    cruise_form(&count, &row, &duration, &y, phases, cruise, v, a, w, b, top, ramp);
-    if ((count < INT64_C(0)) || (cruise == 0.0))
-    {
-        return span_max_int(count, INT64_C(0));
-    }
-    hold = (distance - y) / cruise;
-    /*shorter than rounding: no cruise, and what it misses is judged by its caller*/
-    if ((hold < 0.0) && (fabs(distance - y) > 1e-13 * fabs(distance)))
-    {
-        return INT64_C(0);
-    }
-    result = insert_hold(phases, count, row, 0.0, hold);
-    return result;
-}
-/*The paper's form whose cruise velocity, below the limit, makes the cruise vanish.              */
-/*                                                                                               */
-/*    Searched between the two limits, of which one falls short of the distance and the other one*/
-/*    is too far; by bisection where the form does not exist.                                    */
-/*                                                                                               */
-static int64_t slower_cruise(array_double_2d phases, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
-{
-    double newest;
-    double other;
-    double before;
-    double e_newest;
-    double e_other;
-    double e_before;
-    bool falls_short;
-    int64_t i;
-    double middle;
-    double share;
-    int64_t count;
-    int64_t row;
-    double duration;
-    double y;
-    double error;
-    bool short_0001;
-    double lower;
-    double upper;
-    double cruise;
-    int64_t result;
-    newest = -velocity_limit;
-    other = velocity_limit;
-    before = velocity_limit;
-    e_newest = 0.0;
-    e_other = 0.0;
-    e_before = 0.0;
-    falls_short = 1;
-    for (i = INT64_C(0); i < INT64_C(120); i += INT64_C(1))
-    {
-        middle = span_max(v, w);
-        if (i > INT64_C(0))
-        {
-            share = root_share(newest, other, before, e_newest, e_other, e_before);
-            middle = newest + share * (other - newest);
-        }
-        if ((middle - newest) * (middle - other) >= 0.0)
-        {
-            if (i > INT64_C(0))
-            {
-                break;
-            }
-            middle = 0.0;
-        }
-        cruise_form(&count, &row, &duration, &y, phases, middle, v, a, w, b, top, ramp);
-        error = y - distance;
-        short_0001 = (count < INT64_C(0)) || (error < 0.0);
-        if (count < INT64_C(0))
-        {
-            error = 0.0;
-        }
-        before = newest;
-        e_before = e_newest;
-        if (short_0001 != falls_short)
-        {
-            before = other;
-            e_before = e_other;
-            other = newest;
-            e_other = e_newest;
-        }
-        newest = middle;
-        e_newest = error;
-        falls_short = short_0001;
-        if ((count >= INT64_C(0)) && (fabs(error) <= 1e-15 * fabs(distance)))
-        {
-            other = newest;
-            break;
-        }
-    }
-    lower = newest;
-    upper = other;
-    if (!falls_short)
-    {
-        lower = other;
-        upper = newest;
-    }
-    /*the side whose rounding error a short cruise can make up*/
-    cruise = lower;
-    if (cruise < 0.0)
-    {
-        cruise = upper;
-    }
-    result = with_cruise(phases, cruise, v, a, w, b, distance, top, ramp);
-    return result;
-}
-/*The paper's form around the velocity that one ramp to zero reaches from one end, or 0.         */
-/*                                                                                               */
-/*    The distance has a kink there, which can be the only member that covers it: a state on the */
-/*    way of another profile leads to such problems.                                             */
-/*                                                                                               */
-static int64_t direct_form(array_double_2d phases, bool from_start, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
-{
-    double end;
-    double cruise;
-    double t;
-    double rise;
-    double slope;
-    int64_t count;
-    int64_t row;
-    double duration;
-    double y;
-    int64_t result;
-    end = fabs(b);
-    cruise = w;
-    if (from_start)
-    {
-        end = fabs(a);
-        cruise = v;
-    }
-    if (end == 0.0)
-    {
-        return INT64_C(0);
-    }
-    segfmu_ramp_duration(&t, &rise, &slope, end, ramp);
-    if (from_start)
-    {
-        cruise = v + 0.5 * a * t;
-    }
-    else
-    {
-        cruise = w - 0.5 * b * t;
-    }
-    if (fabs(cruise) > velocity_limit)
-    {
-        return INT64_C(0);
-    }
-    cruise_form(&count, &row, &duration, &y, phases, cruise, v, a, w, b, top, ramp);
-    if (fabs(y - distance) > 1e-14 * (fabs(distance) + (fabs(v) + fabs(w)) * duration))
-    {
-        return INT64_C(0);
-    }
-    return span_max_int(count, INT64_C(0));
 }
 /*The shortest candidate between two boundary states taken as they are; 0 if none holds.       */
 /*                                                                                             */
