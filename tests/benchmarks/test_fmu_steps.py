@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 from benchmarks import fmu_steps
 
-from segfmu.fmu import gantry_crane, gantry_feedforward
+from segfmu.fmu import gantry_crane, gantry_feedforward, native
+from segfmu.fmu.spec import started
 
 pytestmark = pytest.mark.skipif(
     shutil.which("cc") is None or sys.platform != "linux" or platform.machine() != "x86_64",
@@ -38,8 +39,10 @@ def test_both_importers_run_an_fmu_and_one_that_does_nothing(
             assert initialisation > 0.0 and step > 0.0
 
 
-def test_a_failing_fmu_is_no_measurement(native_fmus, tmp_path: Path) -> None:
-    archive = fmu_steps._unpacked(native_fmus[2][1], tmp_path / "crane")
+def test_a_failing_fmu_is_no_measurement(tmp_path: Path) -> None:
+    failing = started(gantry_crane.spec(), {"reference.rope.length": 0.0})
+    (crane,) = native.build_all([gantry_crane.native_spec(failing)], tmp_path, fmi=2)
+    archive = fmu_steps._unpacked(crane, tmp_path / "crane")
     driver = fmu_steps._compiled("fmu_driver", tmp_path)
     with pytest.raises(RuntimeError, match=r"fmu_driver\.c: status -4"):
         fmu_steps._in_c(driver, archive, 100_000)
