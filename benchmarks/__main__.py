@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from importlib import import_module
 from pathlib import Path
 from typing import Annotated
@@ -44,7 +45,8 @@ def main(
         repetitions=3 if quick else 9,
         folder=output.parent / "benchmarks",
     )
-    console = Console()
+    # as wide as the widest table where the output is no terminal
+    console = Console() if sys.stdout.isatty() else Console(width=132)
     found: dict[str, Part] = {}
     for name in chosen:
         module, packages = PARTS[name]
