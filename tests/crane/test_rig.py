@@ -22,7 +22,6 @@ from segfmu.crane import (
     Wind,
 )
 from segfmu.crane.feedback import design
-from segfmu.crane.plant import TOLERANCE
 
 LAB = Crane(2.2, 1.155, 1.0)
 # a load so light that bridge and trolley do not feel it
@@ -258,10 +257,8 @@ def test_energy_balance_closes_with_everything_on(driven: bool) -> None:
 @pytest.mark.parametrize("driven", [False, True])
 def test_communication_step_does_not_matter_with_everything_on(driven: bool) -> None:
     runs = [shaken(driven, steps, everything()) for steps in (12, 77, 1200)]
-    # every step of the integration may err by its tolerance, and there are two runs
-    error = 2.0 * 1200 * TOLERANCE
     for other in runs[1:]:
-        assert other.state == pytest.approx(runs[0].state, abs=error)
+        assert other.state == pytest.approx(runs[0].state, abs=1e-7)
         assert other.measured.tolist() == runs[0].measured.tolist()
 
 
