@@ -20,10 +20,10 @@ PROBLEMS = json.loads(
 
 
 def solve(problem: AxisProblem) -> tuple[int, np.ndarray]:
-    phases = np.zeros((12, 4))
+    phases = np.zeros((13, 4))
     count = shortest_profile(
         problem.v, problem.a, problem.w, problem.b, problem.distance, problem.limits[0],
-        problem.limits[1], problem.ramp(), phases, np.zeros((24, 4)),
+        problem.limits[1], problem.ramp(), phases, np.zeros((26, 4)),
     )
     return count, phases[: max(count, 0)]
 

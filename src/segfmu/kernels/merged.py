@@ -14,7 +14,7 @@ from segfmu.kernels.phases import (
     reverse_phases,
 )
 from segfmu.kernels.roots import root_share
-from segfmu.kernels.search import canonical_search, timed_search
+from segfmu.kernels.search import canonical_search, member_search
 from segfmu.kernels.transition import ramp_duration
 
 
@@ -23,7 +23,8 @@ def merged_form(
     reverse: bool,
     mirror: bool,
     which: int,
-    target: float,
+    by_time: bool,
+    time: float,
     v: float,
     a: float,
     w: float,
@@ -35,10 +36,10 @@ def merged_form(
 ) -> int:
     """The merged form on one of its four branches; the number of phases, -1 if it has none.
 
-    which >= 0 takes the which-th member that lasts `target`, which < 0 the first one that covers
-    the distance. Reversal exchanges the boundary states,
-    mirroring their signs; together they reduce every branch to the canonical one, whose first
-    level is at most `high`.
+    which < 0 takes the first member that covers the distance, which >= 0 the which-th one that
+    lasts `time` or, not by time but with it as the scale, covers the distance. Reversal exchanges
+    the boundary states, mirroring their signs; together they reduce every branch to the canonical
+    one, whose first level is at most `high`.
     """
     v1 = v
     a1 = a
@@ -59,7 +60,13 @@ def merged_form(
     if which < 0:
         p = canonical_search(distance, v1, a1, v2, a2, high, top, t_top, ramp)
     else:
-        p = timed_search(which, target, v1, a1, v2, a2, high, top, t_top, ramp)
+        target = distance
+        if by_time:
+            target = time
+        scale = max(t_top, 0.1 * time)
+        p = member_search(
+            which, by_time, scale, target, v1, a1, v2, a2, high, top, t_top, ramp
+        )
     if p < 0.0:
         return -1
     duration, y, t1, hold1, level1, hold2, level2, t3 = canonical_point(
@@ -92,7 +99,8 @@ def tempered_form(
     reverse: bool,
     mirror: bool,
     which: int,
-    target: float,
+    by_time: bool,
+    time: float,
     v: float,
     a: float,
     w: float,
@@ -110,7 +118,7 @@ def tempered_form(
     lowered, and held, until the peak is at the limit less a billionth.
     """
     count = merged_form(
-        phases, reverse, mirror, which, target, v, a, w, b, distance, top, top, ramp
+        phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, top, top, ramp
     )
     rounding = 1e-12 * velocity_limit
     margin = 1e-9 * velocity_limit
@@ -124,7 +132,7 @@ def tempered_form(
         inside = -min(a, b)
     inside = max(inside, 0.001 * top)
     count = merged_form(
-        phases, reverse, mirror, which, target, v, a, w, b, distance, inside, top, ramp
+        phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, inside, top, ramp
     )
     if count <= 0:
         return 0
@@ -157,7 +165,7 @@ def tempered_form(
             share = 1e-3
         high = inside + share * (outside - inside)
         count = merged_form(
-            phases, reverse, mirror, which, target, v, a, w, b, distance, high, top, ramp
+            phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, high, top, ramp
         )
         error = 0.0
         if count > 0:
@@ -184,5 +192,5 @@ def tempered_form(
             e_outside = error
             newest_inside = False
     return merged_form(
-        phases, reverse, mirror, which, target, v, a, w, b, distance, inside, top, ramp
+        phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, inside, top, ramp
     )

@@ -12,7 +12,7 @@ E10); outside the gaps the profile is, in this order:
 * the weighted mean of two profiles that last T, one short of the distance and one beyond it.
 """
 
-from segfmu.kernels.braking import brake, surround
+from segfmu.kernels.braking import braked, surround
 from segfmu.kernels.cruise import cruise_form
 from segfmu.kernels.merged import tempered_form
 from segfmu.kernels.phases import (
@@ -194,6 +194,81 @@ def between_cruises(
         e_newest = error
 
 
+def cruise_edge(
+    inside: float,
+    outside: float,
+    phases: 'float[:,:]',
+    target: float,
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    top: float,
+    ramp: 'float[:]',
+) -> float:
+    """Bisect between a velocity that leaves a cruise and one that does not."""
+    for i in range(30):
+        trial = 0.5 * (inside + outside)
+        count, y, hold = timed_cruise(phases, trial, target, v, a, w, b, top, ramp)
+        if count >= 0 and hold >= 0.0:
+            inside = trial
+        else:
+            outside = trial
+    return inside
+
+
+def scan_cruises(
+    target: float,
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    distance: float,
+    velocity_limit: float,
+    top: float,
+    ramp: 'float[:]',
+    found: 'float[:]',
+    below: 'float[:,:]',
+    above: 'float[:,:]',
+    trial: 'float[:,:]',
+) -> None:
+    """Nearest profiles with a cruise, looked for over all cruise velocities.
+
+    Those that leave a cruise can form several windows.
+    """
+    samples = 24
+    inside = False
+    before = 0.0
+    for i in range(samples + 1):
+        cruise = velocity_limit * (2.0 * i / samples - 1.0)
+        count, y, hold = timed_cruise(trial, cruise, target, v, a, w, b, top, ramp)
+        fits = count >= 0 and hold >= 0.0
+        if i > 0 and (inside or fits):
+            lower = before
+            upper = cruise
+            if not inside:
+                lower = cruise_edge(cruise, before, trial, target, v, a, w, b, top, ramp)
+            if not fits:
+                upper = cruise_edge(before, cruise, trial, target, v, a, w, b, top, ramp)
+            count, y_lower, hold = timed_cruise(trial, lower, target, v, a, w, b, top, ramp)
+            keep_nearest(
+                trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp
+            )
+            count, y_upper, hold = timed_cruise(trial, upper, target, v, a, w, b, top, ramp)
+            keep_nearest(
+                trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp
+            )
+            if (y_lower - distance) * (y_upper - distance) <= 0.0:
+                between_cruises(
+                    lower, y_lower, upper, y_upper, target, v, a, w, b, distance,
+                    velocity_limit, top, ramp, found, below, above, trial,
+                )
+            if found[0] > 0.0 and found[2] > 0.0:
+                return
+        inside = fits
+        before = cruise
+
+
 def timed_between(
     target: float,
     v: float,
@@ -210,16 +285,9 @@ def timed_between(
     trial: 'float[:,:]',
 ) -> None:
     """Nearest profiles below and above the distance, from boundary states taken as they are."""
-    clipped = min(max(distance / target, min(v, w)), max(v, w))
-    for start in range(3):
-        middle = clipped
-        if start == 1:
-            middle = velocity_limit
-        elif start == 2:
-            middle = -velocity_limit
-        count, y, hold = timed_cruise(trial, middle, target, v, a, w, b, top, ramp)
-        if count < 0 or hold < 0.0:
-            continue
+    middle = min(max(distance / target, min(v, w)), max(v, w))
+    count, y, hold = timed_cruise(trial, middle, target, v, a, w, b, top, ramp)
+    if count >= 0 and hold >= 0.0:
         keep_nearest(
             trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp
         )
@@ -236,13 +304,18 @@ def timed_between(
                 found, below, above, trial,
             )
             return
+    scan_cruises(
+        target, v, a, w, b, distance, velocity_limit, top, ramp, found, below, above, trial
+    )
+    if found[0] > 0.0 and found[2] > 0.0:
+        return
     for branch in range(4):
         reverse = branch == 1 or branch == 2
         mirror = branch >= 2
         for which in range(2):
             count = tempered_form(
-                trial, reverse, mirror, which, target, v, a, w, b, distance, velocity_limit,
-                top, ramp,
+                trial, reverse, mirror, which, True, target, v, a, w, b, distance,
+                velocity_limit, top, ramp,
             )
             if count < 0:
                 break
@@ -269,45 +342,26 @@ def timed_profile(
     """Profiles that last `target`; returns the weight of `above`, or -1 if none is feasible.
 
     The motion is (1 - weight) * below + weight * above; found[0] and found[2] are the numbers
-    of phases of the two (12 rows each). Where none is feasible, found[4] is the least distance by
-    which a profile that lasts `target` misses, or 0 if there is no such profile.
+    of phases of the two (13 rows each).
     """
     v = without_excess(v, velocity_limit)
     w = without_excess(w, velocity_limit)
     a = without_excess(a, top)
     b = without_excess(b, top)
     distance = without_dust(distance, velocity_limit * velocity_limit / top)
-    found[4] = 0.0
     for variant in range(4):
-        first = 0
-        last = 0
-        brake_start = variant == 1 or variant == 3
+        taken, spent, rest, v1, a1, w1, b1 = braked(
+            variant, v, a, w, b, distance, velocity_limit, top, ramp, trial
+        )
+        if taken == -3:
+            continue
+        if taken < 0:
+            return -1.0
+        time = target - spent
+        if time <= 0.0:
+            continue
+        brake_start = variant % 2 == 1
         brake_end = variant >= 2
-        if (brake_start and a == 0.0) or (brake_end and b == 0.0):
-            continue
-        time = target
-        rest = distance
-        v1 = v
-        a1 = a
-        w1 = w
-        b1 = b
-        if brake_start:
-            first, duration, y, v1 = brake(v, a, velocity_limit, top, ramp, trial)
-            if first < 0:
-                return -1.0
-            time = time - duration
-            rest = rest - y
-            a1 = 0.0
-        if brake_end:
-            last, duration, y, w1 = brake(w, -b, velocity_limit, top, ramp, trial)
-            if last < 0:
-                return -1.0
-            time = time - duration
-            rest = rest - y
-            b1 = 0.0
-        # 12 rows hold seven phases between them
-        if time <= 0.0 or first + last > 5:
-            continue
         found[0] = 0.0
         found[2] = 0.0
         timed_between(
@@ -333,11 +387,4 @@ def timed_profile(
             fit_duration(below, int(found[0]), target)
             fit_duration(above, int(found[2]), target)
             return weight
-        missed = 0.0
-        if found[0] > 0.0:
-            missed = rest - found[1]
-        elif found[2] > 0.0:
-            missed = found[3] - rest
-        if missed > 0.0 and (found[4] == 0.0 or missed < found[4]):
-            found[4] = missed
     return -1.0
