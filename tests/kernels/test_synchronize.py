@@ -22,7 +22,7 @@ def timed(problem: AxisProblem, target: float):
         problem.limits[1], ramp, found, below, above, np.zeros((13, 4)),
     )
     parts = [
-        measure_phases(rows, int(count), problem.v, ramp)
+        measure_phases(rows, int(count), problem.v, 0.0, ramp)
         for rows, count in ((below, found[0]), (above, found[2]))
     ]
     return weight, parts
@@ -84,9 +84,9 @@ def test_stretching_keeps_the_distance() -> None:
     count = shortest_profile(
         0.0, 0.0, 0.0, 0.0, 0.7, 1.0, 1.0, ramp, phases, np.zeros((26, 4))
     )
-    before = measure_phases(phases, count, 0.0, ramp)
+    before = measure_phases(phases, count, 0.0, 0.0, ramp)
     stretch_phases(phases, count, 2.5)
-    after = measure_phases(phases, count, 0.0, ramp)
+    after = measure_phases(phases, count, 0.0, 0.0, ramp)
     assert after[0] == pytest.approx(2.5 * before[0])
     assert after[1] == pytest.approx(0.7)
     assert after[4] == pytest.approx(before[4] / 2.5)

@@ -62,7 +62,7 @@ def brake(
     reached = v
     for i in range(3):
         count = append_change(phases, count, level, 0.0, ramp)
-        duration, y, end, lowest, highest = measure_phases(phases, count, v, ramp)
+        duration, y, end, lowest, highest = measure_phases(phases, count, v, 1e300, ramp)
         if abs(end) <= velocity_limit * (1.0 + 1e-12):
             return count, duration, y, end
         count = count - 1
@@ -73,7 +73,7 @@ def brake(
         if past * sign > 0.0:
             break
         count = append_change(phases, count, level, past, ramp)
-        duration, y, reached, lowest, highest = measure_phases(phases, count, v, ramp)
+        duration, y, reached, lowest, highest = measure_phases(phases, count, v, 1e300, ramp)
         level = past
     return -1, 0.0, 0.0, 0.0
 

@@ -14,7 +14,7 @@ from segfmu.kernels.transition import ramp_duration
 
 
 def insert_end(duration: float, after: float, count: int, ends: 'float[:,:]') -> int:
-    """Sort a duration later than `after` into the first column of ends; the latest one falls out."""
+    """Sort a duration later than `after` into the first column of ends; the latest falls out."""
     if duration <= after:
         return count
     place = count

@@ -53,7 +53,7 @@ def set_shortest(
     if count < 0:
         return count, 0.0
     duration, y, end, lowest, highest = measure_phases(
-        phases[2 * cell, :, :], count, v, ramps[axis, :]
+        phases[2 * cell, :, :], count, v, 1e300, ramps[axis, :]
     )
     return 0, duration
 
@@ -86,10 +86,16 @@ def set_duration(
     speed = without_dust(abs(v) + abs(w), limits[axis, 0])
     resting = speed == 0.0 and without_dust(abs(a) + abs(b), limits[axis, 1]) == 0.0
     if resting or target <= shortest * (1.0 + 1e-13):
-        status, duration = set_shortest(
-            interval, axis, positions, velocities, accelerations, limits, ramps, phases,
-            counts, weights, trial,
-        )
+        # the shortest profile may still be there, from the first step of planning
+        duration = 0.0
+        if counts[2 * cell + 1] == 0:
+            for i in range(counts[2 * cell]):
+                duration = duration + phases[2 * cell, i, 0]
+        if duration == 0.0 or abs(duration - shortest) > 1e-13 * shortest:
+            status, duration = set_shortest(
+                interval, axis, positions, velocities, accelerations, limits, ramps, phases,
+                counts, weights, trial,
+            )
         if resting and counts[2 * cell] == 0:
             counts[2 * cell] = append_hold(phases[2 * cell, :, :], 0, 0.0, target)
         elif resting:

@@ -87,10 +87,10 @@ def merged_form(
 
 
 def velocity_excess(
-    phases: 'float[:,:]', count: int, v: float, limit: float, ramp: 'float[:]'
+    phases: 'float[:,:]', count: int, v: float, within: float, limit: float, ramp: 'float[:]'
 ) -> float:
     """By how much the phases that start with velocity v pass the velocity limit, or less than 0."""
-    duration, y, end, lowest, highest = measure_phases(phases, count, v, ramp)
+    duration, y, end, lowest, highest = measure_phases(phases, count, v, within, ramp)
     return max(highest, -lowest) - limit
 
 
@@ -124,7 +124,7 @@ def tempered_form(
     margin = 1e-9 * velocity_limit
     if count <= 0:
         return count
-    e_outside = velocity_excess(phases, count, v, velocity_limit, ramp) + margin
+    e_outside = velocity_excess(phases, count, v, velocity_limit, velocity_limit, ramp) + margin
     if e_outside <= margin + rounding:
         return count
     inside = max(a, b)
@@ -136,7 +136,7 @@ def tempered_form(
     )
     if count <= 0:
         return 0
-    e_inside = velocity_excess(phases, count, v, velocity_limit, ramp) + margin
+    e_inside = velocity_excess(phases, count, v, 0.0, velocity_limit, ramp) + margin
     if e_inside > margin + rounding:
         return 0
     outside = top
@@ -169,7 +169,7 @@ def tempered_form(
         )
         error = 0.0
         if count > 0:
-            error = velocity_excess(phases, count, v, velocity_limit, ramp) + margin
+            error = velocity_excess(phases, count, v, 0.0, velocity_limit, ramp) + margin
         if count > 0 and error <= margin:
             before = outside
             e_before = e_outside

@@ -37,8 +37,8 @@ def meets(
     ramp: 'float[:]',
 ) -> float:
     """Duration of the phases if they meet the boundary within the velocity limit, else -1."""
-    duration, y, end, lowest, highest = measure_phases(phases, count, v, ramp)
     most = limit * (1.0 + 1e-12)
+    duration, y, end, lowest, highest = measure_phases(phases, count, v, most, ramp)
     if lowest < -most or highest > most:
         return -1.0
     if abs(end - w) > 1e-12 * limit:
@@ -94,7 +94,8 @@ def shortest_between(
             )
         else:
             count = tempered_form(
-                trial, reverse, mirror, -1, False, 0.0, v, a, w, b, distance, velocity_limit, top, ramp
+                trial, reverse, mirror, -1, False, 0.0, v, a, w, b, distance, velocity_limit,
+                top, ramp,
             )
         if count > 0:
             duration = meets(trial, count, v, w, distance, velocity_limit, ramp)

@@ -50,18 +50,18 @@ static int64_t with_cruise(array_double_2d phases, double cruise, double v, doub
 static int64_t slower_cruise(array_double_2d phases, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
 static int64_t direct_form(array_double_2d phases, bool from_start, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
 static int64_t merged_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double high, double top, array_double_1d ramp);
-static double velocity_excess(array_double_2d phases, int64_t count, double v, double limit, array_double_1d ramp);
+static double velocity_excess(array_double_2d phases, int64_t count, double v, double within, double limit, array_double_1d ramp);
 static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
 static double meets(array_double_2d phases, int64_t count, double v, double w, double distance, double limit, array_double_1d ramp);
 static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_double_2d trial, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
-static void stretch_phases(array_double_2d phases, int64_t count, double factor);
-static void fit_duration(array_double_2d phases, int64_t count, double target);
 static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, double target, double v, double a, double w, double b, double top, array_double_1d ramp);
 static double cruise_range(array_double_2d phases, double middle, double y, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
 static void keep_nearest(array_double_2d trial, int64_t count, double target, double v, double w, double distance, double velocity_limit, array_double_1d found, array_double_2d below, array_double_2d above, array_double_1d ramp);
 static void between_cruises(double lower, double y_lower, double upper, double y_upper, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial);
 static double cruise_edge(double inside, double outside, array_double_2d phases, double target, double v, double a, double w, double b, double top, array_double_1d ramp);
 static void scan_cruises(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial);
+static void stretch_phases(array_double_2d phases, int64_t count, double factor);
+static void fit_duration(array_double_2d phases, int64_t count, double target);
 static void timed_between(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial);
 static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends);
 static double cruise_time(double cruise, bool covering, double v, double a, double w, double b, double distance, double top, array_double_1d ramp, array_double_2d phases);
@@ -648,10 +648,11 @@ static int64_t curved_part(double* result_0, double* result_1, double* result_2,
     (*result_2) = integral * s;
     return 0;
 }
-/*The s in [0, upper] at which the increasing curved part has the given value. */
-/*                                                                             */
-/*    Close enough for an extremum, of which an error in s has only its square.*/
-/*                                                                             */
+/*The s in [0, upper] at which the increasing curved part, 1/2 at `upper`, has the given value.    */
+/*                                                                                                 */
+/*    Close enough for an extremum, of which an error in s has only its square. The curved part is */
+/*    nearly a square at its upper end.                                                            */
+/*                                                                                                 */
 static double invert_curved_part(double value, double upper, array_double_1d ramp)
 {
     double low;
@@ -665,7 +666,7 @@ static double invert_curved_part(double value, double upper, array_double_1d ram
     double s;
     low = 0.0;
     high = upper;
-    s = 0.5 * upper;
+    s = upper * sqrt(span_min(span_max(2.0 * value, 0.0), 1.0));
     for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
     {
         curved_part(&at, &slope, &integral, s, ramp);
@@ -887,7 +888,10 @@ static void reverse_phases(array_double_2d phases, int64_t first, int64_t count)
     }
 }
 /*Duration, distance, end velocity, lowest and highest velocity of a list of phases. */
-int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result_2_0001, double* result_3, double* result_4, array_double_2d phases, int64_t count, double v, array_double_1d ramp)
+/*                                                                                   */
+/*    Peaks inside of ramps are left out where they are surely within +-`within`.    */
+/*                                                                                   */
+int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result_2_0001, double* result_3, double* result_4, array_double_2d phases, int64_t count, double v, double within, array_double_1d ramp)
 {
     double total;
     double y;
@@ -910,9 +914,10 @@ int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result
         b = a + (*cspan_at(&phases, i, INT64_C(3)));
         if (a * b < 0.0)
         {
-            /*a quick bound first: the crossing comes before the end of the ramp*/
-            bound = v + a * duration;
-            if ((bound > highest) || (bound < lowest))
+            /*a quick bound first: the end with the smaller acceleration is less than half of the*/
+            /*ramp away from the crossing*/
+            bound = v + 0.5 * a * duration;
+            if ((bound > span_max(highest, within)) || (bound < span_min(lowest, -within)))
             {
                 extreme = ramp_extreme_velocity(v, a, b, duration, (*cspan_at(&phases, i, INT64_C(1))), ramp);
                 lowest = span_min(lowest, extreme);
@@ -1026,7 +1031,7 @@ static int64_t brake(int64_t* result_0, double* result_1, double* result_2, doub
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         count = append_change(phases, count, level, 0.0, ramp);
-        segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, ramp);
+        segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, 1e+300, ramp);
         if (fabs(end) <= velocity_limit * (1.0 + 1e-12))
         {
             (*result_0) = count;
@@ -1047,7 +1052,7 @@ static int64_t brake(int64_t* result_0, double* result_1, double* result_2, doub
             break;
         }
         count = append_change(phases, count, level, past, ramp);
-        segfmu_measure_phases(&duration, &y, &reached, &lowest, &highest, phases, count, v, ramp);
+        segfmu_measure_phases(&duration, &y, &reached, &lowest, &highest, phases, count, v, 1e+300, ramp);
         level = past;
     }
     (*result_0) = -INT64_C(1);
@@ -1243,6 +1248,13 @@ static int64_t root_level(double* result_0, double* result_1, double gain, doubl
         if (rate > 0.0)
         {
             newton = t - error / rate;
+            /*at the root the step may round to nothing, which a bracket would not admit*/
+            if (fabs(newton - t) <= 4e-16 * t)
+            {
+                (*result_0) = t;
+                (*result_1) = level;
+                return 0;
+            }
             found = first + second;
             /*far from the root, Newton's method on logarithms, as the gain is nearly a power*/
             if ((found > 0.0) && (gain > 0.0) && ((found > 2.0 * gain) || (gain > 2.0 * found)))
@@ -1275,6 +1287,7 @@ static int64_t root_level(double* result_0, double* result_1, double gain, doubl
 /*                                                                                                 */
 static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, array_double_1d ramp)
 {
+    double level;
     double t_low;
     double rise;
     double slope;
@@ -1282,9 +1295,19 @@ static int64_t solve_level(double* result_0_0001, double* result_1_0001, double*
     double least;
     double t_high;
     double most;
-    double level;
     double share;
     double t;
+    if ((*cspan_at(&ramp, INT64_C(3))) >= 0.0)
+    {
+        level = linear_level(gain, a, b, ramp);
+        if ((level >= span_max(a, b) + (*cspan_at(&ramp, INT64_C(3)))) && (level >= low) && (level <= high))
+        {
+            (*result_0_0001) = (level - a) * (*cspan_at(&ramp, INT64_C(41))) + (*cspan_at(&ramp, INT64_C(42)));
+            (*result_1_0001) = 0.0;
+            (*result_2_0001) = level;
+            return 0;
+        }
+    }
     segfmu_ramp_duration(&t_low, &rise, &slope, low - a, ramp);
     segfmu_ramp_duration(&t_end, &rise, &slope, low - b, ramp);
     least = 0.5 * (a + low) * t_low + 0.5 * (low + b) * t_end;
@@ -1312,17 +1335,6 @@ static int64_t solve_level(double* result_0_0001, double* result_1_0001, double*
         (*result_1_0001) = (gain - most) / high;
         (*result_2_0001) = high;
         return 0;
-    }
-    if ((*cspan_at(&ramp, INT64_C(3))) >= 0.0)
-    {
-        level = linear_level(gain, a, b, ramp);
-        if ((level >= span_max(a, b) + (*cspan_at(&ramp, INT64_C(3)))) && (level >= low) && (level <= high))
-        {
-            (*result_0_0001) = (level - a) * (*cspan_at(&ramp, INT64_C(41))) + (*cspan_at(&ramp, INT64_C(42)));
-            (*result_1_0001) = 0.0;
-            (*result_2_0001) = level;
-            return 0;
-        }
     }
     share = (gain - least) / (most - least);
     root_level(&t, &level, gain, a, b, t_low, t_high, share, ramp);
@@ -1866,7 +1878,7 @@ static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_
         return 0;
     }
     reverse_phases(phases, row, count);
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, ramp);
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, 1e+300, ramp);
     (*result_0) = count;
     (*result_1) = row;
     (*result_2) = duration;
@@ -2122,7 +2134,7 @@ static int64_t merged_form(array_double_2d phases, bool reverse, bool mirror, in
     return count;
 }
 /*By how much the phases that start with velocity v pass the velocity limit, or less than 0. */
-static double velocity_excess(array_double_2d phases, int64_t count, double v, double limit, array_double_1d ramp)
+static double velocity_excess(array_double_2d phases, int64_t count, double v, double within, double limit, array_double_1d ramp)
 {
     double duration;
     double y;
@@ -2130,7 +2142,7 @@ static double velocity_excess(array_double_2d phases, int64_t count, double v, d
     double lowest;
     double highest;
     double result;
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, ramp);
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, within, ramp);
     return span_max(highest, -lowest) - limit;
 }
 /*The merged form that keeps the velocity limit; the number of phases.                           */
@@ -2165,7 +2177,7 @@ static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, 
     {
         return count;
     }
-    e_outside = velocity_excess(phases, count, v, velocity_limit, ramp) + margin;
+    e_outside = velocity_excess(phases, count, v, velocity_limit, velocity_limit, ramp) + margin;
     if (e_outside <= margin + rounding)
     {
         return count;
@@ -2181,7 +2193,7 @@ static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, 
     {
         return INT64_C(0);
     }
-    e_inside = velocity_excess(phases, count, v, velocity_limit, ramp) + margin;
+    e_inside = velocity_excess(phases, count, v, 0.0, velocity_limit, ramp) + margin;
     if (e_inside > margin + rounding)
     {
         return INT64_C(0);
@@ -2228,7 +2240,7 @@ static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, 
         error = 0.0;
         if (count > INT64_C(0))
         {
-            error = velocity_excess(phases, count, v, velocity_limit, ramp) + margin;
+            error = velocity_excess(phases, count, v, 0.0, velocity_limit, ramp) + margin;
         }
         if ((count > INT64_C(0)) && (error <= margin))
         {
@@ -2268,14 +2280,14 @@ static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, 
 /*Duration of the phases if they meet the boundary within the velocity limit, else -1. */
 static double meets(array_double_2d phases, int64_t count, double v, double w, double distance, double limit, array_double_1d ramp)
 {
+    double most;
     double y;
     double end;
     double lowest;
     double highest;
-    double most;
     double duration;
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, ramp);
     most = limit * (1.0 + 1e-12);
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, most, ramp);
     if ((lowest < -most) || (highest > most))
     {
         return -1.0;
@@ -2448,34 +2460,6 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
     }
     return best;
 }
-/*Stretch phases that begin and end at rest in time; the distance stays (section 3.2). */
-static void stretch_phases(array_double_2d phases, int64_t count, double factor)
-{
-    int64_t i;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        (*cspan_at(&phases, i, INT64_C(0))) = (*cspan_at(&phases, i, INT64_C(0))) * factor;
-        (*cspan_at(&phases, i, INT64_C(1))) = (*cspan_at(&phases, i, INT64_C(1))) * factor;
-        (*cspan_at(&phases, i, INT64_C(2))) = (*cspan_at(&phases, i, INT64_C(2))) / (factor * factor);
-        (*cspan_at(&phases, i, INT64_C(3))) = (*cspan_at(&phases, i, INT64_C(3))) / (factor * factor);
-    }
-}
-/*Remove the rounding error of the total duration, which two averaged profiles must share. */
-static void fit_duration(array_double_2d phases, int64_t count, double target)
-{
-    double total;
-    int64_t i;
-    total = 0.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        total = total + (*cspan_at(&phases, i, INT64_C(0)));
-    }
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        (*cspan_at(&phases, i, INT64_C(0))) = (*cspan_at(&phases, i, INT64_C(0))) * (target / total);
-        (*cspan_at(&phases, i, INT64_C(1))) = (*cspan_at(&phases, i, INT64_C(1))) * (target / total);
-    }
-}
 /*The paper's form with the cruise that makes it last `target`.                            */
 /*                                                                                         */
 /*    Returns the number of phases, the distance, and the duration of the cruise, which is */
@@ -2554,18 +2538,18 @@ static double cruise_range(array_double_2d phases, double middle, double y, doub
 /*                                                                                         */
 static void keep_nearest(array_double_2d trial, int64_t count, double target, double v, double w, double distance, double velocity_limit, array_double_1d found, array_double_2d below, array_double_2d above, array_double_1d ramp)
 {
+    double most;
     double duration;
     double y;
     double end;
     double lowest;
     double highest;
-    double most;
     if (count <= INT64_C(0))
     {
         return;
     }
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, trial, count, v, ramp);
     most = velocity_limit * (1.0 + 1e-12);
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, trial, count, v, most, ramp);
     if ((lowest < -most) || (highest > most))
     {
         return;
@@ -2723,6 +2707,34 @@ static void scan_cruises(double target, double v, double a, double w, double b, 
         before = cruise;
     }
 }
+/*Stretch phases that begin and end at rest in time; the distance stays (section 3.2). */
+static void stretch_phases(array_double_2d phases, int64_t count, double factor)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&phases, i, INT64_C(0))) = (*cspan_at(&phases, i, INT64_C(0))) * factor;
+        (*cspan_at(&phases, i, INT64_C(1))) = (*cspan_at(&phases, i, INT64_C(1))) * factor;
+        (*cspan_at(&phases, i, INT64_C(2))) = (*cspan_at(&phases, i, INT64_C(2))) / (factor * factor);
+        (*cspan_at(&phases, i, INT64_C(3))) = (*cspan_at(&phases, i, INT64_C(3))) / (factor * factor);
+    }
+}
+/*Remove the rounding error of the total duration, which two averaged profiles must share. */
+static void fit_duration(array_double_2d phases, int64_t count, double target)
+{
+    double total;
+    int64_t i;
+    total = 0.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        total = total + (*cspan_at(&phases, i, INT64_C(0)));
+    }
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&phases, i, INT64_C(0))) = (*cspan_at(&phases, i, INT64_C(0))) * (target / total);
+        (*cspan_at(&phases, i, INT64_C(1))) = (*cspan_at(&phases, i, INT64_C(1))) * (target / total);
+    }
+}
 /*Nearest profiles below and above the distance, from boundary states taken as they are. */
 static void timed_between(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial)
 {
@@ -2840,7 +2852,7 @@ double segfmu_timed_profile(double target, double v, double a, double w, double 
     }
     return -1.0;
 }
-/*Sort a duration later than `after` into the first column of ends; the latest one falls out.*/
+/*Sort a duration later than `after` into the first column of ends; the latest falls out.*/
 static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends)
 {
     int64_t place;
@@ -3078,7 +3090,7 @@ static int64_t set_shortest(int64_t* result_0, double* result_1, int64_t interva
         (*result_1) = 0.0;
         return 0;
     }
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, span_matrix(&phases, INT64_C(2) * cell), count, v, span_row(&ramps, axis));
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, span_matrix(&phases, INT64_C(2) * cell), count, v, 1e+300, span_row(&ramps, axis));
     (*result_0) = INT64_C(0);
     (*result_1) = duration;
     return 0;
@@ -3094,8 +3106,9 @@ static bool set_duration(int64_t interval, int64_t axis, double target, double s
     double distance;
     double speed;
     bool resting;
-    int64_t status;
     double duration;
+    int64_t i;
+    int64_t status;
     double weight;
     bool result;
     cell = interval * limits.shape[INT64_C(0)] + axis;
@@ -3112,7 +3125,19 @@ static bool set_duration(int64_t interval, int64_t axis, double target, double s
     resting = (speed == 0.0) && (without_dust(fabs(a) + fabs(b), (*cspan_at(&limits, axis, INT64_C(1)))) == 0.0);
     if (resting || (target <= shortest * (1.0 + 1e-13)))
     {
-        set_shortest(&status, &duration, interval, axis, positions, velocities, accelerations, limits, ramps, phases, counts, weights, trial);
+        /*the shortest profile may still be there, from the first step of planning*/
+        duration = 0.0;
+        if ((*cspan_at(&counts, INT64_C(2) * cell + INT64_C(1))) == INT64_C(0))
+        {
+            for (i = INT64_C(0); i < (*cspan_at(&counts, INT64_C(2) * cell)); i += INT64_C(1))
+            {
+                duration = duration + (*cspan_at(&phases, INT64_C(2) * cell, i, INT64_C(0)));
+            }
+        }
+        if ((duration == 0.0) || (fabs(duration - shortest) > 1e-13 * shortest))
+        {
+            set_shortest(&status, &duration, interval, axis, positions, velocities, accelerations, limits, ramps, phases, counts, weights, trial);
+        }
         if (resting && ((*cspan_at(&counts, INT64_C(2) * cell)) == INT64_C(0)))
         {
             (*cspan_at(&counts, INT64_C(2) * cell)) = append_hold(span_matrix(&phases, INT64_C(2) * cell), INT64_C(0), 0.0, target);
