@@ -141,11 +141,12 @@ class RampBound:
         """
         low, step = 0.0, transition.slow / 64.0
         least, most = tolerance**2 * transition.slow, 64.0 * transition.slow
+        growth = 2.0
         while step > max(tolerance * low, least) and low < most:
             if self.excludes(transition, low, low + step):
-                low, step = low + step, 2.0 * step
+                low, step = low + step, growth * step
             else:
-                step /= 2.0
+                step, growth = step / 2.0, 1.0
         return low
 
     def excludes(self, transition: Transition, low: float, high: float) -> bool:

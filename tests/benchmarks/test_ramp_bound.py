@@ -1,0 +1,186 @@
+"""Lower bounds on durations with smoothstep ramps, against profiles integrated on their own."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pytest
+from benchmarks import ramp_bound
+from benchmarks.optimal_control import Transition
+from benchmarks.ramp_bound import RampBound, ScaledTransition, leads, scaled
+from benchmarks.report import Settings
+from benchmarks.smoothstep_bound import measure
+from numpy.typing import NDArray
+from scipy.integrate import quad
+
+from segfmu import Limits, Waypoint, plan
+
+REFERENCE = Path(__file__).parents[1] / "data" / "planner-problems.json"
+PER_CELL = 48
+
+
+def curved(x: NDArray[np.float64]) -> NDArray[np.float64]:
+    return x**3 * (10.0 - 15.0 * x + 6.0 * x**2)
+
+
+@dataclass(frozen=True, eq=False)
+class Profile:
+    """A sequence of ramps and holds sampled at Gauss points of fine cells, and its integrals.
+
+    Rows of `states` and `straight`: position, velocity, acceleration at `times`, the straight ones
+    from ramps replaced by lines.
+    """
+
+    durations: NDArray[np.float64]
+    changes: NDArray[np.float64]
+    times: NDArray[np.float64]
+    states: NDArray[np.float64]
+    straight: NDArray[np.float64]
+
+    def transition(self, reserve: float) -> Transition:
+        """The boundary problem of the profile at limits that it keeps with a reserve."""
+        ramps = self.durations > 0.0
+        height, time = np.abs(self.changes[ramps]), self.durations[ramps]
+        limits = (
+            np.abs(self.states[1]).max(), np.abs(self.states[2]).max(),
+            (1.875 * height / time).max(), (10.0 / np.sqrt(3.0) * height / time**2).max(),
+        )
+        ends = [(s[0], s[1], s[2]) for s in (self.states[:, 0], self.states[:, -1])]
+        a, b, c, d = (reserve * float(limit) for limit in limits)
+        return Transition("random", *ends, (a, b, c, d))
+
+    @property
+    def duration(self) -> float:
+        return float(self.times[-1])
+
+
+def integrated(t: NDArray[np.float64], rate: NDArray[np.float64], first: float) -> np.ndarray:
+    """Integral at the cell ends of a rate given at three Gauss points per cell."""
+    weights = np.array([5.0, 8.0, 5.0]) / 18.0
+    return np.concatenate([[first], first + np.cumsum((rate @ weights) * np.diff(t))])
+
+
+def random_profile(random: np.random.Generator) -> Profile:
+    count = int(random.integers(2, 8))
+    durations = random.uniform(0.05, 1.0, count) ** 2
+    changes = random.uniform(-1.0, 1.0, count) * (random.random(count) < 0.7)
+    changes[0] = changes[0] or 0.5
+    level, velocity = random.uniform(-0.6, 0.6, 2)
+    times, rates, lines, ends, end_lines = [np.zeros(1)], [], [], [], []
+    points = 0.5 + np.sqrt(0.15) * np.array([-1.0, 0.0, 1.0])
+    cells = (np.arange(PER_CELL)[:, None] + points) / PER_CELL
+    shares = np.arange(1, PER_CELL + 1) / PER_CELL
+    for duration, change in zip(durations, changes, strict=True):
+        times.append(times[-1][-1] + duration * shares)
+        rates.append(level + change * curved(cells))
+        lines.append(level + change * cells)
+        ends.append(level + change * curved(shares))
+        end_lines.append(level + change * shares)
+        level += change
+    t = np.concatenate(times)
+    found = []
+    for gauss, nodes in ((rates, ends), (lines, end_lines)):
+        first = nodes[0][0] - (changes[0] * (curved(shares) if nodes is ends else shares))[0]
+        a = np.concatenate([[first], *nodes])
+        v = integrated(t, np.concatenate(gauss), velocity)
+        # Simpson's rule: the velocity in the middle of a cell by Hermite interpolation
+        h = np.diff(t)
+        middle = 0.5 * (v[1:] + v[:-1]) + h * (a[:-1] - a[1:]) / 8.0
+        y = np.concatenate([[0.0], np.cumsum(h * (v[:-1] + 4.0 * middle + v[1:]) / 6.0)])
+        found.append(np.array([y, v, a]))
+    return Profile(durations, changes, t, found[0], found[1])
+
+
+def test_constants_by_quadrature() -> None:
+    lead, _ = quad(lambda x: x - curved(x), 0.0, 1.0)
+    assert lead == pytest.approx(0.0, abs=1e-14)
+    ahead, _ = quad(lambda x: (1.0 - x) * (x - curved(x)), 0.0, 1.0)
+    assert pytest.approx(ahead, abs=1e-14) == ramp_bound.AHEAD == pytest.approx(1.0 / 42.0)
+    x = np.linspace(0.0, 1.0, 100_001)
+    assert np.gradient(curved(x), x).max() == pytest.approx(ramp_bound.SLOPE, rel=1e-6)
+    bend = np.abs(np.gradient(np.gradient(curved(x), x), x)).max()
+    assert bend == pytest.approx(ramp_bound.CURVATURE, rel=1e-4)
+    assert (ramp_bound.LEAD(x) >= -1e-15).all()
+
+
+def test_the_lead_of_a_straight_ramp_bends_no_more_than_stated() -> None:
+    start, check = np.meshgrid(np.linspace(0.0, 0.9, 181), np.linspace(0.0, 1.0, 201))
+    step = 1e-4
+    for move in ((step, 0.0), (0.0, step)):
+        values = [leads(start + k * move[0], 1.0 + k * move[1] + 0.0 * start, check)
+                  for k in (-1, 0, 1)]
+        second = np.abs(values[0] - 2.0 * values[1] + values[2]) / step**2
+        assert second.max() < ramp_bound.LEAD_CURVATURE
+
+
+def weighted_sum(
+    profile: Profile, problem: ScaledTransition, weights: np.ndarray, checks: np.ndarray,
+) -> float:
+    """What `RampBound.certified` bounds from above, from the integrated profile, at its end."""
+    p, t = problem, profile.times / profile.duration
+    v0, a0 = profile.states[1, 0], profile.states[2, 0]
+    a_unit = p.a / a0
+    v_unit = a_unit / profile.duration
+    y_unit = v_unit / profile.duration
+    y, v, a = (profile.states[i, -1] for i in range(3))
+    scaled_v, lines = v_unit * profile.states[1], v_unit * profile.straight[1]
+    assert v0 * v_unit == pytest.approx(p.v)
+    upper = np.interp(checks, t, np.maximum(scaled_v, lines))
+    lower = np.interp(checks, t, np.minimum(scaled_v, lines))
+    held = a_unit * np.interp(checks, t, profile.straight[2])
+    misses = [a_unit * a - p.b, v_unit * v - p.w, y_unit * y - p.distance]
+    slack = [p.acceleration - held, p.acceleration + held, p.velocity - upper, p.velocity + lower]
+    return float(np.concatenate([misses, *slack]) @ weights)
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_no_weighted_sum_of_a_profile_passes_its_bound(seed: int) -> None:
+    random = np.random.default_rng(seed)
+    profile = random_profile(random)
+    # another boundary: the bound is on the sum, whatever the end is
+    transition = random_profile(random).transition(3.0)
+    own = profile.transition(1.0)
+    limits = np.maximum(transition.limits, own.limits)
+    mixed = Transition("mixed", own.start, transition.end, tuple(limits))  # type: ignore[arg-type]
+    problem = scaled(mixed, profile.duration)
+    ramps = RampBound(12, 10)
+    checks = np.arange(1, 12) / 12.0
+    weights = random.uniform(0.0, 1.0, 3 + 4 * checks.size) ** 4
+    weights[:3] = random.uniform(-1.0, 1.0, 3)
+    weights[3:] *= random.random(weights.size - 3) < 0.2
+    # linear interpolation of the sampled velocity is off by less than this
+    sampled = 1e-3 * max(problem.acceleration, problem.velocity)
+    found = weighted_sum(profile, problem, weights, checks)
+    assert found <= ramps.certified(problem, weights, 0.0) + sampled
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_the_duration_of_a_profile_at_its_limits_is_not_excluded(seed: int) -> None:
+    random = np.random.default_rng(100 + seed)
+    ramps = RampBound(16, 10)
+    profile = random_profile(random)
+    transition = profile.transition(1.0 + 1e-9)
+    for low, high in ((1.0, 1.0), (0.9, 1.0), (0.999, 1.3), (0.0, 1.001)):
+        span = low * profile.duration, high * profile.duration
+        assert not ramps.excludes(transition, *span)
+
+
+@pytest.mark.parametrize("i", [25, 48, 116])
+def test_bounds_are_below_our_own_plans_and_above_nothing_less(i: int) -> None:
+    item = json.loads(REFERENCE.read_text(encoding="utf-8"))[i]
+    start, end = item["start"], item["end"]
+    own = plan([Waypoint(*start), Waypoint(*end)], Limits(*item["limits"]), shape="smoothstep")
+    transition = Transition("", tuple(start), tuple(end), tuple(item["limits"]))
+    found = RampBound(24, 10).lower_bound(transition, 5e-3)
+    assert 0.85 * own.duration < found <= own.duration
+
+
+def test_no_planner_reaches_what_was_asked_for(tmp_path: Path) -> None:
+    part = measure(Settings(1, 1, 1, tmp_path, bounded=9))
+    records = {r["duration over optimum"]: r for r in part.sections[0].records}
+    assert records["no planner is below"]["largest"] > records["asked for"]["largest"]
+    for r in part.sections[1].records:
+        assert 0.0 <= float(r["bound"]) <= float(r["segfmu"])
