@@ -170,18 +170,20 @@ class RampBound:
         weights = multipliers.copy()
         weights[3:] = np.maximum(weights[3:], 0.0)
         weights[v_from:][late] = 0.0
-        return self._free(problem, weights, early) + self._gain(problem, weights)
+        return self._free(problem, weights, early) + self.gain(problem, weights)
 
     def _free(self, problem: ScaledTransition, weights: FloatArray, early: float) -> float:
         """Largest sum of the offsets, a parabola in the early end, over all early ends."""
         ends = [0.0, early]
-        bend, slope = -problem.b * weights[2] / 2.0, -problem.b * weights[1] - problem.w * weights[2]
+        bend = -problem.b * weights[2]
+        slope = -problem.b * weights[1] - problem.w * weights[2]
         if bend < 0.0:
-            ends.append(min(max(-slope / (2.0 * bend), 0.0), early))
-        return max(float(offsets(problem, self._checks, end) @ weights) for end in ends)
+            ends.append(min(max(-slope / bend, 0.0), early))
+        sums = [offsets(problem, self._checks, end) @ weights for end in ends]
+        return float(max(sums))
 
-    def _gain(self, problem: ScaledTransition, weights: FloatArray) -> float:
-        """Upper bound of what the slopes of a profile add: the rise of a potential.
+    def gain(self, problem: ScaledTransition, weights: FloatArray) -> float:
+        """Upper bound of what the slopes of a profile add to the sum: the rise of a potential.
 
         The potential is linear between the fine nodes and rises over any ramp, with ends anywhere,
         by at least what this ramp adds.
@@ -192,8 +194,7 @@ class RampBound:
         rates = self._rates(weights)
         # within two cells: a ramp adds at most its slope times the integral of |rate|
         near = problem.slopes(np.zeros(1), np.full(1, 2.0 * h))[0]
-        widest = np.maximum(rates, np.maximum(np.append(rates[1:], 0.0), np.append(0.0, rates[:-1])))
-        least = h * near * (widest + abs(weights[2]) * AHEAD * (2.0 * h) ** 2)
+        least = h * near * (rates + abs(weights[2]) * AHEAD * (2.0 * h) ** 2)
         bend = self._bend(weights) * h**2 / 8.0
         potential = np.zeros_like(fine)
         for last in range(1, fine.size):
@@ -279,7 +280,8 @@ class RampBound:
         cost[3 + 4 * count], cost[-1] = 1.0, 1.0
         late = [0.0 if check > 1.0 - early else 10.0 for check in self._checks]
         limits = [(0.0, 10.0)] * (2 * count) + [(0.0, most) for most in late + late]
-        bounds = [(-1.0, 1.0)] * 3 + limits + [(None, None), (0.0, 0.0)] + [(0.0, None)] * (nodes - 1)
+        sums_and_potentials = [(None, None), (0.0, 0.0)] + [(0.0, None)] * (nodes - 1)
+        bounds = [(-1.0, 1.0)] * 3 + limits + sums_and_potentials
         found = linprog(cost, A_ub=table, b_ub=np.zeros(len(table)), bounds=bounds, method="highs")
         if found.x is None:
             return np.zeros(3 + 4 * count)

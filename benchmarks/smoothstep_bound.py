@@ -44,7 +44,7 @@ def _transition(item: dict[str, Any]) -> Transition:
 
 
 def _distribution(ours: np.ndarray, bounds: np.ndarray) -> Section:
-    rows = {"asked for": TARGETS}
+    rows: dict[str, tuple[float, ...]] = {"asked for": TARGETS}
     for name, ratios in (("segfmu", ours), ("no planner is below", bounds)):
         rows[name] = tuple(float(np.quantile(ratios, level)) for level in (0.5, 0.95, 1.0))
     records: list[Record] = [
