@@ -123,7 +123,7 @@ def offsets(problem: ScaledTransition, checks: FloatArray, early: float) -> Floa
 
 
 class RampBound:
-    """Excludes durations: linear programs propose multipliers, a finer grid certifies them."""
+    """Excludes durations: linear programs propose multipliers, a finer grid certifies."""
 
     def __init__(self, intervals: int = 32, refinement: int = 12) -> None:
         """Multipliers at the inner nodes of `intervals`; certified on `refinement` times more."""
@@ -244,7 +244,7 @@ class RampBound:
             for t in (self._fine[:-1], self._fine[1:])
         )
         velocity = float(weights[3 + 2 * self._checks.size :].sum())
-        return 2.0 * (slope + 6.0 * AHEAD * abs(weights[2]) + LEAD_CURVATURE * velocity)
+        return 2.0 * (slope + 6.0 * AHEAD * abs(float(weights[2])) + LEAD_CURVATURE * velocity)
 
     def _net(self, weights: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Multipliers of the upper less those of the lower limits: acceleration, velocity."""
