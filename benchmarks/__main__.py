@@ -21,7 +21,7 @@ PARTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "e": ("growth", ()),
     "f": ("evaluation", ()),
     "g": ("fmu_steps", ()),
-    "h": ("smoothstep_bound", ()),
+    "h": ("ramp_limits", ()),
 }
 
 LIST = ", ".join(f"{letter} {module}" for letter, (module, _) in PARTS.items())

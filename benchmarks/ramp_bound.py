@@ -1,86 +1,25 @@
-"""Certified lower bounds on the duration of one axis with the paper's smoothstep ramps, n = 4.
+"""Certified lower bounds on the duration of one axis whose acceleration is ramps and holds, n = 4.
 
-They hold for every profile whose acceleration is a finite sequence of ramps (11), (12) and holds,
-however many, however slow. The argument is in docs/planner.md ("What smoothstep can reach").
+They hold for every profile that is a finite sequence of ramps of a class and holds, however many,
+however slow. The argument is in docs/planner.md ("What ramps can reach").
 
-Units here: the duration T is 1, and the largest mean slope of a ramp that the limits admit is 1.
-A profile is its slopes u over its ramps; b is the acceleration with straight ramps of the same
-ends. The multipliers, in this order, belong to: acceleration, velocity and position at the end;
-upper and lower acceleration limit, upper and lower velocity limit at the `checks` times.
+Units are those of `ramp_shapes.py`. A profile is its slopes u over its ramps. The multipliers, in
+this order, belong to: acceleration, velocity and position at the end; upper and lower acceleration
+limit, upper and lower velocity limit at the `checks` times.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
-from numpy.polynomial import Polynomial
 from numpy.typing import NDArray
 from scipy.optimize import linprog
 
 from benchmarks.optimal_control import Transition
+from benchmarks.ramp_shapes import AHEAD, LEAD_CURVATURE, Ramps, ScaledTransition, scaled
 
 FloatArray = NDArray[np.float64]
-RAMP = Polynomial([0.0, 0.0, 0.0, 10.0, -15.0, 6.0])
-STRAIGHT = Polynomial([0.0, 1.0])
-# peaks of the first two derivatives (errata E3)
-SLOPE = float(RAMP.deriv()(0.5))
-CURVATURE = float(np.abs(RAMP.deriv(2)(RAMP.deriv(3).roots())).max())
-# velocity that a straight ramp of height and duration 1 gains ahead of the curved one
-LEAD = (STRAIGHT - RAMP).integ()
-# and the position it ends ahead: 1/42
-AHEAD = float(LEAD.integ()(1.0))
-# above |d^2/ds^2| and |d^2/de^2| of (e - s)^2 LEAD((t - s) / (e - s))
-LEAD_CURVATURE = 1.5
 # certificates have to show more than rounding can
 MARGIN = 1e-9
-
-
-@dataclass(frozen=True, eq=False)
-class ScaledTransition:
-    """Boundary problem in the units of this module.
-
-    Attributes
-    ----------
-    v, a, w, b : float
-        Velocity and acceleration at start and end.
-    distance, velocity, acceleration : float
-        Distance and limits.
-    jerk, snap : float
-        A ramp of duration tau has a slope of at most min(jerk, snap tau).
-    """
-
-    v: float
-    a: float
-    w: float
-    b: float
-    distance: float
-    velocity: float
-    acceleration: float
-    jerk: float
-    snap: float
-
-    def slopes(self, shortest: FloatArray, longest: FloatArray) -> FloatArray:
-        """Largest |slope| of ramps whose durations lie in these ranges."""
-        ramps = np.minimum(self.jerk, self.snap * longest)
-        # the ends of a ramp are no farther apart than the acceleration limits
-        with np.errstate(divide="ignore"):
-            wide = np.where(shortest > 0.0, 2.0 * self.acceleration / shortest, np.inf)
-        return np.asarray(np.minimum(ramps, wide), dtype=np.float64)
-
-
-def scaled(transition: Transition, duration: float) -> ScaledTransition:
-    """The transition in units of the duration and of the steepest slope."""
-    velocity, acceleration, jerk, snap = transition.limits
-    steepest, curved = jerk / SLOPE, snap / CURVATURE * duration
-    slope = min(steepest, curved)
-    a = slope * duration
-    v, y = a * duration, a * duration**2
-    start, end = transition.start, transition.end
-    return ScaledTransition(
-        start[1] / v, start[2] / a, end[1] / v, end[2] / a, (end[0] - start[0]) / y,
-        velocity / v, acceleration / a, steepest / slope, curved / slope,
-    )
 
 
 def effects(times: FloatArray, checks: FloatArray) -> FloatArray:
@@ -96,11 +35,11 @@ def effects(times: FloatArray, checks: FloatArray) -> FloatArray:
     return np.hstack([*ends, -before, before, -rates, rates])
 
 
-def leads(start: FloatArray, end: FloatArray, check: FloatArray) -> FloatArray:
+def leads(ramps: Ramps, start: FloatArray, end: FloatArray, check: FloatArray) -> FloatArray:
     """Velocity at the time `check` that a straight ramp of slope 1 is ahead of the curved one."""
     duration = end - start
     share = np.clip((check - start) / np.maximum(duration, 1e-300), 0.0, 1.0)
-    return np.asarray(duration**2 * LEAD(share), dtype=np.float64)
+    return np.asarray(duration**2 * ramps.lead(share), dtype=np.float64)
 
 
 def offsets(problem: ScaledTransition, checks: FloatArray, early: float) -> FloatArray:
@@ -125,8 +64,9 @@ def offsets(problem: ScaledTransition, checks: FloatArray, early: float) -> Floa
 class RampBound:
     """Excludes durations: linear programs propose multipliers, a finer grid certifies."""
 
-    def __init__(self, intervals: int = 32, refinement: int = 12) -> None:
+    def __init__(self, ramps: Ramps, intervals: int = 32, refinement: int = 12) -> None:
         """Multipliers at the inner nodes of `intervals`; certified on `refinement` times more."""
+        self._ramps = ramps
         self._nodes = np.arange(intervals + 1) / intervals
         self._checks = self._nodes[1:-1]
         self._first, self._last = np.triu_indices(intervals + 1, 1)
@@ -193,32 +133,36 @@ class RampBound:
         sums = effects(fine, self._checks) @ weights
         rates = self._rates(weights)
         # within two cells: a ramp adds at most its slope times the integral of |rate|
-        near = problem.slopes(np.zeros(1), np.full(1, 2.0 * h))[0]
+        near = self._ramps.slopes(problem, np.zeros(1), np.full(1, 2.0 * h))[0]
         least = h * near * (rates + abs(weights[2]) * AHEAD * (2.0 * h) ** 2)
         bend = self._bend(weights) * h**2 / 8.0
         potential = np.zeros_like(fine)
         for last in range(1, fine.size):
             start = fine[:last]
             duration = fine[last] - start
-            slopes = problem.slopes(duration - 2.0 * h * (1.0 + 1e-9), duration + 2.0 * h)
-            up, down = self._added(sums[last] - sums[:last], start, fine[last], weights)
-            gains = slopes * (np.maximum(np.maximum(up, down), 0.0) + bend)
+            slopes = self._ramps.slopes(
+                problem, duration - 2.0 * h * (1.0 + 1e-9), duration + 2.0 * h
+            )
+            up, down = self._rising(sums[last] - sums[:last], start, fine[last], weights)
+            gains = np.maximum(
+                self._ramps.best(problem, up, weights[2], duration, slopes),
+                self._ramps.best(problem, down, -weights[2], duration, slopes),
+            ) + slopes * bend
             potential[last] = max(
                 float(np.max(potential[:last] + gains)), potential[last - 1] + least[last - 1]
             )
         return float(potential[-1])
 
-    def _added(
+    def _rising(
         self, straight: FloatArray, start: FloatArray, end: float, weights: FloatArray
     ) -> tuple[FloatArray, FloatArray]:
-        """What ramps of slope 1 and -1 add, with the velocity where the limits hold."""
-        value = straight - weights[2] * AHEAD * (end - start) ** 3
-        up, down = value, -value
+        """What straight ramps of slope 1 and -1 add, with the velocity where the limits hold."""
+        up, down = straight, -straight
         count = self._checks.size
         upper, lower = weights[3 + 2 * count : 3 + 3 * count], weights[3 + 3 * count :]
         for k in np.flatnonzero(upper + lower):
             # the larger of straight and curved velocity keeps the upper limit
-            lead = leads(start, np.asarray(end), self._checks[k])
+            lead = leads(self._ramps, start, np.asarray(end), self._checks[k])
             up, down = up - lower[k] * lead, down - upper[k] * lead
         return up, down
 
@@ -252,12 +196,11 @@ class RampBound:
         return pairs[0, 0] - pairs[0, 1], pairs[1, 0] - pairs[1, 1]
 
     def _edge_rows(self) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """What a ramp of slope 1, or -1, from node to node adds per multiplier; the potentials."""
+        """What straight ramps of slope 1, and -1, from node to node add; the potentials."""
         table = effects(self._nodes, self._checks)
         straight = table[self._last] - table[self._first]
         start, end = self._nodes[self._first], self._nodes[self._last]
-        straight[:, 2] -= AHEAD * (end - start) ** 3
-        lead = leads(start[:, None], end[:, None], self._checks)
+        lead = leads(self._ramps, start[:, None], end[:, None], self._checks)
         none = np.zeros((start.size, 3 + 2 * self._checks.size))
         up = straight - np.hstack([none, 0.0 * lead, lead])
         down = -straight - np.hstack([none, lead, 0.0 * lead])
@@ -267,11 +210,15 @@ class RampBound:
     def _propose(self, problem: ScaledTransition, early: float) -> FloatArray:
         """Multipliers with the smallest sum if ramps ended at the nodes alone."""
         up, down, rises = self._rows
-        duration = (self._nodes[self._last] - self._nodes[self._first])[:, None]
-        slopes = problem.slopes(duration, duration)
+        duration = self._nodes[self._last] - self._nodes[self._first]
         count, nodes = self._checks.size, self._nodes.size
         free = np.zeros((rises.shape[0], 1))
-        rows = [np.hstack([slopes * side, free, -rises]) for side in (up, down)]
+        rows = []
+        for slopes, ahead in self._ramps.samples(problem, duration):
+            for side, sign in ((up, 1.0), (down, -1.0)):
+                curved = side.copy()
+                curved[:, 2] -= sign * ahead
+                rows.append(np.hstack([slopes[:, None] * curved, free, -rises]))
         for end in (0.0, early):
             sums = offsets(problem, self._checks, end)
             rows.append(np.concatenate([sums, [-1.0], np.zeros(nodes)])[None, :])
