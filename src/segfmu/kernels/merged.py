@@ -127,20 +127,28 @@ def tempered_form(
     e_outside = velocity_excess(phases, count, v, velocity_limit, velocity_limit, ramp) + margin
     if e_outside <= margin + rounding:
         return count
-    inside = max(a, b)
+    sign = 1.0
     if reverse != mirror:
-        inside = -min(a, b)
-    inside = max(inside, 0.001 * top)
-    count = merged_form(
-        phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, inside, top, ramp
-    )
-    if count <= 0:
+        sign = -1.0
+    outside = 0.0
+    for i in range(count):
+        outside = max(outside, sign * phases[i, 2])
+    lowest = max(sign * a, max(sign * b, 0.001 * top))
+    # not every level below the first one may have a member
+    inside = lowest
+    count = 0
+    e_inside = 0.0
+    for i in range(8):
+        inside = lowest + (outside - lowest) * i / 8.0
+        count = merged_form(
+            phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, inside, top, ramp
+        )
+        if count > 0:
+            e_inside = velocity_excess(phases, count, v, 0.0, velocity_limit, ramp) + margin
+            break
+    if count <= 0 or e_inside > margin + rounding:
         return 0
-    e_inside = velocity_excess(phases, count, v, 0.0, velocity_limit, ramp) + margin
-    if e_inside > margin + rounding:
-        return 0
-    outside = top
-    before = top
+    before = outside
     e_before = e_outside
     newest_inside = True
     # a boundary state can hold the excess near zero, whatever the level; then it only says whether

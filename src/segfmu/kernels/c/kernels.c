@@ -2157,9 +2157,12 @@ static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, 
     double rounding;
     double margin;
     double e_outside;
+    double sign;
+    double outside;
+    int64_t i;
+    double lowest;
     double inside;
     double e_inside;
-    double outside;
     double before;
     double e_before;
     bool newest_inside;
@@ -2182,24 +2185,36 @@ static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, 
     {
         return count;
     }
-    inside = span_max(a, b);
+    sign = 1.0;
     if (reverse != mirror)
     {
-        inside = -span_min(a, b);
+        sign = -1.0;
     }
-    inside = span_max(inside, 0.001 * top);
-    count = merged_form(phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, inside, top, ramp);
-    if (count <= INT64_C(0))
+    outside = 0.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        outside = span_max(outside, sign * (*cspan_at(&phases, i, INT64_C(2))));
+    }
+    lowest = span_max(sign * a, span_max(sign * b, 0.001 * top));
+    /*not every level below the first one may have a member*/
+    inside = lowest;
+    count = INT64_C(0);
+    e_inside = 0.0;
+    for (i = INT64_C(0); i < INT64_C(8); i += INT64_C(1))
+    {
+        inside = lowest + (outside - lowest) * i / 8.0;
+        count = merged_form(phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, inside, top, ramp);
+        if (count > INT64_C(0))
+        {
+            e_inside = velocity_excess(phases, count, v, 0.0, velocity_limit, ramp) + margin;
+            break;
+        }
+    }
+    if ((count <= INT64_C(0)) || (e_inside > margin + rounding))
     {
         return INT64_C(0);
     }
-    e_inside = velocity_excess(phases, count, v, 0.0, velocity_limit, ramp) + margin;
-    if (e_inside > margin + rounding)
-    {
-        return INT64_C(0);
-    }
-    outside = top;
-    before = top;
+    before = outside;
     e_before = e_outside;
     newest_inside = 1;
     /*a boundary state can hold the excess near zero, whatever the level; then it only says whether*/
