@@ -185,7 +185,7 @@ static bool follow_parameters(instance *c)
 bool glue_evaluate(instance *c)
 {
     model *m = c->model;
-    char message[MESSAGE] = "";
+    char message[MESSAGE];
     if (m->mode == MODE_INITIALISATION && !m->initialised && !follow_parameters(c)) {
         return false;
     }
@@ -255,7 +255,7 @@ bool glue_begin_step(instance *c, double time, double step)
 
 bool glue_continue_step(instance *c, double end, bool *event)
 {
-    char message[MESSAGE] = "";
+    char message[MESSAGE];
     double next = model_next_event(c->model);
     *event = next <= end;
     if (!model_advance(c->model, *event ? next : end, message)) {
