@@ -39,7 +39,7 @@ void glue_free(instance *c);
 /* Back to the start values, mode INSTANTIATED. */
 void glue_reset(instance *c);
 
-/* Errors are always reported, the rest where logging is on. */
+/* Errors and warnings are always reported, the rest where logging is on. */
 void glue_log(instance *c, int status, const char *format, ...);
 
 /* Whether a call is allowed: c exists and is in one of the modes; reports what is wrong. */

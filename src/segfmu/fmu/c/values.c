@@ -127,7 +127,7 @@ static void touch(instance *c, bool tunable)
 }
 
 /* Whether all values are finite; reports the first one that is not. */
-static bool finite(instance *c, const uint32_t references[], const double values[], size_t size)
+static bool all_finite(instance *c, const uint32_t references[], const double values[], size_t size)
 {
     size_t place = 0, behind = 0;
     while (place < size && isfinite(values[place])) {
@@ -147,7 +147,7 @@ static bool finite(instance *c, const uint32_t references[], const double values
 bool glue_set_reals(instance *c, const uint32_t references[], size_t count, const double values[],
                     size_t size)
 {
-    if (!finite(c, references, values, size)) {
+    if (!all_finite(c, references, values, size)) {
         return false;
     }
     double *real = c->model->real;
