@@ -1,4 +1,4 @@
-"""What native FMUs say of a crane that the table of gains was not made for."""
+"""What native FMUs say of a crane that the table of gains, or the interface, is not for."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from fmpy.fmi1 import FMICallException
 
 from tests.fmu.importer import Importer
 
@@ -72,3 +73,22 @@ def test_the_status_is_that_of_a_warning(native_fmus, fmi: int) -> None:
         unit.set({"crane.trolley_mass": 3.0})
         unit.initialise()
         assert unit.categories == [(1, "logStatusWarning")]
+
+
+@pytest.mark.parametrize("fmi", [2, 3])
+def test_model_exchange_names_the_velocity_drive_without_a_lag(native_fmus, fmi: int) -> None:
+    path = native_fmus[fmi][1]
+    lags = {f"drive.{n}.lag": 0.05 for n in ("bridge", "trolley", "hoist")}
+    values = {"drive.mode": "velocity", "feedback.design": "flatness"}
+    for drive in ("bridge", "trolley", "hoist"):
+        with Importer(path, "ModelExchange") as unit:
+            unit.set(values | lags | {f"drive.{drive}.lag": 0.0})
+            with pytest.raises(FMICallException):
+                unit.initialise()
+            assert unit.messages == [
+                f"initialisation failed: in model exchange with drive.mode velocity, "
+                f"drive.{drive}.lag must be above 0 s, as without lag the acceleration does not "
+                "follow from the setpoints; set a lag, or use co-simulation"
+            ]
+    # both ways out
+    assert said(path, values | lags, "ModelExchange") == said(path, values) == []
