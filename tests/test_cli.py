@@ -6,7 +6,9 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
+from fmpy import read_model_description
 
 from segfmu import cli
 
@@ -92,6 +94,9 @@ MALFORMED = {
         "rope_min",
     ),
     "step is zero": (GOOD + "[simulation]\nstep = 0.0\n", "simulation.step"),
+    "unknown feedback source": (
+        GOOD + '[simulation]\nfeedback_source = "camera"\n', "simulation.feedback_source",
+    ),
     "crane file missing": ('crane = "nowhere.toml"\n' + LIMITS + POINTS, "nowhere.toml"),
     "waypoints are no list": ("waypoints = 3\n" + CRANE + LIMITS, "waypoints"),
     "limits are a number": ("limits = 3\n" + CRANE + POINTS, "limits"),
@@ -170,6 +175,42 @@ def test_failed_verdict_gives_code_1(tmp_path, monkeypatch, capsys) -> None:
     )
     assert code == 1
     assert "failed" in printed
+
+
+@pytest.mark.parametrize("backend", ["native", "python"])
+def test_build_takes_the_feedback_source_of_the_mission(
+    backend: str, tmp_path, monkeypatch, capsys
+) -> None:
+    starts = {}
+    for source, text in (("default", ""), ("measured", 'feedback_source = "measured"\n')):
+        mission = tmp_path / f"{source}.toml"
+        mission.write_text(GOOD + "[simulation]\n" + text, encoding="utf-8")
+        folder = tmp_path / source
+        code, _, _ = invoke(
+            monkeypatch, capsys, "build", str(mission), "-o", str(folder), "--backend", backend
+        )
+        assert code == 0
+        found = read_model_description(str(folder / "GantryCrane.fmu")).modelVariables
+        starts[source] = next(int(v.start) for v in found if v.name == "feedback.source")
+    # items of the enumeration: state, measured
+    assert starts == {"default": 1, "measured": 2}
+
+
+@pytest.mark.parametrize("source", ["state", "measured"])
+def test_simulate_takes_the_feedback_source_of_the_mission(
+    source: str, tmp_path, monkeypatch, capsys
+) -> None:
+    mission = tmp_path / "mission.toml"
+    simulation = f'[simulation]\nstep = 0.005\nfeedback_source = "{source}"\n'
+    mission.write_text(GOOD + simulation + "initial_sway = [1.0, 0.0]\n", encoding="utf-8")
+    out = tmp_path / "out"
+    invoke(monkeypatch, capsys, "simulate", str(mission), "-o", str(out))
+    rows = np.genfromtxt(out / "run.csv", delimiter=",", names=True, deletechars="")
+    estimates = rows["estimate.disturbance.bridge"]
+    # the observer runs from measured signals alone
+    assert np.any(estimates != 0.0) == (source == "measured")
+    # and either way the sway of 1 degree is damped, which without feedback it is not
+    assert np.abs(rows["sway.x.angle"][-100:]).max() < 2e-3
 
 
 def test_help_teaches(monkeypatch, capsys) -> None:

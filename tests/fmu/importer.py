@@ -27,6 +27,8 @@ class Importer:
         self.variables = {v.name: v for v in self.description.modelVariables}
         self.three = self.description.fmiVersion.startswith("3")
         self.messages: list[str] = []
+        # status and category of every message
+        self.categories: list[tuple[int, str]] = []
         self.kind = kind
         exchange = kind == "ModelExchange"
         kinds = (FMU3Slave, FMU3Model) if self.three else (FMU2Slave, FMU2Model)
@@ -35,16 +37,17 @@ class Importer:
             modelIdentifier=self.description.modelName, instanceName="one",
         )
         if self.three:
-            self._log = fmi3LogMessageCallback(lambda _, s, c, m: self._hear(m))
+            self._log = fmi3LogMessageCallback(lambda _, s, c, m: self._hear(m, s, c))
             self.fmu.instantiate(logMessage=self._log, loggingOn=True, **options)
         else:
             callbacks = fmi2CallbackFunctions()
-            self._log = fmi2CallbackLoggerTYPE(lambda _, n, s, c, m: self._hear(m))
+            self._log = fmi2CallbackLoggerTYPE(lambda _, n, s, c, m: self._hear(m, s, c))
             callbacks.logger = self._log
             self.fmu.instantiate(callbacks=callbacks, loggingOn=True)
 
-    def _hear(self, message: bytes) -> None:
+    def _hear(self, message: bytes, status: int, category: bytes) -> None:
         self.messages.append(message.decode())
+        self.categories.append((status, category.decode()))
 
     def __enter__(self) -> Importer:
         return self

@@ -13,7 +13,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.optimize import minimize_scalar
 
 from segfmu.crane.inverse import FlatInverse
 from segfmu.crane.parameters import Crane
@@ -195,6 +194,10 @@ def _peaks(inverse: FlatInverse, bounds: FloatArray) -> tuple[FloatArray, FloatA
     """Peak of every quantity and its time; refined where it comes near its bound."""
     end = inverse.trajectory.duration
     times = np.linspace(0.0, end, SAMPLES)
+    # it loads a module that frees memory twice when an embedded interpreter ends, SciPy's _uarray;
+    # an FMU on PythonFMU ends that of its importer
+    from scipy.optimize import minimize_scalar
+
     values = _quantities(inverse, times)
     at = values.argmax(axis=0)
     peaks, moments = values[at, np.arange(at.size)], times[at]

@@ -15,8 +15,8 @@ from pathlib import Path
 from segfmu.errors import BuildError
 
 OPTIONS = (
-    "-std=c99", "-O2", "-DNDEBUG", "-ffp-contract=off", "-fvisibility=hidden",
-    "-ffunction-sections", "-fdata-sections",
+    "-std=c99", "-O3", "-DNDEBUG", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math",
+    "-fvisibility=hidden", "-ffunction-sections", "-fdata-sections",
 )
 # what the glue and the models, written by hand, must pass
 WARNINGS = ("-Wall", "-Wextra", "-Wpedantic", "-Werror")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from abc import abstractmethod
+from pathlib import Path
 from typing import Any, ClassVar
 
 from pythonfmu import Fmi2Slave
@@ -10,6 +11,7 @@ from pythonfmu.enums import Fmi2Status
 
 from segfmu.crane import Crane
 from segfmu.errors import InputError, SegfmuError
+from segfmu.fmu.release import release_at_exit
 from segfmu.fmu.spec import Spec, Value
 
 KINDS = {
@@ -34,6 +36,8 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
     def __init__(self, **kwargs: Any) -> None:
         super().__init__(**kwargs)
         self.modelName = self.spec.name
+        folder = Path(kwargs.get("resources") or "").parent
+        release_at_exit(folder / "binaries" / "linux64" / f"{self.spec.name}.so")
         self._values: list[Value] = [
             0 if v.start is None else v.start for v in self.spec.variables
         ]

@@ -15,11 +15,10 @@ Parameters (37), triples in the order bridge, trolley, rope; 0 where a bound or 
     28:31  constant wind [N]         31  start of the gust [s]  32  its duration [s]
     33     its shape, 0: 1 - cosine, 1: half a sine             34:37  its force [N]
 
-Work space (16, 13): 0:7 derivatives of the stages, 7 trial state, 8 coefficients of the pair,
-and in 8, 7 the step to try first (0: the whole interval), kept for the next call; 9 generalised
-forces, 10 results as in `driven_derivative` and, from 9 on, its flags at the step's start, 11 wind,
-12:14 position and velocity of the load, and in 12 the error, 14 commands and accelerations, 15
-friction and scratch.
+Work space (16, 13): 0:7 derivatives of the stages, 7 trial state; in 8, 7 the step to try first (0:
+the whole interval), kept for the next call; 9 generalised forces, 10 results as in
+`driven_derivative` and, from 9 on, its flags at the step's start, 11 wind, 12:14 position and
+velocity of the load, 14 commands and accelerations, 15 friction and scratch.
 """
 
 from segfmu.kernels._crane import crane_load
@@ -29,7 +28,13 @@ from segfmu.kernels.drives import (
     friction_force,
     wind_force,
 )
-from segfmu.kernels.integrate import all_finite, error_weights, next_step, stage_row
+from segfmu.kernels.integrate import (
+    all_finite,
+    next_step,
+    stage_node,
+    stage_state,
+    step_error,
+)
 
 
 def plant_derivative(
@@ -70,15 +75,6 @@ def plant_derivative(
         derivative[12] = derivative[12] + work[15, i] * state[5 + i]
 
 
-def add_stages(h: float, count: int, work: 'float[:,:]', total: 'float[:]') -> None:
-    """Add the derivatives of the first stages, weighted by work[8, :] and the step h."""
-    for j in range(count):
-        weight = h * work[8, j]
-        if weight != 0.0:
-            for i in range(13):
-                total[i] = total[i] + weight * work[j, i]
-
-
 def first_stage(work: 'float[:,:]') -> None:
     """Take the last stage of a step, at its end, as the first one of the next step."""
     for i in range(13):
@@ -104,28 +100,19 @@ def plant_attempt(
     work[0, :] is the derivative at its start.
     """
     for stage in range(1, 7):
-        node = stage_row(stage, work[8, :])
-        for i in range(13):
-            work[7, i] = state[i]
-        add_stages(h, stage, work, work[7, :])
+        # the energies have no part in the derivatives
+        count = 10
+        if stage == 6:
+            count = 13
+        stage_state(stage, h, count, state, work, work[7, :])
         # a stage out of all bounds is a step that was much too long
-        if not all_finite(work[7, :], 13):
+        if not all_finite(work[7, :], count):
             return 1e100
         plant_derivative(
-            parameters, components, time, elapsed + node * h, work[7, :], command, rate,
-            load_force, work, work[stage, :],
+            parameters, components, time, elapsed + stage_node(stage) * h, work[7, :], command,
+            rate, load_force, work, work[stage, :],
         )
-    error_weights(work[8, :])
-    for i in range(13):
-        work[12, i] = 0.0
-    add_stages(h, 7, work, work[12, :])
-    error = 0.0
-    for i in range(13):
-        size = 1.0 + max(abs(state[i]), abs(work[7, i]))
-        error = max(error, abs(work[12, i]) / size)
-    if not error < 1e100:
-        return 1e100
-    return error
+    return step_error(h, 13, state, work[7, :], work)
 
 
 def plant_advance(

@@ -98,6 +98,7 @@ class SimulationEntry(_Strict):
     step: Annotated[Number, Field(gt=0.0, le=0.1)] = 0.001
     settle: NotNegative = 3.0
     feedback: bool = True
+    feedback_source: Literal["state", "measured"] = "state"
     drive: Literal["force", "velocity"] = "force"
     initial_sway: Annotated[
         list[Annotated[Number, Field(ge=-45.0, le=45.0)]], Field(min_length=2, max_length=2)

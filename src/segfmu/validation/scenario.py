@@ -69,6 +69,7 @@ def crane_values(mission: Mission) -> dict[str, float | str]:
             "sway.y.angle": radians(sway_y),
             "drive.mode": mission.simulation.drive,
             "feedback.enabled": float(mission.simulation.feedback),
+            "feedback.source": mission.simulation.feedback_source,
         }
     )
     return values

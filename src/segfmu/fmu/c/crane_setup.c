@@ -49,7 +49,8 @@ static bool set_parameters(crane *m, char message[MESSAGE])
         }
         if (driven(m) && p[5 + i] == 0.0 && m->base.interface != 1) {
             return say(message, "in model exchange with drive.mode velocity, drive.%s.lag must be "
-                       "above 0 s; without lag the acceleration does not follow from the setpoints",
+                       "above 0 s, as without lag the acceleration does not follow from the "
+                       "setpoints; set a lag, or use co-simulation",
                        i == 2 ? "hoist" : axes[i]);
         }
     }

@@ -173,7 +173,7 @@ fmi2Status fmi2SetReal(fmi2Component component, const fmi2ValueReference referen
     instance *c = component;
     ALLOW(ALIVE);
     return status(glue_settable(c, __func__, references, count, values, count, REALS)
-                  && glue_set_reals(c, references, count, values));
+                  && glue_set_reals(c, references, count, values, count));
 }
 
 static fmi2Status set_integers(instance *c, const char *function,

@@ -89,7 +89,7 @@ fmi3Status fmi3SetFloat64(fmi3Instance self, const fmi3ValueReference references
     instance *c = self;
     ALLOW(ALIVE);
     return status(glue_settable(c, __func__, references, count, values, size, 1 << KIND_REAL)
-                  && glue_set_reals(c, references, count, values));
+                  && glue_set_reals(c, references, count, values, size));
 }
 
 fmi3Status fmi3GetBinary(fmi3Instance self, const fmi3ValueReference references[], size_t count,

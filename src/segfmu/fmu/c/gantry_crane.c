@@ -103,28 +103,38 @@ bool model_initialise(model *base, char message[MESSAGE])
 
 /* ---- co-simulation ---- */
 
-/* Setpoints at a time within the step; inputs are those at its end, or at its beginning where
-   their slopes are given. */
-static void read_setpoints(crane *m, double time)
+/* Inputs at the present time, the last step's end, and at a time within the step: inputs are those
+   at the step's end, or at its beginning where their slopes are given. */
+static void read_inputs(const crane *m, double time, double start[], double end[])
 {
     const model *base = &m->base;
     double now = base->real[V_TIME], share = (time - now) / (base->step_end - now);
-    crane_read_inputs(m);
-    for (int i = 0; i < V_WIND_X; i++) {
-        double start = m->input[i], end = base->real[i];
-        if (base->sloped) {
-            start = end + base->slope[i] * (now - base->step_start);
-            end = end + base->slope[i] * (time - base->step_start);
-        } else if (time < base->step_end) {
-            end = start + (end - start) * share;
+    memcpy(start, m->input, V_WIND_X * sizeof *start);
+    memcpy(end, base->real, V_WIND_X * sizeof *end);
+    if (base->sloped) {
+        for (int i = 0; i < V_WIND_X; i++) {
+            start[i] = base->real[i] + base->slope[i] * (now - base->step_start);
+            end[i] = base->real[i] + base->slope[i] * (time - base->step_start);
         }
-        m->slope[i] = (end - start) / (time - now);
-        m->input[i] = end;
-        if (i < V_REFERENCE_LOAD_POSITION_X) {
-            row(m, ROW_LAST)[i] = start;
-            m->setpoints[i] = end;
+    } else if (time < base->step_end) {
+        for (int i = 0; i < V_WIND_X; i++) {
+            end[i] = start[i] + (end[i] - start[i]) * share;
         }
     }
+}
+
+/* Setpoints at a time within the step. */
+static void read_setpoints(crane *m, double time)
+{
+    double start[V_WIND_X], end[V_WIND_X], duration = time - m->base.real[V_TIME];
+    crane_read_inputs(m);
+    read_inputs(m, time, start, end);
+    for (int i = 0; i < V_WIND_X; i++) {
+        m->slope[i] = (end[i] - start[i]) / duration;
+    }
+    memcpy(m->input, end, sizeof end);
+    memcpy(row(m, ROW_LAST), start, V_REFERENCE_LOAD_POSITION_X * sizeof *start);
+    memcpy(m->setpoints, end, V_REFERENCE_LOAD_POSITION_X * sizeof *end);
 }
 
 bool model_advance(model *base, double time, char message[MESSAGE])

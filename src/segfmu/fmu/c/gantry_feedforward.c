@@ -59,6 +59,13 @@ bool model_initialise(model *base, char message[MESSAGE])
     return model_event(base, message);
 }
 
+bool model_warning(const model *m, char message[MESSAGE])
+{
+    (void)m;
+    (void)message;
+    return false;
+}
+
 /* ---- events ---- */
 
 double model_next_event(const model *base)

@@ -19,7 +19,7 @@ static const char *const CATEGORIES[] = {
 
 void glue_log(instance *c, int status, const char *format, ...)
 {
-    if (c->report == NULL || (status < STATUS_ERROR && !c->logging)) {
+    if (c->report == NULL || (status == STATUS_DISCARD && !c->logging)) {
         return;
     }
     char message[2 * MESSAGE];
@@ -185,7 +185,7 @@ static bool follow_parameters(instance *c)
 bool glue_evaluate(instance *c)
 {
     model *m = c->model;
-    char message[MESSAGE] = "";
+    char message[MESSAGE];
     if (m->mode == MODE_INITIALISATION && !m->initialised && !follow_parameters(c)) {
         return false;
     }
@@ -219,7 +219,11 @@ bool glue_begin(instance *c, double start, bool has_stop, double stop)
 
 bool glue_initialise(instance *c)
 {
+    char message[MESSAGE];
     if ((c->model->initialised || follow_parameters(c)) && glue_evaluate(c)) {
+        if (model_warning(c->model, message)) {
+            glue_log(c, STATUS_WARNING, "%s", message);
+        }
         return true;
     }
     c->model->mode = MODE_FAILED;
@@ -255,7 +259,7 @@ bool glue_begin_step(instance *c, double time, double step)
 
 bool glue_continue_step(instance *c, double end, bool *event)
 {
-    char message[MESSAGE] = "";
+    char message[MESSAGE];
     double next = model_next_event(c->model);
     *event = next <= end;
     if (!model_advance(c->model, *event ? next : end, message)) {

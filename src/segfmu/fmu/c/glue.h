@@ -39,7 +39,7 @@ void glue_free(instance *c);
 /* Back to the start values, mode INSTANTIATED. */
 void glue_reset(instance *c);
 
-/* Errors are always reported, the rest where logging is on. */
+/* Errors and warnings are always reported, the rest where logging is on. */
 void glue_log(instance *c, int status, const char *format, ...);
 
 /* Whether a call is allowed: c exists and is in one of the modes; reports what is wrong. */
@@ -60,7 +60,8 @@ bool glue_settable(instance *c, const char *function, const uint32_t references[
 /* Number of elements of a variable. */
 size_t glue_elements(const instance *c, uint32_t reference);
 void glue_get_reals(const instance *c, const uint32_t references[], size_t count, double values[]);
-bool glue_set_reals(instance *c, const uint32_t references[], size_t count, const double values[]);
+bool glue_set_reals(instance *c, const uint32_t references[], size_t count, const double values[],
+                    size_t size);
 /* One integer, Boolean or enumeration. */
 int64_t glue_integer(const instance *c, uint32_t reference);
 bool glue_set_integer(instance *c, uint32_t reference, int64_t value);

@@ -65,6 +65,9 @@ int64_t model_rows(const model *m);
    has left a message of one line. */
 bool model_initialise(model *m, char message[MESSAGE]);
 
+/* What the user ought to know of parameters that can be followed; true with a message of one line. */
+bool model_warning(const model *m, char message[MESSAGE]);
+
 /* Make the outputs follow time, states and inputs. */
 bool model_evaluate(model *m, char message[MESSAGE]);
 

@@ -4,10 +4,14 @@
 
 #include "glue.h"
 
+static size_t elements_of(const instance *c, const variable *v)
+{
+    return v->columns == 0 ? 1 : (size_t)(model_rows(c->model) * v->columns);
+}
+
 size_t glue_elements(const instance *c, uint32_t reference)
 {
-    const variable *v = &model_variables[reference];
-    return v->columns == 0 ? 1 : (size_t)(model_rows(c->model) * v->columns);
+    return elements_of(c, &model_variables[reference]);
 }
 
 /* Modes in which a variable may be set. */
@@ -51,7 +55,7 @@ static bool usable(instance *c, const char *function, const uint32_t references[
                      kind_name(v->kind));
             return false;
         }
-        elements += glue_elements(c, references[i]);
+        elements += elements_of(c, v);
     }
     if (elements != size) {
         glue_log(c, STATUS_ERROR, "%s: the variables have %lu values, got %lu", function,
@@ -68,15 +72,15 @@ bool glue_readable(instance *c, const char *function, const uint32_t references[
         return false;
     }
     bool follows = false;
+    int early = 0;
     for (size_t i = 0; i < count; i++) {
         const variable *v = &model_variables[references[i]];
-        int early = v->setting == SET_NEVER ? MODE_INSTANTIATED | MODE_CONFIGURATION : 0;
-        if (v->calculated && !glue_allows(c, MODE_ANY & ~early, function)) {
-            return false;
+        if (v->calculated) {
+            follows = true;
+            early |= v->setting == SET_NEVER ? MODE_INSTANTIATED | MODE_CONFIGURATION : 0;
         }
-        follows = follows || v->calculated;
     }
-    return !follows || glue_evaluate(c);
+    return !follows || (glue_allows(c, MODE_ANY & ~early, function) && glue_evaluate(c));
 }
 
 bool glue_settable(instance *c, const char *function, const uint32_t references[], size_t count,
@@ -85,9 +89,10 @@ bool glue_settable(instance *c, const char *function, const uint32_t references[
     if (!usable(c, function, references, count, values, size, kinds)) {
         return false;
     }
+    const int64_t mode = c->model->mode;
     for (size_t i = 0; i < count; i++) {
         const variable *v = &model_variables[references[i]];
-        if ((modes_of(v->setting) & c->model->mode) == 0) {
+        if ((modes_of(v->setting) & mode) == 0) {
             glue_log(c, STATUS_ERROR, "%s: %s cannot be set %s", function, v->name,
                      v->setting == SET_NEVER ? "at all" : "now");
             return false;
@@ -98,41 +103,68 @@ bool glue_settable(instance *c, const char *function, const uint32_t references[
 
 void glue_get_reals(const instance *c, const uint32_t references[], size_t count, double values[])
 {
+    const double *real = c->model->real;
     for (size_t i = 0; i < count; i++) {
-        size_t elements = glue_elements(c, references[i]);
-        const double *own = &c->model->real[model_variables[references[i]].offset];
-        for (size_t k = 0; k < elements; k++) {
-            *values++ = own[k];
+        const variable *v = &model_variables[references[i]];
+        if (v->columns == 0) {
+            *values++ = real[v->offset];
+        } else {
+            size_t elements = elements_of(c, v);
+            memcpy(values, real + v->offset, elements * sizeof *values);
+            values += elements;
         }
     }
 }
 
-/* What follows from a variable is out of date. */
-static void touch(instance *c, const variable *v)
+/* What follows from variables is out of date. */
+static void touch(instance *c, bool tunable)
 {
     if ((c->model->mode & MODE_RUNNING) == 0) {
         c->model->initialised = 0;
     }
-    c->model->tuned |= v->setting == SET_TUNABLE;
+    c->model->tuned |= tunable;
     c->model->evaluated = 0;
 }
 
-bool glue_set_reals(instance *c, const uint32_t references[], size_t count, const double values[])
+/* Whether all values are finite; reports the first one that is not. */
+static bool all_finite(instance *c, const uint32_t references[], const double values[], size_t size)
 {
-    const double *value = values;
-    for (size_t i = 0; i < count; i++) {
-        for (size_t k = 0; k < glue_elements(c, references[i]); k++) {
-            if (!glue_finite(c, *value++, model_variables[references[i]].name)) {
-                return false;
-            }
-        }
+    size_t place = 0, behind = 0;
+    while (place < size && isfinite(values[place])) {
+        place++;
     }
+    if (place == size) {
+        return true;
+    }
+    const variable *v = NULL;
+    while (behind <= place) {
+        v = &model_variables[*references++];
+        behind += elements_of(c, v);
+    }
+    return glue_finite(c, values[place], v->name);
+}
+
+bool glue_set_reals(instance *c, const uint32_t references[], size_t count, const double values[],
+                    size_t size)
+{
+    if (!all_finite(c, references, values, size)) {
+        return false;
+    }
+    double *real = c->model->real;
+    bool tunable = false;
     for (size_t i = 0; i < count; i++) {
-        size_t elements = glue_elements(c, references[i]);
-        memcpy(&c->model->real[model_variables[references[i]].offset], values,
-               elements * sizeof *values);
-        values += elements;
-        touch(c, &model_variables[references[i]]);
+        const variable *v = &model_variables[references[i]];
+        if (v->columns == 0) {
+            real[v->offset] = *values++;
+        } else {
+            size_t elements = elements_of(c, v);
+            memcpy(real + v->offset, values, elements * sizeof *values);
+            values += elements;
+        }
+        tunable = tunable || v->setting == SET_TUNABLE;
+    }
+    if (count > 0) {
+        touch(c, tunable);
     }
     return true;
 }
@@ -151,7 +183,7 @@ bool glue_set_integer(instance *c, uint32_t reference, int64_t value)
         return false;
     }
     c->model->integer[v->offset] = value;
-    touch(c, v);
+    touch(c, v->setting == SET_TUNABLE);
     return true;
 }
 

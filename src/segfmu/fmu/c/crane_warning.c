@@ -1,0 +1,65 @@
+/* GantryCrane: whether the table of gains, made at the build, fits the crane that is set. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "crane.h"
+#include "say.h"
+
+/* the whole table lies side by side */
+enum { TABLE = V_FEEDBACK_TABLE_HOIST + 2 * MOST_LENGTHS - V_FEEDBACK_TABLE_LENGTH };
+typedef char table_is_one_block[TABLE == 11 * MOST_LENGTHS ? 1 : -1];
+
+/* Whether two values differ by more than what text leaves of a number. */
+static bool differ(double one, double other)
+{
+    return fabs(one - other) > 1e-9 * (fabs(one) + fabs(other));
+}
+
+static void add_name(char names[MESSAGE], const char *name)
+{
+    size_t used = strlen(names);
+    snprintf(names + used, MESSAGE - used, "%s%s", used > 0 ? ", " : "", name);
+}
+
+/* The parameters that have other values than those that the table was made for. */
+static void find_changed(const crane *m, char names[MESSAGE])
+{
+    static const struct { int place; const char *name; } made_for[] = {
+        {V_CRANE_BRIDGE_MASS, "crane.bridge_mass"}, {V_CRANE_TROLLEY_MASS, "crane.trolley_mass"},
+        {V_CRANE_GRAVITY, "crane.gravity"}, {V_FEEDBACK_SAMPLE_TIME, "feedback.sample_time"}
+    };
+    const double *real = m->base.real, *lengths = &real[V_FEEDBACK_TABLE_LENGTH];
+    double longest = lengths[m->base.integer[V_FEEDBACK_TABLE_COUNT] - 1];
+    names[0] = '\0';
+    for (size_t i = 0; i < sizeof made_for / sizeof *made_for; i++) {
+        if (differ(real[made_for[i].place], model_real_start[made_for[i].place])) {
+            add_name(names, made_for[i].name);
+        }
+    }
+    if (differ(nominal_payload(m), real[V_FEEDBACK_TABLE_PAYLOAD_MASS])) {
+        add_name(names, real[V_FEEDBACK_PAYLOAD_MASS] > 0.0 ? "feedback.payload_mass"
+                                                            : "crane.payload_mass");
+    }
+    if (real[V_ROPE_LENGTH] < lengths[0] || real[V_ROPE_LENGTH] > longest) {
+        add_name(names, "rope.length");
+    }
+}
+
+bool model_warning(const model *base, char message[MESSAGE])
+{
+    const double *table = &base->real[V_FEEDBACK_TABLE_LENGTH];
+    char names[MESSAGE];
+    /* a table that was set is for the crane of who has set it */
+    if (base->integer[V_FEEDBACK_DESIGN] == 2
+        || memcmp(table, &model_real_start[V_FEEDBACK_TABLE_LENGTH], TABLE * sizeof *table) != 0) {
+        return false;
+    }
+    find_changed((const crane *)base, names);
+    if (names[0] == '\0') {
+        return false;
+    }
+    say(message, "the gains of feedback.table, design lqr, were made for other values of %s; set "
+        "feedback.design to flatness, or build the FMU with these values", names);
+    return true;
+}
