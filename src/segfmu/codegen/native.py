@@ -23,9 +23,9 @@ TARGET = KERNELS / "c"
 MODULES = (
     "transition", "phases", "braking", "levels", "roots", "search", "cruise", "merged", "profile",
     "synchronize", "intervals", "plan", "evaluate", "expand", "check", "rope", "feedback",
-    "matrices", "kalman", "observer", "tracking", "compensation", "_crane", "_partials", "series",
-    "integrate", "noise", "drives", "plant", "sensing", "events", "loop", "rig", "exchange",
-    "partials",
+    "matrices", "kalman", "observer", "offset", "tracking", "compensation", "_crane", "_partials",
+    "series", "integrate", "noise", "drives", "plant", "sensing", "events", "loop", "rig",
+    "exchange", "partials",
 )
 # what C programs and the compiled extension may call
 ENTRY_POINTS = (

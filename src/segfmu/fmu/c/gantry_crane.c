@@ -138,7 +138,7 @@ bool model_advance(model *base, double time, char message[MESSAGE])
         vector(m->loop, 4), vector(m->sensors, SENSORS),
         matrix(m->components, m->count_components, 7), matrix(m->changes, m->count_changes, 2),
         vector(m->tracking, TRACKING), vector(m->nodes, m->count_nodes), observer_of(m),
-        vector(m->lengths, m->count_lengths), gains_of(m), matrix(m->tracker, 9, STATE),
+        vector(m->lengths, m->count_lengths), gains_of(m), matrix(m->tracker, MEMORY, STATE),
         vector(m->setpoints, SETPOINTS),
         time - base->real[V_TIME], memory_of(m));
     memcpy(m->derivative, row(m, ROW_DERIVATIVE), sizeof m->derivative);
@@ -185,7 +185,7 @@ bool model_event(model *base, char message[MESSAGE])
                      matrix(m->changes, m->count_changes, 2), vector(m->tracking, TRACKING),
                      vector(m->nodes, m->count_nodes), observer_of(m),
                      vector(m->lengths, m->count_lengths), gains_of(m),
-                     matrix(m->tracker, 9, STATE), vector(m->setpoints, SETPOINTS),
+                     matrix(m->tracker, MEMORY, STATE), vector(m->setpoints, SETPOINTS),
                      crane_elapsed(m), memory_of(m));
     find_rates(m);
     for (int i = 0; i < 3; i++) {
