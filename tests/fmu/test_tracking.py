@@ -47,6 +47,7 @@ OUTPUTS = (
     *gantry_crane.STATE, *(f"measured.{n}" for n in SIGNALS), "drive.bridge.force",
     "drive.hoist.force", "energy.drives", "estimate.payload_mass", "estimate.disturbance.bridge",
     "estimate.disturbance.hoist", "estimate.disturbance.load.y",
+    "estimate.rope_offset",
 )
 
 
@@ -67,7 +68,7 @@ class Loop:
         return np.array([
             *self.plant.state, *self.plant.measured, *self.plant.drive_force[[0, 2]],
             self.plant.balance.drives, self.controller.payload, found[0, 0], found[0, 2],
-            found[1, 1],
+            found[1, 1], self.controller.offset,
         ])
 
 

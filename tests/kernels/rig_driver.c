@@ -57,7 +57,7 @@ static rig read_rig(void)
     if (scanf("%ld %ld %ld %ld", &components, &changes, &rows, &steps) != 4) {
         exit(2);
     }
-    r.loop = vector(4);
+    r.loop = vector(5);
     r.sensors = vector(18);
     r.parameters = vector(37);
     r.state = vector(10);

@@ -36,7 +36,7 @@ ENTRY_POINTS = (
     "compensate_setpoints", "crane_rhs", "crane_driven", "crane_flat_inverse", "flat_derivatives",
     "crane_load", "crane_energy", "plant_advance",
     "seed_numbers", "next_uniform", "noise_components", "measure_state",
-    "rig_rows", "rig_start", "rig_step", "rig_balance", "rig_imbalance",
+    "switch_correction", "rig_rows", "rig_start", "rig_step", "rig_balance", "rig_imbalance",
     "rig_next_event", "rig_event", "rig_signals", "rig_rates", "rig_partials",
     "crane_load_partials", "crane_energy_partials",
 )

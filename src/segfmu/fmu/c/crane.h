@@ -6,19 +6,20 @@
 #include "model.h"
 
 enum {
-    STATE = 10, SETPOINTS = 19, PARAMETERS = 37, SENSORS = 18, COLUMNS = 40, GAINS = 3 * STATE,
+    LOOP = 5, STATE = 10, SETPOINTS = 19, PARAMETERS = 37, SENSORS = 18, COLUMNS = 40, GAINS = 3 * STATE,
     PARTIAL_ROWS = 12, PARTIAL_COLUMNS = 17, TRACKING = 28, BLOCK = 18 * STATE, MEMORY = 22,
     COMPONENTS = 32, CHANGES = 4, MOST_LENGTHS = MODEL_ROWS, MOST_SAMPLES = 100000
 };
 
 /* rows of the memory, see kernels/rig.py */
 enum {
-    ROW_STATE, ROW_PARAMETERS, ROW_CLOCK, ROW_LAST, ROW_REPORT, ROW_SIGNALS, ROW_DERIVATIVE = 20
+    ROW_STATE, ROW_PARAMETERS, ROW_CLOCK, ROW_LAST, ROW_REPORT, ROW_SIGNALS, ROW_CORRECTION = 8,
+    ROW_DERIVATIVE = 20
 };
 
 typedef struct {
     model base;
-    double loop[4], sensors[SENSORS], parameters[PARAMETERS], setpoints[SETPOINTS];
+    double loop[LOOP], sensors[SENSORS], parameters[PARAMETERS], setpoints[SETPOINTS];
     double changes[CHANGES * 2], components[COMPONENTS * 7];
     double lengths[MOST_LENGTHS], gains[MOST_LENGTHS * GAINS];
     /* of source measured: the observer's table, and what the controller remembers */

@@ -7942,10 +7942,49 @@ static void prepare_tick(array_double_1d sensors, array_double_1d setpoints, dou
         }
     }
 }
+/*Let the new correction act or not; what that would make it jump by fades out instead.    */
+/*                                                                                         */
+/*    Callers that correct by themselves call it after they have put theirs into memory[8].*/
+/*                                                                                         */
+void segfmu_switch_correction(array_double_1d loop, array_double_2d memory)
+{
+    double acts;
+    double decay;
+    int64_t i;
+    acts = 1.0;
+    if ((*cspan_at(&loop, INT64_C(2))) > 0.5)
+    {
+        acts = 2.0;
+    }
+    decay = 0.0;
+    if ((*cspan_at(&loop, INT64_C(4))) > 0.0)
+    {
+        decay = exp((-(*cspan_at(&loop, INT64_C(1)))) / (*cspan_at(&loop, INT64_C(4))));
+    }
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        if (acts < 1.5)
+        {
+            (*cspan_at(&memory, INT64_C(8), i)) = 0.0;
+            if ((*cspan_at(&memory, INT64_C(1), INT64_C(4))) > 0.5)
+            {
+                /*a velocity that was added must not stay*/
+                (*cspan_at(&memory, INT64_C(8), i)) = (-(*cspan_at(&memory, INT64_C(9), i))) / span_max((*cspan_at(&loop, INT64_C(4))), (*cspan_at(&loop, INT64_C(1))));
+            }
+        }
+        if (((*cspan_at(&memory, INT64_C(8), INT64_C(6))) > 0.5) && ((*cspan_at(&memory, INT64_C(8), INT64_C(6))) != acts))
+        {
+            (*cspan_at(&memory, INT64_C(8), INT64_C(3) + i)) = (*cspan_at(&memory, INT64_C(8), INT64_C(7) + i)) - (*cspan_at(&memory, INT64_C(8), i));
+        }
+        (*cspan_at(&memory, INT64_C(8), INT64_C(3) + i)) = decay * (*cspan_at(&memory, INT64_C(8), INT64_C(3) + i));
+        (*cspan_at(&memory, INT64_C(8), i)) = (*cspan_at(&memory, INT64_C(8), i)) + (*cspan_at(&memory, INT64_C(8), INT64_C(3) + i));
+        (*cspan_at(&memory, INT64_C(8), INT64_C(7) + i)) = (*cspan_at(&memory, INT64_C(8), i));
+    }
+    (*cspan_at(&memory, INT64_C(8), INT64_C(6))) = acts;
+}
 /*The correction at a tick; the tracking controller's observer goes on when it is off. */
 static void correct_setpoints(array_double_1d loop, array_double_1d tracking, array_double_1d lengths, array_double_3d table, array_double_1d gain_lengths, array_double_3d gains, array_double_2d tracker, array_double_2d memory)
 {
-    int64_t i;
     if ((*cspan_at(&loop, INT64_C(0))) > 1.5)
     {
         segfmu_track_setpoint(tracking, lengths, table, gain_lengths, gains, span_row(&memory, INT64_C(5)), span_row(&memory, INT64_C(6)), span_row(&memory, INT64_C(7)), tracker, span_row(&memory, INT64_C(8)));
@@ -7954,13 +7993,7 @@ static void correct_setpoints(array_double_1d loop, array_double_1d tracking, ar
     {
         segfmu_feedback_correction(span_row(&memory, INT64_C(0)), span_row(&memory, INT64_C(6)), gain_lengths, gains, span_row(&memory, INT64_C(8)));
     }
-    if ((*cspan_at(&loop, INT64_C(2))) < 0.5)
-    {
-        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-        {
-            (*cspan_at(&memory, INT64_C(8), i)) = 0.0;
-        }
-    }
+    segfmu_switch_correction(loop, memory);
 }
 /*Commands of velocity drives now and their rates until a time; advances what is added.*/
 static void command_velocities(array_double_1d setpoints, double duration, double until, array_double_2d memory)
