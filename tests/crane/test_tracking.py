@@ -25,11 +25,13 @@ SWAYING = REST + np.radians([0.0, 0.0, 0.0, 5.0, -5.0, 0.0, 0.0, 0.0, 0.0, 0.0])
 
 
 def controller(
-    kind: str, driven: bool, *, delayed: bool = False, wake: float = 0.0, **options
+    kind: str, driven: bool, *, delayed: bool = False, wake: float = 0.0, offset: float = 0.05,
+    **options,
 ) -> TrackingController:
     ranges = {"sample_time": T, "shortest": 0.16, "longest": 0.98, "driven": driven}
     observer = design_observer(
-        LAB, lag=lags(driven), delayed=delayed, uncertainty=Uncertainty(wake=wake), **ranges
+        LAB, lag=lags(driven), delayed=delayed,
+        uncertainty=Uncertainty(wake=wake, offset=offset), **ranges,
     )
     known = {"lag": max(lags(driven))} if kind == "flat" else {}
     return TrackingController(observer, DESIGNS[kind](LAB, **ranges, **known), **options)
@@ -207,12 +209,17 @@ def test_a_crane_on_its_plan_is_left_alone_by_rounding(driven: bool) -> None:
 
 GUST = Wind(gust=Gust(0.5, 0.8, (1.0, 0.7, 0.0)))
 SHIFTED = np.array([0.0, 0.0, 0.035, *np.zeros(7)])
+# the rope is longer, and its sensor shows the planned length
+UNAWARE = Sensors(offset=(0.0, 0.0, -0.035, 0.0, 0.0))
 
 
-def moved(loop, driven: bool, *, start=0.0, payload: float = 1.0, **values) -> np.ndarray:
+def moved(
+    loop, driven: bool, *, start=0.0, payload: float = 1.0, blind: bool = False, **values
+) -> np.ndarray:
     """RMS tracking error [m] and sway [rad] beside the plan's in the fourth second after a move.
 
-    Infinite where the crane leaves the range of its equations.
+    Infinite where the crane leaves the range of its equations; horizontal error where the height is
+    off by what no sensor tells.
     """
     points = [Waypoint([-0.25, -0.3, -0.8]), Waypoint([0.25, 0.3, -0.7])]
     trajectory = plan(points, Limits([0.22, 0.22, 0.2], 0.3, 0.8, 6.0), smoothness=5)
@@ -233,7 +240,7 @@ def moved(loop, driven: bool, *, start=0.0, payload: float = 1.0, **values) -> n
             plant.step(step, setpoints)
         except SimulationError:
             return np.full(2, np.inf)
-        errors.append(float(np.linalg.norm(plant.load[0] - position)))
+        errors.append(float(np.linalg.norm((plant.load[0] - position)[: 2 if blind else 3])))
         sways.append(float(np.abs(plant.state[3:5] - state[3:5]).max()))
     return np.array([np.sqrt(np.mean(np.square(errors))), max(sways[-500:])])
 
@@ -244,6 +251,8 @@ def moved(loop, driven: bool, *, start=0.0, payload: float = 1.0, **values) -> n
         (True, {"start": SWAYING - REST}), (False, {"start": SWAYING - REST}),
         (True, {"wind": GUST}), (False, {"wind": GUST}),
         (True, {"start": SHIFTED}), (False, {"start": -SHIFTED}),
+        (True, {"start": SHIFTED, "sensors": UNAWARE, "blind": True}),
+        (False, {"start": SHIFTED, "sensors": UNAWARE, "blind": True}),
         (False, {"payload": 0.5}), (False, {"payload": 1.5}),
     ],
     ids=lambda value: "-".join(value) if isinstance(value, dict) else "driven" * value,
@@ -267,6 +276,66 @@ def test_with_encoders_it_is_no_worse_than_feedforward_alone(
     alone = moved(controller(kind, driven, enabled=False), driven, sensors=sensors)
     together = moved(controller(kind, driven, delayed=late, wake=1.0), driven, sensors=sensors)
     assert (together <= alone).all()
+
+
+def move(loop, true: Rig, start=0.0):
+    """States under a move with hoisting, by Newton's laws, and those of the plan."""
+    points = [Waypoint([-0.25, -0.3, -0.8]), Waypoint([0.25, 0.3, -0.7])]
+    trajectory = plan(points, Limits([0.22, 0.22, 0.2], 0.3, 0.8, 6.0), smoothness=5)
+    inverse = FlatInverse(LAB, trajectory)
+
+    def given(time: float) -> np.ndarray:
+        if not true.driven:
+            return inverse.force(np.array([time]))[0]
+        # the slope of the velocity commands, which compensate the lag
+        now, later = inverse.evaluate(np.array([time, time + 1e-4]))[:, 13:16]
+        return now + np.array(true.lag) * (later - now) / 1e-4
+
+    def planned(time: float) -> np.ndarray:
+        return inverse.state(np.array([time]))[0]
+
+    duration = round(trajectory.duration + 2.0)
+    states, _ = simulate(true, loop, planned(0.0) + start, duration, planned, given)
+    return states, np.array([planned(i * T) for i in range(len(states))])
+
+
+@pytest.mark.parametrize("driven", [False, True])
+@pytest.mark.parametrize("offset", [-0.04, 0.04])
+def test_the_offset_of_the_ropes_sensor_is_learnt_on_the_way(driven: bool, offset: float) -> None:
+    """5 % of the rope: the load comes to its height, and the sway of the wrong rope goes."""
+    longer = np.array([0.0, 0.0, offset, *np.zeros(7)])
+    true = rig(driven, offset=(0.0, 0.0, -offset, 0.0, 0.0))
+    learning = controller("flat", driven, wake=1.0)
+    believing = controller("flat", driven, wake=1.0, offset=0.0)
+    states, planned = move(learning, true, longer)
+    blind, _ = move(believing, true, longer)
+    assert learning.offset == pytest.approx(offset, rel=0.05)
+    assert believing.offset == 0.0
+    assert states[-1, 2] == pytest.approx(planned[-1, 2], abs=3e-3)
+    assert blind[-1, 2] == pytest.approx(planned[-1, 2] + offset, abs=3e-3)
+    swayed = [np.abs(s[-200:, 3:5]).max() for s in (states, blind)]
+    assert swayed[0] < 0.2 * swayed[1]
+
+
+@pytest.mark.parametrize("driven", [False, True])
+@pytest.mark.parametrize(
+    "values",
+    [{}, {"payload": 0.5}, {"payload": 1.5}, {"resolution": ENCODERS},
+     {"wind": lambda t: np.array([1.0, 0.5, 0.0]) * (1.0 < t < 1.5)}],
+    ids=["nothing", "light", "heavy", "encoders", "gust"],
+)
+def test_what_is_no_offset_is_not_taken_for_one(driven: bool, values) -> None:
+    loop = controller("flat", driven, wake=1.0)
+    offsets = []
+
+    def sample(*given, own=loop.sample) -> np.ndarray:
+        offsets.append(loop.offset)
+        return own(*given)
+
+    loop.sample = sample
+    move(loop, rig(driven, **values))
+    assert len(offsets) > 400
+    assert not np.any(offsets)
 
 
 def test_reset_forgets_and_takes_a_start() -> None:

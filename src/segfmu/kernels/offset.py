@@ -140,7 +140,7 @@ def offset_use(parameters: 'float[:]', memory: 'float[:,:]') -> float:
         memory[9, 3] = 0.0
     if memory[9, 3] * parameters[1] * parameters[24] > 2.4:
         memory[9, 4] = 1.0
-    if abs(offset) < deviation:
+    if abs(offset) < 2.0 * deviation:
         memory[9, 4] = 0.0
     most = 3.0 * memory[9, 6]
     aim = memory[9, 4] * min(max(offset, -most), most)

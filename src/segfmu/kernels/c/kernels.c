@@ -5046,7 +5046,7 @@ static double offset_use(array_double_1d parameters, array_double_2d memory)
     {
         (*cspan_at(&memory, INT64_C(9), INT64_C(4))) = 1.0;
     }
-    if (fabs(offset) < deviation)
+    if (fabs(offset) < 2.0 * deviation)
     {
         (*cspan_at(&memory, INT64_C(9), INT64_C(4))) = 0.0;
     }
