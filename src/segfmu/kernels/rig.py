@@ -8,8 +8,9 @@ tick to tick.
 
 `loop` (5): 0 who corrects, 0: the caller, 1: state feedback, 2: tracking controller; 1 period of
 the controller [s], above 0; 2 whether corrections act, may be changed between steps; 3 tolerance of
-the integration; 4 time constant [s] with which a change of 2 fades in, 0: it jumps. `changes` (count, 2): time [s] and mass of the load [kg] from then on, in any
-order. `sensors` is told in kernels/sensing.py, parameters and components in kernels/plant.py.
+the integration; 4 time constant [s] with which a change of 2 fades in, 0: it jumps. `changes`
+(count, 2): time [s] and mass of the load [kg] from then on, in any order. `sensors` is told in
+kernels/sensing.py, parameters and components in kernels/plant.py.
 
 `setpoints` (19): forces (3) [N] and velocities (3) of bridge, trolley and hoist, the reference
 state (10), and a force on the load (3), held over the step, beside the rig's wind.
