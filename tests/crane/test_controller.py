@@ -80,14 +80,27 @@ def test_correction_is_a_force_in_force_mode() -> None:
     assert plant.drive_force == pytest.approx([0.3, -0.2, -9.71])
 
 
-def test_correction_is_an_acceleration_in_velocity_mode_and_its_velocity_stays() -> None:
-    plant = Plant(LAB, HANGING, HOLD, Recorder((0.3, -0.2, 0.1)), driven=True)
+def test_correction_is_an_acceleration_in_velocity_mode_until_it_is_switched_off() -> None:
+    plant = Plant(LAB, HANGING, HOLD, Recorder((0.3, -0.2, 0.1)), driven=True, fade=0.0)
     plant.step(0.05, HOLD)
     assert plant.state[5:8] == pytest.approx([0.015, -0.01, 0.005])
     plant.enabled = False
-    plant.step(0.05, HOLD)
+    plant.step(0.01, HOLD)
     # until the tick at 0.06 s the last correction holds
     assert plant.state[5:8] == pytest.approx([0.018, -0.012, 0.006])
+    plant.step(0.04, HOLD)
+    assert plant.state[5:8] == pytest.approx(np.zeros(3), abs=1e-12)
+
+
+def test_a_correction_from_outside_fades_when_it_is_switched() -> None:
+    plant = Plant(LAB, HANGING, HOLD, Recorder((0.3, -0.2, 0.1)), fade=0.02 / np.log(2.0))
+    plant.step(0.05, HOLD)
+    plant.enabled = False
+    plant.step(0.02, HOLD)
+    assert plant.drive_force == pytest.approx([0.15, -0.1, -9.76])
+    plant.enabled = True
+    plant.step(0.02, HOLD)
+    assert plant.drive_force == pytest.approx([0.225, -0.15, -9.735])
 
 
 def test_a_controller_that_is_off_goes_on_sampling_without_effect() -> None:

@@ -29,12 +29,60 @@ def plant(sway: float = 0.05, **options) -> Plant:
 
 
 def test_feedback_acts_only_while_enabled() -> None:
-    swinging = plant()
+    swinging = plant(fade=0.0)
     swinging.step(0.05, HOLD)
     assert np.abs(swinging.drive_force[:2]).max() > 0.01
     swinging.enabled = False
     swinging.step(0.02, HOLD)
     assert swinging.drive_force == pytest.approx([0.0, 0.0, -9.81], abs=1e-15)
+
+
+def forces_of_ticks(swinging: Plant, count: int) -> np.ndarray:
+    found = []
+    for _ in range(count):
+        swinging.step(0.01, HOLD)
+        found.append(swinging.drive_force[0])
+    return np.array(found)
+
+
+def test_switching_the_feedback_off_and_on_has_no_bump() -> None:
+    swinging = plant(fade=0.2)
+    last = forces_of_ticks(swinging, 5)[-1]
+    swinging.enabled = False
+    assert forces_of_ticks(swinging, 10) == pytest.approx(
+        last * np.exp(-0.05 * np.arange(1, 11)), rel=1e-9
+    )
+    fading, jumping = plant(enabled=False, fade=0.2), plant(enabled=False, fade=0.0)
+    for one in (fading, jumping):
+        assert not forces_of_ticks(one, 5).any()
+        one.enabled = True
+    slowly, at_once = forces_of_ticks(fading, 100), forces_of_ticks(jumping, 100)
+    assert abs(slowly[0]) < 0.06 * abs(at_once[0])
+    assert np.abs(np.diff(slowly)).max() < 0.5 * np.abs(np.diff(at_once)).max()
+    assert np.abs(slowly).max() > 0.15 * np.abs(at_once).max()
+
+
+def test_switching_off_in_velocity_mode_brings_the_added_velocity_back() -> None:
+    swinging = plant(driven=True, fade=0.1)
+    forces_of_ticks(swinging, 20)
+    added = np.abs(swinging.state[5:8]).max()
+    swinging.enabled = False
+    forces_of_ticks(swinging, 200)
+    assert added > 0.01
+    assert np.abs(swinging.state[5:8]).max() < 1e-6
+
+
+def test_other_gains_fade_in() -> None:
+    other = design_flat(CRANE, sample_time=0.01, shortest=0.2, longest=1.0, ratio=3.0)
+    fading, jumping = plant(fade=0.2), plant(fade=0.0)
+    before = [forces_of_ticks(one, 5)[-1] for one in (fading, jumping)]
+    for one in (fading, jumping):
+        one.retune(other)
+    steps = [forces_of_ticks(one, 1)[0] for one in (fading, jumping)]
+    assert before[0] == before[1]
+    assert abs(steps[0] - before[0]) < 0.1 * abs(steps[1] - before[1])
+    with pytest.raises(InputError, match="fade"):
+        fading.fade = -1.0
 
 
 def test_correction_holds_between_samples() -> None:
@@ -149,7 +197,7 @@ def test_a_controller_without_a_period_is_refused() -> None:
 def test_gains_may_be_replaced_on_the_way() -> None:
     """From a state on, a crane with replaced gains moves as one that starts there with them."""
     other = design_flat(CRANE, sample_time=0.01, shortest=0.2, longest=1.0)
-    swinging = plant()
+    swinging = plant(fade=0.0)
     swinging.step(0.03, HOLD)
     unchanged = plant()
     unchanged.step(0.03, HOLD)

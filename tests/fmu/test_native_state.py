@@ -219,7 +219,8 @@ def test_a_crane_that_leaves_its_range_tells_where(native_fmus) -> None:
 
 def test_gains_are_tunable_between_steps(native_fmus) -> None:
     with Importer(native_fmus[2][1]) as fmu:
-        fmu.set({"sway.x.angle": 0.1, "force.hoist": -9.81, "reference.rope.length": 0.5})
+        fmu.set({"sway.x.angle": 0.1, "force.hoist": -9.81, "reference.rope.length": 0.5,
+                 "feedback.fade": 0.0})
         fmu.initialise()
         fmu.step(0.0, 0.005)
         before = fmu.get("drive.bridge.force")[0]

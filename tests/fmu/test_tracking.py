@@ -47,6 +47,7 @@ OUTPUTS = (
     *gantry_crane.STATE, *(f"measured.{n}" for n in SIGNALS), "drive.bridge.force",
     "drive.hoist.force", "energy.drives", "estimate.payload_mass", "estimate.disturbance.bridge",
     "estimate.disturbance.hoist", "estimate.disturbance.load.y",
+    "estimate.rope_offset",
 )
 
 
@@ -67,7 +68,7 @@ class Loop:
         return np.array([
             *self.plant.state, *self.plant.measured, *self.plant.drive_force[[0, 2]],
             self.plant.balance.drives, self.controller.payload, found[0, 0], found[0, 2],
-            found[1, 1],
+            found[1, 1], self.controller.offset,
         ])
 
 
@@ -233,11 +234,34 @@ def test_estimates_find_wind_friction_and_payload(native_fmus, fmi: int) -> None
 
 
 @both
-@pytest.mark.parametrize("tuned", ["feedback.enabled", "feedback.rejection.load"])
-def test_switching_is_bumpless(native_fmus, fmus, driven: bool, tuned: str) -> None:
+def test_the_offset_of_the_ropes_sensor_is_found(native_fmus, driven: bool) -> None:
+    values = ENCODERS | {
+        "feedback.source": 2, "drive.bridge.lag": 0.02, "drive.trolley.lag": 0.02,
+        "drive.hoist.lag": 0.02, "sensor.rope.length.offset": 0.03,
+    }
+    own = loop(driven, values)
+    with Importer(native_fmus[3][1]) as fmu:
+        fmu.set(values | mode(driven))
+        fmu.write(INPUTS, inputs(own.setpoints(0.0)))
+        fmu.initialise()
+        for before, time in itertools.pairwise(steps("0.004", 4.0)):
+            fmu.write(INPUTS, inputs(own.setpoints(time)))
+            fmu.step(before, time - before)
+            own.plant.step(time - before, own.setpoints(time))
+        found = fmu.get("estimate.rope_offset")[0]
+    assert found == pytest.approx(-0.03, abs=0.008)
+    assert found == pytest.approx(own.controller.offset, rel=1e-7)
+
+
+@both
+@pytest.mark.parametrize(
+    ("source", "tuned"),
+    [(1, "feedback.enabled"), (2, "feedback.enabled"), (2, "feedback.rejection.load")],
+)
+def test_switching_is_bumpless(native_fmus, driven: bool, source: int, tuned: str) -> None:
     """The bridge's force, or the added velocity's slope, goes on where it was."""
     values = ENCODERS | mode(driven) | {
-        "feedback.source": 2, "sensor.sample_time": 0.01, "wind.constant.x": 0.5,
+        "feedback.source": source, "sensor.sample_time": 0.01, "wind.constant.x": 0.5,
         "sway.x.angle": 0.1, "drive.bridge.lag": 0.02 if driven else 0.0, tuned: 0,
     }
     jumps = []

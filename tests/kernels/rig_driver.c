@@ -10,7 +10,7 @@
 
 #include "kernels.h"
 
-enum { SETPOINTS = 19, COLUMNS = 40, TRACKER = 9 * 10 };
+enum { SETPOINTS = 19, COLUMNS = 40, TRACKER = 22 * 10 };
 
 typedef struct {
     array_double_1d loop, sensors, parameters, state, tracking, lengths, gain_lengths;
@@ -57,7 +57,7 @@ static rig read_rig(void)
     if (scanf("%ld %ld %ld %ld", &components, &changes, &rows, &steps) != 4) {
         exit(2);
     }
-    r.loop = vector(4);
+    r.loop = vector(5);
     r.sensors = vector(18);
     r.parameters = vector(37);
     r.state = vector(10);
@@ -66,7 +66,7 @@ static rig read_rig(void)
     free(start);
     r.components = matrix(components, 7);
     r.changes = matrix(changes, 2);
-    r.tracking = vector(23);
+    r.tracking = vector(28);
     r.lengths = vector(rows);
     r.table = stack(rows, 18, 10);
     r.gain_lengths = vector(rows);
@@ -76,7 +76,7 @@ static rig read_rig(void)
     r.size = (size_t)(used * COLUMNS + TRACKER) * sizeof(double);
     r.block = malloc(r.size);
     r.memory = (array_double_2d){r.block, {used, COLUMNS}};
-    r.tracker = (array_double_2d){r.block + used * COLUMNS, {9, 10}};
+    r.tracker = (array_double_2d){r.block + used * COLUMNS, {22, 10}};
     return r;
 }
 

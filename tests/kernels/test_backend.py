@@ -268,7 +268,7 @@ def test_tracking_agrees(driven: bool, delayed: bool) -> None:
             watcher, design_flat(crane, **options), rejection=(0.9, 0.8),
             lower=[-6.0, -6.0, -20.0], upper=[6.0, 6.0, 0.0],
         )
-        parameters, memory, rows = controller.parameters, np.zeros((9, 10)), []
+        parameters, memory, rows = controller.parameters, np.zeros((22, 10)), []
         for i in range(60):
             parameters[9], memory[3, 4] = i < 40, i in (20, 40)
             reference, correction = crane.hanging([0.1, 0.2, -0.6]), np.zeros(3)

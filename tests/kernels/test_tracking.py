@@ -17,7 +17,7 @@ class Tick:
     """An observer that keeps positions as measured, and proportional gains."""
 
     def __init__(self, driven: bool = False, tolerance: float = 0.0) -> None:
-        self.parameters = np.zeros(23)
+        self.parameters = np.zeros(28)
         self.parameters[:7] = driven, 0.01, 0.0, 3.0, 1.0, 1.0, 9.81
         self.parameters[9], self.parameters[10] = 1.0, 0.1
         self.parameters[12:15], self.parameters[15:18] = -1e99, 1e99
@@ -27,7 +27,7 @@ class Tick:
         for axis in range(3):
             self.table[0, 6 * axis, 8] = self.table[0, 6 * axis, 0] = 1.0
             self.gains[0, axis, axis] = STIFFNESS[axis]
-        self.memory = np.zeros((9, 10))
+        self.memory = np.zeros((22, 10))
 
     def __call__(self, deviation) -> np.ndarray:
         correction = np.zeros(3)

@@ -23,9 +23,9 @@ TARGET = KERNELS / "c"
 MODULES = (
     "transition", "phases", "braking", "levels", "roots", "search", "cruise", "merged", "profile",
     "timed_cruise", "synchronize", "gaps", "intervals", "plan", "evaluate", "expand", "check",
-    "rope", "feedback", "matrices", "kalman", "observer", "tracking", "compensation", "_crane",
-    "_partials", "series", "integrate", "noise", "drives", "plant", "sensing", "events", "loop",
-    "rig", "exchange", "partials",
+    "rope", "feedback", "matrices", "kalman", "observer", "offset", "tracking", "compensation",
+    "_crane", "_partials", "series", "integrate", "noise", "drives", "plant", "sensing", "events",
+    "loop", "rig", "exchange", "partials",
 )
 # what C programs and the compiled extension may call
 ENTRY_POINTS = (
@@ -36,7 +36,7 @@ ENTRY_POINTS = (
     "compensate_setpoints", "crane_rhs", "crane_driven", "crane_flat_inverse", "flat_derivatives",
     "crane_load", "crane_energy", "plant_advance",
     "seed_numbers", "next_uniform", "noise_components", "measure_state",
-    "rig_rows", "rig_start", "rig_step", "rig_balance", "rig_imbalance",
+    "switch_correction", "rig_rows", "rig_start", "rig_step", "rig_balance", "rig_imbalance",
     "rig_next_event", "rig_event", "rig_signals", "rig_rates", "rig_partials",
     "crane_load_partials", "crane_energy_partials",
 )

@@ -13,7 +13,7 @@ kernels/observer.py.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import pi
+from math import pi, sqrt
 
 import numpy as np
 
@@ -23,6 +23,11 @@ from segfmu.crane.parameters import Crane
 from segfmu.errors import InputError
 from segfmu.kernels import backend
 from segfmu.planning.arrays import FloatArray
+
+# bandwidth of the filter that finds the offset of the rope's sensor: in units of the longest
+# pendulum's frequency, but no more than so many radians in a sample
+OFFSET_RATIO = 4.0
+OFFSET_LARGEST = 0.5
 
 
 @dataclass(frozen=True)
@@ -41,11 +46,14 @@ class Uncertainty:
     wake : float
         A controller acts from the first time on at which a signal is further from its reference
         than this many of the steps: less may be rounding, and is left alone. 0: from the start.
+    offset : float
+        Standard deviation of the zero of the rope's sensor, as a share of the rope's length: how
+        far a controller may correct that length by how the load swings. 0: not at all.
 
     Raises
     ------
     InputError
-        For values that are not positive; `wake` may be 0.
+        For values that are not positive; `wake` and `offset` may be 0.
     """
 
     position: float = 1e-4
@@ -54,11 +62,13 @@ class Uncertainty:
     drift: float = 0.3
     wind: float = 0.1
     wake: float = 1.0
+    offset: float = 0.05
 
     def __post_init__(self) -> None:
         for name in ("position", "length", "angle", "drift", "wind"):
             require_positive(f"uncertainty {name}", getattr(self, name))
-        require_not_negative("uncertainty wake", self.wake)
+        for name in ("wake", "offset"):
+            require_not_negative(f"uncertainty {name}", getattr(self, name))
 
     @property
     def tolerances(self) -> FloatArray:
@@ -69,6 +79,13 @@ class Uncertainty:
         """As kernels/kalman.py takes it, walks in m/s2; shape (5,)."""
         walks = self.drift * gravity, self.wind * gravity
         return np.array([self.position, self.length, self.angle, *walks])
+
+    def offset_parameters(self, gravity: float, longest: float, sample_time: float) -> FloatArray:
+        """What kernels/offset.py gets of the tracking controller's parameters; shape (5,)."""
+        bandwidth = min(OFFSET_RATIO * sqrt(gravity / longest), OFFSET_LARGEST / sample_time)
+        place = max(self.position, self.length)
+        noise = self.angle**2 / 12.0, place**2 / 12.0
+        return np.array([self.offset, bandwidth, *noise, self.wind * gravity])
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,6 +108,8 @@ class Observer:
         See kernels/observer.py.
     tolerances : ndarray, shape (3,)
         Of `Uncertainty`.
+    offset : ndarray, shape (5,)
+        `Uncertainty.offset_parameters`.
     """
 
     crane: Crane
@@ -100,6 +119,7 @@ class Observer:
     lengths: FloatArray
     table: FloatArray
     tolerances: FloatArray
+    offset: FloatArray
 
 
 def design_observer(
@@ -157,4 +177,7 @@ def design_observer(
             f"the observer has no finite gains between {shortest} and {longest} m of rope; check "
             "masses, lags and what it expects"
         )
-    return Observer(crane, sample_time, driven, delayed, lengths, table, expected.tolerances)
+    offset = expected.offset_parameters(crane.gravity, longest, sample_time)
+    return Observer(
+        crane, sample_time, driven, delayed, lengths, table, expected.tolerances, offset
+    )

@@ -13,14 +13,14 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from segfmu.crane.checks import require_positive
+from segfmu.crane.checks import require_not_negative, require_positive
 from segfmu.crane.controller import Controller
 from segfmu.crane.energy import EnergyBalance
 from segfmu.crane.failures import failure
 from segfmu.crane.feedback import SwayFeedback
 from segfmu.crane.parameters import Crane
 from segfmu.crane.rig import Rig
-from segfmu.crane.tracking import TrackingController
+from segfmu.crane.tracking import FADE, TrackingController
 from segfmu.errors import InputError, SimulationError
 from segfmu.kernels import backend
 from segfmu.planning.arrays import FloatArray
@@ -30,6 +30,9 @@ TOLERANCE = 1e-10
 # who corrects, and the status that asks the caller to
 CALLER, STATE, TRACKING = range(3)
 TICK = -1
+
+# what the kernel's memory says of the tick before where the gains were others
+RETUNED = 3.0
 
 # rows of the kernel's memory
 CRANE, PARAMETERS, CLOCK, LAST, REPORT, SIGNALS, REFERENCE, ADDED_TO, CORRECTION = range(9)
@@ -78,6 +81,9 @@ class Plant:
         Velocity drives: bridge, trolley and rope follow the velocity setpoints.
     enabled : bool
         Whether the correction acts; may be changed between steps.
+    fade : float
+        Time constant [s] with which such a change, or other gains, fade in; 0 lets the correction
+        jump.
     rig : Rig, optional
         What is not ideal; everything is by default.
     start_time : float
@@ -86,7 +92,7 @@ class Plant:
     Raises
     ------
     InputError
-        For a controller's sample time that is not positive.
+        For a controller's sample time that is not positive and a negative fade.
     """
 
     def __init__(
@@ -98,13 +104,17 @@ class Plant:
         *,
         driven: bool = False,
         enabled: bool = True,
+        fade: float = FADE,
         rig: Rig | None = None,
         start_time: float = 0.0,
     ) -> None:
         require_positive("controller sample_time", controller.sample_time)
         rig = rig or Rig()
         self._controller = controller
-        self._loop = np.array([_corrector(controller), controller.sample_time, enabled, TOLERANCE])
+        self._loop = np.array(
+            [_corrector(controller), controller.sample_time, enabled, TOLERANCE, 0.0]
+        )
+        self.fade = fade
         self._sensors, self._changes = rig.sensors.vector, rig.changes
         self._components = rig.wind.components
         rows = backend.rig_rows(rig.sensors.sample_time, rig.sensors.dead_time)
@@ -123,6 +133,16 @@ class Plant:
     def enabled(self, value: bool) -> None:
         self._loop[2] = bool(value)
 
+    @property
+    def fade(self) -> float:
+        """Time constant [s] of changes by switching; may be changed between steps."""
+        return float(self._loop[4])
+
+    @fade.setter
+    def fade(self, value: float) -> None:
+        require_not_negative("fade", value)
+        self._loop[4] = value
+
     def retune(self, feedback: SwayFeedback) -> None:
         """Go on with other gains on the true state.
 
@@ -138,6 +158,8 @@ class Plant:
                 f"{feedback.sample_time} s and {own.sample_time} s of {type(own).__name__}"
             )
         self._controller = feedback
+        if self._memory[CORRECTION, 6] > 0.0:
+            self._memory[CORRECTION, 6] = RETUNED
 
     @property
     def time(self) -> float:
@@ -248,7 +270,8 @@ class Plant:
             float(memory[CLOCK, 7]), memory[SIGNALS, :5].copy(), memory[REFERENCE, :10].copy(),
             memory[ADDED_TO, :3].copy(),
         )
-        memory[CORRECTION, :3] = found if self.enabled else 0.0
+        memory[CORRECTION, :3] = found
+        backend.switch_correction(self._loop, memory)
 
 
 def _corrector(controller: Controller | SwayFeedback) -> int:

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from segfmu.crane.checks import require_not_negative, require_positive, sized
 from segfmu.crane.linear import lagged, matrices, sampled
-from segfmu.crane.tracking import TrackingController
+from segfmu.crane.tracking import MEMORY, TrackingController
 from segfmu.kernels import backend
 from segfmu.planning.arrays import FloatArray
 
@@ -120,7 +120,7 @@ def _respond(
     observer, feedback = controller.observer, controller.feedback
     reference = rest[:10].copy()
     signals = (start[34:39] + reference[:5]) if observer.delayed else start[:5].copy()
-    memory, correction = np.zeros((9, 10)), np.zeros(3)
+    memory, correction = np.zeros(MEMORY), np.zeros(3)
     memory[:3, :6] = start[13:31].reshape(3, 6)
     memory[3, :3], memory[4, :3], memory[6] = start[10:13], start[31:34], reference
     memory[3, 3], memory[4, 6], memory[5, 3] = 1.0, 1.0, start[-1]

@@ -24,6 +24,8 @@ UNLIMITED = 1e99
 # s
 FADE = 0.1
 PAYLOAD_TIME = 2.0
+# of the kernel's memory
+MEMORY = 22, 10
 
 
 class TrackingController:
@@ -69,19 +71,19 @@ class TrackingController:
         require_positive("payload_time", payload_time)
         period = observer.sample_time
         self.observer = observer
-        self._parameters = np.zeros(23)
+        self._parameters = np.zeros(28)
         self._parameters[:3] = observer.driven, period, observer.delayed
         self._parameters[3:6] = moved_masses(observer.crane.masses)
         self._parameters[6] = observer.crane.gravity
         self._parameters[19] = period / payload_time
-        self._parameters[20:23] = observer.tolerances
+        self._parameters[20:23], self._parameters[23:28] = observer.tolerances, observer.offset
         least, greatest = _limits("lower", lower, -UNLIMITED), _limits("upper", upper, UNLIMITED)
         if (least > greatest).any():
             raise InputError(
                 f"lower must not be above upper, got {least.tolist()} and {greatest.tolist()}"
             )
         self._parameters[12:15], self._parameters[15:18] = least, greatest
-        self._memory = np.zeros((9, 10))
+        self._memory = np.zeros(MEMORY)
         self.fade = fade
         self.rejection = rejection
         self.feedback = feedback
@@ -175,6 +177,11 @@ class TrackingController:
     def payload(self) -> float:
         """Estimated payload [kg]; in velocity mode the nominal one."""
         return float(self._parameters[5] * (1.0 + self._memory[5, 3]))
+
+    @property
+    def offset(self) -> float:
+        """What is added to the measured length of the rope [m]."""
+        return float(self._memory[18, 5])
 
     def reset(self, deviation: ArrayLike | None = None) -> None:
         """Forget the past.

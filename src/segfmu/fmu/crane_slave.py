@@ -67,7 +67,7 @@ class CraneSlave(SpecSlave):
         self._tracking = None
         if SOURCES.items[int(self.value("feedback.source")) - 1] == "measured":
             self._tracking = tracking_from(self.value, expected, feedback, driven)
-        self.assign(ESTIMATE, (nominal, *np.zeros(5)))
+        self.assign(ESTIMATE, (nominal, *np.zeros(6)))
         self._plant = Plant(
             crane, state, self._setpoints(), self._tracking or feedback, driven=driven,
             rig=rig_from(self.value), start_time=self.start_time,
@@ -118,6 +118,7 @@ class CraneSlave(SpecSlave):
         if self._tracking is not None:
             tune(self._tracking, self.value, feedback)
             return
+        plant.fade = float(self.value("feedback.fade"))
         plant.enabled = bool(self.value("feedback.enabled"))
         if feedback is not None:
             plant.retune(feedback)
@@ -140,7 +141,8 @@ class CraneSlave(SpecSlave):
         )
         if self._tracking is not None:
             carriages, loads = self._tracking.disturbance
-            self.assign(ESTIMATE, (self._tracking.payload, *carriages, *loads[:2]))
+            payload, offset = self._tracking.payload, self._tracking.offset
+            self.assign(ESTIMATE, (payload, *carriages, *loads[:2], offset))
         balance = plant.balance
         self.assign(ENERGY, [getattr(balance, n.removeprefix("energy.")) for n in ENERGY])
         self.assign(

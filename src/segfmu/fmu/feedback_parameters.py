@@ -29,7 +29,7 @@ OBSERVER = (
      "standard deviation after 1 s over gravity"),
     ("wind", None, "the same of the load's"),
 )
-EXPECTED = ("position", "length", "angle", "drift", "wind", "wake")
+EXPECTED = ("position", "length", "angle", "drift", "wind", "wake", "offset")
 
 
 def feedback_parameters() -> list[Variable]:
@@ -119,6 +119,11 @@ def _tracking() -> list[Variable]:
             "signal differs from its reference when corrections begin; 0: from the start",
             minimum=0.0,
         ),
+        parameter(
+            "feedback.observer.offset", expected.offset, None, "expected standard deviation of the "
+            "zero of the rope's sensor over the rope's length, which is estimated; 0: it is not",
+            minimum=0.0,
+        ),
     ]
 
 
@@ -133,6 +138,7 @@ def estimates() -> list[Variable]:
         (f"estimate.disturbance.load.{a}", "m/s2", f"estimated acceleration of the load, {a}")
         for a in "xy"
     ]
+    rows.append(("estimate.rope_offset", "m", "what is added to the measured length of the rope"))
     return [
         Variable(n, "Real", "output", "discrete", f"{text}; of source measured", unit=unit)
         for n, unit, text in rows

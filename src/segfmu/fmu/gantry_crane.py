@@ -8,6 +8,7 @@ from typing import Any
 from segfmu.crane import Crane
 from segfmu.crane.feedback import SwayFeedback, design
 from segfmu.crane.flat_feedback import HOIST_LARGEST, LARGEST
+from segfmu.crane.observer import OFFSET_LARGEST, OFFSET_RATIO
 from segfmu.crane.plant import TOLERANCE
 from segfmu.fmu.feedback_parameters import estimates, feedback_parameters, weight_parameters
 from segfmu.fmu.rig_parameters import DRIVES, rig_parameters
@@ -170,6 +171,7 @@ def native_spec(own: Spec | None = None) -> Spec:
         orders=1, partials=("ModelExchange",),
         constants=(
             ("LARGEST_ANGLE", LARGEST), ("LARGEST_HOIST_ANGLE", HOIST_LARGEST),
+            ("OFFSET_RATIO", OFFSET_RATIO), ("LARGEST_OFFSET_ANGLE", OFFSET_LARGEST),
             ("TOLERANCE", TOLERANCE),
         ),
     )

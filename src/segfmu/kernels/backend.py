@@ -40,6 +40,7 @@ if COMPILED:
         rig_start,
         rig_step,
         seed_numbers,
+        switch_correction,
         track_setpoint,
     )
 else:
@@ -50,6 +51,7 @@ else:
     from segfmu.kernels.expand import count_pieces, expand_plan
     from segfmu.kernels.feedback import feedback_bandwidth, feedback_correction, feedback_gains
     from segfmu.kernels.kalman import observer_design
+    from segfmu.kernels.loop import switch_correction
     from segfmu.kernels.noise import noise_components, seed_numbers
     from segfmu.kernels.observer import observer_correct, observer_predict
     from segfmu.kernels.plan import plan_phases
@@ -87,5 +89,6 @@ __all__ = [
     "rig_start",
     "rig_step",
     "seed_numbers",
+    "switch_correction",
     "track_setpoint",
 ]

@@ -3,6 +3,8 @@
 `loop`, `setpoints` and `memory` are told in kernels/rig.py.
 """
 
+from math import exp
+
 from segfmu.kernels.events import instant
 from segfmu.kernels.feedback import feedback_correction
 from segfmu.kernels.plant import plant_advance
@@ -56,9 +58,32 @@ def correct_setpoints(
         )
     else:
         feedback_correction(memory[0, :], memory[6, :], gain_lengths, gains, memory[8, :])
-    if loop[2] < 0.5:
-        for i in range(3):
+    switch_correction(loop, memory)
+
+
+def switch_correction(loop: 'float[:]', memory: 'float[:,:]') -> None:
+    """Let the new correction act or not; what that would make it jump by fades out instead.
+
+    Callers that correct by themselves call it after they have put theirs into memory[8].
+    """
+    acts = 1.0
+    if loop[2] > 0.5:
+        acts = 2.0
+    decay = 0.0
+    if loop[4] > 0.0:
+        decay = exp(-loop[1] / loop[4])
+    for i in range(3):
+        if acts < 1.5:
             memory[8, i] = 0.0
+            if memory[1, 4] > 0.5:
+                # a velocity that was added must not stay
+                memory[8, i] = -memory[9, i] / max(loop[4], loop[1])
+        if memory[8, 6] > 0.5 and memory[8, 6] != acts:
+            memory[8, 3 + i] = memory[8, 7 + i] - memory[8, i]
+        memory[8, 3 + i] = decay * memory[8, 3 + i]
+        memory[8, i] = memory[8, i] + memory[8, 3 + i]
+        memory[8, 7 + i] = memory[8, i]
+    memory[8, 6] = acts
 
 
 def advance_plant(

@@ -6,10 +6,11 @@ between those of the last step's end and those of this one's. A correction is ad
 setpoints, or with velocity drives its integral is added to the velocity setpoints; it acts from
 tick to tick.
 
-`loop` (4): 0 who corrects, 0: the caller, 1: state feedback, 2: tracking controller; 1 period of
+`loop` (5): 0 who corrects, 0: the caller, 1: state feedback, 2: tracking controller; 1 period of
 the controller [s], above 0; 2 whether corrections act, may be changed between steps; 3 tolerance of
-the integration. `changes` (count, 2): time [s] and mass of the load [kg] from then on, in any
-order. `sensors` is told in kernels/sensing.py, parameters and components in kernels/plant.py.
+the integration; 4 time constant [s] with which a change of 2 fades in, 0: it jumps. `changes`
+(count, 2): time [s] and mass of the load [kg] from then on, in any order. `sensors` is told in
+kernels/sensing.py, parameters and components in kernels/plant.py.
 
 `setpoints` (19): forces (3) [N] and velocities (3) of bridge, trolley and hoist, the reference
 state (10), and a force on the load (3), held over the step, beside the rig's wind.
@@ -26,7 +27,9 @@ state (10), and a force on the load (3), held over the step, beside the rig's wi
     4  0:10 report of kernels/plant.py, 10:13 whether the drives were at a bound in the last step
     5  signals of the sensors (5)                    6  reference at the tick (10)
     7  what the correction is added to (3): force setpoints, or slopes of the velocity setpoints
-    8  correction (3)                                9  velocities that corrections have added (3)
+    8  correction (3), what remains of a switching step (3), whether corrections acted at the tick
+       before: 0 there was none, 1 no, 2 yes, 3 with other gains; the correction of that tick (3)
+    9  velocities that corrections have added (3)
     10 commands, 11 their rates, 12 force on the load (3 each), 13 kinetic and potential energy
     14:30 work space of kernels/plant.py             30: memory of kernels/sensing.py
 

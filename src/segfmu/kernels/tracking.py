@@ -1,17 +1,21 @@
 """One tick of the tracking controller: observer, feedback, disturbance rejection, limits.
 
-`parameters` (23): driven, sample time [s], whether measurements are one sample old, mass that
+`parameters` (28): driven, sample time [s], whether measurements are one sample old, mass that
 moves in x, in y and with the rope [kg], gravity [m/s2], share of the carriage's and of the load's
 estimated disturbance that is rejected, enabled, time constant [s] of switching and decay of a
 switching step over a sample, the least (3) and the greatest (3) setpoint, the payload [kg] that
-the gains are for, the sample time as a share of the payload estimate's time constant, and the
-deviations of carriages, rope and angles up to which the feedback stays asleep.
+the gains are for, the sample time as a share of the payload estimate's time constant, the
+deviations of carriages, rope and angles up to which the feedback stays asleep; of the offset of
+kernels/offset.py its standard deviation before anything is known as a share of the rope's length,
+0: none is estimated, the bandwidth of the filter [rad/s], variances of the noise of angles and
+positions, and the acceleration of a load by wind [m/s2].
 
-`memory` (9, 10): estimate (3 rows, see kernels/observer.py); velocity command (3), whether
+`memory` (22, 10): estimate (3 rows, see kernels/observer.py); velocity command (3), whether
 there was a tick before, whether something was switched since; what the observer takes as input
 since the last tick (3), last correction (3), whether it is awake; what remains of a switching
 step (3), estimate of the payload over the nominal one, minus 1; reference at the tick before; two
-rows of work space.
+rows of work space; from row 9 on that of kernels/offset.py, whose last row has the signals with the
+offset removed in the end.
 
 The force on the rope holds the load's weight, so a wrong payload is a large disturbance, and it
 changes what a force does. Both are cured by asking for an acceleration v of the rope and applying
@@ -21,6 +25,7 @@ the estimate otherwise. The loop is then the same for every payload.
 
 from segfmu.kernels.feedback import feedback_correction
 from segfmu.kernels.observer import observer_correct, observer_predict
+from segfmu.kernels.offset import offset_estimate
 
 
 def track_wake(
@@ -39,6 +44,22 @@ def track_wake(
     for i in range(2):
         if abs(measured[3 + i] - reference[3 + i]) > parameters[22]:
             memory[4, 6] = 1.0
+
+
+def track_offset(
+    parameters: 'float[:]', measured: 'float[:]', reference: 'float[:]', memory: 'float[:,:]'
+) -> None:
+    """Put the signals (5) with the offset of the rope's length removed into memory[21]."""
+    before = memory[18, 5]
+    if parameters[2] > 0.5 and memory[3, 3] > 0.5:
+        offset = offset_estimate(parameters, measured, memory[6, :], memory[9:22, :])
+    else:
+        offset = offset_estimate(parameters, measured, reference, memory[9:22, :])
+    # a better known length is no motion of the rope
+    memory[2, 0] = memory[2, 0] + (offset - before)
+    for i in range(5):
+        memory[21, i] = measured[i]
+    memory[21, 2] = measured[2] + offset
 
 
 def track_observe(
@@ -151,8 +172,9 @@ def track_setpoint(
     and counts for the limits alone. lengths and table are the observer's, gain_lengths and gains
     the feedback's.
     """
-    track_observe(parameters, lengths, table, measured, reference, memory)
-    track_law(parameters, measured[2], gain_lengths, gains, memory, correction)
+    track_offset(parameters, measured, reference, memory)
+    track_observe(parameters, lengths, table, memory[21, :], reference, memory)
+    track_law(parameters, memory[21, 2], gain_lengths, gains, memory, correction)
     for i in range(3):
         if memory[3, 4] > 0.5:
             # bumpless: what a switch would jump by fades out instead

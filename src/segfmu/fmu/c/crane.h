@@ -6,24 +6,25 @@
 #include "model.h"
 
 enum {
-    STATE = 10, SETPOINTS = 19, PARAMETERS = 37, SENSORS = 18, COLUMNS = 40, GAINS = 3 * STATE,
-    PARTIAL_ROWS = 12, PARTIAL_COLUMNS = 17, TRACKING = 23, BLOCK = 18 * STATE, TRACKER = 9 * STATE,
+    LOOP = 5, STATE = 10, SETPOINTS = 19, PARAMETERS = 37, SENSORS = 18, COLUMNS = 40, GAINS = 3 * STATE,
+    PARTIAL_ROWS = 12, PARTIAL_COLUMNS = 17, TRACKING = 28, BLOCK = 18 * STATE, MEMORY = 22,
     COMPONENTS = 32, CHANGES = 4, MOST_LENGTHS = MODEL_ROWS, MOST_SAMPLES = 100000
 };
 
 /* rows of the memory, see kernels/rig.py */
 enum {
-    ROW_STATE, ROW_PARAMETERS, ROW_CLOCK, ROW_LAST, ROW_REPORT, ROW_SIGNALS, ROW_DERIVATIVE = 20
+    ROW_STATE, ROW_PARAMETERS, ROW_CLOCK, ROW_LAST, ROW_REPORT, ROW_SIGNALS, ROW_CORRECTION = 8,
+    ROW_DERIVATIVE = 20
 };
 
 typedef struct {
     model base;
-    double loop[4], sensors[SENSORS], parameters[PARAMETERS], setpoints[SETPOINTS];
+    double loop[LOOP], sensors[SENSORS], parameters[PARAMETERS], setpoints[SETPOINTS];
     double changes[CHANGES * 2], components[COMPONENTS * 7];
     double lengths[MOST_LENGTHS], gains[MOST_LENGTHS * GAINS];
     /* of source measured: the observer's table, and what the controller remembers */
     double tracking[TRACKING], nodes[MOST_LENGTHS], observer[MOST_LENGTHS * BLOCK];
-    double tracker[TRACKER];
+    double tracker[MEMORY * STATE];
     double derivative[MODEL_STATES];
     /* co-simulation: inputs at the end of the last step, and their slopes in it */
     double input[MODEL_INPUTS], slope[MODEL_INPUTS];

@@ -21,6 +21,9 @@ SIDE_BY_SIDE(V_PAYLOAD_1_TIME, V_PAYLOAD_4_MASS, 2 * CHANGES);
 
 static const double SMALLEST_SAMPLE = 1e-6;
 
+/* what the kernel's memory says of the tick before where the gains were others, see kernels/rig.py */
+static const double RETUNED = 3.0;
+
 static bool driven(const crane *m)
 {
     return m->base.integer[V_DRIVE_MODE] == 2;
@@ -189,12 +192,16 @@ bool crane_set_gains(crane *m, char message[MESSAGE])
     memcpy(before, m->gains, sizeof before);
     m->base.tuned = 0;
     m->loop[2] = (double)m->base.integer[V_FEEDBACK_ENABLED];
+    m->loop[4] = m->base.real[V_FEEDBACK_FADE];
     if (!(m->base.integer[V_FEEDBACK_DESIGN] == 2 ? design_flat(m, message)
                                                   : read_table(m, message))) {
         return false;
     }
+    bool switched = memcmp(before, m->gains, sizeof before) != 0;
     if (m->loop[0] > 1.5) {
-        crane_tune_tracking(m, memcmp(before, m->gains, sizeof before) != 0);
+        crane_tune_tracking(m, switched);
+    } else if (switched && m->rows > 0 && m->memory[ROW_CORRECTION * COLUMNS + 6] > 0.0) {
+        m->memory[ROW_CORRECTION * COLUMNS + 6] = RETUNED;
     }
     return true;
 }

@@ -46,6 +46,21 @@ static bool design_observer(crane *m, const double range[2], char message[MESSAG
     return true;
 }
 
+/* As `Uncertainty.offset_parameters`. */
+static void set_offset(crane *m, double longest)
+{
+    const double *real = m->base.real;
+    double *p = m->tracking + 23, gravity = real[V_CRANE_GRAVITY];
+    double angle = real[V_FEEDBACK_OBSERVER_ANGLE];
+    double place = fmax(real[V_FEEDBACK_OBSERVER_POSITION], real[V_FEEDBACK_OBSERVER_LENGTH]);
+    p[0] = real[V_FEEDBACK_OBSERVER_OFFSET];
+    p[1] = fmin(OFFSET_RATIO * sqrt(gravity / longest),
+                LARGEST_OFFSET_ANGLE / real[V_FEEDBACK_SAMPLE_TIME]);
+    p[2] = angle * angle / 12.0;
+    p[3] = place * place / 12.0;
+    p[4] = real[V_FEEDBACK_OBSERVER_WIND] * gravity;
+}
+
 bool crane_set_tracking(crane *m, char message[MESSAGE])
 {
     const double *real = m->base.real;
@@ -75,6 +90,7 @@ bool crane_set_tracking(crane *m, char message[MESSAGE])
     p[20] = real[V_FEEDBACK_OBSERVER_WAKE] * real[V_FEEDBACK_OBSERVER_POSITION];
     p[21] = real[V_FEEDBACK_OBSERVER_WAKE] * real[V_FEEDBACK_OBSERVER_LENGTH];
     p[22] = real[V_FEEDBACK_OBSERVER_WAKE] * real[V_FEEDBACK_OBSERVER_ANGLE];
+    set_offset(m, range[1]);
     crane_tune_tracking(m, false);
     m->tracker[3 * STATE + 4] = 0.0;
     return true;
@@ -109,4 +125,5 @@ void crane_show_estimates(crane *m)
     for (int i = 0; i < 2; i++) {
         real[V_ESTIMATE_DISTURBANCE_LOAD_X + i] = m->tracker[i * STATE + 5];
     }
+    real[V_ESTIMATE_ROPE_OFFSET] = m->tracker[18 * STATE + 5];
 }

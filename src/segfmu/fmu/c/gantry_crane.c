@@ -89,7 +89,7 @@ bool model_initialise(model *base, char message[MESSAGE])
     m->rows = segfmu_rig_rows(m->sensors[0], m->sensors[1]);
     crane_read_inputs(m);
     segfmu_rig_start(
-        vector(m->loop, 4), vector(m->sensors, SENSORS), matrix(m->changes, m->count_changes, 2),
+        vector(m->loop, LOOP), vector(m->sensors, SENSORS), matrix(m->changes, m->count_changes, 2),
         vector(m->parameters, PARAMETERS), vector(&base->real[V_BRIDGE_POSITION], STATE),
         vector(m->setpoints, SETPOINTS), base->real[V_TIME], memory_of(m));
     for (int i = 0; i < 3; i++) {
@@ -145,10 +145,10 @@ bool model_advance(model *base, double time, char message[MESSAGE])
     }
     read_setpoints(m, time);
     int64_t status = segfmu_rig_step(
-        vector(m->loop, 4), vector(m->sensors, SENSORS),
+        vector(m->loop, LOOP), vector(m->sensors, SENSORS),
         matrix(m->components, m->count_components, 7), matrix(m->changes, m->count_changes, 2),
         vector(m->tracking, TRACKING), vector(m->nodes, m->count_nodes), observer_of(m),
-        vector(m->lengths, m->count_lengths), gains_of(m), matrix(m->tracker, 9, STATE),
+        vector(m->lengths, m->count_lengths), gains_of(m), matrix(m->tracker, MEMORY, STATE),
         vector(m->setpoints, SETPOINTS),
         time - base->real[V_TIME], memory_of(m));
     memcpy(m->derivative, row(m, ROW_DERIVATIVE), sizeof m->derivative);
@@ -170,7 +170,7 @@ double model_next_event(const model *base)
     if (!in_exchange(m)) {
         return INFINITY;
     }
-    double since = segfmu_rig_next_event(vector(m->loop, 4), vector(m->sensors, SENSORS),
+    double since = segfmu_rig_next_event(vector(m->loop, LOOP), vector(m->sensors, SENSORS),
                                          memory_of(m));
     return since < 1e299 ? row(m, ROW_CLOCK)[0] + since : INFINITY;
 }
@@ -185,17 +185,17 @@ bool model_event(model *base, char message[MESSAGE])
         return true;
     }
     double late = crane_elapsed(m) - segfmu_rig_next_event(
-        vector(m->loop, 4), vector(m->sensors, SENSORS), memory_of(m));
+        vector(m->loop, LOOP), vector(m->sensors, SENSORS), memory_of(m));
     if (late > LATEST) {
         return say(message, "the time event at %.9g s was missed by %g s; an importer has to stop at "
                    "the times that the FMU names", base->real[V_TIME] - late, late);
     }
     crane_read_inputs(m);
-    segfmu_rig_event(vector(m->loop, 4), vector(m->sensors, SENSORS),
+    segfmu_rig_event(vector(m->loop, LOOP), vector(m->sensors, SENSORS),
                      matrix(m->changes, m->count_changes, 2), vector(m->tracking, TRACKING),
                      vector(m->nodes, m->count_nodes), observer_of(m),
                      vector(m->lengths, m->count_lengths), gains_of(m),
-                     matrix(m->tracker, 9, STATE), vector(m->setpoints, SETPOINTS),
+                     matrix(m->tracker, MEMORY, STATE), vector(m->setpoints, SETPOINTS),
                      crane_elapsed(m), memory_of(m));
     find_rates(m);
     for (int i = 0; i < 3; i++) {

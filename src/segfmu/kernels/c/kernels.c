@@ -118,7 +118,16 @@ static void kalman_sampled(double sample_time, double drift, double wind, array_
 static double kalman_turn(array_double_2d spread, array_double_2d work);
 static void kalman_gain(int64_t axis, double first, double second, array_double_2d spread, array_double_2d table);
 static void kalman_axis(int64_t axis, double sample_time, array_double_1d expected, array_double_2d work, array_double_2d table);
+static void offset_filter(bool first, double share, array_double_1d signals, array_double_2d states);
+static void offset_signals(array_double_1d measured, double start, array_double_1d signals);
+static int64_t offset_residual(double* result_0_0001, double* result_1_0001, int64_t axis, double gravity, double square, array_double_2d states);
+static int64_t offset_noise(double* result_0, double* result_1_0001, array_double_1d parameters, double length);
+static void offset_learn(int64_t axis, double residual, double factor, double length, array_double_1d parameters, array_double_2d memory);
+static void offset_start(array_double_1d parameters, double length, array_double_2d memory);
+static double offset_use(array_double_1d parameters, array_double_2d memory);
+static double offset_estimate(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory);
 static void track_wake(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory);
+static void track_offset(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory);
 static void track_observe(array_double_1d parameters, array_double_1d lengths, array_double_3d table, array_double_1d measured, array_double_1d reference, array_double_2d memory);
 static void track_law(array_double_1d parameters, double length, array_double_1d gain_lengths, array_double_3d gains, array_double_2d memory, array_double_1d correction);
 static void track_hoist(array_double_1d parameters, array_double_2d memory);
@@ -5211,6 +5220,240 @@ void segfmu_observer_correct(double length, array_double_1d lengths, array_doubl
         }
     }
 }
+/*Three lags (4, 7) of half a sample over their time constant `share`, by Tustin's rule. */
+static void offset_filter(bool first, double share, array_double_1d signals, array_double_2d states)
+{
+    int64_t i;
+    double before;
+    int64_t k;
+    double lagged;
+    double entering;
+    for (i = INT64_C(0); i < INT64_C(7); i += INT64_C(1))
+    {
+        before = (*cspan_at(&states, INT64_C(0), i));
+        (*cspan_at(&states, INT64_C(0), i)) = (*cspan_at(&signals, i));
+        for (k = INT64_C(1); k < INT64_C(4); k += INT64_C(1))
+        {
+            lagged = (*cspan_at(&states, k, i));
+            entering = before + (*cspan_at(&states, k - INT64_C(1), i));
+            (*cspan_at(&states, k, i)) = ((1.0 - share) * lagged + share * entering) / (1.0 + share);
+            if (first)
+            {
+                (*cspan_at(&states, k, i)) = (*cspan_at(&signals, i));
+            }
+            before = lagged;
+        }
+    }
+}
+/*Place of the load and direction of the rope (3 each) from five measured values.*/
+static void offset_signals(array_double_1d measured, double start, array_double_1d signals)
+{
+    int64_t i;
+    (*cspan_at(&signals, INT64_C(3))) = sin((*cspan_at(&measured, INT64_C(3))));
+    (*cspan_at(&signals, INT64_C(4))) = (-cos((*cspan_at(&measured, INT64_C(3))))) * sin((*cspan_at(&measured, INT64_C(4))));
+    (*cspan_at(&signals, INT64_C(5))) = (-cos((*cspan_at(&measured, INT64_C(3))))) * cos((*cspan_at(&measured, INT64_C(4))));
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&signals, i)) = (*cspan_at(&measured, INT64_C(2))) * (*cspan_at(&signals, INT64_C(3) + i));
+    }
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&signals, i)) = (*cspan_at(&signals, i)) + (*cspan_at(&measured, i));
+    }
+    (*cspan_at(&signals, INT64_C(6))) = start;
+}
+/*The equation's left side without offset, and the offset's factor, across the rope. */
+/*                                                                                   */
+/*    square: of the filter's bandwidth.                                             */
+/*                                                                                   */
+static int64_t offset_residual(double* result_0_0001, double* result_1_0001, int64_t axis, double gravity, double square, array_double_2d states)
+{
+    double place;
+    double height;
+    double turn;
+    double drop;
+    double across;
+    double down;
+    place = square * ((*cspan_at(&states, INT64_C(1), axis)) - 2.0 * (*cspan_at(&states, INT64_C(2), axis)) + (*cspan_at(&states, INT64_C(3), axis)));
+    height = square * ((*cspan_at(&states, INT64_C(1), INT64_C(2))) - 2.0 * (*cspan_at(&states, INT64_C(2), INT64_C(2))) + (*cspan_at(&states, INT64_C(3), INT64_C(2)))) + gravity;
+    turn = square * ((*cspan_at(&states, INT64_C(1), INT64_C(3) + axis)) - 2.0 * (*cspan_at(&states, INT64_C(2), INT64_C(3) + axis)) + (*cspan_at(&states, INT64_C(3), INT64_C(3) + axis)));
+    drop = square * ((*cspan_at(&states, INT64_C(1), INT64_C(5))) - 2.0 * (*cspan_at(&states, INT64_C(2), INT64_C(5))) + (*cspan_at(&states, INT64_C(3), INT64_C(5))));
+    across = (*cspan_at(&states, INT64_C(3), INT64_C(3) + axis));
+    down = (*cspan_at(&states, INT64_C(3), INT64_C(5)));
+    (*result_0_0001) = height * across - place * down;
+    (*result_1_0001) = drop * across - turn * down;
+    return 0;
+}
+/*Variances of residual and factor by the noise of the sensors, white before the filter. */
+static int64_t offset_noise(double* result_0, double* result_1_0001, array_double_1d parameters, double length)
+{
+    double w;
+    double gravity;
+    double share;
+    double fifth;
+    double angle;
+    double residual;
+    w = (*cspan_at(&parameters, INT64_C(24)));
+    gravity = (*cspan_at(&parameters, INT64_C(6)));
+    share = (*cspan_at(&parameters, INT64_C(1))) / 16.0;
+    fifth = 3.0 * w * w * w * w * w;
+    angle = length * length * fifth + gravity * w * (3.0 * gravity - 2.0 * length * w * w);
+    residual = share * (angle * (*cspan_at(&parameters, INT64_C(25))) + fifth * (*cspan_at(&parameters, INT64_C(26))));
+    (*result_0) = residual;
+    (*result_1_0001) = share * fifth * (*cspan_at(&parameters, INT64_C(25)));
+    return 0;
+}
+/*One axis' step of the least squares; residual = factor * offset + wind.*/
+static void offset_learn(int64_t axis, double residual, double factor, double length, array_double_1d parameters, array_double_2d memory)
+{
+    double noise;
+    double factor_noise;
+    int64_t wind;
+    double deviation;
+    double error;
+    double spread;
+    double likely;
+    double unexplained;
+    double decay;
+    double trust;
+    double total;
+    int64_t i;
+    int64_t j;
+    offset_noise(&noise, &factor_noise, parameters, length);
+    wind = INT64_C(1) + axis;
+    deviation = (*cspan_at(&memory, INT64_C(9), INT64_C(6)));
+    if (factor * factor < 9.0 * factor_noise)
+    {
+        /*a factor of mere noise would draw the offset to that of wind*/
+        factor = 0.0;
+    }
+    error = residual - factor * (*cspan_at(&memory, INT64_C(8), INT64_C(0))) - (*cspan_at(&memory, INT64_C(8), wind));
+    spread = factor * (factor * (*cspan_at(&memory, INT64_C(9), INT64_C(0))) + 2.0 * (*cspan_at(&memory, INT64_C(9), wind))) + (*cspan_at(&memory, INT64_C(9) + wind, wind));
+    likely = 2.0 * deviation * fabs(factor) + sqrt(noise);
+    if ((error * error > 9.0 * (spread + noise)) || (fabs(residual - (*cspan_at(&memory, INT64_C(8), wind))) > likely))
+    {
+        (*cspan_at(&memory, INT64_C(8), INT64_C(6) + wind)) = 6.0 / ((*cspan_at(&parameters, INT64_C(24))) * (*cspan_at(&parameters, INT64_C(1))));
+    }
+    if ((*cspan_at(&memory, INT64_C(8), INT64_C(6) + wind)) > 0.0)
+    {
+        (*cspan_at(&memory, INT64_C(8), INT64_C(6) + wind)) = (*cspan_at(&memory, INT64_C(8), INT64_C(6) + wind)) - 1.0;
+        (*cspan_at(&memory, INT64_C(9) + wind, wind)) = (*cspan_at(&memory, INT64_C(9) + wind, wind)) + (*cspan_at(&parameters, INT64_C(27))) * (*cspan_at(&parameters, INT64_C(27)));
+        spread = spread + (*cspan_at(&parameters, INT64_C(27))) * (*cspan_at(&parameters, INT64_C(27)));
+    }
+    /*what was not explained is noise for a while*/
+    unexplained = 3.0 * (error * error - 2.0 * (spread + noise));
+    decay = 1.0 - (*cspan_at(&parameters, INT64_C(24))) * (*cspan_at(&parameters, INT64_C(1))) / 12.0;
+    (*cspan_at(&memory, INT64_C(8), INT64_C(4) + wind)) = span_max((*cspan_at(&memory, INT64_C(8), INT64_C(4) + wind)) * decay, unexplained);
+    /*and no sample teaches more than a share, as filters and models are not exact*/
+    trust = 4.0 * factor * factor * deviation * deviation;
+    total = spread + noise + (*cspan_at(&memory, INT64_C(8), INT64_C(4) + wind)) + trust;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(12), i)) = factor * (*cspan_at(&memory, INT64_C(9) + i, INT64_C(0))) + (*cspan_at(&memory, INT64_C(9) + i, wind));
+    }
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(8), i)) = (*cspan_at(&memory, INT64_C(8), i)) + (*cspan_at(&memory, INT64_C(12), i)) * error / total;
+        for (j = INT64_C(0); j < INT64_C(3); j += INT64_C(1))
+        {
+            (*cspan_at(&memory, INT64_C(9) + i, j)) = (*cspan_at(&memory, INT64_C(9) + i, j)) - (*cspan_at(&memory, INT64_C(12), i)) * (*cspan_at(&memory, INT64_C(12), j)) / total;
+        }
+    }
+}
+/*What is known before the first tick. */
+static void offset_start(array_double_1d parameters, double length, array_double_2d memory)
+{
+    int64_t axis;
+    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(10) + axis, INT64_C(1) + axis)) = 0.0001 * (*cspan_at(&parameters, INT64_C(27))) * (*cspan_at(&parameters, INT64_C(27)));
+    }
+    (*cspan_at(&memory, INT64_C(9), INT64_C(6))) = (*cspan_at(&parameters, INT64_C(23))) * length;
+    (*cspan_at(&memory, INT64_C(9), INT64_C(0))) = (*cspan_at(&memory, INT64_C(9), INT64_C(6))) * (*cspan_at(&memory, INT64_C(9), INT64_C(6)));
+    (*cspan_at(&memory, INT64_C(8), INT64_C(9))) = 1.0;
+}
+/*The offset in use: once it has been three standard deviations for a while; fades.*/
+static double offset_use(array_double_1d parameters, array_double_2d memory)
+{
+    double offset;
+    double deviation;
+    double most;
+    double aim;
+    double result;
+    offset = (*cspan_at(&memory, INT64_C(8), INT64_C(0)));
+    deviation = sqrt((*cspan_at(&memory, INT64_C(9), INT64_C(0))));
+    (*cspan_at(&memory, INT64_C(9), INT64_C(3))) = (*cspan_at(&memory, INT64_C(9), INT64_C(3))) + 1.0;
+    if (fabs(offset) < 3.0 * deviation)
+    {
+        (*cspan_at(&memory, INT64_C(9), INT64_C(3))) = 0.0;
+    }
+    if ((*cspan_at(&memory, INT64_C(9), INT64_C(3))) * (*cspan_at(&parameters, INT64_C(1))) * (*cspan_at(&parameters, INT64_C(24))) > 2.4)
+    {
+        (*cspan_at(&memory, INT64_C(9), INT64_C(4))) = 1.0;
+    }
+    if (fabs(offset) < 2.0 * deviation)
+    {
+        (*cspan_at(&memory, INT64_C(9), INT64_C(4))) = 0.0;
+    }
+    most = 3.0 * (*cspan_at(&memory, INT64_C(9), INT64_C(6)));
+    aim = (*cspan_at(&memory, INT64_C(9), INT64_C(4))) * span_min(span_max(offset, -most), most);
+    (*cspan_at(&memory, INT64_C(9), INT64_C(5))) = aim + (*cspan_at(&parameters, INT64_C(11))) * ((*cspan_at(&memory, INT64_C(9), INT64_C(5))) - aim);
+    result = (*cspan_at(&memory, INT64_C(9), INT64_C(5)));
+    return result;
+}
+/*Offset [m] to add to the measured length, from signals and reference of the same time. */
+static double offset_estimate(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory)
+{
+    bool first;
+    double start;
+    double share;
+    double square;
+    double walk;
+    int64_t axis;
+    double found;
+    double factor;
+    double planned;
+    double unused;
+    double residual;
+    double least;
+    double result;
+    if ((*cspan_at(&parameters, INT64_C(23))) <= 0.0)
+    {
+        return 0.0;
+    }
+    first = (*cspan_at(&memory, INT64_C(8), INT64_C(9))) < 0.5;
+    start = 0.0;
+    if (first)
+    {
+        start = 1.0;
+        offset_start(parameters, (*cspan_at(&measured, INT64_C(2))), memory);
+    }
+    share = 0.5 * (*cspan_at(&parameters, INT64_C(24))) * (*cspan_at(&parameters, INT64_C(1)));
+    square = (*cspan_at(&parameters, INT64_C(24))) * (*cspan_at(&parameters, INT64_C(24)));
+    offset_signals(measured, start, span_row(&memory, INT64_C(12)));
+    offset_filter(first, share, span_row(&memory, INT64_C(12)), span_rows(&memory, INT64_C(0), INT64_C(4)));
+    offset_signals(reference, start, span_row(&memory, INT64_C(12)));
+    offset_filter(first, share, span_row(&memory, INT64_C(12)), span_rows(&memory, INT64_C(4), INT64_C(8)));
+    walk = 0.003 * (*cspan_at(&parameters, INT64_C(27)));
+    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+    {
+        offset_residual(&found, &factor, axis, (*cspan_at(&parameters, INT64_C(6))), square, span_rows(&memory, INT64_C(0), INT64_C(4)));
+        offset_residual(&planned, &unused, axis, (*cspan_at(&parameters, INT64_C(6))), square, span_rows(&memory, INT64_C(4), INT64_C(8)));
+        residual = planned - found;
+        if (first)
+        {
+            (*cspan_at(&memory, INT64_C(8), INT64_C(3) + axis)) = residual;
+        }
+        /*the filter starts as if all had rested before, which a swaying load did not*/
+        residual = residual - (*cspan_at(&memory, INT64_C(8), INT64_C(3) + axis)) * (*cspan_at(&memory, INT64_C(3), INT64_C(6)));
+        (*cspan_at(&memory, INT64_C(10) + axis, INT64_C(1) + axis)) = (*cspan_at(&memory, INT64_C(10) + axis, INT64_C(1) + axis)) + walk * walk * (*cspan_at(&parameters, INT64_C(1)));
+        offset_learn(axis, residual, factor, (*cspan_at(&measured, INT64_C(2))), parameters, memory);
+    }
+    least = 0.05 * (*cspan_at(&memory, INT64_C(9), INT64_C(6)));
+    (*cspan_at(&memory, INT64_C(9), INT64_C(0))) = span_max((*cspan_at(&memory, INT64_C(9), INT64_C(0))), least * least);
+    result = offset_use(parameters, memory);
+    return result;
+}
 /*Wake the feedback at the first deviation that is more than the sensors' steps. */
 /*                                                                               */
 /*    Until then there is nothing to correct that a rounded signal could show.   */
@@ -5238,6 +5481,29 @@ static void track_wake(array_double_1d parameters, array_double_1d measured, arr
             (*cspan_at(&memory, INT64_C(4), INT64_C(6))) = 1.0;
         }
     }
+}
+/*Put the signals (5) with the offset of the rope's length removed into memory[21].*/
+static void track_offset(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory)
+{
+    double before;
+    double offset;
+    int64_t i;
+    before = (*cspan_at(&memory, INT64_C(18), INT64_C(5)));
+    if (((*cspan_at(&parameters, INT64_C(2))) > 0.5) && ((*cspan_at(&memory, INT64_C(3), INT64_C(3))) > 0.5))
+    {
+        offset = offset_estimate(parameters, measured, span_row(&memory, INT64_C(6)), span_rows(&memory, INT64_C(9), INT64_C(22)));
+    }
+    else
+    {
+        offset = offset_estimate(parameters, measured, reference, span_rows(&memory, INT64_C(9), INT64_C(22)));
+    }
+    /*a better known length is no motion of the rope*/
+    (*cspan_at(&memory, INT64_C(2), INT64_C(0))) = (*cspan_at(&memory, INT64_C(2), INT64_C(0))) + (offset - before);
+    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(21), i)) = (*cspan_at(&measured, i));
+    }
+    (*cspan_at(&memory, INT64_C(21), INT64_C(2))) = (*cspan_at(&measured, INT64_C(2))) + offset;
 }
 /*Bring estimate and velocity command to the present tick. */
 static void track_observe(array_double_1d parameters, array_double_1d lengths, array_double_3d table, array_double_1d measured, array_double_1d reference, array_double_2d memory)
@@ -5365,8 +5631,9 @@ void segfmu_track_setpoint(array_double_1d parameters, array_double_1d lengths, 
 {
     int64_t i;
     double total;
-    track_observe(parameters, lengths, table, measured, reference, memory);
-    track_law(parameters, (*cspan_at(&measured, INT64_C(2))), gain_lengths, gains, memory, correction);
+    track_offset(parameters, measured, reference, memory);
+    track_observe(parameters, lengths, table, span_row(&memory, INT64_C(21)), reference, memory);
+    track_law(parameters, (*cspan_at(&memory, INT64_C(21), INT64_C(2))), gain_lengths, gains, memory, correction);
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         if ((*cspan_at(&memory, INT64_C(3), INT64_C(4))) > 0.5)
@@ -8064,10 +8331,49 @@ static void prepare_tick(array_double_1d sensors, array_double_1d setpoints, dou
         }
     }
 }
+/*Let the new correction act or not; what that would make it jump by fades out instead.    */
+/*                                                                                         */
+/*    Callers that correct by themselves call it after they have put theirs into memory[8].*/
+/*                                                                                         */
+void segfmu_switch_correction(array_double_1d loop, array_double_2d memory)
+{
+    double acts;
+    double decay;
+    int64_t i;
+    acts = 1.0;
+    if ((*cspan_at(&loop, INT64_C(2))) > 0.5)
+    {
+        acts = 2.0;
+    }
+    decay = 0.0;
+    if ((*cspan_at(&loop, INT64_C(4))) > 0.0)
+    {
+        decay = exp((-(*cspan_at(&loop, INT64_C(1)))) / (*cspan_at(&loop, INT64_C(4))));
+    }
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        if (acts < 1.5)
+        {
+            (*cspan_at(&memory, INT64_C(8), i)) = 0.0;
+            if ((*cspan_at(&memory, INT64_C(1), INT64_C(4))) > 0.5)
+            {
+                /*a velocity that was added must not stay*/
+                (*cspan_at(&memory, INT64_C(8), i)) = (-(*cspan_at(&memory, INT64_C(9), i))) / span_max((*cspan_at(&loop, INT64_C(4))), (*cspan_at(&loop, INT64_C(1))));
+            }
+        }
+        if (((*cspan_at(&memory, INT64_C(8), INT64_C(6))) > 0.5) && ((*cspan_at(&memory, INT64_C(8), INT64_C(6))) != acts))
+        {
+            (*cspan_at(&memory, INT64_C(8), INT64_C(3) + i)) = (*cspan_at(&memory, INT64_C(8), INT64_C(7) + i)) - (*cspan_at(&memory, INT64_C(8), i));
+        }
+        (*cspan_at(&memory, INT64_C(8), INT64_C(3) + i)) = decay * (*cspan_at(&memory, INT64_C(8), INT64_C(3) + i));
+        (*cspan_at(&memory, INT64_C(8), i)) = (*cspan_at(&memory, INT64_C(8), i)) + (*cspan_at(&memory, INT64_C(8), INT64_C(3) + i));
+        (*cspan_at(&memory, INT64_C(8), INT64_C(7) + i)) = (*cspan_at(&memory, INT64_C(8), i));
+    }
+    (*cspan_at(&memory, INT64_C(8), INT64_C(6))) = acts;
+}
 /*The correction at a tick; the tracking controller's observer goes on when it is off. */
 static void correct_setpoints(array_double_1d loop, array_double_1d tracking, array_double_1d lengths, array_double_3d table, array_double_1d gain_lengths, array_double_3d gains, array_double_2d tracker, array_double_2d memory)
 {
-    int64_t i;
     if ((*cspan_at(&loop, INT64_C(0))) > 1.5)
     {
         segfmu_track_setpoint(tracking, lengths, table, gain_lengths, gains, span_row(&memory, INT64_C(5)), span_row(&memory, INT64_C(6)), span_row(&memory, INT64_C(7)), tracker, span_row(&memory, INT64_C(8)));
@@ -8076,13 +8382,7 @@ static void correct_setpoints(array_double_1d loop, array_double_1d tracking, ar
     {
         segfmu_feedback_correction(span_row(&memory, INT64_C(0)), span_row(&memory, INT64_C(6)), gain_lengths, gains, span_row(&memory, INT64_C(8)));
     }
-    if ((*cspan_at(&loop, INT64_C(2))) < 0.5)
-    {
-        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-        {
-            (*cspan_at(&memory, INT64_C(8), i)) = 0.0;
-        }
-    }
+    segfmu_switch_correction(loop, memory);
 }
 /*Commands of velocity drives now and their rates until a time; advances what is added.*/
 static void command_velocities(array_double_1d setpoints, double duration, double until, array_double_2d memory)

@@ -41,6 +41,7 @@ void segfmu_seed_numbers(int64_t seed, array_double_1d numbers);
 void segfmu_noise_components(double bandwidth, array_double_1d deviation, array_double_1d numbers, array_double_2d components);
 int64_t segfmu_plant_advance(array_double_1d parameters, array_double_2d components, double time, array_double_1d state, array_double_1d command, array_double_1d rate, array_double_1d load_force, double duration, double tolerance, array_double_2d work, array_double_1d report);
 void segfmu_measure_state(array_double_1d state, array_double_1d sensors, array_double_1d numbers, array_double_1d measured);
+void segfmu_switch_correction(array_double_1d loop, array_double_2d memory);
 int64_t segfmu_rig_rows(double sample_time, double dead_time);
 void segfmu_rig_start(array_double_1d loop, array_double_1d sensors, array_double_2d changes, array_double_1d parameters, array_double_1d state, array_double_1d setpoints, double start, array_double_2d memory);
 int64_t segfmu_rig_step(array_double_1d loop, array_double_1d sensors, array_double_2d components, array_double_2d changes, array_double_1d tracking, array_double_1d lengths, array_double_3d table, array_double_1d gain_lengths, array_double_3d gains, array_double_2d tracker, array_double_1d setpoints, double duration, array_double_2d memory);

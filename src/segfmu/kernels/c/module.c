@@ -1231,6 +1231,26 @@ static PyObject *call_measure_state(
     return answer;
 }
 
+static PyObject *call_switch_correction(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "switch_correction", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_loop;
+    Py_buffer *in_memory;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_loop = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_memory = take_array(&call, 1, 2, 'd', true)) != NULL) {
+        segfmu_switch_correction(
+            (array_double_1d){in_loop->buf, {in_loop->shape[0]}},
+            (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_rig_rows(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -1562,6 +1582,7 @@ static PyMethodDef methods[] = {
     {"noise_components", (PyCFunction)(void (*)(void))call_noise_components, METH_FASTCALL, NULL},
     {"plant_advance", (PyCFunction)(void (*)(void))call_plant_advance, METH_FASTCALL, NULL},
     {"measure_state", (PyCFunction)(void (*)(void))call_measure_state, METH_FASTCALL, NULL},
+    {"switch_correction", (PyCFunction)(void (*)(void))call_switch_correction, METH_FASTCALL, NULL},
     {"rig_rows", (PyCFunction)(void (*)(void))call_rig_rows, METH_FASTCALL, NULL},
     {"rig_start", (PyCFunction)(void (*)(void))call_rig_start, METH_FASTCALL, NULL},
     {"rig_step", (PyCFunction)(void (*)(void))call_rig_step, METH_FASTCALL, NULL},

@@ -1,0 +1,70 @@
+"""The tracking controller learns the offset of the rope's sensor, in loops by Newton's laws."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from segfmu import FlatInverse, Limits, Waypoint, plan
+from tests.crane.loop import Rig, simulate
+from tests.crane.test_tracking import ENCODERS, LAB, T, controller, rig
+
+
+def move(loop, true: Rig, start=0.0):
+    """States under a move with hoisting, by Newton's laws, and those of the plan."""
+    points = [Waypoint([-0.25, -0.3, -0.8]), Waypoint([0.25, 0.3, -0.7])]
+    trajectory = plan(points, Limits([0.22, 0.22, 0.2], 0.3, 0.8, 6.0), smoothness=5)
+    inverse = FlatInverse(LAB, trajectory)
+
+    def given(time: float) -> np.ndarray:
+        if not true.driven:
+            return inverse.force(np.array([time]))[0]
+        # the slope of the velocity commands, which compensate the lag
+        now, later = inverse.evaluate(np.array([time, time + 1e-4]))[:, 13:16]
+        return now + np.array(true.lag) * (later - now) / 1e-4
+
+    def planned(time: float) -> np.ndarray:
+        return inverse.state(np.array([time]))[0]
+
+    duration = round(trajectory.duration + 2.0)
+    states, _ = simulate(true, loop, planned(0.0) + start, duration, planned, given)
+    return states, np.array([planned(i * T) for i in range(len(states))])
+
+
+@pytest.mark.parametrize("driven", [False, True])
+@pytest.mark.parametrize("offset", [-0.04, 0.04])
+def test_the_offset_of_the_ropes_sensor_is_learnt_on_the_way(driven: bool, offset: float) -> None:
+    """5 % of the rope: the load comes to its height, and the sway of the wrong rope goes."""
+    longer = np.array([0.0, 0.0, offset, *np.zeros(7)])
+    true = rig(driven, offset=(0.0, 0.0, -offset, 0.0, 0.0))
+    learning = controller("flat", driven, wake=1.0)
+    believing = controller("flat", driven, wake=1.0, offset=0.0)
+    states, planned = move(learning, true, longer)
+    blind, _ = move(believing, true, longer)
+    assert learning.offset == pytest.approx(offset, rel=0.05)
+    assert believing.offset == 0.0
+    assert states[-1, 2] == pytest.approx(planned[-1, 2], abs=3e-3)
+    assert blind[-1, 2] == pytest.approx(planned[-1, 2] + offset, abs=3e-3)
+    swayed = [np.abs(s[-200:, 3:5]).max() for s in (states, blind)]
+    assert swayed[0] < 0.2 * swayed[1]
+
+
+@pytest.mark.parametrize("driven", [False, True])
+@pytest.mark.parametrize(
+    "values",
+    [{}, {"payload": 0.5}, {"payload": 1.5}, {"resolution": ENCODERS},
+     {"wind": lambda t: np.array([1.0, 0.5, 0.0]) * (1.0 < t < 1.5)}],
+    ids=["nothing", "light", "heavy", "encoders", "gust"],
+)
+def test_what_is_no_offset_is_not_taken_for_one(driven: bool, values) -> None:
+    loop = controller("flat", driven, wake=1.0)
+    offsets = []
+
+    def sample(*given, own=loop.sample) -> np.ndarray:
+        offsets.append(loop.offset)
+        return own(*given)
+
+    loop.sample = sample
+    move(loop, rig(driven, **values))
+    assert len(offsets) > 400
+    assert not np.any(offsets)
