@@ -61,6 +61,14 @@ def _outputs() -> list[Variable]:
         rows.append(output(f"{sway}.rate", "rad/s", f"planned rate of phi_{axis}"))
     rows.append(output("plan.interval", None, "active waypoint interval, from 1", kind="Integer"))
     rows.append(output("plan.done", None, "the planned motion has ended", kind="Boolean"))
+    rows.append(
+        Variable(
+            "plan.next_event", "Real", "output", "discrete",
+            "time of the next arrival at a waypoint, of the end of the motion, or at smoothness 4 "
+            "of the next jump of the forces' rates; after all of them that of the last",
+            unit="s",
+        )
+    )
     return rows
 
 

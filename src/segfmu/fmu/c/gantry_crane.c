@@ -32,11 +32,6 @@ int64_t model_rows(const model *base)
     return base->integer[V_FEEDBACK_TABLE_COUNT];
 }
 
-static double *row(crane *m, int place)
-{
-    return m->memory + place * COLUMNS;
-}
-
 static bool in_exchange(const crane *m)
 {
     return m->base.interface == EXCHANGE;
@@ -103,37 +98,13 @@ bool model_initialise(model *base, char message[MESSAGE])
 
 /* ---- co-simulation ---- */
 
-/* Setpoints at a time within the step; inputs are those at its end, or at its beginning where
-   their slopes are given. */
-static void read_setpoints(crane *m, double time)
-{
-    const model *base = &m->base;
-    double now = base->real[V_TIME], share = (time - now) / (base->step_end - now);
-    crane_read_inputs(m);
-    for (int i = 0; i < V_WIND_X; i++) {
-        double start = m->input[i], end = base->real[i];
-        if (base->sloped) {
-            start = end + base->slope[i] * (now - base->step_start);
-            end = end + base->slope[i] * (time - base->step_start);
-        } else if (time < base->step_end) {
-            end = start + (end - start) * share;
-        }
-        m->slope[i] = (end - start) / (time - now);
-        m->input[i] = end;
-        if (i < V_REFERENCE_LOAD_POSITION_X) {
-            row(m, ROW_LAST)[i] = start;
-            m->setpoints[i] = end;
-        }
-    }
-}
-
 bool model_advance(model *base, double time, char message[MESSAGE])
 {
     crane *m = (crane *)base;
     if (base->tuned && !crane_set_gains(m, message)) {
         return false;
     }
-    read_setpoints(m, time);
+    crane_follow_inputs(m, time);
     int64_t status = segfmu_rig_step(
         vector(m->loop, 4), vector(m->sensors, SENSORS),
         matrix(m->components, m->count_components, 7), matrix(m->changes, m->count_changes, 2),
