@@ -69,7 +69,8 @@ def right_of_break(
 ) -> float:
     """Time since `start`, just behind the break where it is at one: all axes on the next piece."""
     local = time - start
+    # an axis that has come to its end is still on its last piece there
     behind = local + same_break(time)
-    if next_break(local, timing, offsets, ends) <= behind:
+    if next_break(local - same_break(time), timing, offsets, ends) <= behind:
         return behind
     return local

@@ -3616,8 +3616,9 @@ double segfmu_right_of_break(double time, double start, array_double_2d timing, 
     double behind;
     double result;
     local = time - start;
+    /*an axis that has come to its end is still on its last piece there*/
     behind = local + segfmu_same_break(time);
-    if (next_break(local, timing, offsets, ends) <= behind)
+    if (next_break(local - segfmu_same_break(time), timing, offsets, ends) <= behind)
     {
         return behind;
     }
