@@ -2,7 +2,8 @@
 
 In every communication step the source steps first and its outputs at the end of the step are
 handed to the sink, which then makes the same step. In parallel, as most importers do it, both step
-with the values of the step before and the outputs are handed on afterwards.
+with the values of the step before and the outputs are handed on afterwards; derivatives at the
+beginning of the step may go with them. Steps also end at the source's events.
 """
 
 from __future__ import annotations
@@ -34,7 +35,7 @@ def simulate(
     start_time: float = 0.0,
     source_values: Mapping[str, Any] | None = None,
     sink_values: Mapping[str, Any] | None = None,
-    coupling: Coupling = "sequential",
+    coupling: Coupling | None = None,
     events: bool = True,
     progress: Callable[[float], None] = lambda _: None,
 ) -> NDArray[np.void]:
@@ -50,15 +51,16 @@ def simulate(
     source_values, sink_values : mapping of str to number or str
         Parameters, start values and constant inputs; enumerations by the name of an item, arrays
         of FMI 3.0 after their sizes.
-    coupling : str
+    coupling : str, optional
+        By default "derivatives" where both FMUs have what it needs, else "sequential".
         "sequential": the sink's step has the inputs of its end, an error of second order in the
         step; "parallel": those of its beginning, an error of first order; "derivatives" (FMI 2.0):
         those of its beginning and their derivatives, as many as the source tells: k of them make
         an error of order k + 1.
     events : bool
         Steps end at the source's events as well: in FMI 3.0 it returns early, in FMI 2.0 its output
-        `plan.next_event` names them. Without, a signal that has a kink within a step is followed
-        around the corner.
+        `plan.next_event` names them. Without, what a signal does behind a kink within a step is
+        seen at the end of that step.
     progress : callable
         Gets the share done, now and then.
 
@@ -74,7 +76,7 @@ def simulate(
     SimulationError
         When an FMU reports an error, with its message.
     """
-    if coupling not in get_args(Coupling):
+    if coupling is not None and coupling not in get_args(Coupling):
         allowed = " or ".join(get_args(Coupling))
         raise InputError(f"coupling must be {allowed}, got {coupling!r}")
     times = _times(start_time, stop_time, step)
@@ -83,6 +85,9 @@ def simulate(
         second.set(dict(sink_values or {}))
         for unit in (first, second):
             unit.enter_initialization(start_time, stop_time)
+        if coupling is None:
+            has_derivatives = first.order > 0 and second.takes_derivatives
+            coupling = "derivatives" if has_derivatives else "sequential"
         order = max(1, first.order) if coupling == "derivatives" else 0
         link = _Link(first, second, order=order)
         first.exit_initialization()

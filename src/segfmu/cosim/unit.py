@@ -119,6 +119,11 @@ class Unit(ABC):
         """Highest order of the derivatives that it tells of its outputs."""
         return int(self.description.coSimulation.maxOutputDerivativeOrder or 0)
 
+    @property
+    def takes_derivatives(self) -> bool:
+        """Whether it takes derivatives of its inputs."""
+        return bool(self.description.coSimulation.canInterpolateInputs)
+
     def hear(self, status: int, message: bytes | None) -> None:
         """Keep a message of the FMU."""
         if status > 0 and message:

@@ -57,7 +57,7 @@ class Unit2(Unit):
         return self._slopes(names, order)
 
     def input_slopes(self, names: Sequence[str], order: int) -> Channel:
-        if not self.description.coSimulation.canInterpolateInputs:
+        if not self.takes_derivatives:
             raise InputError(
                 f"{self.name} takes no input derivatives; use coupling sequential or parallel"
             )

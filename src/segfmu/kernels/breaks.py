@@ -34,7 +34,6 @@ def same_break(time: float) -> float:
 def next_plan_event(
     time: float,
     start: float,
-    smoothness: int,
     timing: 'float[:,:]',
     offsets: 'int[:]',
     ends: 'float[:]',
@@ -42,9 +41,8 @@ def next_plan_event(
 ) -> float:
     """First event after `time` of a plan that begins at `start`; 1e300 if there is none.
 
-    Events are the last axis' arrival at a waypoint and the end of the motion; and up to smoothness
-    4 every break of the pieces, where the rate of the crane's forces jumps. The forces of smoother
-    plans have a rate without jumps, and what is linear between equal steps is closer to them.
+    Events are the last axis' arrival at a waypoint, the end of the motion, and the breaks of all
+    pieces, where derivatives of the crane's forces jump: the first one at smoothness 4.
     """
     event = 1e300
     for waypoint in range(1, times.shape[0] + 1):
@@ -56,8 +54,6 @@ def next_plan_event(
                 arrival = max(arrival, ends[axis])
         if start + arrival > time + same_break(time):
             event = min(event, start + arrival)
-    if smoothness > 4:
-        return event
     found = start + next_break(time + same_break(time) - start, timing, offsets, ends)
     if event <= found + same_break(time):
         return event

@@ -117,8 +117,9 @@ class Trajectory:
     def events(self) -> FloatArray:
         """Times [s], ascending, at which a step of a simulation should end, shape (events,).
 
-        The last axis' arrival at each waypoint and the end of the motion; and up to smoothness 4
-        the bounds of all polynomial pieces, where the rate of the crane's forces jumps.
+        The last axis' arrival at each waypoint, the end of the motion, and the bounds of all
+        polynomial pieces, where derivatives of the crane's forces jump: the first one at
+        smoothness 4.
         """
         found = [self.next_event(-1.0)]
         while found[-1] < np.inf:
@@ -128,7 +129,7 @@ class Trajectory:
     def next_event(self, t: float) -> float:
         """First of the `events` after a time t [s], infinite after the last one."""
         time = backend.next_plan_event(
-            float(t), 0.0, self.smoothness, self.timing, self.offsets, self.axis_durations,
+            float(t), 0.0, self.timing, self.offsets, self.axis_durations,
             self.axis_waypoint_times,
         )
         return float(time) if time < 1e300 else np.inf

@@ -83,9 +83,8 @@ static double upcoming(const feedforward *m)
 {
     const segfmu_trajectory t = feedforward_trajectory(m);
     double next = segfmu_next_plan_event(
-        m->base.real[V_TIME], m->base.real[V_PLANNER_START_TIME], t.smoothness, timing_of(&t),
-        offsets_of(&t), vector((double *)t.ends, AXES),
-        matrix((double *)t.times, t.points, AXES));
+        m->base.real[V_TIME], m->base.real[V_PLANNER_START_TIME], timing_of(&t), offsets_of(&t),
+        vector((double *)t.ends, AXES), matrix((double *)t.times, t.points, AXES));
     return next < 1e300 ? next : INFINITY;
 }
 

@@ -3564,13 +3564,12 @@ double segfmu_same_break(double time)
     double result;
     return 1e-09 + 1e-14 * fabs(time);
 }
-/*First event after `time` of a plan that begins at `start`; 1e300 if there is none.                 */
-/*                                                                                                   */
-/*    Events are the last axis' arrival at a waypoint and the end of the motion; and up to smoothness*/
-/*    4 every break of the pieces, where the rate of the crane's forces jumps. The forces of smoother*/
-/*    plans have a rate without jumps, and what is linear between equal steps is closer to them.     */
-/*                                                                                                   */
-double segfmu_next_plan_event(double time, double start, int64_t smoothness, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends, array_double_2d times)
+/*First event after `time` of a plan that begins at `start`; 1e300 if there is none.               */
+/*                                                                                                 */
+/*    Events are the last axis' arrival at a waypoint, the end of the motion, and the breaks of all*/
+/*    pieces, where derivatives of the crane's forces jump: the first one at smoothness 4.         */
+/*                                                                                                 */
+double segfmu_next_plan_event(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends, array_double_2d times)
 {
     double event;
     int64_t waypoint;
@@ -3597,10 +3596,6 @@ double segfmu_next_plan_event(double time, double start, int64_t smoothness, arr
         {
             event = span_min(event, start + arrival);
         }
-    }
-    if (smoothness > INT64_C(4))
-    {
-        return event;
     }
     found = start + next_break(time + segfmu_same_break(time) - start, timing, offsets, ends);
     if (event <= found + segfmu_same_break(time))

@@ -395,24 +395,21 @@ static PyObject *call_next_plan_event(
     PyObject *answer = NULL;
     double in_time;
     double in_start;
-    int64_t in_smoothness;
     Py_buffer *in_timing;
     Py_buffer *in_offsets;
     Py_buffer *in_ends;
     Py_buffer *in_times;
     (void)self;
-    if (take_count(&call, count, 7)
+    if (take_count(&call, count, 6)
         && take_float(&call, 0, &in_time)
         && take_float(&call, 1, &in_start)
-        && take_int(&call, 2, &in_smoothness)
-        && (in_timing = take_array(&call, 3, 2, 'd', false)) != NULL
-        && (in_offsets = take_array(&call, 4, 1, 'l', false)) != NULL
-        && (in_ends = take_array(&call, 5, 1, 'd', false)) != NULL
-        && (in_times = take_array(&call, 6, 2, 'd', false)) != NULL) {
+        && (in_timing = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
+        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
+        && (in_times = take_array(&call, 5, 2, 'd', false)) != NULL) {
         answer = PyFloat_FromDouble(segfmu_next_plan_event(
             in_time,
             in_start,
-            in_smoothness,
             (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
             (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
             (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
