@@ -126,21 +126,6 @@ def test_unknown_coupling_is_refused(fmus: tuple[Path, Path]) -> None:
         simulate(*fmus, stop_time=1.0, step=0.1, coupling="both")  # type: ignore[arg-type]
 
 
-@pytest.mark.parametrize("coupling", ["sequential", "derivatives"])
-def test_feedforward_alone_errs_by_second_order(native_fmus, coupling: str) -> None:
-    """Force mode, perfect model: below 1e-6 m at 1 ms; smoothness 6, so that forces are smooth."""
-    steps, errors = np.array([2e-3, 1e-3, 5e-4]), []
-    for step in steps:
-        rows = simulate(
-            *native_fmus[2], stop_time=4.5, step=float(step), coupling=coupling,
-            source_values={"planner.smoothness": 6, "planner.shape": "smoothstep"},
-            sink_values={"feedback.enabled": False},
-        )
-        errors.append(rows["error.load.norm"].max())
-    assert errors[1] < 1e-6
-    assert np.polyfit(np.log(steps), np.log(errors), 1)[0] == pytest.approx(2.0, abs=0.02)
-
-
 def test_coupling_by_derivatives_needs_fmus_that_have_them(fmus) -> None:
     with pytest.raises(InputError, match="tells no output derivatives"):
         simulate(*fmus, stop_time=0.1, step=0.01, coupling="derivatives")

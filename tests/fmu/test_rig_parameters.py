@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from segfmu.cosim.load import load
+from segfmu.cosim.unit import Unit
 from segfmu.crane import Drive, Friction, Gust, PayloadChange, Rig, Sensors, TravelLimits, Wind
 from segfmu.errors import SimulationError
 from segfmu.fmu import gantry_crane

@@ -44,8 +44,8 @@ def simulate(
     Parameters
     ----------
     source, sink : Path
-        Co-simulation FMUs of FMI 2.0 or 3.0. Outputs of the source are connected to the inputs of the sink
-        that have the same name.
+        Co-simulation FMUs of FMI 2.0 or 3.0. Outputs of the source are connected to the inputs of
+        the sink that have the same name.
     stop_time, step, start_time : float
         [s]; the last step is shorter where the step does not divide the time.
     source_values, sink_values : mapping of str to number or str

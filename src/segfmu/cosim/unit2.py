@@ -93,7 +93,7 @@ class Unit2(Unit):
             return end
         self._next_event.read()
         event = float(self._next_event.values[0])
-        return event if time + INSTANT < event < end - INSTANT else end
+        return event if time + 1e-3 * INSTANT < event < end - INSTANT else end
 
     def step(self, time: float, end: float) -> float:
         self.call(

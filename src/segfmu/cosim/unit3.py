@@ -84,10 +84,10 @@ class Unit3(Unit):
             "enter initialisation", self.fmu.enterInitializationMode, startTime=start,
             stopTime=stop,
         )
-        self._initialised = True
 
     def exit_initialization(self) -> None:
         self.call("be initialised", self.fmu.exitInitializationMode)
+        self._initialised = True
         if self._has_events:
             self._update()
 

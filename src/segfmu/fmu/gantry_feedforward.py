@@ -64,8 +64,8 @@ def _outputs() -> list[Variable]:
     rows.append(
         Variable(
             "plan.next_event", "Real", "output", "discrete",
-            "time of the next event: an arrival at a waypoint, the end of the motion, or a jump of "
-            "derivatives of the forces (the first one at smoothness 4); in the end that of the last",
+            "time of the next event: arrival at a waypoint, end of the motion, or jump of a "
+            "derivative of the forces (the first at smoothness 4); behind the last, its time",
             unit="s",
         )
     )

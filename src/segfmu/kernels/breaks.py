@@ -28,7 +28,7 @@ def next_break(
 
 def same_break(time: float) -> float:
     """Events that differ by less [s] are the same; clocks are coarser late."""
-    return 1e-9 + 1e-14 * abs(time)
+    return 1e-8 + 1e-14 * abs(time)
 
 
 def next_plan_event(

@@ -146,9 +146,10 @@ def plant_advance(
 
     components (count, 7): sines of the wind's noise. command (3): forces [N] of bridge, trolley and
     hoist at the start; or velocities [m/s], or where a drive has no lag accelerations [m/s2]. rate
-    (9): coefficients of the time elapsed in them, of its square and of its cube. load_force (3): on the load, held [N]. tolerance: relative and
-    absolute error of a step. report (10): forces of the drives (3), whether they were at a bound
-    (3), force on the rope, power of the wind and of friction [W], time advanced.
+    (9): coefficients of the time elapsed in them, of its square and of its cube. load_force (3): on
+    the load, held [N]. tolerance: relative and absolute error of a step. report (10): forces of the
+    drives (3), whether they were at a bound (3), force on the rope, power of the wind and of
+    friction [W], time advanced.
 
     Returns `plant_status`, or 3: the steps became too small (for stiff friction, too many), 4: a
     value is not finite. What has a status is approached until within 0.1 us of it; the state is

@@ -3562,7 +3562,7 @@ static double next_break(double time, array_double_2d timing, array_int64_t_1d o
 double segfmu_same_break(double time)
 {
     double result;
-    return 1e-09 + 1e-14 * fabs(time);
+    return 1e-08 + 1e-14 * fabs(time);
 }
 /*First event after `time` of a plan that begins at `start`; 1e300 if there is none.               */
 /*                                                                                                 */
@@ -7418,18 +7418,19 @@ static void accept(array_double_1d state, array_double_2d work, double elapsed, 
     (*cspan_at(&report, INT64_C(8))) = (*cspan_at(&work, INT64_C(6), INT64_C(12)));
     (*cspan_at(&report, INT64_C(9))) = elapsed;
 }
-/*Advance the state (13), in place, by a duration from a time on.                                                                                  */
-/*                                                                                                                                                 */
-/*    components (count, 7): sines of the wind's noise. command (3): forces [N] of bridge, trolley and                                             */
-/*    hoist at the start; or velocities [m/s], or where a drive has no lag accelerations [m/s2]. rate                                              */
-/*    (9): coefficients of the time elapsed in them, of its square and of its cube. load_force (3): on the load, held [N]. tolerance: relative and */
-/*    absolute error of a step. report (10): forces of the drives (3), whether they were at a bound                                                */
-/*    (3), force on the rope, power of the wind and of friction [W], time advanced.                                                                */
-/*                                                                                                                                                 */
-/*    Returns `plant_status`, or 3: the steps became too small (for stiff friction, too many), 4: a                                                */
-/*    value is not finite. What has a status is approached until within 0.1 us of it; the state is                                                 */
-/*    the last one without.                                                                                                                        */
-/*                                                                                                                                                 */
+/*Advance the state (13), in place, by a duration from a time on.                                      */
+/*                                                                                                     */
+/*    components (count, 7): sines of the wind's noise. command (3): forces [N] of bridge, trolley and */
+/*    hoist at the start; or velocities [m/s], or where a drive has no lag accelerations [m/s2]. rate  */
+/*    (9): coefficients of the time elapsed in them, of its square and of its cube. load_force (3): on */
+/*    the load, held [N]. tolerance: relative and absolute error of a step. report (10): forces of the */
+/*    drives (3), whether they were at a bound (3), force on the rope, power of the wind and of        */
+/*    friction [W], time advanced.                                                                     */
+/*                                                                                                     */
+/*    Returns `plant_status`, or 3: the steps became too small (for stiff friction, too many), 4: a    */
+/*    value is not finite. What has a status is approached until within 0.1 us of it; the state is     */
+/*    the last one without.                                                                            */
+/*                                                                                                     */
 int64_t segfmu_plant_advance(array_double_1d parameters, array_double_2d components, double time, array_double_1d state, array_double_1d command, array_double_1d rate, array_double_1d load_force, double duration, double tolerance, array_double_2d work, array_double_1d report)
 {
     int64_t i;
