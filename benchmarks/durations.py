@@ -48,7 +48,7 @@ def _against_optimum() -> Section:
     problems = json.loads(REFERENCE.read_text(encoding="utf-8"))
     records: list[Record] = []
     for shape in ("plateau", "smoothstep"):
-        found = [_share(item, shape) for item in problems]
+        found = [share_of_optimum(item, shape) for item in problems]
         ratios = np.array([ratio for ratio in found if ratio is not None])
         records.append({
             "ramps": shape,
@@ -60,7 +60,8 @@ def _against_optimum() -> Section:
     return Section(f"Duration over optimum, n = 4, {len(problems)} reference problems", records)
 
 
-def _share(item: dict[str, Any], shape: str) -> float | None:
+def share_of_optimum(item: dict[str, Any], shape: str) -> float | None:
+    """Duration of the plan for a reference problem over its optimum; None where it is refused."""
     points = [Waypoint(*item[end]) for end in ("start", "end")]
     try:
         trajectory = plan(points, Limits(*item["limits"]), shape=shape)

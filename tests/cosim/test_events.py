@@ -56,11 +56,11 @@ def errors(native_fmus, steps, *mission, **options) -> tuple[np.ndarray, float]:
 @pytest.mark.parametrize("name", ["paper", "pick_and_place", "inteco"])
 @pytest.mark.parametrize("shape", ["plateau", "smoothstep"])
 def test_derivatives_err_by_their_order_between_kinks(native_fmus, name: str, shape: str) -> None:
-    """Smoothness 4, whose forces have kinks; errors come near the integration's tolerance."""
+    """Smoothness 4, whose forces have kinks; below 1 nm, tolerances of the integration show."""
     steps = np.array([8e-3, 4e-3, 2e-3, 1e-3])
     found, order = errors(native_fmus, steps, name, 4, shape)
     assert found[0] < 2e-6 and found[-1] < 2e-9
-    assert order > 2.0
+    assert order > 2.0 or found[0] < 1e-9
 
 
 @pytest.mark.parametrize("smoothness", [5, 6])

@@ -56,14 +56,14 @@ def test_shortest_profiles_agree(problem: AxisProblem) -> None:
         (compiled.shortest_profile, compiled.ramp_parameters),
     ):
         n = problem.smoothness
-        ramp, phases = np.zeros(48), np.zeros((12, 4))
+        ramp, phases = np.zeros(48), np.zeros((13, 4))
         parameters(
             n, problem.shape, 0.1, np.array(problem.limits), np.zeros(2 * n + 2),
             np.zeros(n + 2), ramp,
         )
         count = shortest(
             problem.v, problem.a, problem.w, problem.b, problem.distance, problem.limits[0],
-            problem.limits[1], ramp, phases, np.zeros((24, 4)),
+            problem.limits[1], ramp, phases, np.zeros((26, 4)),
         )
         results.append((count, ramp, phases[: max(count, 0)]))
     assert results[0][0] == results[1][0]
@@ -74,18 +74,18 @@ def test_shortest_profiles_agree(problem: AxisProblem) -> None:
 @settings(max_examples=40, deadline=None)
 @given(axis_problems(smoothness=4), st.floats(1.0, 4.0))
 def test_timed_profiles_agree(problem: AxisProblem, factor: float) -> None:
-    ramp, phases = problem.ramp(), np.zeros((12, 4))
+    ramp, phases = problem.ramp(), np.zeros((13, 4))
     state = problem.v, problem.a, problem.w, problem.b, problem.distance
     limits = problem.limits[:2]
-    count = compiled.shortest_profile(*state, *limits, ramp, phases, np.zeros((24, 4)))
+    count = compiled.shortest_profile(*state, *limits, ramp, phases, np.zeros((26, 4)))
     target = factor * phases[: max(count, 0), 0].sum()
     if target <= 0.0:
         return
     results = []
     for timed in (timed_profile, compiled.timed_profile):
-        found, below, above = np.zeros(5), np.zeros((12, 4)), np.zeros((12, 4))
+        found, below, above = np.zeros(4), np.zeros((13, 4)), np.zeros((13, 4))
         weight = timed(
-            target, *state, *limits, ramp, found, below, above, np.zeros((12, 4))
+            target, *state, *limits, ramp, found, below, above, np.zeros((13, 4))
         )
         results.append(np.concatenate([[weight], found, below.ravel(), above.ravel()]))
     assert close(*results)

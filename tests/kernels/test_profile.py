@@ -20,10 +20,10 @@ PROBLEMS = json.loads(
 
 
 def solve(problem: AxisProblem) -> tuple[int, np.ndarray]:
-    phases = np.zeros((12, 4))
+    phases = np.zeros((13, 4))
     count = shortest_profile(
         problem.v, problem.a, problem.w, problem.b, problem.distance, problem.limits[0],
-        problem.limits[1], problem.ramp(), phases, np.zeros((24, 4)),
+        problem.limits[1], problem.ramp(), phases, np.zeros((26, 4)),
     )
     return count, phases[: max(count, 0)]
 
@@ -127,3 +127,15 @@ def test_one_ramp_of_the_paper_is_found_as_one_phase() -> None:
         count, phases = solve(problem)
         assert count == 1
         assert phases[0] == pytest.approx([time, 0.0, 0.0, acceleration], rel=1e-12)
+
+
+def test_both_accelerations_are_braked_back_and_forth() -> None:
+    # one ramp to zero passes c_1, and so does the way back from beyond zero, at either end
+    limits = (0.1870842899176974, 0.5081218743726612, 0.836288400992345, 1.552457181243767)
+    v, a = -0.1336826104365626, limits[1]
+    problem = AxisProblem(3, 0, limits, v, a, v, -a, 0.02)
+    count, phases = solve(problem)
+    assert count >= 11
+    end, peaks = sampled(problem, phases)
+    np.testing.assert_allclose(end, [0.02, v, -a], atol=1e-12)
+    assert (peaks <= np.array(limits) * (1.0 + 1e-9)).all()

@@ -16,23 +16,23 @@ from tests.problems import AxisProblem, axis_problems
 def timed(problem: AxisProblem, target: float):
     """Weight of the mean (-1: infeasible), and duration, distance and velocities of both parts."""
     ramp = problem.ramp()
-    found, below, above = np.zeros(5), np.zeros((12, 4)), np.zeros((12, 4))
+    found, below, above = np.zeros(4), np.zeros((13, 4)), np.zeros((13, 4))
     weight = timed_profile(
         target, problem.v, problem.a, problem.w, problem.b, problem.distance, problem.limits[0],
-        problem.limits[1], ramp, found, below, above, np.zeros((12, 4)),
+        problem.limits[1], ramp, found, below, above, np.zeros((13, 4)),
     )
     parts = [
-        measure_phases(rows, int(count), problem.v, ramp)
+        measure_phases(rows, int(count), problem.v, 0.0, ramp)
         for rows, count in ((below, found[0]), (above, found[2]))
     ]
     return weight, parts
 
 
 def shortest(problem: AxisProblem) -> float:
-    phases, ramp = np.zeros((12, 4)), problem.ramp()
+    phases, ramp = np.zeros((13, 4)), problem.ramp()
     count = shortest_profile(
         problem.v, problem.a, problem.w, problem.b, problem.distance, problem.limits[0],
-        problem.limits[1], ramp, phases, np.zeros((24, 4)),
+        problem.limits[1], ramp, phases, np.zeros((26, 4)),
     )
     return -1.0 if count < 0 else float(phases[:count, 0].sum())
 
@@ -80,13 +80,13 @@ def test_gap_of_errata_e10() -> None:
 
 def test_stretching_keeps_the_distance() -> None:
     problem = AxisProblem(5, 1, (1.0, 1.0, 2.0, 10.0, 90.0, 0.0), 0.0, 0.0, 0.0, 0.0, 0.7)
-    phases, ramp = np.zeros((12, 4)), problem.ramp()
+    phases, ramp = np.zeros((13, 4)), problem.ramp()
     count = shortest_profile(
-        0.0, 0.0, 0.0, 0.0, 0.7, 1.0, 1.0, ramp, phases, np.zeros((24, 4))
+        0.0, 0.0, 0.0, 0.0, 0.7, 1.0, 1.0, ramp, phases, np.zeros((26, 4))
     )
-    before = measure_phases(phases, count, 0.0, ramp)
+    before = measure_phases(phases, count, 0.0, 0.0, ramp)
     stretch_phases(phases, count, 2.5)
-    after = measure_phases(phases, count, 0.0, ramp)
+    after = measure_phases(phases, count, 0.0, 0.0, ramp)
     assert after[0] == pytest.approx(2.5 * before[0])
     assert after[1] == pytest.approx(0.7)
     assert after[4] == pytest.approx(before[4] / 2.5)

@@ -83,7 +83,7 @@ def soak(smoothness: int, shape: int, count: int, seed: int) -> Tally:
 
 
 def _batch(n: int, shape: int, limits: np.ndarray, state: np.ndarray, tally: Tally) -> None:
-    ramp, phases, trial = np.zeros(48), np.zeros((12, 4)), np.zeros((24, 4))
+    ramp, phases, trial = np.zeros(48), np.zeros((13, 4)), np.zeros((26, 4))
     work = np.zeros((2, 2 * n + 2))
     timing, pieces = np.zeros((90, 2)), np.zeros((90, 2 * n))
     rows, lengths, owners, ends = [], [], [], []

@@ -72,7 +72,7 @@ def feasible(trajectory: Trajectory, j: int, axis: int, target: float, table, ra
     """Whether one axis has a profile of the given duration in interval j."""
     a, b = trajectory.waypoints[j], trajectory.waypoints[j + 1]
     resting = not any(p.velocity[axis] or p.acceleration[axis] for p in (a, b))
-    profiles = np.zeros((3, 12, 4))
+    profiles = np.zeros((3, 13, 4))
     return resting or timed_profile(
         target, a.velocity[axis], a.acceleration[axis], b.velocity[axis], b.acceleration[axis],
         b.position[axis] - a.position[axis], table[axis, 0], table[axis, 1], ramps[axis],

@@ -22,10 +22,10 @@ TARGET = KERNELS / "c"
 # in the order in which they use each other
 MODULES = (
     "transition", "phases", "braking", "levels", "roots", "search", "cruise", "merged", "profile",
-    "synchronize", "intervals", "plan", "evaluate", "breaks", "expand", "check", "rope", "feedback",
-    "matrices", "kalman", "observer", "tracking", "compensation", "_crane", "_partials", "series",
-    "integrate", "noise", "drives", "plant", "sensing", "events", "loop", "rig", "exchange",
-    "partials",
+    "timed_cruise", "synchronize", "gaps", "intervals", "plan", "evaluate", "breaks", "expand",
+    "check", "rope", "feedback", "matrices", "kalman", "observer", "tracking", "compensation",
+    "_crane", "_partials", "series", "integrate", "noise", "drives", "plant", "sensing", "events",
+    "loop", "rig", "exchange", "partials",
 )
 # what C programs and the compiled extension may call
 ENTRY_POINTS = (

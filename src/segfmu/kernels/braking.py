@@ -62,7 +62,7 @@ def brake(
     reached = v
     for i in range(3):
         count = append_change(phases, count, level, 0.0, ramp)
-        duration, y, end, lowest, highest = measure_phases(phases, count, v, ramp)
+        duration, y, end, lowest, highest = measure_phases(phases, count, v, 1e300, ramp)
         if abs(end) <= velocity_limit * (1.0 + 1e-12):
             return count, duration, y, end
         count = count - 1
@@ -73,9 +73,49 @@ def brake(
         if past * sign > 0.0:
             break
         count = append_change(phases, count, level, past, ramp)
-        duration, y, reached, lowest, highest = measure_phases(phases, count, v, ramp)
+        duration, y, reached, lowest, highest = measure_phases(phases, count, v, 1e300, ramp)
         level = past
     return -1, 0.0, 0.0, 0.0
+
+
+def braked(
+    variant: int,
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    distance: float,
+    velocity_limit: float,
+    top: float,
+    ramp: 'float[:]',
+    trial: 'float[:,:]',
+) -> 'tuple[int, float, float, float, float, float, float]':
+    """The problem that braking leaves: none (0), the first (1), the last (2), both (3).
+
+    Returns the number of phases that braking takes, their duration, and distance, v, a, w, b of
+    what is left. The number is -1, -2 where the limit does not admit braking the first, the last
+    acceleration, and -3 where one that shall be braked is zero.
+    """
+    first = 0
+    last = 0
+    time = 0.0
+    if (variant % 2 == 1 and a == 0.0) or (variant >= 2 and b == 0.0):
+        return -3, 0.0, distance, v, a, w, b
+    if variant % 2 == 1:
+        first, duration, y, v = brake(v, a, velocity_limit, top, ramp, trial)
+        if first < 0:
+            return -1, 0.0, distance, v, a, w, b
+        time = duration
+        distance = distance - y
+        a = 0.0
+    if variant >= 2:
+        last, duration, y, w = brake(w, -b, velocity_limit, top, ramp, trial)
+        if last < 0:
+            return -2, 0.0, distance, v, a, w, b
+        time = time + duration
+        distance = distance - y
+        b = 0.0
+    return first + last, time, distance, v, a, w, b
 
 
 def surround(

@@ -56,7 +56,7 @@ def cruise_form(
     if count < 0:
         return -1, 0, 0.0, 0.0
     reverse_phases(phases, row, count)
-    duration, y, end, lowest, highest = measure_phases(phases, count, v, ramp)
+    duration, y, end, lowest, highest = measure_phases(phases, count, v, 1e300, ramp)
     return count, row, duration, y
 
 

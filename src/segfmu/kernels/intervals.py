@@ -12,6 +12,7 @@ a ramp; 10 a dwell at a moving waypoint. report = axis, interval from 0, value, 
 
 from math import ceil
 
+from segfmu.kernels.gaps import gap_ends
 from segfmu.kernels.phases import append_hold, measure_phases, without_dust
 from segfmu.kernels.profile import shortest_profile
 from segfmu.kernels.synchronize import stretch_phases, timed_profile
@@ -52,7 +53,7 @@ def set_shortest(
     if count < 0:
         return count, 0.0
     duration, y, end, lowest, highest = measure_phases(
-        phases[2 * cell, :, :], count, v, ramps[axis, :]
+        phases[2 * cell, :, :], count, v, 1e300, ramps[axis, :]
     )
     return 0, duration
 
@@ -85,10 +86,16 @@ def set_duration(
     speed = without_dust(abs(v) + abs(w), limits[axis, 0])
     resting = speed == 0.0 and without_dust(abs(a) + abs(b), limits[axis, 1]) == 0.0
     if resting or target <= shortest * (1.0 + 1e-13):
-        status, duration = set_shortest(
-            interval, axis, positions, velocities, accelerations, limits, ramps, phases,
-            counts, weights, trial,
-        )
+        # the shortest profile may still be there, from the first step of planning
+        duration = 0.0
+        if counts[2 * cell + 1] == 0:
+            for i in range(counts[2 * cell]):
+                duration = duration + phases[2 * cell, i, 0]
+        if duration == 0.0 or abs(duration - shortest) > 1e-13 * shortest:
+            status, duration = set_shortest(
+                interval, axis, positions, velocities, accelerations, limits, ramps, phases,
+                counts, weights, trial,
+            )
         if resting and counts[2 * cell] == 0:
             counts[2 * cell] = append_hold(phases[2 * cell, :, :], 0, 0.0, target)
         elif resting:
@@ -124,36 +131,71 @@ def next_feasible(
 ) -> float:
     """The end of the gap that holds the infeasible duration `start`; -1 if none is found.
 
-    found[4] is the distance by which the profiles of `start` miss. To cover it takes at least the
-    time that it takes at the velocity limit, of which a part is skipped at once. Windows of
-    feasible durations are narrower the smoother the ramps are, so for smoothness 5 and more the
-    steps are shorter.
+    The durations at which gaps can end are tried one after the other. Should a duration just before
+    one of them be feasible as well, or none of them, the end is searched for.
     """
-    outside = start
-    inside = -1.0
+    after = start
+    ends = trial[26:42, :]
+    for sweep in range(8):
+        count = gap_ends(
+            after, velocities[interval, axis], accelerations[interval, axis],
+            velocities[interval + 1, axis], accelerations[interval + 1, axis],
+            positions[interval + 1, axis] - positions[interval, axis], limits[axis, 0],
+            limits[axis, 1], ramps[axis, :], trial, ends,
+        )
+        for i in range(count):
+            duration = ends[i, 0] * (1.0 + 1e-9)
+            if set_duration(
+                interval, axis, duration, shortest, positions, velocities, accelerations, limits,
+                ramps, phases, counts, weights, found, trial,
+            ):
+                return first_feasible(
+                    after, duration, interval, axis, shortest, positions, velocities,
+                    accelerations, limits, ramps, phases, counts, weights, found, trial,
+                )
+            after = duration
+        if count < 16:
+            break
     growth = 1.005
-    skipped = 0.1
-    if limits.shape[1] > 5:
-        growth = 1.003
-        skipped = 0.02
     for i in range(600):
-        duration = max(outside * growth, outside + skipped * found[4] / limits[axis, 0])
+        duration = after * growth
         if set_duration(
             interval, axis, duration, shortest, positions, velocities, accelerations, limits,
             ramps, phases, counts, weights, found, trial,
         ):
-            inside = duration
-            break
-        outside = duration
+            return first_feasible(
+                after, duration, interval, axis, shortest, positions, velocities, accelerations,
+                limits, ramps, phases, counts, weights, found, trial,
+            )
+        after = duration
         if i > 230:
             growth = 1.02
         if i > 350:
             growth = 1.1
-    if inside < 0.0:
-        return -1.0
-    for i in range(100):
-        duration = 0.5 * (outside + inside)
-        if inside - outside <= 1e-9 * inside:
+    return -1.0
+
+
+def first_feasible(
+    outside: float,
+    inside: float,
+    interval: int,
+    axis: int,
+    shortest: float,
+    positions: 'float[:,:]',
+    velocities: 'float[:,:]',
+    accelerations: 'float[:,:]',
+    limits: 'float[:,:]',
+    ramps: 'float[:,:]',
+    phases: 'float[:,:,:]',
+    counts: 'int[:]',
+    weights: 'float[:]',
+    found: 'float[:]',
+    trial: 'float[:,:]',
+) -> float:
+    """The first feasible duration between an infeasible and a feasible one, to 4e-9 of it."""
+    duration = inside * (1.0 - 3e-9)
+    for i in range(60):
+        if duration <= outside or inside - outside <= 4e-9 * inside:
             break
         if set_duration(
             interval, axis, duration, shortest, positions, velocities, accelerations, limits,
@@ -162,6 +204,7 @@ def next_feasible(
             inside = duration
         else:
             outside = duration
+        duration = 0.5 * (outside + inside)
     return inside
 
 

@@ -23,6 +23,10 @@ def solve_level(
     ramp, the hold (above zero only at `high`), and -1 in place of the hold when even the lowest
     level gains too much; last the level.
     """
+    if ramp[3] >= 0.0:
+        level = linear_level(gain, a, b, ramp)
+        if level >= max(a, b) + ramp[3] and level >= low and level <= high:
+            return (level - a) * ramp[41] + ramp[42], 0.0, level
     t_low, rise, slope = ramp_duration(low - a, ramp)
     t_end, rise, slope = ramp_duration(low - b, ramp)
     least = 0.5 * (a + low) * t_low + 0.5 * (low + b) * t_end
@@ -36,10 +40,6 @@ def solve_level(
     most = 0.5 * (a + high) * t_high + 0.5 * (high + b) * t_end
     if gain >= most:
         return t_high, (gain - most) / high, high
-    if ramp[3] >= 0.0:
-        level = linear_level(gain, a, b, ramp)
-        if level >= max(a, b) + ramp[3] and level >= low and level <= high:
-            return (level - a) * ramp[41] + ramp[42], 0.0, level
     share = (gain - least) / (most - least)
     t, level = root_level(gain, a, b, t_low, t_high, share, ramp)
     return t, 0.0, level
@@ -88,6 +88,9 @@ def root_level(
         following = 0.5 * (lower + upper)
         if rate > 0.0:
             newton = t - error / rate
+            # at the root the step may round to nothing, which a bracket would not admit
+            if abs(newton - t) <= 4e-16 * t:
+                return t, level
             found = first + second
             # far from the root, Newton's method on logarithms, as the gain is nearly a power
             if found > 0.0 and gain > 0.0 and (found > 2.0 * gain or gain > 2.0 * found):

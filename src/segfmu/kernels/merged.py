@@ -14,7 +14,7 @@ from segfmu.kernels.phases import (
     reverse_phases,
 )
 from segfmu.kernels.roots import root_share
-from segfmu.kernels.search import canonical_search, timed_search
+from segfmu.kernels.search import canonical_search, member_search
 from segfmu.kernels.transition import ramp_duration
 
 
@@ -23,7 +23,8 @@ def merged_form(
     reverse: bool,
     mirror: bool,
     which: int,
-    target: float,
+    by_time: bool,
+    time: float,
     v: float,
     a: float,
     w: float,
@@ -35,10 +36,10 @@ def merged_form(
 ) -> int:
     """The merged form on one of its four branches; the number of phases, -1 if it has none.
 
-    which >= 0 takes the which-th member that lasts `target`, which < 0 the first one that covers
-    the distance. Reversal exchanges the boundary states,
-    mirroring their signs; together they reduce every branch to the canonical one, whose first
-    level is at most `high`.
+    which < 0 takes the first member that covers the distance, which >= 0 the which-th one that
+    lasts `time` or, not by time but with it as the scale, covers the distance. Reversal exchanges
+    the boundary states, mirroring their signs; together they reduce every branch to the canonical
+    one, whose first level is at most `high`.
     """
     v1 = v
     a1 = a
@@ -59,7 +60,13 @@ def merged_form(
     if which < 0:
         p = canonical_search(distance, v1, a1, v2, a2, high, top, t_top, ramp)
     else:
-        p = timed_search(which, target, v1, a1, v2, a2, high, top, t_top, ramp)
+        target = distance
+        if by_time:
+            target = time
+        scale = max(t_top, 0.1 * time)
+        p = member_search(
+            which, by_time, scale, target, v1, a1, v2, a2, high, top, t_top, ramp
+        )
     if p < 0.0:
         return -1
     duration, y, t1, hold1, level1, hold2, level2, t3 = canonical_point(
@@ -80,10 +87,10 @@ def merged_form(
 
 
 def velocity_excess(
-    phases: 'float[:,:]', count: int, v: float, limit: float, ramp: 'float[:]'
+    phases: 'float[:,:]', count: int, v: float, within: float, limit: float, ramp: 'float[:]'
 ) -> float:
     """By how much the phases that start with velocity v pass the velocity limit, or less than 0."""
-    duration, y, end, lowest, highest = measure_phases(phases, count, v, ramp)
+    duration, y, end, lowest, highest = measure_phases(phases, count, v, within, ramp)
     return max(highest, -lowest) - limit
 
 
@@ -92,7 +99,8 @@ def tempered_form(
     reverse: bool,
     mirror: bool,
     which: int,
-    target: float,
+    by_time: bool,
+    time: float,
     v: float,
     a: float,
     w: float,
@@ -110,29 +118,37 @@ def tempered_form(
     lowered, and held, until the peak is at the limit less a billionth.
     """
     count = merged_form(
-        phases, reverse, mirror, which, target, v, a, w, b, distance, top, top, ramp
+        phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, top, top, ramp
     )
     rounding = 1e-12 * velocity_limit
     margin = 1e-9 * velocity_limit
     if count <= 0:
         return count
-    e_outside = velocity_excess(phases, count, v, velocity_limit, ramp) + margin
+    e_outside = velocity_excess(phases, count, v, velocity_limit, velocity_limit, ramp) + margin
     if e_outside <= margin + rounding:
         return count
-    inside = max(a, b)
+    sign = 1.0
     if reverse != mirror:
-        inside = -min(a, b)
-    inside = max(inside, 0.001 * top)
-    count = merged_form(
-        phases, reverse, mirror, which, target, v, a, w, b, distance, inside, top, ramp
-    )
-    if count <= 0:
+        sign = -1.0
+    outside = 0.0
+    for i in range(count):
+        outside = max(outside, sign * phases[i, 2])
+    lowest = max(sign * a, max(sign * b, 0.001 * top))
+    # not every level below the first one may have a member
+    inside = lowest
+    count = 0
+    e_inside = 0.0
+    for i in range(8):
+        inside = lowest + (outside - lowest) * i / 8.0
+        count = merged_form(
+            phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, inside, top, ramp
+        )
+        if count > 0:
+            e_inside = velocity_excess(phases, count, v, 0.0, velocity_limit, ramp) + margin
+            break
+    if count <= 0 or e_inside > margin + rounding:
         return 0
-    e_inside = velocity_excess(phases, count, v, velocity_limit, ramp) + margin
-    if e_inside > margin + rounding:
-        return 0
-    outside = top
-    before = top
+    before = outside
     e_before = e_outside
     newest_inside = True
     # a boundary state can hold the excess near zero, whatever the level; then it only says whether
@@ -157,11 +173,11 @@ def tempered_form(
             share = 1e-3
         high = inside + share * (outside - inside)
         count = merged_form(
-            phases, reverse, mirror, which, target, v, a, w, b, distance, high, top, ramp
+            phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, high, top, ramp
         )
         error = 0.0
         if count > 0:
-            error = velocity_excess(phases, count, v, velocity_limit, ramp) + margin
+            error = velocity_excess(phases, count, v, 0.0, velocity_limit, ramp) + margin
         if count > 0 and error <= margin:
             before = outside
             e_before = e_outside
@@ -184,5 +200,5 @@ def tempered_form(
             e_outside = error
             newest_inside = False
     return merged_form(
-        phases, reverse, mirror, which, target, v, a, w, b, distance, inside, top, ramp
+        phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, inside, top, ramp
     )

@@ -115,9 +115,12 @@ def reverse_phases(phases: 'float[:,:]', first: int, count: int) -> None:
 
 
 def measure_phases(
-    phases: 'float[:,:]', count: int, v: float, ramp: 'float[:]'
+    phases: 'float[:,:]', count: int, v: float, within: float, ramp: 'float[:]'
 ) -> 'tuple[float, float, float, float, float]':
-    """Duration, distance, end velocity, lowest and highest velocity of a list of phases."""
+    """Duration, distance, end velocity, lowest and highest velocity of a list of phases.
+
+    Peaks inside of ramps are left out where they are surely within +-`within`.
+    """
     total = 0.0
     y = 0.0
     lowest = v
@@ -127,9 +130,10 @@ def measure_phases(
         a = phases[i, 2]
         b = a + phases[i, 3]
         if a * b < 0.0:
-            # a quick bound first: the crossing comes before the end of the ramp
-            bound = v + a * duration
-            if bound > highest or bound < lowest:
+            # a quick bound first: the end with the smaller acceleration is less than half of the
+            # ramp away from the crossing
+            bound = v + 0.5 * a * duration
+            if bound > max(highest, within) or bound < min(lowest, -within):
                 extreme = ramp_extreme_velocity(v, a, b, duration, phases[i, 1], ramp)
                 lowest = min(lowest, extreme)
                 highest = max(highest, extreme)

@@ -183,9 +183,9 @@ def plan_phases(
     """Plan all intervals. Returns 0 or a negative status, with the details in `report`.
 
     m waypoints, k axes: positions, velocities, accelerations (m, k), dwells (m,), limits
-    (k, smoothness + 1) with 0 for absent, ramps (k, 48), phases (2 (m - 1) k, 12, 4), counts
+    (k, smoothness + 1) with 0 for absent, ramps (k, 48), phases (2 (m - 1) k, 13, 4), counts
     (2 (m - 1) k,), weights ((m - 1) k,), shortest and durations (m - 1, k), active (m - 1,),
-    work (25, 4 + 2 smoothness), report (4,). synchronization: 0 none, 1 waypoints, 2 total;
+    work (43, 4 + 2 smoothness), report (4,). synchronization: 0 none, 1 waypoints, 2 total;
     sample_time and duration: 0 for none.
     """
     axes = limits.shape[0]
@@ -249,8 +249,8 @@ def synchronize_plan(
             if synchronization == 1 or sample_time > 0.0:
                 time = common_duration(
                     j, axis, axis + group, 0.0, sample_time, shortest, positions, velocities,
-                    accelerations, limits, ramps, phases, counts, weights, work[24, :],
-                    work[0:24, :],
+                    accelerations, limits, ramps, phases, counts, weights, work[42, :],
+                    work[0:42, :],
                 )
                 report[0] = axis
                 report[1] = j
@@ -274,12 +274,12 @@ def synchronize_plan(
         report[0] = axis
         if not distribute(
             axis, axis + group, target, shortest, durations, active, positions, velocities,
-            accelerations, limits, ramps, phases, counts, weights, work[24, :], work[0:24, :],
+            accelerations, limits, ramps, phases, counts, weights, work[42, :], work[0:42, :],
         ):
             return -6
         if not rewrite_intervals(
             axis, axis + group, shortest, durations, positions, velocities, accelerations,
-            limits, ramps, phases, counts, weights, work[24, :], work[0:24, :],
+            limits, ramps, phases, counts, weights, work[42, :], work[0:42, :],
         ):
             return -6
     return 0

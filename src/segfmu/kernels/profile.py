@@ -14,7 +14,7 @@ form always exists: its distance is continuous in the cruise velocity and unboun
 limits (docs/planner.md).
 """
 
-from segfmu.kernels.braking import brake, surround
+from segfmu.kernels.braking import braked, surround
 from segfmu.kernels.cruise import direct_form, slower_cruise, with_cruise
 from segfmu.kernels.merged import merged_form, tempered_form
 from segfmu.kernels.phases import (
@@ -37,8 +37,8 @@ def meets(
     ramp: 'float[:]',
 ) -> float:
     """Duration of the phases if they meet the boundary within the velocity limit, else -1."""
-    duration, y, end, lowest, highest = measure_phases(phases, count, v, ramp)
     most = limit * (1.0 + 1e-12)
+    duration, y, end, lowest, highest = measure_phases(phases, count, v, most, ramp)
     if lowest < -most or highest > most:
         return -1.0
     if abs(end - w) > 1e-12 * limit:
@@ -90,11 +90,12 @@ def shortest_between(
             )
         elif attempt == 0:
             count = merged_form(
-                trial, reverse, mirror, -1, 0.0, v, a, w, b, distance, top, top, ramp
+                trial, reverse, mirror, -1, False, 0.0, v, a, w, b, distance, top, top, ramp
             )
         else:
             count = tempered_form(
-                trial, reverse, mirror, -1, 0.0, v, a, w, b, distance, velocity_limit, top, ramp
+                trial, reverse, mirror, -1, False, 0.0, v, a, w, b, distance, velocity_limit,
+                top, ramp,
             )
         if count > 0:
             duration = meets(trial, count, v, w, distance, velocity_limit, ramp)
@@ -119,7 +120,7 @@ def shortest_profile(
 ) -> int:
     """Phases of the shortest profile from (v, a) over a distance to (w, b).
 
-    top is the acceleration limit; `phases` has 12 rows and `work` 24. Returns the number of
+    top is the acceleration limit; `phases` has 13 rows and `work` 26. Returns the number of
     phases (0 when there is nothing to do), or -1 when bringing the first acceleration to zero
     passes the velocity limit, -2 when building up the last one does, -3 otherwise.
     """
@@ -130,8 +131,8 @@ def shortest_profile(
     distance = without_dust(distance, velocity_limit * velocity_limit / top)
     if distance == 0.0 and v == w and a == b:
         return 0
-    trial = work[0:12, :]
-    found = work[12:24, :]
+    trial = work[0:13, :]
+    found = work[13:26, :]
     count = shortest_between(0, phases, trial, v, a, w, b, distance, velocity_limit, top, ramp)
     if count > 0:
         return count
@@ -140,55 +141,32 @@ def shortest_profile(
     # longer than a paper's form with cruise needs for the velocity changes and the distance
     t_top, rise, slope = ramp_duration(top, ramp)
     usual = 4.0 * (velocity_limit / top + t_top) + abs(distance) / velocity_limit
-    crowded = False
     for variant in range(1, 8):
         # variants 0 to 3: braking none, the first, the last or both of the accelerations to zero;
         # 4 to 7 the same with the second attempt, of which the last three are the way out
         if variant > 4 and best > 0 and shortest <= usual:
             break
-        attempt = variant // 4
-        first = 0
-        last = 0
-        brake_start = variant % 2 == 1
-        brake_end = variant % 4 >= 2
-        if (brake_start and a == 0.0) or (brake_end and b == 0.0):
+        taken, time, rest, v1, a1, w1, b1 = braked(
+            variant % 4, v, a, w, b, distance, velocity_limit, top, ramp, trial
+        )
+        if taken == -3:
             continue
-        v1 = v
-        a1 = a
-        w1 = w
-        b1 = b
-        rest = distance
-        if brake_start:
-            first, duration, y, v1 = brake(v, a, velocity_limit, top, ramp, trial)
-            if first < 0:
-                return -1
-            rest = rest - y
-            a1 = 0.0
-        if brake_end:
-            last, duration, y, w1 = brake(w, -b, velocity_limit, top, ramp, trial)
-            if last < 0:
-                return -2
-            rest = rest - y
-            b1 = 0.0
-        # 12 rows hold seven phases between them
-        if first + last > 5:
-            crowded = True
-            continue
+        if taken < 0:
+            return taken
         count = shortest_between(
-            attempt, found, trial, v1, a1, w1, b1, rest, velocity_limit, top, ramp
+            variant // 4, found, trial, v1, a1, w1, b1, rest, velocity_limit, top, ramp
         )
         if count == 0 and not (rest == 0.0 and v1 == w1 and a1 == 0.0 and b1 == 0.0):
             continue
         count = surround(
-            found, count, brake_start, v, a, brake_end, w, b, velocity_limit, top, ramp, trial
+            found, count, variant % 2 == 1, v, a, variant % 4 >= 2, w, b, velocity_limit, top,
+            ramp, trial,
         )
         duration = meets(found, count, v, w, distance, velocity_limit, ramp)
         if duration >= 0.0 and (best == 0 or duration < shortest):
             copy_phases(found, phases, count)
             best = count
             shortest = duration
-    if best == 0 and crowded:
-        return -1
     if best == 0:
         return -3
     return best

@@ -247,8 +247,10 @@ def canonical_search(
     return -1.0
 
 
-def timed_search(
+def member_search(
     which: int,
+    by_time: bool,
+    scale: float,
     target: float,
     v: float,
     a: float,
@@ -259,45 +261,49 @@ def timed_search(
     t_top: float,
     ramp: 'float[:]',
 ) -> float:
-    """Parameter of the which-th canonical member (from 0) that lasts `target`, or -1.
+    """Parameter of the which-th canonical member (from 0) of a duration or distance, or -1.
 
-    The duration falls and rises again along the family where a first level that takes long to
-    come back from is traded for a shorter one, so the members are looked at one by one.
+    Neither is monotone along the family: the duration falls and rises again where a first level
+    that takes long to come back from is traded for a shorter one, the distance while the velocity
+    in between is negative. So the members are looked at one by one, up to nine times `scale`.
     """
-    scale = max(t_top, 0.1 * target)
     found = 0
     previous = 0.0
     lower = -1.0
-    t_lower = 0.0
+    f_lower = 0.0
     p = 0.0
     for i in range(36):
         p = scale * i * i / 144.0
-        t, duration = canonical_value(p, True, v, a, w, b, high, top, t_top, ramp)
+        value, duration = canonical_value(p, by_time, v, a, w, b, high, top, t_top, ramp)
         upper = p
         inside = duration >= 0.0
         if inside and lower < 0.0 and i > 0:
             lower = window_edge(24, p, previous, v, a, w, b, high, top, t_top, ramp)
-            t_lower, duration = canonical_value(
-                lower, True, v, a, w, b, high, top, t_top, ramp
+            f_lower, duration = canonical_value(
+                lower, by_time, v, a, w, b, high, top, t_top, ramp
             )
         if not inside and lower >= 0.0:
             upper = window_edge(24, lower, p, v, a, w, b, high, top, t_top, ramp)
-            t, duration = canonical_value(upper, True, v, a, w, b, high, top, t_top, ramp)
-        if lower >= 0.0 and (t_lower - target) * (t - target) <= 0.0 and t != t_lower:
-            if found == which and t > t_lower:
+            value, duration = canonical_value(
+                upper, by_time, v, a, w, b, high, top, t_top, ramp
+            )
+        if lower >= 0.0 and (f_lower - target) * (value - target) <= 0.0 and value != f_lower:
+            if found == which and value > f_lower:
                 return bracketed_root(
-                    lower, upper, t_lower, t, target, True, v, a, w, b, high, top, t_top, ramp
+                    lower, upper, f_lower, value, target, by_time, v, a, w, b, high, top, t_top,
+                    ramp,
                 )
             if found == which:
                 return bracketed_root(
-                    upper, lower, t, t_lower, target, True, v, a, w, b, high, top, t_top, ramp
+                    upper, lower, value, f_lower, target, by_time, v, a, w, b, high, top, t_top,
+                    ramp,
                 )
             found = found + 1
         lower = -1.0
         if inside:
             lower = p
-            t_lower = t
-            if i > 12 and t > target:
+            f_lower = value
+            if i > 12 and value > target:
                 return -1.0
         previous = p
     return -1.0

@@ -316,13 +316,14 @@ def snap_plateau_half(s: float, ramp: 'float[:]') -> 'tuple[float, float, float]
 
 
 def invert_curved_part(value: float, upper: float, ramp: 'float[:]') -> float:
-    """The s in [0, upper] at which the increasing curved part has the given value.
+    """The s in [0, upper] at which the increasing curved part, 1/2 at `upper`, has the given value.
 
-    Close enough for an extremum, of which an error in s has only its square.
+    Close enough for an extremum, of which an error in s has only its square. The curved part is
+    nearly a square at its upper end.
     """
     low = 0.0
     high = upper
-    s = 0.5 * upper
+    s = upper * sqrt(min(max(2.0 * value, 0.0), 1.0))
     for i in range(100):
         at, slope, integral = curved_part(s, ramp)
         if at > value:

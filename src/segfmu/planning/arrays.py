@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import inf, isfinite
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 from segfmu.errors import InputError
 
 FloatArray = NDArray[np.float64]
+ABSENT = np.zeros(())
+ABSENT.flags.writeable = False
 
 
 def finite_vector(name: str, value: ArrayLike) -> FloatArray:
@@ -19,7 +22,7 @@ def finite_vector(name: str, value: ArrayLike) -> FloatArray:
         array = array.reshape(1)
     if array.ndim != 1 or array.size == 0:
         raise InputError(f"{name} must be one number an axis, not an array of shape {array.shape}")
-    if not np.isfinite(array).all():
+    if not all(map(isfinite, array.tolist())):
         raise InputError(f"{name} must be finite, got {array.tolist()}")
     array.flags.writeable = False
     return array
@@ -27,17 +30,19 @@ def finite_vector(name: str, value: ArrayLike) -> FloatArray:
 
 def limit_values(name: str, value: ArrayLike | None, *, required: bool) -> FloatArray:
     """Return one limit as positive numbers, 0-d or (axes,); infinity or None means absent (0)."""
-    if value is None:
-        value = np.inf
-    array = _numbers(name, [np.inf if v is None else v for v in value]
-                     if isinstance(value, list | tuple) else value)
+    if value is None and not required:
+        return ABSENT
+    array = _numbers(name, [inf if v is None else v for v in value]
+                     if isinstance(value, list | tuple) else inf if value is None else value)
     if array.ndim > 1 or array.size == 0:
         raise InputError(f"{name} must be a number or one an axis, got shape {array.shape}")
-    if np.isnan(array).any() or (array <= 0.0).any():
+    values = array.ravel().tolist()
+    if not all(v > 0.0 for v in values):
         raise InputError(f"{name} must be greater than 0, got {array.tolist()}")
-    if required and np.isinf(array).any():
-        raise InputError(f"{name} must be finite, got {array.tolist()}")
-    array = np.where(np.isinf(array), 0.0, array)
+    if inf in values:
+        if required:
+            raise InputError(f"{name} must be finite, got {array.tolist()}")
+        array[np.isinf(array)] = 0.0
     array.flags.writeable = False
     return array
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -86,14 +87,12 @@ def plan(
 
 def _check_different(points: tuple[Waypoint, ...]) -> None:
     """Two waypoints that follow each other differ in something that doubles can tell."""
-    state = states(points)
-    size = np.maximum(np.abs(state), 1.0)[:, 1:]
-    same = (np.abs(state[:, 1:] - state[:, :-1]) <= 1e-15 * size).all(axis=(0, 2))
-    if same.any():
-        i = int(same.argmax()) + 1
-        raise InputError(
-            f"waypoints {i} and {i + 1} are the same; leave one out, or give it a dwell"
-        )
+    rows = np.concatenate(states(points), axis=1).tolist()
+    for i, (before, state) in enumerate(pairwise(rows), 1):
+        if all(abs(b - a) <= 1e-15 * max(abs(b), 1.0) for a, b in zip(before, state, strict=True)):
+            raise InputError(
+                f"waypoints {i} and {i + 1} are the same; leave one out, or give it a dwell"
+            )
 
 
 def _checked_waypoints(waypoints: Sequence[Waypoint]) -> tuple[Waypoint, ...]:

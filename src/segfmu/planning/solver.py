@@ -65,14 +65,14 @@ def plan_phases(
     intervals = points - 1
     cells = axes * intervals
     found = Phases(
-        0, np.zeros(4), np.zeros((axes, 48)), np.empty((2 * cells, 12, 4)),
+        0, np.zeros(4), np.zeros((axes, 48)), np.empty((2 * cells, 13, 4)),
         np.zeros(2 * cells, dtype=np.int64), np.zeros(cells), np.zeros((intervals, axes)),
     )
     status = backend.plan_phases(
         state[0], state[1], state[2], dwells, table, *options.codes,
         found.ramps, found.phases, found.counts, found.weights, np.zeros((intervals, axes)),
         found.durations, np.zeros(intervals, dtype=np.int64),
-        np.zeros((25, 4 + 2 * options.smoothness)), found.report,
+        np.zeros((43, 4 + 2 * options.smoothness)), found.report,
     )
     object.__setattr__(found, "status", status)
     return found

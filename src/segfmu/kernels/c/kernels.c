@@ -29,6 +29,7 @@ static void reverse_phases(array_double_2d phases, int64_t first, int64_t count)
 static double peak_past_zero(double v, double a, double level, array_double_1d ramp);
 static double level_past_zero(double v, double a, double velocity_limit, double top, array_double_1d ramp);
 static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases);
+static int64_t braked(int64_t* result_0_0001, double* result_1, double* result_2_0001, double* result_3_0001, double* result_4_0001, double* result_5_0001, double* result_6_0001, int64_t variant, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d trial);
 static int64_t surround(array_double_2d phases, int64_t count, bool brake_start, double v, double a, bool brake_end, double w, double b, double velocity_limit, double top, array_double_1d ramp, array_double_2d trial);
 static double linear_level(double gain, double a, double b, array_double_1d ramp);
 static int64_t root_level(double* result_0, double* result_1, double gain, double a, double b, double lower, double upper, double share, array_double_1d ramp);
@@ -42,26 +43,35 @@ static double bracketed_root(double lower, double upper, double f_lower, double 
 static int64_t first_window(double* result_0, double* result_1_0001, double target, double f_start, double v, double a, double w, double b, double high, double top, double t_top, double t_zero, array_double_1d ramp);
 static double dip(double target, double f_start, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
 static double canonical_search(double target, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
-static double timed_search(int64_t which, double target, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
+static double member_search(int64_t which, bool by_time, double scale, double target, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
 static int64_t append_velocity_change(array_double_2d phases, int64_t count, double v, double a, double w, double top, array_double_1d ramp);
 static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_2, double* result_3, array_double_2d phases, double cruise, double v, double a, double w, double b, double top, array_double_1d ramp);
 static int64_t with_cruise(array_double_2d phases, double cruise, double v, double a, double w, double b, double distance, double top, array_double_1d ramp);
 static int64_t slower_cruise(array_double_2d phases, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
 static int64_t direct_form(array_double_2d phases, bool from_start, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
-static int64_t merged_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, double target, double v, double a, double w, double b, double distance, double high, double top, array_double_1d ramp);
-static double velocity_excess(array_double_2d phases, int64_t count, double v, double limit, array_double_1d ramp);
-static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
+static int64_t merged_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double high, double top, array_double_1d ramp);
+static double velocity_excess(array_double_2d phases, int64_t count, double v, double within, double limit, array_double_1d ramp);
+static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
 static double meets(array_double_2d phases, int64_t count, double v, double w, double distance, double limit, array_double_1d ramp);
 static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_double_2d trial, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
-static void stretch_phases(array_double_2d phases, int64_t count, double factor);
-static void fit_duration(array_double_2d phases, int64_t count, double target);
 static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, double target, double v, double a, double w, double b, double top, array_double_1d ramp);
 static double cruise_range(array_double_2d phases, double middle, double y, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
 static void keep_nearest(array_double_2d trial, int64_t count, double target, double v, double w, double distance, double velocity_limit, array_double_1d found, array_double_2d below, array_double_2d above, array_double_1d ramp);
 static void between_cruises(double lower, double y_lower, double upper, double y_upper, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial);
+static double cruise_edge(double inside, double outside, array_double_2d phases, double target, double v, double a, double w, double b, double top, array_double_1d ramp);
+static void scan_cruises(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial);
+static void stretch_phases(array_double_2d phases, int64_t count, double factor);
+static void fit_duration(array_double_2d phases, int64_t count, double target);
 static void timed_between(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial);
+static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends);
+static double cruise_time(double cruise, bool covering, double v, double a, double w, double b, double distance, double top, array_double_1d ramp, array_double_2d phases);
+static double turning_time(double lower, double upper, bool covering, double v, double a, double w, double b, double distance, double top, array_double_1d ramp, array_double_2d phases);
+static int64_t turning_ends(bool covering, double spent, double after, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, int64_t count, array_double_2d ends);
+static int64_t covering_ends(double spent, double after, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, int64_t found, array_double_2d ends);
+static int64_t gap_ends(double after, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, array_double_2d ends);
 static int64_t set_shortest(int64_t* result_0, double* result_1, int64_t interval, int64_t axis, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d trial);
 static bool set_duration(int64_t interval, int64_t axis, double target, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial);
+static double first_feasible(double outside, double inside, int64_t interval, int64_t axis, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial);
 static double next_feasible(int64_t interval, int64_t axis, double start, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial);
 static double round_up(double duration, double sample_time);
 static double common_duration(int64_t interval, int64_t first, int64_t last, double start, double sample_time, array_double_2d shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial);
@@ -640,10 +650,11 @@ static int64_t curved_part(double* result_0, double* result_1, double* result_2,
     (*result_2) = integral * s;
     return 0;
 }
-/*The s in [0, upper] at which the increasing curved part has the given value. */
-/*                                                                             */
-/*    Close enough for an extremum, of which an error in s has only its square.*/
-/*                                                                             */
+/*The s in [0, upper] at which the increasing curved part, 1/2 at `upper`, has the given value.    */
+/*                                                                                                 */
+/*    Close enough for an extremum, of which an error in s has only its square. The curved part is */
+/*    nearly a square at its upper end.                                                            */
+/*                                                                                                 */
 static double invert_curved_part(double value, double upper, array_double_1d ramp)
 {
     double low;
@@ -657,7 +668,7 @@ static double invert_curved_part(double value, double upper, array_double_1d ram
     double s;
     low = 0.0;
     high = upper;
-    s = 0.5 * upper;
+    s = upper * sqrt(span_min(span_max(2.0 * value, 0.0), 1.0));
     for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
     {
         curved_part(&at, &slope, &integral, s, ramp);
@@ -879,7 +890,10 @@ static void reverse_phases(array_double_2d phases, int64_t first, int64_t count)
     }
 }
 /*Duration, distance, end velocity, lowest and highest velocity of a list of phases. */
-int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result_2_0001, double* result_3, double* result_4, array_double_2d phases, int64_t count, double v, array_double_1d ramp)
+/*                                                                                   */
+/*    Peaks inside of ramps are left out where they are surely within +-`within`.    */
+/*                                                                                   */
+int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result_2_0001, double* result_3, double* result_4, array_double_2d phases, int64_t count, double v, double within, array_double_1d ramp)
 {
     double total;
     double y;
@@ -902,9 +916,10 @@ int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result
         b = a + (*cspan_at(&phases, i, INT64_C(3)));
         if (a * b < 0.0)
         {
-            /*a quick bound first: the crossing comes before the end of the ramp*/
-            bound = v + a * duration;
-            if ((bound > highest) || (bound < lowest))
+            /*a quick bound first: the end with the smaller acceleration is less than half of the*/
+            /*ramp away from the crossing*/
+            bound = v + 0.5 * a * duration;
+            if ((bound > span_max(highest, within)) || (bound < span_min(lowest, -within)))
             {
                 extreme = ramp_extreme_velocity(v, a, b, duration, (*cspan_at(&phases, i, INT64_C(1))), ramp);
                 lowest = span_min(lowest, extreme);
@@ -1018,7 +1033,7 @@ static int64_t brake(int64_t* result_0, double* result_1, double* result_2, doub
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         count = append_change(phases, count, level, 0.0, ramp);
-        segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, ramp);
+        segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, 1e+300, ramp);
         if (fabs(end) <= velocity_limit * (1.0 + 1e-12))
         {
             (*result_0) = count;
@@ -1039,13 +1054,85 @@ static int64_t brake(int64_t* result_0, double* result_1, double* result_2, doub
             break;
         }
         count = append_change(phases, count, level, past, ramp);
-        segfmu_measure_phases(&duration, &y, &reached, &lowest, &highest, phases, count, v, ramp);
+        segfmu_measure_phases(&duration, &y, &reached, &lowest, &highest, phases, count, v, 1e+300, ramp);
         level = past;
     }
     (*result_0) = -INT64_C(1);
     (*result_1) = 0.0;
     (*result_2) = 0.0;
     (*result_3) = 0.0;
+    return 0;
+}
+/*The problem that braking leaves: none (0), the first (1), the last (2), both (3).                */
+/*                                                                                                 */
+/*    Returns the number of phases that braking takes, their duration, and distance, v, a, w, b of */
+/*    what is left. The number is -1, -2 where the limit does not admit braking the first, the last*/
+/*    acceleration, and -3 where one that shall be braked is zero.                                 */
+/*                                                                                                 */
+static int64_t braked(int64_t* result_0_0001, double* result_1, double* result_2_0001, double* result_3_0001, double* result_4_0001, double* result_5_0001, double* result_6_0001, int64_t variant, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d trial)
+{
+    int64_t first;
+    int64_t last;
+    double time;
+    double duration;
+    double y;
+    first = INT64_C(0);
+    last = INT64_C(0);
+    time = 0.0;
+    if (((span_floor_mod(variant, INT64_C(2)) == INT64_C(1)) && (a == 0.0)) || ((variant >= INT64_C(2)) && (b == 0.0)))
+    {
+        (*result_0_0001) = -INT64_C(3);
+        (*result_1) = 0.0;
+        (*result_2_0001) = distance;
+        (*result_3_0001) = v;
+        (*result_4_0001) = a;
+        (*result_5_0001) = w;
+        (*result_6_0001) = b;
+        return 0;
+    }
+    if (span_floor_mod(variant, INT64_C(2)) == INT64_C(1))
+    {
+        brake(&first, &duration, &y, &v, v, a, velocity_limit, top, ramp, trial);
+        if (first < INT64_C(0))
+        {
+            (*result_0_0001) = -INT64_C(1);
+            (*result_1) = 0.0;
+            (*result_2_0001) = distance;
+            (*result_3_0001) = v;
+            (*result_4_0001) = a;
+            (*result_5_0001) = w;
+            (*result_6_0001) = b;
+            return 0;
+        }
+        time = duration;
+        distance = distance - y;
+        a = 0.0;
+    }
+    if (variant >= INT64_C(2))
+    {
+        brake(&last, &duration, &y, &w, w, -b, velocity_limit, top, ramp, trial);
+        if (last < INT64_C(0))
+        {
+            (*result_0_0001) = -INT64_C(2);
+            (*result_1) = 0.0;
+            (*result_2_0001) = distance;
+            (*result_3_0001) = v;
+            (*result_4_0001) = a;
+            (*result_5_0001) = w;
+            (*result_6_0001) = b;
+            return 0;
+        }
+        time = time + duration;
+        distance = distance - y;
+        b = 0.0;
+    }
+    (*result_0_0001) = first + last;
+    (*result_1) = time;
+    (*result_2_0001) = distance;
+    (*result_3_0001) = v;
+    (*result_4_0001) = a;
+    (*result_5_0001) = w;
+    (*result_6_0001) = b;
     return 0;
 }
 /*Put the braking of the initial and the build-up of the final acceleration around phases. */
@@ -1163,6 +1250,13 @@ static int64_t root_level(double* result_0, double* result_1, double gain, doubl
         if (rate > 0.0)
         {
             newton = t - error / rate;
+            /*at the root the step may round to nothing, which a bracket would not admit*/
+            if (fabs(newton - t) <= 4e-16 * t)
+            {
+                (*result_0) = t;
+                (*result_1) = level;
+                return 0;
+            }
             found = first + second;
             /*far from the root, Newton's method on logarithms, as the gain is nearly a power*/
             if ((found > 0.0) && (gain > 0.0) && ((found > 2.0 * gain) || (gain > 2.0 * found)))
@@ -1195,6 +1289,7 @@ static int64_t root_level(double* result_0, double* result_1, double gain, doubl
 /*                                                                                                 */
 static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, array_double_1d ramp)
 {
+    double level;
     double t_low;
     double rise;
     double slope;
@@ -1202,9 +1297,19 @@ static int64_t solve_level(double* result_0_0001, double* result_1_0001, double*
     double least;
     double t_high;
     double most;
-    double level;
     double share;
     double t;
+    if ((*cspan_at(&ramp, INT64_C(3))) >= 0.0)
+    {
+        level = linear_level(gain, a, b, ramp);
+        if ((level >= span_max(a, b) + (*cspan_at(&ramp, INT64_C(3)))) && (level >= low) && (level <= high))
+        {
+            (*result_0_0001) = (level - a) * (*cspan_at(&ramp, INT64_C(41))) + (*cspan_at(&ramp, INT64_C(42)));
+            (*result_1_0001) = 0.0;
+            (*result_2_0001) = level;
+            return 0;
+        }
+    }
     segfmu_ramp_duration(&t_low, &rise, &slope, low - a, ramp);
     segfmu_ramp_duration(&t_end, &rise, &slope, low - b, ramp);
     least = 0.5 * (a + low) * t_low + 0.5 * (low + b) * t_end;
@@ -1232,17 +1337,6 @@ static int64_t solve_level(double* result_0_0001, double* result_1_0001, double*
         (*result_1_0001) = (gain - most) / high;
         (*result_2_0001) = high;
         return 0;
-    }
-    if ((*cspan_at(&ramp, INT64_C(3))) >= 0.0)
-    {
-        level = linear_level(gain, a, b, ramp);
-        if ((level >= span_max(a, b) + (*cspan_at(&ramp, INT64_C(3)))) && (level >= low) && (level <= high))
-        {
-            (*result_0_0001) = (level - a) * (*cspan_at(&ramp, INT64_C(41))) + (*cspan_at(&ramp, INT64_C(42)));
-            (*result_1_0001) = 0.0;
-            (*result_2_0001) = level;
-            return 0;
-        }
     }
     share = (gain - least) / (most - least);
     root_level(&t, &level, gain, a, b, t_low, t_high, share, ramp);
@@ -1660,57 +1754,56 @@ static double canonical_search(double target, double v, double a, double w, doub
     }
     return -1.0;
 }
-/*Parameter of the which-th canonical member (from 0) that lasts `target`, or -1.                */
-/*                                                                                               */
-/*    The duration falls and rises again along the family where a first level that takes long to */
-/*    come back from is traded for a shorter one, so the members are looked at one by one.       */
-/*                                                                                               */
-static double timed_search(int64_t which, double target, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
+/*Parameter of the which-th canonical member (from 0) of a duration or distance, or -1.              */
+/*                                                                                                   */
+/*    Neither is monotone along the family: the duration falls and rises again where a first level   */
+/*    that takes long to come back from is traded for a shorter one, the distance while the velocity */
+/*    in between is negative. So the members are looked at one by one, up to nine times `scale`.     */
+/*                                                                                                   */
+static double member_search(int64_t which, bool by_time, double scale, double target, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
 {
-    double scale;
     int64_t found;
     double previous;
     double lower;
-    double t_lower;
+    double f_lower;
     double p;
     int64_t i;
-    double t;
+    double value;
     double duration;
     double upper;
     bool inside;
     double result;
-    scale = span_max(t_top, 0.1 * target);
     found = INT64_C(0);
     previous = 0.0;
     lower = -1.0;
-    t_lower = 0.0;
+    f_lower = 0.0;
     p = 0.0;
     for (i = INT64_C(0); i < INT64_C(36); i += INT64_C(1))
     {
         p = scale * i * i / 144.0;
-        canonical_value(&t, &duration, p, 1, v, a, w, b, high, top, t_top, ramp);
+        canonical_value(&value, &duration, p, by_time, v, a, w, b, high, top, t_top, ramp);
         upper = p;
         inside = duration >= 0.0;
         if (inside && (lower < 0.0) && (i > INT64_C(0)))
         {
             lower = window_edge(INT64_C(24), p, previous, v, a, w, b, high, top, t_top, ramp);
-            canonical_value(&t_lower, &duration, lower, 1, v, a, w, b, high, top, t_top, ramp);
+            canonical_value(&f_lower, &duration, lower, by_time, v, a, w, b, high, top, t_top, ramp);
         }
         if ((!inside) && (lower >= 0.0))
         {
             upper = window_edge(INT64_C(24), lower, p, v, a, w, b, high, top, t_top, ramp);
-            canonical_value(&t, &duration, upper, 1, v, a, w, b, high, top, t_top, ramp);
+            canonical_value(&value, &duration, upper, by_time, v, a, w, b, high, top, t_top, ramp);
         }
-        if ((lower >= 0.0) && ((t_lower - target) * (t - target) <= 0.0) && (t != t_lower))
+        if ((lower >= 0.0) && ((f_lower - target) * (value - target) <= 0.0) && (value != f_lower))
         {
-            if ((found == which) && (t > t_lower))
+            if ((found == which) && (value > f_lower))
             {
-                result = bracketed_root(lower, upper, t_lower, t, target, 1, v, a, w, b, high, top, t_top, ramp);
+                result = bracketed_root(lower, upper, f_lower, value, target, by_time, v, a, w, b, high, top, t_top, ramp);
                 return result;
             }
             if (found == which)
             {
-                result = bracketed_root(upper, lower, t, t_lower, target, 1, v, a, w, b, high, top, t_top, ramp);
+                result = bracketed_root(upper, lower, value, f_lower, target, by_time, v, a, w, b, high, top, t_top, ramp);
                 return result;
             }
             found = found + INT64_C(1);
@@ -1719,8 +1812,8 @@ static double timed_search(int64_t which, double target, double v, double a, dou
         if (inside)
         {
             lower = p;
-            t_lower = t;
-            if ((i > INT64_C(12)) && (t > target))
+            f_lower = value;
+            if ((i > INT64_C(12)) && (value > target))
             {
                 return -1.0;
             }
@@ -1787,7 +1880,7 @@ static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_
         return 0;
     }
     reverse_phases(phases, row, count);
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, ramp);
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, 1e+300, ramp);
     (*result_0) = count;
     (*result_1) = row;
     (*result_2) = duration;
@@ -1956,14 +2049,14 @@ static int64_t direct_form(array_double_2d phases, bool from_start, double v, do
     }
     return span_max_int(count, INT64_C(0));
 }
-/*The merged form on one of its four branches; the number of phases, -1 if it has none.            */
-/*                                                                                                 */
-/*    which >= 0 takes the which-th member that lasts `target`, which < 0 the first one that covers*/
-/*    the distance. Reversal exchanges the boundary states,                                        */
-/*    mirroring their signs; together they reduce every branch to the canonical one, whose first   */
-/*    level is at most `high`.                                                                     */
-/*                                                                                                 */
-static int64_t merged_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, double target, double v, double a, double w, double b, double distance, double high, double top, array_double_1d ramp)
+/*The merged form on one of its four branches; the number of phases, -1 if it has none.              */
+/*                                                                                                   */
+/*    which < 0 takes the first member that covers the distance, which >= 0 the which-th one that    */
+/*    lasts `time` or, not by time but with it as the scale, covers the distance. Reversal exchanges */
+/*    the boundary states, mirroring their signs; together they reduce every branch to the canonical */
+/*    one, whose first level is at most `high`.                                                      */
+/*                                                                                                   */
+static int64_t merged_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double high, double top, array_double_1d ramp)
 {
     double v1;
     double a1;
@@ -1973,6 +2066,8 @@ static int64_t merged_form(array_double_2d phases, bool reverse, bool mirror, in
     double rise;
     double slope;
     double p;
+    double target;
+    double scale;
     double duration;
     double y;
     double t1;
@@ -2008,7 +2103,13 @@ static int64_t merged_form(array_double_2d phases, bool reverse, bool mirror, in
     }
     else
     {
-        p = timed_search(which, target, v1, a1, v2, a2, high, top, t_top, ramp);
+        target = distance;
+        if (by_time)
+        {
+            target = time;
+        }
+        scale = span_max(t_top, 0.1 * time);
+        p = member_search(which, by_time, scale, target, v1, a1, v2, a2, high, top, t_top, ramp);
     }
     if (p < 0.0)
     {
@@ -2035,7 +2136,7 @@ static int64_t merged_form(array_double_2d phases, bool reverse, bool mirror, in
     return count;
 }
 /*By how much the phases that start with velocity v pass the velocity limit, or less than 0. */
-static double velocity_excess(array_double_2d phases, int64_t count, double v, double limit, array_double_1d ramp)
+static double velocity_excess(array_double_2d phases, int64_t count, double v, double within, double limit, array_double_1d ramp)
 {
     double duration;
     double y;
@@ -2043,7 +2144,7 @@ static double velocity_excess(array_double_2d phases, int64_t count, double v, d
     double lowest;
     double highest;
     double result;
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, ramp);
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, within, ramp);
     return span_max(highest, -lowest) - limit;
 }
 /*The merged form that keeps the velocity limit; the number of phases.                           */
@@ -2053,14 +2154,17 @@ static double velocity_excess(array_double_2d phases, int64_t count, double v, d
 /*    Between its levels the velocity has a peak. Where that passes the limit, the first level is*/
 /*    lowered, and held, until the peak is at the limit less a billionth.                        */
 /*                                                                                               */
-static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
+static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
 {
     double rounding;
     double margin;
     double e_outside;
+    double sign;
+    double outside;
+    int64_t i;
+    double lowest;
     double inside;
     double e_inside;
-    double outside;
     double before;
     double e_before;
     bool newest_inside;
@@ -2071,36 +2175,48 @@ static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, 
     double high;
     double error;
     int64_t count;
-    count = merged_form(phases, reverse, mirror, which, target, v, a, w, b, distance, top, top, ramp);
+    count = merged_form(phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, top, top, ramp);
     rounding = 1e-12 * velocity_limit;
     margin = 1e-09 * velocity_limit;
     if (count <= INT64_C(0))
     {
         return count;
     }
-    e_outside = velocity_excess(phases, count, v, velocity_limit, ramp) + margin;
+    e_outside = velocity_excess(phases, count, v, velocity_limit, velocity_limit, ramp) + margin;
     if (e_outside <= margin + rounding)
     {
         return count;
     }
-    inside = span_max(a, b);
+    sign = 1.0;
     if (reverse != mirror)
     {
-        inside = -span_min(a, b);
+        sign = -1.0;
     }
-    inside = span_max(inside, 0.001 * top);
-    count = merged_form(phases, reverse, mirror, which, target, v, a, w, b, distance, inside, top, ramp);
-    if (count <= INT64_C(0))
+    outside = 0.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        outside = span_max(outside, sign * (*cspan_at(&phases, i, INT64_C(2))));
+    }
+    lowest = span_max(sign * a, span_max(sign * b, 0.001 * top));
+    /*not every level below the first one may have a member*/
+    inside = lowest;
+    count = INT64_C(0);
+    e_inside = 0.0;
+    for (i = INT64_C(0); i < INT64_C(8); i += INT64_C(1))
+    {
+        inside = lowest + (outside - lowest) * i / 8.0;
+        count = merged_form(phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, inside, top, ramp);
+        if (count > INT64_C(0))
+        {
+            e_inside = velocity_excess(phases, count, v, 0.0, velocity_limit, ramp) + margin;
+            break;
+        }
+    }
+    if ((count <= INT64_C(0)) || (e_inside > margin + rounding))
     {
         return INT64_C(0);
     }
-    e_inside = velocity_excess(phases, count, v, velocity_limit, ramp) + margin;
-    if (e_inside > margin + rounding)
-    {
-        return INT64_C(0);
-    }
-    outside = top;
-    before = top;
+    before = outside;
     e_before = e_outside;
     newest_inside = 1;
     /*a boundary state can hold the excess near zero, whatever the level; then it only says whether*/
@@ -2137,11 +2253,11 @@ static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, 
             share = 0.001;
         }
         high = inside + share * (outside - inside);
-        count = merged_form(phases, reverse, mirror, which, target, v, a, w, b, distance, high, top, ramp);
+        count = merged_form(phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, high, top, ramp);
         error = 0.0;
         if (count > INT64_C(0))
         {
-            error = velocity_excess(phases, count, v, velocity_limit, ramp) + margin;
+            error = velocity_excess(phases, count, v, 0.0, velocity_limit, ramp) + margin;
         }
         if ((count > INT64_C(0)) && (error <= margin))
         {
@@ -2175,20 +2291,20 @@ static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, 
             newest_inside = 0;
         }
     }
-    count = merged_form(phases, reverse, mirror, which, target, v, a, w, b, distance, inside, top, ramp);
+    count = merged_form(phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, inside, top, ramp);
     return count;
 }
 /*Duration of the phases if they meet the boundary within the velocity limit, else -1. */
 static double meets(array_double_2d phases, int64_t count, double v, double w, double distance, double limit, array_double_1d ramp)
 {
+    double most;
     double y;
     double end;
     double lowest;
     double highest;
-    double most;
     double duration;
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, ramp);
     most = limit * (1.0 + 1e-12);
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, most, ramp);
     if ((lowest < -most) || (highest > most))
     {
         return -1.0;
@@ -2257,11 +2373,11 @@ static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_d
         }
         else if (attempt == INT64_C(0))
         {
-            count = merged_form(trial, reverse, mirror, -INT64_C(1), 0.0, v, a, w, b, distance, top, top, ramp);
+            count = merged_form(trial, reverse, mirror, -INT64_C(1), 0, 0.0, v, a, w, b, distance, top, top, ramp);
         }
         else
         {
-            count = tempered_form(trial, reverse, mirror, -INT64_C(1), 0.0, v, a, w, b, distance, velocity_limit, top, ramp);
+            count = tempered_form(trial, reverse, mirror, -INT64_C(1), 0, 0.0, v, a, w, b, distance, velocity_limit, top, ramp);
         }
         if (count > INT64_C(0))
         {
@@ -2278,7 +2394,7 @@ static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_d
 }
 /*Phases of the shortest profile from (v, a) over a distance to (w, b).                          */
 /*                                                                                               */
-/*    top is the acceleration limit; `phases` has 12 rows and `work` 24. Returns the number of   */
+/*    top is the acceleration limit; `phases` has 13 rows and `work` 26. Returns the number of   */
 /*    phases (0 when there is nothing to do), or -1 when bringing the first acceleration to zero */
 /*    passes the velocity limit, -2 when building up the last one does, -3 otherwise.            */
 /*                                                                                               */
@@ -2293,20 +2409,15 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
     double rise;
     double slope;
     double usual;
-    bool crowded;
     int64_t variant;
-    int64_t attempt;
-    int64_t first;
-    int64_t last;
-    bool brake_start;
-    bool brake_end;
+    int64_t taken;
+    double time;
+    double rest;
     double v1;
     double a1;
     double w1;
     double b1;
-    double rest;
     double duration;
-    double y;
     int64_t result;
     v = without_excess(v, velocity_limit);
     w = without_excess(w, velocity_limit);
@@ -2317,8 +2428,8 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
     {
         return INT64_C(0);
     }
-    trial = span_rows(&work, INT64_C(0), INT64_C(12));
-    found = span_rows(&work, INT64_C(12), INT64_C(24));
+    trial = span_rows(&work, INT64_C(0), INT64_C(13));
+    found = span_rows(&work, INT64_C(13), INT64_C(26));
     count = shortest_between(INT64_C(0), phases, trial, v, a, w, b, distance, velocity_limit, top, ramp);
     if (count > INT64_C(0))
     {
@@ -2329,7 +2440,6 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
     /*longer than a paper's form with cruise needs for the velocity changes and the distance*/
     segfmu_ramp_duration(&t_top, &rise, &slope, top, ramp);
     usual = 4.0 * (velocity_limit / top + t_top) + fabs(distance) / velocity_limit;
-    crowded = 0;
     for (variant = INT64_C(1); variant < INT64_C(8); variant += INT64_C(1))
     {
         /*variants 0 to 3: braking none, the first, the last or both of the accelerations to zero;*/
@@ -2338,52 +2448,21 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
         {
             break;
         }
-        attempt = span_floor_div(variant, INT64_C(4));
-        first = INT64_C(0);
-        last = INT64_C(0);
-        brake_start = span_floor_mod(variant, INT64_C(2)) == INT64_C(1);
-        brake_end = span_floor_mod(variant, INT64_C(4)) >= INT64_C(2);
-        if ((brake_start && (a == 0.0)) || (brake_end && (b == 0.0)))
+        braked(&taken, &time, &rest, &v1, &a1, &w1, &b1, span_floor_mod(variant, INT64_C(4)), v, a, w, b, distance, velocity_limit, top, ramp, trial);
+        if (taken == -INT64_C(3))
         {
             continue;
         }
-        v1 = v;
-        a1 = a;
-        w1 = w;
-        b1 = b;
-        rest = distance;
-        if (brake_start)
+        if (taken < INT64_C(0))
         {
-            brake(&first, &duration, &y, &v1, v, a, velocity_limit, top, ramp, trial);
-            if (first < INT64_C(0))
-            {
-                return -INT64_C(1);
-            }
-            rest = rest - y;
-            a1 = 0.0;
+            return taken;
         }
-        if (brake_end)
-        {
-            brake(&last, &duration, &y, &w1, w, -b, velocity_limit, top, ramp, trial);
-            if (last < INT64_C(0))
-            {
-                return -INT64_C(2);
-            }
-            rest = rest - y;
-            b1 = 0.0;
-        }
-        /*12 rows hold seven phases between them*/
-        if (first + last > INT64_C(5))
-        {
-            crowded = 1;
-            continue;
-        }
-        count = shortest_between(attempt, found, trial, v1, a1, w1, b1, rest, velocity_limit, top, ramp);
+        count = shortest_between(span_floor_div(variant, INT64_C(4)), found, trial, v1, a1, w1, b1, rest, velocity_limit, top, ramp);
         if ((count == INT64_C(0)) && (!((rest == 0.0) && (v1 == w1) && (a1 == 0.0) && (b1 == 0.0))))
         {
             continue;
         }
-        count = surround(found, count, brake_start, v, a, brake_end, w, b, velocity_limit, top, ramp, trial);
+        count = surround(found, count, span_floor_mod(variant, INT64_C(2)) == INT64_C(1), v, a, span_floor_mod(variant, INT64_C(4)) >= INT64_C(2), w, b, velocity_limit, top, ramp, trial);
         duration = meets(found, count, v, w, distance, velocity_limit, ramp);
         if ((duration >= 0.0) && ((best == INT64_C(0)) || (duration < shortest)))
         {
@@ -2392,43 +2471,11 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
             shortest = duration;
         }
     }
-    if ((best == INT64_C(0)) && crowded)
-    {
-        return -INT64_C(1);
-    }
     if (best == INT64_C(0))
     {
         return -INT64_C(3);
     }
     return best;
-}
-/*Stretch phases that begin and end at rest in time; the distance stays (section 3.2). */
-static void stretch_phases(array_double_2d phases, int64_t count, double factor)
-{
-    int64_t i;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        (*cspan_at(&phases, i, INT64_C(0))) = (*cspan_at(&phases, i, INT64_C(0))) * factor;
-        (*cspan_at(&phases, i, INT64_C(1))) = (*cspan_at(&phases, i, INT64_C(1))) * factor;
-        (*cspan_at(&phases, i, INT64_C(2))) = (*cspan_at(&phases, i, INT64_C(2))) / (factor * factor);
-        (*cspan_at(&phases, i, INT64_C(3))) = (*cspan_at(&phases, i, INT64_C(3))) / (factor * factor);
-    }
-}
-/*Remove the rounding error of the total duration, which two averaged profiles must share. */
-static void fit_duration(array_double_2d phases, int64_t count, double target)
-{
-    double total;
-    int64_t i;
-    total = 0.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        total = total + (*cspan_at(&phases, i, INT64_C(0)));
-    }
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        (*cspan_at(&phases, i, INT64_C(0))) = (*cspan_at(&phases, i, INT64_C(0))) * (target / total);
-        (*cspan_at(&phases, i, INT64_C(1))) = (*cspan_at(&phases, i, INT64_C(1))) * (target / total);
-    }
 }
 /*The paper's form with the cruise that makes it last `target`.                            */
 /*                                                                                         */
@@ -2508,18 +2555,18 @@ static double cruise_range(array_double_2d phases, double middle, double y, doub
 /*                                                                                         */
 static void keep_nearest(array_double_2d trial, int64_t count, double target, double v, double w, double distance, double velocity_limit, array_double_1d found, array_double_2d below, array_double_2d above, array_double_1d ramp)
 {
+    double most;
     double duration;
     double y;
     double end;
     double lowest;
     double highest;
-    double most;
     if (count <= INT64_C(0))
     {
         return;
     }
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, trial, count, v, ramp);
     most = velocity_limit * (1.0 + 1e-12);
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, trial, count, v, most, ramp);
     if ((lowest < -most) || (highest > most))
     {
         return;
@@ -2597,11 +2644,117 @@ static void between_cruises(double lower, double y_lower, double upper, double y
         e_newest = error;
     }
 }
+/*Bisect between a velocity that leaves a cruise and one that does not.*/
+static double cruise_edge(double inside, double outside, array_double_2d phases, double target, double v, double a, double w, double b, double top, array_double_1d ramp)
+{
+    int64_t i;
+    double trial;
+    int64_t count;
+    double y;
+    double hold;
+    double result;
+    for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
+    {
+        trial = 0.5 * (inside + outside);
+        timed_cruise(&count, &y, &hold, phases, trial, target, v, a, w, b, top, ramp);
+        if ((count >= INT64_C(0)) && (hold >= 0.0))
+        {
+            inside = trial;
+        }
+        else
+        {
+            outside = trial;
+        }
+    }
+    return inside;
+}
+/*Nearest profiles with a cruise, looked for over all cruise velocities. */
+/*                                                                       */
+/*    Those that leave a cruise can form several windows.                */
+/*                                                                       */
+static void scan_cruises(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial)
+{
+    int64_t samples;
+    bool inside;
+    double before;
+    int64_t i;
+    double cruise;
+    int64_t count;
+    double y;
+    double hold;
+    bool fits;
+    double lower;
+    double upper;
+    double y_lower;
+    double y_upper;
+    samples = INT64_C(24);
+    inside = 0;
+    before = 0.0;
+    for (i = INT64_C(0); i < samples + INT64_C(1); i += INT64_C(1))
+    {
+        cruise = velocity_limit * (2.0 * i / samples - 1.0);
+        timed_cruise(&count, &y, &hold, trial, cruise, target, v, a, w, b, top, ramp);
+        fits = (count >= INT64_C(0)) && (hold >= 0.0);
+        if ((i > INT64_C(0)) && (inside || fits))
+        {
+            lower = before;
+            upper = cruise;
+            if (!inside)
+            {
+                lower = cruise_edge(cruise, before, trial, target, v, a, w, b, top, ramp);
+            }
+            if (!fits)
+            {
+                upper = cruise_edge(before, cruise, trial, target, v, a, w, b, top, ramp);
+            }
+            timed_cruise(&count, &y_lower, &hold, trial, lower, target, v, a, w, b, top, ramp);
+            keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
+            timed_cruise(&count, &y_upper, &hold, trial, upper, target, v, a, w, b, top, ramp);
+            keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
+            if ((y_lower - distance) * (y_upper - distance) <= 0.0)
+            {
+                between_cruises(lower, y_lower, upper, y_upper, target, v, a, w, b, distance, velocity_limit, top, ramp, found, below, above, trial);
+            }
+            if (((*cspan_at(&found, INT64_C(0))) > 0.0) && ((*cspan_at(&found, INT64_C(2))) > 0.0))
+            {
+                return;
+            }
+        }
+        inside = fits;
+        before = cruise;
+    }
+}
+/*Stretch phases that begin and end at rest in time; the distance stays (section 3.2). */
+static void stretch_phases(array_double_2d phases, int64_t count, double factor)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&phases, i, INT64_C(0))) = (*cspan_at(&phases, i, INT64_C(0))) * factor;
+        (*cspan_at(&phases, i, INT64_C(1))) = (*cspan_at(&phases, i, INT64_C(1))) * factor;
+        (*cspan_at(&phases, i, INT64_C(2))) = (*cspan_at(&phases, i, INT64_C(2))) / (factor * factor);
+        (*cspan_at(&phases, i, INT64_C(3))) = (*cspan_at(&phases, i, INT64_C(3))) / (factor * factor);
+    }
+}
+/*Remove the rounding error of the total duration, which two averaged profiles must share. */
+static void fit_duration(array_double_2d phases, int64_t count, double target)
+{
+    double total;
+    int64_t i;
+    total = 0.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        total = total + (*cspan_at(&phases, i, INT64_C(0)));
+    }
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&phases, i, INT64_C(0))) = (*cspan_at(&phases, i, INT64_C(0))) * (target / total);
+        (*cspan_at(&phases, i, INT64_C(1))) = (*cspan_at(&phases, i, INT64_C(1))) * (target / total);
+    }
+}
 /*Nearest profiles below and above the distance, from boundary states taken as they are. */
 static void timed_between(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial)
 {
-    double clipped;
-    int64_t start;
     double middle;
     int64_t count;
     double y;
@@ -2612,23 +2765,10 @@ static void timed_between(double target, double v, double a, double w, double b,
     bool reverse;
     bool mirror;
     int64_t which;
-    clipped = span_min(span_max(distance / target, span_min(v, w)), span_max(v, w));
-    for (start = INT64_C(0); start < INT64_C(3); start += INT64_C(1))
+    middle = span_min(span_max(distance / target, span_min(v, w)), span_max(v, w));
+    timed_cruise(&count, &y, &hold, trial, middle, target, v, a, w, b, top, ramp);
+    if ((count >= INT64_C(0)) && (hold >= 0.0))
     {
-        middle = clipped;
-        if (start == INT64_C(1))
-        {
-            middle = velocity_limit;
-        }
-        else if (start == INT64_C(2))
-        {
-            middle = -velocity_limit;
-        }
-        timed_cruise(&count, &y, &hold, trial, middle, target, v, a, w, b, top, ramp);
-        if ((count < INT64_C(0)) || (hold < 0.0))
-        {
-            continue;
-        }
         keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
         edge = cruise_range(trial, middle, y, target, v, a, w, b, distance, velocity_limit, top, ramp);
         timed_cruise(&count, &y_edge, &hold, trial, edge, target, v, a, w, b, top, ramp);
@@ -2639,13 +2779,18 @@ static void timed_between(double target, double v, double a, double w, double b,
             return;
         }
     }
+    scan_cruises(target, v, a, w, b, distance, velocity_limit, top, ramp, found, below, above, trial);
+    if (((*cspan_at(&found, INT64_C(0))) > 0.0) && ((*cspan_at(&found, INT64_C(2))) > 0.0))
+    {
+        return;
+    }
     for (branch = INT64_C(0); branch < INT64_C(4); branch += INT64_C(1))
     {
         reverse = (branch == INT64_C(1)) || (branch == INT64_C(2));
         mirror = branch >= INT64_C(2);
         for (which = INT64_C(0); which < INT64_C(2); which += INT64_C(1))
         {
-            count = tempered_form(trial, reverse, mirror, which, target, v, a, w, b, distance, velocity_limit, top, ramp);
+            count = tempered_form(trial, reverse, mirror, which, 1, target, v, a, w, b, distance, velocity_limit, top, ramp);
             if (count < INT64_C(0))
             {
                 break;
@@ -2654,80 +2799,50 @@ static void timed_between(double target, double v, double a, double w, double b,
         }
     }
 }
-/*Profiles that last `target`; returns the weight of `above`, or -1 if none is feasible.             */
-/*                                                                                                   */
-/*    The motion is (1 - weight) * below + weight * above; found[0] and found[2] are the numbers     */
-/*    of phases of the two (12 rows each). Where none is feasible, found[4] is the least distance by */
-/*    which a profile that lasts `target` misses, or 0 if there is no such profile.                  */
-/*                                                                                                   */
+/*Profiles that last `target`; returns the weight of `above`, or -1 if none is feasible.         */
+/*                                                                                               */
+/*    The motion is (1 - weight) * below + weight * above; found[0] and found[2] are the numbers */
+/*    of phases of the two (13 rows each).                                                       */
+/*                                                                                               */
 double segfmu_timed_profile(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial)
 {
     int64_t variant;
-    int64_t first;
-    int64_t last;
-    bool brake_start;
-    bool brake_end;
-    double time;
+    int64_t taken;
+    double spent;
     double rest;
     double v1;
     double a1;
     double w1;
     double b1;
-    double duration;
-    double y;
+    double time;
+    bool brake_start;
+    bool brake_end;
     double span;
     double tiny;
-    double missed;
     double weight;
     v = without_excess(v, velocity_limit);
     w = without_excess(w, velocity_limit);
     a = without_excess(a, top);
     b = without_excess(b, top);
     distance = without_dust(distance, velocity_limit * velocity_limit / top);
-    (*cspan_at(&found, INT64_C(4))) = 0.0;
     for (variant = INT64_C(0); variant < INT64_C(4); variant += INT64_C(1))
     {
-        first = INT64_C(0);
-        last = INT64_C(0);
-        brake_start = (variant == INT64_C(1)) || (variant == INT64_C(3));
+        braked(&taken, &spent, &rest, &v1, &a1, &w1, &b1, variant, v, a, w, b, distance, velocity_limit, top, ramp, trial);
+        if (taken == -INT64_C(3))
+        {
+            continue;
+        }
+        if (taken < INT64_C(0))
+        {
+            return -1.0;
+        }
+        time = target - spent;
+        if (time <= 0.0)
+        {
+            continue;
+        }
+        brake_start = span_floor_mod(variant, INT64_C(2)) == INT64_C(1);
         brake_end = variant >= INT64_C(2);
-        if ((brake_start && (a == 0.0)) || (brake_end && (b == 0.0)))
-        {
-            continue;
-        }
-        time = target;
-        rest = distance;
-        v1 = v;
-        a1 = a;
-        w1 = w;
-        b1 = b;
-        if (brake_start)
-        {
-            brake(&first, &duration, &y, &v1, v, a, velocity_limit, top, ramp, trial);
-            if (first < INT64_C(0))
-            {
-                return -1.0;
-            }
-            time = time - duration;
-            rest = rest - y;
-            a1 = 0.0;
-        }
-        if (brake_end)
-        {
-            brake(&last, &duration, &y, &w1, w, -b, velocity_limit, top, ramp, trial);
-            if (last < INT64_C(0))
-            {
-                return -1.0;
-            }
-            time = time - duration;
-            rest = rest - y;
-            b1 = 0.0;
-        }
-        /*12 rows hold seven phases between them*/
-        if ((time <= 0.0) || (first + last > INT64_C(5)))
-        {
-            continue;
-        }
         (*cspan_at(&found, INT64_C(0))) = 0.0;
         (*cspan_at(&found, INT64_C(2))) = 0.0;
         timed_between(time, v1, a1, w1, b1, rest, velocity_limit, top, ramp, found, below, above, trial);
@@ -2751,21 +2866,221 @@ double segfmu_timed_profile(double target, double v, double a, double w, double 
             fit_duration(above, (int64_t)((*cspan_at(&found, INT64_C(2)))), target);
             return weight;
         }
-        missed = 0.0;
-        if ((*cspan_at(&found, INT64_C(0))) > 0.0)
-        {
-            missed = rest - (*cspan_at(&found, INT64_C(1)));
-        }
-        else if ((*cspan_at(&found, INT64_C(2))) > 0.0)
-        {
-            missed = (*cspan_at(&found, INT64_C(3))) - rest;
-        }
-        if ((missed > 0.0) && (((*cspan_at(&found, INT64_C(4))) == 0.0) || (missed < (*cspan_at(&found, INT64_C(4))))))
-        {
-            (*cspan_at(&found, INT64_C(4))) = missed;
-        }
     }
     return -1.0;
+}
+/*Sort a duration later than `after` into the first column of ends; the latest falls out.*/
+static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends)
+{
+    int64_t place;
+    int64_t j;
+    int64_t i;
+    int64_t result;
+    if (duration <= after)
+    {
+        return count;
+    }
+    place = count;
+    while((place > INT64_C(0)) && ((*cspan_at(&ends, place - INT64_C(1), INT64_C(0))) > duration))
+    {
+        place = place - INT64_C(1);
+    }
+    if ((place > INT64_C(0)) && (duration - (*cspan_at(&ends, place - INT64_C(1), INT64_C(0))) <= 1e-10 * duration))
+    {
+        return count;
+    }
+    count = span_min_int(count + INT64_C(1), ends.shape[INT64_C(0)]);
+    for (j = INT64_C(0); j < count - INT64_C(1) - place; j += INT64_C(1))
+    {
+        i = count - INT64_C(1) - j;
+        (*cspan_at(&ends, i, INT64_C(0))) = (*cspan_at(&ends, i - INT64_C(1), INT64_C(0)));
+    }
+    if (place < count)
+    {
+        (*cspan_at(&ends, place, INT64_C(0))) = duration;
+    }
+    return count;
+}
+/*Duration of the paper's form, if `covering` with the cruise that it takes to the distance. */
+/*                                                                                           */
+/*    1e300 where there is no such form.                                                     */
+/*                                                                                           */
+static double cruise_time(double cruise, bool covering, double v, double a, double w, double b, double distance, double top, array_double_1d ramp, array_double_2d phases)
+{
+    int64_t count;
+    int64_t row;
+    double y;
+    double duration;
+    cruise_form(&count, &row, &duration, &y, phases, cruise, v, a, w, b, top, ramp);
+    if ((count < INT64_C(0)) || (covering && ((distance - y) * cruise <= 0.0)))
+    {
+        return 1e+300;
+    }
+    if (covering)
+    {
+        duration = duration + (distance - y) / cruise;
+    }
+    return duration;
+}
+/*The least `cruise_time` between two cruise velocities, by golden section.*/
+static double turning_time(double lower, double upper, bool covering, double v, double a, double w, double b, double distance, double top, array_double_1d ramp, array_double_2d phases)
+{
+    double shrink;
+    double p;
+    double q;
+    double t_p;
+    double t_q;
+    int64_t i;
+    double result;
+    shrink = 0.6180339887498949;
+    p = upper - shrink * (upper - lower);
+    q = lower + shrink * (upper - lower);
+    t_p = cruise_time(p, covering, v, a, w, b, distance, top, ramp, phases);
+    t_q = cruise_time(q, covering, v, a, w, b, distance, top, ramp, phases);
+    for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
+    {
+        if (t_p <= t_q)
+        {
+            upper = q;
+            q = p;
+            t_q = t_p;
+            p = upper - shrink * (upper - lower);
+            t_p = cruise_time(p, covering, v, a, w, b, distance, top, ramp, phases);
+        }
+        else
+        {
+            lower = p;
+            p = q;
+            t_p = t_q;
+            q = lower + shrink * (upper - lower);
+            t_q = cruise_time(q, covering, v, a, w, b, distance, top, ramp, phases);
+        }
+    }
+    return span_min(t_p, t_q);
+}
+/*Insert the durations at which the paper's form turns, over all cruise velocities.*/
+static int64_t turning_ends(bool covering, double spent, double after, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, int64_t count, array_double_2d ends)
+{
+    int64_t samples;
+    double first;
+    double second;
+    int64_t i;
+    double third;
+    double cruise;
+    double lower;
+    double upper;
+    double turn;
+    int64_t result;
+    samples = INT64_C(24);
+    first = 1e+300;
+    second = 1e+300;
+    for (i = INT64_C(0); i < samples + INT64_C(2); i += INT64_C(1))
+    {
+        third = 1e+300;
+        if (i <= samples)
+        {
+            cruise = velocity_limit * (2.0 * i / samples - 1.0);
+            third = cruise_time(cruise, covering, v, a, w, b, distance, top, ramp, phases);
+        }
+        if ((second < 1e+300) && (first >= second) && (third >= second))
+        {
+            lower = velocity_limit * span_max(2.0 * (i - INT64_C(2)) / samples - 1.0, -1.0);
+            upper = velocity_limit * span_min(2.0 * i / samples - 1.0, 1.0);
+            turn = turning_time(lower, upper, covering, v, a, w, b, distance, top, ramp, phases);
+            count = insert_end(spent + span_min(turn, second), after, count, ends);
+        }
+        first = second;
+        second = third;
+    }
+    return count;
+}
+/*Insert the durations of all candidates of the shortest profile that cover the distance.*/
+static int64_t covering_ends(double spent, double after, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, int64_t found, array_double_2d ends)
+{
+    double t_top;
+    double rise;
+    double slope;
+    double usual;
+    int64_t skipped;
+    int64_t form;
+    int64_t branch;
+    int64_t count;
+    double cruise;
+    double duration;
+    int64_t result;
+    segfmu_ramp_duration(&t_top, &rise, &slope, top, ramp);
+    usual = 4.0 * (velocity_limit / top + t_top) + fabs(distance) / velocity_limit;
+    skipped = -INT64_C(1);
+    for (form = INT64_C(0); form < INT64_C(21); form += INT64_C(1))
+    {
+        branch = span_floor_div((form - INT64_C(5)), INT64_C(4));
+        if ((form >= INT64_C(5)) && (branch == skipped))
+        {
+            continue;
+        }
+        if (form == INT64_C(0))
+        {
+            count = slower_cruise(phases, v, a, w, b, distance, velocity_limit, top, ramp);
+        }
+        else if (form < INT64_C(3))
+        {
+            cruise = velocity_limit * (INT64_C(3) - INT64_C(2) * form);
+            count = with_cruise(phases, cruise, v, a, w, b, distance, top, ramp);
+        }
+        else if (form < INT64_C(5))
+        {
+            count = direct_form(phases, form == INT64_C(3), v, a, w, b, distance, velocity_limit, top, ramp);
+        }
+        else
+        {
+            count = tempered_form(phases, (branch == INT64_C(1)) || (branch == INT64_C(2)), branch >= INT64_C(2), span_floor_mod((form - INT64_C(5)), INT64_C(4)), 0, usual, v, a, w, b, distance, velocity_limit, top, ramp);
+            if (count < INT64_C(0))
+            {
+                skipped = branch;
+            }
+        }
+        if (count > INT64_C(0))
+        {
+            duration = meets(phases, count, v, w, distance, velocity_limit, ramp);
+            if (duration >= 0.0)
+            {
+                found = insert_end(spent + duration, after, found, ends);
+            }
+        }
+    }
+    return found;
+}
+/*Write the earliest durations after a given one at which a gap can end; their number.     */
+/*                                                                                         */
+/*    They come in rising order, in the first column of `ends`, as many as it has rows for.*/
+/*                                                                                         */
+static int64_t gap_ends(double after, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, array_double_2d ends)
+{
+    int64_t variant;
+    int64_t taken;
+    double spent;
+    double rest;
+    double v1;
+    double a1;
+    double w1;
+    double b1;
+    int64_t kind;
+    int64_t count;
+    count = INT64_C(0);
+    for (variant = INT64_C(0); variant < INT64_C(4); variant += INT64_C(1))
+    {
+        braked(&taken, &spent, &rest, &v1, &a1, &w1, &b1, variant, v, a, w, b, distance, velocity_limit, top, ramp, phases);
+        if (taken < INT64_C(0))
+        {
+            continue;
+        }
+        count = covering_ends(spent, after, v1, a1, w1, b1, rest, velocity_limit, top, ramp, phases, count, ends);
+        for (kind = INT64_C(0); kind < INT64_C(2); kind += INT64_C(1))
+        {
+            count = turning_ends(kind == INT64_C(1), spent, after, v1, a1, w1, b1, rest, velocity_limit, top, ramp, phases, count, ends);
+        }
+    }
+    return count;
 }
 /*Write the shortest profile of one axis in one interval; returns status and duration. */
 static int64_t set_shortest(int64_t* result_0, double* result_1, int64_t interval, int64_t axis, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d trial)
@@ -2792,7 +3107,7 @@ static int64_t set_shortest(int64_t* result_0, double* result_1, int64_t interva
         (*result_1) = 0.0;
         return 0;
     }
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, span_matrix(&phases, INT64_C(2) * cell), count, v, span_row(&ramps, axis));
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, span_matrix(&phases, INT64_C(2) * cell), count, v, 1e+300, span_row(&ramps, axis));
     (*result_0) = INT64_C(0);
     (*result_1) = duration;
     return 0;
@@ -2808,8 +3123,9 @@ static bool set_duration(int64_t interval, int64_t axis, double target, double s
     double distance;
     double speed;
     bool resting;
-    int64_t status;
     double duration;
+    int64_t i;
+    int64_t status;
     double weight;
     bool result;
     cell = interval * limits.shape[INT64_C(0)] + axis;
@@ -2826,7 +3142,19 @@ static bool set_duration(int64_t interval, int64_t axis, double target, double s
     resting = (speed == 0.0) && (without_dust(fabs(a) + fabs(b), (*cspan_at(&limits, axis, INT64_C(1)))) == 0.0);
     if (resting || (target <= shortest * (1.0 + 1e-13)))
     {
-        set_shortest(&status, &duration, interval, axis, positions, velocities, accelerations, limits, ramps, phases, counts, weights, trial);
+        /*the shortest profile may still be there, from the first step of planning*/
+        duration = 0.0;
+        if ((*cspan_at(&counts, INT64_C(2) * cell + INT64_C(1))) == INT64_C(0))
+        {
+            for (i = INT64_C(0); i < (*cspan_at(&counts, INT64_C(2) * cell)); i += INT64_C(1))
+            {
+                duration = duration + (*cspan_at(&phases, INT64_C(2) * cell, i, INT64_C(0)));
+            }
+        }
+        if ((duration == 0.0) || (fabs(duration - shortest) > 1e-13 * shortest))
+        {
+            set_shortest(&status, &duration, interval, axis, positions, velocities, accelerations, limits, ramps, phases, counts, weights, trial);
+        }
         if (resting && ((*cspan_at(&counts, INT64_C(2) * cell)) == INT64_C(0)))
         {
             (*cspan_at(&counts, INT64_C(2) * cell)) = append_hold(span_matrix(&phases, INT64_C(2) * cell), INT64_C(0), 0.0, target);
@@ -2847,56 +3175,16 @@ static bool set_duration(int64_t interval, int64_t axis, double target, double s
     (*cspan_at(&counts, INT64_C(2) * cell + INT64_C(1))) = (int64_t)((*cspan_at(&found, INT64_C(2))));
     return 1;
 }
-/*The end of the gap that holds the infeasible duration `start`; -1 if none is found.                */
-/*                                                                                                   */
-/*    found[4] is the distance by which the profiles of `start` miss. To cover it takes at least the */
-/*    time that it takes at the velocity limit, of which a part is skipped at once. Windows of       */
-/*    feasible durations are narrower the smoother the ramps are, so for smoothness 5 and more the   */
-/*    steps are shorter.                                                                             */
-/*                                                                                                   */
-static double next_feasible(int64_t interval, int64_t axis, double start, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial)
+/*The first feasible duration between an infeasible and a feasible one, to 4e-9 of it. */
+static double first_feasible(double outside, double inside, int64_t interval, int64_t axis, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial)
 {
-    double outside;
-    double growth;
-    double skipped;
-    int64_t i;
     double duration;
-    double inside;
-    outside = start;
-    inside = -1.0;
-    growth = 1.005;
-    skipped = 0.1;
-    if (limits.shape[INT64_C(1)] > INT64_C(5))
+    int64_t i;
+    double result;
+    duration = inside * (1.0 - 3e-09);
+    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
     {
-        growth = 1.003;
-        skipped = 0.02;
-    }
-    for (i = INT64_C(0); i < INT64_C(600); i += INT64_C(1))
-    {
-        duration = span_max(outside * growth, outside + skipped * (*cspan_at(&found, INT64_C(4))) / (*cspan_at(&limits, axis, INT64_C(0))));
-        if (set_duration(interval, axis, duration, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial))
-        {
-            inside = duration;
-            break;
-        }
-        outside = duration;
-        if (i > INT64_C(230))
-        {
-            growth = 1.02;
-        }
-        if (i > INT64_C(350))
-        {
-            growth = 1.1;
-        }
-    }
-    if (inside < 0.0)
-    {
-        return -1.0;
-    }
-    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
-    {
-        duration = 0.5 * (outside + inside);
-        if (inside - outside <= 1e-09 * inside)
+        if ((duration <= outside) || (inside - outside <= 4e-09 * inside))
         {
             break;
         }
@@ -2908,8 +3196,65 @@ static double next_feasible(int64_t interval, int64_t axis, double start, double
         {
             outside = duration;
         }
+        duration = 0.5 * (outside + inside);
     }
     return inside;
+}
+/*The end of the gap that holds the infeasible duration `start`; -1 if none is found.                  */
+/*                                                                                                     */
+/*    The durations at which gaps can end are tried one after the other. Should a duration just before */
+/*    one of them be feasible as well, or none of them, the end is searched for.                       */
+/*                                                                                                     */
+static double next_feasible(int64_t interval, int64_t axis, double start, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial)
+{
+    double after;
+    array_double_2d ends;
+    int64_t sweep;
+    int64_t count;
+    int64_t i;
+    double duration;
+    double growth;
+    double result;
+    after = start;
+    ends = span_rows(&trial, INT64_C(26), INT64_C(42));
+    for (sweep = INT64_C(0); sweep < INT64_C(8); sweep += INT64_C(1))
+    {
+        count = gap_ends(after, (*cspan_at(&velocities, interval, axis)), (*cspan_at(&accelerations, interval, axis)), (*cspan_at(&velocities, interval + INT64_C(1), axis)), (*cspan_at(&accelerations, interval + INT64_C(1), axis)), (*cspan_at(&positions, interval + INT64_C(1), axis)) - (*cspan_at(&positions, interval, axis)), (*cspan_at(&limits, axis, INT64_C(0))), (*cspan_at(&limits, axis, INT64_C(1))), span_row(&ramps, axis), trial, ends);
+        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        {
+            duration = (*cspan_at(&ends, i, INT64_C(0))) * (1.0 + 1e-09);
+            if (set_duration(interval, axis, duration, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial))
+            {
+                result = first_feasible(after, duration, interval, axis, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial);
+                return result;
+            }
+            after = duration;
+        }
+        if (count < INT64_C(16))
+        {
+            break;
+        }
+    }
+    growth = 1.005;
+    for (i = INT64_C(0); i < INT64_C(600); i += INT64_C(1))
+    {
+        duration = after * growth;
+        if (set_duration(interval, axis, duration, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial))
+        {
+            result = first_feasible(after, duration, interval, axis, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial);
+            return result;
+        }
+        after = duration;
+        if (i > INT64_C(230))
+        {
+            growth = 1.02;
+        }
+        if (i > INT64_C(350))
+        {
+            growth = 1.1;
+        }
+    }
+    return -1.0;
 }
 /*The next multiple of the sample time, or the duration itself if there is none. */
 static double round_up(double duration, double sample_time)
@@ -3155,7 +3500,7 @@ static int64_t synchronize_plan(array_double_2d positions, array_double_2d veloc
         {
             if ((synchronization == INT64_C(1)) || (sample_time > 0.0))
             {
-                time = common_duration(j, axis, axis + group, 0.0, sample_time, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, span_row(&work, INT64_C(24)), span_rows(&work, INT64_C(0), INT64_C(24)));
+                time = common_duration(j, axis, axis + group, 0.0, sample_time, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, span_row(&work, INT64_C(42)), span_rows(&work, INT64_C(0), INT64_C(42)));
                 (*cspan_at(&report, INT64_C(0))) = axis;
                 (*cspan_at(&report, INT64_C(1))) = j;
                 if (time < 0.0)
@@ -3190,11 +3535,11 @@ static int64_t synchronize_plan(array_double_2d positions, array_double_2d veloc
     for (axis = INT64_C(0); (group > 0) ? (axis < axes) : (axis > axes); axis += group)
     {
         (*cspan_at(&report, INT64_C(0))) = axis;
-        if (!distribute(axis, axis + group, target, shortest, durations, active, positions, velocities, accelerations, limits, ramps, phases, counts, weights, span_row(&work, INT64_C(24)), span_rows(&work, INT64_C(0), INT64_C(24))))
+        if (!distribute(axis, axis + group, target, shortest, durations, active, positions, velocities, accelerations, limits, ramps, phases, counts, weights, span_row(&work, INT64_C(42)), span_rows(&work, INT64_C(0), INT64_C(42))))
         {
             return -INT64_C(6);
         }
-        if (!rewrite_intervals(axis, axis + group, shortest, durations, positions, velocities, accelerations, limits, ramps, phases, counts, weights, span_row(&work, INT64_C(24)), span_rows(&work, INT64_C(0), INT64_C(24))))
+        if (!rewrite_intervals(axis, axis + group, shortest, durations, positions, velocities, accelerations, limits, ramps, phases, counts, weights, span_row(&work, INT64_C(42)), span_rows(&work, INT64_C(0), INT64_C(42))))
         {
             return -INT64_C(6);
         }
@@ -3204,9 +3549,9 @@ static int64_t synchronize_plan(array_double_2d positions, array_double_2d veloc
 /*Plan all intervals. Returns 0 or a negative status, with the details in `report`.            */
 /*                                                                                             */
 /*    m waypoints, k axes: positions, velocities, accelerations (m, k), dwells (m,), limits    */
-/*    (k, smoothness + 1) with 0 for absent, ramps (k, 48), phases (2 (m - 1) k, 12, 4), counts*/
+/*    (k, smoothness + 1) with 0 for absent, ramps (k, 48), phases (2 (m - 1) k, 13, 4), counts*/
 /*    (2 (m - 1) k,), weights ((m - 1) k,), shortest and durations (m - 1, k), active (m - 1,),*/
-/*    work (25, 4 + 2 smoothness), report (4,). synchronization: 0 none, 1 waypoints, 2 total; */
+/*    work (43, 4 + 2 smoothness), report (4,). synchronization: 0 none, 1 waypoints, 2 total; */
 /*    sample_time and duration: 0 for none.                                                    */
 /*                                                                                             */
 int64_t segfmu_plan_phases(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d dwells, array_double_2d limits, int64_t smoothness, int64_t shape, int64_t synchronization, double sample_time, double duration, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d shortest, array_double_2d durations, array_int64_t_1d active, array_double_2d work, array_double_1d report)

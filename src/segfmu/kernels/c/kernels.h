@@ -9,7 +9,7 @@
 
 int64_t segfmu_ramp_parameters(int64_t smoothness, int64_t shape, double share, array_double_1d limits, array_double_1d work, array_double_1d peaks, array_double_1d ramp);
 int64_t segfmu_ramp_duration(double* result_0_0001, double* result_1, double* result_2, double change, array_double_1d ramp);
-int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result_2_0001, double* result_3, double* result_4, array_double_2d phases, int64_t count, double v, array_double_1d ramp);
+int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result_2_0001, double* result_3, double* result_4, array_double_2d phases, int64_t count, double v, double within, array_double_1d ramp);
 int64_t segfmu_shortest_profile(double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, array_double_2d work);
 double segfmu_timed_profile(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial);
 int64_t segfmu_plan_phases(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d dwells, array_double_2d limits, int64_t smoothness, int64_t shape, int64_t synchronization, double sample_time, double duration, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d shortest, array_double_2d durations, array_int64_t_1d active, array_double_2d work, array_double_1d report);

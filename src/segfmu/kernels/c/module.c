@@ -69,13 +69,15 @@ static PyObject *call_measure_phases(
     Py_buffer *in_phases;
     int64_t in_count;
     double in_v;
+    double in_within;
     Py_buffer *in_ramp;
     (void)self;
-    if (take_count(&call, count, 4)
+    if (take_count(&call, count, 5)
         && (in_phases = take_array(&call, 0, 2, 'd', false)) != NULL
         && take_int(&call, 1, &in_count)
         && take_float(&call, 2, &in_v)
-        && (in_ramp = take_array(&call, 3, 1, 'd', false)) != NULL) {
+        && take_float(&call, 3, &in_within)
+        && (in_ramp = take_array(&call, 4, 1, 'd', false)) != NULL) {
         double result_0;
         double result_1;
         double result_2;
@@ -90,6 +92,7 @@ static PyObject *call_measure_phases(
             (array_double_2d){in_phases->buf, {in_phases->shape[0], in_phases->shape[1]}},
             in_count,
             in_v,
+            in_within,
             (array_double_1d){in_ramp->buf, {in_ramp->shape[0]}});
         answer = Py_BuildValue("(ddddd)", result_0, result_1, result_2, result_3, result_4);
     }

@@ -3,9 +3,9 @@
 
 #include "kernels.h"
 
-/* most polynomial pieces of an interval of one axis: two profiles of 12 phases, 7 pieces each,
+/* most polynomial pieces of an interval of one axis: two profiles of 13 phases, 7 pieces each,
    cut at all their switching times; and a dwell */
-enum { PIECES = 2 * 12 * 7 + 1, RAMP = 48, ROWS = 12, COLUMNS = 4 };
+enum { PIECES = 2 * 13 * 7 + 1, RAMP = 48, ROWS = 13, COLUMNS = 4, WORK = 43 };
 
 static double *take(double **space, int64_t count)
 {
@@ -47,7 +47,7 @@ size_t segfmu_plan_size(int64_t points, int64_t axes, int64_t smoothness)
 {
     int64_t cells = (points - 1) * axes;
     int64_t planned = axes * RAMP + 2 * cells * ROWS * COLUMNS + 2 * cells + 3 * cells
-        + (points - 1) + 25 * (4 + 2 * smoothness);
+        + (points - 1) + WORK * (4 + 2 * smoothness);
     int64_t expanded = most_pieces(points, axes) * (2 + 2 * smoothness) + (axes + 1)
         + points * axes + axes + 200 * 2 + 200 * 16 + 43 * 14;
     return (size_t)(planned + expanded);
@@ -84,7 +84,7 @@ int segfmu_plan(const segfmu_problem *p, double *space, segfmu_trajectory *traje
     array_double_2d shortest = matrix(take(&space, cells), m - 1, k);
     array_double_2d durations = matrix(take(&space, cells), m - 1, k);
     array_int64_t_1d active = integers(take(&space, m - 1), m - 1);
-    array_double_2d work = matrix(take(&space, 25 * (4 + 2 * n)), 25, 4 + 2 * n);
+    array_double_2d work = matrix(take(&space, WORK * (4 + 2 * n)), WORK, 4 + 2 * n);
     int64_t status = segfmu_plan_phases(
         positions, velocities, accelerations, dwells, limits, n, p->shape, p->synchronization,
         p->sample_time, p->duration, ramps, phases, counts, weights, shortest, durations, active,
