@@ -89,7 +89,7 @@ def test_libcosim_gives_what_our_master_gives(native_fmus, mission: str) -> None
     found = libcosim(native_fmus[2], *values)
     expected = simulate(
         *native_fmus[2], stop_time=STOP, step=STEP, source_values=values[0],
-        sink_values=values[1], coupling="parallel",
+        sink_values=values[1], coupling="parallel", events=False,
     )[1:]
     compared = [n for n in found if not n.startswith(FEEDTHROUGH)]
     assert len(compared) > 60 and len(SIGNALS) > 15
@@ -102,7 +102,7 @@ def test_parallel_coupling_has_an_error_of_first_order(native_fmus) -> None:
     """It shrinks with the step; the sequential one is far smaller."""
     def error(coupling: Any, step: float) -> float:
         rows = simulate(*native_fmus[2], stop_time=2.0, step=step, coupling=coupling,
-                        sink_values={"feedback.enabled": False})
+                        events=False, sink_values={"feedback.enabled": False})
         return float(rows["error.load.norm"].max())
 
     coarse, fine = error("parallel", 0.005), error("parallel", 0.00125)
