@@ -121,6 +121,19 @@ def test_csv_holds_every_digit_and_appears_whole(tmp_path: Path) -> None:
         write_csv(tmp_path / "file" / "r.csv", rows)
 
 
+@pytest.mark.parametrize("step", [1e-300, 1e-9])
+def test_endless_runs_are_refused(fmus: tuple[Path, Path], step: float) -> None:
+    with pytest.raises(InputError, match=r"steps, at most 2000000 are possible; take a longer"):
+        simulate(*fmus, stop_time=1.0, step=step)
+
+
+def test_an_error_while_the_other_fmu_initialises_is_the_one_reported(native_fmus) -> None:
+    """The crane is still in initialisation mode then and can only be freed."""
+    with pytest.raises(SimulationError, match="GantryFeedforward could not be initialised"):
+        simulate(*native_fmus[2], stop_time=1.0, step=0.01,
+                 source_values={"crane.bridge_mass": 0.0})
+
+
 def test_unknown_coupling_is_refused(fmus: tuple[Path, Path]) -> None:
     with pytest.raises(InputError, match="sequential or parallel or derivatives, got 'both'"):
         simulate(*fmus, stop_time=1.0, step=0.1, coupling="both")  # type: ignore[arg-type]

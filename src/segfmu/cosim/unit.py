@@ -219,11 +219,11 @@ class Unit:
         """Set up the experiment and enter initialisation mode."""
         self._call("set up", self.fmu.setupExperiment, startTime=start, stopTime=stop)
         self._call("enter initialisation", self.fmu.enterInitializationMode)
-        self._initialised = True
 
     def exit_initialization(self) -> None:
         """Leave initialisation mode."""
         self._call("be initialised", self.fmu.exitInitializationMode)
+        self._initialised = True
 
     def step(self, time: float, step: float) -> None:
         """One communication step."""
@@ -236,7 +236,8 @@ class Unit:
         """Free the instance and remove the unpacked archive; safe to call in any state."""
         if self._instantiated:
             self._instantiated = False
-            # after an error only freeing is allowed, after a fatal one nothing at all
+            # before the end of initialisation and after an error only freeing is allowed, after a
+            # fatal one nothing at all
             if self._initialised and self._worst < ERROR:
                 self._call("terminate", self.fmu.terminate)
             if self._worst < FATAL:
