@@ -20,6 +20,9 @@ from segfmu.cosim.load import load
 from segfmu.cosim.unit import Channel, Unit
 from segfmu.errors import InputError
 
+# results of both FMUs take 0.7 kB a step
+MAX_STEPS = 2_000_000
+
 Coupling = Literal["sequential", "parallel", "derivatives"]
 
 # types of values -> those of a result's columns
@@ -121,12 +124,29 @@ def _step(
     return reached
 
 
+def require_steps(duration: float, step: float) -> None:
+    """Refuse runs whose results would not fit in memory.
+
+    Raises
+    ------
+    InputError
+        For more than `MAX_STEPS` steps.
+    """
+    steps = duration / step
+    if steps > MAX_STEPS:
+        raise InputError(
+            f"{duration:.6g} s in steps of {step:.6g} s are {steps:.3g} steps, at most {MAX_STEPS} "
+            "are possible; take a longer step or a shorter time"
+        )
+
+
 def _times(start: float, stop: float, step: float) -> NDArray[np.float64]:
     """Communication points start + i * step, the last one at stop."""
     if not (isfinite(step) and step > 0.0):
         raise InputError(f"step must be a time > 0 s, got {step!r}")
     if not (isfinite(start) and isfinite(stop) and stop > start):
         raise InputError(f"stop_time {stop!r} s must be after start_time {start!r} s")
+    require_steps(stop - start, step)
     count = ceil((stop - start) / step - 1e-9)
     times: NDArray[np.float64] = start + np.arange(count + 1, dtype=np.float64) * step
     times[-1] = stop

@@ -204,7 +204,8 @@ class Unit(ABC):
         """Free the instance and remove the unpacked archive; safe to call in any state."""
         if self._instantiated:
             self._instantiated = False
-            # after an error only freeing is allowed, after a fatal one nothing at all
+            # before the end of initialisation and after an error only freeing is allowed, after a
+            # fatal one nothing at all
             if self._initialised and self._worst < ERROR:
                 self.call("terminate", self.fmu.terminate)
             if self._worst < FATAL:

@@ -87,10 +87,7 @@ class Trajectory:
             raise InputError(f"t must be a time or an array of times, got {t!r}") from None
         if not np.isfinite(times).all():
             raise InputError("t must be finite")
-        if isinstance(derivative, bool) or not isinstance(derivative, int | np.integer):
-            raise InputError(f"derivative must be an integer, got {derivative!r}")
-        if derivative < 0:
-            raise InputError(f"derivative must be at least 0, got {derivative}")
+        _require_derivative(derivative)
         flat = np.ascontiguousarray(times.reshape(-1))
         values = np.zeros((flat.size, self.axes))
         if derivative < self.coefficients.shape[1]:
@@ -107,6 +104,7 @@ class Trajectory:
 
     def extrema(self, derivative: int) -> tuple[FloatArray, FloatArray]:
         """Exact minimum and maximum of a derivative, each of shape (axes,)."""
+        _require_derivative(derivative)
         found = np.empty((self.axes, 2))
         for axis in range(self.axes):
             _, lengths, coefficients = self.pieces(axis)
@@ -138,3 +136,10 @@ class Trajectory:
         """Waypoint interval, from 1, that is active at time t (a dwell belongs to the next)."""
         passed = int(np.searchsorted(self.waypoint_times, t, side="right"))
         return min(max(passed, 1), len(self.waypoints) - 1)
+
+
+def _require_derivative(derivative: int) -> None:
+    if isinstance(derivative, bool) or not isinstance(derivative, int | np.integer):
+        raise InputError(f"derivative must be an integer, got {derivative!r}")
+    if derivative < 0:
+        raise InputError(f"derivative must be at least 0, got {derivative}")

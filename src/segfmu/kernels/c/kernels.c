@@ -2171,9 +2171,16 @@ static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, 
     double sign;
     double outside;
     int64_t i;
-    double lowest;
+    double without;
     double inside;
     double e_inside;
+    double duration;
+    double y;
+    double end;
+    double lowest;
+    double highest;
+    double peak;
+    double other;
     double before;
     double e_before;
     bool newest_inside;
@@ -2206,22 +2213,42 @@ static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, 
     {
         outside = span_max(outside, sign * (*cspan_at(&phases, i, INT64_C(2))));
     }
-    lowest = span_max(sign * a, span_max(sign * b, 0.001 * top));
-    /*not every level below the first one may have a member*/
-    inside = lowest;
-    count = INT64_C(0);
-    e_inside = 0.0;
-    for (i = INT64_C(0); i < INT64_C(8); i += INT64_C(1))
+    /*below some level there may be no member, or one that passes the limit on the other side*/
+    without = span_max(sign * a, span_max(sign * b, 0.001 * top));
+    inside = without;
+    e_inside = 2.0 * velocity_limit;
+    for (i = INT64_C(0); i < INT64_C(24); i += INT64_C(1))
     {
-        inside = lowest + (outside - lowest) * i / 8.0;
         count = merged_form(phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, inside, top, ramp);
-        if (count > INT64_C(0))
+        segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, span_max_int(count, INT64_C(0)), v, 0.0, ramp);
+        peak = highest;
+        other = -lowest;
+        if (mirror)
         {
-            e_inside = velocity_excess(phases, count, v, 0.0, velocity_limit, ramp) + margin;
+            peak = -lowest;
+            other = highest;
+        }
+        if ((count <= INT64_C(0)) || (other > velocity_limit + rounding))
+        {
+            without = inside;
+        }
+        else if (peak > velocity_limit + rounding)
+        {
+            outside = inside;
+            e_outside = peak - velocity_limit + margin;
+        }
+        else
+        {
+            e_inside = span_max(peak, other) - velocity_limit + margin;
             break;
         }
+        if (without == outside)
+        {
+            break;
+        }
+        inside = 0.5 * (without + outside);
     }
-    if ((count <= INT64_C(0)) || (e_inside > margin + rounding))
+    if (e_inside > margin + rounding)
     {
         return INT64_C(0);
     }
