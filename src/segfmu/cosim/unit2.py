@@ -83,10 +83,10 @@ class Unit2(Unit):
     def enter_initialization(self, start: float, stop: float) -> None:
         self.call("set up", self.fmu.setupExperiment, startTime=start, stopTime=stop)
         self.call("enter initialisation", self.fmu.enterInitializationMode)
-        self._initialised = True
 
     def exit_initialization(self) -> None:
         self.call("be initialised", self.fmu.exitInitializationMode)
+        self._initialised = True
 
     def next_end(self, time: float, end: float) -> float:
         if self._next_event is None:
