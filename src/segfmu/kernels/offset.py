@@ -18,7 +18,8 @@ of an instrumental-variable estimate from residuals r and measured factors f,
 
     D = sum z r / sum z f,  variance of D = C sum z^2 (r - D f)^2 / (sum z f)^2,
 
-both axes together. C samples of what remains count as one, as wind is coloured. An offset explains
+both axes together. C samples, two of the filter's time constants, of what remains count as one, as
+wind is coloured. An offset explains
 all of the residual on both axes, and wind that is not shaped like the plan hardly any. Filter and
 estimate are those of P. C. Young, Recursive Estimation and Time-Series Analysis, Springer 1984; the
 variance by the remaining residuals is that of H. White, Econometrica 48 (1980), for samples whose
@@ -119,10 +120,13 @@ def offset_judge(parameters: 'float[:]', length: float, noise: float, memory: 'f
 
     One that has been five deviations for 0.2 s or so is; it stays until the data speak against it.
     """
+    samples = 2.0 / (parameters[24] * parameters[1])
     offset = memory[10, 0] / memory[10, 1]
     left = memory[10, 2] - 2.0 * offset * memory[10, 3] + offset * offset * memory[10, 4]
-    variance = 15.0 * max(left, 0.0) + noise * memory[10, 5]
-    deviation = sqrt(variance) / memory[10, 1]
+    # what remains may be little by chance, but not less than the sensors' noise, of which a small
+    # part is as slow as the plan
+    least = noise * memory[10, 5] / 16.0
+    deviation = sqrt(samples * (max(left, 0.0) + least)) / memory[10, 1]
     memory[9, 0] = offset
     memory[9, 1] = deviation
     memory[9, 2] = memory[9, 2] + 1.0

@@ -5339,14 +5339,18 @@ static void offset_sum(double keep, array_double_1d values, array_double_1d sums
 /*                                                                                                   */
 static void offset_judge(array_double_1d parameters, double length, double noise, array_double_2d memory)
 {
+    double samples;
     double offset;
     double left;
-    double variance;
+    double least;
     double deviation;
+    samples = 2.0 / ((*cspan_at(&parameters, INT64_C(24))) * (*cspan_at(&parameters, INT64_C(1))));
     offset = (*cspan_at(&memory, INT64_C(10), INT64_C(0))) / (*cspan_at(&memory, INT64_C(10), INT64_C(1)));
     left = (*cspan_at(&memory, INT64_C(10), INT64_C(2))) - 2.0 * offset * (*cspan_at(&memory, INT64_C(10), INT64_C(3))) + offset * offset * (*cspan_at(&memory, INT64_C(10), INT64_C(4)));
-    variance = 15.0 * span_max(left, 0.0) + noise * (*cspan_at(&memory, INT64_C(10), INT64_C(5)));
-    deviation = sqrt(variance) / (*cspan_at(&memory, INT64_C(10), INT64_C(1)));
+    /*what remains may be little by chance, but not less than the sensors' noise, of which a small*/
+    /*part is as slow as the plan*/
+    least = noise * (*cspan_at(&memory, INT64_C(10), INT64_C(5))) / 16.0;
+    deviation = sqrt(samples * (span_max(left, 0.0) + least)) / (*cspan_at(&memory, INT64_C(10), INT64_C(1)));
     (*cspan_at(&memory, INT64_C(9), INT64_C(0))) = offset;
     (*cspan_at(&memory, INT64_C(9), INT64_C(1))) = deviation;
     (*cspan_at(&memory, INT64_C(9), INT64_C(2))) = (*cspan_at(&memory, INT64_C(9), INT64_C(2))) + 1.0;
