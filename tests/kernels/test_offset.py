@@ -19,9 +19,9 @@ Course = Callable[[float], np.ndarray]
 
 def parameters(share: float = 0.05) -> np.ndarray:
     """What of the tracking controller's the estimate reads."""
-    found = np.zeros(28)
+    found = np.zeros(27)
     found[1], found[6], found[11] = T, GRAVITY, np.exp(-T / 0.1)
-    found[23:28] = share, BANDWIDTH, STEP**2 / 12.0, 1e-4**2 / 12.0, 0.1 * GRAVITY
+    found[23:] = share, BANDWIDTH, STEP**2 / 12.0, 1e-4**2 / 12.0
     return found
 
 

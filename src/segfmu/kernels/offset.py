@@ -118,7 +118,8 @@ def offset_sum(keep: float, values: 'float[:]', sums: 'float[:]') -> None:
 def offset_judge(parameters: 'float[:]', length: float, noise: float, memory: 'float[:,:]') -> None:
     """Offset and deviation by the sums; which offset is to be used.
 
-    One that has been five deviations for 0.2 s or so is; it stays until the data speak against it.
+    One that has been five deviations for five of the filter's time constants is; it stays until the
+    data speak against it. In less time wind is too often shaped like the plan by chance.
     """
     samples = 2.0 / (parameters[24] * parameters[1])
     offset = memory[10, 0] / memory[10, 1]
@@ -132,7 +133,7 @@ def offset_judge(parameters: 'float[:]', length: float, noise: float, memory: 'f
     memory[9, 2] = memory[9, 2] + 1.0
     if abs(offset) < 5.0 * deviation or abs(offset) > 3.0 * parameters[23] * length:
         memory[9, 2] = 0.0
-    if memory[9, 2] * parameters[1] * parameters[24] > 2.4:
+    if memory[9, 2] * parameters[1] * parameters[24] > 5.0:
         memory[9, 3] = offset
         memory[9, 4] = 1.0
     elif abs(offset - memory[9, 3]) > 3.0 * deviation:

@@ -5333,10 +5333,11 @@ static void offset_sum(double keep, array_double_1d values, array_double_1d sums
     (*cspan_at(&sums, INT64_C(4))) = keep * (*cspan_at(&sums, INT64_C(4))) + square * factor * factor;
     (*cspan_at(&sums, INT64_C(5))) = keep * (*cspan_at(&sums, INT64_C(5))) + square;
 }
-/*Offset and deviation by the sums; which offset is to be used.                                      */
-/*                                                                                                   */
-/*    One that has been five deviations for 0.2 s or so is; it stays until the data speak against it.*/
-/*                                                                                                   */
+/*Offset and deviation by the sums; which offset is to be used.                                        */
+/*                                                                                                     */
+/*    One that has been five deviations for five of the filter's time constants is; it stays until the */
+/*    data speak against it. In less time wind is too often shaped like the plan by chance.            */
+/*                                                                                                     */
 static void offset_judge(array_double_1d parameters, double length, double noise, array_double_2d memory)
 {
     double samples;
@@ -5358,7 +5359,7 @@ static void offset_judge(array_double_1d parameters, double length, double noise
     {
         (*cspan_at(&memory, INT64_C(9), INT64_C(2))) = 0.0;
     }
-    if ((*cspan_at(&memory, INT64_C(9), INT64_C(2))) * (*cspan_at(&parameters, INT64_C(1))) * (*cspan_at(&parameters, INT64_C(24))) > 2.4)
+    if ((*cspan_at(&memory, INT64_C(9), INT64_C(2))) * (*cspan_at(&parameters, INT64_C(1))) * (*cspan_at(&parameters, INT64_C(24))) > 5.0)
     {
         (*cspan_at(&memory, INT64_C(9), INT64_C(3))) = offset;
         (*cspan_at(&memory, INT64_C(9), INT64_C(4))) = 1.0;
