@@ -152,7 +152,7 @@ def test_constant_wind_is_no_offset_and_moves_no_estimate(wind: float) -> None:
 
 
 def test_the_instrument_is_blind_to_what_noise_and_wind_do_to_the_factor() -> None:
-    """Residuals that go with what is measured alone, as wind's do, by least squares would be 0.5."""
+    """Residuals that go with what is measured alone, as wind's do, are no offset."""
     random, sums = np.random.default_rng(5), np.zeros(10)
     for _ in range(20000):
         planned, wind = random.normal(0.0, 1.0, 2)
