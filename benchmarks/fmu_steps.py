@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from benchmarks.drivers import NATIVE, DriverError, compiled
 from benchmarks.report import Part, Record, Section, Settings
 from benchmarks.timing import ratios
-from segfmu.cosim.unit import Unit
+from segfmu.cosim.load import load
 from segfmu.errors import BuildError
 from segfmu.fmu import gantry_crane, gantry_feedforward, native
 from segfmu.fmu.build import build_all
@@ -215,20 +215,21 @@ def _in_c(driver: ctypes.CDLL, archive: Archive, steps: int) -> tuple[float, flo
 
 def _in_python(archive: Archive, steps: int) -> tuple[float, float]:
     """The same through the master's bindings."""
-    with Unit(archive.path) as unit:
+    with load(archive.path) as unit:
         begin = time.perf_counter()
         unit.enter_initialization(0.0, STEP * steps)
         unit.exit_initialization()
         start = time.perf_counter() - begin
         names = {n: v.causality for n, v in unit.variables.items() if v.type == "Real"}
-        written = unit.channel([n for n, c in names.items() if c == "input"]).get("Real")
+        inputs = [n for n, c in names.items() if c == "input"]
+        written = unit.channel(inputs) if inputs else None
         if written is not None:
             written.values[:] = archive.values
-        read = unit.channel([n for n, c in names.items() if c == "output"])["Real"]
+        read = unit.channel([n for n, c in names.items() if c == "output"])
         begin = time.perf_counter()
         for i in range(steps):
             if written is not None:
                 written.write()
-            unit.step(STEP * i, STEP)
+            unit.step(STEP * i, STEP * (i + 1))
             read.read()
         return start, (time.perf_counter() - begin) / steps

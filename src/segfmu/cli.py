@@ -42,6 +42,8 @@ def plan(
     """Plan a mission and show every peak against its limit."""
     task = load_mission(mission)
     trajectory = _planned(task)
+    if output is not None:
+        _require_steps(task, trajectory)
     from segfmu.validation.report import plan_table
 
     console.print(plan_table(task.name, trajectory, verify(trajectory)))
@@ -94,6 +96,7 @@ def simulate(
         simulation = task.simulation.model_copy(update={"step": step})
         task = task.model_copy(update={"simulation": simulation})
     trajectory = _planned(task)
+    _require_steps(task, trajectory)
     feedforward, crane = _built(output, task, trajectory)
     rows = _run(task, trajectory, feedforward, crane)
     from segfmu.cosim import write_csv
@@ -123,6 +126,7 @@ def campaign(
     """Compare six methods of control under every disturbance; map move times and eigenvalues."""
     task = load_mission(mission)
     trajectory = _planned(task)
+    _require_steps(task, trajectory)
     from segfmu.validation.campaign import run_campaign
     from segfmu.validation.campaign_files import require_folder, write_maps, write_tables
     from segfmu.validation.campaign_report import outcome_table, verdict_table
@@ -152,6 +156,17 @@ def _planned(task: Mission) -> Trajectory:
     trajectory = task.plan()
     FlatInverse(task.build_crane(), trajectory)
     return trajectory
+
+
+def _require_steps(task: Mission, trajectory: Trajectory) -> None:
+    """Refuse missions of so many steps that no machine can keep their results."""
+    from segfmu.cosim import require_steps
+
+    settings = task.simulation
+    try:
+        require_steps(trajectory.duration + settings.settle, settings.step)
+    except InputError as error:
+        raise InputError(f"{task.name}: {error} (simulation.step, settle, dwell, limits)") from None
 
 
 def _write_plan(task: Mission, trajectory: Trajectory, output: Path) -> None:

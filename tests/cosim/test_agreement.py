@@ -29,11 +29,15 @@ UNKIND = {
 }
 
 
-def pure(driven: bool, values: dict[str, float]) -> tuple[list, list, list]:
-    """States, measured signals and drive forces at every communication point."""
+def pure(driven: bool, values: dict[str, float], events: bool) -> tuple[list, list, list]:
+    """States, measured signals and drive forces at every communication point.
+
+    With events, steps end at those of the plan as well.
+    """
     parameters = {v.name: v.start for v in rig_parameters()} | values
     crane = Crane(2.2, 1.155, 1.0, rope_min=0.16, rope_max=1.5)
-    inverse = FlatInverse(crane, plan(POINTS, LIMITS))
+    trajectory = plan(POINTS, LIMITS)
+    inverse = FlatInverse(crane, trajectory)
     gains = design(crane, sample_time=0.01, shortest=0.16, longest=1.5, driven=driven)
 
     def setpoints(time: float) -> Setpoints:
@@ -45,18 +49,26 @@ def pure(driven: bool, values: dict[str, float]) -> tuple[list, list, list]:
     )
     rows = [(plant.state, plant.measured, plant.drive_force.copy())]
     for i in range(1, round(STOP / STEP) + 1):
-        plant.step(STEP, setpoints(i * STEP))
+        for time in trajectory.events if events else ():
+            if plant.time < time < i * STEP:
+                plant.step(time - plant.time, setpoints(time))
+        plant.step(i * STEP - plant.time, setpoints(i * STEP))
         rows.append((plant.state, plant.measured, plant.drive_force.copy()))
     states, measured, forces = zip(*rows, strict=True)
     return list(states), list(measured), list(forces)
 
 
+@pytest.mark.parametrize("events", [False, True])
 @pytest.mark.parametrize("driven", [False, True])
 @pytest.mark.parametrize("values", [{}, UNKIND], ids=["ideal", "unkind"])
-def test_fmus_and_python_agree(fmus: tuple[Path, Path], driven: bool, values) -> None:
+def test_fmus_and_python_agree(
+    fmus: tuple[Path, Path], driven: bool, values, events: bool
+) -> None:
     mode = {"drive.mode": "velocity" if driven else "force"}
-    rows = simulate(*fmus, stop_time=STOP, step=STEP, sink_values={**mode, **values})
-    states, measured, forces = pure(driven, values)
+    rows = simulate(
+        *fmus, stop_time=STOP, step=STEP, sink_values={**mode, **values}, events=events
+    )
+    states, measured, forces = pure(driven, values, events)
     columns = [
         ("bridge.velocity", states, 5), ("trolley.position", states, 1), ("rope.length", states, 2),
         ("sway.x.angle", states, 3), ("sway.y.rate", states, 9),

@@ -14,29 +14,7 @@ import numpy as np
 import pytest
 
 from segfmu.cosim import simulate
-from segfmu.fmu import gantry_crane, gantry_feedforward
-
-STEP, STOP = 0.005, 4.5
-SPECS = {
-    "GantryFeedforward": gantry_feedforward.native_spec(),
-    "GantryCrane": gantry_crane.native_spec(),
-}
-SIGNALS = [n for n in SPECS["GantryCrane"].references
-           if n in {v.name for v in SPECS["GantryFeedforward"].where("output")}
-           and n in {v.name for v in SPECS["GantryCrane"].where("input")}]
-# libcosim gives outputs as they were before the inputs at the end of the step were handed on
-FEEDTHROUGH = ("error.load.",)
-MISSIONS: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
-    "paper": ({}, {}),
-    "short move in the wind": (
-        {"waypoint.count": 2, "waypoint[2].position.x": 0.4, "waypoint[2].position.y": 0.3,
-         **{f"waypoint[2].{q}.{a}": 0.0 for q in ("velocity", "acceleration") for a in "xyz"},
-         "planner.smoothness": 5, "limits.x.velocity": 0.3},
-        {"sway.x.angle": 0.03, "feedback.enabled": False, "wind.gust.start": 1.0,
-         "wind.gust.duration": 0.5, "wind.gust.force.x": 0.4},
-    ),
-}
-
+from tests.cosim.pair import MISSIONS, SIGNALS, SPECS, STEP, STOP, compare
 
 # libcosim ignores enumerations, so missions have none
 SETTERS = {"Real": "real", "Integer": "integer", "Boolean": "boolean"}
@@ -87,22 +65,14 @@ def test_libcosim_gives_what_our_master_gives(native_fmus, mission: str) -> None
     )
     values = MISSIONS[mission]
     found = libcosim(native_fmus[2], *values)
-    expected = simulate(
-        *native_fmus[2], stop_time=STOP, step=STEP, source_values=values[0],
-        sink_values=values[1], coupling="parallel",
-    )[1:]
-    compared = [n for n in found if not n.startswith(FEEDTHROUGH)]
-    assert len(compared) > 60 and len(SIGNALS) > 15
-    for name in compared:
-        scale = max(1.0, np.abs(expected[name]).max())
-        assert np.abs(found[name] - expected[name]).max() <= 1e-9 * scale, name
+    compare(found, native_fmus[2], values)
 
 
 def test_parallel_coupling_has_an_error_of_first_order(native_fmus) -> None:
     """It shrinks with the step; the sequential one is far smaller."""
     def error(coupling: Any, step: float) -> float:
         rows = simulate(*native_fmus[2], stop_time=2.0, step=step, coupling=coupling,
-                        sink_values={"feedback.enabled": False})
+                        events=False, sink_values={"feedback.enabled": False})
         return float(rows["error.load.norm"].max())
 
     coarse, fine = error("parallel", 0.005), error("parallel", 0.00125)

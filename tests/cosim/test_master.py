@@ -73,15 +73,18 @@ def test_many_steps_do_not_drift(fmus: tuple[Path, Path]) -> None:
     assert rows["time"].tolist() == [*(i * 1e-4 for i in range(7000)), 0.7]
 
 
-def test_infeasible_plan_is_reported_and_everything_freed(fmus: tuple[Path, Path]) -> None:
-    before = set(Path(tempfile.gettempdir()).glob("segfmu_fmu_*"))
+def test_infeasible_plan_is_reported_and_everything_freed(
+    fmus: tuple[Path, Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # a folder of its own: other processes may run FMUs beside
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
     for _ in range(3):
         with pytest.raises(SimulationError, match="axis x, waypoint 2"):
             simulate(
                 *fmus, stop_time=1.0, step=0.01, source_values={"waypoint[2].velocity.x": 5.0}
             )
     gc.collect()
-    assert set(Path(tempfile.gettempdir()).glob("segfmu_fmu_*")) == before
+    assert not list(tmp_path.iterdir())
 
 
 @pytest.mark.parametrize(
@@ -121,24 +124,22 @@ def test_csv_holds_every_digit_and_appears_whole(tmp_path: Path) -> None:
         write_csv(tmp_path / "file" / "r.csv", rows)
 
 
+@pytest.mark.parametrize("step", [1e-300, 1e-9])
+def test_endless_runs_are_refused(fmus: tuple[Path, Path], step: float) -> None:
+    with pytest.raises(InputError, match=r"steps, at most 2000000 are possible; take a longer"):
+        simulate(*fmus, stop_time=1.0, step=step)
+
+
+def test_an_error_while_the_other_fmu_initialises_is_the_one_reported(native_fmus) -> None:
+    """The crane is still in initialisation mode then and can only be freed."""
+    with pytest.raises(SimulationError, match="GantryFeedforward could not be initialised"):
+        simulate(*native_fmus[2], stop_time=1.0, step=0.01,
+                 source_values={"crane.bridge_mass": 0.0})
+
+
 def test_unknown_coupling_is_refused(fmus: tuple[Path, Path]) -> None:
     with pytest.raises(InputError, match="sequential or parallel or derivatives, got 'both'"):
         simulate(*fmus, stop_time=1.0, step=0.1, coupling="both")  # type: ignore[arg-type]
-
-
-@pytest.mark.parametrize("coupling", ["sequential", "derivatives"])
-def test_feedforward_alone_errs_by_second_order(native_fmus, coupling: str) -> None:
-    """Force mode, perfect model: below 1e-6 m at 1 ms; smoothness 6, so that forces are smooth."""
-    steps, errors = np.array([2e-3, 1e-3, 5e-4]), []
-    for step in steps:
-        rows = simulate(
-            *native_fmus[2], stop_time=4.5, step=float(step), coupling=coupling,
-            source_values={"planner.smoothness": 6, "planner.shape": "smoothstep"},
-            sink_values={"feedback.enabled": False},
-        )
-        errors.append(rows["error.load.norm"].max())
-    assert errors[1] < 1e-6
-    assert np.polyfit(np.log(steps), np.log(errors), 1)[0] == pytest.approx(2.0, abs=0.02)
 
 
 def test_coupling_by_derivatives_needs_fmus_that_have_them(fmus) -> None:

@@ -81,3 +81,8 @@ def test_moving_waypoints_set_the_slowest_plan() -> None:
 def test_wrong_bounds_are_refused(given) -> None:
     with pytest.raises(InputError, match="force"):
         ActuatorBounds(force=given)
+
+
+def test_bounds_of_another_type_are_refused() -> None:
+    with pytest.raises(InputError, match="bounds must be an ActuatorBounds, got NoneType"):
+        plan_actuated(CRANE, MOVE, LIMITS, None)

@@ -18,28 +18,33 @@ VISCOUS, COULOMB = (100.0, 82.0, 75.0), (5.0, 7.5, 10.0)
 
 
 @cache
-def inverse() -> segfmu.FlatInverse:
+def inverse(smoothness: int = 6, shape: str = "smoothstep") -> segfmu.FlatInverse:
     """A diagonal move with hoisting, in the ranges of the rig."""
     limits = segfmu.Limits([0.22, 0.22, 0.2], 0.3, 0.8, 6.0)
     points = [segfmu.Waypoint([-0.25, -0.3, -0.8]), segfmu.Waypoint([0.25, 0.3, -0.7])]
-    trajectory = segfmu.plan(points, limits, smoothness=6, shape="smoothstep")
+    trajectory = segfmu.plan(points, limits, smoothness=smoothness, shape=shape)
     return segfmu.FlatInverse(LAB, trajectory)
 
 
 def largest_error(
     step: float,
     compensation: Compensation,
+    flat: segfmu.FlatInverse | None = None,
     *,
+    events: bool = False,
     driven: bool = False,
     friction: Friction | None = None,
     settle: float = 0.0,
 ) -> float:
     """Largest distance of the load from its plan [m], setpoints linear between steps."""
-    feedforward = Feedforward(inverse(), compensation)
-    trajectory = inverse().trajectory
+    flat = flat or inverse()
+    feedforward = Feedforward(flat, compensation)
+    trajectory = flat.trajectory
     times = np.arange(int((trajectory.duration + settle) / step) + 1) * step
+    if events:
+        times = np.union1d(times, trajectory.events)
     forces, velocities = feedforward.force(times), feedforward.velocity(times)
-    states, planned = inverse().state(times), trajectory(times)
+    states, planned = flat.state(times), trajectory(times)
     drive = Drive(LAG[0] if driven else 0.0)
     rig = Rig(drive, drive, drive, friction=friction or Friction())
     feedback = design(LAB, sample_time=0.1, shortest=0.5, longest=1.0, rows=2)
@@ -48,8 +53,10 @@ def largest_error(
         enabled=False, rig=rig,
     )
     largest = 0.0
-    for force, velocity, load in zip(forces[1:], velocities[1:], planned[1:], strict=True):
-        plant.step(step, Setpoints(force, velocity))
+    for length, force, velocity, load in zip(
+        np.diff(times), forces[1:], velocities[1:], planned[1:], strict=True
+    ):
+        plant.step(length, Setpoints(force, velocity))
         largest = max(largest, float(np.linalg.norm(plant.load[0] - load)))
     return largest
 
@@ -60,6 +67,17 @@ def test_force_mode_error_at_1_ms_and_its_order() -> None:
     assert errors[-1] < 1e-6
     order = np.polyfit(np.log(steps), np.log(errors), 1)[0]
     assert order > 1.99
+
+
+@pytest.mark.parametrize("shape", ["plateau", "smoothstep"])
+def test_force_mode_of_smoothness_4_with_steps_that_end_at_its_kinks(shape: str) -> None:
+    """The rate of the forces jumps at the plan's events; between them it is smooth."""
+    found = inverse(4, shape)
+    steps = np.array([4e-3, 2e-3, 1e-3])
+    errors = [largest_error(step, Compensation(), found, events=True) for step in steps]
+    assert errors[-1] < 1e-6
+    assert np.polyfit(np.log(steps), np.log(errors), 1)[0] > 1.95
+    assert largest_error(1e-3, Compensation(), found) > 2.0 * errors[-1]
 
 
 def test_velocity_mode_with_lag_compensated() -> None:

@@ -7,8 +7,10 @@ import ctypes
 import numpy as np
 import pytest
 
+from segfmu import plan
 from segfmu.fmu import gantry_crane
 from tests.fmu.importer import Importer
+from tests.fmu.test_slaves import LIMITS, POINTS
 
 FRICTION = {
     "friction.bridge.viscous": 3.0, "friction.trolley.coulomb": 0.4, "friction.width": 0.05,
@@ -112,9 +114,23 @@ def test_structure_names_every_dependency(native_fmus) -> None:
             assert used <= listed[unknown], unknown
 
 
+def longest_pieces(fmu: Importer, count: int) -> np.ndarray:
+    """The middles of the longest polynomial pieces of the plan, in order."""
+    breaks = [0.0]
+    while (following := float(fmu.get("plan.next_event")[0])) < fmu.get("plan.duration")[0]:
+        fmu.step(breaks[-1], following - breaks[-1])
+        breaks.append(following)
+    times = np.array(breaks)
+    chosen = np.sort(np.argsort(np.diff(times))[-count:])
+    return 0.5 * (times[chosen] + times[chosen + 1])
+
+
 @pytest.mark.parametrize("fmi", [2, 3])
 @pytest.mark.parametrize("order", [1, 2, 3])
 def test_feedforward_over_time(native_fmus, fmi: int, order: int) -> None:
+    with Importer(native_fmus[fmi][0]) as fmu:
+        fmu.initialise()
+        targets = longest_pieces(fmu, 3)
     with Importer(native_fmus[fmi][0]) as fmu:
         fmu.initialise()
         names = [
@@ -132,7 +148,7 @@ def test_feedforward_over_time(native_fmus, fmi: int, order: int) -> None:
 
         # five points within one polynomial piece: the error is of the fourth power of the step
         time, h = 0.0, 1e-3
-        for target in (0.05, 1.0, 2.5):
+        for target in targets:
             rows = []
             for k in range(-2, 3):
                 fmu.step(time, target + k * h - time)
@@ -198,6 +214,76 @@ def test_crane_outputs_over_time(native_fmus, fmi: int, case: str) -> None:
         assert abs(found - quotient)[worst] <= 1e-6 * scale[worst], (
             names[worst], found[worst], quotient[worst]
         )
+
+
+def polynomial(coefficients: np.ndarray, time: float, order: int = 0) -> np.ndarray:
+    """Inputs, cubic in time, or their derivatives."""
+    derived = np.polynomial.polynomial.polyder(coefficients, order)
+    return np.polynomial.polynomial.polyval(time, derived)
+
+
+@pytest.mark.parametrize(
+    "values",
+    [
+        {"feedback.enabled": 0},
+        {"feedback.design": 2, "feedback.sample_time": 0.007},
+        {"drive.mode": 2, "feedback.design": 2, "drive.bridge.lag": 0.02, "drive.trolley.lag": 0.03,
+         "drive.hoist.lag": 0.02},
+    ],
+    ids=["force", "feedback", "velocity"],
+)
+def test_input_derivatives_make_inputs_cubic_in_a_step(native_fmus, values) -> None:
+    """Steps of 40 ms by three derivatives against tiny ones of the same inputs, linear in each."""
+    random = np.random.default_rng(11)
+    coefficients = random.uniform(-0.3, 0.3, (4, len(INPUTS))) * [[1.0], [1.0], [2.0], [6.0]]
+    coefficients[0, 2], coefficients[0, 5:11] = -9.81, 0.0
+    coefficients[0, INPUTS.index("reference.rope.length")] = 0.5
+    coefficients[1:, -3:] = 0.0
+    names = [*gantry_crane.STATE, "energy.drives", "error.load.x"]
+    ends = []
+    for step, by_derivatives in ((0.04, True), (5e-5, False)):
+        with Importer(native_fmus[2][1]) as fmu:
+            references = [fmu.variables[n].valueReference for n in INPUTS]
+            fmu.set(values)
+            fmu.write(INPUTS, polynomial(coefficients, 0.0))
+            fmu.initialise()
+            for i in range(round(0.2 / step)):
+                if by_derivatives:
+                    for order in (1, 2, 3):
+                        given = polynomial(coefficients, i * step, order)
+                        fmu.fmu.setRealInputDerivatives(
+                            references, [order] * len(references), given.tolist()
+                        )
+                else:
+                    fmu.write(INPUTS, polynomial(coefficients, (i + 1) * step))
+                fmu.step(i * step, step)
+                fmu.write(INPUTS, polynomial(coefficients, (i + 1) * step))
+            ends.append(fmu.get(*names))
+    assert ends[0] == pytest.approx(ends[1], abs=2e-8)
+    assert np.abs(ends[0][:5]).max() > 1e-3
+
+
+@pytest.mark.parametrize("order", [0, 4])
+def test_input_derivatives_have_orders_1_to_3(native_fmus, order: int) -> None:
+    with Importer(native_fmus[2][1]) as fmu:
+        fmu.initialise()
+        with pytest.raises(Exception, match="fmi2SetRealInputDerivatives"):
+            fmu.fmu.setRealInputDerivatives([0], [order], [1.0])
+        assert f"takes no derivative of order {order}" in fmu.messages[-1]
+
+
+def test_output_derivatives_at_a_kink_are_those_behind_it(native_fmus) -> None:
+    trajectory = plan(POINTS, LIMITS)
+    with Importer(native_fmus[2][0]) as fmu:
+        fmu.initialise()
+        snaps = [fmu.variables[f"reference.load.snap.{a}"].valueReference for a in "xyz"]
+        time = 0.0
+        for event in trajectory.events[1:]:
+            fmu.step(time, event - time)
+            time = float(event)
+            found = fmu.fmu.getRealOutputDerivatives(snaps, [1] * 3)
+            assert found == pytest.approx(trajectory(time + 1e-7, 5), rel=1e-3, abs=1e-2)
+    assert found == [0.0, 0.0, 0.0]
 
 
 def test_what_has_no_derivative_is_refused(native_fmus) -> None:

@@ -66,11 +66,11 @@ def test_a_loaded_library_is_told_before_the_process_ends(compiled, tmp_path: Pa
 @pytest.mark.skipif(sys.platform != "linux", reason="what is mended is on Linux alone")
 def test_every_instance_has_its_library_told(fmus) -> None:
     text = (
-        "import sys\nfrom pathlib import Path\nfrom segfmu.cosim.unit import Unit\n"
+        "import sys\nfrom pathlib import Path\nfrom segfmu.cosim.load import load\n"
         "from segfmu.fmu import release\n"
         "for path in sys.argv[1:]:\n"
         "    for _ in range(2):\n"
-        "        with Unit(Path(path)): pass\n"
+        "        with load(Path(path)): pass\n"
         "print(*sorted(p.name for p in release._held))"
     )
     names = "GantryCrane.so GantryCrane.so GantryFeedforward.so GantryFeedforward.so\n"

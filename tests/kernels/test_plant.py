@@ -21,9 +21,10 @@ def advance(
 ):
     rig = rig or Rig()
     result, work, report = np.array(state), np.zeros((16, 13)), np.zeros(10)
+    rates = np.concatenate([rate, np.zeros(9 - len(rate))])
     status = plant_advance(
         rig.parameters(Crane(*MASSES), driven), rig.wind.components, time, result,
-        np.array(command), np.array(rate), np.array(wind), duration, tolerance, work, report,
+        np.array(command), rates, np.array(wind), duration, tolerance, work, report,
     )
     return status, result, report
 

@@ -90,3 +90,23 @@ def test_stretching_keeps_the_distance() -> None:
     assert after[0] == pytest.approx(2.5 * before[0])
     assert after[1] == pytest.approx(0.7)
     assert after[4] == pytest.approx(before[4] / 2.5)
+
+
+@pytest.mark.parametrize(
+    "problem",
+    [
+        AxisProblem(
+            6, 1, (0.77214, 2.88543, 1.94765, 0.72618, 0.47188, 0.60954, 0.0),
+            -0.06119, -0.32268, 0.43414, 0.0, -0.45489,
+        ),
+        AxisProblem(
+            6, 1, (0.38853, 0.55953, 3.32279, 0.67355, 0.60386, 0.23595, 0.0),
+            0.0, 0.16786, -0.04133, 0.08784, 0.48107,
+        ),
+    ],
+)
+def test_no_duration_is_lost_where_few_levels_keep_the_velocity_limit(problem) -> None:
+    # a level has to be low enough for the limit and high enough for the duration
+    least = shortest(problem)
+    for target in np.linspace(1.001, 1.6, 80) * least:
+        assert timed(problem, float(target))[0] >= 0.0, target

@@ -183,6 +183,7 @@ def test_position_bounds_are_checked() -> None:
         ({"duration": 0.0}, "duration"),
         ({"duration": inf}, "duration"),
         ({"axis_names": ["x"]}, "axis_names"),
+        ({"axis_names": 3}, "axis_names"),
         ({"waypoints": PAPER[:1]}, "at least 2"),
         ({"waypoints": [PAPER[0], PAPER[0]]}, "the same"),
         ({"waypoints": [PAPER[0], 3.0]}, "waypoint 2"),
@@ -198,6 +199,19 @@ def test_bad_arguments_are_named(change, words: str) -> None:
     points, limits = arguments.pop("waypoints"), arguments.pop("limits")
     with pytest.raises(InputError, match=words):
         plan(points, limits, **arguments)
+
+
+@pytest.mark.parametrize("derivative", [-1, 1.5, True, "velocity", None])
+def test_bad_derivatives_are_named(derivative: object) -> None:
+    trajectory = plan(PAPER, LIMITS)
+    for call in (lambda: trajectory(0.0, derivative), lambda: trajectory.extrema(derivative)):
+        with pytest.raises(InputError, match="derivative must be"):
+            call()
+
+
+def test_only_plans_are_verified() -> None:
+    with pytest.raises(InputError, match="trajectory must be a plan, got NoneType"):
+        verify(None)
 
 
 @pytest.mark.parametrize("value", [nan, inf, "1", None, [[1.0]], []])

@@ -22,16 +22,17 @@ TARGET = KERNELS / "c"
 # in the order in which they use each other
 MODULES = (
     "transition", "phases", "braking", "levels", "roots", "search", "cruise", "merged", "profile",
-    "timed_cruise", "synchronize", "gaps", "intervals", "plan", "evaluate", "expand", "check",
-    "rope", "feedback", "matrices", "kalman", "observer", "offset", "tracking", "compensation",
-    "_crane", "_partials", "series", "integrate", "noise", "drives", "plant", "sensing", "events",
-    "loop", "rig", "exchange", "partials",
+    "timed_cruise", "synchronize", "gaps", "intervals", "plan", "evaluate", "breaks", "expand",
+    "check", "rope", "feedback", "matrices", "kalman", "observer", "offset", "tracking",
+    "compensation", "_crane", "_partials", "series", "integrate", "noise", "drives", "plant",
+    "sensing", "events", "loop", "rig", "exchange", "partials",
 )
 # what C programs and the compiled extension may call
 ENTRY_POINTS = (
     "ramp_parameters", "ramp_duration", "measure_phases", "shortest_profile", "timed_profile",
     "plan_phases", "count_pieces", "expand_phases", "expand_plan", "check_plan", "check_rope",
-    "evaluate", "evaluate_orders", "feedback_correction", "feedback_bandwidth", "feedback_gains",
+    "evaluate", "evaluate_orders", "next_plan_event", "right_of_break", "same_break",
+    "feedback_correction", "feedback_bandwidth", "feedback_gains",
     "observer_design", "observer_predict", "observer_correct", "track_setpoint",
     "compensate_setpoints", "crane_rhs", "crane_driven", "crane_flat_inverse", "flat_derivatives",
     "crane_load", "crane_energy", "plant_advance",

@@ -1,6 +1,6 @@
 """Co-simulation of FMUs by a small master on fmpy."""
 
-from segfmu.cosim.master import simulate
+from segfmu.cosim.master import require_steps, simulate
 from segfmu.cosim.result import write_csv
 
-__all__ = ["simulate", "write_csv"]
+__all__ = ["require_steps", "simulate", "write_csv"]

@@ -2,7 +2,8 @@
 
 In every communication step the source steps first and its outputs at the end of the step are
 handed to the sink, which then makes the same step. In parallel, as most importers do it, both step
-with the values of the step before and the outputs are handed on afterwards.
+with the values of the step before and the outputs are handed on afterwards; derivatives at the
+beginning of the step may go with them. Steps also end at the source's events.
 """
 
 from __future__ import annotations
@@ -15,10 +16,17 @@ from typing import Any, Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from segfmu.cosim.unit import Channel, Slopes, Unit
+from segfmu.cosim.load import load
+from segfmu.cosim.unit import Channel, Unit
 from segfmu.errors import InputError
 
+# results of both FMUs take 0.7 kB a step
+MAX_STEPS = 2_000_000
+
 Coupling = Literal["sequential", "parallel", "derivatives"]
+
+# types of values -> those of a result's columns
+COLUMNS: dict[type, type] = {float: np.float64, int: np.int32, bool: np.bool_}
 
 
 def simulate(
@@ -30,7 +38,8 @@ def simulate(
     start_time: float = 0.0,
     source_values: Mapping[str, Any] | None = None,
     sink_values: Mapping[str, Any] | None = None,
-    coupling: Coupling = "sequential",
+    coupling: Coupling | None = None,
+    events: bool = True,
     progress: Callable[[float], None] = lambda _: None,
 ) -> NDArray[np.void]:
     """Co-simulate two FMUs.
@@ -38,16 +47,23 @@ def simulate(
     Parameters
     ----------
     source, sink : Path
-        FMI 2.0 co-simulation FMUs. Outputs of the source are connected to the inputs of the sink
-        that have the same name.
+        Co-simulation FMUs of FMI 2.0 or 3.0. Outputs of the source are connected to the inputs of
+        the sink that have the same name.
     stop_time, step, start_time : float
         [s]; the last step is shorter where the step does not divide the time.
     source_values, sink_values : mapping of str to number or str
-        Parameters, start values and constant inputs; enumerations by the name of an item.
-    coupling : str
+        Parameters, start values and constant inputs; enumerations by the name of an item, arrays
+        of FMI 3.0 after their sizes.
+    coupling : str, optional
+        By default "derivatives" where both FMUs have what it needs, else "sequential".
         "sequential": the sink's step has the inputs of its end, an error of second order in the
-        step; "parallel": those of its beginning, an error of first order; "derivatives": those of
-        its beginning and their slopes, by output and input derivatives, of second order again.
+        step; "parallel": those of its beginning, an error of first order; "derivatives" (FMI 2.0):
+        those of its beginning and their derivatives, as many as the source tells: k of them make
+        an error of order k + 1.
+    events : bool
+        Steps end at the source's events as well: in FMI 3.0 it returns early, in FMI 2.0 its output
+        `plan.next_event` names them. Without, what a signal does behind a kink within a step is
+        seen at the end of that step.
     progress : callable
         Gets the share done, now and then.
 
@@ -63,35 +79,65 @@ def simulate(
     SimulationError
         When an FMU reports an error, with its message.
     """
-    if coupling not in get_args(Coupling):
+    if coupling is not None and coupling not in get_args(Coupling):
         allowed = " or ".join(get_args(Coupling))
         raise InputError(f"coupling must be {allowed}, got {coupling!r}")
     times = _times(start_time, stop_time, step)
-    with Unit(source) as first, Unit(sink) as second:
+    with load(source, leads=events) as first, load(sink) as second:
         first.set(dict(source_values or {}))
         second.set(dict(sink_values or {}))
         for unit in (first, second):
             unit.enter_initialization(start_time, stop_time)
-        link = _Link(first, second, slopes=coupling == "derivatives")
+        if coupling is None:
+            has_derivatives = first.order > 0 and second.takes_derivatives
+            coupling = "derivatives" if has_derivatives else "sequential"
+        order = max(1, first.order) if coupling == "derivatives" else 0
+        link = _Link(first, second, order=order)
         first.exit_initialization()
         link.transfer()
         second.exit_initialization()
         table = _Table(times, first, second)
         table.record(0)
         for i in range(1, times.size):
-            time, length = float(times[i - 1]), float(times[i] - times[i - 1])
-            link.transfer_slopes()
-            first.step(time, length)
-            if coupling == "sequential":
-                link.transfer()
-            second.step(time, length)
-            if coupling != "sequential":
-                link.transfer()
+            time, end = float(times[i - 1]), float(times[i])
+            while time < end:
+                time = _step(time, end, first, second, link, coupling)
             table.record(i)
             if i % 100 == 0:
                 progress(i / (times.size - 1))
     progress(1.0)
     return table.rows
+
+
+def _step(
+    time: float, end: float, first: Unit, second: Unit, link: _Link, coupling: Coupling
+) -> float:
+    """A step of both units towards `end`; returns the time reached, that of an event or `end`."""
+    link.transfer_slopes()
+    reached = first.step(time, first.next_end(time, end))
+    if coupling == "sequential":
+        link.transfer()
+    second.step(time, reached)
+    first.meet_event()
+    if coupling != "sequential":
+        link.transfer()
+    return reached
+
+
+def require_steps(duration: float, step: float) -> None:
+    """Refuse runs whose results would not fit in memory.
+
+    Raises
+    ------
+    InputError
+        For more than `MAX_STEPS` steps.
+    """
+    steps = duration / step
+    if steps > MAX_STEPS:
+        raise InputError(
+            f"{duration:.6g} s in steps of {step:.6g} s are {steps:.3g} steps, at most {MAX_STEPS} "
+            "are possible; take a longer step or a shorter time"
+        )
 
 
 def _times(start: float, stop: float, step: float) -> NDArray[np.float64]:
@@ -100,6 +146,7 @@ def _times(start: float, stop: float, step: float) -> NDArray[np.float64]:
         raise InputError(f"step must be a time > 0 s, got {step!r}")
     if not (isfinite(start) and isfinite(stop) and stop > start):
         raise InputError(f"stop_time {stop!r} s must be after start_time {start!r} s")
+    require_steps(stop - start, step)
     count = ceil((stop - start) / step - 1e-9)
     times: NDArray[np.float64] = start + np.arange(count + 1, dtype=np.float64) * step
     times[-1] = stop
@@ -109,33 +156,42 @@ def _times(start: float, stop: float, step: float) -> NDArray[np.float64]:
 class _Link:
     """Equal names: outputs of one unit to inputs of the other."""
 
-    def __init__(self, first: Unit, second: Unit, *, slopes: bool) -> None:
-        inputs = {
-            v.name: v.type for v in second.description.modelVariables if v.causality == "input"
-        }
+    def __init__(self, first: Unit, second: Unit, *, order: int) -> None:
+        inputs = {n: v for n, v in second.variables.items() if v.causality == "input"}
         names = [n for n in first.outputs() if n in inputs]
         for name in names:
-            if first.variables[name].type != inputs[name]:
+            if first.kind(name) is not second.kind(name):
                 raise InputError(f"{name}: types of output and input differ")
-        sources, sinks = first.channel(names), second.channel(names)
-        self._pairs: list[tuple[Channel, Channel]] = [(sources[g], sinks[g]) for g in sources]
-        self._slopes: tuple[Slopes, Slopes] | None = None
-        if slopes:
-            self._slopes = first.output_slopes(names), second.input_slopes(names)
+        self._pairs = [
+            (first.channel(own), second.channel(own)) for own in _alike(names, first, second)
+        ]
+        self._slopes: tuple[Channel, Channel] | None = None
+        reals = [n for n in names if first.kind(n) is float]
+        if order and reals:
+            self._slopes = first.output_slopes(reals, order), second.input_slopes(reals, order)
 
     def transfer_slopes(self) -> None:
-        """Slopes at the beginning of a step; they hold until its end."""
+        """Derivatives at the beginning of a step; they hold until its end."""
         if self._slopes:
-            source, sink = self._slopes
-            source.read()
-            sink.values[:] = source.values
-            sink.write()
+            _hand_on(*self._slopes)
 
     def transfer(self) -> None:
-        for source, sink in self._pairs:
-            source.read()
-            sink.values[:] = source.values
-            sink.write()
+        for pair in self._pairs:
+            _hand_on(*pair)
+
+
+def _hand_on(source: Channel, sink: Channel) -> None:
+    source.read()
+    sink.values[:] = source.values
+    sink.write()
+
+
+def _alike(names: list[str], *units: Unit) -> list[list[str]]:
+    """Names in groups of equal types in every unit."""
+    groups: dict[tuple[str, ...], list[str]] = {}
+    for name in names:
+        groups.setdefault(tuple(u.variables[name].type for u in units), []).append(name)
+    return list(groups.values())
 
 
 class _Table:
@@ -145,12 +201,9 @@ class _Table:
         fields: list[tuple[str, type]] = [("time", np.float64)]
         self._sources: list[tuple[Channel, list[str]]] = []
         for unit in units:
-            names = unit.outputs()
-            for group, channel in unit.channel(names).items():
-                own = [n for n in names if _group(unit, n) == group]
-                kind = {"Real": np.float64, "Integer": np.int32, "Boolean": np.bool_}[group]
-                fields += [(n, kind) for n in own]
-                self._sources.append((channel, own))
+            for own in _alike(unit.outputs(), unit):
+                fields += [(n, COLUMNS[unit.kind(n)]) for n in own]
+                self._sources.append((unit.channel(own), own))
         self.rows: NDArray[np.void] = np.zeros(times.size, dtype=fields)
         self.rows["time"] = times
 
@@ -160,8 +213,3 @@ class _Table:
             channel.read()
             for name, value in zip(names, channel.values, strict=True):
                 row[name] = value
-
-
-def _group(unit: Unit, name: str) -> str:
-    kind = unit.variables[name].type
-    return "Integer" if kind == "Enumeration" else str(kind)

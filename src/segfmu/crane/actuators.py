@@ -122,6 +122,8 @@ def plan_actuated(
         As `plan` and `FlatInverse` do, and where no slowing down meets the bounds; the error names
         the bound, what it takes at the slowest plan, and the time.
     """
+    if not isinstance(bounds, ActuatorBounds):
+        raise InputError(f"bounds must be an ActuatorBounds, got {type(bounds).__name__}")
     fastest = _attempt(crane, waypoints, limits, bounds, 1.0, options)
     if fastest.usage.max() <= 1.0 + TOLERANCE:
         return fastest

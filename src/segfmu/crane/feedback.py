@@ -93,7 +93,7 @@ def gain(
     effort = np.diag(w.effort / (EFFORT * unit * crane.gravity) ** 2)
     try:
         riccati = solve_discrete_are(ad, bd, state_cost, effort)
-    except np.linalg.LinAlgError as error:
+    except (np.linalg.LinAlgError, ValueError) as error:
         raise InputError(
             f"no gain at a rope of {length:.6g} m for {weights}: {error}; raise the weights of "
             "angle and rate"

@@ -33,6 +33,10 @@ class FlatInverse:
     """
 
     def __init__(self, crane: Crane, trajectory: LoadTrajectory) -> None:
+        if not isinstance(crane, Crane):
+            raise InputError(f"crane must be a segfmu.Crane, got {type(crane).__name__}")
+        if not hasattr(trajectory, "axes"):
+            raise InputError(f"trajectory must be a plan, got {type(trajectory).__name__}")
         if trajectory.axes != 3:
             raise InputError(f"the flat inverse needs axes x, y, z; got {trajectory.axes} axes")
         if trajectory.smoothness < 4:

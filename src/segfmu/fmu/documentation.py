@@ -50,7 +50,8 @@ force that holds it; setpoints stay within the drives' bounds without windup, an
 or tuned fades in with <code>feedback.fade</code>.</p>
 <p>Setpoints and references are taken as linear in time between the end of one step and the end of
 the next: set the inputs to their values at the end of the step, as a co-simulation does that steps
-GantryFeedforward first.</p>
+GantryFeedforward first. Where input derivatives are given (native FMI 2.0, orders 1 to 3), they are
+polynomials from the values at the beginning of the step instead.</p>
 <h2>Equations</h2>
 <pre>x_p = x_t + l sin(phi_x)
 y_p = y_t - l cos(phi_x) sin(phi_y)

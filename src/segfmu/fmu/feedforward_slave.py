@@ -98,7 +98,8 @@ class FeedforwardSlave(SpecSlave):
         inverse, trajectory = self._inverse, self._trajectory
         if inverse is None or trajectory is None:
             raise AssertionError("a step before the end of initialisation")
-        t = time - float(self.value("planner.start_time"))
+        start = float(self.value("planner.start_time"))
+        t = time - start
         values = inverse.evaluate(t)
         self.assign(FORCE, values[:3])
         self.assign(STATE, values[3:13])
@@ -109,3 +110,5 @@ class FeedforwardSlave(SpecSlave):
         self.assign(
             ("plan.interval", "plan.done"), (trajectory.interval(t), t >= trajectory.duration)
         )
+        upcoming = min(trajectory.next_event(t), trajectory.duration)
+        self.assign(("plan.next_event",), (start + upcoming,))

@@ -9,6 +9,7 @@ from segfmu.fmu.fmi2 import (
     GENERATED,
     details,
     document,
+    experiment,
     guid,
     initial_unknowns,
     text,
@@ -44,11 +45,7 @@ def model_description(spec: Spec, version: str) -> bytes:
     categories = ET.SubElement(root, "LogCategories")
     for name, description in CATEGORIES.items():
         ET.SubElement(categories, "Category", {"name": name, "description": description})
-    ET.SubElement(
-        root,
-        "DefaultExperiment",
-        {"startTime": "0", "stopTime": repr(spec.stop_time), "stepSize": repr(spec.step_size)},
-    )
+    ET.SubElement(root, "DefaultExperiment", experiment(spec))
     rows = entries(spec, 3)
     references = {e.variable.name: i for i, e in enumerate(rows)}
     variables = ET.SubElement(root, "ModelVariables")

@@ -61,6 +61,14 @@ def _outputs() -> list[Variable]:
         rows.append(output(f"{sway}.rate", "rad/s", f"planned rate of phi_{axis}"))
     rows.append(output("plan.interval", None, "active waypoint interval, from 1", kind="Integer"))
     rows.append(output("plan.done", None, "the planned motion has ended", kind="Boolean"))
+    rows.append(
+        Variable(
+            "plan.next_event", "Real", "output", "discrete",
+            "time of the next event: arrival at a waypoint, end of the motion, or jump of a "
+            "derivative of the forces (the first at smoothness 4); behind the last, its time",
+            unit="s",
+        )
+    )
     return rows
 
 

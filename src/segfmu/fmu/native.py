@@ -41,8 +41,8 @@ MODELS = {
         "feedforward.h", "feedforward_plan.c", "gantry_feedforward.c", "messages.c", "messages.h",
     ),
     "GantryCrane": (
-        "crane.h", "crane_partials.c", "crane_setup.c", "crane_tracking.c", "crane_warning.c",
-        "gantry_crane.c",
+        "crane.h", "crane_inputs.c", "crane_partials.c", "crane_setup.c", "crane_tracking.c",
+        "crane_warning.c", "gantry_crane.c",
     ),
 }
 DARWIN = ("x86_64-darwin", "aarch64-darwin")

@@ -28,6 +28,7 @@ if COMPILED:
         feedback_correction,
         feedback_gains,
         flat_derivatives,
+        next_plan_event,
         noise_components,
         observer_correct,
         observer_design,
@@ -45,6 +46,7 @@ if COMPILED:
     )
 else:
     from segfmu.kernels._crane import crane_energy, crane_flat_inverse, crane_load, crane_rhs
+    from segfmu.kernels.breaks import next_plan_event
     from segfmu.kernels.check import check_plan
     from segfmu.kernels.compensation import compensate_setpoints
     from segfmu.kernels.evaluate import evaluate
@@ -77,6 +79,7 @@ __all__ = [
     "feedback_correction",
     "feedback_gains",
     "flat_derivatives",
+    "next_plan_event",
     "noise_components",
     "observer_correct",
     "observer_design",

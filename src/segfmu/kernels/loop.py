@@ -12,9 +12,25 @@ from segfmu.kernels.sensing import sense_signals
 from segfmu.kernels.tracking import track_setpoint
 
 
-def between(start: float, end: float, share: float) -> float:
-    """Value a share of the way from start to end."""
-    return start + (end - start) * share
+def course(setpoints: 'float[:]', i: int, share: float, memory: 'float[:,:]') -> float:
+    """A setpoint at a share of the step."""
+    bend = memory[10, 10 + i] + memory[11, 10 + i] * (share + 1.0)
+    return memory[3, i] + (setpoints[i] - memory[3, i] + bend * (share - 1.0)) * share
+
+
+def course_rates(
+    setpoints: 'float[:]', i: int, share: float, duration: float, memory: 'float[:,:]',
+    rates: 'float[:]', place: int,
+) -> None:
+    """Taylor coefficients of a setpoint at a share of the step, by time: rates[place], every third.
+    """
+    square = memory[10, 10 + i]
+    cube = memory[11, 10 + i]
+    slope = setpoints[i] - memory[3, i] - square - cube
+    slope = slope + (2.0 * square + 3.0 * cube * share) * share
+    rates[place] = slope / duration
+    rates[place + 3] = (square + 3.0 * cube * share) / (duration * duration)
+    rates[place + 6] = cube / (duration * duration * duration)
 
 
 def controller_due(loop: 'float[:]', memory: 'float[:,:]') -> bool:
@@ -32,12 +48,13 @@ def prepare_tick(
     memory[2, 7] = memory[2, 0] + time
     sense_signals(sensors, time, memory[0, :], memory[30:memory.shape[0], :], memory[5, :])
     for i in range(10):
-        memory[6, i] = between(memory[3, 6 + i], setpoints[6 + i], share)
+        memory[6, i] = course(setpoints, 6 + i, share, memory)
     for i in range(3):
         if memory[1, 4] > 0.5:
-            memory[7, i] = (setpoints[3 + i] - memory[3, 3 + i]) / duration
+            course_rates(setpoints, 3 + i, share, duration, memory, memory[11, :], i)
+            memory[7, i] = memory[11, i]
         else:
-            memory[7, i] = between(memory[3, i], setpoints[i], share)
+            memory[7, i] = course(setpoints, i, share, memory)
 
 
 def correct_setpoints(
@@ -100,9 +117,9 @@ def advance_plant(
         command_velocities(setpoints, duration, until, memory)
     else:
         for i in range(3):
-            force = between(memory[3, i], setpoints[i], memory[2, 2] / duration)
-            memory[10, i] = force + memory[8, i]
-            memory[11, i] = (setpoints[i] - memory[3, i]) / duration
+            share = memory[2, 2] / duration
+            memory[10, i] = course(setpoints, i, share, memory) + memory[8, i]
+            course_rates(setpoints, i, share, duration, memory, memory[11, :], i)
     for i in range(3):
         memory[12, i] = setpoints[16 + i]
     status = plant_advance(
@@ -123,15 +140,14 @@ def command_velocities(
     done = memory[2, 2]
     length = until - done
     for i in range(3):
-        start = memory[3, 3 + i]
-        end = setpoints[3 + i]
-        command = between(start, end, done / duration) + memory[9, i]
-        rate = (end - start) / duration + memory[8, i]
+        command = course(setpoints, 3 + i, done / duration, memory) + memory[9, i]
+        course_rates(setpoints, 3 + i, done / duration, duration, memory, memory[11, :], i)
+        memory[11, i] = memory[11, i] + memory[8, i]
         memory[9, i] = memory[9, i] + memory[8, i] * length
         if memory[1, 5 + i] == 0.0:
             # at the end it has its setpoint, wherever a bound has left it before
-            aim = between(start, end, until / duration) + memory[9, i]
+            aim = course(setpoints, 3 + i, until / duration, memory) + memory[9, i]
             command = (aim - memory[0, 5 + i]) / length
-            rate = 0.0
+            for j in range(3):
+                memory[11, 3 * j + i] = 0.0
         memory[10, i] = command
-        memory[11, i] = rate

@@ -133,20 +133,32 @@ def tempered_form(
     outside = 0.0
     for i in range(count):
         outside = max(outside, sign * phases[i, 2])
-    lowest = max(sign * a, max(sign * b, 0.001 * top))
-    # not every level below the first one may have a member
-    inside = lowest
-    count = 0
-    e_inside = 0.0
-    for i in range(8):
-        inside = lowest + (outside - lowest) * i / 8.0
+    # below some level there may be no member, or one that passes the limit on the other side
+    without = max(sign * a, max(sign * b, 0.001 * top))
+    inside = without
+    e_inside = 2.0 * velocity_limit
+    for i in range(24):
         count = merged_form(
             phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, inside, top, ramp
         )
-        if count > 0:
-            e_inside = velocity_excess(phases, count, v, 0.0, velocity_limit, ramp) + margin
+        duration, y, end, lowest, highest = measure_phases(phases, max(count, 0), v, 0.0, ramp)
+        peak = highest
+        other = -lowest
+        if mirror:
+            peak = -lowest
+            other = highest
+        if count <= 0 or other > velocity_limit + rounding:
+            without = inside
+        elif peak > velocity_limit + rounding:
+            outside = inside
+            e_outside = peak - velocity_limit + margin
+        else:
+            e_inside = max(peak, other) - velocity_limit + margin
             break
-    if count <= 0 or e_inside > margin + rounding:
+        if without == outside:
+            break
+        inside = 0.5 * (without + outside)
+    if e_inside > margin + rounding:
         return 0
     before = outside
     e_before = e_outside

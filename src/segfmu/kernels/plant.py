@@ -52,7 +52,8 @@ def plant_derivative(
     """Derivative of the state at a time that has elapsed since the interval's start."""
     wind_force(parameters, components, time + elapsed, load_force, work[11, :])
     for i in range(3):
-        work[14, i] = command[i] + elapsed * rate[i]
+        bend = rate[3 + i] + elapsed * rate[6 + i]
+        work[14, i] = command[i] + elapsed * (rate[i] + elapsed * bend)
         work[15, i] = friction_force(parameters, i, state[5 + i])
         work[10, 3 + i] = 0.0
     work[9, 3] = -parameters[21] * state[8]
@@ -130,11 +131,12 @@ def plant_advance(
 ) -> int:
     """Advance the state (13), in place, by a duration from a time on.
 
-    components (count, 7): sines of the wind's noise. command and rate (3): forces [N] of bridge,
-    trolley and hoist at the start, and their rates; or velocities [m/s], or where a drive has no
-    lag accelerations [m/s2]. load_force (3): on the load, held [N]. tolerance: relative and
-    absolute error of a step. report (10): forces of the drives (3), whether they were at a bound
-    (3), force on the rope, power of the wind and of friction [W], time advanced.
+    components (count, 7): sines of the wind's noise. command (3): forces [N] of bridge, trolley and
+    hoist at the start; or velocities [m/s], or where a drive has no lag accelerations [m/s2]. rate
+    (9): coefficients of the time elapsed in them, of its square and of its cube. load_force (3): on
+    the load, held [N]. tolerance: relative and absolute error of a step. report (10): forces of the
+    drives (3), whether they were at a bound (3), force on the rope, power of the wind and of
+    friction [W], time advanced.
 
     Returns `plant_status`, or 3: the steps became too small (for stiff friction, too many), 4: a
     value is not finite. What has a status is approached until within 0.1 us of it; the state is

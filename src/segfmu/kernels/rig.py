@@ -2,9 +2,9 @@
 
 Times within are seconds since the start. The integration stops at the ticks of the controller and
 of the sensors, where the payload changes and at the ends of a gust. Setpoints are linear in time
-between those of the last step's end and those of this one's. A correction is added to the force
-setpoints, or with velocity drives its integral is added to the velocity setpoints; it acts from
-tick to tick.
+between those of the last step's end and those of this one's, or cubic where memory has what is not
+linear in them. A correction is added to the force setpoints, or with velocity drives its integral
+is added to the velocity setpoints; it acts from tick to tick.
 
 `loop` (5): 0 who corrects, 0: the caller, 1: state feedback, 2: tracking controller; 1 period of
 the controller [s], above 0; 2 whether corrections act, may be changed between steps; 3 tolerance of
@@ -30,7 +30,9 @@ state (10), and a force on the load (3), held over the step, beside the rig's wi
     8  correction (3), what remains of a switching step (3), whether corrections acted at the tick
        before: 0 there was none, 1 no, 2 yes, 3 with other gains; the correction of that tick (3)
     9  velocities that corrections have added (3)
-    10 commands, 11 their rates, 12 force on the load (3 each), 13 kinetic and potential energy
+    10 0:3 commands, 10:26 what setpoints 0:16 have of the square of the share of the step done
+    11 0:9 rates of the commands, see kernels/plant.py, 10:26 what they have of its cube
+    12 force on the load (3)                         13 kinetic and potential energy
     14:30 work space of kernels/plant.py             30: memory of kernels/sensing.py
 
 A tracking controller keeps what it remembers in its own array, see kernels/tracking.py.
@@ -136,6 +138,9 @@ def rig_step(
         memory[2, 1] = memory[2, 1] + duration
         for i in range(19):
             memory[3, i] = setpoints[i]
+        for i in range(10, 26):
+            memory[10, i] = 0.0
+            memory[11, i] = 0.0
     sense_signals(
         sensors, memory[2, 1], memory[0, :], memory[30:memory.shape[0], :], memory[5, :]
     )

@@ -115,7 +115,10 @@ def _checked_waypoints(waypoints: Sequence[Waypoint]) -> tuple[Waypoint, ...]:
 def _names(axis_names: Sequence[str] | None, axes: int) -> tuple[str, ...]:
     if axis_names is None:
         return ("x", "y", "z")[:axes] if axes <= 3 else tuple(str(i + 1) for i in range(axes))
-    names = tuple(axis_names)
+    try:
+        names = tuple(axis_names)
+    except TypeError:
+        raise InputError(f"axis_names must be a sequence of names, got {axis_names!r}") from None
     if len(names) != axes:
         raise InputError(f"axis_names has {len(names)} names for {axes} axes")
     return names

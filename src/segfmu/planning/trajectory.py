@@ -87,10 +87,7 @@ class Trajectory:
             raise InputError(f"t must be a time or an array of times, got {t!r}") from None
         if not np.isfinite(times).all():
             raise InputError("t must be finite")
-        if isinstance(derivative, bool) or not isinstance(derivative, int | np.integer):
-            raise InputError(f"derivative must be an integer, got {derivative!r}")
-        if derivative < 0:
-            raise InputError(f"derivative must be at least 0, got {derivative}")
+        _require_derivative(derivative)
         flat = np.ascontiguousarray(times.reshape(-1))
         values = np.zeros((flat.size, self.axes))
         if derivative < self.coefficients.shape[1]:
@@ -107,13 +104,42 @@ class Trajectory:
 
     def extrema(self, derivative: int) -> tuple[FloatArray, FloatArray]:
         """Exact minimum and maximum of a derivative, each of shape (axes,)."""
+        _require_derivative(derivative)
         found = np.empty((self.axes, 2))
         for axis in range(self.axes):
             _, lengths, coefficients = self.pieces(axis)
             found[axis] = extrema(coefficients, lengths, derivative)
         return found[:, 0], found[:, 1]
 
+    @property
+    def events(self) -> FloatArray:
+        """Times [s], ascending, at which a step of a simulation should end, shape (events,).
+
+        The last axis' arrival at each waypoint, the end of the motion, and the bounds of all
+        polynomial pieces, where derivatives of the crane's forces jump: the first one at
+        smoothness 4.
+        """
+        found = [self.next_event(-1.0)]
+        while found[-1] < np.inf:
+            found.append(self.next_event(found[-1]))
+        return np.array(found[:-1])
+
+    def next_event(self, t: float) -> float:
+        """First of the `events` after a time t [s], infinite after the last one."""
+        time = backend.next_plan_event(
+            float(t), 0.0, self.timing, self.offsets, self.axis_durations,
+            self.axis_waypoint_times,
+        )
+        return float(time) if time < 1e300 else np.inf
+
     def interval(self, t: float) -> int:
         """Waypoint interval, from 1, that is active at time t (a dwell belongs to the next)."""
         passed = int(np.searchsorted(self.waypoint_times, t, side="right"))
         return min(max(passed, 1), len(self.waypoints) - 1)
+
+
+def _require_derivative(derivative: int) -> None:
+    if isinstance(derivative, bool) or not isinstance(derivative, int | np.integer):
+        raise InputError(f"derivative must be an integer, got {derivative!r}")
+    if derivative < 0:
+        raise InputError(f"derivative must be at least 0, got {derivative}")

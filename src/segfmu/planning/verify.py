@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from segfmu.errors import InfeasibleError
+from segfmu.errors import InfeasibleError, InputError
 from segfmu.planning.arrays import FloatArray
 from segfmu.planning.limits import NAMES, UNITS
 from segfmu.planning.polynomials import derivative_pieces
@@ -44,7 +44,9 @@ class Verification:
     @property
     def usage(self) -> FloatArray:
         """Peaks over limits, shape (smoothness + 1, axes)."""
-        return self.peaks / self.limits
+        with np.errstate(all="ignore"):
+            usage: FloatArray = self.peaks / self.limits
+        return usage
 
     @property
     def passed(self) -> bool:
@@ -58,6 +60,14 @@ class Verification:
 
 def verify(trajectory: Trajectory) -> Verification:
     """Measure a trajectory against its limits, its waypoints and its smoothness."""
+    if not isinstance(trajectory, Trajectory):
+        raise InputError(f"trajectory must be a plan, got {type(trajectory).__name__}")
+    # beyond the range of floating point the figures are inf or nan, and nan does not pass
+    with np.errstate(all="ignore"):
+        return _measured(trajectory)
+
+
+def _measured(trajectory: Trajectory) -> Verification:
     order = trajectory.smoothness
     table = trajectory.limits.table(trajectory.axes, order).T
     limits = np.where(table > 0.0, table, np.inf)

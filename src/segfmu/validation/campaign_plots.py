@@ -46,7 +46,7 @@ def plot_outcomes(outcomes: Sequence[Outcome], mode: str, title: str) -> Figure:
         wrapped = [c.replace(" + ", "\n+ ").replace("no control", "no\ncontrol") for c in columns]
         panel.set_xticks(range(len(columns)), wrapped, fontsize=8)
     panels[0].set_yticks(range(len(rows)), rows, fontsize=9)
-    figure.suptitle(f"{title}, {mode} mode", fontsize=11)
+    figure.suptitle(f"{title}, {mode} mode", fontsize=11, parse_math=False)
     return figure
 
 

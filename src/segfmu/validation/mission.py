@@ -7,7 +7,15 @@ from pathlib import Path
 from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Field,
+    StrictBool,
+    ValidationError,
+)
 
 from segfmu.crane import ActuatorBounds, Crane, plan_actuated
 from segfmu.errors import InputError
@@ -26,6 +34,8 @@ def _number(value: Any) -> Any:
 
 Number = Annotated[float, BeforeValidator(_number)]
 Positive = Annotated[Number, Field(gt=0.0)]
+# the least is that of the FMUs, the greatest keeps the design of gains within floating point
+Quantity = Annotated[Number, Field(ge=1e-9, le=1e9)]
 NotNegative = Annotated[Number, Field(ge=0.0)]
 Triple = Annotated[list[Number], Field(min_length=3, max_length=3)]
 PositiveTriple = Annotated[list[Positive], Field(min_length=3, max_length=3)]
@@ -42,6 +52,13 @@ def _state(value: Any) -> Any:
 State = Annotated[Triple | Literal["free"], BeforeValidator(_state)]
 
 
+def _printable(text: str) -> str:
+    """Titles of tables and plots are of one line, without control characters."""
+    if not text.isprintable():
+        raise ValueError("must be one line of printable characters")
+    return text
+
+
 class _Strict(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
@@ -49,12 +66,12 @@ class _Strict(BaseModel):
 class CraneFile(_Strict):
     """Masses [kg], gravity [m/s2] and rope range [m]."""
 
-    bridge_mass: Positive
-    trolley_mass: Positive
-    payload_mass: Positive
-    gravity: Positive = 9.81
-    rope_min: Positive | None = None
-    rope_max: Positive | None = None
+    bridge_mass: Quantity
+    trolley_mass: Quantity
+    payload_mass: Quantity
+    gravity: Quantity = 9.81
+    rope_min: Quantity | None = None
+    rope_max: Quantity | None = None
 
 
 class AxisLimits(_Strict):
@@ -97,7 +114,7 @@ class SimulationEntry(_Strict):
 
     step: Annotated[Number, Field(gt=0.0, le=0.1)] = 0.001
     settle: NotNegative = 3.0
-    feedback: bool = True
+    feedback: StrictBool = True
     feedback_source: Literal["state", "measured"] = "state"
     drive: Literal["force", "velocity"] = "force"
     initial_sway: Annotated[
@@ -110,7 +127,7 @@ class SimulationEntry(_Strict):
 class Mission(_Strict):
     """A whole mission file."""
 
-    name: str = "mission"
+    name: Annotated[str, Field(max_length=100), AfterValidator(_printable)] = "mission"
     crane: CraneFile
     limits: LimitsTable
     waypoints: Annotated[list[WaypointEntry], Field(min_length=2, max_length=MAX_WAYPOINTS)]
@@ -185,7 +202,8 @@ def _read(path: Path) -> dict[str, Any]:
         raise InputError(f"{path}: cannot be read: {error.strerror}") from None
     except UnicodeDecodeError:
         raise InputError(f"{path}: not a text file in UTF-8") from None
-    except (tomllib.TOMLDecodeError, RecursionError) as error:
+    except (ValueError, RecursionError) as error:
+        # beside what tomllib refuses: numbers of thousands of digits, paths with a null character
         raise InputError(f"{path}: not valid TOML: {error}".splitlines()[0]) from None
 
 
@@ -198,6 +216,8 @@ def _first_problem(error: ValidationError) -> str:
     more = f" (and {len(problems) - 1} more)" if len(problems) > 1 else ""
     if first["type"] == "missing":
         return f"{key}: this key is missing{more}"
+    if first["type"] == "model_type":
+        text = "must be a table"
     if first["type"] == "extra_forbidden":
         return f"{key}: unknown key{more}"
     shown = repr(first["input"])

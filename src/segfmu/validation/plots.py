@@ -56,7 +56,7 @@ def plot_plan(trajectory: Trajectory, title: str) -> Figure:
         _marks(panel, trajectory.waypoint_times)
     panels[0].legend(loc="upper left", ncols=trajectory.axes, frameon=False)
     panels[-1].set_xlabel("time [s]")
-    figure.suptitle(title)
+    figure.suptitle(title, parse_math=False)
     return figure
 
 
@@ -72,7 +72,7 @@ def plot_run(rows: NDArray[np.void], waypoint_times: NDArray[np.float64], title:
         label, shift = drive, 0.0
         if drive == "hoist":
             shift = float(force[-1])
-            label = f"hoist, minus {shift:.2f} N"
+            label = f"hoist {-shift:+.2f} N"
         forces.plot(time, force - shift, color=COLOURS[i], label=label)
         velocities.plot(time, rows[rate], color=COLOURS[i], label=drive)
         velocities.plot(time, rows[f"velocity.{drive}"], color="black", linestyle=":", linewidth=1)
@@ -92,7 +92,7 @@ def plot_run(rows: NDArray[np.void], waypoint_times: NDArray[np.float64], title:
         panel.legend(loc="upper right", ncols=3, frameon=False)
         _marks(panel, waypoint_times)
     panels[-1].set_xlabel("time [s]")
-    figure.suptitle(title)
+    figure.suptitle(title, parse_math=False)
     return figure
 
 
@@ -117,7 +117,7 @@ def plot_path(trajectory: Trajectory, title: str) -> Figure:
             middle, half = float(points[:, j].mean()), 0.1 * float(np.ptp(points[:, i])) + 1e-3
             panel.set_ylim(middle - half, middle + half)
         _grid(panel)
-    figure.suptitle(title)
+    figure.suptitle(title, parse_math=False)
     return figure
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from rich.markup import escape
 from rich.table import Table
 
 from segfmu.planning import Trajectory
@@ -14,7 +15,7 @@ from segfmu.validation.criteria import DRIVES, Criteria
 def plan_table(name: str, trajectory: Trajectory, found: Verification) -> Table:
     """Peaks of every derivative against the limits, per axis."""
     times = ", ".join(f"{t:.3f}" for t in trajectory.waypoint_times)
-    table = Table(title=f"{name}: {trajectory.duration:.3f} s, waypoints at {times} s")
+    table = Table(title=f"{escape(name)}: {trajectory.duration:.3f} s, waypoints at {times} s")
     table.add_column("peak")
     for axis in trajectory.axis_names:
         table.add_column(f"{axis}, of its limit", justify="right")
@@ -30,7 +31,7 @@ def plan_table(name: str, trajectory: Trajectory, found: Verification) -> Table:
 
 def run_table(name: str, found: Criteria) -> Table:
     """Duration, peaks, tracking error, residual sway and the verdict."""
-    table = Table(title=name, show_header=False)
+    table = Table(title=escape(name), show_header=False)
     table.add_column("quantity")
     table.add_column("value", justify="right")
     table.add_row("duration", f"{found.duration:.3f} s")

@@ -14,7 +14,7 @@ enum {
 /* rows of the memory, see kernels/rig.py */
 enum {
     ROW_STATE, ROW_PARAMETERS, ROW_CLOCK, ROW_LAST, ROW_REPORT, ROW_SIGNALS, ROW_CORRECTION = 8,
-    ROW_DERIVATIVE = 20
+    ROW_SQUARES = 10, ROW_CUBES, ROW_DERIVATIVE = 20, FIRST_BEND = 10
 };
 
 typedef struct {
@@ -66,6 +66,11 @@ static inline array_double_3d observer_of(crane *m)
     return a;
 }
 
+static inline double *row(crane *m, int place)
+{
+    return m->memory + place * COLUMNS;
+}
+
 /* kg; of the load that feedback and observer are for */
 static inline double nominal_payload(const crane *m)
 {
@@ -97,6 +102,10 @@ bool crane_set_gains(crane *m, char message[MESSAGE]);
 
 /* The inputs as setpoints. */
 void crane_read_inputs(crane *m);
+
+/* Setpoints up to a time within the step: linear from the inputs at the end of the last step to those
+   at its end, or by the derivatives of those at its beginning, where they are given. */
+void crane_follow_inputs(crane *m, double time);
 
 /* s since the start, as the rig counts them */
 double crane_elapsed(const crane *m);

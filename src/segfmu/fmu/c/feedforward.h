@@ -13,7 +13,9 @@ typedef struct {
     int64_t points, smoothness, pieces;
     double duration;
     double events[MOST_POINTS + 1];  /* s, ascending: arrival at the waypoints, end */
-    int64_t passed;                  /* of the events */
+    double upcoming;                 /* s; the next event of the plan, infinite after the last */
+    int64_t derived[MODEL_ORDERS];   /* whether these derivatives are those of the present time */
+    double derivatives[MODEL_ORDERS][RESULTS];
     double space[];                  /* timing, coefficients, offsets, times, ends */
 } feedforward;
 

@@ -51,23 +51,20 @@ fmi3Status fmi3DoStep(fmi3Instance self, fmi3Float64 time, fmi3Float64 step,
         return fmi3Error;
     }
     double end = c->model->step_end;
-    do {
+    bool last = false;
+    while (!last) {
         bool event = false;
         if (!glue_continue_step(c, end, &event)) {
             return fmi3Error;
         }
         *reached = c->model->real[V_TIME];
         update(c, &end);
-        if (event && c->event_mode) {
-            *event_needed = true;
-            if (c->early_return) {
-                break;
-            }
-        }
-        if (event && (!c->event_mode || *reached < end) && !glue_event(c)) {
+        last = *reached >= end || (event && c->early_return);
+        *event_needed = event && last && c->event_mode;
+        if (event && !*event_needed && !glue_event(c)) {
             return fmi3Error;
         }
-    } while (*reached < end);
+    }
     *early = *reached < c->model->step_end;
     return fmi3OK;
 }

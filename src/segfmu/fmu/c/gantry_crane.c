@@ -32,11 +32,6 @@ int64_t model_rows(const model *base)
     return base->integer[V_FEEDBACK_TABLE_COUNT];
 }
 
-static double *row(crane *m, int place)
-{
-    return m->memory + place * COLUMNS;
-}
-
 static bool in_exchange(const crane *m)
 {
     return m->base.interface == EXCHANGE;
@@ -103,47 +98,13 @@ bool model_initialise(model *base, char message[MESSAGE])
 
 /* ---- co-simulation ---- */
 
-/* Inputs at the present time, the last step's end, and at a time within the step: inputs are those
-   at the step's end, or at its beginning where their slopes are given. */
-static void read_inputs(const crane *m, double time, double start[], double end[])
-{
-    const model *base = &m->base;
-    double now = base->real[V_TIME], share = (time - now) / (base->step_end - now);
-    memcpy(start, m->input, V_WIND_X * sizeof *start);
-    memcpy(end, base->real, V_WIND_X * sizeof *end);
-    if (base->sloped) {
-        for (int i = 0; i < V_WIND_X; i++) {
-            start[i] = base->real[i] + base->slope[i] * (now - base->step_start);
-            end[i] = base->real[i] + base->slope[i] * (time - base->step_start);
-        }
-    } else if (time < base->step_end) {
-        for (int i = 0; i < V_WIND_X; i++) {
-            end[i] = start[i] + (end[i] - start[i]) * share;
-        }
-    }
-}
-
-/* Setpoints at a time within the step. */
-static void read_setpoints(crane *m, double time)
-{
-    double start[V_WIND_X], end[V_WIND_X], duration = time - m->base.real[V_TIME];
-    crane_read_inputs(m);
-    read_inputs(m, time, start, end);
-    for (int i = 0; i < V_WIND_X; i++) {
-        m->slope[i] = (end[i] - start[i]) / duration;
-    }
-    memcpy(m->input, end, sizeof end);
-    memcpy(row(m, ROW_LAST), start, V_REFERENCE_LOAD_POSITION_X * sizeof *start);
-    memcpy(m->setpoints, end, V_REFERENCE_LOAD_POSITION_X * sizeof *end);
-}
-
 bool model_advance(model *base, double time, char message[MESSAGE])
 {
     crane *m = (crane *)base;
     if (base->tuned && !crane_set_gains(m, message)) {
         return false;
     }
-    read_setpoints(m, time);
+    crane_follow_inputs(m, time);
     int64_t status = segfmu_rig_step(
         vector(m->loop, LOOP), vector(m->sensors, SENSORS),
         matrix(m->components, m->count_components, 7), matrix(m->changes, m->count_changes, 2),

@@ -1,5 +1,6 @@
 /* GantryFeedforward: the plan is made from the parameters; all outputs are functions of time. */
 #include <math.h>
+#include <string.h>
 
 #include "feedforward.h"
 
@@ -70,22 +71,45 @@ bool model_warning(const model *m, char message[MESSAGE])
 
 double model_next_event(const model *base)
 {
-    const feedforward *m = (const feedforward *)base;
-    return m->passed < m->points ? m->events[m->passed] : INFINITY;
+    return ((const feedforward *)base)->upcoming;
+}
+
+/* Pieces of each axis, as the kernels take them. */
+static array_int64_t_1d offsets_of(const segfmu_trajectory *t)
+{
+    array_int64_t_1d offsets = {(int64_t *)t->offsets, {AXES + 1}};
+    return offsets;
+}
+
+static array_double_2d timing_of(const segfmu_trajectory *t)
+{
+    return matrix((double *)t->timing, t->pieces, 2);
+}
+
+static double upcoming(const feedforward *m)
+{
+    const segfmu_trajectory t = feedforward_trajectory(m);
+    double next = segfmu_next_plan_event(
+        m->base.real[V_TIME], m->base.real[V_PLANNER_START_TIME], timing_of(&t), offsets_of(&t),
+        vector((double *)t.ends, AXES), matrix((double *)t.times, t.points, AXES));
+    return next < 1e300 ? next : INFINITY;
 }
 
 bool model_event(model *base, char message[MESSAGE])
 {
     feedforward *m = (feedforward *)base;
     (void)message;
-    m->passed = 0;
-    while (m->passed < m->points && m->events[m->passed] <= base->real[V_TIME]) {
-        m->passed++;
+    double time = base->real[V_TIME], latest = time + segfmu_same_break(time);
+    int64_t passed = 0;
+    while (passed < m->points && m->events[passed] <= latest) {
+        passed++;
     }
     /* the last event is the end, the one before it the arrival at the last waypoint */
     int64_t intervals = m->points - 1;
-    base->integer[V_PLAN_INTERVAL] = m->passed + 1 < intervals ? m->passed + 1 : intervals;
-    base->integer[V_PLAN_DONE] = m->passed == m->points;
+    base->integer[V_PLAN_INTERVAL] = passed + 1 < intervals ? passed + 1 : intervals;
+    base->integer[V_PLAN_DONE] = passed == m->points;
+    m->upcoming = upcoming(m);
+    base->real[V_PLAN_NEXT_EVENT] = fmin(m->upcoming, m->events[m->points - 1]);
     return true;
 }
 
@@ -99,19 +123,12 @@ bool model_advance(model *base, double time, char message[MESSAGE])
 
 /* ---- outputs ---- */
 
-static double local_time(const model *base)
-{
-    return base->real[V_TIME] - base->real[V_PLANNER_START_TIME];
-}
-
 /* Position and derivatives of the load at a time, one row a derivative. */
 static void evaluate(const segfmu_trajectory *t, double time, int64_t orders, double *values)
 {
-    array_int64_t_1d offsets = {(int64_t *)t->offsets, {AXES + 1}};
     segfmu_evaluate_orders(
-        time, matrix((double *)t->timing, t->pieces, 2),
-        matrix((double *)t->coefficients, t->pieces, 2 * t->smoothness), offsets,
-        vector((double *)t->ends, AXES), matrix(values, orders, AXES));
+        time, timing_of(t), matrix((double *)t->coefficients, t->pieces, 2 * t->smoothness),
+        offsets_of(t), vector((double *)t->ends, AXES), matrix(values, orders, AXES));
 }
 
 bool model_evaluate(model *base, char message[MESSAGE])
@@ -122,7 +139,8 @@ bool model_evaluate(model *base, char message[MESSAGE])
     const segfmu_trajectory trajectory = feedforward_trajectory(m);
     double results[RESULTS];
     (void)message;
-    evaluate(&trajectory, local_time(base), ORDERS, load);
+    memset(m->derived, 0, sizeof m->derived);
+    evaluate(&trajectory, base->real[V_TIME] - base->real[V_PLANNER_START_TIME], ORDERS, load);
     segfmu_crane_flat_inverse(
         matrix(load, ORDERS, AXES), crane[0], crane[1], crane[2], crane[3], vector(results, 3),
         vector(results + 3, 10), vector(results + 13, 5));
@@ -151,27 +169,42 @@ static int place_of(const variable *output)
     return -1;
 }
 
+/* Derivatives of what the flat inverse gives, kept until the time changes. */
+static const double *derivatives(feedforward *m, const segfmu_trajectory *t, double time,
+                                 int64_t order)
+{
+    const double *crane = &m->base.real[V_CRANE_BRIDGE_MASS];
+    double flat[(ORDERS + MODEL_ORDERS) * AXES], work[20 * (MODEL_ORDERS + 3)];
+    double *found = m->derivatives[order - 1];
+    if (!m->derived[order - 1]) {
+        evaluate(t, time, ORDERS + order, flat);
+        segfmu_flat_derivatives(
+            matrix(flat, ORDERS + order, AXES), order, crane[0], crane[1], crane[2], crane[3],
+            matrix(work, 20, MODEL_ORDERS + 3), vector(found, RESULTS));
+        m->derived[order - 1] = 1;
+    }
+    return found;
+}
+
+/* At a break of the plan, the derivatives from then on. */
 bool model_output_derivative(model *base, const variable *output, int64_t order, double *value)
 {
     feedforward *m = (feedforward *)base;
-    const segfmu_trajectory trajectory = feedforward_trajectory(m);
-    const double *crane = &base->real[V_CRANE_BRIDGE_MASS];
-    double t = local_time(base), flat[(ORDERS + MODEL_ORDERS) * AXES], found[RESULTS];
-    double work[20 * (MODEL_ORDERS + 3)];
+    const segfmu_trajectory t = feedforward_trajectory(m);
+    double time = segfmu_right_of_break(
+        base->real[V_TIME], base->real[V_PLANNER_START_TIME], timing_of(&t), offsets_of(&t),
+        vector((double *)t.ends, AXES));
     int load = (int)output->offset - V_REFERENCE_LOAD_POSITION_X, place = place_of(output);
     if (load >= 0 && load < ORDERS * AXES) {
-        segfmu_value(&trajectory, t, load / AXES + order, flat);
-        *value = flat[load % AXES];
+        double values[AXES];
+        segfmu_value(&t, time, load / AXES + order, values);
+        *value = values[load % AXES];
         return true;
     }
     if (place < 0) {
         return false;
     }
-    evaluate(&trajectory, t, ORDERS + order, flat);
-    segfmu_flat_derivatives(
-        matrix(flat, ORDERS + order, AXES), order, crane[0], crane[1], crane[2], crane[3],
-        matrix(work, 20, MODEL_ORDERS + 3), vector(found, RESULTS));
-    *value = found[place];
+    *value = derivatives(m, &t, time, order)[place];
     return true;
 }
 

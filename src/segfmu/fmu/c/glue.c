@@ -10,6 +10,9 @@
 /* times that differ by less, relative to their size, are the same: importers add up steps */
 static const double SAME = 1e-9;
 
+/* of a time to which a step was added, relative to it */
+static const double ROUNDING = 1e-14;
+
 /* s; beyond it doubles have no microseconds */
 static const double LATEST = 1e9;
 
@@ -261,13 +264,15 @@ bool glue_continue_step(instance *c, double end, bool *event)
 {
     char message[MESSAGE];
     double next = model_next_event(c->model);
-    *event = next <= end;
-    if (!model_advance(c->model, *event ? next : end, message)) {
+    /* an importer that steps to an event has its time but for rounding */
+    *event = next <= end + ROUNDING * (1.0 + fabs(end));
+    next = fmin(next, end);
+    if (!model_advance(c->model, next, message)) {
         glue_log(c, STATUS_ERROR, "%s", message);
         c->model->mode = MODE_FAILED;
         return false;
     }
-    glue_set_time(c, *event ? next : end);
+    glue_set_time(c, next);
     return true;
 }
 

@@ -85,7 +85,7 @@ bool glue_directional(instance *c, const char *function, const uint32_t unknowns
 bool glue_output_derivatives(instance *c, const char *function, const uint32_t references[],
                              size_t count, const int32_t orders[], double values[]);
 
-/* Slopes of inputs from the beginning of the next step on; they hold until the end of that step. */
+/* Derivatives of inputs at the beginning of the next step; they hold until the end of that step. */
 bool glue_input_derivatives(instance *c, const char *function, const uint32_t references[],
                             size_t count, const int32_t orders[], const double values[]);
 

@@ -13,6 +13,9 @@
 /* room for a message, its end included */
 enum { MESSAGE = 400 };
 
+/* orders of the derivatives of inputs */
+enum { INPUT_ORDERS = 3 };
+
 enum { KIND_REAL, KIND_INTEGER, KIND_BOOLEAN, KIND_ENUMERATION, KIND_COUNT };
 
 /* Who may set a variable, and when: a parameter before the end of initialisation, a tunable one
@@ -48,7 +51,8 @@ typedef struct {
     double start, stop;   /* s */
     double step_start;    /* s; of the communication step under way */
     double step_end;
-    double slope[MODEL_INPUTS + 1];  /* of the inputs over the step, where they are given */
+    /* derivatives of the inputs at the beginning of the step, where they are given */
+    double slope[INPUT_ORDERS][MODEL_INPUTS + 1];
     int64_t sloped;       /* they are */
     double real[MODEL_REALS];        /* real[V_TIME] is the time */
     int64_t integer[MODEL_INTEGERS];

@@ -247,7 +247,7 @@ bool glue_input_derivatives(instance *c, const char *function, const uint32_t re
     }
     for (size_t i = 0; i < count; i++) {
         const variable *v = &model_variables[references[i]];
-        if (v->setting != SET_INPUT || orders[i] != 1) {
+        if (v->setting != SET_INPUT || orders[i] < 1 || orders[i] > INPUT_ORDERS) {
             glue_log(c, STATUS_ERROR, "%s: %s takes no derivative of order %d", function, v->name,
                      (int)orders[i]);
             return false;
@@ -257,7 +257,7 @@ bool glue_input_derivatives(instance *c, const char *function, const uint32_t re
         }
     }
     for (size_t i = 0; i < count; i++) {
-        c->model->slope[model_variables[references[i]].offset] = values[i];
+        c->model->slope[orders[i] - 1][model_variables[references[i]].offset] = values[i];
         c->model->sloped = 1;
     }
     return true;

@@ -87,6 +87,7 @@ static void add_rise(double jerk, double rise, int64_t order, array_double_1d ps
 static void add_snap(double snap, double rise, int64_t order, array_double_1d psi, array_double_2d coefficients, int64_t row);
 static int64_t expand_jerk_change(double jerk, double rise, double share, int64_t order, array_double_1d psi, array_double_1d state, array_double_2d timing, array_double_2d coefficients, int64_t row, int64_t width);
 static int64_t find_piece(double time, array_double_2d timing, int64_t first, int64_t last);
+static double next_break(double time, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends);
 static void shift_piece(array_double_2d coefficients, int64_t source, int64_t width, double t, double weight, array_double_2d target, int64_t row);
 static int64_t merge_pieces(double weight, double now, int64_t first_a, int64_t last_a, int64_t last_b, array_double_2d scratch_timing, array_double_2d scratch, array_double_2d timing, array_double_2d coefficients, int64_t row);
 static int64_t expand_interval(int64_t interval, int64_t axis, int64_t axes, double now, array_double_2d positions, array_double_2d velocities, int64_t smoothness, int64_t shape, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d ramps, array_double_2d scratch_timing, array_double_2d scratch, array_double_2d timing, array_double_2d coefficients, int64_t row);
@@ -174,7 +175,8 @@ static double next_edge(array_double_2d changes, double after, array_double_2d m
 static double mechanical_energy(array_double_2d memory);
 static void change_payload(array_double_1d loop, array_double_2d changes, double time, array_double_2d memory);
 static void meet_events(array_double_1d loop, array_double_1d sensors, array_double_2d changes, array_double_2d memory);
-static double between(double start, double end, double share);
+static double course(array_double_1d setpoints, int64_t i, double share, array_double_2d memory);
+static void course_rates(array_double_1d setpoints, int64_t i, double share, double duration, array_double_2d memory, array_double_1d rates, int64_t place);
 static bool controller_due(array_double_1d loop, array_double_2d memory);
 static void prepare_tick(array_double_1d sensors, array_double_1d setpoints, double duration, array_double_2d memory);
 static void correct_setpoints(array_double_1d loop, array_double_1d tracking, array_double_1d lengths, array_double_3d table, array_double_1d gain_lengths, array_double_3d gains, array_double_2d tracker, array_double_2d memory);
@@ -2169,9 +2171,16 @@ static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, 
     double sign;
     double outside;
     int64_t i;
-    double lowest;
+    double without;
     double inside;
     double e_inside;
+    double duration;
+    double y;
+    double end;
+    double lowest;
+    double highest;
+    double peak;
+    double other;
     double before;
     double e_before;
     bool newest_inside;
@@ -2204,22 +2213,42 @@ static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, 
     {
         outside = span_max(outside, sign * (*cspan_at(&phases, i, INT64_C(2))));
     }
-    lowest = span_max(sign * a, span_max(sign * b, 0.001 * top));
-    /*not every level below the first one may have a member*/
-    inside = lowest;
-    count = INT64_C(0);
-    e_inside = 0.0;
-    for (i = INT64_C(0); i < INT64_C(8); i += INT64_C(1))
+    /*below some level there may be no member, or one that passes the limit on the other side*/
+    without = span_max(sign * a, span_max(sign * b, 0.001 * top));
+    inside = without;
+    e_inside = 2.0 * velocity_limit;
+    for (i = INT64_C(0); i < INT64_C(24); i += INT64_C(1))
     {
-        inside = lowest + (outside - lowest) * i / 8.0;
         count = merged_form(phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, inside, top, ramp);
-        if (count > INT64_C(0))
+        segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, span_max_int(count, INT64_C(0)), v, 0.0, ramp);
+        peak = highest;
+        other = -lowest;
+        if (mirror)
         {
-            e_inside = velocity_excess(phases, count, v, 0.0, velocity_limit, ramp) + margin;
+            peak = -lowest;
+            other = highest;
+        }
+        if ((count <= INT64_C(0)) || (other > velocity_limit + rounding))
+        {
+            without = inside;
+        }
+        else if (peak > velocity_limit + rounding)
+        {
+            outside = inside;
+            e_outside = peak - velocity_limit + margin;
+        }
+        else
+        {
+            e_inside = span_max(peak, other) - velocity_limit + margin;
             break;
         }
+        if (without == outside)
+        {
+            break;
+        }
+        inside = 0.5 * (without + outside);
     }
-    if ((count <= INT64_C(0)) || (e_inside > margin + rounding))
+    if (e_inside > margin + rounding)
     {
         return INT64_C(0);
     }
@@ -3876,6 +3905,100 @@ void segfmu_evaluate_orders(double time, array_double_2d timing, array_double_2d
             }
         }
     }
+}
+/*First time after `time` at which a piece of any axis begins or its last one ends; or 1e300.*/
+/*                                                                                           */
+static double next_break(double time, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends)
+{
+    int64_t axis;
+    int64_t first;
+    int64_t last;
+    int64_t row;
+    double found;
+    found = 1e+300;
+    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        first = (*cspan_at(&offsets, axis));
+        last = (*cspan_at(&offsets, axis + INT64_C(1)));
+        if (time < (*cspan_at(&timing, first, INT64_C(0))))
+        {
+            found = span_min(found, (*cspan_at(&timing, first, INT64_C(0))));
+        }
+        else
+        {
+            row = find_piece(time, timing, first, last) + INT64_C(1);
+            if (row < last)
+            {
+                found = span_min(found, (*cspan_at(&timing, row, INT64_C(0))));
+            }
+            else if (time < (*cspan_at(&ends, axis)))
+            {
+                found = span_min(found, (*cspan_at(&ends, axis)));
+            }
+        }
+    }
+    return found;
+}
+/*Events that differ by less [s] are the same; clocks are coarser late.*/
+double segfmu_same_break(double time)
+{
+    double result;
+    return 1e-08 + 1e-14 * fabs(time);
+}
+/*First event after `time` of a plan that begins at `start`; 1e300 if there is none.               */
+/*                                                                                                 */
+/*    Events are the last axis' arrival at a waypoint, the end of the motion, and the breaks of all*/
+/*    pieces, where derivatives of the crane's forces jump: the first one at smoothness 4.         */
+/*                                                                                                 */
+double segfmu_next_plan_event(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends, array_double_2d times)
+{
+    double event;
+    int64_t waypoint;
+    double arrival;
+    int64_t axis;
+    double found;
+    double result;
+    event = 1e+300;
+    for (waypoint = INT64_C(1); waypoint < times.shape[INT64_C(0)] + INT64_C(1); waypoint += INT64_C(1))
+    {
+        arrival = 0.0;
+        for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
+        {
+            if (waypoint < times.shape[INT64_C(0)])
+            {
+                arrival = span_max(arrival, (*cspan_at(&times, waypoint, axis)));
+            }
+            else
+            {
+                arrival = span_max(arrival, (*cspan_at(&ends, axis)));
+            }
+        }
+        if (start + arrival > time + segfmu_same_break(time))
+        {
+            event = span_min(event, start + arrival);
+        }
+    }
+    found = start + next_break(time + segfmu_same_break(time) - start, timing, offsets, ends);
+    if (event <= found + segfmu_same_break(time))
+    {
+        return event;
+    }
+    return found;
+}
+/*Time since `start`, just behind the break where it is at one: all axes on the next piece.*/
+double segfmu_right_of_break(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends)
+{
+    double local;
+    double behind;
+    double result;
+    local = time - start;
+    /*an axis that has come to its end is still on its last piece there*/
+    behind = local + segfmu_same_break(time);
+    if (next_break(local - segfmu_same_break(time), timing, offsets, ends) <= behind)
+    {
+        return behind;
+    }
+    return local;
 }
 /*An upper bound of the number of pieces: seven a phase, and one a dwell.*/
 int64_t segfmu_count_pieces(array_int64_t_1d counts, int64_t cells)
@@ -7828,11 +7951,13 @@ static void driven_derivative(array_double_1d parameters, array_double_1d state,
 static void plant_derivative(array_double_1d parameters, array_double_2d components, double time, double elapsed, array_double_1d state, array_double_1d command, array_double_1d rate, array_double_1d load_force, array_double_2d work, array_double_1d derivative)
 {
     int64_t i;
+    double bend;
     bool calm;
     wind_force(parameters, components, time + elapsed, load_force, span_row(&work, INT64_C(11)));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        (*cspan_at(&work, INT64_C(14), i)) = (*cspan_at(&command, i)) + elapsed * (*cspan_at(&rate, i));
+        bend = (*cspan_at(&rate, INT64_C(3) + i)) + elapsed * (*cspan_at(&rate, INT64_C(6) + i));
+        (*cspan_at(&work, INT64_C(14), i)) = (*cspan_at(&command, i)) + elapsed * ((*cspan_at(&rate, i)) + elapsed * bend);
         (*cspan_at(&work, INT64_C(15), i)) = friction_force(parameters, i, (*cspan_at(&state, INT64_C(5) + i)));
         (*cspan_at(&work, INT64_C(10), INT64_C(3) + i)) = 0.0;
     }
@@ -7959,18 +8084,19 @@ static void accept(array_double_1d state, array_double_2d work, double elapsed, 
     (*cspan_at(&report, INT64_C(8))) = (*cspan_at(&work, INT64_C(6), INT64_C(12)));
     (*cspan_at(&report, INT64_C(9))) = elapsed;
 }
-/*Advance the state (13), in place, by a duration from a time on.                                  */
-/*                                                                                                 */
-/*    components (count, 7): sines of the wind's noise. command and rate (3): forces [N] of bridge,*/
-/*    trolley and hoist at the start, and their rates; or velocities [m/s], or where a drive has no*/
-/*    lag accelerations [m/s2]. load_force (3): on the load, held [N]. tolerance: relative and     */
-/*    absolute error of a step. report (10): forces of the drives (3), whether they were at a bound*/
-/*    (3), force on the rope, power of the wind and of friction [W], time advanced.                */
-/*                                                                                                 */
-/*    Returns `plant_status`, or 3: the steps became too small (for stiff friction, too many), 4: a*/
-/*    value is not finite. What has a status is approached until within 0.1 us of it; the state is */
-/*    the last one without.                                                                        */
-/*                                                                                                 */
+/*Advance the state (13), in place, by a duration from a time on.                                      */
+/*                                                                                                     */
+/*    components (count, 7): sines of the wind's noise. command (3): forces [N] of bridge, trolley and */
+/*    hoist at the start; or velocities [m/s], or where a drive has no lag accelerations [m/s2]. rate  */
+/*    (9): coefficients of the time elapsed in them, of its square and of its cube. load_force (3): on */
+/*    the load, held [N]. tolerance: relative and absolute error of a step. report (10): forces of the */
+/*    drives (3), whether they were at a bound (3), force on the rope, power of the wind and of        */
+/*    friction [W], time advanced.                                                                     */
+/*                                                                                                     */
+/*    Returns `plant_status`, or 3: the steps became too small (for stiff friction, too many), 4: a    */
+/*    value is not finite. What has a status is approached until within 0.1 us of it; the state is     */
+/*    the last one without.                                                                            */
+/*                                                                                                     */
 int64_t segfmu_plant_advance(array_double_1d parameters, array_double_2d components, double time, array_double_1d state, array_double_1d command, array_double_1d rate, array_double_1d load_force, double duration, double tolerance, array_double_2d work, array_double_1d report)
 {
     int64_t i;
@@ -8274,11 +8400,29 @@ static void meet_events(array_double_1d loop, array_double_1d sensors, array_dou
         (*cspan_at(&memory, INT64_C(2), INT64_C(6))) = (*cspan_at(&memory, INT64_C(2), INT64_C(6))) + (mechanical_energy(memory) - before);
     }
 }
-/*Value a share of the way from start to end.*/
-static double between(double start, double end, double share)
+/*A setpoint at a share of the step. */
+static double course(array_double_1d setpoints, int64_t i, double share, array_double_2d memory)
 {
+    double bend;
     double result;
-    return start + (end - start) * share;
+    bend = (*cspan_at(&memory, INT64_C(10), INT64_C(10) + i)) + (*cspan_at(&memory, INT64_C(11), INT64_C(10) + i)) * (share + 1.0);
+    result = (*cspan_at(&memory, INT64_C(3), i)) + ((*cspan_at(&setpoints, i)) - (*cspan_at(&memory, INT64_C(3), i)) + bend * (share - 1.0)) * share;
+    return result;
+}
+/*Taylor coefficients of a setpoint at a share of the step, by time: rates[place], every third.*/
+/*                                                                                             */
+static void course_rates(array_double_1d setpoints, int64_t i, double share, double duration, array_double_2d memory, array_double_1d rates, int64_t place)
+{
+    double square;
+    double cube;
+    double slope;
+    square = (*cspan_at(&memory, INT64_C(10), INT64_C(10) + i));
+    cube = (*cspan_at(&memory, INT64_C(11), INT64_C(10) + i));
+    slope = (*cspan_at(&setpoints, i)) - (*cspan_at(&memory, INT64_C(3), i)) - square - cube;
+    slope = slope + (2.0 * square + 3.0 * cube * share) * share;
+    (*cspan_at(&rates, place)) = slope / duration;
+    (*cspan_at(&rates, place + INT64_C(3))) = (square + 3.0 * cube * share) / (duration * duration);
+    (*cspan_at(&rates, place + INT64_C(6))) = cube / (duration * duration * duration);
 }
 /*Whether the controller's next tick has come. */
 static bool controller_due(array_double_1d loop, array_double_2d memory)
@@ -8300,17 +8444,18 @@ static void prepare_tick(array_double_1d sensors, array_double_1d setpoints, dou
     sense_signals(sensors, time, span_row(&memory, INT64_C(0)), span_rows(&memory, INT64_C(30), memory.shape[INT64_C(0)]), span_row(&memory, INT64_C(5)));
     for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
     {
-        (*cspan_at(&memory, INT64_C(6), i)) = between((*cspan_at(&memory, INT64_C(3), INT64_C(6) + i)), (*cspan_at(&setpoints, INT64_C(6) + i)), share);
+        (*cspan_at(&memory, INT64_C(6), i)) = course(setpoints, INT64_C(6) + i, share, memory);
     }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         if ((*cspan_at(&memory, INT64_C(1), INT64_C(4))) > 0.5)
         {
-            (*cspan_at(&memory, INT64_C(7), i)) = ((*cspan_at(&setpoints, INT64_C(3) + i)) - (*cspan_at(&memory, INT64_C(3), INT64_C(3) + i))) / duration;
+            course_rates(setpoints, INT64_C(3) + i, share, duration, memory, span_row(&memory, INT64_C(11)), i);
+            (*cspan_at(&memory, INT64_C(7), i)) = (*cspan_at(&memory, INT64_C(11), i));
         }
         else
         {
-            (*cspan_at(&memory, INT64_C(7), i)) = between((*cspan_at(&memory, INT64_C(3), i)), (*cspan_at(&setpoints, i)), share);
+            (*cspan_at(&memory, INT64_C(7), i)) = course(setpoints, i, share, memory);
         }
     }
 }
@@ -8373,29 +8518,28 @@ static void command_velocities(array_double_1d setpoints, double duration, doubl
     double done;
     double length;
     int64_t i;
-    double start;
-    double end;
     double command;
-    double rate;
     double aim;
+    int64_t j;
     done = (*cspan_at(&memory, INT64_C(2), INT64_C(2)));
     length = until - done;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        start = (*cspan_at(&memory, INT64_C(3), INT64_C(3) + i));
-        end = (*cspan_at(&setpoints, INT64_C(3) + i));
-        command = between(start, end, done / duration) + (*cspan_at(&memory, INT64_C(9), i));
-        rate = (end - start) / duration + (*cspan_at(&memory, INT64_C(8), i));
+        command = course(setpoints, INT64_C(3) + i, done / duration, memory) + (*cspan_at(&memory, INT64_C(9), i));
+        course_rates(setpoints, INT64_C(3) + i, done / duration, duration, memory, span_row(&memory, INT64_C(11)), i);
+        (*cspan_at(&memory, INT64_C(11), i)) = (*cspan_at(&memory, INT64_C(11), i)) + (*cspan_at(&memory, INT64_C(8), i));
         (*cspan_at(&memory, INT64_C(9), i)) = (*cspan_at(&memory, INT64_C(9), i)) + (*cspan_at(&memory, INT64_C(8), i)) * length;
         if ((*cspan_at(&memory, INT64_C(1), INT64_C(5) + i)) == 0.0)
         {
             /*at the end it has its setpoint, wherever a bound has left it before*/
-            aim = between(start, end, until / duration) + (*cspan_at(&memory, INT64_C(9), i));
+            aim = course(setpoints, INT64_C(3) + i, until / duration, memory) + (*cspan_at(&memory, INT64_C(9), i));
             command = (aim - (*cspan_at(&memory, INT64_C(0), INT64_C(5) + i))) / length;
-            rate = 0.0;
+            for (j = INT64_C(0); j < INT64_C(3); j += INT64_C(1))
+            {
+                (*cspan_at(&memory, INT64_C(11), INT64_C(3) * j + i)) = 0.0;
+            }
         }
         (*cspan_at(&memory, INT64_C(10), i)) = command;
-        (*cspan_at(&memory, INT64_C(11), i)) = rate;
     }
 }
 /*Integrate until a time within the step; returns the status of kernels/plant.py.*/
@@ -8403,7 +8547,7 @@ static int64_t advance_plant(array_double_1d loop, array_double_2d components, a
 {
     double time;
     int64_t i;
-    double force;
+    double share;
     int64_t status;
     time = (*cspan_at(&memory, INT64_C(2), INT64_C(0))) + (*cspan_at(&memory, INT64_C(2), INT64_C(1))) + (*cspan_at(&memory, INT64_C(2), INT64_C(2)));
     if ((*cspan_at(&memory, INT64_C(1), INT64_C(4))) > 0.5)
@@ -8414,9 +8558,9 @@ static int64_t advance_plant(array_double_1d loop, array_double_2d components, a
     {
         for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
         {
-            force = between((*cspan_at(&memory, INT64_C(3), i)), (*cspan_at(&setpoints, i)), (*cspan_at(&memory, INT64_C(2), INT64_C(2))) / duration);
-            (*cspan_at(&memory, INT64_C(10), i)) = force + (*cspan_at(&memory, INT64_C(8), i));
-            (*cspan_at(&memory, INT64_C(11), i)) = ((*cspan_at(&setpoints, i)) - (*cspan_at(&memory, INT64_C(3), i))) / duration;
+            share = (*cspan_at(&memory, INT64_C(2), INT64_C(2))) / duration;
+            (*cspan_at(&memory, INT64_C(10), i)) = course(setpoints, i, share, memory) + (*cspan_at(&memory, INT64_C(8), i));
+            course_rates(setpoints, i, share, duration, memory, span_row(&memory, INT64_C(11)), i);
         }
     }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
@@ -8526,6 +8670,11 @@ int64_t segfmu_rig_step(array_double_1d loop, array_double_1d sensors, array_dou
         for (i = INT64_C(0); i < INT64_C(19); i += INT64_C(1))
         {
             (*cspan_at(&memory, INT64_C(3), i)) = (*cspan_at(&setpoints, i));
+        }
+        for (i = INT64_C(10); i < INT64_C(26); i += INT64_C(1))
+        {
+            (*cspan_at(&memory, INT64_C(10), i)) = 0.0;
+            (*cspan_at(&memory, INT64_C(11), i)) = 0.0;
         }
     }
     sense_signals(sensors, (*cspan_at(&memory, INT64_C(2), INT64_C(1))), span_row(&memory, INT64_C(0)), span_rows(&memory, INT64_C(30), memory.shape[INT64_C(0)]), span_row(&memory, INT64_C(5)));

@@ -375,6 +375,81 @@ static PyObject *call_evaluate_orders(
     return answer;
 }
 
+static PyObject *call_same_break(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "same_break", .values = values};
+    PyObject *answer = NULL;
+    double in_time;
+    (void)self;
+    if (take_count(&call, count, 1)
+        && take_float(&call, 0, &in_time)) {
+        answer = PyFloat_FromDouble(segfmu_same_break(
+            in_time));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_next_plan_event(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "next_plan_event", .values = values};
+    PyObject *answer = NULL;
+    double in_time;
+    double in_start;
+    Py_buffer *in_timing;
+    Py_buffer *in_offsets;
+    Py_buffer *in_ends;
+    Py_buffer *in_times;
+    (void)self;
+    if (take_count(&call, count, 6)
+        && take_float(&call, 0, &in_time)
+        && take_float(&call, 1, &in_start)
+        && (in_timing = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
+        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
+        && (in_times = take_array(&call, 5, 2, 'd', false)) != NULL) {
+        answer = PyFloat_FromDouble(segfmu_next_plan_event(
+            in_time,
+            in_start,
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
+            (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_right_of_break(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "right_of_break", .values = values};
+    PyObject *answer = NULL;
+    double in_time;
+    double in_start;
+    Py_buffer *in_timing;
+    Py_buffer *in_offsets;
+    Py_buffer *in_ends;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && take_float(&call, 0, &in_time)
+        && take_float(&call, 1, &in_start)
+        && (in_timing = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
+        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL) {
+        answer = PyFloat_FromDouble(segfmu_right_of_break(
+            in_time,
+            in_start,
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_1d){in_ends->buf, {in_ends->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_count_pieces(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -1557,6 +1632,9 @@ static PyMethodDef methods[] = {
     {"expand_phases", (PyCFunction)(void (*)(void))call_expand_phases, METH_FASTCALL, NULL},
     {"evaluate", (PyCFunction)(void (*)(void))call_evaluate, METH_FASTCALL, NULL},
     {"evaluate_orders", (PyCFunction)(void (*)(void))call_evaluate_orders, METH_FASTCALL, NULL},
+    {"same_break", (PyCFunction)(void (*)(void))call_same_break, METH_FASTCALL, NULL},
+    {"next_plan_event", (PyCFunction)(void (*)(void))call_next_plan_event, METH_FASTCALL, NULL},
+    {"right_of_break", (PyCFunction)(void (*)(void))call_right_of_break, METH_FASTCALL, NULL},
     {"count_pieces", (PyCFunction)(void (*)(void))call_count_pieces, METH_FASTCALL, NULL},
     {"expand_plan", (PyCFunction)(void (*)(void))call_expand_plan, METH_FASTCALL, NULL},
     {"check_plan", (PyCFunction)(void (*)(void))call_check_plan, METH_FASTCALL, NULL},

@@ -1,0 +1,53 @@
+"""From an archive to a unit of its version of the standard."""
+
+from __future__ import annotations
+
+import shutil
+import tempfile
+import zipfile
+from pathlib import Path
+from typing import Any
+
+from fmpy import extract, read_model_description
+
+from segfmu.cosim.unit import Unit
+from segfmu.cosim.unit2 import Unit2
+from segfmu.cosim.unit3 import Unit3
+from segfmu.errors import InputError
+
+
+def load(path: Path, *, leads: bool = False) -> Unit:
+    """Unpack and instantiate an FMU for co-simulation; one that leads may end steps at its events.
+
+    Raises
+    ------
+    InputError
+        When it is not a readable FMU with co-simulation of FMI 2.0 or 3.0.
+    SimulationError
+        When it cannot be instantiated, with its message.
+    """
+    folder = Path(tempfile.mkdtemp(prefix="segfmu_fmu_"))
+    try:
+        description = _describe(path, folder)
+        kind = Unit2 if description.fmiVersion == "2.0" else Unit3
+        return kind(folder, description, leads)
+    except BaseException:
+        shutil.rmtree(folder, ignore_errors=True)
+        raise
+
+
+def _describe(path: Path, folder: Path) -> Any:
+    try:
+        description = read_model_description(str(path))
+        extract(str(path), unzipdir=str(folder))
+    except (OSError, zipfile.BadZipFile) as error:
+        raise InputError(f"{path}: not a readable FMU: {error}") from None
+    except Exception as error:
+        # fmpy raises bare exceptions for descriptions it refuses
+        raise InputError(f"{path}: not a valid FMU: {str(error).splitlines()[0]}") from None
+    version = description.fmiVersion
+    if version not in ("2.0", "3.0") or description.coSimulation is None:
+        raise InputError(
+            f"{path}: the master needs co-simulation of FMI 2.0 or 3.0, this is FMI {version}"
+        )
+    return description

@@ -1,0 +1,120 @@
+"""FMI 3.0: a unit that may return early from a step, at an event."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Sequence
+from typing import Any, ClassVar
+
+from fmpy.fmi3 import FMU3Slave
+
+from segfmu.cosim.unit import INSTANT, Channel, Unit
+from segfmu.errors import InputError, SimulationError
+
+FUNCTIONS: dict[str, tuple[str, Any]] = {
+    "Float64": ("Float64", ctypes.c_double), "Int32": ("Int32", ctypes.c_int32),
+    "Boolean": ("Boolean", ctypes.c_bool), "Enumeration": ("Int64", ctypes.c_int64),
+    "UInt64": ("UInt64", ctypes.c_uint64),
+}
+
+
+class Unit3(Unit):
+    """An FMU of FMI 3.0."""
+
+    TYPES: ClassVar[dict[str, type]] = {
+        "Float64": float, "Int32": int, "Enumeration": int, "UInt64": int, "Boolean": bool
+    }
+
+    def _instantiate(self) -> None:
+        self.fmu = FMU3Slave(
+            guid=self.description.instantiationToken,
+            unzipDirectory=str(self._folder),
+            modelIdentifier=self.description.coSimulation.modelIdentifier,
+            instanceName=self.name,
+        )
+        can = self.description.coSimulation
+        early = self._leads and bool(can.mightReturnEarlyFromDoStep)
+        self._has_events = early and bool(can.hasEventMode)
+        self._at_event = False
+        self.call(
+            "be instantiated", self.fmu.instantiate, loggingOn=True,
+            eventModeUsed=self._has_events, earlyReturnAllowed=early,
+            logMessage=lambda _environment, status, _category, message: self.hear(status, message),
+        )
+
+    def channel(self, names: Sequence[str]) -> Channel:
+        variables = [self.variables[n] for n in names]
+        function, kind = FUNCTIONS[variables[0].type]
+        size = sum(self._elements(v) for v in variables)
+        buffer = (kind * size)()
+        references = (ctypes.c_uint * len(names))(*(v.valueReference for v in variables))
+        arguments = self.fmu.component, references, len(names), buffer, size
+        read, write = (getattr(self.fmu, f"fmi3{way}{function}") for way in ("Get", "Set"))
+        return Channel(buffer, lambda: read(*arguments), lambda: write(*arguments))
+
+    def _elements(self, variable: Any) -> int:
+        size = 1
+        for dimension in variable.dimensions or ():
+            if dimension.start is not None:
+                size *= int(dimension.start)
+            else:
+                counted = self.channel([dimension.variable.name])
+                counted.read()
+                size *= int(counted.values[0])
+        return size
+
+    def _write(self, variable: Any, channel: Channel) -> None:
+        structural = variable.causality == "structuralParameter"
+        if structural:
+            self.call("be configured", self.fmu.enterConfigurationMode)
+        super()._write(variable, channel)
+        if structural:
+            self.call("be configured", self.fmu.exitConfigurationMode)
+
+    def output_slopes(self, names: Sequence[str], order: int) -> Channel:
+        raise InputError(
+            f"{self.name}: FMI 3.0 has no input derivatives; use coupling sequential or parallel"
+        )
+
+    def input_slopes(self, names: Sequence[str], order: int) -> Channel:
+        return self.output_slopes(names, order)
+
+    def enter_initialization(self, start: float, stop: float) -> None:
+        self.call(
+            "enter initialisation", self.fmu.enterInitializationMode, startTime=start,
+            stopTime=stop,
+        )
+
+    def exit_initialization(self) -> None:
+        self.call("be initialised", self.fmu.exitInitializationMode)
+        self._initialised = True
+        if self._has_events:
+            self._update()
+
+    def next_end(self, time: float, end: float) -> float:
+        """Always `end`: the step itself returns at an event."""
+        return end
+
+    def step(self, time: float, end: float) -> float:
+        event, terminate, early, reached = self.call(
+            f"step at {time:.6g} s", self.fmu.doStep, currentCommunicationPoint=time,
+            communicationStepSize=end - time,
+        )
+        if terminate:
+            raise SimulationError(f"{self.name} asked to end the simulation at {reached:.6g} s")
+        self._at_event = event
+        return float(reached) if early and reached < end - INSTANT else end
+
+    def meet_event(self) -> None:
+        if self._at_event:
+            self._at_event = False
+            self.call("enter event mode", self.fmu.enterEventMode)
+            self._update()
+
+    def _update(self) -> None:
+        again = True
+        while again:
+            again, terminate = self.call("meet an event", self.fmu.updateDiscreteStates)[:2]
+            if terminate:
+                raise SimulationError(f"{self.name} asked to end the simulation at an event")
+        self.call("enter step mode", self.fmu.enterStepMode)

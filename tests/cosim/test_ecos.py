@@ -1,0 +1,66 @@
+"""A third importer, Ecos: C++, with its own readers of FMI 2.0 and 3.0, stepping in parallel."""
+
+from __future__ import annotations
+
+import ctypes
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.cosim.pair import MISSIONS, SIGNALS, SPECS, STEP, STOP, compare
+
+# Of FMI 3.0, Ecos knows scalars only, and sets whole numbers with the function of another type.
+SCALARS: tuple[dict[str, Any], dict[str, Any]] = (
+    {"limits.x.velocity": 0.3, "limits.y.jerk": 0.4},
+    {"sway.x.angle": 0.03, "feedback.enabled": False, "wind.gust.start": 1.0,
+     "wind.gust.duration": 0.5, "wind.gust.force.x": 0.4},
+)
+CASES = {
+    **{f"FMI 2.0, {name}": (2, values) for name, values in MISSIONS.items()},
+    "FMI 3.0, paper": (3, MISSIONS["paper"]),
+    "FMI 3.0, scalars": (3, SCALARS),
+}
+
+
+def load() -> Any:
+    """Ecos; its library needs libtbb, which the package tbb puts where no linker looks."""
+    threads = Path(sys.prefix) / "lib" / "libtbb.so.12"
+    if threads.exists():
+        ctypes.CDLL(str(threads), mode=ctypes.RTLD_GLOBAL)
+    try:
+        import ecospy
+    except (ImportError, OSError) as why:
+        pytest.skip(f"Ecos is not usable; it has libraries for x86, and needs libtbb: {why}")
+    return ecospy
+
+
+def ecos(paths: tuple[Path, Path], *values: dict[str, Any]) -> dict[str, np.ndarray]:
+    """All real outputs of both FMUs at every communication point after the first."""
+    library = load()
+    names = [(s, v.name) for s, spec in SPECS.items() for v in spec.where("output")
+             if v.kind == "Real"]
+    given = {f"{s}::{n}": x for s, part in zip(SPECS, values, strict=True)
+             for n, x in part.items()}
+    rows = []
+    with library.EcosSimulationStructure() as structure:
+        for name, path in zip(SPECS, paths, strict=True):
+            structure.add_model(name, path)
+        for signal in SIGNALS:
+            structure.make_real_connection(*(f"{s}::{signal}" for s in SPECS))
+        assert structure.add_parameter_set("given", given)
+        with library.EcosSimulation(structure=structure, step_size=STEP) as simulation:
+            assert simulation.init(parameter_set="given")
+            for _ in range(round(STOP / STEP)):
+                simulation.step()
+                rows.append([simulation.get_real(f"{s}::{n}") for s, n in names])
+            simulation.terminate()
+    return dict(zip((n for _, n in names), np.array(rows).T, strict=True))
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_ecos_gives_what_our_master_gives(native_fmus, case: str) -> None:
+    version, values = CASES[case]
+    compare(ecos(native_fmus[version], *values), native_fmus[2], values)
