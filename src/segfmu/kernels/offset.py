@@ -34,7 +34,8 @@ errors differ.
     9     offset and its standard deviation; ticks for which it has been significant; the offset
           that was last; whether there was one; the offset in use
     10    sums of z r, z f, z^2 r^2, z^2 r f, z^2 f^2, z^2
-    11:13 signals to be filtered, of the reference and measured
+    11:13 signals to be filtered, of the reference and measured; then residual, factor and instrument
+          of x and y
 """
 
 from math import cos, sin, sqrt
@@ -140,12 +141,10 @@ def offset_judge(parameters: 'float[:]', length: float, noise: float, memory: 'f
         memory[9, 4] = 0.0
 
 
-def offset_estimate(
+def offset_equations(
     parameters: 'float[:]', measured: 'float[:]', reference: 'float[:]', memory: 'float[:,:]'
-) -> float:
-    """Offset [m] to add to the measured length, from signals and reference of the same time."""
-    if parameters[23] <= 0.0:
-        return 0.0
+) -> None:
+    """Put residual, factor and instrument of x and y into the memory's last two rows."""
     first = memory[8, 8] < 0.5
     memory[8, 8] = 1.0
     start = 0.0
@@ -157,7 +156,6 @@ def offset_estimate(
     offset_filter(first, 0.5 * step, memory[12, :], memory[0:4, :])
     offset_signals(reference, start, memory[11, :])
     offset_filter(first, 0.5 * step, memory[11, :], memory[4:8, :])
-    noise, factor_noise = offset_noise(parameters, measured[2])
     for axis in range(2):
         found, factor = offset_residual(axis, parameters[6], square, memory[0:4, :])
         planned, instrument = offset_residual(axis, parameters[6], square, memory[4:8, :])
@@ -169,10 +167,20 @@ def offset_estimate(
         memory[11 + axis, 1] = factor
         memory[11 + axis, 2] = instrument
         offset_centre(axis, step / 12.0, memory[11 + axis, :], memory[8, :])
+
+
+def offset_estimate(
+    parameters: 'float[:]', measured: 'float[:]', reference: 'float[:]', memory: 'float[:,:]'
+) -> float:
+    """Offset [m] to add to the measured length, from signals and reference of the same time."""
+    if parameters[23] <= 0.0:
+        return 0.0
+    offset_equations(parameters, measured, reference, memory)
+    noise, factor_noise = offset_noise(parameters, measured[2])
     planned = memory[11, 2] * memory[11, 2] + memory[12, 2] * memory[12, 2]
     if planned > 9.0 * factor_noise:
         # a plan that swings the load less than the sensors' noise teaches nothing
-        keep = 1.0 - step / 60.0
+        keep = 1.0 - parameters[24] * parameters[1] / 60.0
         offset_sum(keep, memory[11, :], memory[10, :])
         offset_sum(1.0, memory[12, :], memory[10, :])
         if memory[10, 1] > 0.0:

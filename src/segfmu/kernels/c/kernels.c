@@ -126,6 +126,7 @@ static int64_t offset_noise(double* result_0, double* result_1_0001, array_doubl
 static void offset_centre(int64_t axis, double share, array_double_1d values, array_double_1d means);
 static void offset_sum(double keep, array_double_1d values, array_double_1d sums);
 static void offset_judge(array_double_1d parameters, double length, double noise, array_double_2d memory);
+static void offset_equations(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory);
 static double offset_estimate(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory);
 static void track_wake(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory);
 static void track_offset(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory);
@@ -5492,28 +5493,19 @@ static void offset_judge(array_double_1d parameters, double length, double noise
         (*cspan_at(&memory, INT64_C(9), INT64_C(4))) = 0.0;
     }
 }
-/*Offset [m] to add to the measured length, from signals and reference of the same time. */
-static double offset_estimate(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory)
+/*Put residual, factor and instrument of x and y into the memory's last two rows.*/
+static void offset_equations(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory)
 {
     bool first;
     double start;
     double step;
     double square;
-    double noise;
-    double factor_noise;
     int64_t axis;
     double found;
     double factor;
     double planned;
     double instrument;
     double residual;
-    double keep;
-    double aim;
-    double result;
-    if ((*cspan_at(&parameters, INT64_C(23))) <= 0.0)
-    {
-        return 0.0;
-    }
     first = (*cspan_at(&memory, INT64_C(8), INT64_C(8))) < 0.5;
     (*cspan_at(&memory, INT64_C(8), INT64_C(8))) = 1.0;
     start = 0.0;
@@ -5527,7 +5519,6 @@ static double offset_estimate(array_double_1d parameters, array_double_1d measur
     offset_filter(first, 0.5 * step, span_row(&memory, INT64_C(12)), span_rows(&memory, INT64_C(0), INT64_C(4)));
     offset_signals(reference, start, span_row(&memory, INT64_C(11)));
     offset_filter(first, 0.5 * step, span_row(&memory, INT64_C(11)), span_rows(&memory, INT64_C(4), INT64_C(8)));
-    offset_noise(&noise, &factor_noise, parameters, (*cspan_at(&measured, INT64_C(2))));
     for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
     {
         offset_residual(&found, &factor, axis, (*cspan_at(&parameters, INT64_C(6))), square, span_rows(&memory, INT64_C(0), INT64_C(4)));
@@ -5543,11 +5534,27 @@ static double offset_estimate(array_double_1d parameters, array_double_1d measur
         (*cspan_at(&memory, INT64_C(11) + axis, INT64_C(2))) = instrument;
         offset_centre(axis, step / 12.0, span_row(&memory, INT64_C(11) + axis), span_row(&memory, INT64_C(8)));
     }
+}
+/*Offset [m] to add to the measured length, from signals and reference of the same time. */
+static double offset_estimate(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory)
+{
+    double noise;
+    double factor_noise;
+    double planned;
+    double keep;
+    double aim;
+    double result;
+    if ((*cspan_at(&parameters, INT64_C(23))) <= 0.0)
+    {
+        return 0.0;
+    }
+    offset_equations(parameters, measured, reference, memory);
+    offset_noise(&noise, &factor_noise, parameters, (*cspan_at(&measured, INT64_C(2))));
     planned = (*cspan_at(&memory, INT64_C(11), INT64_C(2))) * (*cspan_at(&memory, INT64_C(11), INT64_C(2))) + (*cspan_at(&memory, INT64_C(12), INT64_C(2))) * (*cspan_at(&memory, INT64_C(12), INT64_C(2)));
     if (planned > 9.0 * factor_noise)
     {
         /*a plan that swings the load less than the sensors' noise teaches nothing*/
-        keep = 1.0 - step / 60.0;
+        keep = 1.0 - (*cspan_at(&parameters, INT64_C(24))) * (*cspan_at(&parameters, INT64_C(1))) / 60.0;
         offset_sum(keep, span_row(&memory, INT64_C(11)), span_row(&memory, INT64_C(10)));
         offset_sum(1.0, span_row(&memory, INT64_C(12)), span_row(&memory, INT64_C(10)));
         if ((*cspan_at(&memory, INT64_C(10), INT64_C(1))) > 0.0)
