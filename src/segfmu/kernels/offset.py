@@ -34,7 +34,7 @@ errors differ.
     9     offset and its standard deviation; ticks for which it has been significant; the offset
           that was last; whether there was one; the offset in use
     10    sums of z r, z f, z^2 r^2, z^2 r f, z^2 f^2, z^2
-    11:13 signals to be filtered, of the reference and measured; then residual, factor and instrument
+    11:13 signals to be filtered, of the reference and measured; then residual, factor, instrument
           of x and y
 """
 
