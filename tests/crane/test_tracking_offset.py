@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 
 from segfmu import FlatInverse, Limits, Waypoint, plan
+from segfmu.crane import Drive, Plant, Sensors, Setpoints, Wind
+from segfmu.crane import Rig as Equipment
 from tests.crane.loop import Rig, simulate
-from tests.crane.test_tracking import ENCODERS, LAB, T, controller, rig
+from tests.crane.test_tracking import ENCODERS, LAB, T, controller, lags, rig
 
 
 def move(loop, true: Rig, start=0.0):
@@ -68,3 +70,43 @@ def test_what_is_no_offset_is_not_taken_for_one(driven: bool, values) -> None:
     move(loop, rig(driven, **values))
     assert len(offsets) > 400
     assert not np.any(offsets)
+
+
+def blown(driven: bool, wind: Wind, resolution: tuple[float, ...], share: float) -> np.ndarray:
+    """Offsets in use at the ticks of a move in the wind; the sensor's is a share of the rope."""
+    points = [Waypoint([-0.25, -0.3, -0.8]), Waypoint([0.25, 0.3, -0.7])]
+    trajectory = plan(points, Limits([0.22, 0.22, 0.2], 0.3, 0.8, 6.0), smoothness=5)
+    times = T * np.arange(round((trajectory.duration + 1.0) / T))
+    values = FlatInverse(LAB, trajectory).evaluate(times)
+    velocity = values[:, 8:11] + lags(driven)[0] * values[:, 13:16]
+    aims = [Setpoints(f, v, r) for f, v, r in zip(values, velocity, values[:, 3:13], strict=True)]
+    aims = [Setpoints(aim.force[:3], aim.velocity, aim.reference) for aim in aims]
+    drive, offset = Drive(lag=lags(driven)[0]), 0.8 * share
+    equipment = Equipment(
+        drive, drive, drive, wind=wind,
+        sensors=Sensors(resolution=resolution, offset=(0.0, 0.0, -offset, 0.0, 0.0)),
+    )
+    loop, found = controller("flat", driven, wake=1.0), []
+    start = values[0, 3:13] + np.array([0.0, 0.0, offset, *np.zeros(7)])
+    crane = Plant(LAB, start, aims[0], loop, driven=driven, rig=equipment)
+    for aim in aims[1:]:
+        crane.step(T, aim)
+        found.append(loop.offset)
+    return np.array(found)
+
+
+@pytest.mark.parametrize("driven", [False, True])
+@pytest.mark.parametrize("resolution", [(0.0,) * 5, ENCODERS], ids=["exact", "encoders"])
+def test_noisy_wind_is_no_offset(driven: bool, resolution: tuple[float, ...]) -> None:
+    """Weak to strong noise of wind from the start on: an offset in use is the rare exception."""
+    used = [
+        np.abs(blown(driven, Wind(deviation=(n, n, 0.0), bandwidth=b, seed=s), resolution, 0.0))
+        for n in (0.02, 0.1, 0.3) for b in (0.3, 1.0, 2.0) for s in range(8)
+    ]
+    assert np.mean([u.any() for u in used]) < 0.03
+
+
+def test_an_offset_is_learnt_in_the_weakest_wind() -> None:
+    winds = [Wind(deviation=(2e-3, 2e-3, 0.0), bandwidth=1.0, seed=s) for s in range(8)]
+    found = [blown(True, wind, (0.0,) * 5, 0.05)[-1] for wind in winds]
+    assert found == pytest.approx(np.full(8, 0.04), rel=0.15)

@@ -66,7 +66,7 @@ static rig read_rig(void)
     free(start);
     r.components = matrix(components, 7);
     r.changes = matrix(changes, 2);
-    r.tracking = vector(28);
+    r.tracking = vector(27);
     r.lengths = vector(rows);
     r.table = stack(rows, 18, 10);
     r.gain_lengths = vector(rows);

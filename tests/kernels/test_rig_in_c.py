@@ -54,7 +54,7 @@ def case(rig: Rig, kind: str, driven: bool) -> tuple[str, Plant]:
     start[3:5] = 0.1, -0.05
     table = steps(driven)
     plant = Plant(LAB, start, table[0][1], controller, driven=driven, rig=rig, start_time=0.3)
-    parameters = np.zeros(28) if isinstance(controller, SwayFeedback) else controller.parameters
+    parameters = np.zeros(27) if isinstance(controller, SwayFeedback) else controller.parameters
     seen, gains = observer(driven), feedback(driven)
     arrays = [
         [1.0 if kind == "state" else 2.0, controller.sample_time, 1.0, 1e-10, 0.1],

@@ -17,7 +17,7 @@ class Tick:
     """An observer that keeps positions as measured, and proportional gains."""
 
     def __init__(self, driven: bool = False, tolerance: float = 0.0) -> None:
-        self.parameters = np.zeros(28)
+        self.parameters = np.zeros(27)
         self.parameters[:7] = driven, 0.01, 0.0, 3.0, 1.0, 1.0, 9.81
         self.parameters[9], self.parameters[10] = 1.0, 0.1
         self.parameters[12:15], self.parameters[15:18] = -1e99, 1e99

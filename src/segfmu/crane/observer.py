@@ -81,11 +81,11 @@ class Uncertainty:
         return np.array([self.position, self.length, self.angle, *walks])
 
     def offset_parameters(self, gravity: float, longest: float, sample_time: float) -> FloatArray:
-        """What kernels/offset.py gets of the tracking controller's parameters; shape (5,)."""
+        """What kernels/offset.py gets of the tracking controller's parameters; shape (4,)."""
         bandwidth = min(OFFSET_RATIO * sqrt(gravity / longest), OFFSET_LARGEST / sample_time)
         place = max(self.position, self.length)
         noise = self.angle**2 / 12.0, place**2 / 12.0
-        return np.array([self.offset, bandwidth, *noise, self.wind * gravity])
+        return np.array([self.offset, bandwidth, *noise])
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,7 +108,7 @@ class Observer:
         See kernels/observer.py.
     tolerances : ndarray, shape (3,)
         Of `Uncertainty`.
-    offset : ndarray, shape (5,)
+    offset : ndarray, shape (4,)
         `Uncertainty.offset_parameters`.
     """
 

@@ -71,12 +71,12 @@ class TrackingController:
         require_positive("payload_time", payload_time)
         period = observer.sample_time
         self.observer = observer
-        self._parameters = np.zeros(28)
+        self._parameters = np.zeros(27)
         self._parameters[:3] = observer.driven, period, observer.delayed
         self._parameters[3:6] = moved_masses(observer.crane.masses)
         self._parameters[6] = observer.crane.gravity
         self._parameters[19] = period / payload_time
-        self._parameters[20:23], self._parameters[23:28] = observer.tolerances, observer.offset
+        self._parameters[20:23], self._parameters[23:] = observer.tolerances, observer.offset
         least, greatest = _limits("lower", lower, -UNLIMITED), _limits("upper", upper, UNLIMITED)
         if (least > greatest).any():
             raise InputError(

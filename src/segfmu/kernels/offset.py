@@ -9,22 +9,33 @@ their friction and the payload do:
 
 r, e and the products' factors go through the same filter, three equal lags, so the second
 derivatives are differences of its states, and what the filter does to products is taken off as far
-as the reference has it too. Offset and wind are estimated by recursive least squares. Wind looks
-like a rope of no length, D = -l, and is told from an offset by that: what no likely offset
-explains, nor the sensors' noise, is wind, which is then followed freely and teaches nothing about
-the offset. The filter is that of P. C. Young, Recursive Estimation and Time-Series Analysis,
-Springer 1984 (state variable filters).
+as the reference has it too; slow means, of constant wind or a tilted sensor, are taken off as well.
+
+Wind and noise swing the load themselves, so they go with the offset's factor, and least squares
+would take them for an offset. The factor of the reference is as good as the measured one when it
+comes to the plan's swinging and knows nothing of wind, friction and noise: it is the instrument z
+of an instrumental-variable estimate from residuals r and measured factors f,
+
+    D = sum z r / sum z f,  variance of D = C sum z^2 (r - D f)^2 / (sum z f)^2,
+
+both axes together. C samples, two of the filter's time constants, of what remains count as one, as
+wind is coloured. An offset explains
+all of the residual on both axes, and wind that is not shaped like the plan hardly any. Filter and
+estimate are those of P. C. Young, Recursive Estimation and Time-Series Analysis, Springer 1984; the
+variance by the remaining residuals is that of H. White, Econometrica 48 (1980), for samples whose
+errors differ.
 
 `parameters` are those of kernels/tracking.py. `memory` (13, 10):
 
     0:4   input and the three lags for the measured place (3), direction (3) and the start (1)
     4:8   the same for the reference
-    8     offset, wind along x and y; residual at the start (2); variance that was not explained
-          (2); ticks for which wind is followed freely (2); whether there was a tick before
-    9:12  covariance of offset and winds (3, 3); in row 9 moreover: ticks for which the offset has
-          been significant, whether it is used, the offset in use, and its standard deviation at
-          the start
-    12    signals to be filtered
+    8     slow means of residual, factor and instrument for x (3) and y (3); residual at the start
+          (2); whether there was a tick before
+    9     offset and its standard deviation; ticks for which it has been significant; the offset
+          that was last; whether there was one; the offset in use
+    10    sums of z r, z f, z^2 r^2, z^2 r f, z^2 f^2, z^2
+    11:13 signals to be filtered, of the reference and measured; then residual, factor, instrument
+          of x and y
 """
 
 from math import cos, sin, sqrt
@@ -83,69 +94,79 @@ def offset_noise(parameters: 'float[:]', length: float) -> 'tuple[float, float]'
     return residual, share * fifth * parameters[25]
 
 
-def offset_learn(
-    axis: int,
-    residual: float,
-    factor: float,
-    length: float,
-    parameters: 'float[:]',
-    memory: 'float[:,:]',
-) -> None:
-    """One axis' step of the least squares; residual = factor * offset + wind."""
-    noise, factor_noise = offset_noise(parameters, length)
-    wind = 1 + axis
-    deviation = memory[9, 6]
-    if factor * factor < 9.0 * factor_noise:
-        # a factor of mere noise would draw the offset to that of wind
-        factor = 0.0
-    error = residual - factor * memory[8, 0] - memory[8, wind]
-    spread = factor * (factor * memory[9, 0] + 2.0 * memory[9, wind]) + memory[9 + wind, wind]
-    likely = 2.0 * deviation * abs(factor) + sqrt(noise)
-    if error * error > 9.0 * (spread + noise) or abs(residual - memory[8, wind]) > likely:
-        memory[8, 6 + wind] = 6.0 / (parameters[24] * parameters[1])
-    if memory[8, 6 + wind] > 0.0:
-        memory[8, 6 + wind] = memory[8, 6 + wind] - 1.0
-        memory[9 + wind, wind] = memory[9 + wind, wind] + parameters[27] * parameters[27]
-        spread = spread + parameters[27] * parameters[27]
-    # what was not explained is noise for a while
-    unexplained = 3.0 * (error * error - 2.0 * (spread + noise))
-    decay = 1.0 - parameters[24] * parameters[1] / 12.0
-    memory[8, 4 + wind] = max(memory[8, 4 + wind] * decay, unexplained)
-    # and no sample teaches more than a share, as filters and models are not exact
-    trust = 4.0 * factor * factor * deviation * deviation
-    total = spread + noise + memory[8, 4 + wind] + trust
+def offset_centre(axis: int, share: float, values: 'float[:]', means: 'float[:]') -> None:
+    """Take their slow means off an axis' three values; share: of what is new."""
     for i in range(3):
-        memory[12, i] = factor * memory[9 + i, 0] + memory[9 + i, wind]
-    for i in range(3):
-        memory[8, i] = memory[8, i] + memory[12, i] * error / total
-        for j in range(3):
-            memory[9 + i, j] = memory[9 + i, j] - memory[12, i] * memory[12, j] / total
+        k = 3 * axis + i
+        means[k] = means[k] + share * (values[i] - means[k])
+        values[i] = values[i] - means[k]
 
 
-def offset_start(parameters: 'float[:]', length: float, memory: 'float[:,:]') -> None:
-    """What is known before the first tick."""
-    for axis in range(2):
-        memory[10 + axis, 1 + axis] = 1e-4 * parameters[27] * parameters[27]
-    memory[9, 6] = parameters[23] * length
-    memory[9, 0] = memory[9, 6] * memory[9, 6]
-    memory[8, 9] = 1.0
+def offset_sum(keep: float, values: 'float[:]', sums: 'float[:]') -> None:
+    """Add one axis' residual, factor and instrument to the sums, of which a share is kept."""
+    residual = values[0]
+    factor = values[1]
+    instrument = values[2]
+    square = instrument * instrument
+    sums[0] = keep * sums[0] + instrument * residual
+    sums[1] = keep * sums[1] + instrument * factor
+    sums[2] = keep * sums[2] + square * residual * residual
+    sums[3] = keep * sums[3] + square * residual * factor
+    sums[4] = keep * sums[4] + square * factor * factor
+    sums[5] = keep * sums[5] + square
 
 
-def offset_use(parameters: 'float[:]', memory: 'float[:,:]') -> float:
-    """The offset in use: once it has been three standard deviations for a while; fades."""
-    offset = memory[8, 0]
-    deviation = sqrt(memory[9, 0])
-    memory[9, 3] = memory[9, 3] + 1.0
-    if abs(offset) < 3.0 * deviation:
-        memory[9, 3] = 0.0
-    if memory[9, 3] * parameters[1] * parameters[24] > 2.4:
+def offset_judge(parameters: 'float[:]', length: float, noise: float, memory: 'float[:,:]') -> None:
+    """Offset and deviation by the sums; which offset is to be used.
+
+    One that has been five deviations for five of the filter's time constants is; it stays until the
+    data speak against it. In less time wind is too often shaped like the plan by chance.
+    """
+    samples = 2.0 / (parameters[24] * parameters[1])
+    offset = memory[10, 0] / memory[10, 1]
+    left = memory[10, 2] - 2.0 * offset * memory[10, 3] + offset * offset * memory[10, 4]
+    # what remains may be little by chance, but not less than the sensors' noise, of which a small
+    # part is as slow as the plan
+    least = noise * memory[10, 5] / 16.0
+    deviation = sqrt(samples * (max(left, 0.0) + least)) / memory[10, 1]
+    memory[9, 0] = offset
+    memory[9, 1] = deviation
+    memory[9, 2] = memory[9, 2] + 1.0
+    if abs(offset) < 5.0 * deviation or abs(offset) > 3.0 * parameters[23] * length:
+        memory[9, 2] = 0.0
+    if memory[9, 2] * parameters[1] * parameters[24] > 5.0:
+        memory[9, 3] = offset
         memory[9, 4] = 1.0
-    if abs(offset) < 2.0 * deviation:
+    elif abs(offset - memory[9, 3]) > 3.0 * deviation:
         memory[9, 4] = 0.0
-    most = 3.0 * memory[9, 6]
-    aim = memory[9, 4] * min(max(offset, -most), most)
-    memory[9, 5] = aim + parameters[11] * (memory[9, 5] - aim)
-    return memory[9, 5]
+
+
+def offset_equations(
+    parameters: 'float[:]', measured: 'float[:]', reference: 'float[:]', memory: 'float[:,:]'
+) -> None:
+    """Put residual, factor and instrument of x and y into the memory's last two rows."""
+    first = memory[8, 8] < 0.5
+    memory[8, 8] = 1.0
+    start = 0.0
+    if first:
+        start = 1.0
+    step = parameters[24] * parameters[1]
+    square = parameters[24] * parameters[24]
+    offset_signals(measured, start, memory[12, :])
+    offset_filter(first, 0.5 * step, memory[12, :], memory[0:4, :])
+    offset_signals(reference, start, memory[11, :])
+    offset_filter(first, 0.5 * step, memory[11, :], memory[4:8, :])
+    for axis in range(2):
+        found, factor = offset_residual(axis, parameters[6], square, memory[0:4, :])
+        planned, instrument = offset_residual(axis, parameters[6], square, memory[4:8, :])
+        residual = planned - found
+        if first:
+            memory[8, 6 + axis] = residual
+        # the filter starts as if all had rested before, which a swaying load did not
+        memory[11 + axis, 0] = residual - memory[8, 6 + axis] * memory[3, 6]
+        memory[11 + axis, 1] = factor
+        memory[11 + axis, 2] = instrument
+        offset_centre(axis, step / 12.0, memory[11 + axis, :], memory[8, :])
 
 
 def offset_estimate(
@@ -154,28 +175,16 @@ def offset_estimate(
     """Offset [m] to add to the measured length, from signals and reference of the same time."""
     if parameters[23] <= 0.0:
         return 0.0
-    first = memory[8, 9] < 0.5
-    start = 0.0
-    if first:
-        start = 1.0
-        offset_start(parameters, measured[2], memory)
-    share = 0.5 * parameters[24] * parameters[1]
-    square = parameters[24] * parameters[24]
-    offset_signals(measured, start, memory[12, :])
-    offset_filter(first, share, memory[12, :], memory[0:4, :])
-    offset_signals(reference, start, memory[12, :])
-    offset_filter(first, share, memory[12, :], memory[4:8, :])
-    walk = 3e-3 * parameters[27]
-    for axis in range(2):
-        found, factor = offset_residual(axis, parameters[6], square, memory[0:4, :])
-        planned, unused = offset_residual(axis, parameters[6], square, memory[4:8, :])
-        residual = planned - found
-        if first:
-            memory[8, 3 + axis] = residual
-        # the filter starts as if all had rested before, which a swaying load did not
-        residual = residual - memory[8, 3 + axis] * memory[3, 6]
-        memory[10 + axis, 1 + axis] = memory[10 + axis, 1 + axis] + walk * walk * parameters[1]
-        offset_learn(axis, residual, factor, measured[2], parameters, memory)
-    least = 0.05 * memory[9, 6]
-    memory[9, 0] = max(memory[9, 0], least * least)
-    return offset_use(parameters, memory)
+    offset_equations(parameters, measured, reference, memory)
+    noise, factor_noise = offset_noise(parameters, measured[2])
+    planned = memory[11, 2] * memory[11, 2] + memory[12, 2] * memory[12, 2]
+    if planned > 9.0 * factor_noise:
+        # a plan that swings the load less than the sensors' noise teaches nothing
+        keep = 1.0 - parameters[24] * parameters[1] / 60.0
+        offset_sum(keep, memory[11, :], memory[10, :])
+        offset_sum(1.0, memory[12, :], memory[10, :])
+        if memory[10, 1] > 0.0:
+            offset_judge(parameters, measured[2], noise, memory)
+    aim = memory[9, 4] * memory[9, 3]
+    memory[9, 5] = aim + parameters[11] * (memory[9, 5] - aim)
+    return memory[9, 5]

@@ -1,14 +1,14 @@
 """One tick of the tracking controller: observer, feedback, disturbance rejection, limits.
 
-`parameters` (28): driven, sample time [s], whether measurements are one sample old, mass that
+`parameters` (27): driven, sample time [s], whether measurements are one sample old, mass that
 moves in x, in y and with the rope [kg], gravity [m/s2], share of the carriage's and of the load's
 estimated disturbance that is rejected, enabled, time constant [s] of switching and decay of a
 switching step over a sample, the least (3) and the greatest (3) setpoint, the payload [kg] that
 the gains are for, the sample time as a share of the payload estimate's time constant, the
 deviations of carriages, rope and angles up to which the feedback stays asleep; of the offset of
 kernels/offset.py its standard deviation before anything is known as a share of the rope's length,
-0: none is estimated, the bandwidth of the filter [rad/s], variances of the noise of angles and
-positions, and the acceleration of a load by wind [m/s2].
+0: none is estimated, the bandwidth of the filter [rad/s], and variances of the noise of angles and
+positions.
 
 `memory` (22, 10): estimate (3 rows, see kernels/observer.py); velocity command (3), whether
 there was a tick before, whether something was switched since; what the observer takes as input

@@ -58,7 +58,6 @@ static void set_offset(crane *m, double longest)
                 LARGEST_OFFSET_ANGLE / real[V_FEEDBACK_SAMPLE_TIME]);
     p[2] = angle * angle / 12.0;
     p[3] = place * place / 12.0;
-    p[4] = real[V_FEEDBACK_OBSERVER_WIND] * gravity;
 }
 
 bool crane_set_tracking(crane *m, char message[MESSAGE])

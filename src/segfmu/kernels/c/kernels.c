@@ -123,9 +123,10 @@ static void offset_filter(bool first, double share, array_double_1d signals, arr
 static void offset_signals(array_double_1d measured, double start, array_double_1d signals);
 static int64_t offset_residual(double* result_0_0001, double* result_1_0001, int64_t axis, double gravity, double square, array_double_2d states);
 static int64_t offset_noise(double* result_0, double* result_1_0001, array_double_1d parameters, double length);
-static void offset_learn(int64_t axis, double residual, double factor, double length, array_double_1d parameters, array_double_2d memory);
-static void offset_start(array_double_1d parameters, double length, array_double_2d memory);
-static double offset_use(array_double_1d parameters, array_double_2d memory);
+static void offset_centre(int64_t axis, double share, array_double_1d values, array_double_1d means);
+static void offset_sum(double keep, array_double_1d values, array_double_1d sums);
+static void offset_judge(array_double_1d parameters, double length, double noise, array_double_2d memory);
+static void offset_equations(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory);
 static double offset_estimate(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory);
 static void track_wake(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory);
 static void track_offset(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory);
@@ -5426,155 +5427,144 @@ static int64_t offset_noise(double* result_0, double* result_1_0001, array_doubl
     (*result_1_0001) = share * fifth * (*cspan_at(&parameters, INT64_C(25)));
     return 0;
 }
-/*One axis' step of the least squares; residual = factor * offset + wind.*/
-static void offset_learn(int64_t axis, double residual, double factor, double length, array_double_1d parameters, array_double_2d memory)
+/*Take their slow means off an axis' three values; share: of what is new.*/
+static void offset_centre(int64_t axis, double share, array_double_1d values, array_double_1d means)
 {
-    double noise;
-    double factor_noise;
-    int64_t wind;
-    double deviation;
-    double error;
-    double spread;
-    double likely;
-    double unexplained;
-    double decay;
-    double trust;
-    double total;
     int64_t i;
-    int64_t j;
-    offset_noise(&noise, &factor_noise, parameters, length);
-    wind = INT64_C(1) + axis;
-    deviation = (*cspan_at(&memory, INT64_C(9), INT64_C(6)));
-    if (factor * factor < 9.0 * factor_noise)
-    {
-        /*a factor of mere noise would draw the offset to that of wind*/
-        factor = 0.0;
-    }
-    error = residual - factor * (*cspan_at(&memory, INT64_C(8), INT64_C(0))) - (*cspan_at(&memory, INT64_C(8), wind));
-    spread = factor * (factor * (*cspan_at(&memory, INT64_C(9), INT64_C(0))) + 2.0 * (*cspan_at(&memory, INT64_C(9), wind))) + (*cspan_at(&memory, INT64_C(9) + wind, wind));
-    likely = 2.0 * deviation * fabs(factor) + sqrt(noise);
-    if ((error * error > 9.0 * (spread + noise)) || (fabs(residual - (*cspan_at(&memory, INT64_C(8), wind))) > likely))
-    {
-        (*cspan_at(&memory, INT64_C(8), INT64_C(6) + wind)) = 6.0 / ((*cspan_at(&parameters, INT64_C(24))) * (*cspan_at(&parameters, INT64_C(1))));
-    }
-    if ((*cspan_at(&memory, INT64_C(8), INT64_C(6) + wind)) > 0.0)
-    {
-        (*cspan_at(&memory, INT64_C(8), INT64_C(6) + wind)) = (*cspan_at(&memory, INT64_C(8), INT64_C(6) + wind)) - 1.0;
-        (*cspan_at(&memory, INT64_C(9) + wind, wind)) = (*cspan_at(&memory, INT64_C(9) + wind, wind)) + (*cspan_at(&parameters, INT64_C(27))) * (*cspan_at(&parameters, INT64_C(27)));
-        spread = spread + (*cspan_at(&parameters, INT64_C(27))) * (*cspan_at(&parameters, INT64_C(27)));
-    }
-    /*what was not explained is noise for a while*/
-    unexplained = 3.0 * (error * error - 2.0 * (spread + noise));
-    decay = 1.0 - (*cspan_at(&parameters, INT64_C(24))) * (*cspan_at(&parameters, INT64_C(1))) / 12.0;
-    (*cspan_at(&memory, INT64_C(8), INT64_C(4) + wind)) = span_max((*cspan_at(&memory, INT64_C(8), INT64_C(4) + wind)) * decay, unexplained);
-    /*and no sample teaches more than a share, as filters and models are not exact*/
-    trust = 4.0 * factor * factor * deviation * deviation;
-    total = spread + noise + (*cspan_at(&memory, INT64_C(8), INT64_C(4) + wind)) + trust;
+    int64_t k;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        (*cspan_at(&memory, INT64_C(12), i)) = factor * (*cspan_at(&memory, INT64_C(9) + i, INT64_C(0))) + (*cspan_at(&memory, INT64_C(9) + i, wind));
-    }
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        (*cspan_at(&memory, INT64_C(8), i)) = (*cspan_at(&memory, INT64_C(8), i)) + (*cspan_at(&memory, INT64_C(12), i)) * error / total;
-        for (j = INT64_C(0); j < INT64_C(3); j += INT64_C(1))
-        {
-            (*cspan_at(&memory, INT64_C(9) + i, j)) = (*cspan_at(&memory, INT64_C(9) + i, j)) - (*cspan_at(&memory, INT64_C(12), i)) * (*cspan_at(&memory, INT64_C(12), j)) / total;
-        }
+        k = INT64_C(3) * axis + i;
+        (*cspan_at(&means, k)) = (*cspan_at(&means, k)) + share * ((*cspan_at(&values, i)) - (*cspan_at(&means, k)));
+        (*cspan_at(&values, i)) = (*cspan_at(&values, i)) - (*cspan_at(&means, k));
     }
 }
-/*What is known before the first tick. */
-static void offset_start(array_double_1d parameters, double length, array_double_2d memory)
+/*Add one axis' residual, factor and instrument to the sums, of which a share is kept. */
+static void offset_sum(double keep, array_double_1d values, array_double_1d sums)
 {
-    int64_t axis;
-    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
-    {
-        (*cspan_at(&memory, INT64_C(10) + axis, INT64_C(1) + axis)) = 0.0001 * (*cspan_at(&parameters, INT64_C(27))) * (*cspan_at(&parameters, INT64_C(27)));
-    }
-    (*cspan_at(&memory, INT64_C(9), INT64_C(6))) = (*cspan_at(&parameters, INT64_C(23))) * length;
-    (*cspan_at(&memory, INT64_C(9), INT64_C(0))) = (*cspan_at(&memory, INT64_C(9), INT64_C(6))) * (*cspan_at(&memory, INT64_C(9), INT64_C(6)));
-    (*cspan_at(&memory, INT64_C(8), INT64_C(9))) = 1.0;
+    double residual;
+    double factor;
+    double instrument;
+    double square;
+    residual = (*cspan_at(&values, INT64_C(0)));
+    factor = (*cspan_at(&values, INT64_C(1)));
+    instrument = (*cspan_at(&values, INT64_C(2)));
+    square = instrument * instrument;
+    (*cspan_at(&sums, INT64_C(0))) = keep * (*cspan_at(&sums, INT64_C(0))) + instrument * residual;
+    (*cspan_at(&sums, INT64_C(1))) = keep * (*cspan_at(&sums, INT64_C(1))) + instrument * factor;
+    (*cspan_at(&sums, INT64_C(2))) = keep * (*cspan_at(&sums, INT64_C(2))) + square * residual * residual;
+    (*cspan_at(&sums, INT64_C(3))) = keep * (*cspan_at(&sums, INT64_C(3))) + square * residual * factor;
+    (*cspan_at(&sums, INT64_C(4))) = keep * (*cspan_at(&sums, INT64_C(4))) + square * factor * factor;
+    (*cspan_at(&sums, INT64_C(5))) = keep * (*cspan_at(&sums, INT64_C(5))) + square;
 }
-/*The offset in use: once it has been three standard deviations for a while; fades.*/
-static double offset_use(array_double_1d parameters, array_double_2d memory)
+/*Offset and deviation by the sums; which offset is to be used.                                        */
+/*                                                                                                     */
+/*    One that has been five deviations for five of the filter's time constants is; it stays until the */
+/*    data speak against it. In less time wind is too often shaped like the plan by chance.            */
+/*                                                                                                     */
+static void offset_judge(array_double_1d parameters, double length, double noise, array_double_2d memory)
 {
+    double samples;
     double offset;
+    double left;
+    double least;
     double deviation;
-    double most;
-    double aim;
-    double result;
-    offset = (*cspan_at(&memory, INT64_C(8), INT64_C(0)));
-    deviation = sqrt((*cspan_at(&memory, INT64_C(9), INT64_C(0))));
-    (*cspan_at(&memory, INT64_C(9), INT64_C(3))) = (*cspan_at(&memory, INT64_C(9), INT64_C(3))) + 1.0;
-    if (fabs(offset) < 3.0 * deviation)
+    samples = 2.0 / ((*cspan_at(&parameters, INT64_C(24))) * (*cspan_at(&parameters, INT64_C(1))));
+    offset = (*cspan_at(&memory, INT64_C(10), INT64_C(0))) / (*cspan_at(&memory, INT64_C(10), INT64_C(1)));
+    left = (*cspan_at(&memory, INT64_C(10), INT64_C(2))) - 2.0 * offset * (*cspan_at(&memory, INT64_C(10), INT64_C(3))) + offset * offset * (*cspan_at(&memory, INT64_C(10), INT64_C(4)));
+    /*what remains may be little by chance, but not less than the sensors' noise, of which a small*/
+    /*part is as slow as the plan*/
+    least = noise * (*cspan_at(&memory, INT64_C(10), INT64_C(5))) / 16.0;
+    deviation = sqrt(samples * (span_max(left, 0.0) + least)) / (*cspan_at(&memory, INT64_C(10), INT64_C(1)));
+    (*cspan_at(&memory, INT64_C(9), INT64_C(0))) = offset;
+    (*cspan_at(&memory, INT64_C(9), INT64_C(1))) = deviation;
+    (*cspan_at(&memory, INT64_C(9), INT64_C(2))) = (*cspan_at(&memory, INT64_C(9), INT64_C(2))) + 1.0;
+    if ((fabs(offset) < 5.0 * deviation) || (fabs(offset) > 3.0 * (*cspan_at(&parameters, INT64_C(23))) * length))
     {
-        (*cspan_at(&memory, INT64_C(9), INT64_C(3))) = 0.0;
+        (*cspan_at(&memory, INT64_C(9), INT64_C(2))) = 0.0;
     }
-    if ((*cspan_at(&memory, INT64_C(9), INT64_C(3))) * (*cspan_at(&parameters, INT64_C(1))) * (*cspan_at(&parameters, INT64_C(24))) > 2.4)
+    if ((*cspan_at(&memory, INT64_C(9), INT64_C(2))) * (*cspan_at(&parameters, INT64_C(1))) * (*cspan_at(&parameters, INT64_C(24))) > 5.0)
     {
+        (*cspan_at(&memory, INT64_C(9), INT64_C(3))) = offset;
         (*cspan_at(&memory, INT64_C(9), INT64_C(4))) = 1.0;
     }
-    if (fabs(offset) < 2.0 * deviation)
+    else if (fabs(offset - (*cspan_at(&memory, INT64_C(9), INT64_C(3)))) > 3.0 * deviation)
     {
         (*cspan_at(&memory, INT64_C(9), INT64_C(4))) = 0.0;
     }
-    most = 3.0 * (*cspan_at(&memory, INT64_C(9), INT64_C(6)));
-    aim = (*cspan_at(&memory, INT64_C(9), INT64_C(4))) * span_min(span_max(offset, -most), most);
-    (*cspan_at(&memory, INT64_C(9), INT64_C(5))) = aim + (*cspan_at(&parameters, INT64_C(11))) * ((*cspan_at(&memory, INT64_C(9), INT64_C(5))) - aim);
-    result = (*cspan_at(&memory, INT64_C(9), INT64_C(5)));
-    return result;
 }
-/*Offset [m] to add to the measured length, from signals and reference of the same time. */
-static double offset_estimate(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory)
+/*Put residual, factor and instrument of x and y into the memory's last two rows.*/
+static void offset_equations(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory)
 {
     bool first;
     double start;
-    double share;
+    double step;
     double square;
-    double walk;
     int64_t axis;
     double found;
     double factor;
     double planned;
-    double unused;
+    double instrument;
     double residual;
-    double least;
+    first = (*cspan_at(&memory, INT64_C(8), INT64_C(8))) < 0.5;
+    (*cspan_at(&memory, INT64_C(8), INT64_C(8))) = 1.0;
+    start = 0.0;
+    if (first)
+    {
+        start = 1.0;
+    }
+    step = (*cspan_at(&parameters, INT64_C(24))) * (*cspan_at(&parameters, INT64_C(1)));
+    square = (*cspan_at(&parameters, INT64_C(24))) * (*cspan_at(&parameters, INT64_C(24)));
+    offset_signals(measured, start, span_row(&memory, INT64_C(12)));
+    offset_filter(first, 0.5 * step, span_row(&memory, INT64_C(12)), span_rows(&memory, INT64_C(0), INT64_C(4)));
+    offset_signals(reference, start, span_row(&memory, INT64_C(11)));
+    offset_filter(first, 0.5 * step, span_row(&memory, INT64_C(11)), span_rows(&memory, INT64_C(4), INT64_C(8)));
+    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+    {
+        offset_residual(&found, &factor, axis, (*cspan_at(&parameters, INT64_C(6))), square, span_rows(&memory, INT64_C(0), INT64_C(4)));
+        offset_residual(&planned, &instrument, axis, (*cspan_at(&parameters, INT64_C(6))), square, span_rows(&memory, INT64_C(4), INT64_C(8)));
+        residual = planned - found;
+        if (first)
+        {
+            (*cspan_at(&memory, INT64_C(8), INT64_C(6) + axis)) = residual;
+        }
+        /*the filter starts as if all had rested before, which a swaying load did not*/
+        (*cspan_at(&memory, INT64_C(11) + axis, INT64_C(0))) = residual - (*cspan_at(&memory, INT64_C(8), INT64_C(6) + axis)) * (*cspan_at(&memory, INT64_C(3), INT64_C(6)));
+        (*cspan_at(&memory, INT64_C(11) + axis, INT64_C(1))) = factor;
+        (*cspan_at(&memory, INT64_C(11) + axis, INT64_C(2))) = instrument;
+        offset_centre(axis, step / 12.0, span_row(&memory, INT64_C(11) + axis), span_row(&memory, INT64_C(8)));
+    }
+}
+/*Offset [m] to add to the measured length, from signals and reference of the same time. */
+static double offset_estimate(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory)
+{
+    double noise;
+    double factor_noise;
+    double planned;
+    double keep;
+    double aim;
     double result;
     if ((*cspan_at(&parameters, INT64_C(23))) <= 0.0)
     {
         return 0.0;
     }
-    first = (*cspan_at(&memory, INT64_C(8), INT64_C(9))) < 0.5;
-    start = 0.0;
-    if (first)
+    offset_equations(parameters, measured, reference, memory);
+    offset_noise(&noise, &factor_noise, parameters, (*cspan_at(&measured, INT64_C(2))));
+    planned = (*cspan_at(&memory, INT64_C(11), INT64_C(2))) * (*cspan_at(&memory, INT64_C(11), INT64_C(2))) + (*cspan_at(&memory, INT64_C(12), INT64_C(2))) * (*cspan_at(&memory, INT64_C(12), INT64_C(2)));
+    if (planned > 9.0 * factor_noise)
     {
-        start = 1.0;
-        offset_start(parameters, (*cspan_at(&measured, INT64_C(2))), memory);
-    }
-    share = 0.5 * (*cspan_at(&parameters, INT64_C(24))) * (*cspan_at(&parameters, INT64_C(1)));
-    square = (*cspan_at(&parameters, INT64_C(24))) * (*cspan_at(&parameters, INT64_C(24)));
-    offset_signals(measured, start, span_row(&memory, INT64_C(12)));
-    offset_filter(first, share, span_row(&memory, INT64_C(12)), span_rows(&memory, INT64_C(0), INT64_C(4)));
-    offset_signals(reference, start, span_row(&memory, INT64_C(12)));
-    offset_filter(first, share, span_row(&memory, INT64_C(12)), span_rows(&memory, INT64_C(4), INT64_C(8)));
-    walk = 0.003 * (*cspan_at(&parameters, INT64_C(27)));
-    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
-    {
-        offset_residual(&found, &factor, axis, (*cspan_at(&parameters, INT64_C(6))), square, span_rows(&memory, INT64_C(0), INT64_C(4)));
-        offset_residual(&planned, &unused, axis, (*cspan_at(&parameters, INT64_C(6))), square, span_rows(&memory, INT64_C(4), INT64_C(8)));
-        residual = planned - found;
-        if (first)
+        /*a plan that swings the load less than the sensors' noise teaches nothing*/
+        keep = 1.0 - (*cspan_at(&parameters, INT64_C(24))) * (*cspan_at(&parameters, INT64_C(1))) / 60.0;
+        offset_sum(keep, span_row(&memory, INT64_C(11)), span_row(&memory, INT64_C(10)));
+        offset_sum(1.0, span_row(&memory, INT64_C(12)), span_row(&memory, INT64_C(10)));
+        if ((*cspan_at(&memory, INT64_C(10), INT64_C(1))) > 0.0)
         {
-            (*cspan_at(&memory, INT64_C(8), INT64_C(3) + axis)) = residual;
+            offset_judge(parameters, (*cspan_at(&measured, INT64_C(2))), noise, memory);
         }
-        /*the filter starts as if all had rested before, which a swaying load did not*/
-        residual = residual - (*cspan_at(&memory, INT64_C(8), INT64_C(3) + axis)) * (*cspan_at(&memory, INT64_C(3), INT64_C(6)));
-        (*cspan_at(&memory, INT64_C(10) + axis, INT64_C(1) + axis)) = (*cspan_at(&memory, INT64_C(10) + axis, INT64_C(1) + axis)) + walk * walk * (*cspan_at(&parameters, INT64_C(1)));
-        offset_learn(axis, residual, factor, (*cspan_at(&measured, INT64_C(2))), parameters, memory);
     }
-    least = 0.05 * (*cspan_at(&memory, INT64_C(9), INT64_C(6)));
-    (*cspan_at(&memory, INT64_C(9), INT64_C(0))) = span_max((*cspan_at(&memory, INT64_C(9), INT64_C(0))), least * least);
-    result = offset_use(parameters, memory);
+    aim = (*cspan_at(&memory, INT64_C(9), INT64_C(4))) * (*cspan_at(&memory, INT64_C(9), INT64_C(3)));
+    (*cspan_at(&memory, INT64_C(9), INT64_C(5))) = aim + (*cspan_at(&parameters, INT64_C(11))) * ((*cspan_at(&memory, INT64_C(9), INT64_C(5))) - aim);
+    result = (*cspan_at(&memory, INT64_C(9), INT64_C(5)));
     return result;
 }
 /*Wake the feedback at the first deviation that is more than the sensors' steps. */
