@@ -97,8 +97,10 @@ def run(name: str, command: list[str], folder: Path) -> np.ndarray:
 
 
 def expected(paths: list[Path]) -> np.ndarray:
-    """The same rows by our master, through fmpy."""
-    rows = simulate(paths[0], paths[1], stop_time=STEP * STEPS, step=STEP)[EVERY::EVERY]
+    """The same rows by our master, through fmpy; the program in C has sequential, equal steps."""
+    rows = simulate(
+        paths[0], paths[1], stop_time=STEP * STEPS, step=STEP, coupling="sequential", events=False
+    )[EVERY::EVERY]
     return np.array([rows[n] for n in gantry_crane.STATE]).T
 
 
