@@ -94,7 +94,9 @@ def velocity_excess(
     return max(highest, -lowest) - limit
 
 
-def tempered_form(
+def level_within(
+    outside: float,
+    e_outside: float,
     phases: 'float[:,:]',
     reverse: bool,
     mirror: bool,
@@ -109,34 +111,19 @@ def tempered_form(
     velocity_limit: float,
     top: float,
     ramp: 'float[:]',
-) -> int:
-    """The merged form that keeps the velocity limit; the number of phases.
+) -> 'tuple[float, float, float, float]':
+    """A first level whose member keeps the velocity limit, and one above it that does not.
 
-    It is -1 where there is no merged form, 0 where none keeps the limit.
-
-    Between its levels the velocity has a peak. Where that passes the limit, the first level is
-    lowered, and held, until the peak is at the limit less a billionth.
+    Returns both and by how much they pass the limit less a billionth; -1 first if there is none.
+    Below some level there may be no member, or one that passes the limit on the other side.
     """
-    count = merged_form(
-        phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, top, top, ramp
-    )
     rounding = 1e-12 * velocity_limit
     margin = 1e-9 * velocity_limit
-    if count <= 0:
-        return count
-    e_outside = velocity_excess(phases, count, v, velocity_limit, velocity_limit, ramp) + margin
-    if e_outside <= margin + rounding:
-        return count
     sign = 1.0
     if reverse != mirror:
         sign = -1.0
-    outside = 0.0
-    for i in range(count):
-        outside = max(outside, sign * phases[i, 2])
-    # below some level there may be no member, or one that passes the limit on the other side
     without = max(sign * a, max(sign * b, 0.001 * top))
     inside = without
-    e_inside = 2.0 * velocity_limit
     for i in range(24):
         count = merged_form(
             phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, inside, top, ramp
@@ -153,13 +140,35 @@ def tempered_form(
             outside = inside
             e_outside = peak - velocity_limit + margin
         else:
-            e_inside = max(peak, other) - velocity_limit + margin
-            break
+            return inside, outside, max(peak, other) - velocity_limit + margin, e_outside
         if without == outside:
             break
         inside = 0.5 * (without + outside)
-    if e_inside > margin + rounding:
-        return 0
+    return -1.0, outside, 0.0, e_outside
+
+
+def highest_within(
+    inside: float,
+    outside: float,
+    e_inside: float,
+    e_outside: float,
+    phases: 'float[:,:]',
+    reverse: bool,
+    mirror: bool,
+    which: int,
+    by_time: bool,
+    time: float,
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    distance: float,
+    velocity_limit: float,
+    top: float,
+    ramp: 'float[:]',
+) -> float:
+    """The highest first level that keeps the velocity limit less a billionth: a bracketed root."""
+    margin = 1e-9 * velocity_limit
     before = outside
     e_before = e_outside
     newest_inside = True
@@ -211,6 +220,58 @@ def tempered_form(
             outside = high
             e_outside = error
             newest_inside = False
+    return inside
+
+
+def tempered_form(
+    phases: 'float[:,:]',
+    reverse: bool,
+    mirror: bool,
+    which: int,
+    by_time: bool,
+    time: float,
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    distance: float,
+    velocity_limit: float,
+    top: float,
+    ramp: 'float[:]',
+) -> int:
+    """The merged form that keeps the velocity limit; the number of phases.
+
+    It is -1 where there is no merged form, 0 where none keeps the limit.
+
+    Between its levels the velocity has a peak. Where that passes the limit, the first level is
+    lowered, and held, until the peak is at the limit less a billionth.
+    """
+    count = merged_form(
+        phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, top, top, ramp
+    )
+    rounding = 1e-12 * velocity_limit
+    margin = 1e-9 * velocity_limit
+    if count <= 0:
+        return count
+    e_outside = velocity_excess(phases, count, v, velocity_limit, velocity_limit, ramp) + margin
+    if e_outside <= margin + rounding:
+        return count
+    outside = 0.0
+    for i in range(count):
+        level = phases[i, 2]
+        if reverse != mirror:
+            level = -level
+        outside = max(outside, level)
+    inside, outside, e_inside, e_outside = level_within(
+        outside, e_outside, phases, reverse, mirror, which, by_time, time, v, a, w, b, distance,
+        velocity_limit, top, ramp,
+    )
+    if inside < 0.0:
+        return 0
+    inside = highest_within(
+        inside, outside, e_inside, e_outside, phases, reverse, mirror, which, by_time, time, v, a,
+        w, b, distance, velocity_limit, top, ramp,
+    )
     return merged_form(
         phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, inside, top, ramp
     )

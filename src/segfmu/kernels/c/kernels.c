@@ -51,6 +51,8 @@ static int64_t slower_cruise(array_double_2d phases, double v, double a, double 
 static int64_t direct_form(array_double_2d phases, bool from_start, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
 static int64_t merged_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double high, double top, array_double_1d ramp);
 static double velocity_excess(array_double_2d phases, int64_t count, double v, double within, double limit, array_double_1d ramp);
+static int64_t level_within(double* result_0, double* result_1_0001, double* result_2_0001, double* result_3_0001, double outside, double e_outside, array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
+static double highest_within(double inside, double outside, double e_inside, double e_outside, array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
 static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
 static double meets(array_double_2d phases, int64_t count, double v, double w, double distance, double limit, array_double_1d ramp);
 static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_double_2d trial, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
@@ -2157,24 +2159,20 @@ static double velocity_excess(array_double_2d phases, int64_t count, double v, d
     segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, within, ramp);
     return span_max(highest, -lowest) - limit;
 }
-/*The merged form that keeps the velocity limit; the number of phases.                           */
-/*                                                                                               */
-/*    It is -1 where there is no merged form, 0 where none keeps the limit.                      */
-/*                                                                                               */
-/*    Between its levels the velocity has a peak. Where that passes the limit, the first level is*/
-/*    lowered, and held, until the peak is at the limit less a billionth.                        */
-/*                                                                                               */
-static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
+/*A first level whose member keeps the velocity limit, and one above it that does not.             */
+/*                                                                                                 */
+/*    Returns both and by how much they pass the limit less a billionth; -1 first if there is none.*/
+/*    Below some level there may be no member, or one that passes the limit on the other side.     */
+/*                                                                                                 */
+static int64_t level_within(double* result_0, double* result_1_0001, double* result_2_0001, double* result_3_0001, double outside, double e_outside, array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
 {
     double rounding;
     double margin;
-    double e_outside;
     double sign;
-    double outside;
-    int64_t i;
     double without;
     double inside;
-    double e_inside;
+    int64_t i;
+    int64_t count;
     double duration;
     double y;
     double end;
@@ -2182,42 +2180,15 @@ static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, 
     double highest;
     double peak;
     double other;
-    double before;
-    double e_before;
-    bool newest_inside;
-    bool constant;
-    bool probing;
-    int64_t steps;
-    double share;
-    double high;
-    double error;
-    int64_t count;
-    count = merged_form(phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, top, top, ramp);
     rounding = 1e-12 * velocity_limit;
     margin = 1e-09 * velocity_limit;
-    if (count <= INT64_C(0))
-    {
-        return count;
-    }
-    e_outside = velocity_excess(phases, count, v, velocity_limit, velocity_limit, ramp) + margin;
-    if (e_outside <= margin + rounding)
-    {
-        return count;
-    }
     sign = 1.0;
     if (reverse != mirror)
     {
         sign = -1.0;
     }
-    outside = 0.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        outside = span_max(outside, sign * (*cspan_at(&phases, i, INT64_C(2))));
-    }
-    /*below some level there may be no member, or one that passes the limit on the other side*/
     without = span_max(sign * a, span_max(sign * b, 0.001 * top));
     inside = without;
-    e_inside = 2.0 * velocity_limit;
     for (i = INT64_C(0); i < INT64_C(24); i += INT64_C(1))
     {
         count = merged_form(phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, inside, top, ramp);
@@ -2240,8 +2211,11 @@ static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, 
         }
         else
         {
-            e_inside = span_max(peak, other) - velocity_limit + margin;
-            break;
+            (*result_0) = inside;
+            (*result_1_0001) = outside;
+            (*result_2_0001) = span_max(peak, other) - velocity_limit + margin;
+            (*result_3_0001) = e_outside;
+            return 0;
         }
         if (without == outside)
         {
@@ -2249,10 +2223,28 @@ static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, 
         }
         inside = 0.5 * (without + outside);
     }
-    if (e_inside > margin + rounding)
-    {
-        return INT64_C(0);
-    }
+    (*result_0) = -1.0;
+    (*result_1_0001) = outside;
+    (*result_2_0001) = 0.0;
+    (*result_3_0001) = e_outside;
+    return 0;
+}
+/*The highest first level that keeps the velocity limit less a billionth: a bracketed root.*/
+static double highest_within(double inside, double outside, double e_inside, double e_outside, array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
+{
+    double margin;
+    double before;
+    double e_before;
+    bool newest_inside;
+    bool constant;
+    bool probing;
+    int64_t steps;
+    double share;
+    double high;
+    int64_t count;
+    double error;
+    double result;
+    margin = 1e-09 * velocity_limit;
     before = outside;
     e_before = e_outside;
     newest_inside = 1;
@@ -2328,6 +2320,54 @@ static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, 
             newest_inside = 0;
         }
     }
+    return inside;
+}
+/*The merged form that keeps the velocity limit; the number of phases.                           */
+/*                                                                                               */
+/*    It is -1 where there is no merged form, 0 where none keeps the limit.                      */
+/*                                                                                               */
+/*    Between its levels the velocity has a peak. Where that passes the limit, the first level is*/
+/*    lowered, and held, until the peak is at the limit less a billionth.                        */
+/*                                                                                               */
+static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
+{
+    double rounding;
+    double margin;
+    double e_outside;
+    double outside;
+    int64_t i;
+    double level;
+    double inside;
+    double e_inside;
+    int64_t count;
+    count = merged_form(phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, top, top, ramp);
+    rounding = 1e-12 * velocity_limit;
+    margin = 1e-09 * velocity_limit;
+    if (count <= INT64_C(0))
+    {
+        return count;
+    }
+    e_outside = velocity_excess(phases, count, v, velocity_limit, velocity_limit, ramp) + margin;
+    if (e_outside <= margin + rounding)
+    {
+        return count;
+    }
+    outside = 0.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        level = (*cspan_at(&phases, i, INT64_C(2)));
+        if (reverse != mirror)
+        {
+            level = -level;
+        }
+        outside = span_max(outside, level);
+    }
+    level_within(&inside, &outside, &e_inside, &e_outside, outside, e_outside, phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, velocity_limit, top, ramp);
+    if (inside < 0.0)
+    {
+        return INT64_C(0);
+    }
+    inside = highest_within(inside, outside, e_inside, e_outside, phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, velocity_limit, top, ramp);
     count = merged_form(phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, inside, top, ramp);
     return count;
 }
