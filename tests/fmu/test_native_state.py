@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 from pathlib import Path
 
 import numpy as np
@@ -249,6 +250,21 @@ def test_calls_out_of_order_are_refused_with_a_reason(native_fmus, call, words) 
             call(fmu.fmu)
         assert words in fmu.messages[-1]
         fmu.initialise()
+
+
+@pytest.mark.parametrize("index", [0, 1])
+@pytest.mark.parametrize("name", ["Float64", "Int32", "Boolean", "UInt64"])
+@pytest.mark.parametrize("access", ["Get", "Set"])
+def test_values_without_a_place_are_refused(
+    native_fmus, index: int, name: str, access: str
+) -> None:
+    with Importer(native_fmus[3][index]) as fmu:
+        call = fmu.fmu.dll[f"fmi3{access}{name}"]
+        call.argtypes = [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p,
+                         ctypes.c_size_t]
+        assert call(fmu.fmu.component, None, 0, None, 0) == 0
+        assert call(fmu.fmu.component, None, 0, None, 3) == 3
+        assert "the variables have 0 values, got 3" in fmu.messages[-1]
 
 
 @pytest.mark.parametrize("fmi", [2, 3])

@@ -36,10 +36,8 @@ static const char *kind_name(uint8_t kind)
 static bool usable(instance *c, const char *function, const uint32_t references[], size_t count,
                    const void *values, size_t size, int kinds)
 {
-    if (count == 0) {
-        return true;
-    }
-    if (!glue_given(c, references, function) || !glue_given(c, values, function)) {
+    if (count > 0
+        && (!glue_given(c, references, function) || !glue_given(c, values, function))) {
         return false;
     }
     size_t elements = 0;
