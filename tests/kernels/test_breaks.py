@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from segfmu import Limits, Trajectory, Waypoint, plan
-from segfmu.kernels.breaks import right_of_break, same_break
+from segfmu.kernels.breaks import next_plan_event, right_of_break, same_break
 
 LIMITS = Limits([1.0, 0.4, 0.3], [1.0, 0.5, 0.5], [1.0, 0.5, 0.5], [10.0, 5.0, 5.0])
 
@@ -76,3 +76,14 @@ def test_right_of_a_break_every_axis_is_on_its_next_piece(start: float) -> None:
             ahead = found(event + 1e-5, 5)
             assert found(local, 5) == pytest.approx(ahead, rel=0.1, abs=0.1)
     assert right_of_break(start + 0.123, start, *arrays) == start + 0.123 - start
+
+
+@pytest.mark.parametrize("start", [0.0, 5.0, -5.0, 1e17, -1e17, 1e300, -1e300])
+def test_events_come_after_the_present_wherever_the_plan_begins(start: float) -> None:
+    found = trajectory(4, "plateau")
+    for time in (0.0, 1.0, 1e3, start):
+        event = next_plan_event(
+            time, start, found.timing, found.offsets, found.axis_durations,
+            found.axis_waypoint_times,
+        )
+        assert event > time or event == 1e300

@@ -54,8 +54,11 @@ def next_plan_event(
                 arrival = max(arrival, ends[axis])
         if start + arrival > time + same_break(time):
             event = min(event, start + arrival)
-    found = start + next_break(time + same_break(time) - start, timing, offsets, ends)
-    if event <= found + same_break(time):
+    found = next_break(time + same_break(time) - start, timing, offsets, ends)
+    if found < 1e300:
+        found = start + found
+    # of a start that is far away the clock may be too coarse to tell a break from the present
+    if event <= found + same_break(time) or found <= time:
         return event
     return found
 

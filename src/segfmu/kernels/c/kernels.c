@@ -4019,8 +4019,13 @@ double segfmu_next_plan_event(double time, double start, array_double_2d timing,
             event = span_min(event, start + arrival);
         }
     }
-    found = start + next_break(time + segfmu_same_break(time) - start, timing, offsets, ends);
-    if (event <= found + segfmu_same_break(time))
+    found = next_break(time + segfmu_same_break(time) - start, timing, offsets, ends);
+    if (found < 1e+300)
+    {
+        found = start + found;
+    }
+    /*of a start that is far away the clock may be too coarse to tell a break from the present*/
+    if ((event <= found + segfmu_same_break(time)) || (found <= time))
     {
         return event;
     }
