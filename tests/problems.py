@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from hypothesis import strategies as st
 
-from segfmu.kernels.transition import ramp_parameters
+from segfmu.kernels.planner.transition import ramp_parameters
 
 
 @dataclass(frozen=True)

@@ -21,7 +21,7 @@ def axis_model(
     """A (6, 6) and B (6, 2) of one axis; the inputs are velocity command and correction.
 
     The correction is a force on the carriage, or if driven an acceleration; for the hoist it is an
-    acceleration in both modes, see kernels/tracking.py.
+    acceleration in both modes, see kernels/control/tracking.py.
     """
     a, b = np.zeros((6, 6)), np.zeros((6, 2))
     a[POSITION, VELOCITY] = a[ANGLE, RATE] = 1.0

@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from segfmu.crane import Crane
-from segfmu.kernels._crane import crane_driven, crane_energy, crane_rhs
+from segfmu.kernels.crane._crane import crane_driven, crane_energy, crane_rhs
 from tests.crane.newton import accelerations
 
 RNG = np.random.default_rng(20240229)

@@ -16,24 +16,16 @@ from segfmu.crane import Drive, Friction, Gust, Plant, Rig, Setpoints, Wind
 from segfmu.crane.flat_feedback import design_flat
 from segfmu.crane.observer import design_observer
 from segfmu.crane.tracking import TrackingController
-from segfmu.kernels import (
-    _crane,
-    backend,
-    compensation,
-    evaluate,
-    expand,
-    feedback,
-    noise,
-    observer,
-    plant,
-    rig,
-    rope,
-    tracking,
-)
-from segfmu.kernels import plan as plan_kernel
-from segfmu.kernels.profile import shortest_profile
-from segfmu.kernels.synchronize import timed_profile
-from segfmu.kernels.transition import ramp_parameters
+from segfmu.kernels import backend
+from segfmu.kernels.control import feedback, observer, tracking
+from segfmu.kernels.crane import _crane, compensation, plant, rope
+from segfmu.kernels.numerics import noise
+from segfmu.kernels.planner import plan as plan_kernel
+from segfmu.kernels.planner.profile import shortest_profile
+from segfmu.kernels.planner.synchronize import timed_profile
+from segfmu.kernels.planner.transition import ramp_parameters
+from segfmu.kernels.rig import rig
+from segfmu.kernels.trajectory import evaluate, expand
 from tests.kernels.rigs import CONTROLLERS, HANGING, LAB, everything
 from tests.problems import AxisProblem, axis_problems
 

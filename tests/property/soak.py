@@ -19,9 +19,9 @@ from segfmu.planning.polynomials import derivative_pieces, hulls, piece_extrema
 if COMPILED:
     from segfmu.kernels._compiled import expand_phases, ramp_parameters, shortest_profile
 else:
-    from segfmu.kernels.evaluate import expand_phases
-    from segfmu.kernels.profile import shortest_profile
-    from segfmu.kernels.transition import ramp_parameters
+    from segfmu.kernels.planner.profile import shortest_profile
+    from segfmu.kernels.planner.transition import ramp_parameters
+    from segfmu.kernels.trajectory.evaluate import expand_phases
 
 TOLERANCE = 1e-9
 BATCH = 2000

@@ -19,7 +19,7 @@ from tests.property.soak import shares
 if COMPILED:
     from segfmu.kernels._compiled import timed_profile
 else:
-    from segfmu.kernels.synchronize import timed_profile
+    from segfmu.kernels.planner.synchronize import timed_profile
 
 GRID = 60
 

@@ -6,7 +6,8 @@ import ast
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from segfmu.codegen.native import BANNER, ENTRY_POINTS, KERNELS, MODULES, PREFIX
+from segfmu.codegen.amalgam import modules, tree
+from segfmu.codegen.native import BANNER, ENTRY_POINTS, PREFIX
 
 C_TYPES = {"float": "double", "int": "int64_t", "bool": "bool"}
 ARRAYS = {
@@ -54,9 +55,8 @@ def generate() -> dict[str, str]:
 def _functions() -> list[Function]:
     """All kernels; later ones use earlier ones, so what they write to is known in time."""
     known: dict[str, Function] = {}
-    for module in MODULES:
-        tree = ast.parse((KERNELS / f"{module}.py").read_text(encoding="utf-8"))
-        nodes = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
+    for module in modules():
+        nodes = [node for node in tree(module).body if isinstance(node, ast.FunctionDef)]
         # within a module a function may use a later one: twice finds what both write to
         for node in nodes + nodes:
             known[node.name] = _function(node, known)

@@ -7,26 +7,16 @@ the few operations that occur, in the hand-written span.h; anything else fails h
 
 from __future__ import annotations
 
-import ast
 import re
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
+from segfmu.codegen.amalgam import KERNELS, amalgamated
 from segfmu.errors import BuildError
 
-KERNELS = Path(__file__).parents[1] / "kernels"
 TARGET = KERNELS / "c"
-
-# in the order in which they use each other
-MODULES = (
-    "transition", "phases", "braking", "levels", "roots", "search", "cruise", "merged", "profile",
-    "timed_cruise", "synchronize", "gaps", "intervals", "plan", "evaluate", "breaks", "expand",
-    "check", "rope", "feedback", "matrices", "kalman", "observer", "offset", "tracking",
-    "compensation", "_crane", "_partials", "series", "integrate", "noise", "drives", "plant",
-    "sensing", "events", "loop", "rig", "exchange", "partials",
-)
 # what C programs and the compiled extension may call
 ENTRY_POINTS = (
     "ramp_parameters", "ramp_duration", "measure_phases", "shortest_profile", "timed_profile",
@@ -50,7 +40,7 @@ def generate() -> dict[str, str]:
     """Return the texts of the generated files, by name."""
     with tempfile.TemporaryDirectory() as folder:
         module = Path(folder) / "kernels.py"
-        module.write_text(amalgamate(), encoding="utf-8")
+        module.write_text(amalgamated(), encoding="utf-8")
         _translate(module)
         body = (module.parent / "__pyccel__" / "kernels.c").read_text(encoding="utf-8")
         header = (module.parent / "__pyccel__" / "kernels.h").read_text(encoding="utf-8")
@@ -64,25 +54,6 @@ def generate() -> dict[str, str]:
         "kernels.c": source + _prefixed("\n".join(private) + "\n" + body.rstrip() + "\n"),
         "kernels.h": _prefixed(_header(public)),
     }
-
-
-def amalgamate() -> str:
-    """All kernels as one Python module."""
-    imported: set[str] = set()
-    texts = []
-    for name in MODULES:
-        text = (KERNELS / f"{name}.py").read_text(encoding="utf-8")
-        lines = text.splitlines()
-        for node in ast.parse(text).body:
-            module = node.module if isinstance(node, ast.ImportFrom) else None
-            if isinstance(node, ast.ImportFrom) and module == "math":
-                imported.update(alias.name for alias in node.names)
-            elif isinstance(node, ast.FunctionDef):
-                texts.append("\n".join(lines[node.lineno - 1 : node.end_lineno]))
-            elif not isinstance(node, ast.ImportFrom | ast.Expr):
-                raise BuildError(f"kernels/{name}.py:{node.lineno}: only functions translate")
-    head = f"from math import {', '.join(sorted(imported))}"
-    return "\n\n\n".join([head, *texts]) + "\n"
 
 
 def _translate(module: Path) -> None:

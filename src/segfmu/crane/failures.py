@@ -1,4 +1,4 @@
-"""What the statuses of kernels/plant.py mean, in words."""
+"""What the statuses of kernels/crane/plant.py mean, in words."""
 
 from __future__ import annotations
 

@@ -6,8 +6,8 @@ acceleration that acts on the carriage or rope (friction, wrong masses), and one
 load (wind). As many disturbances as measured signals make the control free of offset (U. Maeder,
 F. Borrelli, M. Morari, Linear offset-free model predictive control, Automatica 45 (2009)).
 
-The design is kernels/kalman.py, so that native FMUs have it too; the run-time update is
-kernels/observer.py.
+The design is kernels/control/kalman.py, so that native FMUs have it too; the run-time update is
+kernels/control/observer.py.
 """
 
 from __future__ import annotations
@@ -76,12 +76,12 @@ class Uncertainty:
         return self.wake * np.array([self.position, self.length, self.angle])
 
     def vector(self, gravity: float) -> FloatArray:
-        """As kernels/kalman.py takes it, walks in m/s2; shape (5,)."""
+        """As kernels/control/kalman.py takes it, walks in m/s2; shape (5,)."""
         walks = self.drift * gravity, self.wind * gravity
         return np.array([self.position, self.length, self.angle, *walks])
 
     def offset_parameters(self, gravity: float, longest: float, sample_time: float) -> FloatArray:
-        """What kernels/offset.py gets of the tracking controller's parameters; shape (4,)."""
+        """The tracking controller's parameters for kernels/control/offset.py; shape (4,)."""
         bandwidth = min(OFFSET_RATIO * sqrt(gravity / longest), OFFSET_LARGEST / sample_time)
         place = max(self.position, self.length)
         noise = self.angle**2 / 12.0, place**2 / 12.0
@@ -105,7 +105,7 @@ class Observer:
     lengths : ndarray, shape (rows,)
         Rope lengths [m], ascending.
     table : ndarray, shape (rows, 18, 10)
-        See kernels/observer.py.
+        See kernels/control/observer.py.
     tolerances : ndarray, shape (3,)
         Of `Uncertainty`.
     offset : ndarray, shape (4,)

@@ -3,7 +3,7 @@
 One class serves the pure Python simulation and the FMU. Setpoints and references are given at
 the end of each step and taken as linear in time since the end of the step before. The integration
 stops exactly at the ticks of controller and sensors, at payload changes and at the ends of a gust,
-so that nothing depends on the steps. All of it is kernels/rig.py; here are its arrays.
+so that nothing depends on the steps. All of it is kernels/rig/rig.py; here are its arrays.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ class Setpoints:
 
     @property
     def vector(self) -> FloatArray:
-        """As kernels/rig.py takes them, shape (19,)."""
+        """As kernels/rig/rig.py takes them, shape (19,)."""
         parts = (self.force, self.velocity, self.reference, self.wind)
         return np.concatenate(parts, dtype=np.float64)
 

@@ -50,7 +50,7 @@ class Rig:
         return np.array([(c.time, c.mass) for c in self.payload], dtype=np.float64).reshape(-1, 2)
 
     def parameters(self, crane: Crane, driven: bool) -> FloatArray:
-        """The array of kernels/plant.py, shape (37,)."""
+        """The array of kernels/crane/plant.py, shape (37,)."""
         packed = np.zeros(37)
         packed[:4] = crane.masses
         packed[4] = driven

@@ -1,6 +1,6 @@
 """Refusal of trajectories along which the rope goes slack or leaves its range.
 
-The proof is kernels/rope.py; here are its words.
+The proof is kernels/crane/rope.py; here are its words.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ class LoadTrajectory(Protocol):
 
 @dataclass(frozen=True)
 class Demand:
-    """What a demand of kernels/rope.py bounds, its limit, and the way out."""
+    """What a demand of kernels/crane/rope.py bounds, its limit, and the way out."""
 
     name: str
     unit: str

@@ -97,7 +97,7 @@ class TrackingController:
 
     @property
     def parameters(self) -> FloatArray:
-        """What kernels/tracking.py calls `parameters`; a copy."""
+        """What kernels/control/tracking.py calls `parameters`; a copy."""
         return self._parameters.copy()
 
     @property

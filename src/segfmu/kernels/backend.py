@@ -45,23 +45,27 @@ if COMPILED:
         track_setpoint,
     )
 else:
-    from segfmu.kernels._crane import crane_energy, crane_flat_inverse, crane_load, crane_rhs
-    from segfmu.kernels.breaks import next_plan_event
-    from segfmu.kernels.check import check_plan
-    from segfmu.kernels.compensation import compensate_setpoints
-    from segfmu.kernels.evaluate import evaluate
-    from segfmu.kernels.expand import count_pieces, expand_plan
-    from segfmu.kernels.feedback import feedback_bandwidth, feedback_correction, feedback_gains
-    from segfmu.kernels.kalman import observer_design
-    from segfmu.kernels.loop import switch_correction
-    from segfmu.kernels.noise import noise_components, seed_numbers
-    from segfmu.kernels.observer import observer_correct, observer_predict
-    from segfmu.kernels.plan import plan_phases
-    from segfmu.kernels.plant import plant_advance
-    from segfmu.kernels.rig import rig_balance, rig_imbalance, rig_rows, rig_start, rig_step
-    from segfmu.kernels.rope import check_rope
-    from segfmu.kernels.series import flat_derivatives
-    from segfmu.kernels.tracking import track_setpoint
+    from segfmu.kernels.control.feedback import (
+        feedback_bandwidth,
+        feedback_correction,
+        feedback_gains,
+    )
+    from segfmu.kernels.control.kalman import observer_design
+    from segfmu.kernels.control.observer import observer_correct, observer_predict
+    from segfmu.kernels.control.tracking import track_setpoint
+    from segfmu.kernels.crane._crane import crane_energy, crane_flat_inverse, crane_load, crane_rhs
+    from segfmu.kernels.crane.compensation import compensate_setpoints
+    from segfmu.kernels.crane.plant import plant_advance
+    from segfmu.kernels.crane.rope import check_rope
+    from segfmu.kernels.crane.series import flat_derivatives
+    from segfmu.kernels.numerics.noise import noise_components, seed_numbers
+    from segfmu.kernels.planner.plan import plan_phases
+    from segfmu.kernels.rig.loop import switch_correction
+    from segfmu.kernels.rig.rig import rig_balance, rig_imbalance, rig_rows, rig_start, rig_step
+    from segfmu.kernels.trajectory.breaks import next_plan_event
+    from segfmu.kernels.trajectory.check import check_plan
+    from segfmu.kernels.trajectory.evaluate import evaluate
+    from segfmu.kernels.trajectory.expand import count_pieces, expand_plan
 
 __all__ = [
     "COMPILED",

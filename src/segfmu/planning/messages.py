@@ -14,7 +14,7 @@ def infeasible(
     table: FloatArray,
     names: tuple[str, ...],
 ) -> InfeasibleError:
-    """Return the error that belongs to a status of kernels/intervals.py."""
+    """Return the error that belongs to a status of kernels/planner/intervals.py."""
     axis, interval = int(report[0]), int(report[1])
     value, bound = float(report[2]), float(report[3])
     velocity = float(table[axis, 0])

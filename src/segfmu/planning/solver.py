@@ -40,7 +40,7 @@ class Options:
 
 @dataclass(frozen=True, eq=False)
 class Phases:
-    """What `plan_phases` writes; shapes as in kernels/plan.py."""
+    """What `plan_phases` writes; shapes as in kernels/planner/plan.py."""
 
     status: int
     report: FloatArray

@@ -11,7 +11,7 @@ enum {
     COMPONENTS = 32, CHANGES = 4, MOST_LENGTHS = MODEL_ROWS, MOST_SAMPLES = 100000
 };
 
-/* rows of the memory, see kernels/rig.py */
+/* rows of the memory, see kernels/rig/rig.py */
 enum {
     ROW_STATE, ROW_PARAMETERS, ROW_CLOCK, ROW_LAST, ROW_REPORT, ROW_SIGNALS, ROW_CORRECTION = 8,
     ROW_SQUARES = 10, ROW_CUBES, ROW_DERIVATIVE = 20, FIRST_BEND = 10
@@ -28,7 +28,7 @@ typedef struct {
     double derivative[MODEL_STATES];
     /* co-simulation: inputs at the end of the last step, and their slopes in it */
     double input[MODEL_INPUTS], slope[MODEL_INPUTS];
-    /* by state, commands, wind and time, see kernels/partials.py; of load and energies by state */
+    /* by state, commands, wind and time, see kernels/rig/partials.py; of load and energies by state */
     double partials[PARTIAL_ROWS * PARTIAL_COLUMNS], load_partials[6 * STATE];
     double energy_partials[2 * STATE];
     int64_t differentiated;  /* 1: partials are those of the present time, -1: there are none */

@@ -21,7 +21,7 @@ SIDE_BY_SIDE(V_PAYLOAD_1_TIME, V_PAYLOAD_4_MASS, 2 * CHANGES);
 
 static const double SMALLEST_SAMPLE = 1e-6;
 
-/* what the kernel's memory says of the tick before where the gains were others, see kernels/rig.py */
+/* what the kernel's memory says of the tick before where the gains were others, see kernels/rig/rig.py */
 static const double RETUNED = 3.0;
 
 static bool driven(const crane *m)

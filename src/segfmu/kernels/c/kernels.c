@@ -3,108 +3,6 @@
 
 #include <math.h>
 
-static void transition_coefficients(int64_t order, array_double_1d coefficients);
-static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s);
-static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks);
-static int64_t slowest_root(double* result_0, double* result_1_0001, double change, int64_t first, array_double_1d ramp);
-static double ramp_rise(double duration, array_double_1d ramp);
-static int64_t fastest_power(double* result_0, double* result_1_0001, double duration, int64_t first, array_double_1d ramp);
-static int64_t ramp_change(double* result_0, double* result_1, double duration, array_double_1d ramp);
-static double ramp_distance(double v, double a, double b, double duration, double rise, array_double_1d ramp);
-static int64_t snap_plateau_half(double* result_0_0001, double* result_1_0001, double* result_2_0001, double s, array_double_1d ramp);
-static int64_t curved_part(double* result_0, double* result_1, double* result_2, double s, array_double_1d ramp);
-static double invert_curved_part(double value, double upper, array_double_1d ramp);
-static double ramp_extreme_velocity_first_half(double v, double a, double b, double duration, double rise, array_double_1d ramp);
-static double ramp_extreme_velocity(double v, double a, double b, double duration, double rise, array_double_1d ramp);
-static double without_dust(double value, double scale);
-static double without_excess(double value, double limit);
-static int64_t append_ramp(array_double_2d phases, int64_t count, double a, double b, double duration, array_double_1d ramp);
-static int64_t append_change(array_double_2d phases, int64_t count, double a, double b, array_double_1d ramp);
-static int64_t append_hold(array_double_2d phases, int64_t count, double a, double duration);
-static int64_t insert_hold(array_double_2d phases, int64_t count, int64_t row, double a, double duration);
-static void copy_phases(array_double_2d source, array_double_2d target, int64_t count);
-static void mirror_phases(array_double_2d phases, int64_t count);
-static void swap_entries(array_double_2d phases, int64_t i, int64_t j, int64_t column);
-static void reverse_phases(array_double_2d phases, int64_t first, int64_t count);
-static double peak_past_zero(double v, double a, double level, array_double_1d ramp);
-static double level_past_zero(double v, double a, double velocity_limit, double top, array_double_1d ramp);
-static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases);
-static int64_t braked(int64_t* result_0_0001, double* result_1, double* result_2_0001, double* result_3_0001, double* result_4_0001, double* result_5_0001, double* result_6_0001, int64_t variant, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d trial);
-static int64_t surround(array_double_2d phases, int64_t count, bool brake_start, double v, double a, bool brake_end, double w, double b, double velocity_limit, double top, array_double_1d ramp, array_double_2d trial);
-static double linear_level(double gain, double a, double b, array_double_1d ramp);
-static int64_t root_level(double* result_0, double* result_1, double gain, double a, double b, double lower, double upper, double share, array_double_1d ramp);
-static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, array_double_1d ramp);
-static int64_t levels_distance(double* result_0_0001, double* result_1, double v, double a, double t1, double hold1, double level1, double hold2, double level2, double t3, double b, array_double_1d ramp);
-static int64_t canonical_point(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, double* result_6, double* result_7, double p, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
-static double root_share(double a, double b, double c, double f_a, double f_b, double f_c);
-static double window_edge(int64_t halvings, double inside, double outside, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
-static int64_t canonical_value(double* result_0_0001, double* result_1, double p, bool by_time, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
-static double bracketed_root(double lower, double upper, double f_lower, double f_upper, double target, bool by_time, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
-static int64_t first_window(double* result_0, double* result_1_0001, double target, double f_start, double v, double a, double w, double b, double high, double top, double t_top, double t_zero, array_double_1d ramp);
-static double dip(double target, double f_start, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
-static double canonical_search(double target, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
-static double member_search(int64_t which, bool by_time, double scale, double target, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
-static int64_t append_velocity_change(array_double_2d phases, int64_t count, double v, double a, double w, double top, array_double_1d ramp);
-static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_2, double* result_3, array_double_2d phases, double cruise, double v, double a, double w, double b, double top, array_double_1d ramp);
-static int64_t with_cruise(array_double_2d phases, double cruise, double v, double a, double w, double b, double distance, double top, array_double_1d ramp);
-static int64_t slower_cruise(array_double_2d phases, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
-static int64_t direct_form(array_double_2d phases, bool from_start, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
-static int64_t merged_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double high, double top, array_double_1d ramp);
-static double velocity_excess(array_double_2d phases, int64_t count, double v, double within, double limit, array_double_1d ramp);
-static int64_t level_within(double* result_0, double* result_1_0001, double* result_2_0001, double* result_3_0001, double outside, double e_outside, array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
-static double highest_within(double inside, double outside, double e_inside, double e_outside, array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
-static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
-static double meets(array_double_2d phases, int64_t count, double v, double w, double distance, double limit, array_double_1d ramp);
-static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_double_2d trial, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
-static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, double target, double v, double a, double w, double b, double top, array_double_1d ramp);
-static double cruise_range(array_double_2d phases, double middle, double y, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
-static void keep_nearest(array_double_2d trial, int64_t count, double target, double v, double w, double distance, double velocity_limit, array_double_1d found, array_double_2d below, array_double_2d above, array_double_1d ramp);
-static void between_cruises(double lower, double y_lower, double upper, double y_upper, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial);
-static double cruise_edge(double inside, double outside, array_double_2d phases, double target, double v, double a, double w, double b, double top, array_double_1d ramp);
-static void scan_cruises(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial);
-static void stretch_phases(array_double_2d phases, int64_t count, double factor);
-static void fit_duration(array_double_2d phases, int64_t count, double target);
-static void timed_between(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial);
-static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends);
-static double cruise_time(double cruise, bool covering, double v, double a, double w, double b, double distance, double top, array_double_1d ramp, array_double_2d phases);
-static double turning_time(double lower, double upper, bool covering, double v, double a, double w, double b, double distance, double top, array_double_1d ramp, array_double_2d phases);
-static int64_t turning_ends(bool covering, double spent, double after, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, int64_t count, array_double_2d ends);
-static int64_t covering_ends(double spent, double after, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, int64_t found, array_double_2d ends);
-static int64_t gap_ends(double after, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, array_double_2d ends);
-static int64_t set_shortest(int64_t* result_0, double* result_1, int64_t interval, int64_t axis, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d trial);
-static bool set_duration(int64_t interval, int64_t axis, double target, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial);
-static double first_feasible(double outside, double inside, int64_t interval, int64_t axis, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial);
-static double next_feasible(int64_t interval, int64_t axis, double start, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial);
-static double round_up(double duration, double sample_time);
-static double common_duration(int64_t interval, int64_t first, int64_t last, double start, double sample_time, array_double_2d shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial);
-static int64_t check_waypoints(array_double_2d velocities, array_double_2d accelerations, array_double_1d dwells, array_double_2d limits, array_double_1d report);
-static bool distribute(int64_t first, int64_t last, double target, array_double_2d shortest, array_double_2d durations, array_int64_t_1d active, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial);
-static bool rewrite_intervals(int64_t first, int64_t last, array_double_2d shortest, array_double_2d durations, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial);
-static int64_t plan_axis(int64_t axis, double share, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, int64_t smoothness, int64_t shape, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d shortest, array_double_2d work, array_double_1d report);
-static int64_t synchronize_plan(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d dwells, array_double_2d limits, int64_t synchronization, double sample_time, double duration, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d shortest, array_double_2d durations, array_int64_t_1d active, array_double_2d work, array_double_1d report);
-static double evaluate_piece(array_double_2d coefficients, int64_t row, int64_t width, double t, int64_t derivative);
-static int64_t append_piece(double duration, array_double_2d timing, array_double_2d coefficients, int64_t row, int64_t width, array_double_1d state);
-static void clear_piece(array_double_2d coefficients, int64_t row);
-static void add_rise(double jerk, double rise, int64_t order, array_double_1d psi, array_double_2d coefficients, int64_t row);
-static void add_snap(double snap, double rise, int64_t order, array_double_1d psi, array_double_2d coefficients, int64_t row);
-static int64_t expand_jerk_change(double jerk, double rise, double share, int64_t order, array_double_1d psi, array_double_1d state, array_double_2d timing, array_double_2d coefficients, int64_t row, int64_t width);
-static int64_t find_piece(double time, array_double_2d timing, int64_t first, int64_t last);
-static double next_break(double time, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends);
-static void shift_piece(array_double_2d coefficients, int64_t source, int64_t width, double t, double weight, array_double_2d target, int64_t row);
-static int64_t merge_pieces(double weight, double now, int64_t first_a, int64_t last_a, int64_t last_b, array_double_2d scratch_timing, array_double_2d scratch, array_double_2d timing, array_double_2d coefficients, int64_t row);
-static int64_t expand_interval(int64_t interval, int64_t axis, int64_t axes, double now, array_double_2d positions, array_double_2d velocities, int64_t smoothness, int64_t shape, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d ramps, array_double_2d scratch_timing, array_double_2d scratch, array_double_2d timing, array_double_2d coefficients, int64_t row);
-static int64_t bernstein_coefficients(array_double_2d coefficients, int64_t row, int64_t width, int64_t derivative, double length, array_double_2d hull);
-static void split_hull(array_double_2d hull, int64_t row, int64_t count);
-static bool within(array_double_2d hull, int64_t count, double limit);
-static bool check_axis(int64_t axis, array_double_2d timing, array_double_2d coefficients, int64_t first, int64_t last, array_double_2d limits, double tolerance, array_double_2d work);
-static double interval_end(double time, array_double_2d timing, array_int64_t_1d offsets);
-static void interval_pieces(double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work);
-static void add_product(int64_t first, int64_t first_count, int64_t second, int64_t second_count, int64_t row, array_double_2d work);
-static void length_margin(int64_t width, double bound, double sign, array_double_2d work);
-static int64_t rope_demand(int64_t demand, double gravity, double shortest, double longest, double tolerance, array_double_2d work);
-static double first_negative(int64_t count, double length, array_double_2d work);
-static double rope_value(int64_t demand, double local, double gravity, array_double_2d work);
-static double worst_value(int64_t demand, double first, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work);
 static int64_t table_row(double value, array_double_1d nodes);
 static double table_share(double value, array_double_1d nodes, int64_t row);
 static void matrix_set(int64_t n, double value, array_double_2d a);
@@ -137,15 +35,6 @@ static void track_law(array_double_1d parameters, double length, array_double_1d
 static void track_hoist(array_double_1d parameters, array_double_2d memory);
 static void crane_rhs_partials(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d partials);
 static void crane_driven_partials(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d partials);
-static void series_product(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found);
-static void series_quotient(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found);
-static void series_root(array_double_1d a, int64_t count, array_double_1d found);
-static void series_angle(array_double_1d y, array_double_1d x, array_double_1d square, int64_t count, array_double_1d scratch, array_double_1d found);
-static double stage_node(int64_t stage);
-static void stage_state(int64_t stage, double h, int64_t count, array_double_1d state, array_double_2d k, array_double_1d trial);
-static double step_error(double h, int64_t count, array_double_1d start, array_double_1d end, array_double_2d k);
-static double next_step(double error, double tolerance);
-static bool all_finite(array_double_1d values, int64_t count);
 static double full_circle(void);
 static double next_normal(array_double_1d numbers);
 static double friction_force(array_double_1d parameters, int64_t axis, double velocity);
@@ -160,11 +49,118 @@ static double limit_side(array_double_1d parameters, int64_t axis, array_double_
 static void change_accelerations(array_double_1d parameters, array_double_1d force, array_double_1d scratch);
 static void limit_accelerations(array_double_1d parameters, array_double_1d state, array_double_1d force, array_double_1d acceleration, array_double_1d scratch);
 static void driven_derivative(array_double_1d parameters, array_double_1d state, array_double_2d work, array_double_1d derivative);
+static double stage_node(int64_t stage);
+static void stage_state(int64_t stage, double h, int64_t count, array_double_1d state, array_double_2d k, array_double_1d trial);
+static double step_error(double h, int64_t count, array_double_1d start, array_double_1d end, array_double_2d k);
+static double next_step(double error, double tolerance);
+static bool all_finite(array_double_1d values, int64_t count);
 static void plant_derivative(array_double_1d parameters, array_double_2d components, double time, double elapsed, array_double_1d state, array_double_1d command, array_double_1d rate, array_double_1d load_force, array_double_2d work, array_double_1d derivative);
 static void first_stage(array_double_2d work);
 static double plant_attempt(array_double_1d parameters, array_double_2d components, double time, double elapsed, array_double_1d state, array_double_1d command, array_double_1d rate, array_double_1d load_force, double h, array_double_2d work);
 static int64_t plant_status(array_double_1d parameters, array_double_1d state, double rope_force);
 static void accept(array_double_1d state, array_double_2d work, double elapsed, array_double_1d report);
+static void transition_coefficients(int64_t order, array_double_1d coefficients);
+static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s);
+static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks);
+static int64_t slowest_root(double* result_0, double* result_1_0001, double change, int64_t first, array_double_1d ramp);
+static double ramp_rise(double duration, array_double_1d ramp);
+static int64_t fastest_power(double* result_0, double* result_1_0001, double duration, int64_t first, array_double_1d ramp);
+static int64_t ramp_change(double* result_0, double* result_1, double duration, array_double_1d ramp);
+static double ramp_distance(double v, double a, double b, double duration, double rise, array_double_1d ramp);
+static int64_t snap_plateau_half(double* result_0_0001, double* result_1_0001, double* result_2_0001, double s, array_double_1d ramp);
+static int64_t curved_part(double* result_0, double* result_1, double* result_2, double s, array_double_1d ramp);
+static double invert_curved_part(double value, double upper, array_double_1d ramp);
+static double ramp_extreme_velocity_first_half(double v, double a, double b, double duration, double rise, array_double_1d ramp);
+static double ramp_extreme_velocity(double v, double a, double b, double duration, double rise, array_double_1d ramp);
+static double evaluate_piece(array_double_2d coefficients, int64_t row, int64_t width, double t, int64_t derivative);
+static int64_t append_piece(double duration, array_double_2d timing, array_double_2d coefficients, int64_t row, int64_t width, array_double_1d state);
+static void clear_piece(array_double_2d coefficients, int64_t row);
+static void add_rise(double jerk, double rise, int64_t order, array_double_1d psi, array_double_2d coefficients, int64_t row);
+static void add_snap(double snap, double rise, int64_t order, array_double_1d psi, array_double_2d coefficients, int64_t row);
+static int64_t expand_jerk_change(double jerk, double rise, double share, int64_t order, array_double_1d psi, array_double_1d state, array_double_2d timing, array_double_2d coefficients, int64_t row, int64_t width);
+static int64_t find_piece(double time, array_double_2d timing, int64_t first, int64_t last);
+static int64_t bernstein_coefficients(array_double_2d coefficients, int64_t row, int64_t width, int64_t derivative, double length, array_double_2d hull);
+static void split_hull(array_double_2d hull, int64_t row, int64_t count);
+static bool within(array_double_2d hull, int64_t count, double limit);
+static bool check_axis(int64_t axis, array_double_2d timing, array_double_2d coefficients, int64_t first, int64_t last, array_double_2d limits, double tolerance, array_double_2d work);
+static double interval_end(double time, array_double_2d timing, array_int64_t_1d offsets);
+static void interval_pieces(double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work);
+static void add_product(int64_t first, int64_t first_count, int64_t second, int64_t second_count, int64_t row, array_double_2d work);
+static void length_margin(int64_t width, double bound, double sign, array_double_2d work);
+static int64_t rope_demand(int64_t demand, double gravity, double shortest, double longest, double tolerance, array_double_2d work);
+static double first_negative(int64_t count, double length, array_double_2d work);
+static double rope_value(int64_t demand, double local, double gravity, array_double_2d work);
+static double worst_value(int64_t demand, double first, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work);
+static void series_product(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found);
+static void series_quotient(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found);
+static void series_root(array_double_1d a, int64_t count, array_double_1d found);
+static void series_angle(array_double_1d y, array_double_1d x, array_double_1d square, int64_t count, array_double_1d scratch, array_double_1d found);
+static double root_share(double a, double b, double c, double f_a, double f_b, double f_c);
+static double without_dust(double value, double scale);
+static double without_excess(double value, double limit);
+static int64_t append_ramp(array_double_2d phases, int64_t count, double a, double b, double duration, array_double_1d ramp);
+static int64_t append_change(array_double_2d phases, int64_t count, double a, double b, array_double_1d ramp);
+static int64_t append_hold(array_double_2d phases, int64_t count, double a, double duration);
+static int64_t insert_hold(array_double_2d phases, int64_t count, int64_t row, double a, double duration);
+static void copy_phases(array_double_2d source, array_double_2d target, int64_t count);
+static void mirror_phases(array_double_2d phases, int64_t count);
+static void swap_entries(array_double_2d phases, int64_t i, int64_t j, int64_t column);
+static void reverse_phases(array_double_2d phases, int64_t first, int64_t count);
+static double peak_past_zero(double v, double a, double level, array_double_1d ramp);
+static double level_past_zero(double v, double a, double velocity_limit, double top, array_double_1d ramp);
+static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases);
+static int64_t braked(int64_t* result_0_0001, double* result_1, double* result_2_0001, double* result_3_0001, double* result_4_0001, double* result_5_0001, double* result_6_0001, int64_t variant, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d trial);
+static int64_t surround(array_double_2d phases, int64_t count, bool brake_start, double v, double a, bool brake_end, double w, double b, double velocity_limit, double top, array_double_1d ramp, array_double_2d trial);
+static double linear_level(double gain, double a, double b, array_double_1d ramp);
+static int64_t root_level(double* result_0, double* result_1, double gain, double a, double b, double lower, double upper, double share, array_double_1d ramp);
+static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, array_double_1d ramp);
+static int64_t levels_distance(double* result_0_0001, double* result_1, double v, double a, double t1, double hold1, double level1, double hold2, double level2, double t3, double b, array_double_1d ramp);
+static int64_t canonical_point(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, double* result_6, double* result_7, double p, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
+static int64_t append_velocity_change(array_double_2d phases, int64_t count, double v, double a, double w, double top, array_double_1d ramp);
+static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_2, double* result_3, array_double_2d phases, double cruise, double v, double a, double w, double b, double top, array_double_1d ramp);
+static int64_t with_cruise(array_double_2d phases, double cruise, double v, double a, double w, double b, double distance, double top, array_double_1d ramp);
+static int64_t slower_cruise(array_double_2d phases, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
+static int64_t direct_form(array_double_2d phases, bool from_start, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
+static double window_edge(int64_t halvings, double inside, double outside, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
+static int64_t canonical_value(double* result_0_0001, double* result_1, double p, bool by_time, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
+static double bracketed_root(double lower, double upper, double f_lower, double f_upper, double target, bool by_time, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
+static int64_t first_window(double* result_0, double* result_1_0001, double target, double f_start, double v, double a, double w, double b, double high, double top, double t_top, double t_zero, array_double_1d ramp);
+static double dip(double target, double f_start, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
+static double canonical_search(double target, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
+static double member_search(int64_t which, bool by_time, double scale, double target, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
+static int64_t merged_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double high, double top, array_double_1d ramp);
+static double velocity_excess(array_double_2d phases, int64_t count, double v, double within_0001, double limit, array_double_1d ramp);
+static int64_t level_within(double* result_0, double* result_1_0001, double* result_2_0001, double* result_3_0001, double outside, double e_outside, array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
+static double highest_within(double inside, double outside, double e_inside, double e_outside, array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
+static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
+static double meets(array_double_2d phases, int64_t count, double v, double w, double distance, double limit, array_double_1d ramp);
+static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_double_2d trial, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
+static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends);
+static double cruise_time(double cruise, bool covering, double v, double a, double w, double b, double distance, double top, array_double_1d ramp, array_double_2d phases);
+static double turning_time(double lower, double upper, bool covering, double v, double a, double w, double b, double distance, double top, array_double_1d ramp, array_double_2d phases);
+static int64_t turning_ends(bool covering, double spent, double after, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, int64_t count, array_double_2d ends);
+static int64_t covering_ends(double spent, double after, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, int64_t found, array_double_2d ends);
+static int64_t gap_ends(double after, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, array_double_2d ends);
+static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, double target, double v, double a, double w, double b, double top, array_double_1d ramp);
+static double cruise_range(array_double_2d phases, double middle, double y, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
+static void keep_nearest(array_double_2d trial, int64_t count, double target, double v, double w, double distance, double velocity_limit, array_double_1d found, array_double_2d below, array_double_2d above, array_double_1d ramp);
+static void between_cruises(double lower, double y_lower, double upper, double y_upper, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial);
+static double cruise_edge(double inside, double outside, array_double_2d phases, double target, double v, double a, double w, double b, double top, array_double_1d ramp);
+static void scan_cruises(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial);
+static void stretch_phases(array_double_2d phases, int64_t count, double factor);
+static void fit_duration(array_double_2d phases, int64_t count, double target);
+static void timed_between(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial);
+static int64_t set_shortest(int64_t* result_0, double* result_1, int64_t interval, int64_t axis, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d trial);
+static bool set_duration(int64_t interval, int64_t axis, double target, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial);
+static double first_feasible(double outside, double inside, int64_t interval, int64_t axis, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial);
+static double next_feasible(int64_t interval, int64_t axis, double start, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial);
+static double round_up(double duration, double sample_time);
+static double common_duration(int64_t interval, int64_t first, int64_t last, double start, double sample_time, array_double_2d shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial);
+static int64_t check_waypoints(array_double_2d velocities, array_double_2d accelerations, array_double_1d dwells, array_double_2d limits, array_double_1d report);
+static bool distribute(int64_t first, int64_t last, double target, array_double_2d shortest, array_double_2d durations, array_int64_t_1d active, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial);
+static bool rewrite_intervals(int64_t first, int64_t last, array_double_2d shortest, array_double_2d durations, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial);
+static int64_t plan_axis(int64_t axis, double share, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, int64_t smoothness, int64_t shape, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d shortest, array_double_2d work, array_double_1d report);
+static int64_t synchronize_plan(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d dwells, array_double_2d limits, int64_t synchronization, double sample_time, double duration, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d shortest, array_double_2d durations, array_int64_t_1d active, array_double_2d work, array_double_1d report);
 static int64_t sensing_rows(double sample_time, double dead_time);
 static double next_sample(array_double_1d sensors, array_double_2d memory);
 static int64_t queue_entry(int64_t* result_0_0001, int64_t* result_1_0001, int64_t place, array_double_2d memory);
@@ -190,4604 +186,12 @@ static double wind_slope(array_double_1d parameters, array_double_2d components,
 static void forced_partials(array_double_1d parameters, array_double_1d state, array_double_2d rig, array_double_2d work, array_double_2d partials);
 static bool driven_partials(array_double_1d parameters, array_double_1d state, array_double_2d rig, array_double_1d command, array_double_2d work, array_double_2d partials);
 static void power_partials(array_double_1d parameters, array_double_1d state, array_double_2d rig, array_double_2d work, array_double_2d partials);
+static double next_break(double time, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends);
+static void shift_piece(array_double_2d coefficients, int64_t source, int64_t width, double t, double weight, array_double_2d target, int64_t row);
+static int64_t merge_pieces(double weight, double now, int64_t first_a, int64_t last_a, int64_t last_b, array_double_2d scratch_timing, array_double_2d scratch, array_double_2d timing, array_double_2d coefficients, int64_t row);
+static int64_t expand_interval(int64_t interval, int64_t axis, int64_t axes, double now, array_double_2d positions, array_double_2d velocities, int64_t smoothness, int64_t shape, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d ramps, array_double_2d scratch_timing, array_double_2d scratch, array_double_2d timing, array_double_2d coefficients, int64_t row);
 
 
-/*Coefficients of Psi(s, 1) of (12) in ascending powers of s; 2 order + 2 of them. */
-static void transition_coefficients(int64_t order, array_double_1d coefficients)
-{
-    int64_t i;
-    double scale;
-    double binomial;
-    for (i = INT64_C(0); i < INT64_C(2) * order + INT64_C(2); i += INT64_C(1))
-    {
-        (*cspan_at(&coefficients, i)) = 0.0;
-    }
-    /*Psi' is (2k+1)!/(k!)^2 s^k (1-s)^k; expanding the binomial gives the sum in (12).*/
-    scale = 1.0;
-    for (i = INT64_C(1); i < order + INT64_C(1); i += INT64_C(1))
-    {
-        scale = scale * (order + INT64_C(1) + i) / i;
-    }
-    scale = scale * (order + INT64_C(1));
-    binomial = 1.0;
-    for (i = INT64_C(0); i < order + INT64_C(1); i += INT64_C(1))
-    {
-        (*cspan_at(&coefficients, order + INT64_C(1) + i)) = scale * binomial / (order + INT64_C(1) + i);
-        binomial = (-binomial) * (order - i) / (i + INT64_C(1));
-    }
-}
-/*Value at s of a derivative of the polynomial with `count` ascending coefficients.*/
-static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s)
-{
-    int64_t j;
-    int64_t i;
-    double factor;
-    int64_t m;
-    double value;
-    value = 0.0;
-    for (j = INT64_C(0); j < count - times; j += INT64_C(1))
-    {
-        i = count - INT64_C(1) - j;
-        factor = 1.0;
-        for (m = INT64_C(0); m < times; m += INT64_C(1))
-        {
-            factor = factor * (i - m);
-        }
-        value = value * s + factor * (*cspan_at(&coefficients, i));
-    }
-    return value;
-}
-/*M_j of errata E3: peaks[j] = max over [0, 1] of |d^j Psi / ds^j|, j = 1 .. order + 1.          */
-/*                                                                                               */
-/*    `coefficients` is work space for 2 order + 2 numbers. All extrema of these derivatives of  */
-/*    s^k (1-s)^k lie in [0, 1]; the largest is the first one, next to s = 0, or the end itself. */
-/*                                                                                               */
-static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks)
-{
-    int64_t count;
-    int64_t samples;
-    int64_t j;
-    double best;
-    int64_t at;
-    int64_t i;
-    double value;
-    double lower;
-    double upper;
-    double left;
-    double middle;
-    double slope;
-    count = INT64_C(2) * order + INT64_C(2);
-    transition_coefficients(order, coefficients);
-    (*cspan_at(&peaks, INT64_C(0))) = 1.0;
-    samples = INT64_C(64) * (order + INT64_C(1));
-    for (j = INT64_C(1); j < order + INT64_C(2); j += INT64_C(1))
-    {
-        best = 0.0;
-        at = INT64_C(0);
-        for (i = INT64_C(0); i < samples + INT64_C(1); i += INT64_C(1))
-        {
-            value = fabs(polynomial_derivative(coefficients, count, j, i / (2.0 * samples)));
-            if (value > best)
-            {
-                best = value;
-                at = i;
-            }
-        }
-        lower = (at - INT64_C(1)) / (2.0 * samples);
-        upper = (at + INT64_C(1)) / (2.0 * samples);
-        if (at == INT64_C(0))
-        {
-            lower = 0.0;
-        }
-        /*bisect the next derivative, which changes sign at an interior extremum*/
-        left = polynomial_derivative(coefficients, count, j + INT64_C(1), lower);
-        for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
-        {
-            middle = 0.5 * (lower + upper);
-            slope = polynomial_derivative(coefficients, count, j + INT64_C(1), middle);
-            if (slope * left > 0.0)
-            {
-                lower = middle;
-            }
-            else
-            {
-                upper = middle;
-            }
-        }
-        value = fabs(polynomial_derivative(coefficients, count, j, 0.5 * (lower + upper)));
-        if (value > best)
-        {
-            best = value;
-        }
-        (*cspan_at(&peaks, j)) = best;
-    }
-}
-/*Pack the ramp parameters of one axis into `ramp` (48 numbers).                                     */
-/*                                                                                                   */
-/*    share is that of a plateau which each of its rises takes when no limit bounds that rise: the   */
-/*    smaller, the faster, and the larger the derivatives that are not bounded. limits[i] is c_{i+1},*/
-/*    i = 0 .. smoothness, and 0 where it is absent. `work` holds                                    */
-/*    2 smoothness numbers, `peaks` smoothness + 1. Returns 0, or 1 when no limit bounds the ramp.   */
-/*                                                                                                   */
-int64_t segfmu_ramp_parameters(int64_t smoothness, int64_t shape, double share, array_double_1d limits, array_double_1d work, array_double_1d peaks, array_double_1d ramp)
-{
-    int64_t k;
-    int64_t i;
-    bool plateau;
-    bool bounded;
-    int64_t j;
-    int64_t e;
-    double change;
-    bool steep;
-    double rise;
-    int64_t result;
-    k = smoothness - INT64_C(2);
-    for (i = INT64_C(0); i < INT64_C(48); i += INT64_C(1))
-    {
-        (*cspan_at(&ramp, i)) = 0.0;
-    }
-    plateau = (shape == INT64_C(1)) && (k > INT64_C(0));
-    bounded = 0;
-    if (!plateau)
-    {
-        transition_peaks(k, work, peaks);
-        (*cspan_at(&ramp, INT64_C(7))) = 2.0 * k + 2.0;
-        for (j = INT64_C(0); j < INT64_C(2) * k + INT64_C(2); j += INT64_C(1))
-        {
-            (*cspan_at(&ramp, INT64_C(16) + j)) = (*cspan_at(&work, j));
-        }
-        (*cspan_at(&ramp, INT64_C(4))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(3)));
-        for (j = INT64_C(1); j < k + INT64_C(2); j += INT64_C(1))
-        {
-            if ((*cspan_at(&limits, j + INT64_C(1))) > 0.0)
-            {
-                (*cspan_at(&ramp, INT64_C(7) + j)) = (*cspan_at(&peaks, j)) / (*cspan_at(&limits, j + INT64_C(1)));
-                bounded = 1;
-            }
-        }
-        (*cspan_at(&ramp, INT64_C(3))) = -1.0;
-        if ((*cspan_at(&ramp, INT64_C(8))) > 0.0)
-        {
-            (*cspan_at(&ramp, INT64_C(3))) = 0.0;
-            (*cspan_at(&ramp, INT64_C(41))) = (*cspan_at(&ramp, INT64_C(8)));
-            for (e = INT64_C(2); e < k + INT64_C(2); e += INT64_C(1))
-            {
-                change = pow(((*cspan_at(&ramp, INT64_C(7) + e)) / pow((*cspan_at(&ramp, INT64_C(8))), (double)(e))), (1.0 / (e - INT64_C(1))));
-                (*cspan_at(&ramp, INT64_C(3))) = span_max((*cspan_at(&ramp, INT64_C(3))), change);
-            }
-        }
-    }
-    else
-    {
-        /*where the root of the order e is no longer than the linear duration*/
-        (*cspan_at(&ramp, INT64_C(0))) = 1.0;
-        (*cspan_at(&ramp, INT64_C(1))) = (*cspan_at(&limits, INT64_C(2)));
-        (*cspan_at(&ramp, INT64_C(4))) = 1.0 / 12.0;
-        (*cspan_at(&ramp, INT64_C(5))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(1)));
-        steep = (k > INT64_C(1)) && ((*cspan_at(&limits, INT64_C(3))) > 0.0);
-        for (j = INT64_C(4); j < k + INT64_C(3); j += INT64_C(1))
-        {
-            if ((*cspan_at(&limits, j)) > 0.0)
-            {
-                steep = 0;
-            }
-        }
-        if (steep)
-        {
-            transition_coefficients(k - INT64_C(2), work);
-            (*cspan_at(&peaks, INT64_C(1))) = 1.0 / (1.0 - share);
-            (*cspan_at(&ramp, INT64_C(5))) = (1.0 - share) * (1.0 - share) / 12.0 + share * share / (4.0 * (INT64_C(2) * k - INT64_C(1)));
-            (*cspan_at(&ramp, INT64_C(7))) = 2.0 * k - 2.0;
-            (*cspan_at(&ramp, INT64_C(40))) = share;
-            for (j = INT64_C(0); j < INT64_C(2) * k - INT64_C(2); j += INT64_C(1))
-            {
-                (*cspan_at(&ramp, INT64_C(16) + j)) = (*cspan_at(&work, j));
-            }
-        }
-        else
-        {
-            transition_peaks(k - INT64_C(1), work, peaks);
-            (*cspan_at(&ramp, INT64_C(7))) = 2.0 * k + 1.0;
-            for (j = INT64_C(0); j < INT64_C(2) * k; j += INT64_C(1))
-            {
-                (*cspan_at(&ramp, INT64_C(17) + j)) = (*cspan_at(&work, j)) / (j + 1.0);
-            }
-        }
-        rise = 0.0;
-        for (j = INT64_C(1); j < k + INT64_C(1); j += INT64_C(1))
-        {
-            if ((*cspan_at(&limits, j + INT64_C(2))) > 0.0)
-            {
-                (*cspan_at(&ramp, INT64_C(8) + j)) = (*cspan_at(&peaks, j)) / (*cspan_at(&limits, j + INT64_C(2)));
-                rise = span_max(rise, pow(((*cspan_at(&limits, INT64_C(2))) * (*cspan_at(&ramp, INT64_C(8) + j))), (1.0 / j)));
-                bounded = 1;
-            }
-        }
-        if (((*cspan_at(&limits, INT64_C(2))) > 0.0) && (!bounded))
-        {
-            (*cspan_at(&ramp, INT64_C(6))) = share;
-            bounded = 1;
-        }
-        (*cspan_at(&ramp, INT64_C(2))) = rise;
-        (*cspan_at(&ramp, INT64_C(3))) = -1.0;
-        if ((*cspan_at(&limits, INT64_C(2))) > 0.0)
-        {
-            (*cspan_at(&ramp, INT64_C(3))) = (*cspan_at(&limits, INT64_C(2))) * rise;
-            (*cspan_at(&ramp, INT64_C(41))) = 1.0 / ((*cspan_at(&limits, INT64_C(2))) * (1.0 - (*cspan_at(&ramp, INT64_C(6)))));
-            (*cspan_at(&ramp, INT64_C(42))) = rise;
-        }
-    }
-    if (bounded)
-    {
-        return INT64_C(0);
-    }
-    return INT64_C(1);
-}
-/*max over e >= first of (q_e change)^(1/e), and its derivative with the change. */
-static int64_t slowest_root(double* result_0, double* result_1_0001, double change, int64_t first, array_double_1d ramp)
-{
-    double slowest;
-    int64_t exponent;
-    double root;
-    int64_t e;
-    slowest = 0.0;
-    exponent = INT64_C(1);
-    if ((first <= INT64_C(1)) && ((*cspan_at(&ramp, INT64_C(8))) > 0.0))
-    {
-        slowest = (*cspan_at(&ramp, INT64_C(8))) * change;
-    }
-    if ((*cspan_at(&ramp, INT64_C(9))) > 0.0)
-    {
-        root = sqrt((*cspan_at(&ramp, INT64_C(9))) * change);
-        if (root > slowest)
-        {
-            slowest = root;
-            exponent = INT64_C(2);
-        }
-    }
-    for (e = INT64_C(3); e < INT64_C(9); e += INT64_C(1))
-    {
-        if ((*cspan_at(&ramp, INT64_C(7) + e)) > 0.0)
-        {
-            root = pow(((*cspan_at(&ramp, INT64_C(7) + e)) * change), (1.0 / e));
-            if (root > slowest)
-            {
-                slowest = root;
-                exponent = e;
-            }
-        }
-    }
-    (*result_0) = slowest;
-    (*result_1_0001) = slowest / (exponent * change);
-    return 0;
-}
-/*Duration of the ramp for an acceleration change >= 0, that of its jerk rise [s], and the */
-/*    derivative of the duration with the change (0 for no change, where it is not finite).*/
-int64_t segfmu_ramp_duration(double* result_0_0001, double* result_1, double* result_2, double change, array_double_1d ramp)
-{
-    double duration;
-    double root;
-    double slope;
-    if (change <= 0.0)
-    {
-        (*result_0_0001) = 0.0;
-        (*result_1) = 0.0;
-        (*result_2) = 0.0;
-        return 0;
-    }
-    if (((*cspan_at(&ramp, INT64_C(3))) >= 0.0) && (change >= (*cspan_at(&ramp, INT64_C(3)))))
-    {
-        duration = change * (*cspan_at(&ramp, INT64_C(41))) + (*cspan_at(&ramp, INT64_C(42)));
-        (*result_0_0001) = duration;
-        (*result_1) = (*cspan_at(&ramp, INT64_C(2))) + (*cspan_at(&ramp, INT64_C(6))) * duration;
-        (*result_2) = (*cspan_at(&ramp, INT64_C(41)));
-        return 0;
-    }
-    if ((*cspan_at(&ramp, INT64_C(0))) < 0.5)
-    {
-        slowest_root(&root, &slope, change, INT64_C(1), ramp);
-        (*result_0_0001) = root;
-        (*result_1) = 0.0;
-        (*result_2) = slope;
-        return 0;
-    }
-    slowest_root(&root, &slope, change, INT64_C(2), ramp);
-    (*result_0_0001) = 2.0 * root;
-    (*result_1) = root;
-    (*result_2) = 2.0 * slope;
-    return 0;
-}
-/*Duration of the jerk rise of the ramp that lasts `duration`. */
-static double ramp_rise(double duration, array_double_1d ramp)
-{
-    double result;
-    if ((*cspan_at(&ramp, INT64_C(0))) < 0.5)
-    {
-        return 0.0;
-    }
-    if (((*cspan_at(&ramp, INT64_C(3))) >= 0.0) && (duration >= 2.0 * (*cspan_at(&ramp, INT64_C(2)))))
-    {
-        result = (*cspan_at(&ramp, INT64_C(2))) + (*cspan_at(&ramp, INT64_C(6))) * duration;
-        return result;
-    }
-    return 0.5 * duration;
-}
-/*Inverse of `slowest_root`: min over e >= first of duration^e / q_e, and its derivative.*/
-static int64_t fastest_power(double* result_0, double* result_1_0001, double duration, int64_t first, array_double_1d ramp)
-{
-    double fastest;
-    int64_t exponent;
-    double power;
-    int64_t e;
-    double change;
-    fastest = -1.0;
-    exponent = INT64_C(1);
-    power = 1.0;
-    for (e = INT64_C(1); e < INT64_C(9); e += INT64_C(1))
-    {
-        power = power * duration;
-        if ((e >= first) && ((*cspan_at(&ramp, INT64_C(7) + e)) > 0.0))
-        {
-            change = power / (*cspan_at(&ramp, INT64_C(7) + e));
-            if ((fastest < 0.0) || (change < fastest))
-            {
-                fastest = change;
-                exponent = e;
-            }
-        }
-    }
-    (*result_0) = fastest;
-    (*result_1_0001) = exponent * fastest / duration;
-    return 0;
-}
-/*Inverse of `ramp_duration`: the acceleration change of a ramp, and its derivative with */
-/*    the duration. Small ramps are solved for in their duration, which loses no digits. */
-static int64_t ramp_change(double* result_0, double* result_1, double duration, array_double_1d ramp)
-{
-    double change;
-    double slope;
-    if (duration <= 0.0)
-    {
-        (*result_0) = 0.0;
-        (*result_1) = 0.0;
-        return 0;
-    }
-    if (((*cspan_at(&ramp, INT64_C(3))) >= 0.0) && (duration >= (*cspan_at(&ramp, INT64_C(3))) * (*cspan_at(&ramp, INT64_C(41))) + (*cspan_at(&ramp, INT64_C(42)))))
-    {
-        (*result_0) = (duration - (*cspan_at(&ramp, INT64_C(42)))) / (*cspan_at(&ramp, INT64_C(41)));
-        (*result_1) = 1.0 / (*cspan_at(&ramp, INT64_C(41)));
-        return 0;
-    }
-    if ((*cspan_at(&ramp, INT64_C(0))) < 0.5)
-    {
-        fastest_power(result_0, result_1, duration, INT64_C(1), ramp);
-        return 0;
-    }
-    fastest_power(&change, &slope, 0.5 * duration, INT64_C(2), ramp);
-    (*result_0) = change;
-    (*result_1) = 0.5 * slope;
-    return 0;
-}
-/*Distance covered by the ramp from acceleration a to b that starts with velocity v. */
-static double ramp_distance(double v, double a, double b, double duration, double rise, array_double_1d ramp)
-{
-    double flat;
-    double variance;
-    double result;
-    flat = duration - rise;
-    variance = (*cspan_at(&ramp, INT64_C(4))) * flat * flat + (*cspan_at(&ramp, INT64_C(5))) * rise * rise;
-    return v * duration + 0.5 * a * duration * duration + (b - a) * (0.125 * duration * duration + 0.5 * variance);
-}
-/*`curved_part` for s <= 1/2 of a jerk rise whose snap has a plateau.*/
-static int64_t snap_plateau_half(double* result_0_0001, double* result_1_0001, double* result_2_0001, double s, array_double_1d ramp)
-{
-    double share;
-    int64_t count;
-    double peak;
-    double u;
-    double first;
-    double second;
-    double third;
-    int64_t j;
-    int64_t i;
-    double rest;
-    share = (*cspan_at(&ramp, INT64_C(40)));
-    count = (int64_t)((*cspan_at(&ramp, INT64_C(7))));
-    peak = 1.0 / (1.0 - share);
-    u = span_min(s / share, 1.0);
-    first = 0.0;
-    second = 0.0;
-    third = 0.0;
-    for (j = INT64_C(0); j < count; j += INT64_C(1))
-    {
-        i = count - INT64_C(1) - j;
-        first = first * u + (*cspan_at(&ramp, INT64_C(16) + i)) / (i + 1.0);
-        second = second * u + (*cspan_at(&ramp, INT64_C(16) + i)) / ((i + 1.0) * (i + 2.0));
-        third = third * u + (*cspan_at(&ramp, INT64_C(16) + i)) / ((i + 1.0) * (i + 2.0) * (i + 3.0));
-    }
-    first = peak * share * u * first;
-    second = peak * share * share * u * u * second;
-    third = peak * share * share * share * u * u * u * third;
-    rest = span_max(s - share, 0.0);
-    (*result_0_0001) = second + first * rest + 0.5 * peak * rest * rest;
-    (*result_1_0001) = first + peak * rest;
-    (*result_2_0001) = third + second * rest + 0.5 * first * rest * rest + peak * rest * rest * rest / 6.0;
-    return 0;
-}
-/*Polynomial of the curved part at s, its derivative and its integral from 0.*/
-static int64_t curved_part(double* result_0, double* result_1, double* result_2, double s, array_double_1d ramp)
-{
-    double value;
-    double slope;
-    double integral;
-    double middle;
-    double rate;
-    double half;
-    double whole;
-    int64_t count;
-    int64_t j;
-    int64_t i;
-    if ((*cspan_at(&ramp, INT64_C(40))) > 0.0)
-    {
-        if (s > 0.5)
-        {
-            /*the rise is symmetric: what is gained from s on follows from what is gained to 1 - s*/
-            snap_plateau_half(&value, &slope, &integral, 1.0 - s, ramp);
-            snap_plateau_half(&middle, &rate, &half, 0.5, ramp);
-            whole = 2.0 * half + 0.125;
-            (*result_0) = s - 0.5 + value;
-            (*result_1) = 1.0 - slope;
-            (*result_2) = whole - 0.5 * s * (1.0 - s) - integral;
-            return 0;
-        }
-        snap_plateau_half(result_0, result_1, result_2, s, ramp);
-        return 0;
-    }
-    count = (int64_t)((*cspan_at(&ramp, INT64_C(7))));
-    value = 0.0;
-    slope = 0.0;
-    integral = 0.0;
-    for (j = INT64_C(0); j < count; j += INT64_C(1))
-    {
-        i = count - INT64_C(1) - j;
-        value = value * s + (*cspan_at(&ramp, INT64_C(16) + i));
-        integral = integral * s + (*cspan_at(&ramp, INT64_C(16) + i)) / (i + 1.0);
-        if (i > INT64_C(0))
-        {
-            slope = slope * s + i * (*cspan_at(&ramp, INT64_C(16) + i));
-        }
-    }
-    (*result_0) = value;
-    (*result_1) = slope;
-    (*result_2) = integral * s;
-    return 0;
-}
-/*The s in [0, upper] at which the increasing curved part, 1/2 at `upper`, has the given value.    */
-/*                                                                                                 */
-/*    Close enough for an extremum, of which an error in s has only its square. The curved part is */
-/*    nearly a square at its upper end.                                                            */
-/*                                                                                                 */
-static double invert_curved_part(double value, double upper, array_double_1d ramp)
-{
-    double low;
-    double high;
-    int64_t i;
-    double at;
-    double slope;
-    double integral;
-    double step;
-    double newton;
-    double s;
-    low = 0.0;
-    high = upper;
-    s = upper * sqrt(span_min(span_max(2.0 * value, 0.0), 1.0));
-    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
-    {
-        curved_part(&at, &slope, &integral, s, ramp);
-        if (at > value)
-        {
-            high = s;
-        }
-        else
-        {
-            low = s;
-        }
-        step = 0.5 * (low + high) - s;
-        if (slope > 0.0)
-        {
-            newton = (value - at) / slope;
-            if ((s + newton > low) && (s + newton < high))
-            {
-                step = newton;
-            }
-        }
-        s = s + step;
-        if (fabs(step) <= 1e-09)
-        {
-            return s;
-        }
-    }
-    return s;
-}
-/*`ramp_extreme_velocity` for |a| <= |b|.*/
-static double ramp_extreme_velocity_first_half(double v, double a, double b, double duration, double rise, array_double_1d ramp)
-{
-    double s;
-    double value;
-    double slope;
-    double integral;
-    double jerk;
-    double start;
-    double result;
-    if ((*cspan_at(&ramp, INT64_C(0))) < 0.5)
-    {
-        if ((*cspan_at(&ramp, INT64_C(7))) == 2.0)
-        {
-            return v - 0.5 * a * a * duration / (b - a);
-        }
-        s = invert_curved_part(a / (a - b), 0.5, ramp);
-        curved_part(&value, &slope, &integral, s, ramp);
-        return v + duration * (a * s + (b - a) * integral);
-    }
-    jerk = (b - a) / (duration - rise);
-    if (fabs(a) <= 0.5 * fabs(jerk) * rise)
-    {
-        s = invert_curved_part((-a) / (jerk * rise), 1.0, ramp);
-        curved_part(&value, &slope, &integral, s, ramp);
-        return v + rise * (a * s + jerk * rise * integral);
-    }
-    curved_part(&value, &slope, &integral, 1.0, ramp);
-    start = a + 0.5 * jerk * rise;
-    return v + rise * (a + jerk * rise * integral) - 0.5 * start * start / jerk;
-}
-/*Velocity where the acceleration of a ramp from a to b, of opposite signs, is zero. */
-static double ramp_extreme_velocity(double v, double a, double b, double duration, double rise, array_double_1d ramp)
-{
-    double result;
-    if (fabs(a) > fabs(b))
-    {
-        /*the symmetric ramp, run backwards from its end, crosses zero in its first half*/
-        result = ramp_extreme_velocity_first_half(v + 0.5 * (a + b) * duration, -b, -a, duration, rise, ramp);
-        return result;
-    }
-    result = ramp_extreme_velocity_first_half(v, a, b, duration, rise, ramp);
-    return result;
-}
-/*The value, or 0 where it is so small against its scale that its powers would underflow.*/
-static double without_dust(double value, double scale)
-{
-    double result;
-    if (fabs(value) <= 1e-30 * scale)
-    {
-        return 0.0;
-    }
-    return value;
-}
-/*A boundary value without dust, and clamped where it passes its limit by rounding.*/
-static double without_excess(double value, double limit)
-{
-    double result;
-    return span_min(span_max(without_dust(value, limit), -limit), limit);
-}
-/*Append the ramp from a to b whose duration was solved for; nothing if it has none.             */
-/*                                                                                               */
-/*    The change follows from the duration, not from b - a: the rounding error of that difference*/
-/*    would be large against a small change, and break the limits of the ramp.                   */
-/*                                                                                               */
-static int64_t append_ramp(array_double_2d phases, int64_t count, double a, double b, double duration, array_double_1d ramp)
-{
-    double change;
-    double slope;
-    int64_t result;
-    if (duration <= 0.0)
-    {
-        return count;
-    }
-    ramp_change(&change, &slope, duration, ramp);
-    if (b < a)
-    {
-        change = -change;
-    }
-    (*cspan_at(&phases, count, INT64_C(0))) = duration;
-    (*cspan_at(&phases, count, INT64_C(1))) = ramp_rise(duration, ramp);
-    (*cspan_at(&phases, count, INT64_C(2))) = a;
-    (*cspan_at(&phases, count, INT64_C(3))) = change;
-    return count + INT64_C(1);
-}
-/*Append the fastest ramp from a to b; nothing if they are equal.*/
-static int64_t append_change(array_double_2d phases, int64_t count, double a, double b, array_double_1d ramp)
-{
-    double duration;
-    double rise;
-    double slope;
-    int64_t result;
-    segfmu_ramp_duration(&duration, &rise, &slope, fabs(b - a), ramp);
-    if (duration <= 0.0)
-    {
-        return count;
-    }
-    (*cspan_at(&phases, count, INT64_C(0))) = duration;
-    (*cspan_at(&phases, count, INT64_C(1))) = rise;
-    (*cspan_at(&phases, count, INT64_C(2))) = a;
-    (*cspan_at(&phases, count, INT64_C(3))) = b - a;
-    return count + INT64_C(1);
-}
-/*Append a phase of constant acceleration; nothing if it has no duration.*/
-static int64_t append_hold(array_double_2d phases, int64_t count, double a, double duration)
-{
-    int64_t result;
-    if (duration <= 0.0)
-    {
-        return count;
-    }
-    (*cspan_at(&phases, count, INT64_C(0))) = duration;
-    (*cspan_at(&phases, count, INT64_C(1))) = 0.0;
-    (*cspan_at(&phases, count, INT64_C(2))) = a;
-    (*cspan_at(&phases, count, INT64_C(3))) = 0.0;
-    return count + INT64_C(1);
-}
-/*Insert a phase of constant acceleration before `row`; nothing if it has no duration. */
-static int64_t insert_hold(array_double_2d phases, int64_t count, int64_t row, double a, double duration)
-{
-    int64_t j;
-    int64_t i;
-    int64_t column;
-    int64_t Dummy_0000;
-    int64_t result;
-    if (duration <= 0.0)
-    {
-        return count;
-    }
-    for (j = INT64_C(0); j < count - row; j += INT64_C(1))
-    {
-        i = count - INT64_C(1) - j;
-        for (column = INT64_C(0); column < INT64_C(4); column += INT64_C(1))
-        {
-            (*cspan_at(&phases, i + INT64_C(1), column)) = (*cspan_at(&phases, i, column));
-        }
-    }
-    Dummy_0000 = append_hold(phases, row, a, duration);
-    return count + INT64_C(1);
-}
-/*Copy the first rows of a list of phases. */
-static void copy_phases(array_double_2d source, array_double_2d target, int64_t count)
-{
-    int64_t i;
-    int64_t column;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        for (column = INT64_C(0); column < INT64_C(4); column += INT64_C(1))
-        {
-            (*cspan_at(&target, i, column)) = (*cspan_at(&source, i, column));
-        }
-    }
-}
-/*The same motion in the other direction.*/
-static void mirror_phases(array_double_2d phases, int64_t count)
-{
-    int64_t i;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        (*cspan_at(&phases, i, INT64_C(2))) = -(*cspan_at(&phases, i, INT64_C(2)));
-        (*cspan_at(&phases, i, INT64_C(3))) = -(*cspan_at(&phases, i, INT64_C(3)));
-    }
-}
-/*Exchange one column of two rows. */
-static void swap_entries(array_double_2d phases, int64_t i, int64_t j, int64_t column)
-{
-    double kept;
-    kept = (*cspan_at(&phases, i, column));
-    (*cspan_at(&phases, i, column)) = (*cspan_at(&phases, j, column));
-    (*cspan_at(&phases, j, column)) = kept;
-}
-/*The same path run from its end, velocities kept: accelerations change their sign.*/
-/*                                                                                 */
-/*    y(t) becomes -y(T - t); rows first .. count - 1 are reversed.                */
-/*                                                                                 */
-static void reverse_phases(array_double_2d phases, int64_t first, int64_t count)
-{
-    int64_t i;
-    int64_t column;
-    for (i = INT64_C(0); i < span_floor_div((count - first), INT64_C(2)); i += INT64_C(1))
-    {
-        for (column = INT64_C(0); column < INT64_C(4); column += INT64_C(1))
-        {
-            swap_entries(phases, first + i, count - INT64_C(1) - i, column);
-        }
-    }
-    for (i = first; i < count; i += INT64_C(1))
-    {
-        /*a ramp from a to a + d, run backwards with the sign changed, goes from -(a + d) to -a*/
-        (*cspan_at(&phases, i, INT64_C(2))) = -((*cspan_at(&phases, i, INT64_C(2))) + (*cspan_at(&phases, i, INT64_C(3))));
-    }
-}
-/*Duration, distance, end velocity, lowest and highest velocity of a list of phases. */
-/*                                                                                   */
-/*    Peaks inside of ramps are left out where they are surely within +-`within`.    */
-/*                                                                                   */
-int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result_2_0001, double* result_3, double* result_4, array_double_2d phases, int64_t count, double v, double within, array_double_1d ramp)
-{
-    double total;
-    double y;
-    double lowest;
-    double highest;
-    int64_t i;
-    double duration;
-    double a;
-    double b;
-    double bound;
-    double extreme;
-    total = 0.0;
-    y = 0.0;
-    lowest = v;
-    highest = v;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        duration = (*cspan_at(&phases, i, INT64_C(0)));
-        a = (*cspan_at(&phases, i, INT64_C(2)));
-        b = a + (*cspan_at(&phases, i, INT64_C(3)));
-        if (a * b < 0.0)
-        {
-            /*a quick bound first: the end with the smaller acceleration is less than half of the*/
-            /*ramp away from the crossing*/
-            bound = v + 0.5 * a * duration;
-            if ((bound > span_max(highest, within)) || (bound < span_min(lowest, -within)))
-            {
-                extreme = ramp_extreme_velocity(v, a, b, duration, (*cspan_at(&phases, i, INT64_C(1))), ramp);
-                lowest = span_min(lowest, extreme);
-                highest = span_max(highest, extreme);
-            }
-        }
-        y = y + ramp_distance(v, a, b, duration, (*cspan_at(&phases, i, INT64_C(1))), ramp);
-        v = v + 0.5 * (a + b) * duration;
-        lowest = span_min(lowest, v);
-        highest = span_max(highest, v);
-        total = total + duration;
-    }
-    (*result_0) = total;
-    (*result_1) = y;
-    (*result_2_0001) = v;
-    (*result_3) = lowest;
-    (*result_4) = highest;
-    return 0;
-}
-/*Extreme velocity of the ramp from a > 0 to a level <= 0 that starts with velocity v. */
-static double peak_past_zero(double v, double a, double level, array_double_1d ramp)
-{
-    double duration;
-    double rise;
-    double slope;
-    double result;
-    segfmu_ramp_duration(&duration, &rise, &slope, a - level, ramp);
-    if (level >= 0.0)
-    {
-        return v + 0.5 * a * duration;
-    }
-    result = ramp_extreme_velocity(v, a, level, duration, rise, ramp);
-    return result;
-}
-/*The level next to zero past which a ramp from a > 0 keeps the limit; 1 if there is none. */
-static double level_past_zero(double v, double a, double velocity_limit, double top, array_double_1d ramp)
-{
-    double shrink;
-    double lower;
-    double upper;
-    int64_t i;
-    double inner;
-    double outer;
-    double deepest;
-    double outside;
-    double level;
-    double inside;
-    shrink = 0.6180339887498949;
-    lower = -top;
-    upper = 0.0;
-    /*golden section: the extreme velocity falls with the depth of the level, and may rise again*/
-    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
-    {
-        inner = upper - shrink * (upper - lower);
-        outer = lower + shrink * (upper - lower);
-        if (peak_past_zero(v, a, inner, ramp) < peak_past_zero(v, a, outer, ramp))
-        {
-            upper = outer;
-        }
-        else
-        {
-            lower = inner;
-        }
-    }
-    deepest = 0.5 * (lower + upper);
-    if (peak_past_zero(v, a, -top, ramp) < peak_past_zero(v, a, deepest, ramp))
-    {
-        deepest = -top;
-    }
-    if (peak_past_zero(v, a, deepest, ramp) > velocity_limit)
-    {
-        return 1.0;
-    }
-    inside = deepest;
-    outside = 0.0;
-    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
-    {
-        level = 0.5 * (inside + outside);
-        if (peak_past_zero(v, a, level, ramp) <= velocity_limit)
-        {
-            inside = level;
-        }
-        else
-        {
-            outside = level;
-        }
-    }
-    return inside;
-}
-/*Phases from (v, a) to zero acceleration; their number (-1: the limit does not admit them).     */
-/*                                                                                               */
-/*    Also returns duration, distance and end velocity. Where the way back from a level past zero*/
-/*    passes the limit on the other side, it is braked in turn.                                  */
-/*                                                                                               */
-static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases)
-{
-    int64_t count;
-    double level;
-    double reached;
-    int64_t i;
-    double duration;
-    double y;
-    double end;
-    double lowest;
-    double highest;
-    double sign;
-    double past;
-    count = INT64_C(0);
-    level = a;
-    reached = v;
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        count = append_change(phases, count, level, 0.0, ramp);
-        segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, 1e+300, ramp);
-        if (fabs(end) <= velocity_limit * (1.0 + 1e-12))
-        {
-            (*result_0) = count;
-            (*result_1) = duration;
-            (*result_2) = y;
-            (*result_3) = end;
-            return 0;
-        }
-        count = count - INT64_C(1);
-        sign = 1.0;
-        if (level < 0.0)
-        {
-            sign = -1.0;
-        }
-        past = sign * level_past_zero(sign * reached, sign * level, velocity_limit, top, ramp);
-        if (past * sign > 0.0)
-        {
-            break;
-        }
-        count = append_change(phases, count, level, past, ramp);
-        segfmu_measure_phases(&duration, &y, &reached, &lowest, &highest, phases, count, v, 1e+300, ramp);
-        level = past;
-    }
-    (*result_0) = -INT64_C(1);
-    (*result_1) = 0.0;
-    (*result_2) = 0.0;
-    (*result_3) = 0.0;
-    return 0;
-}
-/*The problem that braking leaves: none (0), the first (1), the last (2), both (3).                */
-/*                                                                                                 */
-/*    Returns the number of phases that braking takes, their duration, and distance, v, a, w, b of */
-/*    what is left. The number is -1, -2 where the limit does not admit braking the first, the last*/
-/*    acceleration, and -3 where one that shall be braked is zero.                                 */
-/*                                                                                                 */
-static int64_t braked(int64_t* result_0_0001, double* result_1, double* result_2_0001, double* result_3_0001, double* result_4_0001, double* result_5_0001, double* result_6_0001, int64_t variant, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d trial)
-{
-    int64_t first;
-    int64_t last;
-    double time;
-    double duration;
-    double y;
-    first = INT64_C(0);
-    last = INT64_C(0);
-    time = 0.0;
-    if (((span_floor_mod(variant, INT64_C(2)) == INT64_C(1)) && (a == 0.0)) || ((variant >= INT64_C(2)) && (b == 0.0)))
-    {
-        (*result_0_0001) = -INT64_C(3);
-        (*result_1) = 0.0;
-        (*result_2_0001) = distance;
-        (*result_3_0001) = v;
-        (*result_4_0001) = a;
-        (*result_5_0001) = w;
-        (*result_6_0001) = b;
-        return 0;
-    }
-    if (span_floor_mod(variant, INT64_C(2)) == INT64_C(1))
-    {
-        brake(&first, &duration, &y, &v, v, a, velocity_limit, top, ramp, trial);
-        if (first < INT64_C(0))
-        {
-            (*result_0_0001) = -INT64_C(1);
-            (*result_1) = 0.0;
-            (*result_2_0001) = distance;
-            (*result_3_0001) = v;
-            (*result_4_0001) = a;
-            (*result_5_0001) = w;
-            (*result_6_0001) = b;
-            return 0;
-        }
-        time = duration;
-        distance = distance - y;
-        a = 0.0;
-    }
-    if (variant >= INT64_C(2))
-    {
-        brake(&last, &duration, &y, &w, w, -b, velocity_limit, top, ramp, trial);
-        if (last < INT64_C(0))
-        {
-            (*result_0_0001) = -INT64_C(2);
-            (*result_1) = 0.0;
-            (*result_2_0001) = distance;
-            (*result_3_0001) = v;
-            (*result_4_0001) = a;
-            (*result_5_0001) = w;
-            (*result_6_0001) = b;
-            return 0;
-        }
-        time = time + duration;
-        distance = distance - y;
-        b = 0.0;
-    }
-    (*result_0_0001) = first + last;
-    (*result_1) = time;
-    (*result_2_0001) = distance;
-    (*result_3_0001) = v;
-    (*result_4_0001) = a;
-    (*result_5_0001) = w;
-    (*result_6_0001) = b;
-    return 0;
-}
-/*Put the braking of the initial and the build-up of the final acceleration around phases. */
-static int64_t surround(array_double_2d phases, int64_t count, bool brake_start, double v, double a, bool brake_end, double w, double b, double velocity_limit, double top, array_double_1d ramp, array_double_2d trial)
-{
-    int64_t first;
-    double duration;
-    double y;
-    double end;
-    int64_t j;
-    int64_t i;
-    int64_t column;
-    int64_t last;
-    int64_t result;
-    if (brake_start)
-    {
-        brake(&first, &duration, &y, &end, v, a, velocity_limit, top, ramp, trial);
-        for (j = INT64_C(0); j < count; j += INT64_C(1))
-        {
-            i = count - INT64_C(1) - j;
-            for (column = INT64_C(0); column < INT64_C(4); column += INT64_C(1))
-            {
-                (*cspan_at(&phases, first + i, column)) = (*cspan_at(&phases, i, column));
-            }
-        }
-        copy_phases(trial, phases, first);
-        count = first + count;
-    }
-    if (brake_end)
-    {
-        brake(&last, &duration, &y, &end, w, -b, velocity_limit, top, ramp, trial);
-        reverse_phases(trial, INT64_C(0), last);
-        for (i = INT64_C(0); i < last; i += INT64_C(1))
-        {
-            for (column = INT64_C(0); column < INT64_C(4); column += INT64_C(1))
-            {
-                (*cspan_at(&phases, count + i, column)) = (*cspan_at(&trial, i, column));
-            }
-        }
-        count = count + last;
-    }
-    return count;
-}
-/*The level of `solve_level` where the durations of both ramps are linear in their change.           */
-/*                                                                                                   */
-/*    slope level^2 + constant level = gain + slope (a^2 + b^2) / 2 - constant (a + b) / 2; -1 where */
-/*    that has no root.                                                                              */
-/*                                                                                                   */
-static double linear_level(double gain, double a, double b, array_double_1d ramp)
-{
-    double slope;
-    double half;
-    double rest;
-    double square;
-    double result;
-    slope = (*cspan_at(&ramp, INT64_C(41)));
-    half = 0.5 * (*cspan_at(&ramp, INT64_C(42)));
-    rest = gain + 0.5 * slope * (a * a + b * b) - half * (a + b);
-    square = half * half + slope * rest;
-    if (square <= 0.0)
-    {
-        return -1.0;
-    }
-    /*the form without a difference of nearly equal numbers*/
-    return rest / (half + sqrt(square));
-}
-/*Duration of the first ramp of `solve_level` in [lower, upper] by Newton's method; level.         */
-/*                                                                                                 */
-/*    share is where the gain lies between those of the two durations; the gain is nearly quadratic*/
-/*    in the duration.                                                                             */
-/*                                                                                                 */
-static int64_t root_level(double* result_0, double* result_1, double gain, double a, double b, double lower, double upper, double share, array_double_1d ramp)
-{
-    double t;
-    double level;
-    int64_t i;
-    double change;
-    double growth;
-    double t_end;
-    double rise;
-    double slope;
-    double first;
-    double second;
-    double error;
-    double rate;
-    double following;
-    double newton;
-    double found;
-    t = lower + (upper - lower) * sqrt(share);
-    level = a;
-    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
-    {
-        ramp_change(&change, &growth, t, ramp);
-        level = a + change;
-        segfmu_ramp_duration(&t_end, &rise, &slope, level - b, ramp);
-        first = 0.5 * (a + level) * t;
-        second = 0.5 * (level + b) * t_end;
-        error = first + second - gain;
-        if (fabs(error) <= 2e-16 * (fabs(first) + fabs(second)))
-        {
-            (*result_0) = t;
-            (*result_1) = level;
-            return 0;
-        }
-        if (error > 0.0)
-        {
-            upper = t;
-        }
-        else
-        {
-            lower = t;
-        }
-        rate = 0.5 * (a + level) + 0.5 * growth * (t + t_end + (level + b) * slope);
-        following = 0.5 * (lower + upper);
-        if (rate > 0.0)
-        {
-            newton = t - error / rate;
-            /*at the root the step may round to nothing, which a bracket would not admit*/
-            if (fabs(newton - t) <= 4e-16 * t)
-            {
-                (*result_0) = t;
-                (*result_1) = level;
-                return 0;
-            }
-            found = first + second;
-            /*far from the root, Newton's method on logarithms, as the gain is nearly a power*/
-            if ((found > 0.0) && (gain > 0.0) && ((found > 2.0 * gain) || (gain > 2.0 * found)))
-            {
-                newton = t * pow((gain / found), (found / (t * rate)));
-            }
-            if ((newton > lower) && (newton < upper))
-            {
-                following = newton;
-            }
-        }
-        if (fabs(following - t) <= 4e-16 * t)
-        {
-            (*result_0) = t;
-            (*result_1) = level;
-            return 0;
-        }
-        t = following;
-    }
-    ramp_change(&change, &growth, t, ramp);
-    (*result_0) = t;
-    (*result_1) = a + change;
-    return 0;
-}
-/*Ramp from a to a level in [low, high], hold it, ramp to b, and gain a velocity.                  */
-/*                                                                                                 */
-/*    low >= max(0, a, b), where the gain grows with the level. Returns the duration of the first  */
-/*    ramp, the hold (above zero only at `high`), and -1 in place of the hold when even the lowest */
-/*    level gains too much; last the level.                                                        */
-/*                                                                                                 */
-static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, array_double_1d ramp)
-{
-    double level;
-    double t_low;
-    double rise;
-    double slope;
-    double t_end;
-    double least;
-    double t_high;
-    double most;
-    double share;
-    double t;
-    if ((*cspan_at(&ramp, INT64_C(3))) >= 0.0)
-    {
-        level = linear_level(gain, a, b, ramp);
-        if ((level >= span_max(a, b) + (*cspan_at(&ramp, INT64_C(3)))) && (level >= low) && (level <= high))
-        {
-            (*result_0_0001) = (level - a) * (*cspan_at(&ramp, INT64_C(41))) + (*cspan_at(&ramp, INT64_C(42)));
-            (*result_1_0001) = 0.0;
-            (*result_2_0001) = level;
-            return 0;
-        }
-    }
-    segfmu_ramp_duration(&t_low, &rise, &slope, low - a, ramp);
-    segfmu_ramp_duration(&t_end, &rise, &slope, low - b, ramp);
-    least = 0.5 * (a + low) * t_low + 0.5 * (low + b) * t_end;
-    if (gain <= least)
-    {
-        /*a rounding error short of the lowest level is that level*/
-        if (gain < least - 1e-14 * (fabs(gain) + fabs(least)))
-        {
-            (*result_0_0001) = 0.0;
-            (*result_1_0001) = -1.0;
-            (*result_2_0001) = low;
-            return 0;
-        }
-        (*result_0_0001) = t_low;
-        (*result_1_0001) = 0.0;
-        (*result_2_0001) = low;
-        return 0;
-    }
-    segfmu_ramp_duration(&t_high, &rise, &slope, high - a, ramp);
-    segfmu_ramp_duration(&t_end, &rise, &slope, high - b, ramp);
-    most = 0.5 * (a + high) * t_high + 0.5 * (high + b) * t_end;
-    if (gain >= most)
-    {
-        (*result_0_0001) = t_high;
-        (*result_1_0001) = (gain - most) / high;
-        (*result_2_0001) = high;
-        return 0;
-    }
-    share = (gain - least) / (most - least);
-    root_level(&t, &level, gain, a, b, t_low, t_high, share, ramp);
-    (*result_0_0001) = t;
-    (*result_1_0001) = 0.0;
-    (*result_2_0001) = level;
-    return 0;
-}
-/*Duration and distance of: ramp, hold, ramp, hold, ramp (merged form).*/
-static int64_t levels_distance(double* result_0_0001, double* result_1, double v, double a, double t1, double hold1, double level1, double hold2, double level2, double t3, double b, array_double_1d ramp)
-{
-    double t2;
-    double rise;
-    double slope;
-    double y;
-    segfmu_ramp_duration(&t2, &rise, &slope, fabs(level2 - level1), ramp);
-    y = ramp_distance(v, a, level1, t1, ramp_rise(t1, ramp), ramp);
-    v = v + 0.5 * (a + level1) * t1;
-    if (hold1 > 0.0)
-    {
-        y = y + (v + 0.5 * level1 * hold1) * hold1;
-        v = v + level1 * hold1;
-    }
-    y = y + ramp_distance(v, level1, level2, t2, rise, ramp);
-    v = v + 0.5 * (level1 + level2) * t2;
-    if (hold2 > 0.0)
-    {
-        y = y + (v + 0.5 * level2 * hold2) * hold2;
-        v = v + level2 * hold2;
-    }
-    y = y + ramp_distance(v, level2, b, t3, ramp_rise(t3, ramp), ramp);
-    (*result_0_0001) = t1 + hold1 + t2 + hold2 + t3;
-    (*result_1) = y;
-    return 0;
-}
-/*One member of the canonical family from (v, a) to (w, b).                                          */
-/*                                                                                                   */
-/*    p is the duration of the last ramp, from the second level up to b; beyond t_top, where that    */
-/*    level is -top, it goes on as the hold there. The first level is at most `high`: `top`, or less */
-/*    to keep the velocity down between the levels, but not less than a and b. Returns duration      */
-/*    (-1: no such member), distance, t1, hold1, level1, hold2, level2, t3.                          */
-/*                                                                                                   */
-static int64_t canonical_point(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, double* result_6, double* result_7, double p, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
-{
-    double hold2;
-    double t3;
-    double level2;
-    double change;
-    double slope;
-    double gain;
-    double low;
-    double t1;
-    double hold1;
-    double level1;
-    double duration;
-    double y;
-    hold2 = 0.0;
-    t3 = p;
-    if (p >= t_top)
-    {
-        t3 = t_top;
-        hold2 = p - t_top;
-        level2 = -top;
-    }
-    else
-    {
-        ramp_change(&change, &slope, p, ramp);
-        level2 = b - change;
-    }
-    gain = w - v - 0.5 * (level2 + b) * t3 - level2 * hold2;
-    low = span_max(0.0, span_max(a, level2));
-    solve_level(&t1, &hold1, &level1, gain, a, level2, low, high, ramp);
-    if (hold1 < 0.0)
-    {
-        (*result_0) = -1.0;
-        (*result_1) = 0.0;
-        (*result_2) = 0.0;
-        (*result_3) = 0.0;
-        (*result_4) = 0.0;
-        (*result_5) = 0.0;
-        (*result_6) = 0.0;
-        (*result_7) = 0.0;
-        return 0;
-    }
-    levels_distance(&duration, &y, v, a, t1, hold1, level1, hold2, level2, t3, b, ramp);
-    (*result_0) = duration;
-    (*result_1) = y;
-    (*result_2) = t1;
-    (*result_3) = hold1;
-    (*result_4) = level1;
-    (*result_5) = hold2;
-    (*result_6) = level2;
-    (*result_7) = t3;
-    return 0;
-}
-/*Share of the way from a to b at which to evaluate next, inside (0, 1). */
-static double root_share(double a, double b, double c, double f_a, double f_b, double f_c)
-{
-    double place;
-    double height;
-    double share;
-    double least;
-    double result;
-    if ((f_a * f_b * f_c == 0.0) || (f_c == f_a) || (f_c == f_b) || (c == b))
-    {
-        return 0.5;
-    }
-    place = (a - b) / (c - b);
-    height = (f_a - f_b) / (f_c - f_b);
-    if ((height * height >= place) || ((1.0 - height) * (1.0 - height) >= 1.0 - place))
-    {
-        return 0.5;
-    }
-    share = f_a / (f_b - f_a) * f_c / (f_b - f_c);
-    share = share + (c - a) / (b - a) * f_a / (f_c - f_a) * f_b / (f_c - f_b);
-    /*the point must differ from both ends*/
-    least = 2e-16 * span_max(fabs(a), fabs(b)) / fabs(b - a);
-    return span_max(span_min(share, 1.0 - least), least);
-}
-/*Bisect between a parameter that has a canonical member and one that has none.*/
-static double window_edge(int64_t halvings, double inside, double outside, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
-{
-    int64_t i;
-    double middle;
-    double duration;
-    double y;
-    double t1;
-    double hold1;
-    double level1;
-    double hold2;
-    double level2;
-    double t3;
-    double result;
-    for (i = INT64_C(0); i < halvings; i += INT64_C(1))
-    {
-        middle = 0.5 * (inside + outside);
-        if ((middle == inside) || (middle == outside))
-        {
-            break;
-        }
-        canonical_point(&duration, &y, &t1, &hold1, &level1, &hold2, &level2, &t3, middle, v, a, w, b, high, top, t_top, ramp);
-        if (duration >= 0.0)
-        {
-            inside = middle;
-        }
-        else
-        {
-            outside = middle;
-        }
-    }
-    return inside;
-}
-/*The searched quantity (duration or distance) of a member, and its duration or -1.*/
-static int64_t canonical_value(double* result_0_0001, double* result_1, double p, bool by_time, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
-{
-    double duration;
-    double y;
-    double t1;
-    double hold1;
-    double level1;
-    double hold2;
-    double level2;
-    double t3;
-    canonical_point(&duration, &y, &t1, &hold1, &level1, &hold2, &level2, &t3, p, v, a, w, b, high, top, t_top, ramp);
-    if (by_time)
-    {
-        (*result_0_0001) = duration;
-        (*result_1) = duration;
-        return 0;
-    }
-    (*result_0_0001) = y;
-    (*result_1) = duration;
-    return 0;
-}
-/*Bracketed root on the canonical family; f_lower < target <= f_upper.     */
-/*                                                                         */
-/*    `lower` and `upper` name the values, not the order of the parameters.*/
-/*                                                                         */
-static double bracketed_root(double lower, double upper, double f_lower, double f_upper, double target, bool by_time, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
-{
-    double a_p;
-    double a_error;
-    double b_p;
-    double b_error;
-    double c_p;
-    double c_error;
-    double speed;
-    int64_t i;
-    double p;
-    double value;
-    double duration;
-    double error;
-    double result;
-    a_p = upper;
-    a_error = f_upper - target;
-    b_p = lower;
-    b_error = f_lower - target;
-    c_p = lower;
-    c_error = b_error;
-    speed = fabs(v) + fabs(w);
-    if (by_time)
-    {
-        speed = 0.0;
-    }
-    for (i = INT64_C(0); i < INT64_C(120); i += INT64_C(1))
-    {
-        if ((a_error == 0.0) || (fabs(a_p - b_p) <= 2e-16 * fabs(a_p)))
-        {
-            break;
-        }
-        p = a_p + root_share(a_p, b_p, c_p, a_error, b_error, c_error) * (b_p - a_p);
-        canonical_value(&value, &duration, p, by_time, v, a, w, b, high, top, t_top, ramp);
-        error = value - target;
-        c_p = a_p;
-        c_error = a_error;
-        if (error * a_error < 0.0)
-        {
-            c_p = b_p;
-            c_error = b_error;
-            b_p = a_p;
-            b_error = a_error;
-        }
-        a_p = p;
-        a_error = error;
-        /*what rounding leaves of a sum whose terms may cancel*/
-        if (fabs(error) <= 2e-15 * (fabs(target) + speed * duration))
-        {
-            break;
-        }
-    }
-    if (fabs(b_error) < fabs(a_error))
-    {
-        return b_p;
-    }
-    return a_p;
-}
-/*Search the members whose second level lies between the end acceleration and zero.                */
-/*                                                                                                 */
-/*    Returns the parameter or -1, and t_zero if the family goes on there, else -1: a positive     */
-/*    second level gains velocity, which can leave no room for the first one. Where the motion     */
-/*    starts backwards the distance can rise and fall again, so the members between are looked at. */
-/*                                                                                                 */
-static int64_t first_window(double* result_0, double* result_1_0001, double target, double f_start, double v, double a, double w, double b, double high, double top, double t_top, double t_zero, array_double_1d ramp)
-{
-    int64_t samples;
-    double lower;
-    double f_lower;
-    int64_t i;
-    double p;
-    double value;
-    double duration;
-    double end;
-    double going_on;
-    if (v < 0.0)
-    {
-        samples = INT64_C(8);
-        lower = 0.0;
-        f_lower = f_start;
-        for (i = INT64_C(1); i < samples; i += INT64_C(1))
-        {
-            p = t_zero * i / samples;
-            canonical_value(&value, &duration, p, 0, v, a, w, b, high, top, t_top, ramp);
-            if (duration < 0.0)
-            {
-                break;
-            }
-            if ((value >= target) && (value > f_lower))
-            {
-                (*result_0) = bracketed_root(lower, p, f_lower, value, target, 0, v, a, w, b, high, top, t_top, ramp);
-                (*result_1_0001) = t_zero;
-                return 0;
-            }
-            lower = p;
-            f_lower = value;
-        }
-    }
-    canonical_value(&value, &duration, t_zero, 0, v, a, w, b, high, top, t_top, ramp);
-    end = t_zero;
-    if (duration < 0.0)
-    {
-        end = window_edge(INT64_C(80), 0.0, t_zero, v, a, w, b, high, top, t_top, ramp);
-        canonical_value(&value, &duration, end, 0, v, a, w, b, high, top, t_top, ramp);
-    }
-    going_on = -1.0;
-    if (end == t_zero)
-    {
-        going_on = t_zero;
-    }
-    if ((value >= target) && (value > f_start))
-    {
-        p = bracketed_root(0.0, end, f_start, value, target, 0, v, a, w, b, high, top, t_top, ramp);
-        (*result_0) = p;
-        (*result_1_0001) = going_on;
-        return 0;
-    }
-    (*result_0) = -1.0;
-    (*result_1_0001) = going_on;
-    return 0;
-}
-/*Parameter of a member that covers less than the first one, and just the target; or -1. */
-/*                                                                                       */
-/*    Going on for longer covers less distance while the velocity in between is negative.*/
-/*                                                                                       */
-static double dip(double target, double f_start, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
-{
-    int64_t samples;
-    double span;
-    double rise;
-    double slope;
-    int64_t i;
-    double p;
-    double value;
-    double duration;
-    double result;
-    samples = INT64_C(12);
-    segfmu_ramp_duration(&span, &rise, &slope, top, ramp);
-    for (i = INT64_C(1); i < samples + INT64_C(1); i += INT64_C(1))
-    {
-        p = span_max(t_top, span) * i * i / (samples * samples);
-        canonical_value(&value, &duration, p, 0, v, a, w, b, high, top, t_top, ramp);
-        if (duration < 0.0)
-        {
-            return -1.0;
-        }
-        if (value <= target)
-        {
-            result = bracketed_root(p, 0.0, value, f_start, target, 0, v, a, w, b, high, top, t_top, ramp);
-            return result;
-        }
-    }
-    return -1.0;
-}
-/*Parameter of the first canonical member that covers the target distance, or -1.*/
-static double canonical_search(double target, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
-{
-    double f_lower;
-    double duration;
-    double lower;
-    double t_zero;
-    double rise;
-    double slope;
-    double upper;
-    double value;
-    int64_t i;
-    double span;
-    double f_upper;
-    double p;
-    canonical_value(&f_lower, &duration, 0.0, 0, v, a, w, b, high, top, t_top, ramp);
-    if (duration < 0.0)
-    {
-        return -1.0;
-    }
-    /*a target that only rounding keeps from the first member is met by it*/
-    if (fabs(f_lower - target) <= 1e-14 * (fabs(target) + (fabs(v) + fabs(w)) * duration))
-    {
-        return 0.0;
-    }
-    if (f_lower > target)
-    {
-        if ((v >= 0.0) && (w >= 0.0))
-        {
-            return -1.0;
-        }
-        p = dip(target, f_lower, v, a, w, b, high, top, t_top, ramp);
-        return p;
-    }
-    lower = 0.0;
-    if (b > 0.0)
-    {
-        segfmu_ramp_duration(&t_zero, &rise, &slope, b, ramp);
-        first_window(&p, &lower, target, f_lower, v, a, w, b, high, top, t_top, t_zero, ramp);
-        if (p >= 0.0)
-        {
-            return p;
-        }
-        if (lower < 0.0)
-        {
-            upper = t_top;
-            canonical_value(&value, &duration, upper, 0, v, a, w, b, high, top, t_top, ramp);
-            for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
-            {
-                if (duration >= 0.0)
-                {
-                    break;
-                }
-                upper = 2.0 * upper;
-                canonical_value(&value, &duration, upper, 0, v, a, w, b, high, top, t_top, ramp);
-            }
-            lower = window_edge(INT64_C(80), upper, t_zero, v, a, w, b, high, top, t_top, ramp);
-        }
-        canonical_value(&f_lower, &duration, lower, 0, v, a, w, b, high, top, t_top, ramp);
-        if (f_lower > target)
-        {
-            return -1.0;
-        }
-    }
-    /*where the last acceleration is at its limit, t_top is no scale of the family*/
-    segfmu_ramp_duration(&span, &rise, &slope, top, ramp);
-    upper = span_max(t_top, span);
-    if (upper <= lower)
-    {
-        upper = 2.0 * lower;
-    }
-    for (i = INT64_C(0); i < INT64_C(200); i += INT64_C(1))
-    {
-        canonical_value(&f_upper, &duration, upper, 0, v, a, w, b, high, top, t_top, ramp);
-        if (f_upper >= target)
-        {
-            p = bracketed_root(lower, upper, f_lower, f_upper, target, 0, v, a, w, b, high, top, t_top, ramp);
-            return p;
-        }
-        lower = upper;
-        f_lower = f_upper;
-        upper = 2.0 * upper;
-    }
-    return -1.0;
-}
-/*Parameter of the which-th canonical member (from 0) of a duration or distance, or -1.              */
-/*                                                                                                   */
-/*    Neither is monotone along the family: the duration falls and rises again where a first level   */
-/*    that takes long to come back from is traded for a shorter one, the distance while the velocity */
-/*    in between is negative. So the members are looked at one by one, up to nine times `scale`.     */
-/*                                                                                                   */
-static double member_search(int64_t which, bool by_time, double scale, double target, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
-{
-    int64_t found;
-    double previous;
-    double lower;
-    double f_lower;
-    double p;
-    int64_t i;
-    double value;
-    double duration;
-    double upper;
-    bool inside;
-    double result;
-    found = INT64_C(0);
-    previous = 0.0;
-    lower = -1.0;
-    f_lower = 0.0;
-    p = 0.0;
-    for (i = INT64_C(0); i < INT64_C(36); i += INT64_C(1))
-    {
-        p = scale * i * i / 144.0;
-        canonical_value(&value, &duration, p, by_time, v, a, w, b, high, top, t_top, ramp);
-        upper = p;
-        inside = duration >= 0.0;
-        if (inside && (lower < 0.0) && (i > INT64_C(0)))
-        {
-            lower = window_edge(INT64_C(24), p, previous, v, a, w, b, high, top, t_top, ramp);
-            canonical_value(&f_lower, &duration, lower, by_time, v, a, w, b, high, top, t_top, ramp);
-        }
-        if ((!inside) && (lower >= 0.0))
-        {
-            upper = window_edge(INT64_C(24), lower, p, v, a, w, b, high, top, t_top, ramp);
-            canonical_value(&value, &duration, upper, by_time, v, a, w, b, high, top, t_top, ramp);
-        }
-        if ((lower >= 0.0) && ((f_lower - target) * (value - target) <= 0.0) && (value != f_lower))
-        {
-            if ((found == which) && (value > f_lower))
-            {
-                result = bracketed_root(lower, upper, f_lower, value, target, by_time, v, a, w, b, high, top, t_top, ramp);
-                return result;
-            }
-            if (found == which)
-            {
-                result = bracketed_root(upper, lower, value, f_lower, target, by_time, v, a, w, b, high, top, t_top, ramp);
-                return result;
-            }
-            found = found + INT64_C(1);
-        }
-        lower = -1.0;
-        if (inside)
-        {
-            lower = p;
-            f_lower = value;
-            if ((i > INT64_C(12)) && (value > target))
-            {
-                return -1.0;
-            }
-        }
-        previous = p;
-    }
-    return -1.0;
-}
-/*Append the fastest change from (v, a) to (w, 0) over one level; -1 if there is none. */
-static int64_t append_velocity_change(array_double_2d phases, int64_t count, double v, double a, double w, double top, array_double_1d ramp)
-{
-    double sign;
-    double t1;
-    double hold;
-    double level;
-    int64_t result;
-    sign = 1.0;
-    solve_level(&t1, &hold, &level, w - v, a, 0.0, span_max(0.0, a), top, ramp);
-    if (hold < 0.0)
-    {
-        sign = -1.0;
-        solve_level(&t1, &hold, &level, v - w, -a, 0.0, span_max(0.0, -a), top, ramp);
-        if (hold < 0.0)
-        {
-            return -INT64_C(1);
-        }
-    }
-    count = append_ramp(phases, count, a, sign * level, t1, ramp);
-    count = append_hold(phases, count, sign * level, hold);
-    result = append_change(phases, count, sign * level, 0.0, ramp);
-    return result;
-}
-/*The paper's form with a given cruise velocity, the cruise itself left out.                   */
-/*                                                                                             */
-/*    Returns the number of phases (-1: a velocity change does not exist), the row before which*/
-/*    the cruise belongs, duration and distance.                                               */
-/*                                                                                             */
-static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_2, double* result_3, array_double_2d phases, double cruise, double v, double a, double w, double b, double top, array_double_1d ramp)
-{
-    int64_t row;
-    int64_t count;
-    double duration;
-    double y;
-    double end;
-    double lowest;
-    double highest;
-    row = append_velocity_change(phases, INT64_C(0), v, a, cruise, top, ramp);
-    if (row < INT64_C(0))
-    {
-        (*result_0) = -INT64_C(1);
-        (*result_1) = INT64_C(0);
-        (*result_2) = 0.0;
-        (*result_3) = 0.0;
-        return 0;
-    }
-    /*the second part is the first part of the reversed problem*/
-    count = append_velocity_change(phases, row, w, -b, cruise, top, ramp);
-    if (count < INT64_C(0))
-    {
-        (*result_0) = -INT64_C(1);
-        (*result_1) = INT64_C(0);
-        (*result_2) = 0.0;
-        (*result_3) = 0.0;
-        return 0;
-    }
-    reverse_phases(phases, row, count);
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, 1e+300, ramp);
-    (*result_0) = count;
-    (*result_1) = row;
-    (*result_2) = duration;
-    (*result_3) = y;
-    return 0;
-}
-/*The paper's form with the cruise that covers the distance; 0 if it is overshot.*/
-static int64_t with_cruise(array_double_2d phases, double cruise, double v, double a, double w, double b, double distance, double top, array_double_1d ramp)
-{
-    int64_t count;
-    int64_t row;
-    double duration;
-    double y;
-    double hold;
-    int64_t result;
-    cruise_form(&count, &row, &duration, &y, phases, cruise, v, a, w, b, top, ramp);
-    if ((count < INT64_C(0)) || (cruise == 0.0))
-    {
-        return span_max_int(count, INT64_C(0));
-    }
-    hold = (distance - y) / cruise;
-    /*shorter than rounding: no cruise, and what it misses is judged by its caller*/
-    if ((hold < 0.0) && (fabs(distance - y) > 1e-13 * fabs(distance)))
-    {
-        return INT64_C(0);
-    }
-    result = insert_hold(phases, count, row, 0.0, hold);
-    return result;
-}
-/*The paper's form whose cruise velocity, below the limit, makes the cruise vanish.              */
-/*                                                                                               */
-/*    Searched between the two limits, of which one falls short of the distance and the other one*/
-/*    is too far; by bisection where the form does not exist.                                    */
-/*                                                                                               */
-static int64_t slower_cruise(array_double_2d phases, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
-{
-    double newest;
-    double other;
-    double before;
-    double e_newest;
-    double e_other;
-    double e_before;
-    bool falls_short;
-    int64_t i;
-    double middle;
-    double share;
-    int64_t count;
-    int64_t row;
-    double duration;
-    double y;
-    double error;
-    bool short_0001;
-    double lower;
-    double upper;
-    double cruise;
-    int64_t result;
-    newest = -velocity_limit;
-    other = velocity_limit;
-    before = velocity_limit;
-    e_newest = 0.0;
-    e_other = 0.0;
-    e_before = 0.0;
-    falls_short = 1;
-    for (i = INT64_C(0); i < INT64_C(120); i += INT64_C(1))
-    {
-        middle = span_max(v, w);
-        if (i > INT64_C(0))
-        {
-            share = root_share(newest, other, before, e_newest, e_other, e_before);
-            middle = newest + share * (other - newest);
-        }
-        if ((middle - newest) * (middle - other) >= 0.0)
-        {
-            if (i > INT64_C(0))
-            {
-                break;
-            }
-            middle = 0.0;
-        }
-        cruise_form(&count, &row, &duration, &y, phases, middle, v, a, w, b, top, ramp);
-        error = y - distance;
-        short_0001 = (count < INT64_C(0)) || (error < 0.0);
-        if (count < INT64_C(0))
-        {
-            error = 0.0;
-        }
-        before = newest;
-        e_before = e_newest;
-        if (short_0001 != falls_short)
-        {
-            before = other;
-            e_before = e_other;
-            other = newest;
-            e_other = e_newest;
-        }
-        newest = middle;
-        e_newest = error;
-        falls_short = short_0001;
-        if ((count >= INT64_C(0)) && (fabs(error) <= 1e-15 * fabs(distance)))
-        {
-            other = newest;
-            break;
-        }
-    }
-    lower = newest;
-    upper = other;
-    if (!falls_short)
-    {
-        lower = other;
-        upper = newest;
-    }
-    /*the side whose rounding error a short cruise can make up*/
-    cruise = lower;
-    if (cruise < 0.0)
-    {
-        cruise = upper;
-    }
-    result = with_cruise(phases, cruise, v, a, w, b, distance, top, ramp);
-    return result;
-}
-/*The paper's form around the velocity that one ramp to zero reaches from one end, or 0.         */
-/*                                                                                               */
-/*    The distance has a kink there, which can be the only member that covers it: a state on the */
-/*    way of another profile leads to such problems.                                             */
-/*                                                                                               */
-static int64_t direct_form(array_double_2d phases, bool from_start, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
-{
-    double end;
-    double cruise;
-    double t;
-    double rise;
-    double slope;
-    int64_t count;
-    int64_t row;
-    double duration;
-    double y;
-    int64_t result;
-    end = fabs(b);
-    cruise = w;
-    if (from_start)
-    {
-        end = fabs(a);
-        cruise = v;
-    }
-    if (end == 0.0)
-    {
-        return INT64_C(0);
-    }
-    segfmu_ramp_duration(&t, &rise, &slope, end, ramp);
-    if (from_start)
-    {
-        cruise = v + 0.5 * a * t;
-    }
-    else
-    {
-        cruise = w - 0.5 * b * t;
-    }
-    if (fabs(cruise) > velocity_limit)
-    {
-        return INT64_C(0);
-    }
-    cruise_form(&count, &row, &duration, &y, phases, cruise, v, a, w, b, top, ramp);
-    if (fabs(y - distance) > 1e-14 * (fabs(distance) + (fabs(v) + fabs(w)) * duration))
-    {
-        return INT64_C(0);
-    }
-    return span_max_int(count, INT64_C(0));
-}
-/*The merged form on one of its four branches; the number of phases, -1 if it has none.              */
-/*                                                                                                   */
-/*    which < 0 takes the first member that covers the distance, which >= 0 the which-th one that    */
-/*    lasts `time` or, not by time but with it as the scale, covers the distance. Reversal exchanges */
-/*    the boundary states, mirroring their signs; together they reduce every branch to the canonical */
-/*    one, whose first level is at most `high`.                                                      */
-/*                                                                                                   */
-static int64_t merged_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double high, double top, array_double_1d ramp)
-{
-    double v1;
-    double a1;
-    double v2;
-    double a2;
-    double t_top;
-    double rise;
-    double slope;
-    double p;
-    double target;
-    double scale;
-    double duration;
-    double y;
-    double t1;
-    double hold1;
-    double level1;
-    double hold2;
-    double level2;
-    double t3;
-    int64_t count;
-    v1 = v;
-    a1 = a;
-    v2 = w;
-    a2 = b;
-    if (reverse)
-    {
-        v1 = w;
-        a1 = -b;
-        v2 = v;
-        a2 = -a;
-    }
-    if (mirror)
-    {
-        v1 = -v1;
-        a1 = -a1;
-        v2 = -v2;
-        a2 = -a2;
-        distance = -distance;
-    }
-    segfmu_ramp_duration(&t_top, &rise, &slope, a2 + top, ramp);
-    if (which < INT64_C(0))
-    {
-        p = canonical_search(distance, v1, a1, v2, a2, high, top, t_top, ramp);
-    }
-    else
-    {
-        target = distance;
-        if (by_time)
-        {
-            target = time;
-        }
-        scale = span_max(t_top, 0.1 * time);
-        p = member_search(which, by_time, scale, target, v1, a1, v2, a2, high, top, t_top, ramp);
-    }
-    if (p < 0.0)
-    {
-        return -INT64_C(1);
-    }
-    canonical_point(&duration, &y, &t1, &hold1, &level1, &hold2, &level2, &t3, p, v1, a1, v2, a2, high, top, t_top, ramp);
-    if (duration < 0.0)
-    {
-        return -INT64_C(1);
-    }
-    count = append_ramp(phases, INT64_C(0), a1, level1, t1, ramp);
-    count = append_hold(phases, count, level1, hold1);
-    count = append_change(phases, count, level1, level2, ramp);
-    count = append_hold(phases, count, level2, hold2);
-    count = append_ramp(phases, count, level2, a2, t3, ramp);
-    if (reverse)
-    {
-        reverse_phases(phases, INT64_C(0), count);
-    }
-    if (mirror)
-    {
-        mirror_phases(phases, count);
-    }
-    return count;
-}
-/*By how much the phases that start with velocity v pass the velocity limit, or less than 0. */
-static double velocity_excess(array_double_2d phases, int64_t count, double v, double within, double limit, array_double_1d ramp)
-{
-    double duration;
-    double y;
-    double end;
-    double lowest;
-    double highest;
-    double result;
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, within, ramp);
-    return span_max(highest, -lowest) - limit;
-}
-/*A first level whose member keeps the velocity limit, and one above it that does not.             */
-/*                                                                                                 */
-/*    Returns both and by how much they pass the limit less a billionth; -1 first if there is none.*/
-/*    Below some level there may be no member, or one that passes the limit on the other side.     */
-/*                                                                                                 */
-static int64_t level_within(double* result_0, double* result_1_0001, double* result_2_0001, double* result_3_0001, double outside, double e_outside, array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
-{
-    double rounding;
-    double margin;
-    double sign;
-    double without;
-    double inside;
-    int64_t i;
-    int64_t count;
-    double duration;
-    double y;
-    double end;
-    double lowest;
-    double highest;
-    double peak;
-    double other;
-    rounding = 1e-12 * velocity_limit;
-    margin = 1e-09 * velocity_limit;
-    sign = 1.0;
-    if (reverse != mirror)
-    {
-        sign = -1.0;
-    }
-    without = span_max(sign * a, span_max(sign * b, 0.001 * top));
-    inside = without;
-    for (i = INT64_C(0); i < INT64_C(24); i += INT64_C(1))
-    {
-        count = merged_form(phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, inside, top, ramp);
-        segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, span_max_int(count, INT64_C(0)), v, 0.0, ramp);
-        peak = highest;
-        other = -lowest;
-        if (mirror)
-        {
-            peak = -lowest;
-            other = highest;
-        }
-        if ((count <= INT64_C(0)) || (other > velocity_limit + rounding))
-        {
-            without = inside;
-        }
-        else if (peak > velocity_limit + rounding)
-        {
-            outside = inside;
-            e_outside = peak - velocity_limit + margin;
-        }
-        else
-        {
-            (*result_0) = inside;
-            (*result_1_0001) = outside;
-            (*result_2_0001) = span_max(peak, other) - velocity_limit + margin;
-            (*result_3_0001) = e_outside;
-            return 0;
-        }
-        if (without == outside)
-        {
-            break;
-        }
-        inside = 0.5 * (without + outside);
-    }
-    (*result_0) = -1.0;
-    (*result_1_0001) = outside;
-    (*result_2_0001) = 0.0;
-    (*result_3_0001) = e_outside;
-    return 0;
-}
-/*The highest first level that keeps the velocity limit less a billionth: a bracketed root.*/
-static double highest_within(double inside, double outside, double e_inside, double e_outside, array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
-{
-    double margin;
-    double before;
-    double e_before;
-    bool newest_inside;
-    bool constant;
-    bool probing;
-    int64_t steps;
-    double share;
-    double high;
-    int64_t count;
-    double error;
-    double result;
-    margin = 1e-09 * velocity_limit;
-    before = outside;
-    e_before = e_outside;
-    newest_inside = 1;
-    /*a boundary state can hold the excess near zero, whatever the level; then it only says whether*/
-    /*the limit is kept*/
-    constant = 0;
-    probing = 0;
-    steps = INT64_C(0);
-    while(steps < INT64_C(60))
-    {
-        steps = steps + INT64_C(1);
-        probing = 0;
-        if (constant)
-        {
-            e_inside = 0.0;
-            if (steps > INT64_C(24))
-            {
-                break;
-            }
-        }
-        else if (fabs(e_inside) <= margin)
-        {
-            probing = 1;
-        }
-        if (newest_inside)
-        {
-            share = root_share(inside, outside, before, e_inside, e_outside, e_before);
-        }
-        else
-        {
-            share = 1.0 - root_share(outside, inside, before, e_outside, e_inside, e_before);
-        }
-        if (probing)
-        {
-            share = 0.001;
-        }
-        high = inside + share * (outside - inside);
-        count = merged_form(phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, high, top, ramp);
-        error = 0.0;
-        if (count > INT64_C(0))
-        {
-            error = velocity_excess(phases, count, v, 0.0, velocity_limit, ramp) + margin;
-        }
-        if ((count > INT64_C(0)) && (error <= margin))
-        {
-            before = outside;
-            e_before = e_outside;
-            if (newest_inside)
-            {
-                before = inside;
-                e_before = e_inside;
-            }
-            inside = high;
-            e_inside = error;
-            newest_inside = 1;
-            constant = constant || probing;
-        }
-        else if (probing)
-        {
-            break;
-        }
-        else
-        {
-            before = inside;
-            e_before = e_inside;
-            if (!newest_inside)
-            {
-                before = outside;
-                e_before = e_outside;
-            }
-            outside = high;
-            e_outside = error;
-            newest_inside = 0;
-        }
-    }
-    return inside;
-}
-/*The merged form that keeps the velocity limit; the number of phases.                           */
-/*                                                                                               */
-/*    It is -1 where there is no merged form, 0 where none keeps the limit.                      */
-/*                                                                                               */
-/*    Between its levels the velocity has a peak. Where that passes the limit, the first level is*/
-/*    lowered, and held, until the peak is at the limit less a billionth.                        */
-/*                                                                                               */
-static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
-{
-    double rounding;
-    double margin;
-    double e_outside;
-    double outside;
-    int64_t i;
-    double level;
-    double inside;
-    double e_inside;
-    int64_t count;
-    count = merged_form(phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, top, top, ramp);
-    rounding = 1e-12 * velocity_limit;
-    margin = 1e-09 * velocity_limit;
-    if (count <= INT64_C(0))
-    {
-        return count;
-    }
-    e_outside = velocity_excess(phases, count, v, velocity_limit, velocity_limit, ramp) + margin;
-    if (e_outside <= margin + rounding)
-    {
-        return count;
-    }
-    outside = 0.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        level = (*cspan_at(&phases, i, INT64_C(2)));
-        if (reverse != mirror)
-        {
-            level = -level;
-        }
-        outside = span_max(outside, level);
-    }
-    level_within(&inside, &outside, &e_inside, &e_outside, outside, e_outside, phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, velocity_limit, top, ramp);
-    if (inside < 0.0)
-    {
-        return INT64_C(0);
-    }
-    inside = highest_within(inside, outside, e_inside, e_outside, phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, velocity_limit, top, ramp);
-    count = merged_form(phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, inside, top, ramp);
-    return count;
-}
-/*Duration of the phases if they meet the boundary within the velocity limit, else -1. */
-static double meets(array_double_2d phases, int64_t count, double v, double w, double distance, double limit, array_double_1d ramp)
-{
-    double most;
-    double y;
-    double end;
-    double lowest;
-    double highest;
-    double duration;
-    most = limit * (1.0 + 1e-12);
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, most, ramp);
-    if ((lowest < -most) || (highest > most))
-    {
-        return -1.0;
-    }
-    if (fabs(end - w) > 1e-12 * limit)
-    {
-        return -1.0;
-    }
-    if (fabs(y - distance) > 1e-12 * (fabs(distance) + limit * duration))
-    {
-        return -1.0;
-    }
-    return duration;
-}
-/*The shortest candidate between two boundary states taken as they are; 0 if none holds.       */
-/*                                                                                             */
-/*    The first attempt (0) is for the forms that nothing is shorter than; the second one takes*/
-/*    those that keep the velocity limit at some price.                                        */
-/*                                                                                             */
-static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_double_2d trial, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
-{
-    int64_t count;
-    int64_t side;
-    double cruise;
-    int64_t best;
-    double shortest;
-    int64_t branch;
-    bool reverse;
-    bool mirror;
-    double duration;
-    int64_t result;
-    if (attempt == INT64_C(0))
-    {
-        /*nothing is faster than one ramp: phase I.1 alone, where the points are consistent*/
-        count = append_change(phases, INT64_C(0), a, b, ramp);
-        if ((count > INT64_C(0)) && (fabs(v + 0.5 * (a + b) * (*cspan_at(&phases, INT64_C(0), INT64_C(0))) - w) <= 1e-13 * velocity_limit))
-        {
-            if (meets(phases, count, v, w, distance, velocity_limit, ramp) >= 0.0)
-            {
-                return count;
-            }
-        }
-        for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
-        {
-            cruise = velocity_limit * (INT64_C(1) - INT64_C(2) * side);
-            count = with_cruise(phases, cruise, v, a, w, b, distance, top, ramp);
-            if ((count > INT64_C(0)) && (meets(phases, count, v, w, distance, velocity_limit, ramp) >= 0.0))
-            {
-                return count;
-            }
-        }
-    }
-    best = INT64_C(0);
-    shortest = 0.0;
-    for (branch = INT64_C(0); branch < INT64_C(6) - attempt; branch += INT64_C(1))
-    {
-        reverse = (branch == INT64_C(1)) || (branch == INT64_C(2));
-        mirror = branch >= INT64_C(2);
-        if ((branch == INT64_C(4)) && (attempt == INT64_C(1)))
-        {
-            count = slower_cruise(trial, v, a, w, b, distance, velocity_limit, top, ramp);
-        }
-        else if (branch >= INT64_C(4))
-        {
-            count = direct_form(trial, branch == INT64_C(4), v, a, w, b, distance, velocity_limit, top, ramp);
-        }
-        else if (attempt == INT64_C(0))
-        {
-            count = merged_form(trial, reverse, mirror, -INT64_C(1), 0, 0.0, v, a, w, b, distance, top, top, ramp);
-        }
-        else
-        {
-            count = tempered_form(trial, reverse, mirror, -INT64_C(1), 0, 0.0, v, a, w, b, distance, velocity_limit, top, ramp);
-        }
-        if (count > INT64_C(0))
-        {
-            duration = meets(trial, count, v, w, distance, velocity_limit, ramp);
-            if ((duration >= 0.0) && ((best == INT64_C(0)) || (duration < shortest)))
-            {
-                copy_phases(trial, phases, count);
-                best = count;
-                shortest = duration;
-            }
-        }
-    }
-    return best;
-}
-/*Phases of the shortest profile from (v, a) over a distance to (w, b).                          */
-/*                                                                                               */
-/*    top is the acceleration limit; `phases` has 13 rows and `work` 26. Returns the number of   */
-/*    phases (0 when there is nothing to do), or -1 when bringing the first acceleration to zero */
-/*    passes the velocity limit, -2 when building up the last one does, -3 otherwise.            */
-/*                                                                                               */
-int64_t segfmu_shortest_profile(double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, array_double_2d work)
-{
-    array_double_2d trial;
-    array_double_2d found;
-    int64_t count;
-    int64_t best;
-    double shortest;
-    double t_top;
-    double rise;
-    double slope;
-    double usual;
-    int64_t variant;
-    int64_t taken;
-    double time;
-    double rest;
-    double v1;
-    double a1;
-    double w1;
-    double b1;
-    double duration;
-    int64_t result;
-    v = without_excess(v, velocity_limit);
-    w = without_excess(w, velocity_limit);
-    a = without_excess(a, top);
-    b = without_excess(b, top);
-    distance = without_dust(distance, velocity_limit * velocity_limit / top);
-    if ((distance == 0.0) && (v == w) && (a == b))
-    {
-        return INT64_C(0);
-    }
-    trial = span_rows(&work, INT64_C(0), INT64_C(13));
-    found = span_rows(&work, INT64_C(13), INT64_C(26));
-    count = shortest_between(INT64_C(0), phases, trial, v, a, w, b, distance, velocity_limit, top, ramp);
-    if (count > INT64_C(0))
-    {
-        return count;
-    }
-    best = INT64_C(0);
-    shortest = 0.0;
-    /*longer than a paper's form with cruise needs for the velocity changes and the distance*/
-    segfmu_ramp_duration(&t_top, &rise, &slope, top, ramp);
-    usual = 4.0 * (velocity_limit / top + t_top) + fabs(distance) / velocity_limit;
-    for (variant = INT64_C(1); variant < INT64_C(8); variant += INT64_C(1))
-    {
-        /*variants 0 to 3: braking none, the first, the last or both of the accelerations to zero;*/
-        /*4 to 7 the same with the second attempt, of which the last three are the way out*/
-        if ((variant > INT64_C(4)) && (best > INT64_C(0)) && (shortest <= usual))
-        {
-            break;
-        }
-        braked(&taken, &time, &rest, &v1, &a1, &w1, &b1, span_floor_mod(variant, INT64_C(4)), v, a, w, b, distance, velocity_limit, top, ramp, trial);
-        if (taken == -INT64_C(3))
-        {
-            continue;
-        }
-        if (taken < INT64_C(0))
-        {
-            return taken;
-        }
-        count = shortest_between(span_floor_div(variant, INT64_C(4)), found, trial, v1, a1, w1, b1, rest, velocity_limit, top, ramp);
-        if ((count == INT64_C(0)) && (!((rest == 0.0) && (v1 == w1) && (a1 == 0.0) && (b1 == 0.0))))
-        {
-            continue;
-        }
-        count = surround(found, count, span_floor_mod(variant, INT64_C(2)) == INT64_C(1), v, a, span_floor_mod(variant, INT64_C(4)) >= INT64_C(2), w, b, velocity_limit, top, ramp, trial);
-        duration = meets(found, count, v, w, distance, velocity_limit, ramp);
-        if ((duration >= 0.0) && ((best == INT64_C(0)) || (duration < shortest)))
-        {
-            copy_phases(found, phases, count);
-            best = count;
-            shortest = duration;
-        }
-    }
-    if (best == INT64_C(0))
-    {
-        return -INT64_C(3);
-    }
-    return best;
-}
-/*The paper's form with the cruise that makes it last `target`.                            */
-/*                                                                                         */
-/*    Returns the number of phases, the distance, and the duration of the cruise, which is */
-/*    negative where the form takes longer; the number is -1 where it does not exist.      */
-/*                                                                                         */
-static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, double target, double v, double a, double w, double b, double top, array_double_1d ramp)
-{
-    int64_t count;
-    int64_t row;
-    double duration;
-    double y;
-    double hold;
-    cruise_form(&count, &row, &duration, &y, phases, cruise, v, a, w, b, top, ramp);
-    if (count < INT64_C(0))
-    {
-        (*result_0) = -INT64_C(1);
-        (*result_1_0001) = 0.0;
-        (*result_2) = -1.0;
-        return 0;
-    }
-    hold = target - duration;
-    count = insert_hold(phases, count, row, 0.0, hold);
-    (*result_0) = count;
-    (*result_1_0001) = y + cruise * hold;
-    (*result_2) = hold;
-    return 0;
-}
-/*A cruise velocity that leaves a cruise and, if there is one, passes the distance.                  */
-/*                                                                                                   */
-/*    The cruise velocity `middle` leaves a cruise and covers y; from there the search goes to the   */
-/*    velocity limit on the side of the distance. Without such a velocity, the last one that leaves a*/
-/*    cruise is returned.                                                                            */
-/*                                                                                                   */
-static double cruise_range(array_double_2d phases, double middle, double y, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
-{
-    double outside;
-    double trial;
-    int64_t i;
-    int64_t count;
-    double y_trial;
-    double hold;
-    double inside;
-    outside = velocity_limit;
-    if (y > distance)
-    {
-        outside = -velocity_limit;
-    }
-    inside = middle;
-    trial = outside;
-    for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
-    {
-        timed_cruise(&count, &y_trial, &hold, phases, trial, target, v, a, w, b, top, ramp);
-        if ((count >= INT64_C(0)) && (hold >= 0.0))
-        {
-            inside = trial;
-            if ((i == INT64_C(0)) || ((y_trial - distance) * (y - distance) <= 0.0))
-            {
-                break;
-            }
-        }
-        else
-        {
-            outside = trial;
-        }
-        trial = 0.5 * (inside + outside);
-        if ((trial == inside) || (trial == outside))
-        {
-            break;
-        }
-    }
-    return inside;
-}
-/*Keep a profile that lasts `target` if it is the nearest one below or above the distance. */
-/*                                                                                         */
-/*    found = number of phases below, their distance, number above, their distance.        */
-/*                                                                                         */
-static void keep_nearest(array_double_2d trial, int64_t count, double target, double v, double w, double distance, double velocity_limit, array_double_1d found, array_double_2d below, array_double_2d above, array_double_1d ramp)
-{
-    double most;
-    double duration;
-    double y;
-    double end;
-    double lowest;
-    double highest;
-    if (count <= INT64_C(0))
-    {
-        return;
-    }
-    most = velocity_limit * (1.0 + 1e-12);
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, trial, count, v, most, ramp);
-    if ((lowest < -most) || (highest > most))
-    {
-        return;
-    }
-    if ((fabs(duration - target) > 3e-11 * target) || (fabs(end - w) > 1e-11 * velocity_limit))
-    {
-        return;
-    }
-    if ((y <= distance) && (((*cspan_at(&found, INT64_C(0))) == 0.0) || (y > (*cspan_at(&found, INT64_C(1))))))
-    {
-        copy_phases(trial, below, count);
-        (*cspan_at(&found, INT64_C(0))) = count;
-        (*cspan_at(&found, INT64_C(1))) = y;
-    }
-    if ((y >= distance) && (((*cspan_at(&found, INT64_C(2))) == 0.0) || (y < (*cspan_at(&found, INT64_C(3))))))
-    {
-        copy_phases(trial, above, count);
-        (*cspan_at(&found, INT64_C(2))) = count;
-        (*cspan_at(&found, INT64_C(3))) = y;
-    }
-}
-/*Close in on the cruise velocity that covers the distance.*/
-static void between_cruises(double lower, double y_lower, double upper, double y_upper, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial)
-{
-    double newest;
-    double other;
-    double before;
-    double e_newest;
-    double e_other;
-    double e_before;
-    double rounding;
-    int64_t i;
-    double share;
-    double cruise;
-    int64_t count;
-    double y;
-    double hold;
-    double error;
-    newest = upper;
-    other = lower;
-    before = lower;
-    e_newest = y_upper - distance;
-    e_other = y_lower - distance;
-    e_before = e_other;
-    rounding = 2e-15 * (fabs(distance) + (fabs(v) + fabs(w)) * target);
-    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
-    {
-        if ((e_newest == 0.0) || (e_other == 0.0))
-        {
-            return;
-        }
-        share = root_share(newest, other, before, e_newest, e_other, e_before);
-        cruise = newest + share * (other - newest);
-        if ((cruise == newest) || (cruise == other))
-        {
-            return;
-        }
-        timed_cruise(&count, &y, &hold, trial, cruise, target, v, a, w, b, top, ramp);
-        keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
-        error = y - distance;
-        if (fabs(error) <= rounding)
-        {
-            return;
-        }
-        before = newest;
-        e_before = e_newest;
-        if (error * e_newest < 0.0)
-        {
-            before = other;
-            e_before = e_other;
-            other = newest;
-            e_other = e_newest;
-        }
-        newest = cruise;
-        e_newest = error;
-    }
-}
-/*Bisect between a velocity that leaves a cruise and one that does not.*/
-static double cruise_edge(double inside, double outside, array_double_2d phases, double target, double v, double a, double w, double b, double top, array_double_1d ramp)
-{
-    int64_t i;
-    double trial;
-    int64_t count;
-    double y;
-    double hold;
-    double result;
-    for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
-    {
-        trial = 0.5 * (inside + outside);
-        timed_cruise(&count, &y, &hold, phases, trial, target, v, a, w, b, top, ramp);
-        if ((count >= INT64_C(0)) && (hold >= 0.0))
-        {
-            inside = trial;
-        }
-        else
-        {
-            outside = trial;
-        }
-    }
-    return inside;
-}
-/*Nearest profiles with a cruise, looked for over all cruise velocities. */
-/*                                                                       */
-/*    Those that leave a cruise can form several windows.                */
-/*                                                                       */
-static void scan_cruises(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial)
-{
-    int64_t samples;
-    bool inside;
-    double before;
-    int64_t i;
-    double cruise;
-    int64_t count;
-    double y;
-    double hold;
-    bool fits;
-    double lower;
-    double upper;
-    double y_lower;
-    double y_upper;
-    samples = INT64_C(24);
-    inside = 0;
-    before = 0.0;
-    for (i = INT64_C(0); i < samples + INT64_C(1); i += INT64_C(1))
-    {
-        cruise = velocity_limit * (2.0 * i / samples - 1.0);
-        timed_cruise(&count, &y, &hold, trial, cruise, target, v, a, w, b, top, ramp);
-        fits = (count >= INT64_C(0)) && (hold >= 0.0);
-        if ((i > INT64_C(0)) && (inside || fits))
-        {
-            lower = before;
-            upper = cruise;
-            if (!inside)
-            {
-                lower = cruise_edge(cruise, before, trial, target, v, a, w, b, top, ramp);
-            }
-            if (!fits)
-            {
-                upper = cruise_edge(before, cruise, trial, target, v, a, w, b, top, ramp);
-            }
-            timed_cruise(&count, &y_lower, &hold, trial, lower, target, v, a, w, b, top, ramp);
-            keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
-            timed_cruise(&count, &y_upper, &hold, trial, upper, target, v, a, w, b, top, ramp);
-            keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
-            if ((y_lower - distance) * (y_upper - distance) <= 0.0)
-            {
-                between_cruises(lower, y_lower, upper, y_upper, target, v, a, w, b, distance, velocity_limit, top, ramp, found, below, above, trial);
-            }
-            if (((*cspan_at(&found, INT64_C(0))) > 0.0) && ((*cspan_at(&found, INT64_C(2))) > 0.0))
-            {
-                return;
-            }
-        }
-        inside = fits;
-        before = cruise;
-    }
-}
-/*Stretch phases that begin and end at rest in time; the distance stays (section 3.2). */
-static void stretch_phases(array_double_2d phases, int64_t count, double factor)
-{
-    int64_t i;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        (*cspan_at(&phases, i, INT64_C(0))) = (*cspan_at(&phases, i, INT64_C(0))) * factor;
-        (*cspan_at(&phases, i, INT64_C(1))) = (*cspan_at(&phases, i, INT64_C(1))) * factor;
-        (*cspan_at(&phases, i, INT64_C(2))) = (*cspan_at(&phases, i, INT64_C(2))) / (factor * factor);
-        (*cspan_at(&phases, i, INT64_C(3))) = (*cspan_at(&phases, i, INT64_C(3))) / (factor * factor);
-    }
-}
-/*Remove the rounding error of the total duration, which two averaged profiles must share. */
-static void fit_duration(array_double_2d phases, int64_t count, double target)
-{
-    double total;
-    int64_t i;
-    total = 0.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        total = total + (*cspan_at(&phases, i, INT64_C(0)));
-    }
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        (*cspan_at(&phases, i, INT64_C(0))) = (*cspan_at(&phases, i, INT64_C(0))) * (target / total);
-        (*cspan_at(&phases, i, INT64_C(1))) = (*cspan_at(&phases, i, INT64_C(1))) * (target / total);
-    }
-}
-/*Nearest profiles below and above the distance, from boundary states taken as they are. */
-static void timed_between(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial)
-{
-    double middle;
-    int64_t count;
-    double y;
-    double hold;
-    double edge;
-    double y_edge;
-    int64_t branch;
-    bool reverse;
-    bool mirror;
-    int64_t which;
-    middle = span_min(span_max(distance / target, span_min(v, w)), span_max(v, w));
-    timed_cruise(&count, &y, &hold, trial, middle, target, v, a, w, b, top, ramp);
-    if ((count >= INT64_C(0)) && (hold >= 0.0))
-    {
-        keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
-        edge = cruise_range(trial, middle, y, target, v, a, w, b, distance, velocity_limit, top, ramp);
-        timed_cruise(&count, &y_edge, &hold, trial, edge, target, v, a, w, b, top, ramp);
-        keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
-        if (((*cspan_at(&found, INT64_C(0))) > 0.0) && ((*cspan_at(&found, INT64_C(2))) > 0.0))
-        {
-            between_cruises(middle, y, edge, y_edge, target, v, a, w, b, distance, velocity_limit, top, ramp, found, below, above, trial);
-            return;
-        }
-    }
-    scan_cruises(target, v, a, w, b, distance, velocity_limit, top, ramp, found, below, above, trial);
-    if (((*cspan_at(&found, INT64_C(0))) > 0.0) && ((*cspan_at(&found, INT64_C(2))) > 0.0))
-    {
-        return;
-    }
-    for (branch = INT64_C(0); branch < INT64_C(4); branch += INT64_C(1))
-    {
-        reverse = (branch == INT64_C(1)) || (branch == INT64_C(2));
-        mirror = branch >= INT64_C(2);
-        for (which = INT64_C(0); which < INT64_C(2); which += INT64_C(1))
-        {
-            count = tempered_form(trial, reverse, mirror, which, 1, target, v, a, w, b, distance, velocity_limit, top, ramp);
-            if (count < INT64_C(0))
-            {
-                break;
-            }
-            keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
-        }
-    }
-}
-/*Profiles that last `target`; returns the weight of `above`, or -1 if none is feasible.         */
-/*                                                                                               */
-/*    The motion is (1 - weight) * below + weight * above; found[0] and found[2] are the numbers */
-/*    of phases of the two (13 rows each).                                                       */
-/*                                                                                               */
-double segfmu_timed_profile(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial)
-{
-    int64_t variant;
-    int64_t taken;
-    double spent;
-    double rest;
-    double v1;
-    double a1;
-    double w1;
-    double b1;
-    double time;
-    bool brake_start;
-    bool brake_end;
-    double span;
-    double tiny;
-    double weight;
-    v = without_excess(v, velocity_limit);
-    w = without_excess(w, velocity_limit);
-    a = without_excess(a, top);
-    b = without_excess(b, top);
-    distance = without_dust(distance, velocity_limit * velocity_limit / top);
-    for (variant = INT64_C(0); variant < INT64_C(4); variant += INT64_C(1))
-    {
-        braked(&taken, &spent, &rest, &v1, &a1, &w1, &b1, variant, v, a, w, b, distance, velocity_limit, top, ramp, trial);
-        if (taken == -INT64_C(3))
-        {
-            continue;
-        }
-        if (taken < INT64_C(0))
-        {
-            return -1.0;
-        }
-        time = target - spent;
-        if (time <= 0.0)
-        {
-            continue;
-        }
-        brake_start = span_floor_mod(variant, INT64_C(2)) == INT64_C(1);
-        brake_end = variant >= INT64_C(2);
-        (*cspan_at(&found, INT64_C(0))) = 0.0;
-        (*cspan_at(&found, INT64_C(2))) = 0.0;
-        timed_between(time, v1, a1, w1, b1, rest, velocity_limit, top, ramp, found, below, above, trial);
-        if (((*cspan_at(&found, INT64_C(0))) > 0.0) && ((*cspan_at(&found, INT64_C(2))) > 0.0))
-        {
-            span = (*cspan_at(&found, INT64_C(3))) - (*cspan_at(&found, INT64_C(1)));
-            weight = 0.0;
-            /*one profile is enough when it misses the distance by no more than rounding*/
-            tiny = 1e-14 * (fabs(rest) + velocity_limit * time);
-            if ((*cspan_at(&found, INT64_C(3))) - rest <= tiny)
-            {
-                weight = 1.0;
-            }
-            if ((rest - (*cspan_at(&found, INT64_C(1))) > tiny) && (weight < 1.0))
-            {
-                weight = (rest - (*cspan_at(&found, INT64_C(1)))) / span;
-            }
-            (*cspan_at(&found, INT64_C(0))) = surround(below, (int64_t)((*cspan_at(&found, INT64_C(0)))), brake_start, v, a, brake_end, w, b, velocity_limit, top, ramp, trial);
-            (*cspan_at(&found, INT64_C(2))) = surround(above, (int64_t)((*cspan_at(&found, INT64_C(2)))), brake_start, v, a, brake_end, w, b, velocity_limit, top, ramp, trial);
-            fit_duration(below, (int64_t)((*cspan_at(&found, INT64_C(0)))), target);
-            fit_duration(above, (int64_t)((*cspan_at(&found, INT64_C(2)))), target);
-            return weight;
-        }
-    }
-    return -1.0;
-}
-/*Sort a duration later than `after` into the first column of ends; the latest falls out.*/
-static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends)
-{
-    int64_t place;
-    int64_t j;
-    int64_t i;
-    int64_t result;
-    if (duration <= after)
-    {
-        return count;
-    }
-    place = count;
-    while((place > INT64_C(0)) && ((*cspan_at(&ends, place - INT64_C(1), INT64_C(0))) > duration))
-    {
-        place = place - INT64_C(1);
-    }
-    if ((place > INT64_C(0)) && (duration - (*cspan_at(&ends, place - INT64_C(1), INT64_C(0))) <= 1e-10 * duration))
-    {
-        return count;
-    }
-    count = span_min_int(count + INT64_C(1), ends.shape[INT64_C(0)]);
-    for (j = INT64_C(0); j < count - INT64_C(1) - place; j += INT64_C(1))
-    {
-        i = count - INT64_C(1) - j;
-        (*cspan_at(&ends, i, INT64_C(0))) = (*cspan_at(&ends, i - INT64_C(1), INT64_C(0)));
-    }
-    if (place < count)
-    {
-        (*cspan_at(&ends, place, INT64_C(0))) = duration;
-    }
-    return count;
-}
-/*Duration of the paper's form, if `covering` with the cruise that it takes to the distance. */
-/*                                                                                           */
-/*    1e300 where there is no such form.                                                     */
-/*                                                                                           */
-static double cruise_time(double cruise, bool covering, double v, double a, double w, double b, double distance, double top, array_double_1d ramp, array_double_2d phases)
-{
-    int64_t count;
-    int64_t row;
-    double y;
-    double duration;
-    cruise_form(&count, &row, &duration, &y, phases, cruise, v, a, w, b, top, ramp);
-    if ((count < INT64_C(0)) || (covering && ((distance - y) * cruise <= 0.0)))
-    {
-        return 1e+300;
-    }
-    if (covering)
-    {
-        duration = duration + (distance - y) / cruise;
-    }
-    return duration;
-}
-/*The least `cruise_time` between two cruise velocities, by golden section.*/
-static double turning_time(double lower, double upper, bool covering, double v, double a, double w, double b, double distance, double top, array_double_1d ramp, array_double_2d phases)
-{
-    double shrink;
-    double p;
-    double q;
-    double t_p;
-    double t_q;
-    int64_t i;
-    double result;
-    shrink = 0.6180339887498949;
-    p = upper - shrink * (upper - lower);
-    q = lower + shrink * (upper - lower);
-    t_p = cruise_time(p, covering, v, a, w, b, distance, top, ramp, phases);
-    t_q = cruise_time(q, covering, v, a, w, b, distance, top, ramp, phases);
-    for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
-    {
-        if (t_p <= t_q)
-        {
-            upper = q;
-            q = p;
-            t_q = t_p;
-            p = upper - shrink * (upper - lower);
-            t_p = cruise_time(p, covering, v, a, w, b, distance, top, ramp, phases);
-        }
-        else
-        {
-            lower = p;
-            p = q;
-            t_p = t_q;
-            q = lower + shrink * (upper - lower);
-            t_q = cruise_time(q, covering, v, a, w, b, distance, top, ramp, phases);
-        }
-    }
-    return span_min(t_p, t_q);
-}
-/*Insert the durations at which the paper's form turns, over all cruise velocities.*/
-static int64_t turning_ends(bool covering, double spent, double after, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, int64_t count, array_double_2d ends)
-{
-    int64_t samples;
-    double first;
-    double second;
-    int64_t i;
-    double third;
-    double cruise;
-    double lower;
-    double upper;
-    double turn;
-    int64_t result;
-    samples = INT64_C(24);
-    first = 1e+300;
-    second = 1e+300;
-    for (i = INT64_C(0); i < samples + INT64_C(2); i += INT64_C(1))
-    {
-        third = 1e+300;
-        if (i <= samples)
-        {
-            cruise = velocity_limit * (2.0 * i / samples - 1.0);
-            third = cruise_time(cruise, covering, v, a, w, b, distance, top, ramp, phases);
-        }
-        if ((second < 1e+300) && (first >= second) && (third >= second))
-        {
-            lower = velocity_limit * span_max(2.0 * (i - INT64_C(2)) / samples - 1.0, -1.0);
-            upper = velocity_limit * span_min(2.0 * i / samples - 1.0, 1.0);
-            turn = turning_time(lower, upper, covering, v, a, w, b, distance, top, ramp, phases);
-            count = insert_end(spent + span_min(turn, second), after, count, ends);
-        }
-        first = second;
-        second = third;
-    }
-    return count;
-}
-/*Insert the durations of all candidates of the shortest profile that cover the distance.*/
-static int64_t covering_ends(double spent, double after, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, int64_t found, array_double_2d ends)
-{
-    double t_top;
-    double rise;
-    double slope;
-    double usual;
-    int64_t skipped;
-    int64_t form;
-    int64_t branch;
-    int64_t count;
-    double cruise;
-    double duration;
-    int64_t result;
-    segfmu_ramp_duration(&t_top, &rise, &slope, top, ramp);
-    usual = 4.0 * (velocity_limit / top + t_top) + fabs(distance) / velocity_limit;
-    skipped = -INT64_C(1);
-    for (form = INT64_C(0); form < INT64_C(21); form += INT64_C(1))
-    {
-        branch = span_floor_div((form - INT64_C(5)), INT64_C(4));
-        if ((form >= INT64_C(5)) && (branch == skipped))
-        {
-            continue;
-        }
-        if (form == INT64_C(0))
-        {
-            count = slower_cruise(phases, v, a, w, b, distance, velocity_limit, top, ramp);
-        }
-        else if (form < INT64_C(3))
-        {
-            cruise = velocity_limit * (INT64_C(3) - INT64_C(2) * form);
-            count = with_cruise(phases, cruise, v, a, w, b, distance, top, ramp);
-        }
-        else if (form < INT64_C(5))
-        {
-            count = direct_form(phases, form == INT64_C(3), v, a, w, b, distance, velocity_limit, top, ramp);
-        }
-        else
-        {
-            count = tempered_form(phases, (branch == INT64_C(1)) || (branch == INT64_C(2)), branch >= INT64_C(2), span_floor_mod((form - INT64_C(5)), INT64_C(4)), 0, usual, v, a, w, b, distance, velocity_limit, top, ramp);
-            if (count < INT64_C(0))
-            {
-                skipped = branch;
-            }
-        }
-        if (count > INT64_C(0))
-        {
-            duration = meets(phases, count, v, w, distance, velocity_limit, ramp);
-            if (duration >= 0.0)
-            {
-                found = insert_end(spent + duration, after, found, ends);
-            }
-        }
-    }
-    return found;
-}
-/*Write the earliest durations after a given one at which a gap can end; their number.     */
-/*                                                                                         */
-/*    They come in rising order, in the first column of `ends`, as many as it has rows for.*/
-/*                                                                                         */
-static int64_t gap_ends(double after, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, array_double_2d ends)
-{
-    int64_t variant;
-    int64_t taken;
-    double spent;
-    double rest;
-    double v1;
-    double a1;
-    double w1;
-    double b1;
-    int64_t kind;
-    int64_t count;
-    count = INT64_C(0);
-    for (variant = INT64_C(0); variant < INT64_C(4); variant += INT64_C(1))
-    {
-        braked(&taken, &spent, &rest, &v1, &a1, &w1, &b1, variant, v, a, w, b, distance, velocity_limit, top, ramp, phases);
-        if (taken < INT64_C(0))
-        {
-            continue;
-        }
-        count = covering_ends(spent, after, v1, a1, w1, b1, rest, velocity_limit, top, ramp, phases, count, ends);
-        for (kind = INT64_C(0); kind < INT64_C(2); kind += INT64_C(1))
-        {
-            count = turning_ends(kind == INT64_C(1), spent, after, v1, a1, w1, b1, rest, velocity_limit, top, ramp, phases, count, ends);
-        }
-    }
-    return count;
-}
-/*Write the shortest profile of one axis in one interval; returns status and duration. */
-static int64_t set_shortest(int64_t* result_0, double* result_1, int64_t interval, int64_t axis, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d trial)
-{
-    int64_t cell;
-    double v;
-    double distance;
-    int64_t count;
-    double duration;
-    double y;
-    double end;
-    double lowest;
-    double highest;
-    cell = interval * limits.shape[INT64_C(0)] + axis;
-    v = (*cspan_at(&velocities, interval, axis));
-    distance = (*cspan_at(&positions, interval + INT64_C(1), axis)) - (*cspan_at(&positions, interval, axis));
-    count = segfmu_shortest_profile(v, (*cspan_at(&accelerations, interval, axis)), (*cspan_at(&velocities, interval + INT64_C(1), axis)), (*cspan_at(&accelerations, interval + INT64_C(1), axis)), distance, (*cspan_at(&limits, axis, INT64_C(0))), (*cspan_at(&limits, axis, INT64_C(1))), span_row(&ramps, axis), span_matrix(&phases, INT64_C(2) * cell), trial);
-    (*cspan_at(&counts, INT64_C(2) * cell)) = span_max_int(count, INT64_C(0));
-    (*cspan_at(&counts, INT64_C(2) * cell + INT64_C(1))) = INT64_C(0);
-    (*cspan_at(&weights, cell)) = 0.0;
-    if (count < INT64_C(0))
-    {
-        (*result_0) = count;
-        (*result_1) = 0.0;
-        return 0;
-    }
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, span_matrix(&phases, INT64_C(2) * cell), count, v, 1e+300, span_row(&ramps, axis));
-    (*result_0) = INT64_C(0);
-    (*result_1) = duration;
-    return 0;
-}
-/*Write a profile of the given duration; False when that duration is not feasible. */
-static bool set_duration(int64_t interval, int64_t axis, double target, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial)
-{
-    int64_t cell;
-    double v;
-    double a;
-    double w;
-    double b;
-    double distance;
-    double speed;
-    bool resting;
-    double duration;
-    int64_t i;
-    int64_t status;
-    double weight;
-    bool result;
-    cell = interval * limits.shape[INT64_C(0)] + axis;
-    v = (*cspan_at(&velocities, interval, axis));
-    a = (*cspan_at(&accelerations, interval, axis));
-    w = (*cspan_at(&velocities, interval + INT64_C(1), axis));
-    b = (*cspan_at(&accelerations, interval + INT64_C(1), axis));
-    distance = (*cspan_at(&positions, interval + INT64_C(1), axis)) - (*cspan_at(&positions, interval, axis));
-    if (target < shortest * (1.0 - 1e-13))
-    {
-        return 0;
-    }
-    speed = without_dust(fabs(v) + fabs(w), (*cspan_at(&limits, axis, INT64_C(0))));
-    resting = (speed == 0.0) && (without_dust(fabs(a) + fabs(b), (*cspan_at(&limits, axis, INT64_C(1)))) == 0.0);
-    if (resting || (target <= shortest * (1.0 + 1e-13)))
-    {
-        /*the shortest profile may still be there, from the first step of planning*/
-        duration = 0.0;
-        if ((*cspan_at(&counts, INT64_C(2) * cell + INT64_C(1))) == INT64_C(0))
-        {
-            for (i = INT64_C(0); i < (*cspan_at(&counts, INT64_C(2) * cell)); i += INT64_C(1))
-            {
-                duration = duration + (*cspan_at(&phases, INT64_C(2) * cell, i, INT64_C(0)));
-            }
-        }
-        if ((duration == 0.0) || (fabs(duration - shortest) > 1e-13 * shortest))
-        {
-            set_shortest(&status, &duration, interval, axis, positions, velocities, accelerations, limits, ramps, phases, counts, weights, trial);
-        }
-        if (resting && ((*cspan_at(&counts, INT64_C(2) * cell)) == INT64_C(0)))
-        {
-            (*cspan_at(&counts, INT64_C(2) * cell)) = append_hold(span_matrix(&phases, INT64_C(2) * cell), INT64_C(0), 0.0, target);
-        }
-        else if (resting)
-        {
-            stretch_phases(span_matrix(&phases, INT64_C(2) * cell), (*cspan_at(&counts, INT64_C(2) * cell)), target / duration);
-        }
-        return 1;
-    }
-    weight = segfmu_timed_profile(target, v, a, w, b, distance, (*cspan_at(&limits, axis, INT64_C(0))), (*cspan_at(&limits, axis, INT64_C(1))), span_row(&ramps, axis), found, span_matrix(&phases, INT64_C(2) * cell), span_matrix(&phases, INT64_C(2) * cell + INT64_C(1)), trial);
-    if (weight < 0.0)
-    {
-        return 0;
-    }
-    (*cspan_at(&weights, cell)) = weight;
-    (*cspan_at(&counts, INT64_C(2) * cell)) = (int64_t)((*cspan_at(&found, INT64_C(0))));
-    (*cspan_at(&counts, INT64_C(2) * cell + INT64_C(1))) = (int64_t)((*cspan_at(&found, INT64_C(2))));
-    return 1;
-}
-/*The first feasible duration between an infeasible and a feasible one, to 4e-9 of it. */
-static double first_feasible(double outside, double inside, int64_t interval, int64_t axis, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial)
-{
-    double duration;
-    int64_t i;
-    double result;
-    duration = inside * (1.0 - 3e-09);
-    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
-    {
-        if ((duration <= outside) || (inside - outside <= 4e-09 * inside))
-        {
-            break;
-        }
-        if (set_duration(interval, axis, duration, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial))
-        {
-            inside = duration;
-        }
-        else
-        {
-            outside = duration;
-        }
-        duration = 0.5 * (outside + inside);
-    }
-    return inside;
-}
-/*The end of the gap that holds the infeasible duration `start`; -1 if none is found.                  */
-/*                                                                                                     */
-/*    The durations at which gaps can end are tried one after the other. Should a duration just before */
-/*    one of them be feasible as well, or none of them, the end is searched for.                       */
-/*                                                                                                     */
-static double next_feasible(int64_t interval, int64_t axis, double start, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial)
-{
-    double after;
-    array_double_2d ends;
-    int64_t sweep;
-    int64_t count;
-    int64_t i;
-    double duration;
-    double growth;
-    double result;
-    after = start;
-    ends = span_rows(&trial, INT64_C(26), INT64_C(42));
-    for (sweep = INT64_C(0); sweep < INT64_C(8); sweep += INT64_C(1))
-    {
-        count = gap_ends(after, (*cspan_at(&velocities, interval, axis)), (*cspan_at(&accelerations, interval, axis)), (*cspan_at(&velocities, interval + INT64_C(1), axis)), (*cspan_at(&accelerations, interval + INT64_C(1), axis)), (*cspan_at(&positions, interval + INT64_C(1), axis)) - (*cspan_at(&positions, interval, axis)), (*cspan_at(&limits, axis, INT64_C(0))), (*cspan_at(&limits, axis, INT64_C(1))), span_row(&ramps, axis), trial, ends);
-        for (i = INT64_C(0); i < count; i += INT64_C(1))
-        {
-            duration = (*cspan_at(&ends, i, INT64_C(0))) * (1.0 + 1e-09);
-            if (set_duration(interval, axis, duration, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial))
-            {
-                result = first_feasible(after, duration, interval, axis, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial);
-                return result;
-            }
-            after = duration;
-        }
-        if (count < INT64_C(16))
-        {
-            break;
-        }
-    }
-    growth = 1.005;
-    for (i = INT64_C(0); i < INT64_C(600); i += INT64_C(1))
-    {
-        duration = after * growth;
-        if (set_duration(interval, axis, duration, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial))
-        {
-            result = first_feasible(after, duration, interval, axis, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial);
-            return result;
-        }
-        after = duration;
-        if (i > INT64_C(230))
-        {
-            growth = 1.02;
-        }
-        if (i > INT64_C(350))
-        {
-            growth = 1.1;
-        }
-    }
-    return -1.0;
-}
-/*The next multiple of the sample time, or the duration itself if there is none. */
-static double round_up(double duration, double sample_time)
-{
-    double result;
-    if (sample_time <= 0.0)
-    {
-        return duration;
-    }
-    return (int64_t)ceil(duration / sample_time - 1e-09) * sample_time;
-}
-/*The shortest duration >= start that the axes first .. last - 1 all meet; -1 if none. */
-/*                                                                                     */
-/*    Their profiles of that duration are written.                                     */
-/*                                                                                     */
-static double common_duration(int64_t interval, int64_t first, int64_t last, double start, double sample_time, array_double_2d shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial)
-{
-    int64_t axis;
-    int64_t agreed;
-    int64_t i;
-    double duration;
-    duration = start;
-    for (axis = first; axis < last; axis += INT64_C(1))
-    {
-        duration = span_max(duration, (*cspan_at(&shortest, interval, axis)));
-    }
-    duration = round_up(duration, sample_time);
-    axis = first;
-    agreed = INT64_C(0);
-    for (i = INT64_C(0); i < INT64_C(100000); i += INT64_C(1))
-    {
-        if (agreed == last - first)
-        {
-            return duration;
-        }
-        if (set_duration(interval, axis, duration, (*cspan_at(&shortest, interval, axis)), positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial))
-        {
-            agreed = agreed + INT64_C(1);
-        }
-        else
-        {
-            duration = next_feasible(interval, axis, duration, (*cspan_at(&shortest, interval, axis)), positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial);
-            if (duration < 0.0)
-            {
-                return -1.0;
-            }
-            duration = round_up(duration, sample_time);
-            agreed = INT64_C(0);
-        }
-        axis = axis + INT64_C(1);
-        if (axis == last)
-        {
-            axis = first;
-        }
-    }
-    return -1.0;
-}
-/*Status 7, 8 or 10 (negative) when a waypoint breaks a limit or dwells while moving.*/
-static int64_t check_waypoints(array_double_2d velocities, array_double_2d accelerations, array_double_1d dwells, array_double_2d limits, array_double_1d report)
-{
-    int64_t j;
-    int64_t axis;
-    bool moving;
-    int64_t result;
-    for (j = INT64_C(0); j < velocities.shape[INT64_C(0)]; j += INT64_C(1))
-    {
-        for (axis = INT64_C(0); axis < limits.shape[INT64_C(0)]; axis += INT64_C(1))
-        {
-            (*cspan_at(&report, INT64_C(0))) = axis;
-            (*cspan_at(&report, INT64_C(1))) = j;
-            (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&velocities, j, axis));
-            (*cspan_at(&report, INT64_C(3))) = (*cspan_at(&limits, axis, INT64_C(0)));
-            if (fabs((*cspan_at(&velocities, j, axis))) > (*cspan_at(&limits, axis, INT64_C(0))) * (1.0 + 1e-12))
-            {
-                return -INT64_C(7);
-            }
-            moving = ((*cspan_at(&velocities, j, axis)) != 0.0) || ((*cspan_at(&accelerations, j, axis)) != 0.0);
-            if (((*cspan_at(&dwells, j)) > 0.0) && moving)
-            {
-                return -INT64_C(10);
-            }
-            (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&accelerations, j, axis));
-            (*cspan_at(&report, INT64_C(3))) = (*cspan_at(&limits, axis, INT64_C(1)));
-            if (fabs((*cspan_at(&accelerations, j, axis))) > (*cspan_at(&limits, axis, INT64_C(1))) * (1.0 + 1e-12))
-            {
-                return -INT64_C(8);
-            }
-        }
-    }
-    return INT64_C(0);
-}
-/*Prolong the intervals of some axes, in proportion, until their sum is `target`.                      */
-/*                                                                                                     */
-/*    Intervals that take no time share it equally. An interval whose share lies in a gap jumps to the */
-/*    end of the gap when there is time for it, and else keeps its duration. False when time is left   */
-/*    that no interval takes.                                                                          */
-/*                                                                                                     */
-static bool distribute(int64_t first, int64_t last, double target, array_double_2d shortest, array_double_2d durations, array_int64_t_1d active, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial)
-{
-    int64_t intervals;
-    int64_t j;
-    int64_t sweep;
-    double base;
-    int64_t open_intervals;
-    double rest;
-    double factor;
-    double extra;
-    double wished;
-    double reached;
-    int64_t axis;
-    bool result;
-    intervals = durations.shape[INT64_C(0)];
-    for (j = INT64_C(0); j < intervals; j += INT64_C(1))
-    {
-        (*cspan_at(&active, j)) = INT64_C(1);
-    }
-    for (sweep = INT64_C(0); sweep < INT64_C(50); sweep += INT64_C(1))
-    {
-        base = 0.0;
-        open_intervals = INT64_C(0);
-        rest = target;
-        for (j = INT64_C(0); j < intervals; j += INT64_C(1))
-        {
-            rest = rest - (*cspan_at(&durations, j, first));
-            if ((*cspan_at(&active, j)) == INT64_C(1))
-            {
-                base = base + (*cspan_at(&durations, j, first));
-                open_intervals = open_intervals + INT64_C(1);
-            }
-        }
-        if (rest <= 1e-13 * target)
-        {
-            return 1;
-        }
-        if (open_intervals == INT64_C(0))
-        {
-            return 0;
-        }
-        factor = 1.0;
-        extra = rest / open_intervals;
-        if (base > 0.0)
-        {
-            factor = 1.0 + rest / base;
-            extra = 0.0;
-        }
-        for (j = INT64_C(0); j < intervals; j += INT64_C(1))
-        {
-            if ((*cspan_at(&active, j)) == INT64_C(1))
-            {
-                wished = (*cspan_at(&durations, j, first)) * factor + extra;
-                reached = common_duration(j, first, last, wished, 0.0, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial);
-                if ((reached < 0.0) || (reached - (*cspan_at(&durations, j, first)) > rest * (1.0 + 1e-13)))
-                {
-                    (*cspan_at(&active, j)) = INT64_C(0);
-                }
-                else
-                {
-                    rest = rest - (reached - (*cspan_at(&durations, j, first)));
-                    for (axis = first; axis < last; axis += INT64_C(1))
-                    {
-                        (*cspan_at(&durations, j, axis)) = reached;
-                    }
-                }
-            }
-        }
-    }
-    return 0;
-}
-/*Write the profiles of the durations that were settled on; False if one is infeasible.*/
-static bool rewrite_intervals(int64_t first, int64_t last, array_double_2d shortest, array_double_2d durations, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial)
-{
-    int64_t j;
-    int64_t axis;
-    bool result;
-    for (j = INT64_C(0); j < durations.shape[INT64_C(0)]; j += INT64_C(1))
-    {
-        for (axis = first; axis < last; axis += INT64_C(1))
-        {
-            if (!set_duration(j, axis, (*cspan_at(&durations, j, axis)), (*cspan_at(&shortest, j, axis)), positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial))
-            {
-                return 0;
-            }
-        }
-    }
-    return 1;
-}
-/*Ramp parameters and shortest profiles of one axis; status as in `plan_phases`. */
-static int64_t plan_axis(int64_t axis, double share, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, int64_t smoothness, int64_t shape, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d shortest, array_double_2d work, array_double_1d report)
-{
-    int64_t j;
-    double time;
-    int64_t status;
-    (*cspan_at(&report, INT64_C(0))) = axis;
-    status = segfmu_ramp_parameters(smoothness, shape, share, span_row(&limits, axis), span_row(&work, INT64_C(0)), span_row(&work, INT64_C(1)), span_row(&ramps, axis));
-    if (status > INT64_C(0))
-    {
-        return -INT64_C(9);
-    }
-    for (j = INT64_C(0); j < positions.shape[INT64_C(0)] - INT64_C(1); j += INT64_C(1))
-    {
-        (*cspan_at(&report, INT64_C(1))) = j;
-        set_shortest(&status, &time, j, axis, positions, velocities, accelerations, limits, ramps, phases, counts, weights, work);
-        if (status < INT64_C(0))
-        {
-            return status;
-        }
-        (*cspan_at(&shortest, j, axis)) = time;
-    }
-    return INT64_C(0);
-}
-/*Bring the shortest profiles to common durations; status as in `plan_phases`. */
-static int64_t synchronize_plan(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d dwells, array_double_2d limits, int64_t synchronization, double sample_time, double duration, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d shortest, array_double_2d durations, array_int64_t_1d active, array_double_2d work, array_double_1d report)
-{
-    int64_t axes;
-    int64_t intervals;
-    int64_t group;
-    double resting;
-    int64_t j;
-    double longest;
-    int64_t axis;
-    double total;
-    double time;
-    int64_t i;
-    double target;
-    int64_t result;
-    axes = limits.shape[INT64_C(0)];
-    intervals = positions.shape[INT64_C(0)] - INT64_C(1);
-    group = INT64_C(1);
-    if (synchronization == INT64_C(1))
-    {
-        group = axes;
-    }
-    resting = 0.0;
-    for (j = INT64_C(0); j < intervals + INT64_C(1); j += INT64_C(1))
-    {
-        resting = resting + (*cspan_at(&dwells, j));
-    }
-    longest = 0.0;
-    for (axis = INT64_C(0); (group > 0) ? (axis < axes) : (axis > axes); axis += group)
-    {
-        total = 0.0;
-        for (j = INT64_C(0); j < intervals; j += INT64_C(1))
-        {
-            if ((synchronization == INT64_C(1)) || (sample_time > 0.0))
-            {
-                time = common_duration(j, axis, axis + group, 0.0, sample_time, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, span_row(&work, INT64_C(42)), span_rows(&work, INT64_C(0), INT64_C(42)));
-                (*cspan_at(&report, INT64_C(0))) = axis;
-                (*cspan_at(&report, INT64_C(1))) = j;
-                if (time < 0.0)
-                {
-                    return -INT64_C(4);
-                }
-                for (i = axis; i < axis + group; i += INT64_C(1))
-                {
-                    (*cspan_at(&durations, j, i)) = time;
-                }
-            }
-            total = total + (*cspan_at(&durations, j, axis));
-        }
-        longest = span_max(longest, total);
-    }
-    (*cspan_at(&report, INT64_C(2))) = longest + resting;
-    (*cspan_at(&report, INT64_C(3))) = duration;
-    target = longest;
-    if (duration > 0.0)
-    {
-        target = duration - resting;
-        if (target < longest * (1.0 - 1e-13))
-        {
-            return -INT64_C(5);
-        }
-    }
-    if ((synchronization < INT64_C(2)) && (duration <= 0.0))
-    {
-        return INT64_C(0);
-    }
-    (*cspan_at(&report, INT64_C(2))) = target + resting;
-    for (axis = INT64_C(0); (group > 0) ? (axis < axes) : (axis > axes); axis += group)
-    {
-        (*cspan_at(&report, INT64_C(0))) = axis;
-        if (!distribute(axis, axis + group, target, shortest, durations, active, positions, velocities, accelerations, limits, ramps, phases, counts, weights, span_row(&work, INT64_C(42)), span_rows(&work, INT64_C(0), INT64_C(42))))
-        {
-            return -INT64_C(6);
-        }
-        if (!rewrite_intervals(axis, axis + group, shortest, durations, positions, velocities, accelerations, limits, ramps, phases, counts, weights, span_row(&work, INT64_C(42)), span_rows(&work, INT64_C(0), INT64_C(42))))
-        {
-            return -INT64_C(6);
-        }
-    }
-    return INT64_C(0);
-}
-/*Plan all intervals. Returns 0 or a negative status, with the details in `report`.            */
-/*                                                                                             */
-/*    m waypoints, k axes: positions, velocities, accelerations (m, k), dwells (m,), limits    */
-/*    (k, smoothness + 1) with 0 for absent, ramps (k, 48), phases (2 (m - 1) k, 13, 4), counts*/
-/*    (2 (m - 1) k,), weights ((m - 1) k,), shortest and durations (m - 1, k), active (m - 1,),*/
-/*    work (43, 4 + 2 smoothness), report (4,). synchronization: 0 none, 1 waypoints, 2 total; */
-/*    sample_time and duration: 0 for none.                                                    */
-/*                                                                                             */
-int64_t segfmu_plan_phases(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d dwells, array_double_2d limits, int64_t smoothness, int64_t shape, int64_t synchronization, double sample_time, double duration, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d shortest, array_double_2d durations, array_int64_t_1d active, array_double_2d work, array_double_1d report)
-{
-    int64_t axes;
-    int64_t intervals;
-    int64_t axis;
-    int64_t j;
-    int64_t status;
-    axes = limits.shape[INT64_C(0)];
-    intervals = positions.shape[INT64_C(0)] - INT64_C(1);
-    status = check_waypoints(velocities, accelerations, dwells, limits, report);
-    if (status < INT64_C(0))
-    {
-        return status;
-    }
-    for (axis = INT64_C(0); axis < axes; axis += INT64_C(1))
-    {
-        status = plan_axis(axis, 0.1, positions, velocities, accelerations, limits, smoothness, shape, ramps, phases, counts, weights, shortest, work, report);
-        if ((status == -INT64_C(1)) || (status == -INT64_C(2)))
-        {
-            /*braking just fails: the steepest ramps decide whether the limits admit it*/
-            status = plan_axis(axis, 0.004, positions, velocities, accelerations, limits, smoothness, shape, ramps, phases, counts, weights, shortest, work, report);
-        }
-        if (status < INT64_C(0))
-        {
-            return status;
-        }
-        for (j = INT64_C(0); j < intervals; j += INT64_C(1))
-        {
-            (*cspan_at(&durations, j, axis)) = (*cspan_at(&shortest, j, axis));
-        }
-    }
-    status = synchronize_plan(positions, velocities, accelerations, dwells, limits, synchronization, sample_time, duration, ramps, phases, counts, weights, shortest, durations, active, work, report);
-    return status;
-}
-/*Value of a derivative of one piece at local time t.*/
-static double evaluate_piece(array_double_2d coefficients, int64_t row, int64_t width, double t, int64_t derivative)
-{
-    int64_t j;
-    int64_t i;
-    double factor;
-    int64_t m;
-    double value;
-    value = 0.0;
-    for (j = INT64_C(0); j < width - derivative; j += INT64_C(1))
-    {
-        i = width - INT64_C(1) - j;
-        factor = 1.0;
-        for (m = INT64_C(0); m < derivative; m += INT64_C(1))
-        {
-            factor = factor * (i - m);
-        }
-        value = value * t + factor * (*cspan_at(&coefficients, row, i));
-    }
-    return value;
-}
-/*Close the piece in `row`: add position to jerk from `state`, which is advanced.                */
-/*                                                                                               */
-/*    state = position, velocity, acceleration, jerk and time at the start of the piece. Returns */
-/*    row + 1.                                                                                   */
-/*                                                                                               */
-static int64_t append_piece(double duration, array_double_2d timing, array_double_2d coefficients, int64_t row, int64_t width, array_double_1d state)
-{
-    double y;
-    double v;
-    int64_t j;
-    int64_t i;
-    int64_t result;
-    (*cspan_at(&coefficients, row, INT64_C(0))) = (*cspan_at(&state, INT64_C(0)));
-    (*cspan_at(&coefficients, row, INT64_C(1))) = (*cspan_at(&state, INT64_C(1)));
-    (*cspan_at(&coefficients, row, INT64_C(2))) = 0.5 * (*cspan_at(&state, INT64_C(2)));
-    (*cspan_at(&coefficients, row, INT64_C(3))) = (*cspan_at(&coefficients, row, INT64_C(3))) + (*cspan_at(&state, INT64_C(3))) / 6.0;
-    (*cspan_at(&timing, row, INT64_C(0))) = (*cspan_at(&state, INT64_C(4)));
-    (*cspan_at(&timing, row, INT64_C(1))) = duration;
-    y = 0.0;
-    v = 0.0;
-    for (j = INT64_C(0); j < width; j += INT64_C(1))
-    {
-        i = width - INT64_C(1) - j;
-        y = y * duration + (*cspan_at(&coefficients, row, i));
-        if (i > INT64_C(0))
-        {
-            v = v * duration + i * (*cspan_at(&coefficients, row, i));
-        }
-    }
-    (*cspan_at(&state, INT64_C(0))) = y;
-    (*cspan_at(&state, INT64_C(1))) = v;
-    (*cspan_at(&state, INT64_C(2))) = evaluate_piece(coefficients, row, width, duration, INT64_C(2));
-    (*cspan_at(&state, INT64_C(3))) = evaluate_piece(coefficients, row, width, duration, INT64_C(3));
-    (*cspan_at(&state, INT64_C(4))) = (*cspan_at(&state, INT64_C(4))) + duration;
-    return row + INT64_C(1);
-}
-/*Set every coefficient of a piece to zero.*/
-static void clear_piece(array_double_2d coefficients, int64_t row)
-{
-    int64_t i;
-    for (i = INT64_C(0); i < coefficients.shape[INT64_C(1)]; i += INT64_C(1))
-    {
-        (*cspan_at(&coefficients, row, i)) = 0.0;
-    }
-}
-/*Add to a piece the triple integral of jerk * Psi(t, rise) with Psi of the given order. */
-static void add_rise(double jerk, double rise, int64_t order, array_double_1d psi, array_double_2d coefficients, int64_t row)
-{
-    int64_t i;
-    double scale;
-    for (i = order + INT64_C(1); i < INT64_C(2) * order + INT64_C(2); i += INT64_C(1))
-    {
-        scale = jerk * (*cspan_at(&psi, i)) / ((i + 1.0) * (i + 2.0) * (i + 3.0));
-        (*cspan_at(&coefficients, row, i + INT64_C(3))) = (*cspan_at(&coefficients, row, i + INT64_C(3))) + scale / pow(rise, (double)(i));
-    }
-}
-/*Add to a piece the fourfold integral of snap * Psi(t, rise) with Psi of the given order. */
-static void add_snap(double snap, double rise, int64_t order, array_double_1d psi, array_double_2d coefficients, int64_t row)
-{
-    int64_t i;
-    double scale;
-    for (i = order + INT64_C(1); i < INT64_C(2) * order + INT64_C(2); i += INT64_C(1))
-    {
-        scale = snap * (*cspan_at(&psi, i)) / ((i + 1.0) * (i + 2.0) * (i + 3.0) * (i + 4.0));
-        (*cspan_at(&coefficients, row, i + INT64_C(4))) = (*cspan_at(&coefficients, row, i + INT64_C(4))) + scale / pow(rise, (double)(i));
-    }
-}
-/*Pieces in which the jerk changes by `jerk` within `rise`; returns the row after them.*/
-static int64_t expand_jerk_change(double jerk, double rise, double share, int64_t order, array_double_1d psi, array_double_1d state, array_double_2d timing, array_double_2d coefficients, int64_t row, int64_t width)
-{
-    double snap;
-    double edge;
-    int64_t result;
-    clear_piece(coefficients, row);
-    if (share <= 0.0)
-    {
-        add_rise(jerk, rise, order, psi, coefficients, row);
-        result = append_piece(rise, timing, coefficients, row, width, state);
-        return result;
-    }
-    snap = jerk / (rise * (1.0 - share));
-    edge = share * rise;
-    add_snap(snap, edge, order, psi, coefficients, row);
-    row = append_piece(edge, timing, coefficients, row, width, state);
-    clear_piece(coefficients, row);
-    (*cspan_at(&coefficients, row, INT64_C(4))) = snap / 24.0;
-    row = append_piece(rise - 2.0 * edge, timing, coefficients, row, width, state);
-    clear_piece(coefficients, row);
-    (*cspan_at(&coefficients, row, INT64_C(4))) = snap / 24.0;
-    add_snap(-snap, edge, order, psi, coefficients, row);
-    result = append_piece(edge, timing, coefficients, row, width, state);
-    return result;
-}
-/*Expand `count` phases into pieces from `row` on; returns the row after the last one.             */
-/*                                                                                                 */
-/*    state holds position and velocity, and in state[4] the time, at the start, and is advanced   */
-/*    to the end; psi is work space for 2 n numbers; share is the one of the snap's rise in that of*/
-/*    the jerk, 0 where the snap has no plateau.                                                   */
-/*                                                                                                 */
-int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, int64_t smoothness, int64_t shape, double share, array_double_1d psi, array_double_1d state, array_double_2d timing, array_double_2d coefficients, int64_t row)
-{
-    int64_t width;
-    int64_t k;
-    bool plateau;
-    int64_t order;
-    int64_t i;
-    double duration;
-    double rise;
-    double a;
-    double change;
-    int64_t j;
-    double scale;
-    double jerk;
-    double flat;
-    int64_t result;
-    width = INT64_C(2) * smoothness;
-    k = smoothness - INT64_C(2);
-    plateau = (shape == INT64_C(1)) && (k > INT64_C(0));
-    order = k;
-    if (plateau)
-    {
-        order = k - INT64_C(1);
-        if (share > 0.0)
-        {
-            order = k - INT64_C(2);
-        }
-    }
-    transition_coefficients(order, psi);
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        duration = (*cspan_at(&phases, i, INT64_C(0)));
-        rise = (*cspan_at(&phases, i, INT64_C(1)));
-        a = (*cspan_at(&phases, i, INT64_C(2)));
-        change = (*cspan_at(&phases, i, INT64_C(3)));
-        (*cspan_at(&state, INT64_C(2))) = a;
-        (*cspan_at(&state, INT64_C(3))) = 0.0;
-        clear_piece(coefficients, row);
-        if ((change == 0.0) || (!plateau))
-        {
-            if (change != 0.0)
-            {
-                for (j = order + INT64_C(1); j < INT64_C(2) * order + INT64_C(2); j += INT64_C(1))
-                {
-                    scale = change * (*cspan_at(&psi, j)) / ((j + 1.0) * (j + 2.0));
-                    (*cspan_at(&coefficients, row, j + INT64_C(2))) = scale / pow(duration, (double)(j));
-                }
-            }
-            row = append_piece(duration, timing, coefficients, row, width, state);
-        }
-        else
-        {
-            jerk = change / (duration - rise);
-            flat = duration - 2.0 * rise;
-            row = expand_jerk_change(jerk, rise, share, order, psi, state, timing, coefficients, row, width);
-            (*cspan_at(&state, INT64_C(2))) = a + 0.5 * jerk * rise;
-            (*cspan_at(&state, INT64_C(3))) = jerk;
-            if (flat > 0.0)
-            {
-                clear_piece(coefficients, row);
-                row = append_piece(flat, timing, coefficients, row, width, state);
-                (*cspan_at(&state, INT64_C(2))) = a + change - 0.5 * jerk * rise;
-                (*cspan_at(&state, INT64_C(3))) = jerk;
-            }
-            row = expand_jerk_change(-jerk, rise, share, order, psi, state, timing, coefficients, row, width);
-        }
-        (*cspan_at(&state, INT64_C(2))) = a + change;
-        (*cspan_at(&state, INT64_C(3))) = 0.0;
-    }
-    return row;
-}
-/*The row of first .. last - 1 whose piece holds `time`, by bisection. */
-static int64_t find_piece(double time, array_double_2d timing, int64_t first, int64_t last)
-{
-    int64_t upper;
-    int64_t middle;
-    int64_t lower;
-    lower = first;
-    upper = last;
-    while(upper - lower > INT64_C(1))
-    {
-        middle = span_floor_div((lower + upper), INT64_C(2));
-        if (time >= (*cspan_at(&timing, middle, INT64_C(0))))
-        {
-            lower = middle;
-        }
-        else
-        {
-            upper = middle;
-        }
-    }
-    return lower;
-}
-/*One derivative of every axis at many times: values[time, axis].                                  */
-/*                                                                                                 */
-/*    The pieces of axis i are the rows offsets[i] .. offsets[i + 1] - 1; ends[i] is its duration. */
-/*    Before its start and after its end an axis stays in its end position, all derivatives zero.  */
-/*                                                                                                 */
-void segfmu_evaluate(array_double_1d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, int64_t derivative, array_double_2d values)
-{
-    int64_t width;
-    int64_t axis;
-    int64_t first;
-    int64_t last;
-    int64_t row;
-    int64_t i;
-    double t;
-    double local;
-    width = coefficients.shape[INT64_C(1)];
-    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
-    {
-        first = (*cspan_at(&offsets, axis));
-        last = (*cspan_at(&offsets, axis + INT64_C(1)));
-        row = first;
-        for (i = INT64_C(0); i < times.shape[INT64_C(0)]; i += INT64_C(1))
-        {
-            t = span_min(span_max((*cspan_at(&times, i)), (*cspan_at(&timing, first, INT64_C(0)))), (*cspan_at(&ends, axis)));
-            if ((t < (*cspan_at(&timing, row, INT64_C(0)))) || ((row + INT64_C(1) < last) && (t >= (*cspan_at(&timing, row + INT64_C(1), INT64_C(0))))))
-            {
-                row = find_piece(t, timing, first, last);
-            }
-            if ((derivative > INT64_C(0)) && (t != (*cspan_at(&times, i))))
-            {
-                (*cspan_at(&values, i, axis)) = 0.0;
-            }
-            else
-            {
-                /*where the clock is coarser than a piece is long, the piece must not go on*/
-                local = span_min(t - (*cspan_at(&timing, row, INT64_C(0))), (*cspan_at(&timing, row, INT64_C(1))));
-                (*cspan_at(&values, i, axis)) = evaluate_piece(coefficients, row, width, local, derivative);
-            }
-        }
-    }
-}
-/*The first derivatives of every axis at one time: values[derivative, axis], as `evaluate`.*/
-void segfmu_evaluate_orders(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d values)
-{
-    int64_t width;
-    int64_t axis;
-    double t;
-    int64_t row;
-    double local;
-    int64_t derivative;
-    width = coefficients.shape[INT64_C(1)];
-    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
-    {
-        t = span_min(span_max(time, (*cspan_at(&timing, (*cspan_at(&offsets, axis)), INT64_C(0)))), (*cspan_at(&ends, axis)));
-        row = find_piece(t, timing, (*cspan_at(&offsets, axis)), (*cspan_at(&offsets, axis + INT64_C(1))));
-        local = span_min(t - (*cspan_at(&timing, row, INT64_C(0))), (*cspan_at(&timing, row, INT64_C(1))));
-        for (derivative = INT64_C(0); derivative < values.shape[INT64_C(0)]; derivative += INT64_C(1))
-        {
-            if ((derivative > INT64_C(0)) && (t != time))
-            {
-                (*cspan_at(&values, derivative, axis)) = 0.0;
-            }
-            else
-            {
-                (*cspan_at(&values, derivative, axis)) = evaluate_piece(coefficients, row, width, local, derivative);
-            }
-        }
-    }
-}
-/*First time after `time` at which a piece of any axis begins or its last one ends; or 1e300.*/
-/*                                                                                           */
-static double next_break(double time, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends)
-{
-    int64_t axis;
-    int64_t first;
-    int64_t last;
-    int64_t row;
-    double found;
-    found = 1e+300;
-    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
-    {
-        first = (*cspan_at(&offsets, axis));
-        last = (*cspan_at(&offsets, axis + INT64_C(1)));
-        if (time < (*cspan_at(&timing, first, INT64_C(0))))
-        {
-            found = span_min(found, (*cspan_at(&timing, first, INT64_C(0))));
-        }
-        else
-        {
-            row = find_piece(time, timing, first, last) + INT64_C(1);
-            if (row < last)
-            {
-                found = span_min(found, (*cspan_at(&timing, row, INT64_C(0))));
-            }
-            else if (time < (*cspan_at(&ends, axis)))
-            {
-                found = span_min(found, (*cspan_at(&ends, axis)));
-            }
-        }
-    }
-    return found;
-}
-/*Events that differ by less [s] are the same; clocks are coarser late.*/
-double segfmu_same_break(double time)
-{
-    double result;
-    return 1e-08 + 1e-14 * fabs(time);
-}
-/*First event after `time` of a plan that begins at `start`; 1e300 if there is none.               */
-/*                                                                                                 */
-/*    Events are the last axis' arrival at a waypoint, the end of the motion, and the breaks of all*/
-/*    pieces, where derivatives of the crane's forces jump: the first one at smoothness 4.         */
-/*                                                                                                 */
-double segfmu_next_plan_event(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends, array_double_2d times)
-{
-    double event;
-    int64_t waypoint;
-    double arrival;
-    int64_t axis;
-    double found;
-    double result;
-    event = 1e+300;
-    for (waypoint = INT64_C(1); waypoint < times.shape[INT64_C(0)] + INT64_C(1); waypoint += INT64_C(1))
-    {
-        arrival = 0.0;
-        for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
-        {
-            if (waypoint < times.shape[INT64_C(0)])
-            {
-                arrival = span_max(arrival, (*cspan_at(&times, waypoint, axis)));
-            }
-            else
-            {
-                arrival = span_max(arrival, (*cspan_at(&ends, axis)));
-            }
-        }
-        if (start + arrival > time + segfmu_same_break(time))
-        {
-            event = span_min(event, start + arrival);
-        }
-    }
-    found = next_break(time + segfmu_same_break(time) - start, timing, offsets, ends);
-    if (found < 1e+300)
-    {
-        found = start + found;
-    }
-    /*of a start that is far away the clock may be too coarse to tell a break from the present*/
-    if ((event <= found + segfmu_same_break(time)) || (found <= time))
-    {
-        return event;
-    }
-    return found;
-}
-/*Time since `start`, just behind the break where it is at one: all axes on the next piece.*/
-double segfmu_right_of_break(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends)
-{
-    double local;
-    double behind;
-    double result;
-    local = time - start;
-    /*an axis that has come to its end is still on its last piece there*/
-    behind = local + segfmu_same_break(time);
-    if (next_break(local - segfmu_same_break(time), timing, offsets, ends) <= behind)
-    {
-        return behind;
-    }
-    return local;
-}
-/*An upper bound of the number of pieces: seven a phase, and one a dwell.*/
-int64_t segfmu_count_pieces(array_int64_t_1d counts, int64_t cells)
-{
-    int64_t i;
-    int64_t total;
-    total = cells + INT64_C(1);
-    for (i = INT64_C(0); i < INT64_C(2) * cells; i += INT64_C(1))
-    {
-        total = total + INT64_C(7) * (*cspan_at(&counts, i));
-    }
-    return total;
-}
-/*Add weight times a piece, taken from its local time t on, to another piece.*/
-static void shift_piece(array_double_2d coefficients, int64_t source, int64_t width, double t, double weight, array_double_2d target, int64_t row)
-{
-    double factorial;
-    int64_t i;
-    double value;
-    factorial = 1.0;
-    for (i = INT64_C(0); i < width; i += INT64_C(1))
-    {
-        if (i > INT64_C(0))
-        {
-            factorial = factorial * i;
-        }
-        value = evaluate_piece(coefficients, source, width, t, i) / factorial;
-        (*cspan_at(&target, row, i)) = (*cspan_at(&target, row, i)) + weight * value;
-    }
-}
-/*(1 - weight) * pieces first_a .. last_a - 1 + weight * pieces last_a .. last_b - 1.*/
-static int64_t merge_pieces(double weight, double now, int64_t first_a, int64_t last_a, int64_t last_b, array_double_2d scratch_timing, array_double_2d scratch, array_double_2d timing, array_double_2d coefficients, int64_t row)
-{
-    int64_t width;
-    int64_t a;
-    int64_t b;
-    double t;
-    double t_a;
-    double t_b;
-    int64_t i;
-    double rest_a;
-    double rest_b;
-    double step;
-    int64_t result;
-    width = coefficients.shape[INT64_C(1)];
-    a = first_a;
-    b = last_a;
-    t = now;
-    t_a = 0.0;
-    t_b = 0.0;
-    while((a < last_a) && (b < last_b))
-    {
-        for (i = INT64_C(0); i < width; i += INT64_C(1))
-        {
-            (*cspan_at(&coefficients, row, i)) = 0.0;
-        }
-        shift_piece(scratch, a, width, t_a, 1.0 - weight, coefficients, row);
-        shift_piece(scratch, b, width, t_b, weight, coefficients, row);
-        rest_a = (*cspan_at(&scratch_timing, a, INT64_C(1))) - t_a;
-        rest_b = (*cspan_at(&scratch_timing, b, INT64_C(1))) - t_b;
-        step = span_min(rest_a, rest_b);
-        (*cspan_at(&timing, row, INT64_C(0))) = t;
-        (*cspan_at(&timing, row, INT64_C(1))) = step;
-        t = t + step;
-        t_a = t_a + step;
-        t_b = t_b + step;
-        row = row + INT64_C(1);
-        if (rest_a <= step)
-        {
-            a = a + INT64_C(1);
-            t_a = 0.0;
-        }
-        if (rest_b <= step)
-        {
-            b = b + INT64_C(1);
-            t_b = 0.0;
-        }
-    }
-    return row;
-}
-/*Expand one interval of one axis from `row` on; returns the row after its last piece. */
-static int64_t expand_interval(int64_t interval, int64_t axis, int64_t axes, double now, array_double_2d positions, array_double_2d velocities, int64_t smoothness, int64_t shape, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d ramps, array_double_2d scratch_timing, array_double_2d scratch, array_double_2d timing, array_double_2d coefficients, int64_t row)
-{
-    int64_t cell;
-    double weight;
-    array_double_1d state;
-    array_double_1d psi;
-    int64_t which;
-    int64_t middle;
-    int64_t last;
-    int64_t result;
-    cell = interval * axes + axis;
-    weight = (*cspan_at(&weights, cell));
-    state = span_row(&scratch, INT64_C(199));
-    psi = span_row(&scratch, INT64_C(198));
-    (*cspan_at(&state, INT64_C(0))) = (*cspan_at(&positions, interval, axis));
-    (*cspan_at(&state, INT64_C(1))) = (*cspan_at(&velocities, interval, axis));
-    (*cspan_at(&state, INT64_C(4))) = now;
-    if ((weight <= 0.0) || (weight >= 1.0))
-    {
-        which = INT64_C(2) * cell;
-        if (weight >= 1.0)
-        {
-            which = which + INT64_C(1);
-        }
-        result = segfmu_expand_phases(span_matrix(&phases, which), (*cspan_at(&counts, which)), smoothness, shape, (*cspan_at(&ramps, axis, INT64_C(40))), psi, state, timing, coefficients, row);
-        return result;
-    }
-    middle = segfmu_expand_phases(span_matrix(&phases, INT64_C(2) * cell), (*cspan_at(&counts, INT64_C(2) * cell)), smoothness, shape, (*cspan_at(&ramps, axis, INT64_C(40))), psi, state, scratch_timing, scratch, INT64_C(0));
-    (*cspan_at(&state, INT64_C(0))) = (*cspan_at(&positions, interval, axis));
-    (*cspan_at(&state, INT64_C(1))) = (*cspan_at(&velocities, interval, axis));
-    (*cspan_at(&state, INT64_C(4))) = now;
-    last = segfmu_expand_phases(span_matrix(&phases, INT64_C(2) * cell + INT64_C(1)), (*cspan_at(&counts, INT64_C(2) * cell + INT64_C(1))), smoothness, shape, (*cspan_at(&ramps, axis, INT64_C(40))), psi, state, scratch_timing, scratch, middle);
-    result = merge_pieces(weight, now, INT64_C(0), middle, last, scratch_timing, scratch, timing, coefficients, row);
-    return result;
-}
-/*Expand a plan into the pieces of every axis; returns the number of pieces.                         */
-/*                                                                                                   */
-/*    times[j, axis] becomes the arrival at waypoint j; offsets (axes + 1,); timing and              */
-/*    coefficients (.., 2 smoothness) hold at least count_pieces rows, the scratch arrays (200,) and */
-/*    (200, 16), of which the last two rows serve as work space.                                     */
-/*                                                                                                   */
-int64_t segfmu_expand_plan(array_double_2d positions, array_double_2d velocities, array_double_1d dwells, int64_t smoothness, int64_t shape, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d durations, array_double_2d ramps, array_double_2d scratch_timing, array_double_2d scratch, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times)
-{
-    int64_t intervals;
-    int64_t axes;
-    int64_t axis;
-    double now;
-    int64_t j;
-    int64_t i;
-    int64_t row;
-    intervals = durations.shape[INT64_C(0)];
-    axes = durations.shape[INT64_C(1)];
-    row = INT64_C(0);
-    for (axis = INT64_C(0); axis < axes; axis += INT64_C(1))
-    {
-        (*cspan_at(&offsets, axis)) = row;
-        now = 0.0;
-        (*cspan_at(&times, INT64_C(0), axis)) = 0.0;
-        for (j = INT64_C(0); j < intervals + INT64_C(1); j += INT64_C(1))
-        {
-            (*cspan_at(&times, j, axis)) = now;
-            if (((*cspan_at(&dwells, j)) > 0.0) || ((j == intervals) && (row == (*cspan_at(&offsets, axis)))))
-            {
-                for (i = INT64_C(0); i < INT64_C(2) * smoothness; i += INT64_C(1))
-                {
-                    (*cspan_at(&coefficients, row, i)) = 0.0;
-                }
-                (*cspan_at(&coefficients, row, INT64_C(0))) = (*cspan_at(&positions, j, axis));
-                (*cspan_at(&timing, row, INT64_C(0))) = now;
-                (*cspan_at(&timing, row, INT64_C(1))) = (*cspan_at(&dwells, j));
-                now = now + (*cspan_at(&dwells, j));
-                row = row + INT64_C(1);
-            }
-            if (j < intervals)
-            {
-                row = expand_interval(j, axis, axes, now, positions, velocities, smoothness, shape, phases, counts, weights, ramps, scratch_timing, scratch, timing, coefficients, row);
-                now = now + (*cspan_at(&durations, j, axis));
-            }
-        }
-    }
-    (*cspan_at(&offsets, axes)) = row;
-    return row;
-}
-/*Bernstein coefficients of a derivative of one piece on [0, length] in hull[0, :].*/
-/*                                                                                 */
-/*    Returns their number.                                                        */
-/*                                                                                 */
-static int64_t bernstein_coefficients(array_double_2d coefficients, int64_t row, int64_t width, int64_t derivative, double length, array_double_2d hull)
-{
-    double power;
-    double binomial;
-    int64_t i;
-    double factor;
-    int64_t m;
-    int64_t r;
-    int64_t j;
-    int64_t count;
-    count = width - derivative;
-    power = 1.0;
-    binomial = 1.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        factor = 1.0;
-        for (m = INT64_C(0); m < derivative; m += INT64_C(1))
-        {
-            factor = factor * (i + derivative - m);
-        }
-        (*cspan_at(&hull, INT64_C(0), i)) = factor * (*cspan_at(&coefficients, row, i + derivative)) * power / binomial;
-        power = power * length;
-        binomial = binomial * (count - INT64_C(1) - i) / (i + INT64_C(1));
-    }
-    for (r = INT64_C(1); r < count; r += INT64_C(1))
-    {
-        for (j = INT64_C(0); j < count - r; j += INT64_C(1))
-        {
-            i = count - INT64_C(1) - j;
-            (*cspan_at(&hull, INT64_C(0), i)) = (*cspan_at(&hull, INT64_C(0), i)) + (*cspan_at(&hull, INT64_C(0), i - INT64_C(1)));
-        }
-    }
-    return count;
-}
-/*Halve row `row` by de Casteljau's scheme: its first half stays, the second one follows.*/
-static void split_hull(array_double_2d hull, int64_t row, int64_t count)
-{
-    int64_t i;
-    int64_t r;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        (*cspan_at(&hull, row + INT64_C(1), i)) = (*cspan_at(&hull, row, i));
-    }
-    /*the last coefficients of the shrinking triangle are those of the second half, reversed*/
-    for (r = INT64_C(1); r < count; r += INT64_C(1))
-    {
-        for (i = INT64_C(0); i < count - r; i += INT64_C(1))
-        {
-            (*cspan_at(&hull, row + INT64_C(1), i)) = 0.5 * ((*cspan_at(&hull, row + INT64_C(1), i)) + (*cspan_at(&hull, row + INT64_C(1), i + INT64_C(1))));
-        }
-        (*cspan_at(&hull, row, r)) = (*cspan_at(&hull, row + INT64_C(1), INT64_C(0)));
-    }
-}
-/*Whether a polynomial given by the Bernstein coefficients hull[0, :] keeps a limit. */
-/*                                                                                   */
-/*    hull (40, 14) is work space.                                                   */
-/*                                                                                   */
-static bool within(array_double_2d hull, int64_t count, double limit)
-{
-    int64_t rows;
-    int64_t row;
-    double largest;
-    double total;
-    int64_t i;
-    double ends;
-    double depth;
-    bool result;
-    rows = INT64_C(1);
-    (*cspan_at(&hull, INT64_C(0), INT64_C(13))) = 0.0;
-    while(rows > INT64_C(0))
-    {
-        row = rows - INT64_C(1);
-        largest = 0.0;
-        total = 0.0;
-        for (i = INT64_C(0); i < count; i += INT64_C(1))
-        {
-            largest = span_max(largest, fabs((*cspan_at(&hull, row, i))));
-            total = total + fabs((*cspan_at(&hull, row, i)));
-        }
-        /*the sum is for values that are no numbers, which no comparison holds for*/
-        if ((largest <= limit) && (total <= count * limit))
-        {
-            rows = rows - INT64_C(1);
-            continue;
-        }
-        ends = span_max(fabs((*cspan_at(&hull, row, INT64_C(0)))), fabs((*cspan_at(&hull, row, count - INT64_C(1)))));
-        depth = (*cspan_at(&hull, row, INT64_C(13)));
-        if ((!(ends <= limit)) || (depth > 34.0))
-        {
-            return 0;
-        }
-        split_hull(hull, row, count);
-        (*cspan_at(&hull, row, INT64_C(13))) = depth + 1.0;
-        (*cspan_at(&hull, row + INT64_C(1), INT64_C(13))) = depth + 1.0;
-        rows = rows + INT64_C(1);
-    }
-    return 1;
-}
-/*Whether the pieces first .. last - 1 of one axis keep its limits and join smoothly.                */
-/*                                                                                                   */
-/*    work[41, d] becomes the peak of the d-th derivative, or for the position its range, at least 1.*/
-/*                                                                                                   */
-static bool check_axis(int64_t axis, array_double_2d timing, array_double_2d coefficients, int64_t first, int64_t last, array_double_2d limits, double tolerance, array_double_2d work)
-{
-    int64_t order;
-    array_double_2d hull;
-    int64_t i;
-    double low;
-    double high;
-    int64_t row;
-    double length;
-    int64_t degree;
-    int64_t d;
-    int64_t count;
-    bool result;
-    order = limits.shape[INT64_C(1)];
-    hull = span_rows(&work, INT64_C(0), INT64_C(40));
-    for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
-    {
-        (*cspan_at(&work, INT64_C(41), i)) = 0.0;
-        (*cspan_at(&work, INT64_C(42), i)) = 0.0;
-    }
-    low = (*cspan_at(&coefficients, first, INT64_C(0)));
-    high = low;
-    for (row = first; row < last; row += INT64_C(1))
-    {
-        length = (*cspan_at(&timing, row, INT64_C(1)));
-        low = span_min(low, (*cspan_at(&coefficients, row, INT64_C(0))));
-        high = span_max(high, (*cspan_at(&coefficients, row, INT64_C(0))));
-        degree = coefficients.shape[INT64_C(1)] - INT64_C(1);
-        while((degree > INT64_C(0)) && ((*cspan_at(&coefficients, row, degree)) == 0.0))
-        {
-            degree = degree - INT64_C(1);
-        }
-        for (d = INT64_C(0); d < order + INT64_C(1); d += INT64_C(1))
-        {
-            (*cspan_at(&hull, INT64_C(0), INT64_C(0))) = 0.0;
-            count = INT64_C(1);
-            if (d <= degree)
-            {
-                count = bernstein_coefficients(coefficients, row, degree + INT64_C(1), d, length, hull);
-            }
-            for (i = INT64_C(0); i < count; i += INT64_C(1))
-            {
-                (*cspan_at(&work, INT64_C(41), d)) = span_max((*cspan_at(&work, INT64_C(41), d)), fabs((*cspan_at(&hull, INT64_C(0), i))));
-            }
-            if (row > first)
-            {
-                (*cspan_at(&work, INT64_C(42), d)) = span_max((*cspan_at(&work, INT64_C(42), d)), fabs((*cspan_at(&hull, INT64_C(0), INT64_C(0))) - (*cspan_at(&work, INT64_C(40), d))));
-            }
-            /*not max(), which a value that is no number would leave as it is*/
-            if (!(fabs((*cspan_at(&hull, INT64_C(0), INT64_C(0)))) < 1e+300))
-            {
-                return 0;
-            }
-            (*cspan_at(&work, INT64_C(40), d)) = (*cspan_at(&hull, INT64_C(0), count - INT64_C(1)));
-            if ((d > INT64_C(0)) && ((*cspan_at(&limits, axis, d - INT64_C(1))) > 0.0))
-            {
-                if (!within(hull, count, (*cspan_at(&limits, axis, d - INT64_C(1))) * (1.0 + tolerance)))
-                {
-                    return 0;
-                }
-            }
-        }
-    }
-    (*cspan_at(&work, INT64_C(41), INT64_C(0))) = span_max(1.0, high - low);
-    for (d = INT64_C(0); d < order; d += INT64_C(1))
-    {
-        if (!((*cspan_at(&work, INT64_C(42), d)) <= tolerance * (*cspan_at(&work, INT64_C(41), d))))
-        {
-            return 0;
-        }
-    }
-    result = (*cspan_at(&work, INT64_C(41), INT64_C(0))) < 1e+300;
-    return result;
-}
-/*Judge the pieces of every axis: 0, or 1 + the first axis that is not surely right.               */
-/*                                                                                                 */
-/*    Limits hold up to the relative tolerance, the derivatives 0 .. n are continuous up to it (in */
-/*    units of the range of the position, at least 1 m, and of the peaks of the others), and the   */
-/*    waypoints are met up to it. Arrays as in `expand_plan`; work is (43, 14).                    */
-/*                                                                                                 */
-int64_t segfmu_check_plan(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d limits, double tolerance, array_double_2d work)
-{
-    int64_t width;
-    int64_t points;
-    int64_t axis;
-    int64_t first;
-    int64_t last;
-    int64_t j;
-    int64_t point;
-    double time;
-    int64_t row;
-    double local;
-    double y;
-    double v;
-    double a;
-    int64_t result;
-    width = coefficients.shape[INT64_C(1)];
-    points = positions.shape[INT64_C(0)];
-    for (axis = INT64_C(0); axis < limits.shape[INT64_C(0)]; axis += INT64_C(1))
-    {
-        first = (*cspan_at(&offsets, axis));
-        last = (*cspan_at(&offsets, axis + INT64_C(1)));
-        if (!check_axis(axis, timing, coefficients, first, last, limits, tolerance, work))
-        {
-            return INT64_C(1) + axis;
-        }
-        for (j = INT64_C(0); j < points + INT64_C(1); j += INT64_C(1))
-        {
-            /*the last waypoint is met on arrival and, after its dwell, at the end*/
-            point = span_min_int(j, points - INT64_C(1));
-            time = (*cspan_at(&times, point, axis));
-            if (j == points)
-            {
-                time = (*cspan_at(&ends, axis));
-            }
-            row = find_piece(time, timing, first, last);
-            local = span_min(time - (*cspan_at(&timing, row, INT64_C(0))), (*cspan_at(&timing, row, INT64_C(1))));
-            y = evaluate_piece(coefficients, row, width, local, INT64_C(0));
-            v = evaluate_piece(coefficients, row, width, local, INT64_C(1));
-            a = evaluate_piece(coefficients, row, width, local, INT64_C(2));
-            if (!(fabs(y - (*cspan_at(&positions, point, axis))) <= tolerance * (*cspan_at(&work, INT64_C(41), INT64_C(0)))))
-            {
-                return INT64_C(1) + axis;
-            }
-            if (!(fabs(v - (*cspan_at(&velocities, point, axis))) <= tolerance * (*cspan_at(&limits, axis, INT64_C(0)))))
-            {
-                return INT64_C(1) + axis;
-            }
-            if (!(fabs(a - (*cspan_at(&accelerations, point, axis))) <= tolerance * (*cspan_at(&limits, axis, INT64_C(1)))))
-            {
-                return INT64_C(1) + axis;
-            }
-        }
-    }
-    return INT64_C(0);
-}
-/*First end of a piece of any of three axes after a time, or the time if there is none.*/
-static double interval_end(double time, array_double_2d timing, array_int64_t_1d offsets)
-{
-    int64_t axis;
-    int64_t last;
-    int64_t row;
-    double end;
-    double until;
-    until = time;
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        last = (*cspan_at(&offsets, axis + INT64_C(1)));
-        row = find_piece(time, timing, (*cspan_at(&offsets, axis)), last);
-        end = (*cspan_at(&timing, row, INT64_C(0))) + (*cspan_at(&timing, row, INT64_C(1)));
-        if (row + INT64_C(1) < last)
-        {
-            end = (*cspan_at(&timing, row + INT64_C(1), INT64_C(0)));
-        }
-        if ((end > time) && ((until == time) || (end < until)))
-        {
-            until = end;
-        }
-    }
-    return until;
-}
-/*Position and pull of all axes in an interval's local time; an axis that has ended stays. */
-static void interval_pieces(double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work)
-{
-    int64_t width;
-    double middle;
-    int64_t axis;
-    int64_t last;
-    int64_t row;
-    int64_t i;
-    double offset;
-    int64_t j;
-    int64_t k;
-    width = coefficients.shape[INT64_C(1)];
-    middle = 0.5 * (time + until);
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        last = (*cspan_at(&offsets, axis + INT64_C(1)));
-        row = find_piece(middle, timing, (*cspan_at(&offsets, axis)), last);
-        for (i = INT64_C(0); i < width; i += INT64_C(1))
-        {
-            (*cspan_at(&work, axis, i)) = (*cspan_at(&coefficients, row, i));
-        }
-        if (middle > (*cspan_at(&timing, row, INT64_C(0))) + (*cspan_at(&timing, row, INT64_C(1))))
-        {
-            (*cspan_at(&work, axis, INT64_C(0))) = evaluate_piece(coefficients, row, width, (*cspan_at(&timing, row, INT64_C(1))), INT64_C(0));
-            for (i = INT64_C(1); i < width; i += INT64_C(1))
-            {
-                (*cspan_at(&work, axis, i)) = 0.0;
-            }
-        }
-        else
-        {
-            /*the piece about a later time, by repeated synthetic division*/
-            offset = time - (*cspan_at(&timing, row, INT64_C(0)));
-            for (i = INT64_C(0); i < width - INT64_C(1); i += INT64_C(1))
-            {
-                for (j = INT64_C(0); j < width - INT64_C(1) - i; j += INT64_C(1))
-                {
-                    k = width - INT64_C(2) - j;
-                    (*cspan_at(&work, axis, k)) = (*cspan_at(&work, axis, k)) + offset * (*cspan_at(&work, axis, k + INT64_C(1)));
-                }
-            }
-        }
-        for (i = INT64_C(0); i < width - INT64_C(2); i += INT64_C(1))
-        {
-            (*cspan_at(&work, INT64_C(3) + axis, i)) = (i + 1.0) * (i + 2.0) * (*cspan_at(&work, axis, i + INT64_C(2)));
-        }
-    }
-    (*cspan_at(&work, INT64_C(5), INT64_C(0))) = (*cspan_at(&work, INT64_C(5), INT64_C(0))) + gravity;
-}
-/*Add the product of the polynomials in two rows to a third one. */
-static void add_product(int64_t first, int64_t first_count, int64_t second, int64_t second_count, int64_t row, array_double_2d work)
-{
-    int64_t i;
-    int64_t j;
-    for (i = INT64_C(0); i < first_count; i += INT64_C(1))
-    {
-        for (j = INT64_C(0); j < second_count; j += INT64_C(1))
-        {
-            (*cspan_at(&work, row, i + j)) = (*cspan_at(&work, row, i + j)) + (*cspan_at(&work, first, i)) * (*cspan_at(&work, second, j));
-        }
-    }
-}
-/*sign * (bound^2 w_z^2 - z^2 |w|^2) in work[6, :].*/
-static void length_margin(int64_t width, double bound, double sign, array_double_2d work)
-{
-    int64_t columns;
-    int64_t count;
-    int64_t row;
-    int64_t i;
-    int64_t axis;
-    columns = work.shape[INT64_C(1)] - INT64_C(2);
-    count = width - INT64_C(2);
-    for (row = INT64_C(6); row < INT64_C(10); row += INT64_C(1))
-    {
-        for (i = INT64_C(0); i < columns; i += INT64_C(1))
-        {
-            (*cspan_at(&work, row, i)) = 0.0;
-        }
-    }
-    add_product(INT64_C(2), width, INT64_C(2), width, INT64_C(7), work);
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        add_product(INT64_C(3) + axis, count, INT64_C(3) + axis, count, INT64_C(8), work);
-    }
-    add_product(INT64_C(5), count, INT64_C(5), count, INT64_C(9), work);
-    add_product(INT64_C(7), INT64_C(2) * width - INT64_C(1), INT64_C(8), INT64_C(2) * count - INT64_C(1), INT64_C(6), work);
-    for (i = INT64_C(0); i < columns; i += INT64_C(1))
-    {
-        (*cspan_at(&work, INT64_C(6), i)) = sign * (bound * bound * (*cspan_at(&work, INT64_C(9), i)) - (*cspan_at(&work, INT64_C(6), i)));
-    }
-}
-/*Put the polynomial of a demand into work[6, :]; returns its length, 0: no such demand. */
-static int64_t rope_demand(int64_t demand, double gravity, double shortest, double longest, double tolerance, array_double_2d work)
-{
-    int64_t columns;
-    int64_t width;
-    int64_t i;
-    int64_t result;
-    columns = work.shape[INT64_C(1)] - INT64_C(2);
-    width = span_floor_div((columns + INT64_C(7)), INT64_C(4));
-    if (demand == INT64_C(1))
-    {
-        for (i = INT64_C(0); i < width; i += INT64_C(1))
-        {
-            (*cspan_at(&work, INT64_C(6), i)) = -(*cspan_at(&work, INT64_C(2), i));
-        }
-        (*cspan_at(&work, INT64_C(6), INT64_C(0))) = (*cspan_at(&work, INT64_C(6), INT64_C(0))) - tolerance;
-        return width;
-    }
-    if (demand == INT64_C(2))
-    {
-        for (i = INT64_C(0); i < width - INT64_C(2); i += INT64_C(1))
-        {
-            (*cspan_at(&work, INT64_C(6), i)) = (*cspan_at(&work, INT64_C(5), i));
-        }
-        (*cspan_at(&work, INT64_C(6), INT64_C(0))) = (*cspan_at(&work, INT64_C(6), INT64_C(0))) - tolerance * gravity;
-        return width - INT64_C(2);
-    }
-    if (demand == INT64_C(3))
-    {
-        if (longest <= 0.0)
-        {
-            return INT64_C(0);
-        }
-        length_margin(width, longest * (1.0 + tolerance), 1.0, work);
-    }
-    else
-    {
-        if (shortest <= 0.0)
-        {
-            return INT64_C(0);
-        }
-        length_margin(width, shortest * (1.0 - tolerance), -1.0, work);
-    }
-    return columns;
-}
-/*Where, as a share of the interval, work[6, :] is first not proved to be zero or more.*/
-/*                                                                                     */
-/*    -1: nowhere. Hulls are reversed, so that the first half of an interval is on top.*/
-/*                                                                                     */
-static double first_negative(int64_t count, double length, array_double_2d work)
-{
-    int64_t start;
-    int64_t depth;
-    array_double_2d hull;
-    int64_t Dummy_0000;
-    int64_t i;
-    double swapped;
-    int64_t rows;
-    int64_t row;
-    double smallest;
-    double result;
-    start = work.shape[INT64_C(1)] - INT64_C(2);
-    depth = work.shape[INT64_C(1)] - INT64_C(1);
-    hull = span_rows(&work, INT64_C(10), work.shape[INT64_C(0)]);
-    Dummy_0000 = bernstein_coefficients(work, INT64_C(6), count, INT64_C(0), length, hull);
-    for (i = INT64_C(0); i < span_floor_div(count, INT64_C(2)); i += INT64_C(1))
-    {
-        swapped = (*cspan_at(&hull, INT64_C(0), i));
-        (*cspan_at(&hull, INT64_C(0), i)) = (*cspan_at(&hull, INT64_C(0), count - INT64_C(1) - i));
-        (*cspan_at(&hull, INT64_C(0), count - INT64_C(1) - i)) = swapped;
-    }
-    (*cspan_at(&hull, INT64_C(0), start)) = 0.0;
-    (*cspan_at(&hull, INT64_C(0), depth)) = 0.0;
-    rows = INT64_C(1);
-    while(rows > INT64_C(0))
-    {
-        row = rows - INT64_C(1);
-        smallest = (*cspan_at(&hull, row, INT64_C(0)));
-        for (i = INT64_C(1); i < count; i += INT64_C(1))
-        {
-            smallest = span_min(smallest, (*cspan_at(&hull, row, i)));
-        }
-        if (smallest >= 0.0)
-        {
-            rows = row;
-        }
-        else if (((*cspan_at(&hull, row, count - INT64_C(1))) < 0.0) || ((*cspan_at(&hull, row, depth)) > 39.5))
-        {
-            result = (*cspan_at(&hull, row, start));
-            return result;
-        }
-        else
-        {
-            split_hull(hull, row, count);
-            (*cspan_at(&hull, row + INT64_C(1), start)) = (*cspan_at(&hull, row, start));
-            (*cspan_at(&hull, row, depth)) = (*cspan_at(&hull, row, depth)) + 1.0;
-            (*cspan_at(&hull, row + INT64_C(1), depth)) = (*cspan_at(&hull, row, depth));
-            (*cspan_at(&hull, row, start)) = (*cspan_at(&hull, row, start)) + pow(0.5, (*cspan_at(&hull, row, depth)));
-            rows = rows + INT64_C(1);
-        }
-    }
-    return -1.0;
-}
-/*What a demand bounds, at a local time of the interval: height, fall or length. */
-static double rope_value(int64_t demand, double local, double gravity, array_double_2d work)
-{
-    int64_t width;
-    double pull;
-    double x_pull;
-    double y_pull;
-    double z;
-    width = span_floor_div((work.shape[INT64_C(1)] + INT64_C(5)), INT64_C(4));
-    z = evaluate_piece(work, INT64_C(2), width, local, INT64_C(0));
-    pull = evaluate_piece(work, INT64_C(5), width - INT64_C(2), local, INT64_C(0));
-    if (demand == INT64_C(1))
-    {
-        return z;
-    }
-    if (demand == INT64_C(2))
-    {
-        return gravity - pull;
-    }
-    x_pull = evaluate_piece(work, INT64_C(3), width - INT64_C(2), local, INT64_C(0));
-    y_pull = evaluate_piece(work, INT64_C(4), width - INT64_C(2), local, INT64_C(0));
-    return (-z) * sqrt(x_pull * x_pull + y_pull * y_pull + pull * pull) / pull;
-}
-/*The worst of samples, 33 an interval, of what a demand bounds from a time on.*/
-static double worst_value(int64_t demand, double first, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work)
-{
-    double sign;
-    double worst;
-    double time;
-    double until;
-    int64_t i;
-    double local;
-    double result;
-    sign = 1.0;
-    if (demand == INT64_C(4))
-    {
-        sign = -1.0;
-    }
-    worst = -1e+300;
-    time = (*cspan_at(&timing, (*cspan_at(&offsets, INT64_C(0))), INT64_C(0)));
-    until = interval_end(time, timing, offsets);
-    while(until > time)
-    {
-        if (until >= first)
-        {
-            interval_pieces(time, until, timing, coefficients, offsets, gravity, work);
-            for (i = INT64_C(0); i < INT64_C(33); i += INT64_C(1))
-            {
-                local = span_max((until - time) * i / 32.0, first - time);
-                worst = span_max(worst, sign * rope_value(demand, local, gravity, work));
-            }
-        }
-        time = until;
-        until = interval_end(time, timing, offsets);
-    }
-    return sign * worst;
-}
-/*Check a trajectory x, y, z; pieces as in kernels/evaluate.py, pieces rise in time.                 */
-/*                                                                                                   */
-/*    shortest and longest: bounds of the rope's length [m], 0 where there is none. Returns 0, or the*/
-/*    first demand, 1 to 4, that is not met; the later ones rely on the earlier ones. report (3): the*/
-/*    time [s] from which on it is not, the worst value after that, and its bound: of the load's     */
-/*    height [m], of its acceleration downwards [m/s2], or of the rope's length [m].                 */
-/*                                                                                                   */
-int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, double shortest, double longest, array_double_2d work, array_double_1d report)
-{
-    double tolerance;
-    double time;
-    double until;
-    int64_t demand;
-    int64_t count;
-    double share;
-    int64_t failed;
-    tolerance = 1e-09;
-    time = (*cspan_at(&timing, (*cspan_at(&offsets, INT64_C(0))), INT64_C(0)));
-    until = interval_end(time, timing, offsets);
-    failed = INT64_C(5);
-    while(until > time)
-    {
-        interval_pieces(time, until, timing, coefficients, offsets, gravity, work);
-        for (demand = INT64_C(1); demand < failed; demand += INT64_C(1))
-        {
-            count = rope_demand(demand, gravity, shortest, longest, tolerance, work);
-            if (count > INT64_C(0))
-            {
-                share = first_negative(count, until - time, work);
-                if (share >= 0.0)
-                {
-                    failed = demand;
-                    (*cspan_at(&report, INT64_C(0))) = time + share * (until - time);
-                    break;
-                }
-            }
-        }
-        time = until;
-        until = interval_end(time, timing, offsets);
-    }
-    if (failed == INT64_C(5))
-    {
-        return INT64_C(0);
-    }
-    (*cspan_at(&report, INT64_C(2))) = 0.0;
-    if (failed == INT64_C(2))
-    {
-        (*cspan_at(&report, INT64_C(2))) = gravity;
-    }
-    else if (failed == INT64_C(3))
-    {
-        (*cspan_at(&report, INT64_C(2))) = longest;
-    }
-    else if (failed == INT64_C(4))
-    {
-        (*cspan_at(&report, INT64_C(2))) = shortest;
-    }
-    (*cspan_at(&report, INT64_C(1))) = worst_value(failed, (*cspan_at(&report, INT64_C(0))), timing, coefficients, offsets, gravity, work);
-    return failed;
-}
 /*Row of an ascending table before which or at which a value lies; 0 .. rows - 2.*/
 static int64_t table_row(double value, array_double_1d nodes)
 {
@@ -5299,10 +703,10 @@ static void kalman_axis(int64_t axis, double sample_time, array_double_1d expect
         }
     }
 }
-/*One rope length's part (18, 10) of the table of kernels/observer.py. */
-/*                                                                     */
-/*    lag (3) of the velocity drives [s]; work (80, 16).               */
-/*                                                                     */
+/*One rope length's part (18, 10) of the table of kernels/control/observer.py. */
+/*                                                                             */
+/*    lag (3) of the velocity drives [s]; work (80, 16).                       */
+/*                                                                             */
 void segfmu_observer_design(bool driven, double sample_time, double length, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_1d lag, array_double_1d expected, array_double_2d work, array_double_2d table)
 {
     int64_t axis;
@@ -5812,21 +1216,6 @@ void segfmu_track_setpoint(array_double_1d parameters, array_double_1d lengths, 
         track_hoist(parameters, memory);
     }
     (*cspan_at(&memory, INT64_C(3), INT64_C(4))) = 0.0;
-}
-/*Velocity setpoints, and forces in place, of bridge, trolley and hoist (3 each).                  */
-/*                                                                                                 */
-/*    velocity and acceleration [m/s], [m/s2] are those that shall happen. A lag v' = (v* - v) / T */
-/*    follows v exactly under v* = v + T v'; friction viscous v + coulomb tanh(v / width) is added */
-/*    to the forces.                                                                               */
-/*                                                                                                 */
-void segfmu_compensate_setpoints(array_double_1d velocity, array_double_1d acceleration, array_double_1d lag, array_double_1d viscous, array_double_1d coulomb, double width, array_double_1d force, array_double_1d setpoint)
-{
-    int64_t i;
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        (*cspan_at(&setpoint, i)) = (*cspan_at(&velocity, i)) + (*cspan_at(&lag, i)) * (*cspan_at(&acceleration, i));
-        (*cspan_at(&force, i)) = (*cspan_at(&force, i)) + (*cspan_at(&viscous, i)) * (*cspan_at(&velocity, i)) + (*cspan_at(&coulomb, i)) * tanh((*cspan_at(&velocity, i)) / width);
-    }
 }
 /*Right-hand side of (1): derivative of the state under forces on every coordinate.*/
 void segfmu_crane_rhs(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_1d derivative)
@@ -7332,316 +2721,20 @@ void segfmu_crane_energy_partials(array_double_1d state, double bridge_mass, dou
     (*cspan_at(&partials, INT64_C(1), INT64_C(8))) = 0.0;
     (*cspan_at(&partials, INT64_C(1), INT64_C(9))) = 0.0;
 }
-/*found = a b, `count` coefficients. */
-static void series_product(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found)
-{
-    int64_t k;
-    double total;
-    int64_t i;
-    for (k = INT64_C(0); k < count; k += INT64_C(1))
-    {
-        total = 0.0;
-        for (i = INT64_C(0); i < k + INT64_C(1); i += INT64_C(1))
-        {
-            total = total + (*cspan_at(&a, i)) * (*cspan_at(&b, k - i));
-        }
-        (*cspan_at(&found, k)) = total;
-    }
-}
-/*found = a / b, where b[0] is not zero. */
-static void series_quotient(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found)
-{
-    int64_t k;
-    double total;
-    int64_t i;
-    for (k = INT64_C(0); k < count; k += INT64_C(1))
-    {
-        total = (*cspan_at(&a, k));
-        for (i = INT64_C(0); i < k; i += INT64_C(1))
-        {
-            total = total - (*cspan_at(&found, i)) * (*cspan_at(&b, k - i));
-        }
-        (*cspan_at(&found, k)) = total / (*cspan_at(&b, INT64_C(0)));
-    }
-}
-/*found = sqrt(a), where a[0] is positive. */
-static void series_root(array_double_1d a, int64_t count, array_double_1d found)
-{
-    int64_t k;
-    double total;
-    int64_t i;
-    (*cspan_at(&found, INT64_C(0))) = sqrt((*cspan_at(&a, INT64_C(0))));
-    for (k = INT64_C(1); k < count; k += INT64_C(1))
-    {
-        total = (*cspan_at(&a, k));
-        for (i = INT64_C(1); i < k; i += INT64_C(1))
-        {
-            total = total - (*cspan_at(&found, i)) * (*cspan_at(&found, k - i));
-        }
-        (*cspan_at(&found, k)) = total / (2.0 * (*cspan_at(&found, INT64_C(0))));
-    }
-}
-/*found = atan2(y, x), where square = x x + y y: its rate is (x y' - y x') / square. */
-static void series_angle(array_double_1d y, array_double_1d x, array_double_1d square, int64_t count, array_double_1d scratch, array_double_1d found)
-{
-    int64_t k;
-    double total;
-    int64_t i;
-    (*cspan_at(&found, INT64_C(0))) = atan2((*cspan_at(&y, INT64_C(0))), (*cspan_at(&x, INT64_C(0))));
-    for (k = INT64_C(0); k < count - INT64_C(1); k += INT64_C(1))
-    {
-        total = 0.0;
-        for (i = INT64_C(0); i < k + INT64_C(1); i += INT64_C(1))
-        {
-            total = total + (k + INT64_C(1) - i) * ((*cspan_at(&x, i)) * (*cspan_at(&y, k + INT64_C(1) - i)) - (*cspan_at(&y, i)) * (*cspan_at(&x, k + INT64_C(1) - i)));
-        }
-        for (i = INT64_C(0); i < k; i += INT64_C(1))
-        {
-            total = total - (*cspan_at(&scratch, i)) * (*cspan_at(&square, k - i));
-        }
-        (*cspan_at(&scratch, k)) = total / (*cspan_at(&square, INT64_C(0)));
-        (*cspan_at(&found, k + INT64_C(1))) = (*cspan_at(&scratch, k)) / (k + 1.0);
-    }
-}
-/*Time derivatives of what `crane_flat_inverse` gives.                                             */
+/*Velocity setpoints, and forces in place, of bridge, trolley and hoist (3 each).                  */
 /*                                                                                                 */
-/*    flat holds the derivatives 0 .. order + 4 of the load's position, work is (20, order + 3) or */
-/*    larger; found (18) are the derivatives of that order of forces, state and accelerations.     */
+/*    velocity and acceleration [m/s], [m/s2] are those that shall happen. A lag v' = (v* - v) / T */
+/*    follows v exactly under v* = v + T v'; friction viscous v + coulomb tanh(v / width) is added */
+/*    to the forces.                                                                               */
 /*                                                                                                 */
-void segfmu_flat_derivatives(array_double_2d flat, int64_t order, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d work, array_double_1d found)
-{
-    int64_t count;
-    double factorial;
-    int64_t i;
-    int64_t axis;
-    int64_t j;
-    count = order + INT64_C(3);
-    factorial = 1.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        if (i > INT64_C(1))
-        {
-            factorial = factorial * i;
-        }
-        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-        {
-            (*cspan_at(&work, axis, i)) = (*cspan_at(&flat, i, axis)) / factorial;
-            (*cspan_at(&work, INT64_C(3) + axis, i)) = (*cspan_at(&flat, i + INT64_C(2), axis)) / factorial;
-        }
-    }
-    (*cspan_at(&work, INT64_C(5), INT64_C(0))) = (*cspan_at(&work, INT64_C(5), INT64_C(0))) + gravity;
-    /*rows: 0-2 load, 3-5 pull w, 6-8 squares, 9 |w_yz|^2, 10 |w|^2, 11 |w_yz|, 12 |w|*/
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        series_product(span_row(&work, INT64_C(3) + axis), span_row(&work, INT64_C(3) + axis), count, span_row(&work, INT64_C(6) + axis));
-    }
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        (*cspan_at(&work, INT64_C(9), i)) = (*cspan_at(&work, INT64_C(7), i)) + (*cspan_at(&work, INT64_C(8), i));
-        (*cspan_at(&work, INT64_C(10), i)) = (*cspan_at(&work, INT64_C(9), i)) + (*cspan_at(&work, INT64_C(6), i));
-    }
-    series_root(span_row(&work, INT64_C(9)), count, span_row(&work, INT64_C(11)));
-    series_root(span_row(&work, INT64_C(10)), count, span_row(&work, INT64_C(12)));
-    /*rows 15-19: the coordinates; 13 and 14 are scratch*/
-    series_quotient(span_row(&work, INT64_C(2)), span_row(&work, INT64_C(5)), count, span_row(&work, INT64_C(13)));
-    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
-    {
-        series_product(span_row(&work, INT64_C(13)), span_row(&work, INT64_C(3) + axis), count, span_row(&work, INT64_C(14)));
-        for (i = INT64_C(0); i < count; i += INT64_C(1))
-        {
-            (*cspan_at(&work, INT64_C(15) + axis, i)) = (*cspan_at(&work, axis, i)) - (*cspan_at(&work, INT64_C(14), i));
-        }
-    }
-    series_product(span_row(&work, INT64_C(13)), span_row(&work, INT64_C(12)), count, span_row(&work, INT64_C(17)));
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        (*cspan_at(&work, INT64_C(17), i)) = -(*cspan_at(&work, INT64_C(17), i));
-        (*cspan_at(&work, INT64_C(13), i)) = -(*cspan_at(&work, INT64_C(3), i));
-    }
-    series_angle(span_row(&work, INT64_C(13)), span_row(&work, INT64_C(11)), span_row(&work, INT64_C(10)), count, span_row(&work, INT64_C(14)), span_row(&work, INT64_C(18)));
-    series_angle(span_row(&work, INT64_C(4)), span_row(&work, INT64_C(5)), span_row(&work, INT64_C(9)), count, span_row(&work, INT64_C(14)), span_row(&work, INT64_C(19)));
-    factorial = 1.0;
-    for (i = INT64_C(2); i < order + INT64_C(1); i += INT64_C(1))
-    {
-        factorial = factorial * i;
-    }
-    for (j = INT64_C(0); j < INT64_C(5); j += INT64_C(1))
-    {
-        (*cspan_at(&found, INT64_C(3) + j)) = factorial * (*cspan_at(&work, INT64_C(15) + j, order));
-        (*cspan_at(&found, INT64_C(8) + j)) = factorial * (order + 1.0) * (*cspan_at(&work, INT64_C(15) + j, order + INT64_C(1)));
-        (*cspan_at(&found, INT64_C(13) + j)) = factorial * (order + 1.0) * (order + 2.0) * (*cspan_at(&work, INT64_C(15) + j, order + INT64_C(2)));
-    }
-    (*cspan_at(&found, INT64_C(0))) = (bridge_mass + trolley_mass) * (*cspan_at(&found, INT64_C(13))) + payload_mass * (*cspan_at(&flat, order + INT64_C(2), INT64_C(0)));
-    (*cspan_at(&found, INT64_C(1))) = trolley_mass * (*cspan_at(&found, INT64_C(14))) + payload_mass * (*cspan_at(&flat, order + INT64_C(2), INT64_C(1)));
-    (*cspan_at(&found, INT64_C(2))) = (-payload_mass) * factorial * (*cspan_at(&work, INT64_C(12), order));
-}
-/*Node c_i of a stage (0 .. 6), as a share of the step.*/
-static double stage_node(int64_t stage)
-{
-    double result;
-    if (stage == INT64_C(0))
-    {
-        return 0.0;
-    }
-    if (stage == INT64_C(1))
-    {
-        return 1.0 / 5.0;
-    }
-    if (stage == INT64_C(2))
-    {
-        return 3.0 / 10.0;
-    }
-    if (stage == INT64_C(3))
-    {
-        return 4.0 / 5.0;
-    }
-    if (stage == INT64_C(4))
-    {
-        return 8.0 / 9.0;
-    }
-    return 1.0;
-}
-/*First components of the state at a stage (1 .. 6): state + h sum a_ij k_j.                         */
-/*                                                                                                   */
-/*    Every sum is written out, so that its terms stay in registers; the state of stage 6 is that at */
-/*    the step's end.                                                                                */
-/*                                                                                                   */
-static void stage_state(int64_t stage, double h, int64_t count, array_double_1d state, array_double_2d k, array_double_1d trial)
-{
-    double a0;
-    int64_t i;
-    double a1;
-    double a2;
-    double a3;
-    double a4;
-    double part;
-    double a5;
-    if (stage == INT64_C(1))
-    {
-        a0 = h * (1.0 / 5.0);
-        for (i = INT64_C(0); i < count; i += INT64_C(1))
-        {
-            (*cspan_at(&trial, i)) = (*cspan_at(&state, i)) + a0 * (*cspan_at(&k, INT64_C(0), i));
-        }
-    }
-    else if (stage == INT64_C(2))
-    {
-        a0 = h * (3.0 / 40.0);
-        a1 = h * (9.0 / 40.0);
-        for (i = INT64_C(0); i < count; i += INT64_C(1))
-        {
-            (*cspan_at(&trial, i)) = (*cspan_at(&state, i)) + a0 * (*cspan_at(&k, INT64_C(0), i)) + a1 * (*cspan_at(&k, INT64_C(1), i));
-        }
-    }
-    else if (stage == INT64_C(3))
-    {
-        a0 = h * (44.0 / 45.0);
-        a1 = h * ((-56.0) / 15.0);
-        a2 = h * (32.0 / 9.0);
-        for (i = INT64_C(0); i < count; i += INT64_C(1))
-        {
-            (*cspan_at(&trial, i)) = (*cspan_at(&state, i)) + a0 * (*cspan_at(&k, INT64_C(0), i)) + a1 * (*cspan_at(&k, INT64_C(1), i)) + a2 * (*cspan_at(&k, INT64_C(2), i));
-        }
-    }
-    else if (stage == INT64_C(4))
-    {
-        a0 = h * (19372.0 / 6561.0);
-        a1 = h * ((-25360.0) / 2187.0);
-        a2 = h * (64448.0 / 6561.0);
-        a3 = h * ((-212.0) / 729.0);
-        for (i = INT64_C(0); i < count; i += INT64_C(1))
-        {
-            (*cspan_at(&trial, i)) = (*cspan_at(&state, i)) + a0 * (*cspan_at(&k, INT64_C(0), i)) + a1 * (*cspan_at(&k, INT64_C(1), i)) + a2 * (*cspan_at(&k, INT64_C(2), i)) + a3 * (*cspan_at(&k, INT64_C(3), i));
-        }
-    }
-    else if (stage == INT64_C(5))
-    {
-        a0 = h * (9017.0 / 3168.0);
-        a1 = h * ((-355.0) / 33.0);
-        a2 = h * (46732.0 / 5247.0);
-        a3 = h * (49.0 / 176.0);
-        a4 = h * ((-5103.0) / 18656.0);
-        for (i = INT64_C(0); i < count; i += INT64_C(1))
-        {
-            part = (*cspan_at(&state, i)) + a0 * (*cspan_at(&k, INT64_C(0), i)) + a1 * (*cspan_at(&k, INT64_C(1), i)) + a2 * (*cspan_at(&k, INT64_C(2), i));
-            (*cspan_at(&trial, i)) = part + a3 * (*cspan_at(&k, INT64_C(3), i)) + a4 * (*cspan_at(&k, INT64_C(4), i));
-        }
-    }
-    else
-    {
-        a0 = h * (35.0 / 384.0);
-        a2 = h * (500.0 / 1113.0);
-        a3 = h * (125.0 / 192.0);
-        a4 = h * ((-2187.0) / 6784.0);
-        a5 = h * (11.0 / 84.0);
-        for (i = INT64_C(0); i < count; i += INT64_C(1))
-        {
-            part = (*cspan_at(&state, i)) + a0 * (*cspan_at(&k, INT64_C(0), i)) + a2 * (*cspan_at(&k, INT64_C(2), i)) + a3 * (*cspan_at(&k, INT64_C(3), i));
-            (*cspan_at(&trial, i)) = part + a4 * (*cspan_at(&k, INT64_C(4), i)) + a5 * (*cspan_at(&k, INT64_C(5), i));
-        }
-    }
-}
-/*Largest difference of the fifth- and the fourth-order state, relative where that is above 1. */
-/*                                                                                             */
-/*    A difference that is not finite counts as 1e100.                                         */
-/*                                                                                             */
-static double step_error(double h, int64_t count, array_double_1d start, array_double_1d end, array_double_2d k)
-{
-    double e0;
-    double e2;
-    double e3;
-    double e4;
-    double e5;
-    double e6;
-    int64_t i;
-    double part;
-    double difference;
-    double size;
-    double error;
-    e0 = h * (71.0 / 57600.0);
-    e2 = h * ((-71.0) / 16695.0);
-    e3 = h * (71.0 / 1920.0);
-    e4 = h * ((-17253.0) / 339200.0);
-    e5 = h * (22.0 / 525.0);
-    e6 = h * ((-1.0) / 40.0);
-    error = 0.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        part = e0 * (*cspan_at(&k, INT64_C(0), i)) + e2 * (*cspan_at(&k, INT64_C(2), i)) + e3 * (*cspan_at(&k, INT64_C(3), i));
-        difference = part + e4 * (*cspan_at(&k, INT64_C(4), i)) + e5 * (*cspan_at(&k, INT64_C(5), i)) + e6 * (*cspan_at(&k, INT64_C(6), i));
-        size = 1.0 + span_max(fabs((*cspan_at(&start, i))), fabs((*cspan_at(&end, i))));
-        error = span_max(error, fabs(difference) / size);
-    }
-    if (!(error < 1e+100))
-    {
-        return 1e+100;
-    }
-    return error;
-}
-/*Factor from a step, whose error was found, to the next one.*/
-static double next_step(double error, double tolerance)
-{
-    double result;
-    /*most steps are cut short by their interval's end, and far from what the tolerance allows*/
-    if (5300.0 * error > tolerance)
-    {
-        return span_min(5.0, span_max(0.2, 0.9 * pow((tolerance / error), 0.2)));
-    }
-    return 5.0;
-}
-/*Whether the first values are numbers that can be computed with.*/
-static bool all_finite(array_double_1d values, int64_t count)
+void segfmu_compensate_setpoints(array_double_1d velocity, array_double_1d acceleration, array_double_1d lag, array_double_1d viscous, array_double_1d coulomb, double width, array_double_1d force, array_double_1d setpoint)
 {
     int64_t i;
-    bool result;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        if (!(fabs((*cspan_at(&values, i))) < 1e+100))
-        {
-            return 0;
-        }
+        (*cspan_at(&setpoint, i)) = (*cspan_at(&velocity, i)) + (*cspan_at(&lag, i)) * (*cspan_at(&acceleration, i));
+        (*cspan_at(&force, i)) = (*cspan_at(&force, i)) + (*cspan_at(&viscous, i)) * (*cspan_at(&velocity, i)) + (*cspan_at(&coulomb, i)) * tanh((*cspan_at(&velocity, i)) / width);
     }
-    return 1;
 }
 /*2 pi; C99 has no name for it.*/
 static double full_circle(void)
@@ -7999,6 +3092,174 @@ static void driven_derivative(array_double_1d parameters, array_double_1d state,
         }
     }
 }
+/*Node c_i of a stage (0 .. 6), as a share of the step.*/
+static double stage_node(int64_t stage)
+{
+    double result;
+    if (stage == INT64_C(0))
+    {
+        return 0.0;
+    }
+    if (stage == INT64_C(1))
+    {
+        return 1.0 / 5.0;
+    }
+    if (stage == INT64_C(2))
+    {
+        return 3.0 / 10.0;
+    }
+    if (stage == INT64_C(3))
+    {
+        return 4.0 / 5.0;
+    }
+    if (stage == INT64_C(4))
+    {
+        return 8.0 / 9.0;
+    }
+    return 1.0;
+}
+/*First components of the state at a stage (1 .. 6): state + h sum a_ij k_j.                         */
+/*                                                                                                   */
+/*    Every sum is written out, so that its terms stay in registers; the state of stage 6 is that at */
+/*    the step's end.                                                                                */
+/*                                                                                                   */
+static void stage_state(int64_t stage, double h, int64_t count, array_double_1d state, array_double_2d k, array_double_1d trial)
+{
+    double a0;
+    int64_t i;
+    double a1;
+    double a2;
+    double a3;
+    double a4;
+    double part;
+    double a5;
+    if (stage == INT64_C(1))
+    {
+        a0 = h * (1.0 / 5.0);
+        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        {
+            (*cspan_at(&trial, i)) = (*cspan_at(&state, i)) + a0 * (*cspan_at(&k, INT64_C(0), i));
+        }
+    }
+    else if (stage == INT64_C(2))
+    {
+        a0 = h * (3.0 / 40.0);
+        a1 = h * (9.0 / 40.0);
+        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        {
+            (*cspan_at(&trial, i)) = (*cspan_at(&state, i)) + a0 * (*cspan_at(&k, INT64_C(0), i)) + a1 * (*cspan_at(&k, INT64_C(1), i));
+        }
+    }
+    else if (stage == INT64_C(3))
+    {
+        a0 = h * (44.0 / 45.0);
+        a1 = h * ((-56.0) / 15.0);
+        a2 = h * (32.0 / 9.0);
+        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        {
+            (*cspan_at(&trial, i)) = (*cspan_at(&state, i)) + a0 * (*cspan_at(&k, INT64_C(0), i)) + a1 * (*cspan_at(&k, INT64_C(1), i)) + a2 * (*cspan_at(&k, INT64_C(2), i));
+        }
+    }
+    else if (stage == INT64_C(4))
+    {
+        a0 = h * (19372.0 / 6561.0);
+        a1 = h * ((-25360.0) / 2187.0);
+        a2 = h * (64448.0 / 6561.0);
+        a3 = h * ((-212.0) / 729.0);
+        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        {
+            (*cspan_at(&trial, i)) = (*cspan_at(&state, i)) + a0 * (*cspan_at(&k, INT64_C(0), i)) + a1 * (*cspan_at(&k, INT64_C(1), i)) + a2 * (*cspan_at(&k, INT64_C(2), i)) + a3 * (*cspan_at(&k, INT64_C(3), i));
+        }
+    }
+    else if (stage == INT64_C(5))
+    {
+        a0 = h * (9017.0 / 3168.0);
+        a1 = h * ((-355.0) / 33.0);
+        a2 = h * (46732.0 / 5247.0);
+        a3 = h * (49.0 / 176.0);
+        a4 = h * ((-5103.0) / 18656.0);
+        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        {
+            part = (*cspan_at(&state, i)) + a0 * (*cspan_at(&k, INT64_C(0), i)) + a1 * (*cspan_at(&k, INT64_C(1), i)) + a2 * (*cspan_at(&k, INT64_C(2), i));
+            (*cspan_at(&trial, i)) = part + a3 * (*cspan_at(&k, INT64_C(3), i)) + a4 * (*cspan_at(&k, INT64_C(4), i));
+        }
+    }
+    else
+    {
+        a0 = h * (35.0 / 384.0);
+        a2 = h * (500.0 / 1113.0);
+        a3 = h * (125.0 / 192.0);
+        a4 = h * ((-2187.0) / 6784.0);
+        a5 = h * (11.0 / 84.0);
+        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        {
+            part = (*cspan_at(&state, i)) + a0 * (*cspan_at(&k, INT64_C(0), i)) + a2 * (*cspan_at(&k, INT64_C(2), i)) + a3 * (*cspan_at(&k, INT64_C(3), i));
+            (*cspan_at(&trial, i)) = part + a4 * (*cspan_at(&k, INT64_C(4), i)) + a5 * (*cspan_at(&k, INT64_C(5), i));
+        }
+    }
+}
+/*Largest difference of the fifth- and the fourth-order state, relative where that is above 1. */
+/*                                                                                             */
+/*    A difference that is not finite counts as 1e100.                                         */
+/*                                                                                             */
+static double step_error(double h, int64_t count, array_double_1d start, array_double_1d end, array_double_2d k)
+{
+    double e0;
+    double e2;
+    double e3;
+    double e4;
+    double e5;
+    double e6;
+    int64_t i;
+    double part;
+    double difference;
+    double size;
+    double error;
+    e0 = h * (71.0 / 57600.0);
+    e2 = h * ((-71.0) / 16695.0);
+    e3 = h * (71.0 / 1920.0);
+    e4 = h * ((-17253.0) / 339200.0);
+    e5 = h * (22.0 / 525.0);
+    e6 = h * ((-1.0) / 40.0);
+    error = 0.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        part = e0 * (*cspan_at(&k, INT64_C(0), i)) + e2 * (*cspan_at(&k, INT64_C(2), i)) + e3 * (*cspan_at(&k, INT64_C(3), i));
+        difference = part + e4 * (*cspan_at(&k, INT64_C(4), i)) + e5 * (*cspan_at(&k, INT64_C(5), i)) + e6 * (*cspan_at(&k, INT64_C(6), i));
+        size = 1.0 + span_max(fabs((*cspan_at(&start, i))), fabs((*cspan_at(&end, i))));
+        error = span_max(error, fabs(difference) / size);
+    }
+    if (!(error < 1e+100))
+    {
+        return 1e+100;
+    }
+    return error;
+}
+/*Factor from a step, whose error was found, to the next one.*/
+static double next_step(double error, double tolerance)
+{
+    double result;
+    /*most steps are cut short by their interval's end, and far from what the tolerance allows*/
+    if (5300.0 * error > tolerance)
+    {
+        return span_min(5.0, span_max(0.2, 0.9 * pow((tolerance / error), 0.2)));
+    }
+    return 5.0;
+}
+/*Whether the first values are numbers that can be computed with.*/
+static bool all_finite(array_double_1d values, int64_t count)
+{
+    int64_t i;
+    bool result;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        if (!(fabs((*cspan_at(&values, i))) < 1e+100))
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
 /*Derivative of the state at a time that has elapsed since the interval's start. */
 static void plant_derivative(array_double_1d parameters, array_double_2d components, double time, double elapsed, array_double_1d state, array_double_1d command, array_double_1d rate, array_double_1d load_force, array_double_2d work, array_double_1d derivative)
 {
@@ -8218,6 +3479,4483 @@ int64_t segfmu_plant_advance(array_double_1d parameters, array_double_2d compone
         first_stage(work);
     }
     return INT64_C(3);
+}
+/*Coefficients of Psi(s, 1) of (12) in ascending powers of s; 2 order + 2 of them. */
+static void transition_coefficients(int64_t order, array_double_1d coefficients)
+{
+    int64_t i;
+    double scale;
+    double binomial;
+    for (i = INT64_C(0); i < INT64_C(2) * order + INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&coefficients, i)) = 0.0;
+    }
+    /*Psi' is (2k+1)!/(k!)^2 s^k (1-s)^k; expanding the binomial gives the sum in (12).*/
+    scale = 1.0;
+    for (i = INT64_C(1); i < order + INT64_C(1); i += INT64_C(1))
+    {
+        scale = scale * (order + INT64_C(1) + i) / i;
+    }
+    scale = scale * (order + INT64_C(1));
+    binomial = 1.0;
+    for (i = INT64_C(0); i < order + INT64_C(1); i += INT64_C(1))
+    {
+        (*cspan_at(&coefficients, order + INT64_C(1) + i)) = scale * binomial / (order + INT64_C(1) + i);
+        binomial = (-binomial) * (order - i) / (i + INT64_C(1));
+    }
+}
+/*Value at s of a derivative of the polynomial with `count` ascending coefficients.*/
+static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s)
+{
+    int64_t j;
+    int64_t i;
+    double factor;
+    int64_t m;
+    double value;
+    value = 0.0;
+    for (j = INT64_C(0); j < count - times; j += INT64_C(1))
+    {
+        i = count - INT64_C(1) - j;
+        factor = 1.0;
+        for (m = INT64_C(0); m < times; m += INT64_C(1))
+        {
+            factor = factor * (i - m);
+        }
+        value = value * s + factor * (*cspan_at(&coefficients, i));
+    }
+    return value;
+}
+/*M_j of errata E3: peaks[j] = max over [0, 1] of |d^j Psi / ds^j|, j = 1 .. order + 1.          */
+/*                                                                                               */
+/*    `coefficients` is work space for 2 order + 2 numbers. All extrema of these derivatives of  */
+/*    s^k (1-s)^k lie in [0, 1]; the largest is the first one, next to s = 0, or the end itself. */
+/*                                                                                               */
+static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks)
+{
+    int64_t count;
+    int64_t samples;
+    int64_t j;
+    double best;
+    int64_t at;
+    int64_t i;
+    double value;
+    double lower;
+    double upper;
+    double left;
+    double middle;
+    double slope;
+    count = INT64_C(2) * order + INT64_C(2);
+    transition_coefficients(order, coefficients);
+    (*cspan_at(&peaks, INT64_C(0))) = 1.0;
+    samples = INT64_C(64) * (order + INT64_C(1));
+    for (j = INT64_C(1); j < order + INT64_C(2); j += INT64_C(1))
+    {
+        best = 0.0;
+        at = INT64_C(0);
+        for (i = INT64_C(0); i < samples + INT64_C(1); i += INT64_C(1))
+        {
+            value = fabs(polynomial_derivative(coefficients, count, j, i / (2.0 * samples)));
+            if (value > best)
+            {
+                best = value;
+                at = i;
+            }
+        }
+        lower = (at - INT64_C(1)) / (2.0 * samples);
+        upper = (at + INT64_C(1)) / (2.0 * samples);
+        if (at == INT64_C(0))
+        {
+            lower = 0.0;
+        }
+        /*bisect the next derivative, which changes sign at an interior extremum*/
+        left = polynomial_derivative(coefficients, count, j + INT64_C(1), lower);
+        for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+        {
+            middle = 0.5 * (lower + upper);
+            slope = polynomial_derivative(coefficients, count, j + INT64_C(1), middle);
+            if (slope * left > 0.0)
+            {
+                lower = middle;
+            }
+            else
+            {
+                upper = middle;
+            }
+        }
+        value = fabs(polynomial_derivative(coefficients, count, j, 0.5 * (lower + upper)));
+        if (value > best)
+        {
+            best = value;
+        }
+        (*cspan_at(&peaks, j)) = best;
+    }
+}
+/*Pack the ramp parameters of one axis into `ramp` (48 numbers).                                     */
+/*                                                                                                   */
+/*    share is that of a plateau which each of its rises takes when no limit bounds that rise: the   */
+/*    smaller, the faster, and the larger the derivatives that are not bounded. limits[i] is c_{i+1},*/
+/*    i = 0 .. smoothness, and 0 where it is absent. `work` holds                                    */
+/*    2 smoothness numbers, `peaks` smoothness + 1. Returns 0, or 1 when no limit bounds the ramp.   */
+/*                                                                                                   */
+int64_t segfmu_ramp_parameters(int64_t smoothness, int64_t shape, double share, array_double_1d limits, array_double_1d work, array_double_1d peaks, array_double_1d ramp)
+{
+    int64_t k;
+    int64_t i;
+    bool plateau;
+    bool bounded;
+    int64_t j;
+    int64_t e;
+    double change;
+    bool steep;
+    double rise;
+    int64_t result;
+    k = smoothness - INT64_C(2);
+    for (i = INT64_C(0); i < INT64_C(48); i += INT64_C(1))
+    {
+        (*cspan_at(&ramp, i)) = 0.0;
+    }
+    plateau = (shape == INT64_C(1)) && (k > INT64_C(0));
+    bounded = 0;
+    if (!plateau)
+    {
+        transition_peaks(k, work, peaks);
+        (*cspan_at(&ramp, INT64_C(7))) = 2.0 * k + 2.0;
+        for (j = INT64_C(0); j < INT64_C(2) * k + INT64_C(2); j += INT64_C(1))
+        {
+            (*cspan_at(&ramp, INT64_C(16) + j)) = (*cspan_at(&work, j));
+        }
+        (*cspan_at(&ramp, INT64_C(4))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(3)));
+        for (j = INT64_C(1); j < k + INT64_C(2); j += INT64_C(1))
+        {
+            if ((*cspan_at(&limits, j + INT64_C(1))) > 0.0)
+            {
+                (*cspan_at(&ramp, INT64_C(7) + j)) = (*cspan_at(&peaks, j)) / (*cspan_at(&limits, j + INT64_C(1)));
+                bounded = 1;
+            }
+        }
+        (*cspan_at(&ramp, INT64_C(3))) = -1.0;
+        if ((*cspan_at(&ramp, INT64_C(8))) > 0.0)
+        {
+            (*cspan_at(&ramp, INT64_C(3))) = 0.0;
+            (*cspan_at(&ramp, INT64_C(41))) = (*cspan_at(&ramp, INT64_C(8)));
+            for (e = INT64_C(2); e < k + INT64_C(2); e += INT64_C(1))
+            {
+                change = pow(((*cspan_at(&ramp, INT64_C(7) + e)) / pow((*cspan_at(&ramp, INT64_C(8))), (double)(e))), (1.0 / (e - INT64_C(1))));
+                (*cspan_at(&ramp, INT64_C(3))) = span_max((*cspan_at(&ramp, INT64_C(3))), change);
+            }
+        }
+    }
+    else
+    {
+        /*where the root of the order e is no longer than the linear duration*/
+        (*cspan_at(&ramp, INT64_C(0))) = 1.0;
+        (*cspan_at(&ramp, INT64_C(1))) = (*cspan_at(&limits, INT64_C(2)));
+        (*cspan_at(&ramp, INT64_C(4))) = 1.0 / 12.0;
+        (*cspan_at(&ramp, INT64_C(5))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(1)));
+        steep = (k > INT64_C(1)) && ((*cspan_at(&limits, INT64_C(3))) > 0.0);
+        for (j = INT64_C(4); j < k + INT64_C(3); j += INT64_C(1))
+        {
+            if ((*cspan_at(&limits, j)) > 0.0)
+            {
+                steep = 0;
+            }
+        }
+        if (steep)
+        {
+            transition_coefficients(k - INT64_C(2), work);
+            (*cspan_at(&peaks, INT64_C(1))) = 1.0 / (1.0 - share);
+            (*cspan_at(&ramp, INT64_C(5))) = (1.0 - share) * (1.0 - share) / 12.0 + share * share / (4.0 * (INT64_C(2) * k - INT64_C(1)));
+            (*cspan_at(&ramp, INT64_C(7))) = 2.0 * k - 2.0;
+            (*cspan_at(&ramp, INT64_C(40))) = share;
+            for (j = INT64_C(0); j < INT64_C(2) * k - INT64_C(2); j += INT64_C(1))
+            {
+                (*cspan_at(&ramp, INT64_C(16) + j)) = (*cspan_at(&work, j));
+            }
+        }
+        else
+        {
+            transition_peaks(k - INT64_C(1), work, peaks);
+            (*cspan_at(&ramp, INT64_C(7))) = 2.0 * k + 1.0;
+            for (j = INT64_C(0); j < INT64_C(2) * k; j += INT64_C(1))
+            {
+                (*cspan_at(&ramp, INT64_C(17) + j)) = (*cspan_at(&work, j)) / (j + 1.0);
+            }
+        }
+        rise = 0.0;
+        for (j = INT64_C(1); j < k + INT64_C(1); j += INT64_C(1))
+        {
+            if ((*cspan_at(&limits, j + INT64_C(2))) > 0.0)
+            {
+                (*cspan_at(&ramp, INT64_C(8) + j)) = (*cspan_at(&peaks, j)) / (*cspan_at(&limits, j + INT64_C(2)));
+                rise = span_max(rise, pow(((*cspan_at(&limits, INT64_C(2))) * (*cspan_at(&ramp, INT64_C(8) + j))), (1.0 / j)));
+                bounded = 1;
+            }
+        }
+        if (((*cspan_at(&limits, INT64_C(2))) > 0.0) && (!bounded))
+        {
+            (*cspan_at(&ramp, INT64_C(6))) = share;
+            bounded = 1;
+        }
+        (*cspan_at(&ramp, INT64_C(2))) = rise;
+        (*cspan_at(&ramp, INT64_C(3))) = -1.0;
+        if ((*cspan_at(&limits, INT64_C(2))) > 0.0)
+        {
+            (*cspan_at(&ramp, INT64_C(3))) = (*cspan_at(&limits, INT64_C(2))) * rise;
+            (*cspan_at(&ramp, INT64_C(41))) = 1.0 / ((*cspan_at(&limits, INT64_C(2))) * (1.0 - (*cspan_at(&ramp, INT64_C(6)))));
+            (*cspan_at(&ramp, INT64_C(42))) = rise;
+        }
+    }
+    if (bounded)
+    {
+        return INT64_C(0);
+    }
+    return INT64_C(1);
+}
+/*max over e >= first of (q_e change)^(1/e), and its derivative with the change. */
+static int64_t slowest_root(double* result_0, double* result_1_0001, double change, int64_t first, array_double_1d ramp)
+{
+    double slowest;
+    int64_t exponent;
+    double root;
+    int64_t e;
+    slowest = 0.0;
+    exponent = INT64_C(1);
+    if ((first <= INT64_C(1)) && ((*cspan_at(&ramp, INT64_C(8))) > 0.0))
+    {
+        slowest = (*cspan_at(&ramp, INT64_C(8))) * change;
+    }
+    if ((*cspan_at(&ramp, INT64_C(9))) > 0.0)
+    {
+        root = sqrt((*cspan_at(&ramp, INT64_C(9))) * change);
+        if (root > slowest)
+        {
+            slowest = root;
+            exponent = INT64_C(2);
+        }
+    }
+    for (e = INT64_C(3); e < INT64_C(9); e += INT64_C(1))
+    {
+        if ((*cspan_at(&ramp, INT64_C(7) + e)) > 0.0)
+        {
+            root = pow(((*cspan_at(&ramp, INT64_C(7) + e)) * change), (1.0 / e));
+            if (root > slowest)
+            {
+                slowest = root;
+                exponent = e;
+            }
+        }
+    }
+    (*result_0) = slowest;
+    (*result_1_0001) = slowest / (exponent * change);
+    return 0;
+}
+/*Duration of the ramp for an acceleration change >= 0, that of its jerk rise [s], and the */
+/*    derivative of the duration with the change (0 for no change, where it is not finite).*/
+int64_t segfmu_ramp_duration(double* result_0_0001, double* result_1, double* result_2, double change, array_double_1d ramp)
+{
+    double duration;
+    double root;
+    double slope;
+    if (change <= 0.0)
+    {
+        (*result_0_0001) = 0.0;
+        (*result_1) = 0.0;
+        (*result_2) = 0.0;
+        return 0;
+    }
+    if (((*cspan_at(&ramp, INT64_C(3))) >= 0.0) && (change >= (*cspan_at(&ramp, INT64_C(3)))))
+    {
+        duration = change * (*cspan_at(&ramp, INT64_C(41))) + (*cspan_at(&ramp, INT64_C(42)));
+        (*result_0_0001) = duration;
+        (*result_1) = (*cspan_at(&ramp, INT64_C(2))) + (*cspan_at(&ramp, INT64_C(6))) * duration;
+        (*result_2) = (*cspan_at(&ramp, INT64_C(41)));
+        return 0;
+    }
+    if ((*cspan_at(&ramp, INT64_C(0))) < 0.5)
+    {
+        slowest_root(&root, &slope, change, INT64_C(1), ramp);
+        (*result_0_0001) = root;
+        (*result_1) = 0.0;
+        (*result_2) = slope;
+        return 0;
+    }
+    slowest_root(&root, &slope, change, INT64_C(2), ramp);
+    (*result_0_0001) = 2.0 * root;
+    (*result_1) = root;
+    (*result_2) = 2.0 * slope;
+    return 0;
+}
+/*Duration of the jerk rise of the ramp that lasts `duration`. */
+static double ramp_rise(double duration, array_double_1d ramp)
+{
+    double result;
+    if ((*cspan_at(&ramp, INT64_C(0))) < 0.5)
+    {
+        return 0.0;
+    }
+    if (((*cspan_at(&ramp, INT64_C(3))) >= 0.0) && (duration >= 2.0 * (*cspan_at(&ramp, INT64_C(2)))))
+    {
+        result = (*cspan_at(&ramp, INT64_C(2))) + (*cspan_at(&ramp, INT64_C(6))) * duration;
+        return result;
+    }
+    return 0.5 * duration;
+}
+/*Inverse of `slowest_root`: min over e >= first of duration^e / q_e, and its derivative.*/
+static int64_t fastest_power(double* result_0, double* result_1_0001, double duration, int64_t first, array_double_1d ramp)
+{
+    double fastest;
+    int64_t exponent;
+    double power;
+    int64_t e;
+    double change;
+    fastest = -1.0;
+    exponent = INT64_C(1);
+    power = 1.0;
+    for (e = INT64_C(1); e < INT64_C(9); e += INT64_C(1))
+    {
+        power = power * duration;
+        if ((e >= first) && ((*cspan_at(&ramp, INT64_C(7) + e)) > 0.0))
+        {
+            change = power / (*cspan_at(&ramp, INT64_C(7) + e));
+            if ((fastest < 0.0) || (change < fastest))
+            {
+                fastest = change;
+                exponent = e;
+            }
+        }
+    }
+    (*result_0) = fastest;
+    (*result_1_0001) = exponent * fastest / duration;
+    return 0;
+}
+/*Inverse of `ramp_duration`: the acceleration change of a ramp, and its derivative with */
+/*    the duration. Small ramps are solved for in their duration, which loses no digits. */
+static int64_t ramp_change(double* result_0, double* result_1, double duration, array_double_1d ramp)
+{
+    double change;
+    double slope;
+    if (duration <= 0.0)
+    {
+        (*result_0) = 0.0;
+        (*result_1) = 0.0;
+        return 0;
+    }
+    if (((*cspan_at(&ramp, INT64_C(3))) >= 0.0) && (duration >= (*cspan_at(&ramp, INT64_C(3))) * (*cspan_at(&ramp, INT64_C(41))) + (*cspan_at(&ramp, INT64_C(42)))))
+    {
+        (*result_0) = (duration - (*cspan_at(&ramp, INT64_C(42)))) / (*cspan_at(&ramp, INT64_C(41)));
+        (*result_1) = 1.0 / (*cspan_at(&ramp, INT64_C(41)));
+        return 0;
+    }
+    if ((*cspan_at(&ramp, INT64_C(0))) < 0.5)
+    {
+        fastest_power(result_0, result_1, duration, INT64_C(1), ramp);
+        return 0;
+    }
+    fastest_power(&change, &slope, 0.5 * duration, INT64_C(2), ramp);
+    (*result_0) = change;
+    (*result_1) = 0.5 * slope;
+    return 0;
+}
+/*Distance covered by the ramp from acceleration a to b that starts with velocity v. */
+static double ramp_distance(double v, double a, double b, double duration, double rise, array_double_1d ramp)
+{
+    double flat;
+    double variance;
+    double result;
+    flat = duration - rise;
+    variance = (*cspan_at(&ramp, INT64_C(4))) * flat * flat + (*cspan_at(&ramp, INT64_C(5))) * rise * rise;
+    return v * duration + 0.5 * a * duration * duration + (b - a) * (0.125 * duration * duration + 0.5 * variance);
+}
+/*`curved_part` for s <= 1/2 of a jerk rise whose snap has a plateau.*/
+static int64_t snap_plateau_half(double* result_0_0001, double* result_1_0001, double* result_2_0001, double s, array_double_1d ramp)
+{
+    double share;
+    int64_t count;
+    double peak;
+    double u;
+    double first;
+    double second;
+    double third;
+    int64_t j;
+    int64_t i;
+    double rest;
+    share = (*cspan_at(&ramp, INT64_C(40)));
+    count = (int64_t)((*cspan_at(&ramp, INT64_C(7))));
+    peak = 1.0 / (1.0 - share);
+    u = span_min(s / share, 1.0);
+    first = 0.0;
+    second = 0.0;
+    third = 0.0;
+    for (j = INT64_C(0); j < count; j += INT64_C(1))
+    {
+        i = count - INT64_C(1) - j;
+        first = first * u + (*cspan_at(&ramp, INT64_C(16) + i)) / (i + 1.0);
+        second = second * u + (*cspan_at(&ramp, INT64_C(16) + i)) / ((i + 1.0) * (i + 2.0));
+        third = third * u + (*cspan_at(&ramp, INT64_C(16) + i)) / ((i + 1.0) * (i + 2.0) * (i + 3.0));
+    }
+    first = peak * share * u * first;
+    second = peak * share * share * u * u * second;
+    third = peak * share * share * share * u * u * u * third;
+    rest = span_max(s - share, 0.0);
+    (*result_0_0001) = second + first * rest + 0.5 * peak * rest * rest;
+    (*result_1_0001) = first + peak * rest;
+    (*result_2_0001) = third + second * rest + 0.5 * first * rest * rest + peak * rest * rest * rest / 6.0;
+    return 0;
+}
+/*Polynomial of the curved part at s, its derivative and its integral from 0.*/
+static int64_t curved_part(double* result_0, double* result_1, double* result_2, double s, array_double_1d ramp)
+{
+    double value;
+    double slope;
+    double integral;
+    double middle;
+    double rate;
+    double half;
+    double whole;
+    int64_t count;
+    int64_t j;
+    int64_t i;
+    if ((*cspan_at(&ramp, INT64_C(40))) > 0.0)
+    {
+        if (s > 0.5)
+        {
+            /*the rise is symmetric: what is gained from s on follows from what is gained to 1 - s*/
+            snap_plateau_half(&value, &slope, &integral, 1.0 - s, ramp);
+            snap_plateau_half(&middle, &rate, &half, 0.5, ramp);
+            whole = 2.0 * half + 0.125;
+            (*result_0) = s - 0.5 + value;
+            (*result_1) = 1.0 - slope;
+            (*result_2) = whole - 0.5 * s * (1.0 - s) - integral;
+            return 0;
+        }
+        snap_plateau_half(result_0, result_1, result_2, s, ramp);
+        return 0;
+    }
+    count = (int64_t)((*cspan_at(&ramp, INT64_C(7))));
+    value = 0.0;
+    slope = 0.0;
+    integral = 0.0;
+    for (j = INT64_C(0); j < count; j += INT64_C(1))
+    {
+        i = count - INT64_C(1) - j;
+        value = value * s + (*cspan_at(&ramp, INT64_C(16) + i));
+        integral = integral * s + (*cspan_at(&ramp, INT64_C(16) + i)) / (i + 1.0);
+        if (i > INT64_C(0))
+        {
+            slope = slope * s + i * (*cspan_at(&ramp, INT64_C(16) + i));
+        }
+    }
+    (*result_0) = value;
+    (*result_1) = slope;
+    (*result_2) = integral * s;
+    return 0;
+}
+/*The s in [0, upper] at which the increasing curved part, 1/2 at `upper`, has the given value.    */
+/*                                                                                                 */
+/*    Close enough for an extremum, of which an error in s has only its square. The curved part is */
+/*    nearly a square at its upper end.                                                            */
+/*                                                                                                 */
+static double invert_curved_part(double value, double upper, array_double_1d ramp)
+{
+    double low;
+    double high;
+    int64_t i;
+    double at;
+    double slope;
+    double integral;
+    double step;
+    double newton;
+    double s;
+    low = 0.0;
+    high = upper;
+    s = upper * sqrt(span_min(span_max(2.0 * value, 0.0), 1.0));
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
+    {
+        curved_part(&at, &slope, &integral, s, ramp);
+        if (at > value)
+        {
+            high = s;
+        }
+        else
+        {
+            low = s;
+        }
+        step = 0.5 * (low + high) - s;
+        if (slope > 0.0)
+        {
+            newton = (value - at) / slope;
+            if ((s + newton > low) && (s + newton < high))
+            {
+                step = newton;
+            }
+        }
+        s = s + step;
+        if (fabs(step) <= 1e-09)
+        {
+            return s;
+        }
+    }
+    return s;
+}
+/*`ramp_extreme_velocity` for |a| <= |b|.*/
+static double ramp_extreme_velocity_first_half(double v, double a, double b, double duration, double rise, array_double_1d ramp)
+{
+    double s;
+    double value;
+    double slope;
+    double integral;
+    double jerk;
+    double start;
+    double result;
+    if ((*cspan_at(&ramp, INT64_C(0))) < 0.5)
+    {
+        if ((*cspan_at(&ramp, INT64_C(7))) == 2.0)
+        {
+            return v - 0.5 * a * a * duration / (b - a);
+        }
+        s = invert_curved_part(a / (a - b), 0.5, ramp);
+        curved_part(&value, &slope, &integral, s, ramp);
+        return v + duration * (a * s + (b - a) * integral);
+    }
+    jerk = (b - a) / (duration - rise);
+    if (fabs(a) <= 0.5 * fabs(jerk) * rise)
+    {
+        s = invert_curved_part((-a) / (jerk * rise), 1.0, ramp);
+        curved_part(&value, &slope, &integral, s, ramp);
+        return v + rise * (a * s + jerk * rise * integral);
+    }
+    curved_part(&value, &slope, &integral, 1.0, ramp);
+    start = a + 0.5 * jerk * rise;
+    return v + rise * (a + jerk * rise * integral) - 0.5 * start * start / jerk;
+}
+/*Velocity where the acceleration of a ramp from a to b, of opposite signs, is zero. */
+static double ramp_extreme_velocity(double v, double a, double b, double duration, double rise, array_double_1d ramp)
+{
+    double result;
+    if (fabs(a) > fabs(b))
+    {
+        /*the symmetric ramp, run backwards from its end, crosses zero in its first half*/
+        result = ramp_extreme_velocity_first_half(v + 0.5 * (a + b) * duration, -b, -a, duration, rise, ramp);
+        return result;
+    }
+    result = ramp_extreme_velocity_first_half(v, a, b, duration, rise, ramp);
+    return result;
+}
+/*Value of a derivative of one piece at local time t.*/
+static double evaluate_piece(array_double_2d coefficients, int64_t row, int64_t width, double t, int64_t derivative)
+{
+    int64_t j;
+    int64_t i;
+    double factor;
+    int64_t m;
+    double value;
+    value = 0.0;
+    for (j = INT64_C(0); j < width - derivative; j += INT64_C(1))
+    {
+        i = width - INT64_C(1) - j;
+        factor = 1.0;
+        for (m = INT64_C(0); m < derivative; m += INT64_C(1))
+        {
+            factor = factor * (i - m);
+        }
+        value = value * t + factor * (*cspan_at(&coefficients, row, i));
+    }
+    return value;
+}
+/*Close the piece in `row`: add position to jerk from `state`, which is advanced.                */
+/*                                                                                               */
+/*    state = position, velocity, acceleration, jerk and time at the start of the piece. Returns */
+/*    row + 1.                                                                                   */
+/*                                                                                               */
+static int64_t append_piece(double duration, array_double_2d timing, array_double_2d coefficients, int64_t row, int64_t width, array_double_1d state)
+{
+    double y;
+    double v;
+    int64_t j;
+    int64_t i;
+    int64_t result;
+    (*cspan_at(&coefficients, row, INT64_C(0))) = (*cspan_at(&state, INT64_C(0)));
+    (*cspan_at(&coefficients, row, INT64_C(1))) = (*cspan_at(&state, INT64_C(1)));
+    (*cspan_at(&coefficients, row, INT64_C(2))) = 0.5 * (*cspan_at(&state, INT64_C(2)));
+    (*cspan_at(&coefficients, row, INT64_C(3))) = (*cspan_at(&coefficients, row, INT64_C(3))) + (*cspan_at(&state, INT64_C(3))) / 6.0;
+    (*cspan_at(&timing, row, INT64_C(0))) = (*cspan_at(&state, INT64_C(4)));
+    (*cspan_at(&timing, row, INT64_C(1))) = duration;
+    y = 0.0;
+    v = 0.0;
+    for (j = INT64_C(0); j < width; j += INT64_C(1))
+    {
+        i = width - INT64_C(1) - j;
+        y = y * duration + (*cspan_at(&coefficients, row, i));
+        if (i > INT64_C(0))
+        {
+            v = v * duration + i * (*cspan_at(&coefficients, row, i));
+        }
+    }
+    (*cspan_at(&state, INT64_C(0))) = y;
+    (*cspan_at(&state, INT64_C(1))) = v;
+    (*cspan_at(&state, INT64_C(2))) = evaluate_piece(coefficients, row, width, duration, INT64_C(2));
+    (*cspan_at(&state, INT64_C(3))) = evaluate_piece(coefficients, row, width, duration, INT64_C(3));
+    (*cspan_at(&state, INT64_C(4))) = (*cspan_at(&state, INT64_C(4))) + duration;
+    return row + INT64_C(1);
+}
+/*Set every coefficient of a piece to zero.*/
+static void clear_piece(array_double_2d coefficients, int64_t row)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < coefficients.shape[INT64_C(1)]; i += INT64_C(1))
+    {
+        (*cspan_at(&coefficients, row, i)) = 0.0;
+    }
+}
+/*Add to a piece the triple integral of jerk * Psi(t, rise) with Psi of the given order. */
+static void add_rise(double jerk, double rise, int64_t order, array_double_1d psi, array_double_2d coefficients, int64_t row)
+{
+    int64_t i;
+    double scale;
+    for (i = order + INT64_C(1); i < INT64_C(2) * order + INT64_C(2); i += INT64_C(1))
+    {
+        scale = jerk * (*cspan_at(&psi, i)) / ((i + 1.0) * (i + 2.0) * (i + 3.0));
+        (*cspan_at(&coefficients, row, i + INT64_C(3))) = (*cspan_at(&coefficients, row, i + INT64_C(3))) + scale / pow(rise, (double)(i));
+    }
+}
+/*Add to a piece the fourfold integral of snap * Psi(t, rise) with Psi of the given order. */
+static void add_snap(double snap, double rise, int64_t order, array_double_1d psi, array_double_2d coefficients, int64_t row)
+{
+    int64_t i;
+    double scale;
+    for (i = order + INT64_C(1); i < INT64_C(2) * order + INT64_C(2); i += INT64_C(1))
+    {
+        scale = snap * (*cspan_at(&psi, i)) / ((i + 1.0) * (i + 2.0) * (i + 3.0) * (i + 4.0));
+        (*cspan_at(&coefficients, row, i + INT64_C(4))) = (*cspan_at(&coefficients, row, i + INT64_C(4))) + scale / pow(rise, (double)(i));
+    }
+}
+/*Pieces in which the jerk changes by `jerk` within `rise`; returns the row after them.*/
+static int64_t expand_jerk_change(double jerk, double rise, double share, int64_t order, array_double_1d psi, array_double_1d state, array_double_2d timing, array_double_2d coefficients, int64_t row, int64_t width)
+{
+    double snap;
+    double edge;
+    int64_t result;
+    clear_piece(coefficients, row);
+    if (share <= 0.0)
+    {
+        add_rise(jerk, rise, order, psi, coefficients, row);
+        result = append_piece(rise, timing, coefficients, row, width, state);
+        return result;
+    }
+    snap = jerk / (rise * (1.0 - share));
+    edge = share * rise;
+    add_snap(snap, edge, order, psi, coefficients, row);
+    row = append_piece(edge, timing, coefficients, row, width, state);
+    clear_piece(coefficients, row);
+    (*cspan_at(&coefficients, row, INT64_C(4))) = snap / 24.0;
+    row = append_piece(rise - 2.0 * edge, timing, coefficients, row, width, state);
+    clear_piece(coefficients, row);
+    (*cspan_at(&coefficients, row, INT64_C(4))) = snap / 24.0;
+    add_snap(-snap, edge, order, psi, coefficients, row);
+    result = append_piece(edge, timing, coefficients, row, width, state);
+    return result;
+}
+/*Expand `count` phases into pieces from `row` on; returns the row after the last one.             */
+/*                                                                                                 */
+/*    state holds position and velocity, and in state[4] the time, at the start, and is advanced   */
+/*    to the end; psi is work space for 2 n numbers; share is the one of the snap's rise in that of*/
+/*    the jerk, 0 where the snap has no plateau.                                                   */
+/*                                                                                                 */
+int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, int64_t smoothness, int64_t shape, double share, array_double_1d psi, array_double_1d state, array_double_2d timing, array_double_2d coefficients, int64_t row)
+{
+    int64_t width;
+    int64_t k;
+    bool plateau;
+    int64_t order;
+    int64_t i;
+    double duration;
+    double rise;
+    double a;
+    double change;
+    int64_t j;
+    double scale;
+    double jerk;
+    double flat;
+    int64_t result;
+    width = INT64_C(2) * smoothness;
+    k = smoothness - INT64_C(2);
+    plateau = (shape == INT64_C(1)) && (k > INT64_C(0));
+    order = k;
+    if (plateau)
+    {
+        order = k - INT64_C(1);
+        if (share > 0.0)
+        {
+            order = k - INT64_C(2);
+        }
+    }
+    transition_coefficients(order, psi);
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        duration = (*cspan_at(&phases, i, INT64_C(0)));
+        rise = (*cspan_at(&phases, i, INT64_C(1)));
+        a = (*cspan_at(&phases, i, INT64_C(2)));
+        change = (*cspan_at(&phases, i, INT64_C(3)));
+        (*cspan_at(&state, INT64_C(2))) = a;
+        (*cspan_at(&state, INT64_C(3))) = 0.0;
+        clear_piece(coefficients, row);
+        if ((change == 0.0) || (!plateau))
+        {
+            if (change != 0.0)
+            {
+                for (j = order + INT64_C(1); j < INT64_C(2) * order + INT64_C(2); j += INT64_C(1))
+                {
+                    scale = change * (*cspan_at(&psi, j)) / ((j + 1.0) * (j + 2.0));
+                    (*cspan_at(&coefficients, row, j + INT64_C(2))) = scale / pow(duration, (double)(j));
+                }
+            }
+            row = append_piece(duration, timing, coefficients, row, width, state);
+        }
+        else
+        {
+            jerk = change / (duration - rise);
+            flat = duration - 2.0 * rise;
+            row = expand_jerk_change(jerk, rise, share, order, psi, state, timing, coefficients, row, width);
+            (*cspan_at(&state, INT64_C(2))) = a + 0.5 * jerk * rise;
+            (*cspan_at(&state, INT64_C(3))) = jerk;
+            if (flat > 0.0)
+            {
+                clear_piece(coefficients, row);
+                row = append_piece(flat, timing, coefficients, row, width, state);
+                (*cspan_at(&state, INT64_C(2))) = a + change - 0.5 * jerk * rise;
+                (*cspan_at(&state, INT64_C(3))) = jerk;
+            }
+            row = expand_jerk_change(-jerk, rise, share, order, psi, state, timing, coefficients, row, width);
+        }
+        (*cspan_at(&state, INT64_C(2))) = a + change;
+        (*cspan_at(&state, INT64_C(3))) = 0.0;
+    }
+    return row;
+}
+/*The row of first .. last - 1 whose piece holds `time`, by bisection. */
+static int64_t find_piece(double time, array_double_2d timing, int64_t first, int64_t last)
+{
+    int64_t upper;
+    int64_t middle;
+    int64_t lower;
+    lower = first;
+    upper = last;
+    while(upper - lower > INT64_C(1))
+    {
+        middle = span_floor_div((lower + upper), INT64_C(2));
+        if (time >= (*cspan_at(&timing, middle, INT64_C(0))))
+        {
+            lower = middle;
+        }
+        else
+        {
+            upper = middle;
+        }
+    }
+    return lower;
+}
+/*One derivative of every axis at many times: values[time, axis].                                  */
+/*                                                                                                 */
+/*    The pieces of axis i are the rows offsets[i] .. offsets[i + 1] - 1; ends[i] is its duration. */
+/*    Before its start and after its end an axis stays in its end position, all derivatives zero.  */
+/*                                                                                                 */
+void segfmu_evaluate(array_double_1d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, int64_t derivative, array_double_2d values)
+{
+    int64_t width;
+    int64_t axis;
+    int64_t first;
+    int64_t last;
+    int64_t row;
+    int64_t i;
+    double t;
+    double local;
+    width = coefficients.shape[INT64_C(1)];
+    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        first = (*cspan_at(&offsets, axis));
+        last = (*cspan_at(&offsets, axis + INT64_C(1)));
+        row = first;
+        for (i = INT64_C(0); i < times.shape[INT64_C(0)]; i += INT64_C(1))
+        {
+            t = span_min(span_max((*cspan_at(&times, i)), (*cspan_at(&timing, first, INT64_C(0)))), (*cspan_at(&ends, axis)));
+            if ((t < (*cspan_at(&timing, row, INT64_C(0)))) || ((row + INT64_C(1) < last) && (t >= (*cspan_at(&timing, row + INT64_C(1), INT64_C(0))))))
+            {
+                row = find_piece(t, timing, first, last);
+            }
+            if ((derivative > INT64_C(0)) && (t != (*cspan_at(&times, i))))
+            {
+                (*cspan_at(&values, i, axis)) = 0.0;
+            }
+            else
+            {
+                /*where the clock is coarser than a piece is long, the piece must not go on*/
+                local = span_min(t - (*cspan_at(&timing, row, INT64_C(0))), (*cspan_at(&timing, row, INT64_C(1))));
+                (*cspan_at(&values, i, axis)) = evaluate_piece(coefficients, row, width, local, derivative);
+            }
+        }
+    }
+}
+/*The first derivatives of every axis at one time: values[derivative, axis], as `evaluate`.*/
+void segfmu_evaluate_orders(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d values)
+{
+    int64_t width;
+    int64_t axis;
+    double t;
+    int64_t row;
+    double local;
+    int64_t derivative;
+    width = coefficients.shape[INT64_C(1)];
+    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        t = span_min(span_max(time, (*cspan_at(&timing, (*cspan_at(&offsets, axis)), INT64_C(0)))), (*cspan_at(&ends, axis)));
+        row = find_piece(t, timing, (*cspan_at(&offsets, axis)), (*cspan_at(&offsets, axis + INT64_C(1))));
+        local = span_min(t - (*cspan_at(&timing, row, INT64_C(0))), (*cspan_at(&timing, row, INT64_C(1))));
+        for (derivative = INT64_C(0); derivative < values.shape[INT64_C(0)]; derivative += INT64_C(1))
+        {
+            if ((derivative > INT64_C(0)) && (t != time))
+            {
+                (*cspan_at(&values, derivative, axis)) = 0.0;
+            }
+            else
+            {
+                (*cspan_at(&values, derivative, axis)) = evaluate_piece(coefficients, row, width, local, derivative);
+            }
+        }
+    }
+}
+/*Bernstein coefficients of a derivative of one piece on [0, length] in hull[0, :].*/
+/*                                                                                 */
+/*    Returns their number.                                                        */
+/*                                                                                 */
+static int64_t bernstein_coefficients(array_double_2d coefficients, int64_t row, int64_t width, int64_t derivative, double length, array_double_2d hull)
+{
+    double power;
+    double binomial;
+    int64_t i;
+    double factor;
+    int64_t m;
+    int64_t r;
+    int64_t j;
+    int64_t count;
+    count = width - derivative;
+    power = 1.0;
+    binomial = 1.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        factor = 1.0;
+        for (m = INT64_C(0); m < derivative; m += INT64_C(1))
+        {
+            factor = factor * (i + derivative - m);
+        }
+        (*cspan_at(&hull, INT64_C(0), i)) = factor * (*cspan_at(&coefficients, row, i + derivative)) * power / binomial;
+        power = power * length;
+        binomial = binomial * (count - INT64_C(1) - i) / (i + INT64_C(1));
+    }
+    for (r = INT64_C(1); r < count; r += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < count - r; j += INT64_C(1))
+        {
+            i = count - INT64_C(1) - j;
+            (*cspan_at(&hull, INT64_C(0), i)) = (*cspan_at(&hull, INT64_C(0), i)) + (*cspan_at(&hull, INT64_C(0), i - INT64_C(1)));
+        }
+    }
+    return count;
+}
+/*Halve row `row` by de Casteljau's scheme: its first half stays, the second one follows.*/
+static void split_hull(array_double_2d hull, int64_t row, int64_t count)
+{
+    int64_t i;
+    int64_t r;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&hull, row + INT64_C(1), i)) = (*cspan_at(&hull, row, i));
+    }
+    /*the last coefficients of the shrinking triangle are those of the second half, reversed*/
+    for (r = INT64_C(1); r < count; r += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < count - r; i += INT64_C(1))
+        {
+            (*cspan_at(&hull, row + INT64_C(1), i)) = 0.5 * ((*cspan_at(&hull, row + INT64_C(1), i)) + (*cspan_at(&hull, row + INT64_C(1), i + INT64_C(1))));
+        }
+        (*cspan_at(&hull, row, r)) = (*cspan_at(&hull, row + INT64_C(1), INT64_C(0)));
+    }
+}
+/*Whether a polynomial given by the Bernstein coefficients hull[0, :] keeps a limit. */
+/*                                                                                   */
+/*    hull (40, 14) is work space.                                                   */
+/*                                                                                   */
+static bool within(array_double_2d hull, int64_t count, double limit)
+{
+    int64_t rows;
+    int64_t row;
+    double largest;
+    double total;
+    int64_t i;
+    double ends;
+    double depth;
+    bool result;
+    rows = INT64_C(1);
+    (*cspan_at(&hull, INT64_C(0), INT64_C(13))) = 0.0;
+    while(rows > INT64_C(0))
+    {
+        row = rows - INT64_C(1);
+        largest = 0.0;
+        total = 0.0;
+        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        {
+            largest = span_max(largest, fabs((*cspan_at(&hull, row, i))));
+            total = total + fabs((*cspan_at(&hull, row, i)));
+        }
+        /*the sum is for values that are no numbers, which no comparison holds for*/
+        if ((largest <= limit) && (total <= count * limit))
+        {
+            rows = rows - INT64_C(1);
+            continue;
+        }
+        ends = span_max(fabs((*cspan_at(&hull, row, INT64_C(0)))), fabs((*cspan_at(&hull, row, count - INT64_C(1)))));
+        depth = (*cspan_at(&hull, row, INT64_C(13)));
+        if ((!(ends <= limit)) || (depth > 34.0))
+        {
+            return 0;
+        }
+        split_hull(hull, row, count);
+        (*cspan_at(&hull, row, INT64_C(13))) = depth + 1.0;
+        (*cspan_at(&hull, row + INT64_C(1), INT64_C(13))) = depth + 1.0;
+        rows = rows + INT64_C(1);
+    }
+    return 1;
+}
+/*Whether the pieces first .. last - 1 of one axis keep its limits and join smoothly.                */
+/*                                                                                                   */
+/*    work[41, d] becomes the peak of the d-th derivative, or for the position its range, at least 1.*/
+/*                                                                                                   */
+static bool check_axis(int64_t axis, array_double_2d timing, array_double_2d coefficients, int64_t first, int64_t last, array_double_2d limits, double tolerance, array_double_2d work)
+{
+    int64_t order;
+    array_double_2d hull;
+    int64_t i;
+    double low;
+    double high;
+    int64_t row;
+    double length;
+    int64_t degree;
+    int64_t d;
+    int64_t count;
+    bool result;
+    order = limits.shape[INT64_C(1)];
+    hull = span_rows(&work, INT64_C(0), INT64_C(40));
+    for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(41), i)) = 0.0;
+        (*cspan_at(&work, INT64_C(42), i)) = 0.0;
+    }
+    low = (*cspan_at(&coefficients, first, INT64_C(0)));
+    high = low;
+    for (row = first; row < last; row += INT64_C(1))
+    {
+        length = (*cspan_at(&timing, row, INT64_C(1)));
+        low = span_min(low, (*cspan_at(&coefficients, row, INT64_C(0))));
+        high = span_max(high, (*cspan_at(&coefficients, row, INT64_C(0))));
+        degree = coefficients.shape[INT64_C(1)] - INT64_C(1);
+        while((degree > INT64_C(0)) && ((*cspan_at(&coefficients, row, degree)) == 0.0))
+        {
+            degree = degree - INT64_C(1);
+        }
+        for (d = INT64_C(0); d < order + INT64_C(1); d += INT64_C(1))
+        {
+            (*cspan_at(&hull, INT64_C(0), INT64_C(0))) = 0.0;
+            count = INT64_C(1);
+            if (d <= degree)
+            {
+                count = bernstein_coefficients(coefficients, row, degree + INT64_C(1), d, length, hull);
+            }
+            for (i = INT64_C(0); i < count; i += INT64_C(1))
+            {
+                (*cspan_at(&work, INT64_C(41), d)) = span_max((*cspan_at(&work, INT64_C(41), d)), fabs((*cspan_at(&hull, INT64_C(0), i))));
+            }
+            if (row > first)
+            {
+                (*cspan_at(&work, INT64_C(42), d)) = span_max((*cspan_at(&work, INT64_C(42), d)), fabs((*cspan_at(&hull, INT64_C(0), INT64_C(0))) - (*cspan_at(&work, INT64_C(40), d))));
+            }
+            /*not max(), which a value that is no number would leave as it is*/
+            if (!(fabs((*cspan_at(&hull, INT64_C(0), INT64_C(0)))) < 1e+300))
+            {
+                return 0;
+            }
+            (*cspan_at(&work, INT64_C(40), d)) = (*cspan_at(&hull, INT64_C(0), count - INT64_C(1)));
+            if ((d > INT64_C(0)) && ((*cspan_at(&limits, axis, d - INT64_C(1))) > 0.0))
+            {
+                if (!within(hull, count, (*cspan_at(&limits, axis, d - INT64_C(1))) * (1.0 + tolerance)))
+                {
+                    return 0;
+                }
+            }
+        }
+    }
+    (*cspan_at(&work, INT64_C(41), INT64_C(0))) = span_max(1.0, high - low);
+    for (d = INT64_C(0); d < order; d += INT64_C(1))
+    {
+        if (!((*cspan_at(&work, INT64_C(42), d)) <= tolerance * (*cspan_at(&work, INT64_C(41), d))))
+        {
+            return 0;
+        }
+    }
+    result = (*cspan_at(&work, INT64_C(41), INT64_C(0))) < 1e+300;
+    return result;
+}
+/*Judge the pieces of every axis: 0, or 1 + the first axis that is not surely right.               */
+/*                                                                                                 */
+/*    Limits hold up to the relative tolerance, the derivatives 0 .. n are continuous up to it (in */
+/*    units of the range of the position, at least 1 m, and of the peaks of the others), and the   */
+/*    waypoints are met up to it. Arrays as in `expand_plan`; work is (43, 14).                    */
+/*                                                                                                 */
+int64_t segfmu_check_plan(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d limits, double tolerance, array_double_2d work)
+{
+    int64_t width;
+    int64_t points;
+    int64_t axis;
+    int64_t first;
+    int64_t last;
+    int64_t j;
+    int64_t point;
+    double time;
+    int64_t row;
+    double local;
+    double y;
+    double v;
+    double a;
+    int64_t result;
+    width = coefficients.shape[INT64_C(1)];
+    points = positions.shape[INT64_C(0)];
+    for (axis = INT64_C(0); axis < limits.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        first = (*cspan_at(&offsets, axis));
+        last = (*cspan_at(&offsets, axis + INT64_C(1)));
+        if (!check_axis(axis, timing, coefficients, first, last, limits, tolerance, work))
+        {
+            return INT64_C(1) + axis;
+        }
+        for (j = INT64_C(0); j < points + INT64_C(1); j += INT64_C(1))
+        {
+            /*the last waypoint is met on arrival and, after its dwell, at the end*/
+            point = span_min_int(j, points - INT64_C(1));
+            time = (*cspan_at(&times, point, axis));
+            if (j == points)
+            {
+                time = (*cspan_at(&ends, axis));
+            }
+            row = find_piece(time, timing, first, last);
+            local = span_min(time - (*cspan_at(&timing, row, INT64_C(0))), (*cspan_at(&timing, row, INT64_C(1))));
+            y = evaluate_piece(coefficients, row, width, local, INT64_C(0));
+            v = evaluate_piece(coefficients, row, width, local, INT64_C(1));
+            a = evaluate_piece(coefficients, row, width, local, INT64_C(2));
+            if (!(fabs(y - (*cspan_at(&positions, point, axis))) <= tolerance * (*cspan_at(&work, INT64_C(41), INT64_C(0)))))
+            {
+                return INT64_C(1) + axis;
+            }
+            if (!(fabs(v - (*cspan_at(&velocities, point, axis))) <= tolerance * (*cspan_at(&limits, axis, INT64_C(0)))))
+            {
+                return INT64_C(1) + axis;
+            }
+            if (!(fabs(a - (*cspan_at(&accelerations, point, axis))) <= tolerance * (*cspan_at(&limits, axis, INT64_C(1)))))
+            {
+                return INT64_C(1) + axis;
+            }
+        }
+    }
+    return INT64_C(0);
+}
+/*First end of a piece of any of three axes after a time, or the time if there is none.*/
+static double interval_end(double time, array_double_2d timing, array_int64_t_1d offsets)
+{
+    int64_t axis;
+    int64_t last;
+    int64_t row;
+    double end;
+    double until;
+    until = time;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        last = (*cspan_at(&offsets, axis + INT64_C(1)));
+        row = find_piece(time, timing, (*cspan_at(&offsets, axis)), last);
+        end = (*cspan_at(&timing, row, INT64_C(0))) + (*cspan_at(&timing, row, INT64_C(1)));
+        if (row + INT64_C(1) < last)
+        {
+            end = (*cspan_at(&timing, row + INT64_C(1), INT64_C(0)));
+        }
+        if ((end > time) && ((until == time) || (end < until)))
+        {
+            until = end;
+        }
+    }
+    return until;
+}
+/*Position and pull of all axes in an interval's local time; an axis that has ended stays. */
+static void interval_pieces(double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work)
+{
+    int64_t width;
+    double middle;
+    int64_t axis;
+    int64_t last;
+    int64_t row;
+    int64_t i;
+    double offset;
+    int64_t j;
+    int64_t k;
+    width = coefficients.shape[INT64_C(1)];
+    middle = 0.5 * (time + until);
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        last = (*cspan_at(&offsets, axis + INT64_C(1)));
+        row = find_piece(middle, timing, (*cspan_at(&offsets, axis)), last);
+        for (i = INT64_C(0); i < width; i += INT64_C(1))
+        {
+            (*cspan_at(&work, axis, i)) = (*cspan_at(&coefficients, row, i));
+        }
+        if (middle > (*cspan_at(&timing, row, INT64_C(0))) + (*cspan_at(&timing, row, INT64_C(1))))
+        {
+            (*cspan_at(&work, axis, INT64_C(0))) = evaluate_piece(coefficients, row, width, (*cspan_at(&timing, row, INT64_C(1))), INT64_C(0));
+            for (i = INT64_C(1); i < width; i += INT64_C(1))
+            {
+                (*cspan_at(&work, axis, i)) = 0.0;
+            }
+        }
+        else
+        {
+            /*the piece about a later time, by repeated synthetic division*/
+            offset = time - (*cspan_at(&timing, row, INT64_C(0)));
+            for (i = INT64_C(0); i < width - INT64_C(1); i += INT64_C(1))
+            {
+                for (j = INT64_C(0); j < width - INT64_C(1) - i; j += INT64_C(1))
+                {
+                    k = width - INT64_C(2) - j;
+                    (*cspan_at(&work, axis, k)) = (*cspan_at(&work, axis, k)) + offset * (*cspan_at(&work, axis, k + INT64_C(1)));
+                }
+            }
+        }
+        for (i = INT64_C(0); i < width - INT64_C(2); i += INT64_C(1))
+        {
+            (*cspan_at(&work, INT64_C(3) + axis, i)) = (i + 1.0) * (i + 2.0) * (*cspan_at(&work, axis, i + INT64_C(2)));
+        }
+    }
+    (*cspan_at(&work, INT64_C(5), INT64_C(0))) = (*cspan_at(&work, INT64_C(5), INT64_C(0))) + gravity;
+}
+/*Add the product of the polynomials in two rows to a third one. */
+static void add_product(int64_t first, int64_t first_count, int64_t second, int64_t second_count, int64_t row, array_double_2d work)
+{
+    int64_t i;
+    int64_t j;
+    for (i = INT64_C(0); i < first_count; i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < second_count; j += INT64_C(1))
+        {
+            (*cspan_at(&work, row, i + j)) = (*cspan_at(&work, row, i + j)) + (*cspan_at(&work, first, i)) * (*cspan_at(&work, second, j));
+        }
+    }
+}
+/*sign * (bound^2 w_z^2 - z^2 |w|^2) in work[6, :].*/
+static void length_margin(int64_t width, double bound, double sign, array_double_2d work)
+{
+    int64_t columns;
+    int64_t count;
+    int64_t row;
+    int64_t i;
+    int64_t axis;
+    columns = work.shape[INT64_C(1)] - INT64_C(2);
+    count = width - INT64_C(2);
+    for (row = INT64_C(6); row < INT64_C(10); row += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < columns; i += INT64_C(1))
+        {
+            (*cspan_at(&work, row, i)) = 0.0;
+        }
+    }
+    add_product(INT64_C(2), width, INT64_C(2), width, INT64_C(7), work);
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        add_product(INT64_C(3) + axis, count, INT64_C(3) + axis, count, INT64_C(8), work);
+    }
+    add_product(INT64_C(5), count, INT64_C(5), count, INT64_C(9), work);
+    add_product(INT64_C(7), INT64_C(2) * width - INT64_C(1), INT64_C(8), INT64_C(2) * count - INT64_C(1), INT64_C(6), work);
+    for (i = INT64_C(0); i < columns; i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(6), i)) = sign * (bound * bound * (*cspan_at(&work, INT64_C(9), i)) - (*cspan_at(&work, INT64_C(6), i)));
+    }
+}
+/*Put the polynomial of a demand into work[6, :]; returns its length, 0: no such demand. */
+static int64_t rope_demand(int64_t demand, double gravity, double shortest, double longest, double tolerance, array_double_2d work)
+{
+    int64_t columns;
+    int64_t width;
+    int64_t i;
+    int64_t result;
+    columns = work.shape[INT64_C(1)] - INT64_C(2);
+    width = span_floor_div((columns + INT64_C(7)), INT64_C(4));
+    if (demand == INT64_C(1))
+    {
+        for (i = INT64_C(0); i < width; i += INT64_C(1))
+        {
+            (*cspan_at(&work, INT64_C(6), i)) = -(*cspan_at(&work, INT64_C(2), i));
+        }
+        (*cspan_at(&work, INT64_C(6), INT64_C(0))) = (*cspan_at(&work, INT64_C(6), INT64_C(0))) - tolerance;
+        return width;
+    }
+    if (demand == INT64_C(2))
+    {
+        for (i = INT64_C(0); i < width - INT64_C(2); i += INT64_C(1))
+        {
+            (*cspan_at(&work, INT64_C(6), i)) = (*cspan_at(&work, INT64_C(5), i));
+        }
+        (*cspan_at(&work, INT64_C(6), INT64_C(0))) = (*cspan_at(&work, INT64_C(6), INT64_C(0))) - tolerance * gravity;
+        return width - INT64_C(2);
+    }
+    if (demand == INT64_C(3))
+    {
+        if (longest <= 0.0)
+        {
+            return INT64_C(0);
+        }
+        length_margin(width, longest * (1.0 + tolerance), 1.0, work);
+    }
+    else
+    {
+        if (shortest <= 0.0)
+        {
+            return INT64_C(0);
+        }
+        length_margin(width, shortest * (1.0 - tolerance), -1.0, work);
+    }
+    return columns;
+}
+/*Where, as a share of the interval, work[6, :] is first not proved to be zero or more.*/
+/*                                                                                     */
+/*    -1: nowhere. Hulls are reversed, so that the first half of an interval is on top.*/
+/*                                                                                     */
+static double first_negative(int64_t count, double length, array_double_2d work)
+{
+    int64_t start;
+    int64_t depth;
+    array_double_2d hull;
+    int64_t Dummy_0000;
+    int64_t i;
+    double swapped;
+    int64_t rows;
+    int64_t row;
+    double smallest;
+    double result;
+    start = work.shape[INT64_C(1)] - INT64_C(2);
+    depth = work.shape[INT64_C(1)] - INT64_C(1);
+    hull = span_rows(&work, INT64_C(10), work.shape[INT64_C(0)]);
+    Dummy_0000 = bernstein_coefficients(work, INT64_C(6), count, INT64_C(0), length, hull);
+    for (i = INT64_C(0); i < span_floor_div(count, INT64_C(2)); i += INT64_C(1))
+    {
+        swapped = (*cspan_at(&hull, INT64_C(0), i));
+        (*cspan_at(&hull, INT64_C(0), i)) = (*cspan_at(&hull, INT64_C(0), count - INT64_C(1) - i));
+        (*cspan_at(&hull, INT64_C(0), count - INT64_C(1) - i)) = swapped;
+    }
+    (*cspan_at(&hull, INT64_C(0), start)) = 0.0;
+    (*cspan_at(&hull, INT64_C(0), depth)) = 0.0;
+    rows = INT64_C(1);
+    while(rows > INT64_C(0))
+    {
+        row = rows - INT64_C(1);
+        smallest = (*cspan_at(&hull, row, INT64_C(0)));
+        for (i = INT64_C(1); i < count; i += INT64_C(1))
+        {
+            smallest = span_min(smallest, (*cspan_at(&hull, row, i)));
+        }
+        if (smallest >= 0.0)
+        {
+            rows = row;
+        }
+        else if (((*cspan_at(&hull, row, count - INT64_C(1))) < 0.0) || ((*cspan_at(&hull, row, depth)) > 39.5))
+        {
+            result = (*cspan_at(&hull, row, start));
+            return result;
+        }
+        else
+        {
+            split_hull(hull, row, count);
+            (*cspan_at(&hull, row + INT64_C(1), start)) = (*cspan_at(&hull, row, start));
+            (*cspan_at(&hull, row, depth)) = (*cspan_at(&hull, row, depth)) + 1.0;
+            (*cspan_at(&hull, row + INT64_C(1), depth)) = (*cspan_at(&hull, row, depth));
+            (*cspan_at(&hull, row, start)) = (*cspan_at(&hull, row, start)) + pow(0.5, (*cspan_at(&hull, row, depth)));
+            rows = rows + INT64_C(1);
+        }
+    }
+    return -1.0;
+}
+/*What a demand bounds, at a local time of the interval: height, fall or length. */
+static double rope_value(int64_t demand, double local, double gravity, array_double_2d work)
+{
+    int64_t width;
+    double pull;
+    double x_pull;
+    double y_pull;
+    double z;
+    width = span_floor_div((work.shape[INT64_C(1)] + INT64_C(5)), INT64_C(4));
+    z = evaluate_piece(work, INT64_C(2), width, local, INT64_C(0));
+    pull = evaluate_piece(work, INT64_C(5), width - INT64_C(2), local, INT64_C(0));
+    if (demand == INT64_C(1))
+    {
+        return z;
+    }
+    if (demand == INT64_C(2))
+    {
+        return gravity - pull;
+    }
+    x_pull = evaluate_piece(work, INT64_C(3), width - INT64_C(2), local, INT64_C(0));
+    y_pull = evaluate_piece(work, INT64_C(4), width - INT64_C(2), local, INT64_C(0));
+    return (-z) * sqrt(x_pull * x_pull + y_pull * y_pull + pull * pull) / pull;
+}
+/*The worst of samples, 33 an interval, of what a demand bounds from a time on.*/
+static double worst_value(int64_t demand, double first, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work)
+{
+    double sign;
+    double worst;
+    double time;
+    double until;
+    int64_t i;
+    double local;
+    double result;
+    sign = 1.0;
+    if (demand == INT64_C(4))
+    {
+        sign = -1.0;
+    }
+    worst = -1e+300;
+    time = (*cspan_at(&timing, (*cspan_at(&offsets, INT64_C(0))), INT64_C(0)));
+    until = interval_end(time, timing, offsets);
+    while(until > time)
+    {
+        if (until >= first)
+        {
+            interval_pieces(time, until, timing, coefficients, offsets, gravity, work);
+            for (i = INT64_C(0); i < INT64_C(33); i += INT64_C(1))
+            {
+                local = span_max((until - time) * i / 32.0, first - time);
+                worst = span_max(worst, sign * rope_value(demand, local, gravity, work));
+            }
+        }
+        time = until;
+        until = interval_end(time, timing, offsets);
+    }
+    return sign * worst;
+}
+/*Check a trajectory x, y, z; pieces as in kernels/trajectory/evaluate.py, pieces rise in time.      */
+/*                                                                                                   */
+/*    shortest and longest: bounds of the rope's length [m], 0 where there is none. Returns 0, or the*/
+/*    first demand, 1 to 4, that is not met; the later ones rely on the earlier ones. report (3): the*/
+/*    time [s] from which on it is not, the worst value after that, and its bound: of the load's     */
+/*    height [m], of its acceleration downwards [m/s2], or of the rope's length [m].                 */
+/*                                                                                                   */
+int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, double shortest, double longest, array_double_2d work, array_double_1d report)
+{
+    double tolerance;
+    double time;
+    double until;
+    int64_t demand;
+    int64_t count;
+    double share;
+    int64_t failed;
+    tolerance = 1e-09;
+    time = (*cspan_at(&timing, (*cspan_at(&offsets, INT64_C(0))), INT64_C(0)));
+    until = interval_end(time, timing, offsets);
+    failed = INT64_C(5);
+    while(until > time)
+    {
+        interval_pieces(time, until, timing, coefficients, offsets, gravity, work);
+        for (demand = INT64_C(1); demand < failed; demand += INT64_C(1))
+        {
+            count = rope_demand(demand, gravity, shortest, longest, tolerance, work);
+            if (count > INT64_C(0))
+            {
+                share = first_negative(count, until - time, work);
+                if (share >= 0.0)
+                {
+                    failed = demand;
+                    (*cspan_at(&report, INT64_C(0))) = time + share * (until - time);
+                    break;
+                }
+            }
+        }
+        time = until;
+        until = interval_end(time, timing, offsets);
+    }
+    if (failed == INT64_C(5))
+    {
+        return INT64_C(0);
+    }
+    (*cspan_at(&report, INT64_C(2))) = 0.0;
+    if (failed == INT64_C(2))
+    {
+        (*cspan_at(&report, INT64_C(2))) = gravity;
+    }
+    else if (failed == INT64_C(3))
+    {
+        (*cspan_at(&report, INT64_C(2))) = longest;
+    }
+    else if (failed == INT64_C(4))
+    {
+        (*cspan_at(&report, INT64_C(2))) = shortest;
+    }
+    (*cspan_at(&report, INT64_C(1))) = worst_value(failed, (*cspan_at(&report, INT64_C(0))), timing, coefficients, offsets, gravity, work);
+    return failed;
+}
+/*found = a b, `count` coefficients. */
+static void series_product(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found)
+{
+    int64_t k;
+    double total;
+    int64_t i;
+    for (k = INT64_C(0); k < count; k += INT64_C(1))
+    {
+        total = 0.0;
+        for (i = INT64_C(0); i < k + INT64_C(1); i += INT64_C(1))
+        {
+            total = total + (*cspan_at(&a, i)) * (*cspan_at(&b, k - i));
+        }
+        (*cspan_at(&found, k)) = total;
+    }
+}
+/*found = a / b, where b[0] is not zero. */
+static void series_quotient(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found)
+{
+    int64_t k;
+    double total;
+    int64_t i;
+    for (k = INT64_C(0); k < count; k += INT64_C(1))
+    {
+        total = (*cspan_at(&a, k));
+        for (i = INT64_C(0); i < k; i += INT64_C(1))
+        {
+            total = total - (*cspan_at(&found, i)) * (*cspan_at(&b, k - i));
+        }
+        (*cspan_at(&found, k)) = total / (*cspan_at(&b, INT64_C(0)));
+    }
+}
+/*found = sqrt(a), where a[0] is positive. */
+static void series_root(array_double_1d a, int64_t count, array_double_1d found)
+{
+    int64_t k;
+    double total;
+    int64_t i;
+    (*cspan_at(&found, INT64_C(0))) = sqrt((*cspan_at(&a, INT64_C(0))));
+    for (k = INT64_C(1); k < count; k += INT64_C(1))
+    {
+        total = (*cspan_at(&a, k));
+        for (i = INT64_C(1); i < k; i += INT64_C(1))
+        {
+            total = total - (*cspan_at(&found, i)) * (*cspan_at(&found, k - i));
+        }
+        (*cspan_at(&found, k)) = total / (2.0 * (*cspan_at(&found, INT64_C(0))));
+    }
+}
+/*found = atan2(y, x), where square = x x + y y: its rate is (x y' - y x') / square. */
+static void series_angle(array_double_1d y, array_double_1d x, array_double_1d square, int64_t count, array_double_1d scratch, array_double_1d found)
+{
+    int64_t k;
+    double total;
+    int64_t i;
+    (*cspan_at(&found, INT64_C(0))) = atan2((*cspan_at(&y, INT64_C(0))), (*cspan_at(&x, INT64_C(0))));
+    for (k = INT64_C(0); k < count - INT64_C(1); k += INT64_C(1))
+    {
+        total = 0.0;
+        for (i = INT64_C(0); i < k + INT64_C(1); i += INT64_C(1))
+        {
+            total = total + (k + INT64_C(1) - i) * ((*cspan_at(&x, i)) * (*cspan_at(&y, k + INT64_C(1) - i)) - (*cspan_at(&y, i)) * (*cspan_at(&x, k + INT64_C(1) - i)));
+        }
+        for (i = INT64_C(0); i < k; i += INT64_C(1))
+        {
+            total = total - (*cspan_at(&scratch, i)) * (*cspan_at(&square, k - i));
+        }
+        (*cspan_at(&scratch, k)) = total / (*cspan_at(&square, INT64_C(0)));
+        (*cspan_at(&found, k + INT64_C(1))) = (*cspan_at(&scratch, k)) / (k + 1.0);
+    }
+}
+/*Time derivatives of what `crane_flat_inverse` gives.                                             */
+/*                                                                                                 */
+/*    flat holds the derivatives 0 .. order + 4 of the load's position, work is (20, order + 3) or */
+/*    larger; found (18) are the derivatives of that order of forces, state and accelerations.     */
+/*                                                                                                 */
+void segfmu_flat_derivatives(array_double_2d flat, int64_t order, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d work, array_double_1d found)
+{
+    int64_t count;
+    double factorial;
+    int64_t i;
+    int64_t axis;
+    int64_t j;
+    count = order + INT64_C(3);
+    factorial = 1.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        if (i > INT64_C(1))
+        {
+            factorial = factorial * i;
+        }
+        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+        {
+            (*cspan_at(&work, axis, i)) = (*cspan_at(&flat, i, axis)) / factorial;
+            (*cspan_at(&work, INT64_C(3) + axis, i)) = (*cspan_at(&flat, i + INT64_C(2), axis)) / factorial;
+        }
+    }
+    (*cspan_at(&work, INT64_C(5), INT64_C(0))) = (*cspan_at(&work, INT64_C(5), INT64_C(0))) + gravity;
+    /*rows: 0-2 load, 3-5 pull w, 6-8 squares, 9 |w_yz|^2, 10 |w|^2, 11 |w_yz|, 12 |w|*/
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        series_product(span_row(&work, INT64_C(3) + axis), span_row(&work, INT64_C(3) + axis), count, span_row(&work, INT64_C(6) + axis));
+    }
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(9), i)) = (*cspan_at(&work, INT64_C(7), i)) + (*cspan_at(&work, INT64_C(8), i));
+        (*cspan_at(&work, INT64_C(10), i)) = (*cspan_at(&work, INT64_C(9), i)) + (*cspan_at(&work, INT64_C(6), i));
+    }
+    series_root(span_row(&work, INT64_C(9)), count, span_row(&work, INT64_C(11)));
+    series_root(span_row(&work, INT64_C(10)), count, span_row(&work, INT64_C(12)));
+    /*rows 15-19: the coordinates; 13 and 14 are scratch*/
+    series_quotient(span_row(&work, INT64_C(2)), span_row(&work, INT64_C(5)), count, span_row(&work, INT64_C(13)));
+    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+    {
+        series_product(span_row(&work, INT64_C(13)), span_row(&work, INT64_C(3) + axis), count, span_row(&work, INT64_C(14)));
+        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        {
+            (*cspan_at(&work, INT64_C(15) + axis, i)) = (*cspan_at(&work, axis, i)) - (*cspan_at(&work, INT64_C(14), i));
+        }
+    }
+    series_product(span_row(&work, INT64_C(13)), span_row(&work, INT64_C(12)), count, span_row(&work, INT64_C(17)));
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(17), i)) = -(*cspan_at(&work, INT64_C(17), i));
+        (*cspan_at(&work, INT64_C(13), i)) = -(*cspan_at(&work, INT64_C(3), i));
+    }
+    series_angle(span_row(&work, INT64_C(13)), span_row(&work, INT64_C(11)), span_row(&work, INT64_C(10)), count, span_row(&work, INT64_C(14)), span_row(&work, INT64_C(18)));
+    series_angle(span_row(&work, INT64_C(4)), span_row(&work, INT64_C(5)), span_row(&work, INT64_C(9)), count, span_row(&work, INT64_C(14)), span_row(&work, INT64_C(19)));
+    factorial = 1.0;
+    for (i = INT64_C(2); i < order + INT64_C(1); i += INT64_C(1))
+    {
+        factorial = factorial * i;
+    }
+    for (j = INT64_C(0); j < INT64_C(5); j += INT64_C(1))
+    {
+        (*cspan_at(&found, INT64_C(3) + j)) = factorial * (*cspan_at(&work, INT64_C(15) + j, order));
+        (*cspan_at(&found, INT64_C(8) + j)) = factorial * (order + 1.0) * (*cspan_at(&work, INT64_C(15) + j, order + INT64_C(1)));
+        (*cspan_at(&found, INT64_C(13) + j)) = factorial * (order + 1.0) * (order + 2.0) * (*cspan_at(&work, INT64_C(15) + j, order + INT64_C(2)));
+    }
+    (*cspan_at(&found, INT64_C(0))) = (bridge_mass + trolley_mass) * (*cspan_at(&found, INT64_C(13))) + payload_mass * (*cspan_at(&flat, order + INT64_C(2), INT64_C(0)));
+    (*cspan_at(&found, INT64_C(1))) = trolley_mass * (*cspan_at(&found, INT64_C(14))) + payload_mass * (*cspan_at(&flat, order + INT64_C(2), INT64_C(1)));
+    (*cspan_at(&found, INT64_C(2))) = (-payload_mass) * factorial * (*cspan_at(&work, INT64_C(12), order));
+}
+/*Share of the way from a to b at which to evaluate next, inside (0, 1). */
+static double root_share(double a, double b, double c, double f_a, double f_b, double f_c)
+{
+    double place;
+    double height;
+    double share;
+    double least;
+    double result;
+    if ((f_a * f_b * f_c == 0.0) || (f_c == f_a) || (f_c == f_b) || (c == b))
+    {
+        return 0.5;
+    }
+    place = (a - b) / (c - b);
+    height = (f_a - f_b) / (f_c - f_b);
+    if ((height * height >= place) || ((1.0 - height) * (1.0 - height) >= 1.0 - place))
+    {
+        return 0.5;
+    }
+    share = f_a / (f_b - f_a) * f_c / (f_b - f_c);
+    share = share + (c - a) / (b - a) * f_a / (f_c - f_a) * f_b / (f_c - f_b);
+    /*the point must differ from both ends*/
+    least = 2e-16 * span_max(fabs(a), fabs(b)) / fabs(b - a);
+    return span_max(span_min(share, 1.0 - least), least);
+}
+/*The value, or 0 where it is so small against its scale that its powers would underflow.*/
+static double without_dust(double value, double scale)
+{
+    double result;
+    if (fabs(value) <= 1e-30 * scale)
+    {
+        return 0.0;
+    }
+    return value;
+}
+/*A boundary value without dust, and clamped where it passes its limit by rounding.*/
+static double without_excess(double value, double limit)
+{
+    double result;
+    return span_min(span_max(without_dust(value, limit), -limit), limit);
+}
+/*Append the ramp from a to b whose duration was solved for; nothing if it has none.             */
+/*                                                                                               */
+/*    The change follows from the duration, not from b - a: the rounding error of that difference*/
+/*    would be large against a small change, and break the limits of the ramp.                   */
+/*                                                                                               */
+static int64_t append_ramp(array_double_2d phases, int64_t count, double a, double b, double duration, array_double_1d ramp)
+{
+    double change;
+    double slope;
+    int64_t result;
+    if (duration <= 0.0)
+    {
+        return count;
+    }
+    ramp_change(&change, &slope, duration, ramp);
+    if (b < a)
+    {
+        change = -change;
+    }
+    (*cspan_at(&phases, count, INT64_C(0))) = duration;
+    (*cspan_at(&phases, count, INT64_C(1))) = ramp_rise(duration, ramp);
+    (*cspan_at(&phases, count, INT64_C(2))) = a;
+    (*cspan_at(&phases, count, INT64_C(3))) = change;
+    return count + INT64_C(1);
+}
+/*Append the fastest ramp from a to b; nothing if they are equal.*/
+static int64_t append_change(array_double_2d phases, int64_t count, double a, double b, array_double_1d ramp)
+{
+    double duration;
+    double rise;
+    double slope;
+    int64_t result;
+    segfmu_ramp_duration(&duration, &rise, &slope, fabs(b - a), ramp);
+    if (duration <= 0.0)
+    {
+        return count;
+    }
+    (*cspan_at(&phases, count, INT64_C(0))) = duration;
+    (*cspan_at(&phases, count, INT64_C(1))) = rise;
+    (*cspan_at(&phases, count, INT64_C(2))) = a;
+    (*cspan_at(&phases, count, INT64_C(3))) = b - a;
+    return count + INT64_C(1);
+}
+/*Append a phase of constant acceleration; nothing if it has no duration.*/
+static int64_t append_hold(array_double_2d phases, int64_t count, double a, double duration)
+{
+    int64_t result;
+    if (duration <= 0.0)
+    {
+        return count;
+    }
+    (*cspan_at(&phases, count, INT64_C(0))) = duration;
+    (*cspan_at(&phases, count, INT64_C(1))) = 0.0;
+    (*cspan_at(&phases, count, INT64_C(2))) = a;
+    (*cspan_at(&phases, count, INT64_C(3))) = 0.0;
+    return count + INT64_C(1);
+}
+/*Insert a phase of constant acceleration before `row`; nothing if it has no duration. */
+static int64_t insert_hold(array_double_2d phases, int64_t count, int64_t row, double a, double duration)
+{
+    int64_t j;
+    int64_t i;
+    int64_t column;
+    int64_t Dummy_0000;
+    int64_t result;
+    if (duration <= 0.0)
+    {
+        return count;
+    }
+    for (j = INT64_C(0); j < count - row; j += INT64_C(1))
+    {
+        i = count - INT64_C(1) - j;
+        for (column = INT64_C(0); column < INT64_C(4); column += INT64_C(1))
+        {
+            (*cspan_at(&phases, i + INT64_C(1), column)) = (*cspan_at(&phases, i, column));
+        }
+    }
+    Dummy_0000 = append_hold(phases, row, a, duration);
+    return count + INT64_C(1);
+}
+/*Copy the first rows of a list of phases. */
+static void copy_phases(array_double_2d source, array_double_2d target, int64_t count)
+{
+    int64_t i;
+    int64_t column;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        for (column = INT64_C(0); column < INT64_C(4); column += INT64_C(1))
+        {
+            (*cspan_at(&target, i, column)) = (*cspan_at(&source, i, column));
+        }
+    }
+}
+/*The same motion in the other direction.*/
+static void mirror_phases(array_double_2d phases, int64_t count)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&phases, i, INT64_C(2))) = -(*cspan_at(&phases, i, INT64_C(2)));
+        (*cspan_at(&phases, i, INT64_C(3))) = -(*cspan_at(&phases, i, INT64_C(3)));
+    }
+}
+/*Exchange one column of two rows. */
+static void swap_entries(array_double_2d phases, int64_t i, int64_t j, int64_t column)
+{
+    double kept;
+    kept = (*cspan_at(&phases, i, column));
+    (*cspan_at(&phases, i, column)) = (*cspan_at(&phases, j, column));
+    (*cspan_at(&phases, j, column)) = kept;
+}
+/*The same path run from its end, velocities kept: accelerations change their sign.*/
+/*                                                                                 */
+/*    y(t) becomes -y(T - t); rows first .. count - 1 are reversed.                */
+/*                                                                                 */
+static void reverse_phases(array_double_2d phases, int64_t first, int64_t count)
+{
+    int64_t i;
+    int64_t column;
+    for (i = INT64_C(0); i < span_floor_div((count - first), INT64_C(2)); i += INT64_C(1))
+    {
+        for (column = INT64_C(0); column < INT64_C(4); column += INT64_C(1))
+        {
+            swap_entries(phases, first + i, count - INT64_C(1) - i, column);
+        }
+    }
+    for (i = first; i < count; i += INT64_C(1))
+    {
+        /*a ramp from a to a + d, run backwards with the sign changed, goes from -(a + d) to -a*/
+        (*cspan_at(&phases, i, INT64_C(2))) = -((*cspan_at(&phases, i, INT64_C(2))) + (*cspan_at(&phases, i, INT64_C(3))));
+    }
+}
+/*Duration, distance, end velocity, lowest and highest velocity of a list of phases. */
+/*                                                                                   */
+/*    Peaks inside of ramps are left out where they are surely within +-`within`.    */
+/*                                                                                   */
+int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result_2_0001, double* result_3, double* result_4, array_double_2d phases, int64_t count, double v, double within_0001, array_double_1d ramp)
+{
+    double total;
+    double y;
+    double lowest;
+    double highest;
+    int64_t i;
+    double duration;
+    double a;
+    double b;
+    double bound;
+    double extreme;
+    total = 0.0;
+    y = 0.0;
+    lowest = v;
+    highest = v;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        duration = (*cspan_at(&phases, i, INT64_C(0)));
+        a = (*cspan_at(&phases, i, INT64_C(2)));
+        b = a + (*cspan_at(&phases, i, INT64_C(3)));
+        if (a * b < 0.0)
+        {
+            /*a quick bound first: the end with the smaller acceleration is less than half of the*/
+            /*ramp away from the crossing*/
+            bound = v + 0.5 * a * duration;
+            if ((bound > span_max(highest, within_0001)) || (bound < span_min(lowest, -within_0001)))
+            {
+                extreme = ramp_extreme_velocity(v, a, b, duration, (*cspan_at(&phases, i, INT64_C(1))), ramp);
+                lowest = span_min(lowest, extreme);
+                highest = span_max(highest, extreme);
+            }
+        }
+        y = y + ramp_distance(v, a, b, duration, (*cspan_at(&phases, i, INT64_C(1))), ramp);
+        v = v + 0.5 * (a + b) * duration;
+        lowest = span_min(lowest, v);
+        highest = span_max(highest, v);
+        total = total + duration;
+    }
+    (*result_0) = total;
+    (*result_1) = y;
+    (*result_2_0001) = v;
+    (*result_3) = lowest;
+    (*result_4) = highest;
+    return 0;
+}
+/*Extreme velocity of the ramp from a > 0 to a level <= 0 that starts with velocity v. */
+static double peak_past_zero(double v, double a, double level, array_double_1d ramp)
+{
+    double duration;
+    double rise;
+    double slope;
+    double result;
+    segfmu_ramp_duration(&duration, &rise, &slope, a - level, ramp);
+    if (level >= 0.0)
+    {
+        return v + 0.5 * a * duration;
+    }
+    result = ramp_extreme_velocity(v, a, level, duration, rise, ramp);
+    return result;
+}
+/*The level next to zero past which a ramp from a > 0 keeps the limit; 1 if there is none. */
+static double level_past_zero(double v, double a, double velocity_limit, double top, array_double_1d ramp)
+{
+    double shrink;
+    double lower;
+    double upper;
+    int64_t i;
+    double inner;
+    double outer;
+    double deepest;
+    double outside;
+    double level;
+    double inside;
+    shrink = 0.6180339887498949;
+    lower = -top;
+    upper = 0.0;
+    /*golden section: the extreme velocity falls with the depth of the level, and may rise again*/
+    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    {
+        inner = upper - shrink * (upper - lower);
+        outer = lower + shrink * (upper - lower);
+        if (peak_past_zero(v, a, inner, ramp) < peak_past_zero(v, a, outer, ramp))
+        {
+            upper = outer;
+        }
+        else
+        {
+            lower = inner;
+        }
+    }
+    deepest = 0.5 * (lower + upper);
+    if (peak_past_zero(v, a, -top, ramp) < peak_past_zero(v, a, deepest, ramp))
+    {
+        deepest = -top;
+    }
+    if (peak_past_zero(v, a, deepest, ramp) > velocity_limit)
+    {
+        return 1.0;
+    }
+    inside = deepest;
+    outside = 0.0;
+    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    {
+        level = 0.5 * (inside + outside);
+        if (peak_past_zero(v, a, level, ramp) <= velocity_limit)
+        {
+            inside = level;
+        }
+        else
+        {
+            outside = level;
+        }
+    }
+    return inside;
+}
+/*Phases from (v, a) to zero acceleration; their number (-1: the limit does not admit them).     */
+/*                                                                                               */
+/*    Also returns duration, distance and end velocity. Where the way back from a level past zero*/
+/*    passes the limit on the other side, it is braked in turn.                                  */
+/*                                                                                               */
+static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases)
+{
+    int64_t count;
+    double level;
+    double reached;
+    int64_t i;
+    double duration;
+    double y;
+    double end;
+    double lowest;
+    double highest;
+    double sign;
+    double past;
+    count = INT64_C(0);
+    level = a;
+    reached = v;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        count = append_change(phases, count, level, 0.0, ramp);
+        segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, 1e+300, ramp);
+        if (fabs(end) <= velocity_limit * (1.0 + 1e-12))
+        {
+            (*result_0) = count;
+            (*result_1) = duration;
+            (*result_2) = y;
+            (*result_3) = end;
+            return 0;
+        }
+        count = count - INT64_C(1);
+        sign = 1.0;
+        if (level < 0.0)
+        {
+            sign = -1.0;
+        }
+        past = sign * level_past_zero(sign * reached, sign * level, velocity_limit, top, ramp);
+        if (past * sign > 0.0)
+        {
+            break;
+        }
+        count = append_change(phases, count, level, past, ramp);
+        segfmu_measure_phases(&duration, &y, &reached, &lowest, &highest, phases, count, v, 1e+300, ramp);
+        level = past;
+    }
+    (*result_0) = -INT64_C(1);
+    (*result_1) = 0.0;
+    (*result_2) = 0.0;
+    (*result_3) = 0.0;
+    return 0;
+}
+/*The problem that braking leaves: none (0), the first (1), the last (2), both (3).                */
+/*                                                                                                 */
+/*    Returns the number of phases that braking takes, their duration, and distance, v, a, w, b of */
+/*    what is left. The number is -1, -2 where the limit does not admit braking the first, the last*/
+/*    acceleration, and -3 where one that shall be braked is zero.                                 */
+/*                                                                                                 */
+static int64_t braked(int64_t* result_0_0001, double* result_1, double* result_2_0001, double* result_3_0001, double* result_4_0001, double* result_5_0001, double* result_6_0001, int64_t variant, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d trial)
+{
+    int64_t first;
+    int64_t last;
+    double time;
+    double duration;
+    double y;
+    first = INT64_C(0);
+    last = INT64_C(0);
+    time = 0.0;
+    if (((span_floor_mod(variant, INT64_C(2)) == INT64_C(1)) && (a == 0.0)) || ((variant >= INT64_C(2)) && (b == 0.0)))
+    {
+        (*result_0_0001) = -INT64_C(3);
+        (*result_1) = 0.0;
+        (*result_2_0001) = distance;
+        (*result_3_0001) = v;
+        (*result_4_0001) = a;
+        (*result_5_0001) = w;
+        (*result_6_0001) = b;
+        return 0;
+    }
+    if (span_floor_mod(variant, INT64_C(2)) == INT64_C(1))
+    {
+        brake(&first, &duration, &y, &v, v, a, velocity_limit, top, ramp, trial);
+        if (first < INT64_C(0))
+        {
+            (*result_0_0001) = -INT64_C(1);
+            (*result_1) = 0.0;
+            (*result_2_0001) = distance;
+            (*result_3_0001) = v;
+            (*result_4_0001) = a;
+            (*result_5_0001) = w;
+            (*result_6_0001) = b;
+            return 0;
+        }
+        time = duration;
+        distance = distance - y;
+        a = 0.0;
+    }
+    if (variant >= INT64_C(2))
+    {
+        brake(&last, &duration, &y, &w, w, -b, velocity_limit, top, ramp, trial);
+        if (last < INT64_C(0))
+        {
+            (*result_0_0001) = -INT64_C(2);
+            (*result_1) = 0.0;
+            (*result_2_0001) = distance;
+            (*result_3_0001) = v;
+            (*result_4_0001) = a;
+            (*result_5_0001) = w;
+            (*result_6_0001) = b;
+            return 0;
+        }
+        time = time + duration;
+        distance = distance - y;
+        b = 0.0;
+    }
+    (*result_0_0001) = first + last;
+    (*result_1) = time;
+    (*result_2_0001) = distance;
+    (*result_3_0001) = v;
+    (*result_4_0001) = a;
+    (*result_5_0001) = w;
+    (*result_6_0001) = b;
+    return 0;
+}
+/*Put the braking of the initial and the build-up of the final acceleration around phases. */
+static int64_t surround(array_double_2d phases, int64_t count, bool brake_start, double v, double a, bool brake_end, double w, double b, double velocity_limit, double top, array_double_1d ramp, array_double_2d trial)
+{
+    int64_t first;
+    double duration;
+    double y;
+    double end;
+    int64_t j;
+    int64_t i;
+    int64_t column;
+    int64_t last;
+    int64_t result;
+    if (brake_start)
+    {
+        brake(&first, &duration, &y, &end, v, a, velocity_limit, top, ramp, trial);
+        for (j = INT64_C(0); j < count; j += INT64_C(1))
+        {
+            i = count - INT64_C(1) - j;
+            for (column = INT64_C(0); column < INT64_C(4); column += INT64_C(1))
+            {
+                (*cspan_at(&phases, first + i, column)) = (*cspan_at(&phases, i, column));
+            }
+        }
+        copy_phases(trial, phases, first);
+        count = first + count;
+    }
+    if (brake_end)
+    {
+        brake(&last, &duration, &y, &end, w, -b, velocity_limit, top, ramp, trial);
+        reverse_phases(trial, INT64_C(0), last);
+        for (i = INT64_C(0); i < last; i += INT64_C(1))
+        {
+            for (column = INT64_C(0); column < INT64_C(4); column += INT64_C(1))
+            {
+                (*cspan_at(&phases, count + i, column)) = (*cspan_at(&trial, i, column));
+            }
+        }
+        count = count + last;
+    }
+    return count;
+}
+/*The level of `solve_level` where the durations of both ramps are linear in their change.           */
+/*                                                                                                   */
+/*    slope level^2 + constant level = gain + slope (a^2 + b^2) / 2 - constant (a + b) / 2; -1 where */
+/*    that has no root.                                                                              */
+/*                                                                                                   */
+static double linear_level(double gain, double a, double b, array_double_1d ramp)
+{
+    double slope;
+    double half;
+    double rest;
+    double square;
+    double result;
+    slope = (*cspan_at(&ramp, INT64_C(41)));
+    half = 0.5 * (*cspan_at(&ramp, INT64_C(42)));
+    rest = gain + 0.5 * slope * (a * a + b * b) - half * (a + b);
+    square = half * half + slope * rest;
+    if (square <= 0.0)
+    {
+        return -1.0;
+    }
+    /*the form without a difference of nearly equal numbers*/
+    return rest / (half + sqrt(square));
+}
+/*Duration of the first ramp of `solve_level` in [lower, upper] by Newton's method; level.         */
+/*                                                                                                 */
+/*    share is where the gain lies between those of the two durations; the gain is nearly quadratic*/
+/*    in the duration.                                                                             */
+/*                                                                                                 */
+static int64_t root_level(double* result_0, double* result_1, double gain, double a, double b, double lower, double upper, double share, array_double_1d ramp)
+{
+    double t;
+    double level;
+    int64_t i;
+    double change;
+    double growth;
+    double t_end;
+    double rise;
+    double slope;
+    double first;
+    double second;
+    double error;
+    double rate;
+    double following;
+    double newton;
+    double found;
+    t = lower + (upper - lower) * sqrt(share);
+    level = a;
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
+    {
+        ramp_change(&change, &growth, t, ramp);
+        level = a + change;
+        segfmu_ramp_duration(&t_end, &rise, &slope, level - b, ramp);
+        first = 0.5 * (a + level) * t;
+        second = 0.5 * (level + b) * t_end;
+        error = first + second - gain;
+        if (fabs(error) <= 2e-16 * (fabs(first) + fabs(second)))
+        {
+            (*result_0) = t;
+            (*result_1) = level;
+            return 0;
+        }
+        if (error > 0.0)
+        {
+            upper = t;
+        }
+        else
+        {
+            lower = t;
+        }
+        rate = 0.5 * (a + level) + 0.5 * growth * (t + t_end + (level + b) * slope);
+        following = 0.5 * (lower + upper);
+        if (rate > 0.0)
+        {
+            newton = t - error / rate;
+            /*at the root the step may round to nothing, which a bracket would not admit*/
+            if (fabs(newton - t) <= 4e-16 * t)
+            {
+                (*result_0) = t;
+                (*result_1) = level;
+                return 0;
+            }
+            found = first + second;
+            /*far from the root, Newton's method on logarithms, as the gain is nearly a power*/
+            if ((found > 0.0) && (gain > 0.0) && ((found > 2.0 * gain) || (gain > 2.0 * found)))
+            {
+                newton = t * pow((gain / found), (found / (t * rate)));
+            }
+            if ((newton > lower) && (newton < upper))
+            {
+                following = newton;
+            }
+        }
+        if (fabs(following - t) <= 4e-16 * t)
+        {
+            (*result_0) = t;
+            (*result_1) = level;
+            return 0;
+        }
+        t = following;
+    }
+    ramp_change(&change, &growth, t, ramp);
+    (*result_0) = t;
+    (*result_1) = a + change;
+    return 0;
+}
+/*Ramp from a to a level in [low, high], hold it, ramp to b, and gain a velocity.                  */
+/*                                                                                                 */
+/*    low >= max(0, a, b), where the gain grows with the level. Returns the duration of the first  */
+/*    ramp, the hold (above zero only at `high`), and -1 in place of the hold when even the lowest */
+/*    level gains too much; last the level.                                                        */
+/*                                                                                                 */
+static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, array_double_1d ramp)
+{
+    double level;
+    double t_low;
+    double rise;
+    double slope;
+    double t_end;
+    double least;
+    double t_high;
+    double most;
+    double share;
+    double t;
+    if ((*cspan_at(&ramp, INT64_C(3))) >= 0.0)
+    {
+        level = linear_level(gain, a, b, ramp);
+        if ((level >= span_max(a, b) + (*cspan_at(&ramp, INT64_C(3)))) && (level >= low) && (level <= high))
+        {
+            (*result_0_0001) = (level - a) * (*cspan_at(&ramp, INT64_C(41))) + (*cspan_at(&ramp, INT64_C(42)));
+            (*result_1_0001) = 0.0;
+            (*result_2_0001) = level;
+            return 0;
+        }
+    }
+    segfmu_ramp_duration(&t_low, &rise, &slope, low - a, ramp);
+    segfmu_ramp_duration(&t_end, &rise, &slope, low - b, ramp);
+    least = 0.5 * (a + low) * t_low + 0.5 * (low + b) * t_end;
+    if (gain <= least)
+    {
+        /*a rounding error short of the lowest level is that level*/
+        if (gain < least - 1e-14 * (fabs(gain) + fabs(least)))
+        {
+            (*result_0_0001) = 0.0;
+            (*result_1_0001) = -1.0;
+            (*result_2_0001) = low;
+            return 0;
+        }
+        (*result_0_0001) = t_low;
+        (*result_1_0001) = 0.0;
+        (*result_2_0001) = low;
+        return 0;
+    }
+    segfmu_ramp_duration(&t_high, &rise, &slope, high - a, ramp);
+    segfmu_ramp_duration(&t_end, &rise, &slope, high - b, ramp);
+    most = 0.5 * (a + high) * t_high + 0.5 * (high + b) * t_end;
+    if (gain >= most)
+    {
+        (*result_0_0001) = t_high;
+        (*result_1_0001) = (gain - most) / high;
+        (*result_2_0001) = high;
+        return 0;
+    }
+    share = (gain - least) / (most - least);
+    root_level(&t, &level, gain, a, b, t_low, t_high, share, ramp);
+    (*result_0_0001) = t;
+    (*result_1_0001) = 0.0;
+    (*result_2_0001) = level;
+    return 0;
+}
+/*Duration and distance of: ramp, hold, ramp, hold, ramp (merged form).*/
+static int64_t levels_distance(double* result_0_0001, double* result_1, double v, double a, double t1, double hold1, double level1, double hold2, double level2, double t3, double b, array_double_1d ramp)
+{
+    double t2;
+    double rise;
+    double slope;
+    double y;
+    segfmu_ramp_duration(&t2, &rise, &slope, fabs(level2 - level1), ramp);
+    y = ramp_distance(v, a, level1, t1, ramp_rise(t1, ramp), ramp);
+    v = v + 0.5 * (a + level1) * t1;
+    if (hold1 > 0.0)
+    {
+        y = y + (v + 0.5 * level1 * hold1) * hold1;
+        v = v + level1 * hold1;
+    }
+    y = y + ramp_distance(v, level1, level2, t2, rise, ramp);
+    v = v + 0.5 * (level1 + level2) * t2;
+    if (hold2 > 0.0)
+    {
+        y = y + (v + 0.5 * level2 * hold2) * hold2;
+        v = v + level2 * hold2;
+    }
+    y = y + ramp_distance(v, level2, b, t3, ramp_rise(t3, ramp), ramp);
+    (*result_0_0001) = t1 + hold1 + t2 + hold2 + t3;
+    (*result_1) = y;
+    return 0;
+}
+/*One member of the canonical family from (v, a) to (w, b).                                          */
+/*                                                                                                   */
+/*    p is the duration of the last ramp, from the second level up to b; beyond t_top, where that    */
+/*    level is -top, it goes on as the hold there. The first level is at most `high`: `top`, or less */
+/*    to keep the velocity down between the levels, but not less than a and b. Returns duration      */
+/*    (-1: no such member), distance, t1, hold1, level1, hold2, level2, t3.                          */
+/*                                                                                                   */
+static int64_t canonical_point(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, double* result_6, double* result_7, double p, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
+{
+    double hold2;
+    double t3;
+    double level2;
+    double change;
+    double slope;
+    double gain;
+    double low;
+    double t1;
+    double hold1;
+    double level1;
+    double duration;
+    double y;
+    hold2 = 0.0;
+    t3 = p;
+    if (p >= t_top)
+    {
+        t3 = t_top;
+        hold2 = p - t_top;
+        level2 = -top;
+    }
+    else
+    {
+        ramp_change(&change, &slope, p, ramp);
+        level2 = b - change;
+    }
+    gain = w - v - 0.5 * (level2 + b) * t3 - level2 * hold2;
+    low = span_max(0.0, span_max(a, level2));
+    solve_level(&t1, &hold1, &level1, gain, a, level2, low, high, ramp);
+    if (hold1 < 0.0)
+    {
+        (*result_0) = -1.0;
+        (*result_1) = 0.0;
+        (*result_2) = 0.0;
+        (*result_3) = 0.0;
+        (*result_4) = 0.0;
+        (*result_5) = 0.0;
+        (*result_6) = 0.0;
+        (*result_7) = 0.0;
+        return 0;
+    }
+    levels_distance(&duration, &y, v, a, t1, hold1, level1, hold2, level2, t3, b, ramp);
+    (*result_0) = duration;
+    (*result_1) = y;
+    (*result_2) = t1;
+    (*result_3) = hold1;
+    (*result_4) = level1;
+    (*result_5) = hold2;
+    (*result_6) = level2;
+    (*result_7) = t3;
+    return 0;
+}
+/*Append the fastest change from (v, a) to (w, 0) over one level; -1 if there is none. */
+static int64_t append_velocity_change(array_double_2d phases, int64_t count, double v, double a, double w, double top, array_double_1d ramp)
+{
+    double sign;
+    double t1;
+    double hold;
+    double level;
+    int64_t result;
+    sign = 1.0;
+    solve_level(&t1, &hold, &level, w - v, a, 0.0, span_max(0.0, a), top, ramp);
+    if (hold < 0.0)
+    {
+        sign = -1.0;
+        solve_level(&t1, &hold, &level, v - w, -a, 0.0, span_max(0.0, -a), top, ramp);
+        if (hold < 0.0)
+        {
+            return -INT64_C(1);
+        }
+    }
+    count = append_ramp(phases, count, a, sign * level, t1, ramp);
+    count = append_hold(phases, count, sign * level, hold);
+    result = append_change(phases, count, sign * level, 0.0, ramp);
+    return result;
+}
+/*The paper's form with a given cruise velocity, the cruise itself left out.                   */
+/*                                                                                             */
+/*    Returns the number of phases (-1: a velocity change does not exist), the row before which*/
+/*    the cruise belongs, duration and distance.                                               */
+/*                                                                                             */
+static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_2, double* result_3, array_double_2d phases, double cruise, double v, double a, double w, double b, double top, array_double_1d ramp)
+{
+    int64_t row;
+    int64_t count;
+    double duration;
+    double y;
+    double end;
+    double lowest;
+    double highest;
+    row = append_velocity_change(phases, INT64_C(0), v, a, cruise, top, ramp);
+    if (row < INT64_C(0))
+    {
+        (*result_0) = -INT64_C(1);
+        (*result_1) = INT64_C(0);
+        (*result_2) = 0.0;
+        (*result_3) = 0.0;
+        return 0;
+    }
+    /*the second part is the first part of the reversed problem*/
+    count = append_velocity_change(phases, row, w, -b, cruise, top, ramp);
+    if (count < INT64_C(0))
+    {
+        (*result_0) = -INT64_C(1);
+        (*result_1) = INT64_C(0);
+        (*result_2) = 0.0;
+        (*result_3) = 0.0;
+        return 0;
+    }
+    reverse_phases(phases, row, count);
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, 1e+300, ramp);
+    (*result_0) = count;
+    (*result_1) = row;
+    (*result_2) = duration;
+    (*result_3) = y;
+    return 0;
+}
+/*The paper's form with the cruise that covers the distance; 0 if it is overshot.*/
+static int64_t with_cruise(array_double_2d phases, double cruise, double v, double a, double w, double b, double distance, double top, array_double_1d ramp)
+{
+    int64_t count;
+    int64_t row;
+    double duration;
+    double y;
+    double hold;
+    int64_t result;
+    cruise_form(&count, &row, &duration, &y, phases, cruise, v, a, w, b, top, ramp);
+    if ((count < INT64_C(0)) || (cruise == 0.0))
+    {
+        return span_max_int(count, INT64_C(0));
+    }
+    hold = (distance - y) / cruise;
+    /*shorter than rounding: no cruise, and what it misses is judged by its caller*/
+    if ((hold < 0.0) && (fabs(distance - y) > 1e-13 * fabs(distance)))
+    {
+        return INT64_C(0);
+    }
+    result = insert_hold(phases, count, row, 0.0, hold);
+    return result;
+}
+/*The paper's form whose cruise velocity, below the limit, makes the cruise vanish.              */
+/*                                                                                               */
+/*    Searched between the two limits, of which one falls short of the distance and the other one*/
+/*    is too far; by bisection where the form does not exist.                                    */
+/*                                                                                               */
+static int64_t slower_cruise(array_double_2d phases, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
+{
+    double newest;
+    double other;
+    double before;
+    double e_newest;
+    double e_other;
+    double e_before;
+    bool falls_short;
+    int64_t i;
+    double middle;
+    double share;
+    int64_t count;
+    int64_t row;
+    double duration;
+    double y;
+    double error;
+    bool short_0001;
+    double lower;
+    double upper;
+    double cruise;
+    int64_t result;
+    newest = -velocity_limit;
+    other = velocity_limit;
+    before = velocity_limit;
+    e_newest = 0.0;
+    e_other = 0.0;
+    e_before = 0.0;
+    falls_short = 1;
+    for (i = INT64_C(0); i < INT64_C(120); i += INT64_C(1))
+    {
+        middle = span_max(v, w);
+        if (i > INT64_C(0))
+        {
+            share = root_share(newest, other, before, e_newest, e_other, e_before);
+            middle = newest + share * (other - newest);
+        }
+        if ((middle - newest) * (middle - other) >= 0.0)
+        {
+            if (i > INT64_C(0))
+            {
+                break;
+            }
+            middle = 0.0;
+        }
+        cruise_form(&count, &row, &duration, &y, phases, middle, v, a, w, b, top, ramp);
+        error = y - distance;
+        short_0001 = (count < INT64_C(0)) || (error < 0.0);
+        if (count < INT64_C(0))
+        {
+            error = 0.0;
+        }
+        before = newest;
+        e_before = e_newest;
+        if (short_0001 != falls_short)
+        {
+            before = other;
+            e_before = e_other;
+            other = newest;
+            e_other = e_newest;
+        }
+        newest = middle;
+        e_newest = error;
+        falls_short = short_0001;
+        if ((count >= INT64_C(0)) && (fabs(error) <= 1e-15 * fabs(distance)))
+        {
+            other = newest;
+            break;
+        }
+    }
+    lower = newest;
+    upper = other;
+    if (!falls_short)
+    {
+        lower = other;
+        upper = newest;
+    }
+    /*the side whose rounding error a short cruise can make up*/
+    cruise = lower;
+    if (cruise < 0.0)
+    {
+        cruise = upper;
+    }
+    result = with_cruise(phases, cruise, v, a, w, b, distance, top, ramp);
+    return result;
+}
+/*The paper's form around the velocity that one ramp to zero reaches from one end, or 0.         */
+/*                                                                                               */
+/*    The distance has a kink there, which can be the only member that covers it: a state on the */
+/*    way of another profile leads to such problems.                                             */
+/*                                                                                               */
+static int64_t direct_form(array_double_2d phases, bool from_start, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
+{
+    double end;
+    double cruise;
+    double t;
+    double rise;
+    double slope;
+    int64_t count;
+    int64_t row;
+    double duration;
+    double y;
+    int64_t result;
+    end = fabs(b);
+    cruise = w;
+    if (from_start)
+    {
+        end = fabs(a);
+        cruise = v;
+    }
+    if (end == 0.0)
+    {
+        return INT64_C(0);
+    }
+    segfmu_ramp_duration(&t, &rise, &slope, end, ramp);
+    if (from_start)
+    {
+        cruise = v + 0.5 * a * t;
+    }
+    else
+    {
+        cruise = w - 0.5 * b * t;
+    }
+    if (fabs(cruise) > velocity_limit)
+    {
+        return INT64_C(0);
+    }
+    cruise_form(&count, &row, &duration, &y, phases, cruise, v, a, w, b, top, ramp);
+    if (fabs(y - distance) > 1e-14 * (fabs(distance) + (fabs(v) + fabs(w)) * duration))
+    {
+        return INT64_C(0);
+    }
+    return span_max_int(count, INT64_C(0));
+}
+/*Bisect between a parameter that has a canonical member and one that has none.*/
+static double window_edge(int64_t halvings, double inside, double outside, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
+{
+    int64_t i;
+    double middle;
+    double duration;
+    double y;
+    double t1;
+    double hold1;
+    double level1;
+    double hold2;
+    double level2;
+    double t3;
+    double result;
+    for (i = INT64_C(0); i < halvings; i += INT64_C(1))
+    {
+        middle = 0.5 * (inside + outside);
+        if ((middle == inside) || (middle == outside))
+        {
+            break;
+        }
+        canonical_point(&duration, &y, &t1, &hold1, &level1, &hold2, &level2, &t3, middle, v, a, w, b, high, top, t_top, ramp);
+        if (duration >= 0.0)
+        {
+            inside = middle;
+        }
+        else
+        {
+            outside = middle;
+        }
+    }
+    return inside;
+}
+/*The searched quantity (duration or distance) of a member, and its duration or -1.*/
+static int64_t canonical_value(double* result_0_0001, double* result_1, double p, bool by_time, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
+{
+    double duration;
+    double y;
+    double t1;
+    double hold1;
+    double level1;
+    double hold2;
+    double level2;
+    double t3;
+    canonical_point(&duration, &y, &t1, &hold1, &level1, &hold2, &level2, &t3, p, v, a, w, b, high, top, t_top, ramp);
+    if (by_time)
+    {
+        (*result_0_0001) = duration;
+        (*result_1) = duration;
+        return 0;
+    }
+    (*result_0_0001) = y;
+    (*result_1) = duration;
+    return 0;
+}
+/*Bracketed root on the canonical family; f_lower < target <= f_upper.     */
+/*                                                                         */
+/*    `lower` and `upper` name the values, not the order of the parameters.*/
+/*                                                                         */
+static double bracketed_root(double lower, double upper, double f_lower, double f_upper, double target, bool by_time, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
+{
+    double a_p;
+    double a_error;
+    double b_p;
+    double b_error;
+    double c_p;
+    double c_error;
+    double speed;
+    int64_t i;
+    double p;
+    double value;
+    double duration;
+    double error;
+    double result;
+    a_p = upper;
+    a_error = f_upper - target;
+    b_p = lower;
+    b_error = f_lower - target;
+    c_p = lower;
+    c_error = b_error;
+    speed = fabs(v) + fabs(w);
+    if (by_time)
+    {
+        speed = 0.0;
+    }
+    for (i = INT64_C(0); i < INT64_C(120); i += INT64_C(1))
+    {
+        if ((a_error == 0.0) || (fabs(a_p - b_p) <= 2e-16 * fabs(a_p)))
+        {
+            break;
+        }
+        p = a_p + root_share(a_p, b_p, c_p, a_error, b_error, c_error) * (b_p - a_p);
+        canonical_value(&value, &duration, p, by_time, v, a, w, b, high, top, t_top, ramp);
+        error = value - target;
+        c_p = a_p;
+        c_error = a_error;
+        if (error * a_error < 0.0)
+        {
+            c_p = b_p;
+            c_error = b_error;
+            b_p = a_p;
+            b_error = a_error;
+        }
+        a_p = p;
+        a_error = error;
+        /*what rounding leaves of a sum whose terms may cancel*/
+        if (fabs(error) <= 2e-15 * (fabs(target) + speed * duration))
+        {
+            break;
+        }
+    }
+    if (fabs(b_error) < fabs(a_error))
+    {
+        return b_p;
+    }
+    return a_p;
+}
+/*Search the members whose second level lies between the end acceleration and zero.                */
+/*                                                                                                 */
+/*    Returns the parameter or -1, and t_zero if the family goes on there, else -1: a positive     */
+/*    second level gains velocity, which can leave no room for the first one. Where the motion     */
+/*    starts backwards the distance can rise and fall again, so the members between are looked at. */
+/*                                                                                                 */
+static int64_t first_window(double* result_0, double* result_1_0001, double target, double f_start, double v, double a, double w, double b, double high, double top, double t_top, double t_zero, array_double_1d ramp)
+{
+    int64_t samples;
+    double lower;
+    double f_lower;
+    int64_t i;
+    double p;
+    double value;
+    double duration;
+    double end;
+    double going_on;
+    if (v < 0.0)
+    {
+        samples = INT64_C(8);
+        lower = 0.0;
+        f_lower = f_start;
+        for (i = INT64_C(1); i < samples; i += INT64_C(1))
+        {
+            p = t_zero * i / samples;
+            canonical_value(&value, &duration, p, 0, v, a, w, b, high, top, t_top, ramp);
+            if (duration < 0.0)
+            {
+                break;
+            }
+            if ((value >= target) && (value > f_lower))
+            {
+                (*result_0) = bracketed_root(lower, p, f_lower, value, target, 0, v, a, w, b, high, top, t_top, ramp);
+                (*result_1_0001) = t_zero;
+                return 0;
+            }
+            lower = p;
+            f_lower = value;
+        }
+    }
+    canonical_value(&value, &duration, t_zero, 0, v, a, w, b, high, top, t_top, ramp);
+    end = t_zero;
+    if (duration < 0.0)
+    {
+        end = window_edge(INT64_C(80), 0.0, t_zero, v, a, w, b, high, top, t_top, ramp);
+        canonical_value(&value, &duration, end, 0, v, a, w, b, high, top, t_top, ramp);
+    }
+    going_on = -1.0;
+    if (end == t_zero)
+    {
+        going_on = t_zero;
+    }
+    if ((value >= target) && (value > f_start))
+    {
+        p = bracketed_root(0.0, end, f_start, value, target, 0, v, a, w, b, high, top, t_top, ramp);
+        (*result_0) = p;
+        (*result_1_0001) = going_on;
+        return 0;
+    }
+    (*result_0) = -1.0;
+    (*result_1_0001) = going_on;
+    return 0;
+}
+/*Parameter of a member that covers less than the first one, and just the target; or -1. */
+/*                                                                                       */
+/*    Going on for longer covers less distance while the velocity in between is negative.*/
+/*                                                                                       */
+static double dip(double target, double f_start, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
+{
+    int64_t samples;
+    double span;
+    double rise;
+    double slope;
+    int64_t i;
+    double p;
+    double value;
+    double duration;
+    double result;
+    samples = INT64_C(12);
+    segfmu_ramp_duration(&span, &rise, &slope, top, ramp);
+    for (i = INT64_C(1); i < samples + INT64_C(1); i += INT64_C(1))
+    {
+        p = span_max(t_top, span) * i * i / (samples * samples);
+        canonical_value(&value, &duration, p, 0, v, a, w, b, high, top, t_top, ramp);
+        if (duration < 0.0)
+        {
+            return -1.0;
+        }
+        if (value <= target)
+        {
+            result = bracketed_root(p, 0.0, value, f_start, target, 0, v, a, w, b, high, top, t_top, ramp);
+            return result;
+        }
+    }
+    return -1.0;
+}
+/*Parameter of the first canonical member that covers the target distance, or -1.*/
+static double canonical_search(double target, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
+{
+    double f_lower;
+    double duration;
+    double lower;
+    double t_zero;
+    double rise;
+    double slope;
+    double upper;
+    double value;
+    int64_t i;
+    double span;
+    double f_upper;
+    double p;
+    canonical_value(&f_lower, &duration, 0.0, 0, v, a, w, b, high, top, t_top, ramp);
+    if (duration < 0.0)
+    {
+        return -1.0;
+    }
+    /*a target that only rounding keeps from the first member is met by it*/
+    if (fabs(f_lower - target) <= 1e-14 * (fabs(target) + (fabs(v) + fabs(w)) * duration))
+    {
+        return 0.0;
+    }
+    if (f_lower > target)
+    {
+        if ((v >= 0.0) && (w >= 0.0))
+        {
+            return -1.0;
+        }
+        p = dip(target, f_lower, v, a, w, b, high, top, t_top, ramp);
+        return p;
+    }
+    lower = 0.0;
+    if (b > 0.0)
+    {
+        segfmu_ramp_duration(&t_zero, &rise, &slope, b, ramp);
+        first_window(&p, &lower, target, f_lower, v, a, w, b, high, top, t_top, t_zero, ramp);
+        if (p >= 0.0)
+        {
+            return p;
+        }
+        if (lower < 0.0)
+        {
+            upper = t_top;
+            canonical_value(&value, &duration, upper, 0, v, a, w, b, high, top, t_top, ramp);
+            for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+            {
+                if (duration >= 0.0)
+                {
+                    break;
+                }
+                upper = 2.0 * upper;
+                canonical_value(&value, &duration, upper, 0, v, a, w, b, high, top, t_top, ramp);
+            }
+            lower = window_edge(INT64_C(80), upper, t_zero, v, a, w, b, high, top, t_top, ramp);
+        }
+        canonical_value(&f_lower, &duration, lower, 0, v, a, w, b, high, top, t_top, ramp);
+        if (f_lower > target)
+        {
+            return -1.0;
+        }
+    }
+    /*where the last acceleration is at its limit, t_top is no scale of the family*/
+    segfmu_ramp_duration(&span, &rise, &slope, top, ramp);
+    upper = span_max(t_top, span);
+    if (upper <= lower)
+    {
+        upper = 2.0 * lower;
+    }
+    for (i = INT64_C(0); i < INT64_C(200); i += INT64_C(1))
+    {
+        canonical_value(&f_upper, &duration, upper, 0, v, a, w, b, high, top, t_top, ramp);
+        if (f_upper >= target)
+        {
+            p = bracketed_root(lower, upper, f_lower, f_upper, target, 0, v, a, w, b, high, top, t_top, ramp);
+            return p;
+        }
+        lower = upper;
+        f_lower = f_upper;
+        upper = 2.0 * upper;
+    }
+    return -1.0;
+}
+/*Parameter of the which-th canonical member (from 0) of a duration or distance, or -1.              */
+/*                                                                                                   */
+/*    Neither is monotone along the family: the duration falls and rises again where a first level   */
+/*    that takes long to come back from is traded for a shorter one, the distance while the velocity */
+/*    in between is negative. So the members are looked at one by one, up to nine times `scale`.     */
+/*                                                                                                   */
+static double member_search(int64_t which, bool by_time, double scale, double target, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
+{
+    int64_t found;
+    double previous;
+    double lower;
+    double f_lower;
+    double p;
+    int64_t i;
+    double value;
+    double duration;
+    double upper;
+    bool inside;
+    double result;
+    found = INT64_C(0);
+    previous = 0.0;
+    lower = -1.0;
+    f_lower = 0.0;
+    p = 0.0;
+    for (i = INT64_C(0); i < INT64_C(36); i += INT64_C(1))
+    {
+        p = scale * i * i / 144.0;
+        canonical_value(&value, &duration, p, by_time, v, a, w, b, high, top, t_top, ramp);
+        upper = p;
+        inside = duration >= 0.0;
+        if (inside && (lower < 0.0) && (i > INT64_C(0)))
+        {
+            lower = window_edge(INT64_C(24), p, previous, v, a, w, b, high, top, t_top, ramp);
+            canonical_value(&f_lower, &duration, lower, by_time, v, a, w, b, high, top, t_top, ramp);
+        }
+        if ((!inside) && (lower >= 0.0))
+        {
+            upper = window_edge(INT64_C(24), lower, p, v, a, w, b, high, top, t_top, ramp);
+            canonical_value(&value, &duration, upper, by_time, v, a, w, b, high, top, t_top, ramp);
+        }
+        if ((lower >= 0.0) && ((f_lower - target) * (value - target) <= 0.0) && (value != f_lower))
+        {
+            if ((found == which) && (value > f_lower))
+            {
+                result = bracketed_root(lower, upper, f_lower, value, target, by_time, v, a, w, b, high, top, t_top, ramp);
+                return result;
+            }
+            if (found == which)
+            {
+                result = bracketed_root(upper, lower, value, f_lower, target, by_time, v, a, w, b, high, top, t_top, ramp);
+                return result;
+            }
+            found = found + INT64_C(1);
+        }
+        lower = -1.0;
+        if (inside)
+        {
+            lower = p;
+            f_lower = value;
+            if ((i > INT64_C(12)) && (value > target))
+            {
+                return -1.0;
+            }
+        }
+        previous = p;
+    }
+    return -1.0;
+}
+/*The merged form on one of its four branches; the number of phases, -1 if it has none.              */
+/*                                                                                                   */
+/*    which < 0 takes the first member that covers the distance, which >= 0 the which-th one that    */
+/*    lasts `time` or, not by time but with it as the scale, covers the distance. Reversal exchanges */
+/*    the boundary states, mirroring their signs; together they reduce every branch to the canonical */
+/*    one, whose first level is at most `high`.                                                      */
+/*                                                                                                   */
+static int64_t merged_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double high, double top, array_double_1d ramp)
+{
+    double v1;
+    double a1;
+    double v2;
+    double a2;
+    double t_top;
+    double rise;
+    double slope;
+    double p;
+    double target;
+    double scale;
+    double duration;
+    double y;
+    double t1;
+    double hold1;
+    double level1;
+    double hold2;
+    double level2;
+    double t3;
+    int64_t count;
+    v1 = v;
+    a1 = a;
+    v2 = w;
+    a2 = b;
+    if (reverse)
+    {
+        v1 = w;
+        a1 = -b;
+        v2 = v;
+        a2 = -a;
+    }
+    if (mirror)
+    {
+        v1 = -v1;
+        a1 = -a1;
+        v2 = -v2;
+        a2 = -a2;
+        distance = -distance;
+    }
+    segfmu_ramp_duration(&t_top, &rise, &slope, a2 + top, ramp);
+    if (which < INT64_C(0))
+    {
+        p = canonical_search(distance, v1, a1, v2, a2, high, top, t_top, ramp);
+    }
+    else
+    {
+        target = distance;
+        if (by_time)
+        {
+            target = time;
+        }
+        scale = span_max(t_top, 0.1 * time);
+        p = member_search(which, by_time, scale, target, v1, a1, v2, a2, high, top, t_top, ramp);
+    }
+    if (p < 0.0)
+    {
+        return -INT64_C(1);
+    }
+    canonical_point(&duration, &y, &t1, &hold1, &level1, &hold2, &level2, &t3, p, v1, a1, v2, a2, high, top, t_top, ramp);
+    if (duration < 0.0)
+    {
+        return -INT64_C(1);
+    }
+    count = append_ramp(phases, INT64_C(0), a1, level1, t1, ramp);
+    count = append_hold(phases, count, level1, hold1);
+    count = append_change(phases, count, level1, level2, ramp);
+    count = append_hold(phases, count, level2, hold2);
+    count = append_ramp(phases, count, level2, a2, t3, ramp);
+    if (reverse)
+    {
+        reverse_phases(phases, INT64_C(0), count);
+    }
+    if (mirror)
+    {
+        mirror_phases(phases, count);
+    }
+    return count;
+}
+/*By how much the phases that start with velocity v pass the velocity limit, or less than 0. */
+static double velocity_excess(array_double_2d phases, int64_t count, double v, double within_0001, double limit, array_double_1d ramp)
+{
+    double duration;
+    double y;
+    double end;
+    double lowest;
+    double highest;
+    double result;
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, within_0001, ramp);
+    return span_max(highest, -lowest) - limit;
+}
+/*A first level whose member keeps the velocity limit, and one above it that does not.             */
+/*                                                                                                 */
+/*    Returns both and by how much they pass the limit less a billionth; -1 first if there is none.*/
+/*    Below some level there may be no member, or one that passes the limit on the other side.     */
+/*                                                                                                 */
+static int64_t level_within(double* result_0, double* result_1_0001, double* result_2_0001, double* result_3_0001, double outside, double e_outside, array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
+{
+    double rounding;
+    double margin;
+    double sign;
+    double without;
+    double inside;
+    int64_t i;
+    int64_t count;
+    double duration;
+    double y;
+    double end;
+    double lowest;
+    double highest;
+    double peak;
+    double other;
+    rounding = 1e-12 * velocity_limit;
+    margin = 1e-09 * velocity_limit;
+    sign = 1.0;
+    if (reverse != mirror)
+    {
+        sign = -1.0;
+    }
+    without = span_max(sign * a, span_max(sign * b, 0.001 * top));
+    inside = without;
+    for (i = INT64_C(0); i < INT64_C(24); i += INT64_C(1))
+    {
+        count = merged_form(phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, inside, top, ramp);
+        segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, span_max_int(count, INT64_C(0)), v, 0.0, ramp);
+        peak = highest;
+        other = -lowest;
+        if (mirror)
+        {
+            peak = -lowest;
+            other = highest;
+        }
+        if ((count <= INT64_C(0)) || (other > velocity_limit + rounding))
+        {
+            without = inside;
+        }
+        else if (peak > velocity_limit + rounding)
+        {
+            outside = inside;
+            e_outside = peak - velocity_limit + margin;
+        }
+        else
+        {
+            (*result_0) = inside;
+            (*result_1_0001) = outside;
+            (*result_2_0001) = span_max(peak, other) - velocity_limit + margin;
+            (*result_3_0001) = e_outside;
+            return 0;
+        }
+        if (without == outside)
+        {
+            break;
+        }
+        inside = 0.5 * (without + outside);
+    }
+    (*result_0) = -1.0;
+    (*result_1_0001) = outside;
+    (*result_2_0001) = 0.0;
+    (*result_3_0001) = e_outside;
+    return 0;
+}
+/*The highest first level that keeps the velocity limit less a billionth: a bracketed root.*/
+static double highest_within(double inside, double outside, double e_inside, double e_outside, array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
+{
+    double margin;
+    double before;
+    double e_before;
+    bool newest_inside;
+    bool constant;
+    bool probing;
+    int64_t steps;
+    double share;
+    double high;
+    int64_t count;
+    double error;
+    double result;
+    margin = 1e-09 * velocity_limit;
+    before = outside;
+    e_before = e_outside;
+    newest_inside = 1;
+    /*a boundary state can hold the excess near zero, whatever the level; then it only says whether*/
+    /*the limit is kept*/
+    constant = 0;
+    probing = 0;
+    steps = INT64_C(0);
+    while(steps < INT64_C(60))
+    {
+        steps = steps + INT64_C(1);
+        probing = 0;
+        if (constant)
+        {
+            e_inside = 0.0;
+            if (steps > INT64_C(24))
+            {
+                break;
+            }
+        }
+        else if (fabs(e_inside) <= margin)
+        {
+            probing = 1;
+        }
+        if (newest_inside)
+        {
+            share = root_share(inside, outside, before, e_inside, e_outside, e_before);
+        }
+        else
+        {
+            share = 1.0 - root_share(outside, inside, before, e_outside, e_inside, e_before);
+        }
+        if (probing)
+        {
+            share = 0.001;
+        }
+        high = inside + share * (outside - inside);
+        count = merged_form(phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, high, top, ramp);
+        error = 0.0;
+        if (count > INT64_C(0))
+        {
+            error = velocity_excess(phases, count, v, 0.0, velocity_limit, ramp) + margin;
+        }
+        if ((count > INT64_C(0)) && (error <= margin))
+        {
+            before = outside;
+            e_before = e_outside;
+            if (newest_inside)
+            {
+                before = inside;
+                e_before = e_inside;
+            }
+            inside = high;
+            e_inside = error;
+            newest_inside = 1;
+            constant = constant || probing;
+        }
+        else if (probing)
+        {
+            break;
+        }
+        else
+        {
+            before = inside;
+            e_before = e_inside;
+            if (!newest_inside)
+            {
+                before = outside;
+                e_before = e_outside;
+            }
+            outside = high;
+            e_outside = error;
+            newest_inside = 0;
+        }
+    }
+    return inside;
+}
+/*The merged form that keeps the velocity limit; the number of phases.                           */
+/*                                                                                               */
+/*    It is -1 where there is no merged form, 0 where none keeps the limit.                      */
+/*                                                                                               */
+/*    Between its levels the velocity has a peak. Where that passes the limit, the first level is*/
+/*    lowered, and held, until the peak is at the limit less a billionth.                        */
+/*                                                                                               */
+static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
+{
+    double rounding;
+    double margin;
+    double e_outside;
+    double outside;
+    int64_t i;
+    double level;
+    double inside;
+    double e_inside;
+    int64_t count;
+    count = merged_form(phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, top, top, ramp);
+    rounding = 1e-12 * velocity_limit;
+    margin = 1e-09 * velocity_limit;
+    if (count <= INT64_C(0))
+    {
+        return count;
+    }
+    e_outside = velocity_excess(phases, count, v, velocity_limit, velocity_limit, ramp) + margin;
+    if (e_outside <= margin + rounding)
+    {
+        return count;
+    }
+    outside = 0.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        level = (*cspan_at(&phases, i, INT64_C(2)));
+        if (reverse != mirror)
+        {
+            level = -level;
+        }
+        outside = span_max(outside, level);
+    }
+    level_within(&inside, &outside, &e_inside, &e_outside, outside, e_outside, phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, velocity_limit, top, ramp);
+    if (inside < 0.0)
+    {
+        return INT64_C(0);
+    }
+    inside = highest_within(inside, outside, e_inside, e_outside, phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, velocity_limit, top, ramp);
+    count = merged_form(phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, inside, top, ramp);
+    return count;
+}
+/*Duration of the phases if they meet the boundary within the velocity limit, else -1. */
+static double meets(array_double_2d phases, int64_t count, double v, double w, double distance, double limit, array_double_1d ramp)
+{
+    double most;
+    double y;
+    double end;
+    double lowest;
+    double highest;
+    double duration;
+    most = limit * (1.0 + 1e-12);
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, most, ramp);
+    if ((lowest < -most) || (highest > most))
+    {
+        return -1.0;
+    }
+    if (fabs(end - w) > 1e-12 * limit)
+    {
+        return -1.0;
+    }
+    if (fabs(y - distance) > 1e-12 * (fabs(distance) + limit * duration))
+    {
+        return -1.0;
+    }
+    return duration;
+}
+/*The shortest candidate between two boundary states taken as they are; 0 if none holds.       */
+/*                                                                                             */
+/*    The first attempt (0) is for the forms that nothing is shorter than; the second one takes*/
+/*    those that keep the velocity limit at some price.                                        */
+/*                                                                                             */
+static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_double_2d trial, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
+{
+    int64_t count;
+    int64_t side;
+    double cruise;
+    int64_t best;
+    double shortest;
+    int64_t branch;
+    bool reverse;
+    bool mirror;
+    double duration;
+    int64_t result;
+    if (attempt == INT64_C(0))
+    {
+        /*nothing is faster than one ramp: phase I.1 alone, where the points are consistent*/
+        count = append_change(phases, INT64_C(0), a, b, ramp);
+        if ((count > INT64_C(0)) && (fabs(v + 0.5 * (a + b) * (*cspan_at(&phases, INT64_C(0), INT64_C(0))) - w) <= 1e-13 * velocity_limit))
+        {
+            if (meets(phases, count, v, w, distance, velocity_limit, ramp) >= 0.0)
+            {
+                return count;
+            }
+        }
+        for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
+        {
+            cruise = velocity_limit * (INT64_C(1) - INT64_C(2) * side);
+            count = with_cruise(phases, cruise, v, a, w, b, distance, top, ramp);
+            if ((count > INT64_C(0)) && (meets(phases, count, v, w, distance, velocity_limit, ramp) >= 0.0))
+            {
+                return count;
+            }
+        }
+    }
+    best = INT64_C(0);
+    shortest = 0.0;
+    for (branch = INT64_C(0); branch < INT64_C(6) - attempt; branch += INT64_C(1))
+    {
+        reverse = (branch == INT64_C(1)) || (branch == INT64_C(2));
+        mirror = branch >= INT64_C(2);
+        if ((branch == INT64_C(4)) && (attempt == INT64_C(1)))
+        {
+            count = slower_cruise(trial, v, a, w, b, distance, velocity_limit, top, ramp);
+        }
+        else if (branch >= INT64_C(4))
+        {
+            count = direct_form(trial, branch == INT64_C(4), v, a, w, b, distance, velocity_limit, top, ramp);
+        }
+        else if (attempt == INT64_C(0))
+        {
+            count = merged_form(trial, reverse, mirror, -INT64_C(1), 0, 0.0, v, a, w, b, distance, top, top, ramp);
+        }
+        else
+        {
+            count = tempered_form(trial, reverse, mirror, -INT64_C(1), 0, 0.0, v, a, w, b, distance, velocity_limit, top, ramp);
+        }
+        if (count > INT64_C(0))
+        {
+            duration = meets(trial, count, v, w, distance, velocity_limit, ramp);
+            if ((duration >= 0.0) && ((best == INT64_C(0)) || (duration < shortest)))
+            {
+                copy_phases(trial, phases, count);
+                best = count;
+                shortest = duration;
+            }
+        }
+    }
+    return best;
+}
+/*Phases of the shortest profile from (v, a) over a distance to (w, b).                          */
+/*                                                                                               */
+/*    top is the acceleration limit; `phases` has 13 rows and `work` 26. Returns the number of   */
+/*    phases (0 when there is nothing to do), or -1 when bringing the first acceleration to zero */
+/*    passes the velocity limit, -2 when building up the last one does, -3 otherwise.            */
+/*                                                                                               */
+int64_t segfmu_shortest_profile(double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, array_double_2d work)
+{
+    array_double_2d trial;
+    array_double_2d found;
+    int64_t count;
+    int64_t best;
+    double shortest;
+    double t_top;
+    double rise;
+    double slope;
+    double usual;
+    int64_t variant;
+    int64_t taken;
+    double time;
+    double rest;
+    double v1;
+    double a1;
+    double w1;
+    double b1;
+    double duration;
+    int64_t result;
+    v = without_excess(v, velocity_limit);
+    w = without_excess(w, velocity_limit);
+    a = without_excess(a, top);
+    b = without_excess(b, top);
+    distance = without_dust(distance, velocity_limit * velocity_limit / top);
+    if ((distance == 0.0) && (v == w) && (a == b))
+    {
+        return INT64_C(0);
+    }
+    trial = span_rows(&work, INT64_C(0), INT64_C(13));
+    found = span_rows(&work, INT64_C(13), INT64_C(26));
+    count = shortest_between(INT64_C(0), phases, trial, v, a, w, b, distance, velocity_limit, top, ramp);
+    if (count > INT64_C(0))
+    {
+        return count;
+    }
+    best = INT64_C(0);
+    shortest = 0.0;
+    /*longer than a paper's form with cruise needs for the velocity changes and the distance*/
+    segfmu_ramp_duration(&t_top, &rise, &slope, top, ramp);
+    usual = 4.0 * (velocity_limit / top + t_top) + fabs(distance) / velocity_limit;
+    for (variant = INT64_C(1); variant < INT64_C(8); variant += INT64_C(1))
+    {
+        /*variants 0 to 3: braking none, the first, the last or both of the accelerations to zero;*/
+        /*4 to 7 the same with the second attempt, of which the last three are the way out*/
+        if ((variant > INT64_C(4)) && (best > INT64_C(0)) && (shortest <= usual))
+        {
+            break;
+        }
+        braked(&taken, &time, &rest, &v1, &a1, &w1, &b1, span_floor_mod(variant, INT64_C(4)), v, a, w, b, distance, velocity_limit, top, ramp, trial);
+        if (taken == -INT64_C(3))
+        {
+            continue;
+        }
+        if (taken < INT64_C(0))
+        {
+            return taken;
+        }
+        count = shortest_between(span_floor_div(variant, INT64_C(4)), found, trial, v1, a1, w1, b1, rest, velocity_limit, top, ramp);
+        if ((count == INT64_C(0)) && (!((rest == 0.0) && (v1 == w1) && (a1 == 0.0) && (b1 == 0.0))))
+        {
+            continue;
+        }
+        count = surround(found, count, span_floor_mod(variant, INT64_C(2)) == INT64_C(1), v, a, span_floor_mod(variant, INT64_C(4)) >= INT64_C(2), w, b, velocity_limit, top, ramp, trial);
+        duration = meets(found, count, v, w, distance, velocity_limit, ramp);
+        if ((duration >= 0.0) && ((best == INT64_C(0)) || (duration < shortest)))
+        {
+            copy_phases(found, phases, count);
+            best = count;
+            shortest = duration;
+        }
+    }
+    if (best == INT64_C(0))
+    {
+        return -INT64_C(3);
+    }
+    return best;
+}
+/*Sort a duration later than `after` into the first column of ends; the latest falls out.*/
+static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends)
+{
+    int64_t place;
+    int64_t j;
+    int64_t i;
+    int64_t result;
+    if (duration <= after)
+    {
+        return count;
+    }
+    place = count;
+    while((place > INT64_C(0)) && ((*cspan_at(&ends, place - INT64_C(1), INT64_C(0))) > duration))
+    {
+        place = place - INT64_C(1);
+    }
+    if ((place > INT64_C(0)) && (duration - (*cspan_at(&ends, place - INT64_C(1), INT64_C(0))) <= 1e-10 * duration))
+    {
+        return count;
+    }
+    count = span_min_int(count + INT64_C(1), ends.shape[INT64_C(0)]);
+    for (j = INT64_C(0); j < count - INT64_C(1) - place; j += INT64_C(1))
+    {
+        i = count - INT64_C(1) - j;
+        (*cspan_at(&ends, i, INT64_C(0))) = (*cspan_at(&ends, i - INT64_C(1), INT64_C(0)));
+    }
+    if (place < count)
+    {
+        (*cspan_at(&ends, place, INT64_C(0))) = duration;
+    }
+    return count;
+}
+/*Duration of the paper's form, if `covering` with the cruise that it takes to the distance. */
+/*                                                                                           */
+/*    1e300 where there is no such form.                                                     */
+/*                                                                                           */
+static double cruise_time(double cruise, bool covering, double v, double a, double w, double b, double distance, double top, array_double_1d ramp, array_double_2d phases)
+{
+    int64_t count;
+    int64_t row;
+    double y;
+    double duration;
+    cruise_form(&count, &row, &duration, &y, phases, cruise, v, a, w, b, top, ramp);
+    if ((count < INT64_C(0)) || (covering && ((distance - y) * cruise <= 0.0)))
+    {
+        return 1e+300;
+    }
+    if (covering)
+    {
+        duration = duration + (distance - y) / cruise;
+    }
+    return duration;
+}
+/*The least `cruise_time` between two cruise velocities, by golden section.*/
+static double turning_time(double lower, double upper, bool covering, double v, double a, double w, double b, double distance, double top, array_double_1d ramp, array_double_2d phases)
+{
+    double shrink;
+    double p;
+    double q;
+    double t_p;
+    double t_q;
+    int64_t i;
+    double result;
+    shrink = 0.6180339887498949;
+    p = upper - shrink * (upper - lower);
+    q = lower + shrink * (upper - lower);
+    t_p = cruise_time(p, covering, v, a, w, b, distance, top, ramp, phases);
+    t_q = cruise_time(q, covering, v, a, w, b, distance, top, ramp, phases);
+    for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
+    {
+        if (t_p <= t_q)
+        {
+            upper = q;
+            q = p;
+            t_q = t_p;
+            p = upper - shrink * (upper - lower);
+            t_p = cruise_time(p, covering, v, a, w, b, distance, top, ramp, phases);
+        }
+        else
+        {
+            lower = p;
+            p = q;
+            t_p = t_q;
+            q = lower + shrink * (upper - lower);
+            t_q = cruise_time(q, covering, v, a, w, b, distance, top, ramp, phases);
+        }
+    }
+    return span_min(t_p, t_q);
+}
+/*Insert the durations at which the paper's form turns, over all cruise velocities.*/
+static int64_t turning_ends(bool covering, double spent, double after, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, int64_t count, array_double_2d ends)
+{
+    int64_t samples;
+    double first;
+    double second;
+    int64_t i;
+    double third;
+    double cruise;
+    double lower;
+    double upper;
+    double turn;
+    int64_t result;
+    samples = INT64_C(24);
+    first = 1e+300;
+    second = 1e+300;
+    for (i = INT64_C(0); i < samples + INT64_C(2); i += INT64_C(1))
+    {
+        third = 1e+300;
+        if (i <= samples)
+        {
+            cruise = velocity_limit * (2.0 * i / samples - 1.0);
+            third = cruise_time(cruise, covering, v, a, w, b, distance, top, ramp, phases);
+        }
+        if ((second < 1e+300) && (first >= second) && (third >= second))
+        {
+            lower = velocity_limit * span_max(2.0 * (i - INT64_C(2)) / samples - 1.0, -1.0);
+            upper = velocity_limit * span_min(2.0 * i / samples - 1.0, 1.0);
+            turn = turning_time(lower, upper, covering, v, a, w, b, distance, top, ramp, phases);
+            count = insert_end(spent + span_min(turn, second), after, count, ends);
+        }
+        first = second;
+        second = third;
+    }
+    return count;
+}
+/*Insert the durations of all candidates of the shortest profile that cover the distance.*/
+static int64_t covering_ends(double spent, double after, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, int64_t found, array_double_2d ends)
+{
+    double t_top;
+    double rise;
+    double slope;
+    double usual;
+    int64_t skipped;
+    int64_t form;
+    int64_t branch;
+    int64_t count;
+    double cruise;
+    double duration;
+    int64_t result;
+    segfmu_ramp_duration(&t_top, &rise, &slope, top, ramp);
+    usual = 4.0 * (velocity_limit / top + t_top) + fabs(distance) / velocity_limit;
+    skipped = -INT64_C(1);
+    for (form = INT64_C(0); form < INT64_C(21); form += INT64_C(1))
+    {
+        branch = span_floor_div((form - INT64_C(5)), INT64_C(4));
+        if ((form >= INT64_C(5)) && (branch == skipped))
+        {
+            continue;
+        }
+        if (form == INT64_C(0))
+        {
+            count = slower_cruise(phases, v, a, w, b, distance, velocity_limit, top, ramp);
+        }
+        else if (form < INT64_C(3))
+        {
+            cruise = velocity_limit * (INT64_C(3) - INT64_C(2) * form);
+            count = with_cruise(phases, cruise, v, a, w, b, distance, top, ramp);
+        }
+        else if (form < INT64_C(5))
+        {
+            count = direct_form(phases, form == INT64_C(3), v, a, w, b, distance, velocity_limit, top, ramp);
+        }
+        else
+        {
+            count = tempered_form(phases, (branch == INT64_C(1)) || (branch == INT64_C(2)), branch >= INT64_C(2), span_floor_mod((form - INT64_C(5)), INT64_C(4)), 0, usual, v, a, w, b, distance, velocity_limit, top, ramp);
+            if (count < INT64_C(0))
+            {
+                skipped = branch;
+            }
+        }
+        if (count > INT64_C(0))
+        {
+            duration = meets(phases, count, v, w, distance, velocity_limit, ramp);
+            if (duration >= 0.0)
+            {
+                found = insert_end(spent + duration, after, found, ends);
+            }
+        }
+    }
+    return found;
+}
+/*Write the earliest durations after a given one at which a gap can end; their number.     */
+/*                                                                                         */
+/*    They come in rising order, in the first column of `ends`, as many as it has rows for.*/
+/*                                                                                         */
+static int64_t gap_ends(double after, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, array_double_2d ends)
+{
+    int64_t variant;
+    int64_t taken;
+    double spent;
+    double rest;
+    double v1;
+    double a1;
+    double w1;
+    double b1;
+    int64_t kind;
+    int64_t count;
+    count = INT64_C(0);
+    for (variant = INT64_C(0); variant < INT64_C(4); variant += INT64_C(1))
+    {
+        braked(&taken, &spent, &rest, &v1, &a1, &w1, &b1, variant, v, a, w, b, distance, velocity_limit, top, ramp, phases);
+        if (taken < INT64_C(0))
+        {
+            continue;
+        }
+        count = covering_ends(spent, after, v1, a1, w1, b1, rest, velocity_limit, top, ramp, phases, count, ends);
+        for (kind = INT64_C(0); kind < INT64_C(2); kind += INT64_C(1))
+        {
+            count = turning_ends(kind == INT64_C(1), spent, after, v1, a1, w1, b1, rest, velocity_limit, top, ramp, phases, count, ends);
+        }
+    }
+    return count;
+}
+/*The paper's form with the cruise that makes it last `target`.                            */
+/*                                                                                         */
+/*    Returns the number of phases, the distance, and the duration of the cruise, which is */
+/*    negative where the form takes longer; the number is -1 where it does not exist.      */
+/*                                                                                         */
+static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, double target, double v, double a, double w, double b, double top, array_double_1d ramp)
+{
+    int64_t count;
+    int64_t row;
+    double duration;
+    double y;
+    double hold;
+    cruise_form(&count, &row, &duration, &y, phases, cruise, v, a, w, b, top, ramp);
+    if (count < INT64_C(0))
+    {
+        (*result_0) = -INT64_C(1);
+        (*result_1_0001) = 0.0;
+        (*result_2) = -1.0;
+        return 0;
+    }
+    hold = target - duration;
+    count = insert_hold(phases, count, row, 0.0, hold);
+    (*result_0) = count;
+    (*result_1_0001) = y + cruise * hold;
+    (*result_2) = hold;
+    return 0;
+}
+/*A cruise velocity that leaves a cruise and, if there is one, passes the distance.                  */
+/*                                                                                                   */
+/*    The cruise velocity `middle` leaves a cruise and covers y; from there the search goes to the   */
+/*    velocity limit on the side of the distance. Without such a velocity, the last one that leaves a*/
+/*    cruise is returned.                                                                            */
+/*                                                                                                   */
+static double cruise_range(array_double_2d phases, double middle, double y, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
+{
+    double outside;
+    double trial;
+    int64_t i;
+    int64_t count;
+    double y_trial;
+    double hold;
+    double inside;
+    outside = velocity_limit;
+    if (y > distance)
+    {
+        outside = -velocity_limit;
+    }
+    inside = middle;
+    trial = outside;
+    for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
+    {
+        timed_cruise(&count, &y_trial, &hold, phases, trial, target, v, a, w, b, top, ramp);
+        if ((count >= INT64_C(0)) && (hold >= 0.0))
+        {
+            inside = trial;
+            if ((i == INT64_C(0)) || ((y_trial - distance) * (y - distance) <= 0.0))
+            {
+                break;
+            }
+        }
+        else
+        {
+            outside = trial;
+        }
+        trial = 0.5 * (inside + outside);
+        if ((trial == inside) || (trial == outside))
+        {
+            break;
+        }
+    }
+    return inside;
+}
+/*Keep a profile that lasts `target` if it is the nearest one below or above the distance. */
+/*                                                                                         */
+/*    found = number of phases below, their distance, number above, their distance.        */
+/*                                                                                         */
+static void keep_nearest(array_double_2d trial, int64_t count, double target, double v, double w, double distance, double velocity_limit, array_double_1d found, array_double_2d below, array_double_2d above, array_double_1d ramp)
+{
+    double most;
+    double duration;
+    double y;
+    double end;
+    double lowest;
+    double highest;
+    if (count <= INT64_C(0))
+    {
+        return;
+    }
+    most = velocity_limit * (1.0 + 1e-12);
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, trial, count, v, most, ramp);
+    if ((lowest < -most) || (highest > most))
+    {
+        return;
+    }
+    if ((fabs(duration - target) > 3e-11 * target) || (fabs(end - w) > 1e-11 * velocity_limit))
+    {
+        return;
+    }
+    if ((y <= distance) && (((*cspan_at(&found, INT64_C(0))) == 0.0) || (y > (*cspan_at(&found, INT64_C(1))))))
+    {
+        copy_phases(trial, below, count);
+        (*cspan_at(&found, INT64_C(0))) = count;
+        (*cspan_at(&found, INT64_C(1))) = y;
+    }
+    if ((y >= distance) && (((*cspan_at(&found, INT64_C(2))) == 0.0) || (y < (*cspan_at(&found, INT64_C(3))))))
+    {
+        copy_phases(trial, above, count);
+        (*cspan_at(&found, INT64_C(2))) = count;
+        (*cspan_at(&found, INT64_C(3))) = y;
+    }
+}
+/*Close in on the cruise velocity that covers the distance.*/
+static void between_cruises(double lower, double y_lower, double upper, double y_upper, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial)
+{
+    double newest;
+    double other;
+    double before;
+    double e_newest;
+    double e_other;
+    double e_before;
+    double rounding;
+    int64_t i;
+    double share;
+    double cruise;
+    int64_t count;
+    double y;
+    double hold;
+    double error;
+    newest = upper;
+    other = lower;
+    before = lower;
+    e_newest = y_upper - distance;
+    e_other = y_lower - distance;
+    e_before = e_other;
+    rounding = 2e-15 * (fabs(distance) + (fabs(v) + fabs(w)) * target);
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
+    {
+        if ((e_newest == 0.0) || (e_other == 0.0))
+        {
+            return;
+        }
+        share = root_share(newest, other, before, e_newest, e_other, e_before);
+        cruise = newest + share * (other - newest);
+        if ((cruise == newest) || (cruise == other))
+        {
+            return;
+        }
+        timed_cruise(&count, &y, &hold, trial, cruise, target, v, a, w, b, top, ramp);
+        keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
+        error = y - distance;
+        if (fabs(error) <= rounding)
+        {
+            return;
+        }
+        before = newest;
+        e_before = e_newest;
+        if (error * e_newest < 0.0)
+        {
+            before = other;
+            e_before = e_other;
+            other = newest;
+            e_other = e_newest;
+        }
+        newest = cruise;
+        e_newest = error;
+    }
+}
+/*Bisect between a velocity that leaves a cruise and one that does not.*/
+static double cruise_edge(double inside, double outside, array_double_2d phases, double target, double v, double a, double w, double b, double top, array_double_1d ramp)
+{
+    int64_t i;
+    double trial;
+    int64_t count;
+    double y;
+    double hold;
+    double result;
+    for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
+    {
+        trial = 0.5 * (inside + outside);
+        timed_cruise(&count, &y, &hold, phases, trial, target, v, a, w, b, top, ramp);
+        if ((count >= INT64_C(0)) && (hold >= 0.0))
+        {
+            inside = trial;
+        }
+        else
+        {
+            outside = trial;
+        }
+    }
+    return inside;
+}
+/*Nearest profiles with a cruise, looked for over all cruise velocities. */
+/*                                                                       */
+/*    Those that leave a cruise can form several windows.                */
+/*                                                                       */
+static void scan_cruises(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial)
+{
+    int64_t samples;
+    bool inside;
+    double before;
+    int64_t i;
+    double cruise;
+    int64_t count;
+    double y;
+    double hold;
+    bool fits;
+    double lower;
+    double upper;
+    double y_lower;
+    double y_upper;
+    samples = INT64_C(24);
+    inside = 0;
+    before = 0.0;
+    for (i = INT64_C(0); i < samples + INT64_C(1); i += INT64_C(1))
+    {
+        cruise = velocity_limit * (2.0 * i / samples - 1.0);
+        timed_cruise(&count, &y, &hold, trial, cruise, target, v, a, w, b, top, ramp);
+        fits = (count >= INT64_C(0)) && (hold >= 0.0);
+        if ((i > INT64_C(0)) && (inside || fits))
+        {
+            lower = before;
+            upper = cruise;
+            if (!inside)
+            {
+                lower = cruise_edge(cruise, before, trial, target, v, a, w, b, top, ramp);
+            }
+            if (!fits)
+            {
+                upper = cruise_edge(before, cruise, trial, target, v, a, w, b, top, ramp);
+            }
+            timed_cruise(&count, &y_lower, &hold, trial, lower, target, v, a, w, b, top, ramp);
+            keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
+            timed_cruise(&count, &y_upper, &hold, trial, upper, target, v, a, w, b, top, ramp);
+            keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
+            if ((y_lower - distance) * (y_upper - distance) <= 0.0)
+            {
+                between_cruises(lower, y_lower, upper, y_upper, target, v, a, w, b, distance, velocity_limit, top, ramp, found, below, above, trial);
+            }
+            if (((*cspan_at(&found, INT64_C(0))) > 0.0) && ((*cspan_at(&found, INT64_C(2))) > 0.0))
+            {
+                return;
+            }
+        }
+        inside = fits;
+        before = cruise;
+    }
+}
+/*Stretch phases that begin and end at rest in time; the distance stays (section 3.2). */
+static void stretch_phases(array_double_2d phases, int64_t count, double factor)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&phases, i, INT64_C(0))) = (*cspan_at(&phases, i, INT64_C(0))) * factor;
+        (*cspan_at(&phases, i, INT64_C(1))) = (*cspan_at(&phases, i, INT64_C(1))) * factor;
+        (*cspan_at(&phases, i, INT64_C(2))) = (*cspan_at(&phases, i, INT64_C(2))) / (factor * factor);
+        (*cspan_at(&phases, i, INT64_C(3))) = (*cspan_at(&phases, i, INT64_C(3))) / (factor * factor);
+    }
+}
+/*Remove the rounding error of the total duration, which two averaged profiles must share. */
+static void fit_duration(array_double_2d phases, int64_t count, double target)
+{
+    double total;
+    int64_t i;
+    total = 0.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        total = total + (*cspan_at(&phases, i, INT64_C(0)));
+    }
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&phases, i, INT64_C(0))) = (*cspan_at(&phases, i, INT64_C(0))) * (target / total);
+        (*cspan_at(&phases, i, INT64_C(1))) = (*cspan_at(&phases, i, INT64_C(1))) * (target / total);
+    }
+}
+/*Nearest profiles below and above the distance, from boundary states taken as they are. */
+static void timed_between(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial)
+{
+    double middle;
+    int64_t count;
+    double y;
+    double hold;
+    double edge;
+    double y_edge;
+    int64_t branch;
+    bool reverse;
+    bool mirror;
+    int64_t which;
+    middle = span_min(span_max(distance / target, span_min(v, w)), span_max(v, w));
+    timed_cruise(&count, &y, &hold, trial, middle, target, v, a, w, b, top, ramp);
+    if ((count >= INT64_C(0)) && (hold >= 0.0))
+    {
+        keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
+        edge = cruise_range(trial, middle, y, target, v, a, w, b, distance, velocity_limit, top, ramp);
+        timed_cruise(&count, &y_edge, &hold, trial, edge, target, v, a, w, b, top, ramp);
+        keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
+        if (((*cspan_at(&found, INT64_C(0))) > 0.0) && ((*cspan_at(&found, INT64_C(2))) > 0.0))
+        {
+            between_cruises(middle, y, edge, y_edge, target, v, a, w, b, distance, velocity_limit, top, ramp, found, below, above, trial);
+            return;
+        }
+    }
+    scan_cruises(target, v, a, w, b, distance, velocity_limit, top, ramp, found, below, above, trial);
+    if (((*cspan_at(&found, INT64_C(0))) > 0.0) && ((*cspan_at(&found, INT64_C(2))) > 0.0))
+    {
+        return;
+    }
+    for (branch = INT64_C(0); branch < INT64_C(4); branch += INT64_C(1))
+    {
+        reverse = (branch == INT64_C(1)) || (branch == INT64_C(2));
+        mirror = branch >= INT64_C(2);
+        for (which = INT64_C(0); which < INT64_C(2); which += INT64_C(1))
+        {
+            count = tempered_form(trial, reverse, mirror, which, 1, target, v, a, w, b, distance, velocity_limit, top, ramp);
+            if (count < INT64_C(0))
+            {
+                break;
+            }
+            keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
+        }
+    }
+}
+/*Profiles that last `target`; returns the weight of `above`, or -1 if none is feasible.         */
+/*                                                                                               */
+/*    The motion is (1 - weight) * below + weight * above; found[0] and found[2] are the numbers */
+/*    of phases of the two (13 rows each).                                                       */
+/*                                                                                               */
+double segfmu_timed_profile(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial)
+{
+    int64_t variant;
+    int64_t taken;
+    double spent;
+    double rest;
+    double v1;
+    double a1;
+    double w1;
+    double b1;
+    double time;
+    bool brake_start;
+    bool brake_end;
+    double span;
+    double tiny;
+    double weight;
+    v = without_excess(v, velocity_limit);
+    w = without_excess(w, velocity_limit);
+    a = without_excess(a, top);
+    b = without_excess(b, top);
+    distance = without_dust(distance, velocity_limit * velocity_limit / top);
+    for (variant = INT64_C(0); variant < INT64_C(4); variant += INT64_C(1))
+    {
+        braked(&taken, &spent, &rest, &v1, &a1, &w1, &b1, variant, v, a, w, b, distance, velocity_limit, top, ramp, trial);
+        if (taken == -INT64_C(3))
+        {
+            continue;
+        }
+        if (taken < INT64_C(0))
+        {
+            return -1.0;
+        }
+        time = target - spent;
+        if (time <= 0.0)
+        {
+            continue;
+        }
+        brake_start = span_floor_mod(variant, INT64_C(2)) == INT64_C(1);
+        brake_end = variant >= INT64_C(2);
+        (*cspan_at(&found, INT64_C(0))) = 0.0;
+        (*cspan_at(&found, INT64_C(2))) = 0.0;
+        timed_between(time, v1, a1, w1, b1, rest, velocity_limit, top, ramp, found, below, above, trial);
+        if (((*cspan_at(&found, INT64_C(0))) > 0.0) && ((*cspan_at(&found, INT64_C(2))) > 0.0))
+        {
+            span = (*cspan_at(&found, INT64_C(3))) - (*cspan_at(&found, INT64_C(1)));
+            weight = 0.0;
+            /*one profile is enough when it misses the distance by no more than rounding*/
+            tiny = 1e-14 * (fabs(rest) + velocity_limit * time);
+            if ((*cspan_at(&found, INT64_C(3))) - rest <= tiny)
+            {
+                weight = 1.0;
+            }
+            if ((rest - (*cspan_at(&found, INT64_C(1))) > tiny) && (weight < 1.0))
+            {
+                weight = (rest - (*cspan_at(&found, INT64_C(1)))) / span;
+            }
+            (*cspan_at(&found, INT64_C(0))) = surround(below, (int64_t)((*cspan_at(&found, INT64_C(0)))), brake_start, v, a, brake_end, w, b, velocity_limit, top, ramp, trial);
+            (*cspan_at(&found, INT64_C(2))) = surround(above, (int64_t)((*cspan_at(&found, INT64_C(2)))), brake_start, v, a, brake_end, w, b, velocity_limit, top, ramp, trial);
+            fit_duration(below, (int64_t)((*cspan_at(&found, INT64_C(0)))), target);
+            fit_duration(above, (int64_t)((*cspan_at(&found, INT64_C(2)))), target);
+            return weight;
+        }
+    }
+    return -1.0;
+}
+/*Write the shortest profile of one axis in one interval; returns status and duration. */
+static int64_t set_shortest(int64_t* result_0, double* result_1, int64_t interval, int64_t axis, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d trial)
+{
+    int64_t cell;
+    double v;
+    double distance;
+    int64_t count;
+    double duration;
+    double y;
+    double end;
+    double lowest;
+    double highest;
+    cell = interval * limits.shape[INT64_C(0)] + axis;
+    v = (*cspan_at(&velocities, interval, axis));
+    distance = (*cspan_at(&positions, interval + INT64_C(1), axis)) - (*cspan_at(&positions, interval, axis));
+    count = segfmu_shortest_profile(v, (*cspan_at(&accelerations, interval, axis)), (*cspan_at(&velocities, interval + INT64_C(1), axis)), (*cspan_at(&accelerations, interval + INT64_C(1), axis)), distance, (*cspan_at(&limits, axis, INT64_C(0))), (*cspan_at(&limits, axis, INT64_C(1))), span_row(&ramps, axis), span_matrix(&phases, INT64_C(2) * cell), trial);
+    (*cspan_at(&counts, INT64_C(2) * cell)) = span_max_int(count, INT64_C(0));
+    (*cspan_at(&counts, INT64_C(2) * cell + INT64_C(1))) = INT64_C(0);
+    (*cspan_at(&weights, cell)) = 0.0;
+    if (count < INT64_C(0))
+    {
+        (*result_0) = count;
+        (*result_1) = 0.0;
+        return 0;
+    }
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, span_matrix(&phases, INT64_C(2) * cell), count, v, 1e+300, span_row(&ramps, axis));
+    (*result_0) = INT64_C(0);
+    (*result_1) = duration;
+    return 0;
+}
+/*Write a profile of the given duration; False when that duration is not feasible. */
+static bool set_duration(int64_t interval, int64_t axis, double target, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial)
+{
+    int64_t cell;
+    double v;
+    double a;
+    double w;
+    double b;
+    double distance;
+    double speed;
+    bool resting;
+    double duration;
+    int64_t i;
+    int64_t status;
+    double weight;
+    bool result;
+    cell = interval * limits.shape[INT64_C(0)] + axis;
+    v = (*cspan_at(&velocities, interval, axis));
+    a = (*cspan_at(&accelerations, interval, axis));
+    w = (*cspan_at(&velocities, interval + INT64_C(1), axis));
+    b = (*cspan_at(&accelerations, interval + INT64_C(1), axis));
+    distance = (*cspan_at(&positions, interval + INT64_C(1), axis)) - (*cspan_at(&positions, interval, axis));
+    if (target < shortest * (1.0 - 1e-13))
+    {
+        return 0;
+    }
+    speed = without_dust(fabs(v) + fabs(w), (*cspan_at(&limits, axis, INT64_C(0))));
+    resting = (speed == 0.0) && (without_dust(fabs(a) + fabs(b), (*cspan_at(&limits, axis, INT64_C(1)))) == 0.0);
+    if (resting || (target <= shortest * (1.0 + 1e-13)))
+    {
+        /*the shortest profile may still be there, from the first step of planning*/
+        duration = 0.0;
+        if ((*cspan_at(&counts, INT64_C(2) * cell + INT64_C(1))) == INT64_C(0))
+        {
+            for (i = INT64_C(0); i < (*cspan_at(&counts, INT64_C(2) * cell)); i += INT64_C(1))
+            {
+                duration = duration + (*cspan_at(&phases, INT64_C(2) * cell, i, INT64_C(0)));
+            }
+        }
+        if ((duration == 0.0) || (fabs(duration - shortest) > 1e-13 * shortest))
+        {
+            set_shortest(&status, &duration, interval, axis, positions, velocities, accelerations, limits, ramps, phases, counts, weights, trial);
+        }
+        if (resting && ((*cspan_at(&counts, INT64_C(2) * cell)) == INT64_C(0)))
+        {
+            (*cspan_at(&counts, INT64_C(2) * cell)) = append_hold(span_matrix(&phases, INT64_C(2) * cell), INT64_C(0), 0.0, target);
+        }
+        else if (resting)
+        {
+            stretch_phases(span_matrix(&phases, INT64_C(2) * cell), (*cspan_at(&counts, INT64_C(2) * cell)), target / duration);
+        }
+        return 1;
+    }
+    weight = segfmu_timed_profile(target, v, a, w, b, distance, (*cspan_at(&limits, axis, INT64_C(0))), (*cspan_at(&limits, axis, INT64_C(1))), span_row(&ramps, axis), found, span_matrix(&phases, INT64_C(2) * cell), span_matrix(&phases, INT64_C(2) * cell + INT64_C(1)), trial);
+    if (weight < 0.0)
+    {
+        return 0;
+    }
+    (*cspan_at(&weights, cell)) = weight;
+    (*cspan_at(&counts, INT64_C(2) * cell)) = (int64_t)((*cspan_at(&found, INT64_C(0))));
+    (*cspan_at(&counts, INT64_C(2) * cell + INT64_C(1))) = (int64_t)((*cspan_at(&found, INT64_C(2))));
+    return 1;
+}
+/*The first feasible duration between an infeasible and a feasible one, to 4e-9 of it. */
+static double first_feasible(double outside, double inside, int64_t interval, int64_t axis, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial)
+{
+    double duration;
+    int64_t i;
+    double result;
+    duration = inside * (1.0 - 3e-09);
+    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    {
+        if ((duration <= outside) || (inside - outside <= 4e-09 * inside))
+        {
+            break;
+        }
+        if (set_duration(interval, axis, duration, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial))
+        {
+            inside = duration;
+        }
+        else
+        {
+            outside = duration;
+        }
+        duration = 0.5 * (outside + inside);
+    }
+    return inside;
+}
+/*The end of the gap that holds the infeasible duration `start`; -1 if none is found.                  */
+/*                                                                                                     */
+/*    The durations at which gaps can end are tried one after the other. Should a duration just before */
+/*    one of them be feasible as well, or none of them, the end is searched for.                       */
+/*                                                                                                     */
+static double next_feasible(int64_t interval, int64_t axis, double start, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial)
+{
+    double after;
+    array_double_2d ends;
+    int64_t sweep;
+    int64_t count;
+    int64_t i;
+    double duration;
+    double growth;
+    double result;
+    after = start;
+    ends = span_rows(&trial, INT64_C(26), INT64_C(42));
+    for (sweep = INT64_C(0); sweep < INT64_C(8); sweep += INT64_C(1))
+    {
+        count = gap_ends(after, (*cspan_at(&velocities, interval, axis)), (*cspan_at(&accelerations, interval, axis)), (*cspan_at(&velocities, interval + INT64_C(1), axis)), (*cspan_at(&accelerations, interval + INT64_C(1), axis)), (*cspan_at(&positions, interval + INT64_C(1), axis)) - (*cspan_at(&positions, interval, axis)), (*cspan_at(&limits, axis, INT64_C(0))), (*cspan_at(&limits, axis, INT64_C(1))), span_row(&ramps, axis), trial, ends);
+        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        {
+            duration = (*cspan_at(&ends, i, INT64_C(0))) * (1.0 + 1e-09);
+            if (set_duration(interval, axis, duration, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial))
+            {
+                result = first_feasible(after, duration, interval, axis, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial);
+                return result;
+            }
+            after = duration;
+        }
+        if (count < INT64_C(16))
+        {
+            break;
+        }
+    }
+    growth = 1.005;
+    for (i = INT64_C(0); i < INT64_C(600); i += INT64_C(1))
+    {
+        duration = after * growth;
+        if (set_duration(interval, axis, duration, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial))
+        {
+            result = first_feasible(after, duration, interval, axis, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial);
+            return result;
+        }
+        after = duration;
+        if (i > INT64_C(230))
+        {
+            growth = 1.02;
+        }
+        if (i > INT64_C(350))
+        {
+            growth = 1.1;
+        }
+    }
+    return -1.0;
+}
+/*The next multiple of the sample time, or the duration itself if there is none. */
+static double round_up(double duration, double sample_time)
+{
+    double result;
+    if (sample_time <= 0.0)
+    {
+        return duration;
+    }
+    return (int64_t)ceil(duration / sample_time - 1e-09) * sample_time;
+}
+/*The shortest duration >= start that the axes first .. last - 1 all meet; -1 if none. */
+/*                                                                                     */
+/*    Their profiles of that duration are written.                                     */
+/*                                                                                     */
+static double common_duration(int64_t interval, int64_t first, int64_t last, double start, double sample_time, array_double_2d shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial)
+{
+    int64_t axis;
+    int64_t agreed;
+    int64_t i;
+    double duration;
+    duration = start;
+    for (axis = first; axis < last; axis += INT64_C(1))
+    {
+        duration = span_max(duration, (*cspan_at(&shortest, interval, axis)));
+    }
+    duration = round_up(duration, sample_time);
+    axis = first;
+    agreed = INT64_C(0);
+    for (i = INT64_C(0); i < INT64_C(100000); i += INT64_C(1))
+    {
+        if (agreed == last - first)
+        {
+            return duration;
+        }
+        if (set_duration(interval, axis, duration, (*cspan_at(&shortest, interval, axis)), positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial))
+        {
+            agreed = agreed + INT64_C(1);
+        }
+        else
+        {
+            duration = next_feasible(interval, axis, duration, (*cspan_at(&shortest, interval, axis)), positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial);
+            if (duration < 0.0)
+            {
+                return -1.0;
+            }
+            duration = round_up(duration, sample_time);
+            agreed = INT64_C(0);
+        }
+        axis = axis + INT64_C(1);
+        if (axis == last)
+        {
+            axis = first;
+        }
+    }
+    return -1.0;
+}
+/*Status 7, 8 or 10 (negative) when a waypoint breaks a limit or dwells while moving.*/
+static int64_t check_waypoints(array_double_2d velocities, array_double_2d accelerations, array_double_1d dwells, array_double_2d limits, array_double_1d report)
+{
+    int64_t j;
+    int64_t axis;
+    bool moving;
+    int64_t result;
+    for (j = INT64_C(0); j < velocities.shape[INT64_C(0)]; j += INT64_C(1))
+    {
+        for (axis = INT64_C(0); axis < limits.shape[INT64_C(0)]; axis += INT64_C(1))
+        {
+            (*cspan_at(&report, INT64_C(0))) = axis;
+            (*cspan_at(&report, INT64_C(1))) = j;
+            (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&velocities, j, axis));
+            (*cspan_at(&report, INT64_C(3))) = (*cspan_at(&limits, axis, INT64_C(0)));
+            if (fabs((*cspan_at(&velocities, j, axis))) > (*cspan_at(&limits, axis, INT64_C(0))) * (1.0 + 1e-12))
+            {
+                return -INT64_C(7);
+            }
+            moving = ((*cspan_at(&velocities, j, axis)) != 0.0) || ((*cspan_at(&accelerations, j, axis)) != 0.0);
+            if (((*cspan_at(&dwells, j)) > 0.0) && moving)
+            {
+                return -INT64_C(10);
+            }
+            (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&accelerations, j, axis));
+            (*cspan_at(&report, INT64_C(3))) = (*cspan_at(&limits, axis, INT64_C(1)));
+            if (fabs((*cspan_at(&accelerations, j, axis))) > (*cspan_at(&limits, axis, INT64_C(1))) * (1.0 + 1e-12))
+            {
+                return -INT64_C(8);
+            }
+        }
+    }
+    return INT64_C(0);
+}
+/*Prolong the intervals of some axes, in proportion, until their sum is `target`.                      */
+/*                                                                                                     */
+/*    Intervals that take no time share it equally. An interval whose share lies in a gap jumps to the */
+/*    end of the gap when there is time for it, and else keeps its duration. False when time is left   */
+/*    that no interval takes.                                                                          */
+/*                                                                                                     */
+static bool distribute(int64_t first, int64_t last, double target, array_double_2d shortest, array_double_2d durations, array_int64_t_1d active, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial)
+{
+    int64_t intervals;
+    int64_t j;
+    int64_t sweep;
+    double base;
+    int64_t open_intervals;
+    double rest;
+    double factor;
+    double extra;
+    double wished;
+    double reached;
+    int64_t axis;
+    bool result;
+    intervals = durations.shape[INT64_C(0)];
+    for (j = INT64_C(0); j < intervals; j += INT64_C(1))
+    {
+        (*cspan_at(&active, j)) = INT64_C(1);
+    }
+    for (sweep = INT64_C(0); sweep < INT64_C(50); sweep += INT64_C(1))
+    {
+        base = 0.0;
+        open_intervals = INT64_C(0);
+        rest = target;
+        for (j = INT64_C(0); j < intervals; j += INT64_C(1))
+        {
+            rest = rest - (*cspan_at(&durations, j, first));
+            if ((*cspan_at(&active, j)) == INT64_C(1))
+            {
+                base = base + (*cspan_at(&durations, j, first));
+                open_intervals = open_intervals + INT64_C(1);
+            }
+        }
+        if (rest <= 1e-13 * target)
+        {
+            return 1;
+        }
+        if (open_intervals == INT64_C(0))
+        {
+            return 0;
+        }
+        factor = 1.0;
+        extra = rest / open_intervals;
+        if (base > 0.0)
+        {
+            factor = 1.0 + rest / base;
+            extra = 0.0;
+        }
+        for (j = INT64_C(0); j < intervals; j += INT64_C(1))
+        {
+            if ((*cspan_at(&active, j)) == INT64_C(1))
+            {
+                wished = (*cspan_at(&durations, j, first)) * factor + extra;
+                reached = common_duration(j, first, last, wished, 0.0, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial);
+                if ((reached < 0.0) || (reached - (*cspan_at(&durations, j, first)) > rest * (1.0 + 1e-13)))
+                {
+                    (*cspan_at(&active, j)) = INT64_C(0);
+                }
+                else
+                {
+                    rest = rest - (reached - (*cspan_at(&durations, j, first)));
+                    for (axis = first; axis < last; axis += INT64_C(1))
+                    {
+                        (*cspan_at(&durations, j, axis)) = reached;
+                    }
+                }
+            }
+        }
+    }
+    return 0;
+}
+/*Write the profiles of the durations that were settled on; False if one is infeasible.*/
+static bool rewrite_intervals(int64_t first, int64_t last, array_double_2d shortest, array_double_2d durations, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial)
+{
+    int64_t j;
+    int64_t axis;
+    bool result;
+    for (j = INT64_C(0); j < durations.shape[INT64_C(0)]; j += INT64_C(1))
+    {
+        for (axis = first; axis < last; axis += INT64_C(1))
+        {
+            if (!set_duration(j, axis, (*cspan_at(&durations, j, axis)), (*cspan_at(&shortest, j, axis)), positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial))
+            {
+                return 0;
+            }
+        }
+    }
+    return 1;
+}
+/*Ramp parameters and shortest profiles of one axis; status as in `plan_phases`. */
+static int64_t plan_axis(int64_t axis, double share, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, int64_t smoothness, int64_t shape, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d shortest, array_double_2d work, array_double_1d report)
+{
+    int64_t j;
+    double time;
+    int64_t status;
+    (*cspan_at(&report, INT64_C(0))) = axis;
+    status = segfmu_ramp_parameters(smoothness, shape, share, span_row(&limits, axis), span_row(&work, INT64_C(0)), span_row(&work, INT64_C(1)), span_row(&ramps, axis));
+    if (status > INT64_C(0))
+    {
+        return -INT64_C(9);
+    }
+    for (j = INT64_C(0); j < positions.shape[INT64_C(0)] - INT64_C(1); j += INT64_C(1))
+    {
+        (*cspan_at(&report, INT64_C(1))) = j;
+        set_shortest(&status, &time, j, axis, positions, velocities, accelerations, limits, ramps, phases, counts, weights, work);
+        if (status < INT64_C(0))
+        {
+            return status;
+        }
+        (*cspan_at(&shortest, j, axis)) = time;
+    }
+    return INT64_C(0);
+}
+/*Bring the shortest profiles to common durations; status as in `plan_phases`. */
+static int64_t synchronize_plan(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d dwells, array_double_2d limits, int64_t synchronization, double sample_time, double duration, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d shortest, array_double_2d durations, array_int64_t_1d active, array_double_2d work, array_double_1d report)
+{
+    int64_t axes;
+    int64_t intervals;
+    int64_t group;
+    double resting;
+    int64_t j;
+    double longest;
+    int64_t axis;
+    double total;
+    double time;
+    int64_t i;
+    double target;
+    int64_t result;
+    axes = limits.shape[INT64_C(0)];
+    intervals = positions.shape[INT64_C(0)] - INT64_C(1);
+    group = INT64_C(1);
+    if (synchronization == INT64_C(1))
+    {
+        group = axes;
+    }
+    resting = 0.0;
+    for (j = INT64_C(0); j < intervals + INT64_C(1); j += INT64_C(1))
+    {
+        resting = resting + (*cspan_at(&dwells, j));
+    }
+    longest = 0.0;
+    for (axis = INT64_C(0); (group > 0) ? (axis < axes) : (axis > axes); axis += group)
+    {
+        total = 0.0;
+        for (j = INT64_C(0); j < intervals; j += INT64_C(1))
+        {
+            if ((synchronization == INT64_C(1)) || (sample_time > 0.0))
+            {
+                time = common_duration(j, axis, axis + group, 0.0, sample_time, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, span_row(&work, INT64_C(42)), span_rows(&work, INT64_C(0), INT64_C(42)));
+                (*cspan_at(&report, INT64_C(0))) = axis;
+                (*cspan_at(&report, INT64_C(1))) = j;
+                if (time < 0.0)
+                {
+                    return -INT64_C(4);
+                }
+                for (i = axis; i < axis + group; i += INT64_C(1))
+                {
+                    (*cspan_at(&durations, j, i)) = time;
+                }
+            }
+            total = total + (*cspan_at(&durations, j, axis));
+        }
+        longest = span_max(longest, total);
+    }
+    (*cspan_at(&report, INT64_C(2))) = longest + resting;
+    (*cspan_at(&report, INT64_C(3))) = duration;
+    target = longest;
+    if (duration > 0.0)
+    {
+        target = duration - resting;
+        if (target < longest * (1.0 - 1e-13))
+        {
+            return -INT64_C(5);
+        }
+    }
+    if ((synchronization < INT64_C(2)) && (duration <= 0.0))
+    {
+        return INT64_C(0);
+    }
+    (*cspan_at(&report, INT64_C(2))) = target + resting;
+    for (axis = INT64_C(0); (group > 0) ? (axis < axes) : (axis > axes); axis += group)
+    {
+        (*cspan_at(&report, INT64_C(0))) = axis;
+        if (!distribute(axis, axis + group, target, shortest, durations, active, positions, velocities, accelerations, limits, ramps, phases, counts, weights, span_row(&work, INT64_C(42)), span_rows(&work, INT64_C(0), INT64_C(42))))
+        {
+            return -INT64_C(6);
+        }
+        if (!rewrite_intervals(axis, axis + group, shortest, durations, positions, velocities, accelerations, limits, ramps, phases, counts, weights, span_row(&work, INT64_C(42)), span_rows(&work, INT64_C(0), INT64_C(42))))
+        {
+            return -INT64_C(6);
+        }
+    }
+    return INT64_C(0);
+}
+/*Plan all intervals. Returns 0 or a negative status, with the details in `report`.            */
+/*                                                                                             */
+/*    m waypoints, k axes: positions, velocities, accelerations (m, k), dwells (m,), limits    */
+/*    (k, smoothness + 1) with 0 for absent, ramps (k, 48), phases (2 (m - 1) k, 13, 4), counts*/
+/*    (2 (m - 1) k,), weights ((m - 1) k,), shortest and durations (m - 1, k), active (m - 1,),*/
+/*    work (43, 4 + 2 smoothness), report (4,). synchronization: 0 none, 1 waypoints, 2 total; */
+/*    sample_time and duration: 0 for none.                                                    */
+/*                                                                                             */
+int64_t segfmu_plan_phases(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d dwells, array_double_2d limits, int64_t smoothness, int64_t shape, int64_t synchronization, double sample_time, double duration, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d shortest, array_double_2d durations, array_int64_t_1d active, array_double_2d work, array_double_1d report)
+{
+    int64_t axes;
+    int64_t intervals;
+    int64_t axis;
+    int64_t j;
+    int64_t status;
+    axes = limits.shape[INT64_C(0)];
+    intervals = positions.shape[INT64_C(0)] - INT64_C(1);
+    status = check_waypoints(velocities, accelerations, dwells, limits, report);
+    if (status < INT64_C(0))
+    {
+        return status;
+    }
+    for (axis = INT64_C(0); axis < axes; axis += INT64_C(1))
+    {
+        status = plan_axis(axis, 0.1, positions, velocities, accelerations, limits, smoothness, shape, ramps, phases, counts, weights, shortest, work, report);
+        if ((status == -INT64_C(1)) || (status == -INT64_C(2)))
+        {
+            /*braking just fails: the steepest ramps decide whether the limits admit it*/
+            status = plan_axis(axis, 0.004, positions, velocities, accelerations, limits, smoothness, shape, ramps, phases, counts, weights, shortest, work, report);
+        }
+        if (status < INT64_C(0))
+        {
+            return status;
+        }
+        for (j = INT64_C(0); j < intervals; j += INT64_C(1))
+        {
+            (*cspan_at(&durations, j, axis)) = (*cspan_at(&shortest, j, axis));
+        }
+    }
+    status = synchronize_plan(positions, velocities, accelerations, dwells, limits, synchronization, sample_time, duration, ramps, phases, counts, weights, shortest, durations, active, work, report);
+    return status;
 }
 /*Rows of memory; samples younger than the dead time, the new one, and one for rounding. */
 static int64_t sensing_rows(double sample_time, double dead_time)
@@ -8594,7 +8332,7 @@ static void command_velocities(array_double_1d setpoints, double duration, doubl
         (*cspan_at(&memory, INT64_C(10), i)) = command;
     }
 }
-/*Integrate until a time within the step; returns the status of kernels/plant.py.*/
+/*Integrate until a time within the step; returns the status of kernels/crane/plant.py.*/
 static int64_t advance_plant(array_double_1d loop, array_double_2d components, array_double_1d setpoints, double duration, double until, array_double_2d memory)
 {
     double time;
@@ -8629,130 +8367,6 @@ static int64_t advance_plant(array_double_1d loop, array_double_2d components, a
         (*cspan_at(&memory, INT64_C(2), INT64_C(7))) = time + (*cspan_at(&memory, INT64_C(4), INT64_C(9)));
     }
     return status;
-}
-/*Rows of memory for sensors with these times [s]. */
-int64_t segfmu_rig_rows(double sample_time, double dead_time)
-{
-    int64_t result;
-    return INT64_C(30) + sensing_rows(sample_time, dead_time);
-}
-/*Put a state (10) and the setpoints at the start into the memory and forget the past. */
-void segfmu_rig_start(array_double_1d loop, array_double_1d sensors, array_double_2d changes, array_double_1d parameters, array_double_1d state, array_double_1d setpoints, double start, array_double_2d memory)
-{
-    int64_t row;
-    int64_t i;
-    for (row = INT64_C(0); row < memory.shape[INT64_C(0)]; row += INT64_C(1))
-    {
-        for (i = INT64_C(0); i < memory.shape[INT64_C(1)]; i += INT64_C(1))
-        {
-            (*cspan_at(&memory, row, i)) = 0.0;
-        }
-    }
-    for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
-    {
-        (*cspan_at(&memory, INT64_C(0), i)) = (*cspan_at(&state, i));
-    }
-    for (i = INT64_C(0); i < INT64_C(37); i += INT64_C(1))
-    {
-        (*cspan_at(&memory, INT64_C(1), i)) = (*cspan_at(&parameters, i));
-    }
-    for (i = INT64_C(0); i < INT64_C(19); i += INT64_C(1))
-    {
-        (*cspan_at(&memory, INT64_C(3), i)) = (*cspan_at(&setpoints, i));
-    }
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        (*cspan_at(&memory, INT64_C(4), i)) = (*cspan_at(&setpoints, i));
-    }
-    (*cspan_at(&memory, INT64_C(4), INT64_C(6))) = (*cspan_at(&setpoints, INT64_C(2)));
-    (*cspan_at(&memory, INT64_C(2), INT64_C(0))) = start;
-    (*cspan_at(&memory, INT64_C(2), INT64_C(4))) = next_edge(changes, 0.0, memory);
-    change_payload(loop, changes, start, memory);
-    (*cspan_at(&memory, INT64_C(2), INT64_C(5))) = mechanical_energy(memory);
-    start_sensing(sensors, span_row(&memory, INT64_C(0)), span_rows(&memory, INT64_C(30), memory.shape[INT64_C(0)]));
-    sense_signals(sensors, 0.0, span_row(&memory, INT64_C(0)), span_rows(&memory, INT64_C(30), memory.shape[INT64_C(0)]), span_row(&memory, INT64_C(5)));
-}
-/*Advance by a duration [s] to the given setpoints; returns the status.                              */
-/*                                                                                                   */
-/*    gain_lengths and gains are those of the feedback; tracking, lengths, table and tracker are what*/
-/*    kernels/tracking.py calls parameters, lengths, table and memory, and unused without it.        */
-/*                                                                                                   */
-int64_t segfmu_rig_step(array_double_1d loop, array_double_1d sensors, array_double_2d components, array_double_2d changes, array_double_1d tracking, array_double_1d lengths, array_double_3d table, array_double_1d gain_lengths, array_double_3d gains, array_double_2d tracker, array_double_1d setpoints, double duration, array_double_2d memory)
-{
-    int64_t i;
-    double until;
-    int64_t status;
-    /*before anything that remembers, such as an observer, has seen it*/
-    if ((!(fabs(duration) < 1e+100)) || (!all_finite(setpoints, INT64_C(19))))
-    {
-        (*cspan_at(&memory, INT64_C(2), INT64_C(7))) = (*cspan_at(&memory, INT64_C(2), INT64_C(0))) + (*cspan_at(&memory, INT64_C(2), INT64_C(1)));
-        return INT64_C(4);
-    }
-    status = INT64_C(0);
-    if ((*cspan_at(&memory, INT64_C(2), INT64_C(2))) == 0.0)
-    {
-        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-        {
-            (*cspan_at(&memory, INT64_C(4), INT64_C(10) + i)) = 0.0;
-        }
-    }
-    while((status == INT64_C(0)) && ((*cspan_at(&memory, INT64_C(2), INT64_C(2))) < duration))
-    {
-        if (controller_due(loop, memory))
-        {
-            prepare_tick(sensors, setpoints, duration, memory);
-            if ((*cspan_at(&loop, INT64_C(0))) < 0.5)
-            {
-                return -INT64_C(1);
-            }
-            correct_setpoints(loop, tracking, lengths, table, gain_lengths, gains, tracker, memory);
-        }
-        until = next_event(loop, sensors, duration, memory);
-        status = advance_plant(loop, components, setpoints, duration, until, memory);
-        if (status == INT64_C(0))
-        {
-            (*cspan_at(&memory, INT64_C(2), INT64_C(2))) = until;
-            meet_events(loop, sensors, changes, memory);
-        }
-    }
-    (*cspan_at(&memory, INT64_C(2), INT64_C(2))) = 0.0;
-    if (status == INT64_C(0))
-    {
-        (*cspan_at(&memory, INT64_C(2), INT64_C(1))) = (*cspan_at(&memory, INT64_C(2), INT64_C(1))) + duration;
-        for (i = INT64_C(0); i < INT64_C(19); i += INT64_C(1))
-        {
-            (*cspan_at(&memory, INT64_C(3), i)) = (*cspan_at(&setpoints, i));
-        }
-        for (i = INT64_C(10); i < INT64_C(26); i += INT64_C(1))
-        {
-            (*cspan_at(&memory, INT64_C(10), i)) = 0.0;
-            (*cspan_at(&memory, INT64_C(11), i)) = 0.0;
-        }
-    }
-    sense_signals(sensors, (*cspan_at(&memory, INT64_C(2), INT64_C(1))), span_row(&memory, INT64_C(0)), span_rows(&memory, INT64_C(30), memory.shape[INT64_C(0)]), span_row(&memory, INT64_C(5)));
-    return status;
-}
-/*Energies [J] (7): kinetic, potential, their sum at the start, work of the drives and of the*/
-/*    wind, energy that payload changes brought, energy dissipated.                          */
-void segfmu_rig_balance(array_double_2d memory, array_double_1d balance)
-{
-    segfmu_crane_energy(span_row(&memory, INT64_C(0)), (*cspan_at(&memory, INT64_C(1), INT64_C(0))), (*cspan_at(&memory, INT64_C(1), INT64_C(1))), (*cspan_at(&memory, INT64_C(1), INT64_C(2))), (*cspan_at(&memory, INT64_C(1), INT64_C(3))), span_row(&memory, INT64_C(13)));
-    (*cspan_at(&balance, INT64_C(0))) = (*cspan_at(&memory, INT64_C(13), INT64_C(0)));
-    (*cspan_at(&balance, INT64_C(1))) = (*cspan_at(&memory, INT64_C(13), INT64_C(1)));
-    (*cspan_at(&balance, INT64_C(2))) = (*cspan_at(&memory, INT64_C(2), INT64_C(5)));
-    (*cspan_at(&balance, INT64_C(3))) = (*cspan_at(&memory, INT64_C(0), INT64_C(10)));
-    (*cspan_at(&balance, INT64_C(4))) = (*cspan_at(&memory, INT64_C(0), INT64_C(11)));
-    (*cspan_at(&balance, INT64_C(5))) = (*cspan_at(&memory, INT64_C(2), INT64_C(6)));
-    (*cspan_at(&balance, INT64_C(6))) = (*cspan_at(&memory, INT64_C(0), INT64_C(12)));
-}
-/*What the balance (7) misses by integration and rounding [J]. */
-double segfmu_rig_imbalance(array_double_1d balance)
-{
-    double gained;
-    double result;
-    gained = (*cspan_at(&balance, INT64_C(3))) + (*cspan_at(&balance, INT64_C(4))) + (*cspan_at(&balance, INT64_C(5))) - (*cspan_at(&balance, INT64_C(6)));
-    result = (*cspan_at(&balance, INT64_C(0))) + (*cspan_at(&balance, INT64_C(1))) - (*cspan_at(&balance, INT64_C(2))) - gained;
-    return result;
 }
 /*Time of the next tick, sample, or change of payload or wind. */
 double segfmu_rig_next_event(array_double_1d loop, array_double_1d sensors, array_double_2d memory)
@@ -9063,4 +8677,390 @@ bool segfmu_rig_partials(array_double_2d components, double time, array_double_2
         }
     }
     return 1;
+}
+/*Rows of memory for sensors with these times [s]. */
+int64_t segfmu_rig_rows(double sample_time, double dead_time)
+{
+    int64_t result;
+    return INT64_C(30) + sensing_rows(sample_time, dead_time);
+}
+/*Put a state (10) and the setpoints at the start into the memory and forget the past. */
+void segfmu_rig_start(array_double_1d loop, array_double_1d sensors, array_double_2d changes, array_double_1d parameters, array_double_1d state, array_double_1d setpoints, double start, array_double_2d memory)
+{
+    int64_t row;
+    int64_t i;
+    for (row = INT64_C(0); row < memory.shape[INT64_C(0)]; row += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < memory.shape[INT64_C(1)]; i += INT64_C(1))
+        {
+            (*cspan_at(&memory, row, i)) = 0.0;
+        }
+    }
+    for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(0), i)) = (*cspan_at(&state, i));
+    }
+    for (i = INT64_C(0); i < INT64_C(37); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(1), i)) = (*cspan_at(&parameters, i));
+    }
+    for (i = INT64_C(0); i < INT64_C(19); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(3), i)) = (*cspan_at(&setpoints, i));
+    }
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(4), i)) = (*cspan_at(&setpoints, i));
+    }
+    (*cspan_at(&memory, INT64_C(4), INT64_C(6))) = (*cspan_at(&setpoints, INT64_C(2)));
+    (*cspan_at(&memory, INT64_C(2), INT64_C(0))) = start;
+    (*cspan_at(&memory, INT64_C(2), INT64_C(4))) = next_edge(changes, 0.0, memory);
+    change_payload(loop, changes, start, memory);
+    (*cspan_at(&memory, INT64_C(2), INT64_C(5))) = mechanical_energy(memory);
+    start_sensing(sensors, span_row(&memory, INT64_C(0)), span_rows(&memory, INT64_C(30), memory.shape[INT64_C(0)]));
+    sense_signals(sensors, 0.0, span_row(&memory, INT64_C(0)), span_rows(&memory, INT64_C(30), memory.shape[INT64_C(0)]), span_row(&memory, INT64_C(5)));
+}
+/*Advance by a duration [s] to the given setpoints; returns the status.                              */
+/*                                                                                                   */
+/*    gain_lengths and gains are those of the feedback; tracking, lengths, table and tracker are what*/
+/*    kernels/control/tracking.py calls parameters, lengths, table and memory, and unused without it.*/
+/*                                                                                                   */
+int64_t segfmu_rig_step(array_double_1d loop, array_double_1d sensors, array_double_2d components, array_double_2d changes, array_double_1d tracking, array_double_1d lengths, array_double_3d table, array_double_1d gain_lengths, array_double_3d gains, array_double_2d tracker, array_double_1d setpoints, double duration, array_double_2d memory)
+{
+    int64_t i;
+    double until;
+    int64_t status;
+    /*before anything that remembers, such as an observer, has seen it*/
+    if ((!(fabs(duration) < 1e+100)) || (!all_finite(setpoints, INT64_C(19))))
+    {
+        (*cspan_at(&memory, INT64_C(2), INT64_C(7))) = (*cspan_at(&memory, INT64_C(2), INT64_C(0))) + (*cspan_at(&memory, INT64_C(2), INT64_C(1)));
+        return INT64_C(4);
+    }
+    status = INT64_C(0);
+    if ((*cspan_at(&memory, INT64_C(2), INT64_C(2))) == 0.0)
+    {
+        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        {
+            (*cspan_at(&memory, INT64_C(4), INT64_C(10) + i)) = 0.0;
+        }
+    }
+    while((status == INT64_C(0)) && ((*cspan_at(&memory, INT64_C(2), INT64_C(2))) < duration))
+    {
+        if (controller_due(loop, memory))
+        {
+            prepare_tick(sensors, setpoints, duration, memory);
+            if ((*cspan_at(&loop, INT64_C(0))) < 0.5)
+            {
+                return -INT64_C(1);
+            }
+            correct_setpoints(loop, tracking, lengths, table, gain_lengths, gains, tracker, memory);
+        }
+        until = next_event(loop, sensors, duration, memory);
+        status = advance_plant(loop, components, setpoints, duration, until, memory);
+        if (status == INT64_C(0))
+        {
+            (*cspan_at(&memory, INT64_C(2), INT64_C(2))) = until;
+            meet_events(loop, sensors, changes, memory);
+        }
+    }
+    (*cspan_at(&memory, INT64_C(2), INT64_C(2))) = 0.0;
+    if (status == INT64_C(0))
+    {
+        (*cspan_at(&memory, INT64_C(2), INT64_C(1))) = (*cspan_at(&memory, INT64_C(2), INT64_C(1))) + duration;
+        for (i = INT64_C(0); i < INT64_C(19); i += INT64_C(1))
+        {
+            (*cspan_at(&memory, INT64_C(3), i)) = (*cspan_at(&setpoints, i));
+        }
+        for (i = INT64_C(10); i < INT64_C(26); i += INT64_C(1))
+        {
+            (*cspan_at(&memory, INT64_C(10), i)) = 0.0;
+            (*cspan_at(&memory, INT64_C(11), i)) = 0.0;
+        }
+    }
+    sense_signals(sensors, (*cspan_at(&memory, INT64_C(2), INT64_C(1))), span_row(&memory, INT64_C(0)), span_rows(&memory, INT64_C(30), memory.shape[INT64_C(0)]), span_row(&memory, INT64_C(5)));
+    return status;
+}
+/*Energies [J] (7): kinetic, potential, their sum at the start, work of the drives and of the*/
+/*    wind, energy that payload changes brought, energy dissipated.                          */
+void segfmu_rig_balance(array_double_2d memory, array_double_1d balance)
+{
+    segfmu_crane_energy(span_row(&memory, INT64_C(0)), (*cspan_at(&memory, INT64_C(1), INT64_C(0))), (*cspan_at(&memory, INT64_C(1), INT64_C(1))), (*cspan_at(&memory, INT64_C(1), INT64_C(2))), (*cspan_at(&memory, INT64_C(1), INT64_C(3))), span_row(&memory, INT64_C(13)));
+    (*cspan_at(&balance, INT64_C(0))) = (*cspan_at(&memory, INT64_C(13), INT64_C(0)));
+    (*cspan_at(&balance, INT64_C(1))) = (*cspan_at(&memory, INT64_C(13), INT64_C(1)));
+    (*cspan_at(&balance, INT64_C(2))) = (*cspan_at(&memory, INT64_C(2), INT64_C(5)));
+    (*cspan_at(&balance, INT64_C(3))) = (*cspan_at(&memory, INT64_C(0), INT64_C(10)));
+    (*cspan_at(&balance, INT64_C(4))) = (*cspan_at(&memory, INT64_C(0), INT64_C(11)));
+    (*cspan_at(&balance, INT64_C(5))) = (*cspan_at(&memory, INT64_C(2), INT64_C(6)));
+    (*cspan_at(&balance, INT64_C(6))) = (*cspan_at(&memory, INT64_C(0), INT64_C(12)));
+}
+/*What the balance (7) misses by integration and rounding [J]. */
+double segfmu_rig_imbalance(array_double_1d balance)
+{
+    double gained;
+    double result;
+    gained = (*cspan_at(&balance, INT64_C(3))) + (*cspan_at(&balance, INT64_C(4))) + (*cspan_at(&balance, INT64_C(5))) - (*cspan_at(&balance, INT64_C(6)));
+    result = (*cspan_at(&balance, INT64_C(0))) + (*cspan_at(&balance, INT64_C(1))) - (*cspan_at(&balance, INT64_C(2))) - gained;
+    return result;
+}
+/*First time after `time` at which a piece of any axis begins or its last one ends; or 1e300.*/
+/*                                                                                           */
+static double next_break(double time, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends)
+{
+    int64_t axis;
+    int64_t first;
+    int64_t last;
+    int64_t row;
+    double found;
+    found = 1e+300;
+    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        first = (*cspan_at(&offsets, axis));
+        last = (*cspan_at(&offsets, axis + INT64_C(1)));
+        if (time < (*cspan_at(&timing, first, INT64_C(0))))
+        {
+            found = span_min(found, (*cspan_at(&timing, first, INT64_C(0))));
+        }
+        else
+        {
+            row = find_piece(time, timing, first, last) + INT64_C(1);
+            if (row < last)
+            {
+                found = span_min(found, (*cspan_at(&timing, row, INT64_C(0))));
+            }
+            else if (time < (*cspan_at(&ends, axis)))
+            {
+                found = span_min(found, (*cspan_at(&ends, axis)));
+            }
+        }
+    }
+    return found;
+}
+/*Events that differ by less [s] are the same; clocks are coarser late.*/
+double segfmu_same_break(double time)
+{
+    double result;
+    return 1e-08 + 1e-14 * fabs(time);
+}
+/*First event after `time` of a plan that begins at `start`; 1e300 if there is none.               */
+/*                                                                                                 */
+/*    Events are the last axis' arrival at a waypoint, the end of the motion, and the breaks of all*/
+/*    pieces, where derivatives of the crane's forces jump: the first one at smoothness 4.         */
+/*                                                                                                 */
+double segfmu_next_plan_event(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends, array_double_2d times)
+{
+    double event;
+    int64_t waypoint;
+    double arrival;
+    int64_t axis;
+    double found;
+    double result;
+    event = 1e+300;
+    for (waypoint = INT64_C(1); waypoint < times.shape[INT64_C(0)] + INT64_C(1); waypoint += INT64_C(1))
+    {
+        arrival = 0.0;
+        for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
+        {
+            if (waypoint < times.shape[INT64_C(0)])
+            {
+                arrival = span_max(arrival, (*cspan_at(&times, waypoint, axis)));
+            }
+            else
+            {
+                arrival = span_max(arrival, (*cspan_at(&ends, axis)));
+            }
+        }
+        if (start + arrival > time + segfmu_same_break(time))
+        {
+            event = span_min(event, start + arrival);
+        }
+    }
+    found = next_break(time + segfmu_same_break(time) - start, timing, offsets, ends);
+    if (found < 1e+300)
+    {
+        found = start + found;
+    }
+    /*of a start that is far away the clock may be too coarse to tell a break from the present*/
+    if ((event <= found + segfmu_same_break(time)) || (found <= time))
+    {
+        return event;
+    }
+    return found;
+}
+/*Time since `start`, just behind the break where it is at one: all axes on the next piece.*/
+double segfmu_right_of_break(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends)
+{
+    double local;
+    double behind;
+    double result;
+    local = time - start;
+    /*an axis that has come to its end is still on its last piece there*/
+    behind = local + segfmu_same_break(time);
+    if (next_break(local - segfmu_same_break(time), timing, offsets, ends) <= behind)
+    {
+        return behind;
+    }
+    return local;
+}
+/*An upper bound of the number of pieces: seven a phase, and one a dwell.*/
+int64_t segfmu_count_pieces(array_int64_t_1d counts, int64_t cells)
+{
+    int64_t i;
+    int64_t total;
+    total = cells + INT64_C(1);
+    for (i = INT64_C(0); i < INT64_C(2) * cells; i += INT64_C(1))
+    {
+        total = total + INT64_C(7) * (*cspan_at(&counts, i));
+    }
+    return total;
+}
+/*Add weight times a piece, taken from its local time t on, to another piece.*/
+static void shift_piece(array_double_2d coefficients, int64_t source, int64_t width, double t, double weight, array_double_2d target, int64_t row)
+{
+    double factorial;
+    int64_t i;
+    double value;
+    factorial = 1.0;
+    for (i = INT64_C(0); i < width; i += INT64_C(1))
+    {
+        if (i > INT64_C(0))
+        {
+            factorial = factorial * i;
+        }
+        value = evaluate_piece(coefficients, source, width, t, i) / factorial;
+        (*cspan_at(&target, row, i)) = (*cspan_at(&target, row, i)) + weight * value;
+    }
+}
+/*(1 - weight) * pieces first_a .. last_a - 1 + weight * pieces last_a .. last_b - 1.*/
+static int64_t merge_pieces(double weight, double now, int64_t first_a, int64_t last_a, int64_t last_b, array_double_2d scratch_timing, array_double_2d scratch, array_double_2d timing, array_double_2d coefficients, int64_t row)
+{
+    int64_t width;
+    int64_t a;
+    int64_t b;
+    double t;
+    double t_a;
+    double t_b;
+    int64_t i;
+    double rest_a;
+    double rest_b;
+    double step;
+    int64_t result;
+    width = coefficients.shape[INT64_C(1)];
+    a = first_a;
+    b = last_a;
+    t = now;
+    t_a = 0.0;
+    t_b = 0.0;
+    while((a < last_a) && (b < last_b))
+    {
+        for (i = INT64_C(0); i < width; i += INT64_C(1))
+        {
+            (*cspan_at(&coefficients, row, i)) = 0.0;
+        }
+        shift_piece(scratch, a, width, t_a, 1.0 - weight, coefficients, row);
+        shift_piece(scratch, b, width, t_b, weight, coefficients, row);
+        rest_a = (*cspan_at(&scratch_timing, a, INT64_C(1))) - t_a;
+        rest_b = (*cspan_at(&scratch_timing, b, INT64_C(1))) - t_b;
+        step = span_min(rest_a, rest_b);
+        (*cspan_at(&timing, row, INT64_C(0))) = t;
+        (*cspan_at(&timing, row, INT64_C(1))) = step;
+        t = t + step;
+        t_a = t_a + step;
+        t_b = t_b + step;
+        row = row + INT64_C(1);
+        if (rest_a <= step)
+        {
+            a = a + INT64_C(1);
+            t_a = 0.0;
+        }
+        if (rest_b <= step)
+        {
+            b = b + INT64_C(1);
+            t_b = 0.0;
+        }
+    }
+    return row;
+}
+/*Expand one interval of one axis from `row` on; returns the row after its last piece. */
+static int64_t expand_interval(int64_t interval, int64_t axis, int64_t axes, double now, array_double_2d positions, array_double_2d velocities, int64_t smoothness, int64_t shape, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d ramps, array_double_2d scratch_timing, array_double_2d scratch, array_double_2d timing, array_double_2d coefficients, int64_t row)
+{
+    int64_t cell;
+    double weight;
+    array_double_1d state;
+    array_double_1d psi;
+    int64_t which;
+    int64_t middle;
+    int64_t last;
+    int64_t result;
+    cell = interval * axes + axis;
+    weight = (*cspan_at(&weights, cell));
+    state = span_row(&scratch, INT64_C(199));
+    psi = span_row(&scratch, INT64_C(198));
+    (*cspan_at(&state, INT64_C(0))) = (*cspan_at(&positions, interval, axis));
+    (*cspan_at(&state, INT64_C(1))) = (*cspan_at(&velocities, interval, axis));
+    (*cspan_at(&state, INT64_C(4))) = now;
+    if ((weight <= 0.0) || (weight >= 1.0))
+    {
+        which = INT64_C(2) * cell;
+        if (weight >= 1.0)
+        {
+            which = which + INT64_C(1);
+        }
+        result = segfmu_expand_phases(span_matrix(&phases, which), (*cspan_at(&counts, which)), smoothness, shape, (*cspan_at(&ramps, axis, INT64_C(40))), psi, state, timing, coefficients, row);
+        return result;
+    }
+    middle = segfmu_expand_phases(span_matrix(&phases, INT64_C(2) * cell), (*cspan_at(&counts, INT64_C(2) * cell)), smoothness, shape, (*cspan_at(&ramps, axis, INT64_C(40))), psi, state, scratch_timing, scratch, INT64_C(0));
+    (*cspan_at(&state, INT64_C(0))) = (*cspan_at(&positions, interval, axis));
+    (*cspan_at(&state, INT64_C(1))) = (*cspan_at(&velocities, interval, axis));
+    (*cspan_at(&state, INT64_C(4))) = now;
+    last = segfmu_expand_phases(span_matrix(&phases, INT64_C(2) * cell + INT64_C(1)), (*cspan_at(&counts, INT64_C(2) * cell + INT64_C(1))), smoothness, shape, (*cspan_at(&ramps, axis, INT64_C(40))), psi, state, scratch_timing, scratch, middle);
+    result = merge_pieces(weight, now, INT64_C(0), middle, last, scratch_timing, scratch, timing, coefficients, row);
+    return result;
+}
+/*Expand a plan into the pieces of every axis; returns the number of pieces.                         */
+/*                                                                                                   */
+/*    times[j, axis] becomes the arrival at waypoint j; offsets (axes + 1,); timing and              */
+/*    coefficients (.., 2 smoothness) hold at least count_pieces rows, the scratch arrays (200,) and */
+/*    (200, 16), of which the last two rows serve as work space.                                     */
+/*                                                                                                   */
+int64_t segfmu_expand_plan(array_double_2d positions, array_double_2d velocities, array_double_1d dwells, int64_t smoothness, int64_t shape, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d durations, array_double_2d ramps, array_double_2d scratch_timing, array_double_2d scratch, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times)
+{
+    int64_t intervals;
+    int64_t axes;
+    int64_t axis;
+    double now;
+    int64_t j;
+    int64_t i;
+    int64_t row;
+    intervals = durations.shape[INT64_C(0)];
+    axes = durations.shape[INT64_C(1)];
+    row = INT64_C(0);
+    for (axis = INT64_C(0); axis < axes; axis += INT64_C(1))
+    {
+        (*cspan_at(&offsets, axis)) = row;
+        now = 0.0;
+        (*cspan_at(&times, INT64_C(0), axis)) = 0.0;
+        for (j = INT64_C(0); j < intervals + INT64_C(1); j += INT64_C(1))
+        {
+            (*cspan_at(&times, j, axis)) = now;
+            if (((*cspan_at(&dwells, j)) > 0.0) || ((j == intervals) && (row == (*cspan_at(&offsets, axis)))))
+            {
+                for (i = INT64_C(0); i < INT64_C(2) * smoothness; i += INT64_C(1))
+                {
+                    (*cspan_at(&coefficients, row, i)) = 0.0;
+                }
+                (*cspan_at(&coefficients, row, INT64_C(0))) = (*cspan_at(&positions, j, axis));
+                (*cspan_at(&timing, row, INT64_C(0))) = now;
+                (*cspan_at(&timing, row, INT64_C(1))) = (*cspan_at(&dwells, j));
+                now = now + (*cspan_at(&dwells, j));
+                row = row + INT64_C(1);
+            }
+            if (j < intervals)
+            {
+                row = expand_interval(j, axis, axes, now, positions, velocities, smoothness, shape, phases, counts, weights, ramps, scratch_timing, scratch, timing, coefficients, row);
+                now = now + (*cspan_at(&durations, j, axis));
+            }
+        }
+    }
+    (*cspan_at(&offsets, axes)) = row;
+    return row;
 }

@@ -7,22 +7,6 @@
 
 #include "span.h"
 
-int64_t segfmu_ramp_parameters(int64_t smoothness, int64_t shape, double share, array_double_1d limits, array_double_1d work, array_double_1d peaks, array_double_1d ramp);
-int64_t segfmu_ramp_duration(double* result_0_0001, double* result_1, double* result_2, double change, array_double_1d ramp);
-int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result_2_0001, double* result_3, double* result_4, array_double_2d phases, int64_t count, double v, double within, array_double_1d ramp);
-int64_t segfmu_shortest_profile(double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, array_double_2d work);
-double segfmu_timed_profile(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial);
-int64_t segfmu_plan_phases(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d dwells, array_double_2d limits, int64_t smoothness, int64_t shape, int64_t synchronization, double sample_time, double duration, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d shortest, array_double_2d durations, array_int64_t_1d active, array_double_2d work, array_double_1d report);
-int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, int64_t smoothness, int64_t shape, double share, array_double_1d psi, array_double_1d state, array_double_2d timing, array_double_2d coefficients, int64_t row);
-void segfmu_evaluate(array_double_1d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, int64_t derivative, array_double_2d values);
-void segfmu_evaluate_orders(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d values);
-double segfmu_same_break(double time);
-double segfmu_next_plan_event(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends, array_double_2d times);
-double segfmu_right_of_break(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends);
-int64_t segfmu_count_pieces(array_int64_t_1d counts, int64_t cells);
-int64_t segfmu_expand_plan(array_double_2d positions, array_double_2d velocities, array_double_1d dwells, int64_t smoothness, int64_t shape, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d durations, array_double_2d ramps, array_double_2d scratch_timing, array_double_2d scratch, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times);
-int64_t segfmu_check_plan(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d limits, double tolerance, array_double_2d work);
-int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, double shortest, double longest, array_double_2d work, array_double_1d report);
 void segfmu_feedback_correction(array_double_1d state, array_double_1d reference, array_double_1d lengths, array_double_3d gains, array_double_1d correction);
 double segfmu_feedback_bandwidth(double ratio, double length, double gravity, double delay, double largest);
 void segfmu_feedback_gains(bool driven, double length, double bridge_mass, double trolley_mass, double payload_mass, double gravity, double bandwidth, double hoist_bandwidth, double damping, array_double_2d gains);
@@ -30,7 +14,6 @@ void segfmu_observer_design(bool driven, double sample_time, double length, doub
 void segfmu_observer_predict(double length, array_double_1d lengths, array_double_3d table, array_double_1d command, array_double_1d held, array_double_2d estimate, array_double_1d scratch);
 void segfmu_observer_correct(double length, array_double_1d lengths, array_double_3d table, array_double_1d measured, array_double_1d reference, array_double_2d estimate);
 void segfmu_track_setpoint(array_double_1d parameters, array_double_1d lengths, array_double_3d table, array_double_1d gain_lengths, array_double_3d gains, array_double_1d measured, array_double_1d reference, array_double_1d feedforward, array_double_2d memory, array_double_1d correction);
-void segfmu_compensate_setpoints(array_double_1d velocity, array_double_1d acceleration, array_double_1d lag, array_double_1d viscous, array_double_1d coulomb, double width, array_double_1d force, array_double_1d setpoint);
 void segfmu_crane_rhs(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_1d derivative);
 void segfmu_crane_driven(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_1d derivative, array_double_1d force);
 void segfmu_crane_flat_inverse(array_double_2d flat, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_1d force, array_double_1d state, array_double_1d acceleration);
@@ -38,22 +21,39 @@ void segfmu_crane_load(array_double_1d state, array_double_2d load);
 void segfmu_crane_energy(array_double_1d state, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_1d energy);
 void segfmu_crane_load_partials(array_double_1d state, array_double_2d partials);
 void segfmu_crane_energy_partials(array_double_1d state, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d partials);
-void segfmu_flat_derivatives(array_double_2d flat, int64_t order, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d work, array_double_1d found);
+void segfmu_compensate_setpoints(array_double_1d velocity, array_double_1d acceleration, array_double_1d lag, array_double_1d viscous, array_double_1d coulomb, double width, array_double_1d force, array_double_1d setpoint);
 double segfmu_next_uniform(array_double_1d numbers);
 void segfmu_seed_numbers(int64_t seed, array_double_1d numbers);
 void segfmu_noise_components(double bandwidth, array_double_1d deviation, array_double_1d numbers, array_double_2d components);
 int64_t segfmu_plant_advance(array_double_1d parameters, array_double_2d components, double time, array_double_1d state, array_double_1d command, array_double_1d rate, array_double_1d load_force, double duration, double tolerance, array_double_2d work, array_double_1d report);
+int64_t segfmu_ramp_parameters(int64_t smoothness, int64_t shape, double share, array_double_1d limits, array_double_1d work, array_double_1d peaks, array_double_1d ramp);
+int64_t segfmu_ramp_duration(double* result_0_0001, double* result_1, double* result_2, double change, array_double_1d ramp);
+int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, int64_t smoothness, int64_t shape, double share, array_double_1d psi, array_double_1d state, array_double_2d timing, array_double_2d coefficients, int64_t row);
+void segfmu_evaluate(array_double_1d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, int64_t derivative, array_double_2d values);
+void segfmu_evaluate_orders(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d values);
+int64_t segfmu_check_plan(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d limits, double tolerance, array_double_2d work);
+int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, double shortest, double longest, array_double_2d work, array_double_1d report);
+void segfmu_flat_derivatives(array_double_2d flat, int64_t order, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d work, array_double_1d found);
+int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result_2_0001, double* result_3, double* result_4, array_double_2d phases, int64_t count, double v, double within_0001, array_double_1d ramp);
+int64_t segfmu_shortest_profile(double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, array_double_2d work);
+double segfmu_timed_profile(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial);
+int64_t segfmu_plan_phases(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d dwells, array_double_2d limits, int64_t smoothness, int64_t shape, int64_t synchronization, double sample_time, double duration, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d shortest, array_double_2d durations, array_int64_t_1d active, array_double_2d work, array_double_1d report);
 void segfmu_measure_state(array_double_1d state, array_double_1d sensors, array_double_1d numbers, array_double_1d measured);
 void segfmu_switch_correction(array_double_1d loop, array_double_2d memory);
-int64_t segfmu_rig_rows(double sample_time, double dead_time);
-void segfmu_rig_start(array_double_1d loop, array_double_1d sensors, array_double_2d changes, array_double_1d parameters, array_double_1d state, array_double_1d setpoints, double start, array_double_2d memory);
-int64_t segfmu_rig_step(array_double_1d loop, array_double_1d sensors, array_double_2d components, array_double_2d changes, array_double_1d tracking, array_double_1d lengths, array_double_3d table, array_double_1d gain_lengths, array_double_3d gains, array_double_2d tracker, array_double_1d setpoints, double duration, array_double_2d memory);
-void segfmu_rig_balance(array_double_2d memory, array_double_1d balance);
-double segfmu_rig_imbalance(array_double_1d balance);
 double segfmu_rig_next_event(array_double_1d loop, array_double_1d sensors, array_double_2d memory);
 void segfmu_rig_signals(array_double_1d sensors, double time, array_double_2d memory);
 void segfmu_rig_event(array_double_1d loop, array_double_1d sensors, array_double_2d changes, array_double_1d tracking, array_double_1d lengths, array_double_3d table, array_double_1d gain_lengths, array_double_3d gains, array_double_2d tracker, array_double_1d setpoints, double time, array_double_2d memory);
 int64_t segfmu_rig_rates(array_double_2d components, array_double_1d setpoints, double time, array_double_2d memory, array_double_1d derivative);
 bool segfmu_rig_partials(array_double_2d components, double time, array_double_2d memory, array_double_2d work, array_double_2d partials);
+int64_t segfmu_rig_rows(double sample_time, double dead_time);
+void segfmu_rig_start(array_double_1d loop, array_double_1d sensors, array_double_2d changes, array_double_1d parameters, array_double_1d state, array_double_1d setpoints, double start, array_double_2d memory);
+int64_t segfmu_rig_step(array_double_1d loop, array_double_1d sensors, array_double_2d components, array_double_2d changes, array_double_1d tracking, array_double_1d lengths, array_double_3d table, array_double_1d gain_lengths, array_double_3d gains, array_double_2d tracker, array_double_1d setpoints, double duration, array_double_2d memory);
+void segfmu_rig_balance(array_double_2d memory, array_double_1d balance);
+double segfmu_rig_imbalance(array_double_1d balance);
+double segfmu_same_break(double time);
+double segfmu_next_plan_event(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends, array_double_2d times);
+double segfmu_right_of_break(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends);
+int64_t segfmu_count_pieces(array_int64_t_1d counts, int64_t cells);
+int64_t segfmu_expand_plan(array_double_2d positions, array_double_2d velocities, array_double_1d dwells, int64_t smoothness, int64_t shape, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d durations, array_double_2d ramps, array_double_2d scratch_timing, array_double_2d scratch, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times);
 
 #endif

@@ -1,618 +1,6 @@
 /* Generated from the kernels in Python by `python -m segfmu.codegen`; never edited. */
 #include "arguments.h"
 
-static PyObject *call_ramp_parameters(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "ramp_parameters", .values = values};
-    PyObject *answer = NULL;
-    int64_t in_smoothness;
-    int64_t in_shape;
-    double in_share;
-    Py_buffer *in_limits;
-    Py_buffer *in_work;
-    Py_buffer *in_peaks;
-    Py_buffer *in_ramp;
-    (void)self;
-    if (take_count(&call, count, 7)
-        && take_int(&call, 0, &in_smoothness)
-        && take_int(&call, 1, &in_shape)
-        && take_float(&call, 2, &in_share)
-        && (in_limits = take_array(&call, 3, 1, 'd', false)) != NULL
-        && (in_work = take_array(&call, 4, 1, 'd', true)) != NULL
-        && (in_peaks = take_array(&call, 5, 1, 'd', true)) != NULL
-        && (in_ramp = take_array(&call, 6, 1, 'd', true)) != NULL) {
-        answer = PyLong_FromLongLong(segfmu_ramp_parameters(
-            in_smoothness,
-            in_shape,
-            in_share,
-            (array_double_1d){in_limits->buf, {in_limits->shape[0]}},
-            (array_double_1d){in_work->buf, {in_work->shape[0]}},
-            (array_double_1d){in_peaks->buf, {in_peaks->shape[0]}},
-            (array_double_1d){in_ramp->buf, {in_ramp->shape[0]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_ramp_duration(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "ramp_duration", .values = values};
-    PyObject *answer = NULL;
-    double in_change;
-    Py_buffer *in_ramp;
-    (void)self;
-    if (take_count(&call, count, 2)
-        && take_float(&call, 0, &in_change)
-        && (in_ramp = take_array(&call, 1, 1, 'd', false)) != NULL) {
-        double result_0;
-        double result_1;
-        double result_2;
-        segfmu_ramp_duration(
-            &result_0,
-            &result_1,
-            &result_2,
-            in_change,
-            (array_double_1d){in_ramp->buf, {in_ramp->shape[0]}});
-        answer = Py_BuildValue("(ddd)", result_0, result_1, result_2);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_measure_phases(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "measure_phases", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_phases;
-    int64_t in_count;
-    double in_v;
-    double in_within;
-    Py_buffer *in_ramp;
-    (void)self;
-    if (take_count(&call, count, 5)
-        && (in_phases = take_array(&call, 0, 2, 'd', false)) != NULL
-        && take_int(&call, 1, &in_count)
-        && take_float(&call, 2, &in_v)
-        && take_float(&call, 3, &in_within)
-        && (in_ramp = take_array(&call, 4, 1, 'd', false)) != NULL) {
-        double result_0;
-        double result_1;
-        double result_2;
-        double result_3;
-        double result_4;
-        segfmu_measure_phases(
-            &result_0,
-            &result_1,
-            &result_2,
-            &result_3,
-            &result_4,
-            (array_double_2d){in_phases->buf, {in_phases->shape[0], in_phases->shape[1]}},
-            in_count,
-            in_v,
-            in_within,
-            (array_double_1d){in_ramp->buf, {in_ramp->shape[0]}});
-        answer = Py_BuildValue("(ddddd)", result_0, result_1, result_2, result_3, result_4);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_shortest_profile(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "shortest_profile", .values = values};
-    PyObject *answer = NULL;
-    double in_v;
-    double in_a;
-    double in_w;
-    double in_b;
-    double in_distance;
-    double in_velocity_limit;
-    double in_top;
-    Py_buffer *in_ramp;
-    Py_buffer *in_phases;
-    Py_buffer *in_work;
-    (void)self;
-    if (take_count(&call, count, 10)
-        && take_float(&call, 0, &in_v)
-        && take_float(&call, 1, &in_a)
-        && take_float(&call, 2, &in_w)
-        && take_float(&call, 3, &in_b)
-        && take_float(&call, 4, &in_distance)
-        && take_float(&call, 5, &in_velocity_limit)
-        && take_float(&call, 6, &in_top)
-        && (in_ramp = take_array(&call, 7, 1, 'd', false)) != NULL
-        && (in_phases = take_array(&call, 8, 2, 'd', true)) != NULL
-        && (in_work = take_array(&call, 9, 2, 'd', true)) != NULL) {
-        answer = PyLong_FromLongLong(segfmu_shortest_profile(
-            in_v,
-            in_a,
-            in_w,
-            in_b,
-            in_distance,
-            in_velocity_limit,
-            in_top,
-            (array_double_1d){in_ramp->buf, {in_ramp->shape[0]}},
-            (array_double_2d){in_phases->buf, {in_phases->shape[0], in_phases->shape[1]}},
-            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_timed_profile(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "timed_profile", .values = values};
-    PyObject *answer = NULL;
-    double in_target;
-    double in_v;
-    double in_a;
-    double in_w;
-    double in_b;
-    double in_distance;
-    double in_velocity_limit;
-    double in_top;
-    Py_buffer *in_ramp;
-    Py_buffer *in_found;
-    Py_buffer *in_below;
-    Py_buffer *in_above;
-    Py_buffer *in_trial;
-    (void)self;
-    if (take_count(&call, count, 13)
-        && take_float(&call, 0, &in_target)
-        && take_float(&call, 1, &in_v)
-        && take_float(&call, 2, &in_a)
-        && take_float(&call, 3, &in_w)
-        && take_float(&call, 4, &in_b)
-        && take_float(&call, 5, &in_distance)
-        && take_float(&call, 6, &in_velocity_limit)
-        && take_float(&call, 7, &in_top)
-        && (in_ramp = take_array(&call, 8, 1, 'd', false)) != NULL
-        && (in_found = take_array(&call, 9, 1, 'd', true)) != NULL
-        && (in_below = take_array(&call, 10, 2, 'd', true)) != NULL
-        && (in_above = take_array(&call, 11, 2, 'd', true)) != NULL
-        && (in_trial = take_array(&call, 12, 2, 'd', true)) != NULL) {
-        answer = PyFloat_FromDouble(segfmu_timed_profile(
-            in_target,
-            in_v,
-            in_a,
-            in_w,
-            in_b,
-            in_distance,
-            in_velocity_limit,
-            in_top,
-            (array_double_1d){in_ramp->buf, {in_ramp->shape[0]}},
-            (array_double_1d){in_found->buf, {in_found->shape[0]}},
-            (array_double_2d){in_below->buf, {in_below->shape[0], in_below->shape[1]}},
-            (array_double_2d){in_above->buf, {in_above->shape[0], in_above->shape[1]}},
-            (array_double_2d){in_trial->buf, {in_trial->shape[0], in_trial->shape[1]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_plan_phases(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "plan_phases", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_positions;
-    Py_buffer *in_velocities;
-    Py_buffer *in_accelerations;
-    Py_buffer *in_dwells;
-    Py_buffer *in_limits;
-    int64_t in_smoothness;
-    int64_t in_shape;
-    int64_t in_synchronization;
-    double in_sample_time;
-    double in_duration;
-    Py_buffer *in_ramps;
-    Py_buffer *in_phases;
-    Py_buffer *in_counts;
-    Py_buffer *in_weights;
-    Py_buffer *in_shortest;
-    Py_buffer *in_durations;
-    Py_buffer *in_active;
-    Py_buffer *in_work;
-    Py_buffer *in_report;
-    (void)self;
-    if (take_count(&call, count, 19)
-        && (in_positions = take_array(&call, 0, 2, 'd', false)) != NULL
-        && (in_velocities = take_array(&call, 1, 2, 'd', false)) != NULL
-        && (in_accelerations = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_dwells = take_array(&call, 3, 1, 'd', false)) != NULL
-        && (in_limits = take_array(&call, 4, 2, 'd', false)) != NULL
-        && take_int(&call, 5, &in_smoothness)
-        && take_int(&call, 6, &in_shape)
-        && take_int(&call, 7, &in_synchronization)
-        && take_float(&call, 8, &in_sample_time)
-        && take_float(&call, 9, &in_duration)
-        && (in_ramps = take_array(&call, 10, 2, 'd', true)) != NULL
-        && (in_phases = take_array(&call, 11, 3, 'd', true)) != NULL
-        && (in_counts = take_array(&call, 12, 1, 'l', true)) != NULL
-        && (in_weights = take_array(&call, 13, 1, 'd', true)) != NULL
-        && (in_shortest = take_array(&call, 14, 2, 'd', true)) != NULL
-        && (in_durations = take_array(&call, 15, 2, 'd', true)) != NULL
-        && (in_active = take_array(&call, 16, 1, 'l', true)) != NULL
-        && (in_work = take_array(&call, 17, 2, 'd', true)) != NULL
-        && (in_report = take_array(&call, 18, 1, 'd', true)) != NULL) {
-        answer = PyLong_FromLongLong(segfmu_plan_phases(
-            (array_double_2d){in_positions->buf, {in_positions->shape[0], in_positions->shape[1]}},
-            (array_double_2d){in_velocities->buf, {in_velocities->shape[0], in_velocities->shape[1]}},
-            (array_double_2d){in_accelerations->buf, {in_accelerations->shape[0], in_accelerations->shape[1]}},
-            (array_double_1d){in_dwells->buf, {in_dwells->shape[0]}},
-            (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
-            in_smoothness,
-            in_shape,
-            in_synchronization,
-            in_sample_time,
-            in_duration,
-            (array_double_2d){in_ramps->buf, {in_ramps->shape[0], in_ramps->shape[1]}},
-            (array_double_3d){in_phases->buf, {in_phases->shape[0], in_phases->shape[1], in_phases->shape[2]}},
-            (array_int64_t_1d){in_counts->buf, {in_counts->shape[0]}},
-            (array_double_1d){in_weights->buf, {in_weights->shape[0]}},
-            (array_double_2d){in_shortest->buf, {in_shortest->shape[0], in_shortest->shape[1]}},
-            (array_double_2d){in_durations->buf, {in_durations->shape[0], in_durations->shape[1]}},
-            (array_int64_t_1d){in_active->buf, {in_active->shape[0]}},
-            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
-            (array_double_1d){in_report->buf, {in_report->shape[0]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_expand_phases(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "expand_phases", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_phases;
-    int64_t in_count;
-    int64_t in_smoothness;
-    int64_t in_shape;
-    double in_share;
-    Py_buffer *in_psi;
-    Py_buffer *in_state;
-    Py_buffer *in_timing;
-    Py_buffer *in_coefficients;
-    int64_t in_row;
-    (void)self;
-    if (take_count(&call, count, 10)
-        && (in_phases = take_array(&call, 0, 2, 'd', false)) != NULL
-        && take_int(&call, 1, &in_count)
-        && take_int(&call, 2, &in_smoothness)
-        && take_int(&call, 3, &in_shape)
-        && take_float(&call, 4, &in_share)
-        && (in_psi = take_array(&call, 5, 1, 'd', true)) != NULL
-        && (in_state = take_array(&call, 6, 1, 'd', true)) != NULL
-        && (in_timing = take_array(&call, 7, 2, 'd', true)) != NULL
-        && (in_coefficients = take_array(&call, 8, 2, 'd', true)) != NULL
-        && take_int(&call, 9, &in_row)) {
-        answer = PyLong_FromLongLong(segfmu_expand_phases(
-            (array_double_2d){in_phases->buf, {in_phases->shape[0], in_phases->shape[1]}},
-            in_count,
-            in_smoothness,
-            in_shape,
-            in_share,
-            (array_double_1d){in_psi->buf, {in_psi->shape[0]}},
-            (array_double_1d){in_state->buf, {in_state->shape[0]}},
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
-            in_row));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_evaluate(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "evaluate", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_times;
-    Py_buffer *in_timing;
-    Py_buffer *in_coefficients;
-    Py_buffer *in_offsets;
-    Py_buffer *in_ends;
-    int64_t in_derivative;
-    Py_buffer *in_values;
-    (void)self;
-    if (take_count(&call, count, 7)
-        && (in_times = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_timing = take_array(&call, 1, 2, 'd', false)) != NULL
-        && (in_coefficients = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
-        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
-        && take_int(&call, 5, &in_derivative)
-        && (in_values = take_array(&call, 6, 2, 'd', true)) != NULL) {
-        segfmu_evaluate(
-            (array_double_1d){in_times->buf, {in_times->shape[0]}},
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
-            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
-            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
-            in_derivative,
-            (array_double_2d){in_values->buf, {in_values->shape[0], in_values->shape[1]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_evaluate_orders(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "evaluate_orders", .values = values};
-    PyObject *answer = NULL;
-    double in_time;
-    Py_buffer *in_timing;
-    Py_buffer *in_coefficients;
-    Py_buffer *in_offsets;
-    Py_buffer *in_ends;
-    Py_buffer *in_values;
-    (void)self;
-    if (take_count(&call, count, 6)
-        && take_float(&call, 0, &in_time)
-        && (in_timing = take_array(&call, 1, 2, 'd', false)) != NULL
-        && (in_coefficients = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
-        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
-        && (in_values = take_array(&call, 5, 2, 'd', true)) != NULL) {
-        segfmu_evaluate_orders(
-            in_time,
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
-            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
-            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
-            (array_double_2d){in_values->buf, {in_values->shape[0], in_values->shape[1]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_same_break(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "same_break", .values = values};
-    PyObject *answer = NULL;
-    double in_time;
-    (void)self;
-    if (take_count(&call, count, 1)
-        && take_float(&call, 0, &in_time)) {
-        answer = PyFloat_FromDouble(segfmu_same_break(
-            in_time));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_next_plan_event(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "next_plan_event", .values = values};
-    PyObject *answer = NULL;
-    double in_time;
-    double in_start;
-    Py_buffer *in_timing;
-    Py_buffer *in_offsets;
-    Py_buffer *in_ends;
-    Py_buffer *in_times;
-    (void)self;
-    if (take_count(&call, count, 6)
-        && take_float(&call, 0, &in_time)
-        && take_float(&call, 1, &in_start)
-        && (in_timing = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
-        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
-        && (in_times = take_array(&call, 5, 2, 'd', false)) != NULL) {
-        answer = PyFloat_FromDouble(segfmu_next_plan_event(
-            in_time,
-            in_start,
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
-            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
-            (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_right_of_break(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "right_of_break", .values = values};
-    PyObject *answer = NULL;
-    double in_time;
-    double in_start;
-    Py_buffer *in_timing;
-    Py_buffer *in_offsets;
-    Py_buffer *in_ends;
-    (void)self;
-    if (take_count(&call, count, 5)
-        && take_float(&call, 0, &in_time)
-        && take_float(&call, 1, &in_start)
-        && (in_timing = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
-        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL) {
-        answer = PyFloat_FromDouble(segfmu_right_of_break(
-            in_time,
-            in_start,
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
-            (array_double_1d){in_ends->buf, {in_ends->shape[0]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_count_pieces(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "count_pieces", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_counts;
-    int64_t in_cells;
-    (void)self;
-    if (take_count(&call, count, 2)
-        && (in_counts = take_array(&call, 0, 1, 'l', false)) != NULL
-        && take_int(&call, 1, &in_cells)) {
-        answer = PyLong_FromLongLong(segfmu_count_pieces(
-            (array_int64_t_1d){in_counts->buf, {in_counts->shape[0]}},
-            in_cells));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_expand_plan(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "expand_plan", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_positions;
-    Py_buffer *in_velocities;
-    Py_buffer *in_dwells;
-    int64_t in_smoothness;
-    int64_t in_shape;
-    Py_buffer *in_phases;
-    Py_buffer *in_counts;
-    Py_buffer *in_weights;
-    Py_buffer *in_durations;
-    Py_buffer *in_ramps;
-    Py_buffer *in_scratch_timing;
-    Py_buffer *in_scratch;
-    Py_buffer *in_timing;
-    Py_buffer *in_coefficients;
-    Py_buffer *in_offsets;
-    Py_buffer *in_times;
-    (void)self;
-    if (take_count(&call, count, 16)
-        && (in_positions = take_array(&call, 0, 2, 'd', false)) != NULL
-        && (in_velocities = take_array(&call, 1, 2, 'd', false)) != NULL
-        && (in_dwells = take_array(&call, 2, 1, 'd', false)) != NULL
-        && take_int(&call, 3, &in_smoothness)
-        && take_int(&call, 4, &in_shape)
-        && (in_phases = take_array(&call, 5, 3, 'd', false)) != NULL
-        && (in_counts = take_array(&call, 6, 1, 'l', false)) != NULL
-        && (in_weights = take_array(&call, 7, 1, 'd', false)) != NULL
-        && (in_durations = take_array(&call, 8, 2, 'd', false)) != NULL
-        && (in_ramps = take_array(&call, 9, 2, 'd', false)) != NULL
-        && (in_scratch_timing = take_array(&call, 10, 2, 'd', true)) != NULL
-        && (in_scratch = take_array(&call, 11, 2, 'd', true)) != NULL
-        && (in_timing = take_array(&call, 12, 2, 'd', true)) != NULL
-        && (in_coefficients = take_array(&call, 13, 2, 'd', true)) != NULL
-        && (in_offsets = take_array(&call, 14, 1, 'l', true)) != NULL
-        && (in_times = take_array(&call, 15, 2, 'd', true)) != NULL) {
-        answer = PyLong_FromLongLong(segfmu_expand_plan(
-            (array_double_2d){in_positions->buf, {in_positions->shape[0], in_positions->shape[1]}},
-            (array_double_2d){in_velocities->buf, {in_velocities->shape[0], in_velocities->shape[1]}},
-            (array_double_1d){in_dwells->buf, {in_dwells->shape[0]}},
-            in_smoothness,
-            in_shape,
-            (array_double_3d){in_phases->buf, {in_phases->shape[0], in_phases->shape[1], in_phases->shape[2]}},
-            (array_int64_t_1d){in_counts->buf, {in_counts->shape[0]}},
-            (array_double_1d){in_weights->buf, {in_weights->shape[0]}},
-            (array_double_2d){in_durations->buf, {in_durations->shape[0], in_durations->shape[1]}},
-            (array_double_2d){in_ramps->buf, {in_ramps->shape[0], in_ramps->shape[1]}},
-            (array_double_2d){in_scratch_timing->buf, {in_scratch_timing->shape[0], in_scratch_timing->shape[1]}},
-            (array_double_2d){in_scratch->buf, {in_scratch->shape[0], in_scratch->shape[1]}},
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
-            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
-            (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_check_plan(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "check_plan", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_positions;
-    Py_buffer *in_velocities;
-    Py_buffer *in_accelerations;
-    Py_buffer *in_times;
-    Py_buffer *in_timing;
-    Py_buffer *in_coefficients;
-    Py_buffer *in_offsets;
-    Py_buffer *in_ends;
-    Py_buffer *in_limits;
-    double in_tolerance;
-    Py_buffer *in_work;
-    (void)self;
-    if (take_count(&call, count, 11)
-        && (in_positions = take_array(&call, 0, 2, 'd', false)) != NULL
-        && (in_velocities = take_array(&call, 1, 2, 'd', false)) != NULL
-        && (in_accelerations = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_times = take_array(&call, 3, 2, 'd', false)) != NULL
-        && (in_timing = take_array(&call, 4, 2, 'd', false)) != NULL
-        && (in_coefficients = take_array(&call, 5, 2, 'd', false)) != NULL
-        && (in_offsets = take_array(&call, 6, 1, 'l', false)) != NULL
-        && (in_ends = take_array(&call, 7, 1, 'd', false)) != NULL
-        && (in_limits = take_array(&call, 8, 2, 'd', false)) != NULL
-        && take_float(&call, 9, &in_tolerance)
-        && (in_work = take_array(&call, 10, 2, 'd', true)) != NULL) {
-        answer = PyLong_FromLongLong(segfmu_check_plan(
-            (array_double_2d){in_positions->buf, {in_positions->shape[0], in_positions->shape[1]}},
-            (array_double_2d){in_velocities->buf, {in_velocities->shape[0], in_velocities->shape[1]}},
-            (array_double_2d){in_accelerations->buf, {in_accelerations->shape[0], in_accelerations->shape[1]}},
-            (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}},
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
-            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
-            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
-            (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
-            in_tolerance,
-            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_check_rope(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "check_rope", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_timing;
-    Py_buffer *in_coefficients;
-    Py_buffer *in_offsets;
-    double in_gravity;
-    double in_shortest;
-    double in_longest;
-    Py_buffer *in_work;
-    Py_buffer *in_report;
-    (void)self;
-    if (take_count(&call, count, 8)
-        && (in_timing = take_array(&call, 0, 2, 'd', false)) != NULL
-        && (in_coefficients = take_array(&call, 1, 2, 'd', false)) != NULL
-        && (in_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
-        && take_float(&call, 3, &in_gravity)
-        && take_float(&call, 4, &in_shortest)
-        && take_float(&call, 5, &in_longest)
-        && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
-        && (in_report = take_array(&call, 7, 1, 'd', true)) != NULL) {
-        answer = PyLong_FromLongLong(segfmu_check_rope(
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
-            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
-            in_gravity,
-            in_shortest,
-            in_longest,
-            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
-            (array_double_1d){in_report->buf, {in_report->shape[0]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
 static PyObject *call_feedback_correction(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -872,44 +260,6 @@ static PyObject *call_track_setpoint(
     return answer;
 }
 
-static PyObject *call_compensate_setpoints(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "compensate_setpoints", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_velocity;
-    Py_buffer *in_acceleration;
-    Py_buffer *in_lag;
-    Py_buffer *in_viscous;
-    Py_buffer *in_coulomb;
-    double in_width;
-    Py_buffer *in_force;
-    Py_buffer *in_setpoint;
-    (void)self;
-    if (take_count(&call, count, 8)
-        && (in_velocity = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_acceleration = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_lag = take_array(&call, 2, 1, 'd', false)) != NULL
-        && (in_viscous = take_array(&call, 3, 1, 'd', false)) != NULL
-        && (in_coulomb = take_array(&call, 4, 1, 'd', false)) != NULL
-        && take_float(&call, 5, &in_width)
-        && (in_force = take_array(&call, 6, 1, 'd', true)) != NULL
-        && (in_setpoint = take_array(&call, 7, 1, 'd', true)) != NULL) {
-        segfmu_compensate_setpoints(
-            (array_double_1d){in_velocity->buf, {in_velocity->shape[0]}},
-            (array_double_1d){in_acceleration->buf, {in_acceleration->shape[0]}},
-            (array_double_1d){in_lag->buf, {in_lag->shape[0]}},
-            (array_double_1d){in_viscous->buf, {in_viscous->shape[0]}},
-            (array_double_1d){in_coulomb->buf, {in_coulomb->shape[0]}},
-            in_width,
-            (array_double_1d){in_force->buf, {in_force->shape[0]}},
-            (array_double_1d){in_setpoint->buf, {in_setpoint->shape[0]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
 static PyObject *call_crane_rhs(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -1134,38 +484,38 @@ static PyObject *call_crane_energy_partials(
     return answer;
 }
 
-static PyObject *call_flat_derivatives(
+static PyObject *call_compensate_setpoints(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
-    arguments call = {.function = "flat_derivatives", .values = values};
+    arguments call = {.function = "compensate_setpoints", .values = values};
     PyObject *answer = NULL;
-    Py_buffer *in_flat;
-    int64_t in_order;
-    double in_bridge_mass;
-    double in_trolley_mass;
-    double in_payload_mass;
-    double in_gravity;
-    Py_buffer *in_work;
-    Py_buffer *in_found;
+    Py_buffer *in_velocity;
+    Py_buffer *in_acceleration;
+    Py_buffer *in_lag;
+    Py_buffer *in_viscous;
+    Py_buffer *in_coulomb;
+    double in_width;
+    Py_buffer *in_force;
+    Py_buffer *in_setpoint;
     (void)self;
     if (take_count(&call, count, 8)
-        && (in_flat = take_array(&call, 0, 2, 'd', false)) != NULL
-        && take_int(&call, 1, &in_order)
-        && take_float(&call, 2, &in_bridge_mass)
-        && take_float(&call, 3, &in_trolley_mass)
-        && take_float(&call, 4, &in_payload_mass)
-        && take_float(&call, 5, &in_gravity)
-        && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
-        && (in_found = take_array(&call, 7, 1, 'd', true)) != NULL) {
-        segfmu_flat_derivatives(
-            (array_double_2d){in_flat->buf, {in_flat->shape[0], in_flat->shape[1]}},
-            in_order,
-            in_bridge_mass,
-            in_trolley_mass,
-            in_payload_mass,
-            in_gravity,
-            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
-            (array_double_1d){in_found->buf, {in_found->shape[0]}});
+        && (in_velocity = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_acceleration = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_lag = take_array(&call, 2, 1, 'd', false)) != NULL
+        && (in_viscous = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_coulomb = take_array(&call, 4, 1, 'd', false)) != NULL
+        && take_float(&call, 5, &in_width)
+        && (in_force = take_array(&call, 6, 1, 'd', true)) != NULL
+        && (in_setpoint = take_array(&call, 7, 1, 'd', true)) != NULL) {
+        segfmu_compensate_setpoints(
+            (array_double_1d){in_velocity->buf, {in_velocity->shape[0]}},
+            (array_double_1d){in_acceleration->buf, {in_acceleration->shape[0]}},
+            (array_double_1d){in_lag->buf, {in_lag->shape[0]}},
+            (array_double_1d){in_viscous->buf, {in_viscous->shape[0]}},
+            (array_double_1d){in_coulomb->buf, {in_coulomb->shape[0]}},
+            in_width,
+            (array_double_1d){in_force->buf, {in_force->shape[0]}},
+            (array_double_1d){in_setpoint->buf, {in_setpoint->shape[0]}});
         answer = Py_NewRef(Py_None);
     }
     release_arguments(&call);
@@ -1280,6 +630,501 @@ static PyObject *call_plant_advance(
     return answer;
 }
 
+static PyObject *call_ramp_parameters(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "ramp_parameters", .values = values};
+    PyObject *answer = NULL;
+    int64_t in_smoothness;
+    int64_t in_shape;
+    double in_share;
+    Py_buffer *in_limits;
+    Py_buffer *in_work;
+    Py_buffer *in_peaks;
+    Py_buffer *in_ramp;
+    (void)self;
+    if (take_count(&call, count, 7)
+        && take_int(&call, 0, &in_smoothness)
+        && take_int(&call, 1, &in_shape)
+        && take_float(&call, 2, &in_share)
+        && (in_limits = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_work = take_array(&call, 4, 1, 'd', true)) != NULL
+        && (in_peaks = take_array(&call, 5, 1, 'd', true)) != NULL
+        && (in_ramp = take_array(&call, 6, 1, 'd', true)) != NULL) {
+        answer = PyLong_FromLongLong(segfmu_ramp_parameters(
+            in_smoothness,
+            in_shape,
+            in_share,
+            (array_double_1d){in_limits->buf, {in_limits->shape[0]}},
+            (array_double_1d){in_work->buf, {in_work->shape[0]}},
+            (array_double_1d){in_peaks->buf, {in_peaks->shape[0]}},
+            (array_double_1d){in_ramp->buf, {in_ramp->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_ramp_duration(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "ramp_duration", .values = values};
+    PyObject *answer = NULL;
+    double in_change;
+    Py_buffer *in_ramp;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && take_float(&call, 0, &in_change)
+        && (in_ramp = take_array(&call, 1, 1, 'd', false)) != NULL) {
+        double result_0;
+        double result_1;
+        double result_2;
+        segfmu_ramp_duration(
+            &result_0,
+            &result_1,
+            &result_2,
+            in_change,
+            (array_double_1d){in_ramp->buf, {in_ramp->shape[0]}});
+        answer = Py_BuildValue("(ddd)", result_0, result_1, result_2);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_expand_phases(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "expand_phases", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_phases;
+    int64_t in_count;
+    int64_t in_smoothness;
+    int64_t in_shape;
+    double in_share;
+    Py_buffer *in_psi;
+    Py_buffer *in_state;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    int64_t in_row;
+    (void)self;
+    if (take_count(&call, count, 10)
+        && (in_phases = take_array(&call, 0, 2, 'd', false)) != NULL
+        && take_int(&call, 1, &in_count)
+        && take_int(&call, 2, &in_smoothness)
+        && take_int(&call, 3, &in_shape)
+        && take_float(&call, 4, &in_share)
+        && (in_psi = take_array(&call, 5, 1, 'd', true)) != NULL
+        && (in_state = take_array(&call, 6, 1, 'd', true)) != NULL
+        && (in_timing = take_array(&call, 7, 2, 'd', true)) != NULL
+        && (in_coefficients = take_array(&call, 8, 2, 'd', true)) != NULL
+        && take_int(&call, 9, &in_row)) {
+        answer = PyLong_FromLongLong(segfmu_expand_phases(
+            (array_double_2d){in_phases->buf, {in_phases->shape[0], in_phases->shape[1]}},
+            in_count,
+            in_smoothness,
+            in_shape,
+            in_share,
+            (array_double_1d){in_psi->buf, {in_psi->shape[0]}},
+            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            in_row));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_evaluate(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "evaluate", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_times;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_ends;
+    int64_t in_derivative;
+    Py_buffer *in_values;
+    (void)self;
+    if (take_count(&call, count, 7)
+        && (in_times = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_timing = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
+        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
+        && take_int(&call, 5, &in_derivative)
+        && (in_values = take_array(&call, 6, 2, 'd', true)) != NULL) {
+        segfmu_evaluate(
+            (array_double_1d){in_times->buf, {in_times->shape[0]}},
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
+            in_derivative,
+            (array_double_2d){in_values->buf, {in_values->shape[0], in_values->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_evaluate_orders(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "evaluate_orders", .values = values};
+    PyObject *answer = NULL;
+    double in_time;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_ends;
+    Py_buffer *in_values;
+    (void)self;
+    if (take_count(&call, count, 6)
+        && take_float(&call, 0, &in_time)
+        && (in_timing = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
+        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
+        && (in_values = take_array(&call, 5, 2, 'd', true)) != NULL) {
+        segfmu_evaluate_orders(
+            in_time,
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
+            (array_double_2d){in_values->buf, {in_values->shape[0], in_values->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_check_plan(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "check_plan", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_positions;
+    Py_buffer *in_velocities;
+    Py_buffer *in_accelerations;
+    Py_buffer *in_times;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_ends;
+    Py_buffer *in_limits;
+    double in_tolerance;
+    Py_buffer *in_work;
+    (void)self;
+    if (take_count(&call, count, 11)
+        && (in_positions = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_velocities = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_accelerations = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_times = take_array(&call, 3, 2, 'd', false)) != NULL
+        && (in_timing = take_array(&call, 4, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 5, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 6, 1, 'l', false)) != NULL
+        && (in_ends = take_array(&call, 7, 1, 'd', false)) != NULL
+        && (in_limits = take_array(&call, 8, 2, 'd', false)) != NULL
+        && take_float(&call, 9, &in_tolerance)
+        && (in_work = take_array(&call, 10, 2, 'd', true)) != NULL) {
+        answer = PyLong_FromLongLong(segfmu_check_plan(
+            (array_double_2d){in_positions->buf, {in_positions->shape[0], in_positions->shape[1]}},
+            (array_double_2d){in_velocities->buf, {in_velocities->shape[0], in_velocities->shape[1]}},
+            (array_double_2d){in_accelerations->buf, {in_accelerations->shape[0], in_accelerations->shape[1]}},
+            (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}},
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
+            (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
+            in_tolerance,
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_check_rope(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "check_rope", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    double in_gravity;
+    double in_shortest;
+    double in_longest;
+    Py_buffer *in_work;
+    Py_buffer *in_report;
+    (void)self;
+    if (take_count(&call, count, 8)
+        && (in_timing = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
+        && take_float(&call, 3, &in_gravity)
+        && take_float(&call, 4, &in_shortest)
+        && take_float(&call, 5, &in_longest)
+        && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
+        && (in_report = take_array(&call, 7, 1, 'd', true)) != NULL) {
+        answer = PyLong_FromLongLong(segfmu_check_rope(
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            in_gravity,
+            in_shortest,
+            in_longest,
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_1d){in_report->buf, {in_report->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_flat_derivatives(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "flat_derivatives", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_flat;
+    int64_t in_order;
+    double in_bridge_mass;
+    double in_trolley_mass;
+    double in_payload_mass;
+    double in_gravity;
+    Py_buffer *in_work;
+    Py_buffer *in_found;
+    (void)self;
+    if (take_count(&call, count, 8)
+        && (in_flat = take_array(&call, 0, 2, 'd', false)) != NULL
+        && take_int(&call, 1, &in_order)
+        && take_float(&call, 2, &in_bridge_mass)
+        && take_float(&call, 3, &in_trolley_mass)
+        && take_float(&call, 4, &in_payload_mass)
+        && take_float(&call, 5, &in_gravity)
+        && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
+        && (in_found = take_array(&call, 7, 1, 'd', true)) != NULL) {
+        segfmu_flat_derivatives(
+            (array_double_2d){in_flat->buf, {in_flat->shape[0], in_flat->shape[1]}},
+            in_order,
+            in_bridge_mass,
+            in_trolley_mass,
+            in_payload_mass,
+            in_gravity,
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_1d){in_found->buf, {in_found->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_measure_phases(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "measure_phases", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_phases;
+    int64_t in_count;
+    double in_v;
+    double in_within;
+    Py_buffer *in_ramp;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && (in_phases = take_array(&call, 0, 2, 'd', false)) != NULL
+        && take_int(&call, 1, &in_count)
+        && take_float(&call, 2, &in_v)
+        && take_float(&call, 3, &in_within)
+        && (in_ramp = take_array(&call, 4, 1, 'd', false)) != NULL) {
+        double result_0;
+        double result_1;
+        double result_2;
+        double result_3;
+        double result_4;
+        segfmu_measure_phases(
+            &result_0,
+            &result_1,
+            &result_2,
+            &result_3,
+            &result_4,
+            (array_double_2d){in_phases->buf, {in_phases->shape[0], in_phases->shape[1]}},
+            in_count,
+            in_v,
+            in_within,
+            (array_double_1d){in_ramp->buf, {in_ramp->shape[0]}});
+        answer = Py_BuildValue("(ddddd)", result_0, result_1, result_2, result_3, result_4);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_shortest_profile(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "shortest_profile", .values = values};
+    PyObject *answer = NULL;
+    double in_v;
+    double in_a;
+    double in_w;
+    double in_b;
+    double in_distance;
+    double in_velocity_limit;
+    double in_top;
+    Py_buffer *in_ramp;
+    Py_buffer *in_phases;
+    Py_buffer *in_work;
+    (void)self;
+    if (take_count(&call, count, 10)
+        && take_float(&call, 0, &in_v)
+        && take_float(&call, 1, &in_a)
+        && take_float(&call, 2, &in_w)
+        && take_float(&call, 3, &in_b)
+        && take_float(&call, 4, &in_distance)
+        && take_float(&call, 5, &in_velocity_limit)
+        && take_float(&call, 6, &in_top)
+        && (in_ramp = take_array(&call, 7, 1, 'd', false)) != NULL
+        && (in_phases = take_array(&call, 8, 2, 'd', true)) != NULL
+        && (in_work = take_array(&call, 9, 2, 'd', true)) != NULL) {
+        answer = PyLong_FromLongLong(segfmu_shortest_profile(
+            in_v,
+            in_a,
+            in_w,
+            in_b,
+            in_distance,
+            in_velocity_limit,
+            in_top,
+            (array_double_1d){in_ramp->buf, {in_ramp->shape[0]}},
+            (array_double_2d){in_phases->buf, {in_phases->shape[0], in_phases->shape[1]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_timed_profile(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "timed_profile", .values = values};
+    PyObject *answer = NULL;
+    double in_target;
+    double in_v;
+    double in_a;
+    double in_w;
+    double in_b;
+    double in_distance;
+    double in_velocity_limit;
+    double in_top;
+    Py_buffer *in_ramp;
+    Py_buffer *in_found;
+    Py_buffer *in_below;
+    Py_buffer *in_above;
+    Py_buffer *in_trial;
+    (void)self;
+    if (take_count(&call, count, 13)
+        && take_float(&call, 0, &in_target)
+        && take_float(&call, 1, &in_v)
+        && take_float(&call, 2, &in_a)
+        && take_float(&call, 3, &in_w)
+        && take_float(&call, 4, &in_b)
+        && take_float(&call, 5, &in_distance)
+        && take_float(&call, 6, &in_velocity_limit)
+        && take_float(&call, 7, &in_top)
+        && (in_ramp = take_array(&call, 8, 1, 'd', false)) != NULL
+        && (in_found = take_array(&call, 9, 1, 'd', true)) != NULL
+        && (in_below = take_array(&call, 10, 2, 'd', true)) != NULL
+        && (in_above = take_array(&call, 11, 2, 'd', true)) != NULL
+        && (in_trial = take_array(&call, 12, 2, 'd', true)) != NULL) {
+        answer = PyFloat_FromDouble(segfmu_timed_profile(
+            in_target,
+            in_v,
+            in_a,
+            in_w,
+            in_b,
+            in_distance,
+            in_velocity_limit,
+            in_top,
+            (array_double_1d){in_ramp->buf, {in_ramp->shape[0]}},
+            (array_double_1d){in_found->buf, {in_found->shape[0]}},
+            (array_double_2d){in_below->buf, {in_below->shape[0], in_below->shape[1]}},
+            (array_double_2d){in_above->buf, {in_above->shape[0], in_above->shape[1]}},
+            (array_double_2d){in_trial->buf, {in_trial->shape[0], in_trial->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_plan_phases(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "plan_phases", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_positions;
+    Py_buffer *in_velocities;
+    Py_buffer *in_accelerations;
+    Py_buffer *in_dwells;
+    Py_buffer *in_limits;
+    int64_t in_smoothness;
+    int64_t in_shape;
+    int64_t in_synchronization;
+    double in_sample_time;
+    double in_duration;
+    Py_buffer *in_ramps;
+    Py_buffer *in_phases;
+    Py_buffer *in_counts;
+    Py_buffer *in_weights;
+    Py_buffer *in_shortest;
+    Py_buffer *in_durations;
+    Py_buffer *in_active;
+    Py_buffer *in_work;
+    Py_buffer *in_report;
+    (void)self;
+    if (take_count(&call, count, 19)
+        && (in_positions = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_velocities = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_accelerations = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_dwells = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_limits = take_array(&call, 4, 2, 'd', false)) != NULL
+        && take_int(&call, 5, &in_smoothness)
+        && take_int(&call, 6, &in_shape)
+        && take_int(&call, 7, &in_synchronization)
+        && take_float(&call, 8, &in_sample_time)
+        && take_float(&call, 9, &in_duration)
+        && (in_ramps = take_array(&call, 10, 2, 'd', true)) != NULL
+        && (in_phases = take_array(&call, 11, 3, 'd', true)) != NULL
+        && (in_counts = take_array(&call, 12, 1, 'l', true)) != NULL
+        && (in_weights = take_array(&call, 13, 1, 'd', true)) != NULL
+        && (in_shortest = take_array(&call, 14, 2, 'd', true)) != NULL
+        && (in_durations = take_array(&call, 15, 2, 'd', true)) != NULL
+        && (in_active = take_array(&call, 16, 1, 'l', true)) != NULL
+        && (in_work = take_array(&call, 17, 2, 'd', true)) != NULL
+        && (in_report = take_array(&call, 18, 1, 'd', true)) != NULL) {
+        answer = PyLong_FromLongLong(segfmu_plan_phases(
+            (array_double_2d){in_positions->buf, {in_positions->shape[0], in_positions->shape[1]}},
+            (array_double_2d){in_velocities->buf, {in_velocities->shape[0], in_velocities->shape[1]}},
+            (array_double_2d){in_accelerations->buf, {in_accelerations->shape[0], in_accelerations->shape[1]}},
+            (array_double_1d){in_dwells->buf, {in_dwells->shape[0]}},
+            (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
+            in_smoothness,
+            in_shape,
+            in_synchronization,
+            in_sample_time,
+            in_duration,
+            (array_double_2d){in_ramps->buf, {in_ramps->shape[0], in_ramps->shape[1]}},
+            (array_double_3d){in_phases->buf, {in_phases->shape[0], in_phases->shape[1], in_phases->shape[2]}},
+            (array_int64_t_1d){in_counts->buf, {in_counts->shape[0]}},
+            (array_double_1d){in_weights->buf, {in_weights->shape[0]}},
+            (array_double_2d){in_shortest->buf, {in_shortest->shape[0], in_shortest->shape[1]}},
+            (array_double_2d){in_durations->buf, {in_durations->shape[0], in_durations->shape[1]}},
+            (array_int64_t_1d){in_active->buf, {in_active->shape[0]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_1d){in_report->buf, {in_report->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_measure_state(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -1321,151 +1166,6 @@ static PyObject *call_switch_correction(
             (array_double_1d){in_loop->buf, {in_loop->shape[0]}},
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}});
         answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_rig_rows(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "rig_rows", .values = values};
-    PyObject *answer = NULL;
-    double in_sample_time;
-    double in_dead_time;
-    (void)self;
-    if (take_count(&call, count, 2)
-        && take_float(&call, 0, &in_sample_time)
-        && take_float(&call, 1, &in_dead_time)) {
-        answer = PyLong_FromLongLong(segfmu_rig_rows(
-            in_sample_time,
-            in_dead_time));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_rig_start(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "rig_start", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_loop;
-    Py_buffer *in_sensors;
-    Py_buffer *in_changes;
-    Py_buffer *in_parameters;
-    Py_buffer *in_state;
-    Py_buffer *in_setpoints;
-    double in_start;
-    Py_buffer *in_memory;
-    (void)self;
-    if (take_count(&call, count, 8)
-        && (in_loop = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_sensors = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_changes = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_parameters = take_array(&call, 3, 1, 'd', false)) != NULL
-        && (in_state = take_array(&call, 4, 1, 'd', false)) != NULL
-        && (in_setpoints = take_array(&call, 5, 1, 'd', false)) != NULL
-        && take_float(&call, 6, &in_start)
-        && (in_memory = take_array(&call, 7, 2, 'd', true)) != NULL) {
-        segfmu_rig_start(
-            (array_double_1d){in_loop->buf, {in_loop->shape[0]}},
-            (array_double_1d){in_sensors->buf, {in_sensors->shape[0]}},
-            (array_double_2d){in_changes->buf, {in_changes->shape[0], in_changes->shape[1]}},
-            (array_double_1d){in_parameters->buf, {in_parameters->shape[0]}},
-            (array_double_1d){in_state->buf, {in_state->shape[0]}},
-            (array_double_1d){in_setpoints->buf, {in_setpoints->shape[0]}},
-            in_start,
-            (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_rig_step(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "rig_step", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_loop;
-    Py_buffer *in_sensors;
-    Py_buffer *in_components;
-    Py_buffer *in_changes;
-    Py_buffer *in_tracking;
-    Py_buffer *in_lengths;
-    Py_buffer *in_table;
-    Py_buffer *in_gain_lengths;
-    Py_buffer *in_gains;
-    Py_buffer *in_tracker;
-    Py_buffer *in_setpoints;
-    double in_duration;
-    Py_buffer *in_memory;
-    (void)self;
-    if (take_count(&call, count, 13)
-        && (in_loop = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_sensors = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_components = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_changes = take_array(&call, 3, 2, 'd', false)) != NULL
-        && (in_tracking = take_array(&call, 4, 1, 'd', false)) != NULL
-        && (in_lengths = take_array(&call, 5, 1, 'd', false)) != NULL
-        && (in_table = take_array(&call, 6, 3, 'd', false)) != NULL
-        && (in_gain_lengths = take_array(&call, 7, 1, 'd', false)) != NULL
-        && (in_gains = take_array(&call, 8, 3, 'd', false)) != NULL
-        && (in_tracker = take_array(&call, 9, 2, 'd', true)) != NULL
-        && (in_setpoints = take_array(&call, 10, 1, 'd', false)) != NULL
-        && take_float(&call, 11, &in_duration)
-        && (in_memory = take_array(&call, 12, 2, 'd', true)) != NULL) {
-        answer = PyLong_FromLongLong(segfmu_rig_step(
-            (array_double_1d){in_loop->buf, {in_loop->shape[0]}},
-            (array_double_1d){in_sensors->buf, {in_sensors->shape[0]}},
-            (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}},
-            (array_double_2d){in_changes->buf, {in_changes->shape[0], in_changes->shape[1]}},
-            (array_double_1d){in_tracking->buf, {in_tracking->shape[0]}},
-            (array_double_1d){in_lengths->buf, {in_lengths->shape[0]}},
-            (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}},
-            (array_double_1d){in_gain_lengths->buf, {in_gain_lengths->shape[0]}},
-            (array_double_3d){in_gains->buf, {in_gains->shape[0], in_gains->shape[1], in_gains->shape[2]}},
-            (array_double_2d){in_tracker->buf, {in_tracker->shape[0], in_tracker->shape[1]}},
-            (array_double_1d){in_setpoints->buf, {in_setpoints->shape[0]}},
-            in_duration,
-            (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_rig_balance(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "rig_balance", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_memory;
-    Py_buffer *in_balance;
-    (void)self;
-    if (take_count(&call, count, 2)
-        && (in_memory = take_array(&call, 0, 2, 'd', true)) != NULL
-        && (in_balance = take_array(&call, 1, 1, 'd', true)) != NULL) {
-        segfmu_rig_balance(
-            (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}},
-            (array_double_1d){in_balance->buf, {in_balance->shape[0]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_rig_imbalance(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "rig_imbalance", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_balance;
-    (void)self;
-    if (take_count(&call, count, 1)
-        && (in_balance = take_array(&call, 0, 1, 'd', false)) != NULL) {
-        answer = PyFloat_FromDouble(segfmu_rig_imbalance(
-            (array_double_1d){in_balance->buf, {in_balance->shape[0]}}));
     }
     release_arguments(&call);
     return answer;
@@ -1622,23 +1322,307 @@ static PyObject *call_rig_partials(
     return answer;
 }
 
+static PyObject *call_rig_rows(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "rig_rows", .values = values};
+    PyObject *answer = NULL;
+    double in_sample_time;
+    double in_dead_time;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && take_float(&call, 0, &in_sample_time)
+        && take_float(&call, 1, &in_dead_time)) {
+        answer = PyLong_FromLongLong(segfmu_rig_rows(
+            in_sample_time,
+            in_dead_time));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_rig_start(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "rig_start", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_loop;
+    Py_buffer *in_sensors;
+    Py_buffer *in_changes;
+    Py_buffer *in_parameters;
+    Py_buffer *in_state;
+    Py_buffer *in_setpoints;
+    double in_start;
+    Py_buffer *in_memory;
+    (void)self;
+    if (take_count(&call, count, 8)
+        && (in_loop = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_sensors = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_changes = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_parameters = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_state = take_array(&call, 4, 1, 'd', false)) != NULL
+        && (in_setpoints = take_array(&call, 5, 1, 'd', false)) != NULL
+        && take_float(&call, 6, &in_start)
+        && (in_memory = take_array(&call, 7, 2, 'd', true)) != NULL) {
+        segfmu_rig_start(
+            (array_double_1d){in_loop->buf, {in_loop->shape[0]}},
+            (array_double_1d){in_sensors->buf, {in_sensors->shape[0]}},
+            (array_double_2d){in_changes->buf, {in_changes->shape[0], in_changes->shape[1]}},
+            (array_double_1d){in_parameters->buf, {in_parameters->shape[0]}},
+            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+            (array_double_1d){in_setpoints->buf, {in_setpoints->shape[0]}},
+            in_start,
+            (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_rig_step(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "rig_step", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_loop;
+    Py_buffer *in_sensors;
+    Py_buffer *in_components;
+    Py_buffer *in_changes;
+    Py_buffer *in_tracking;
+    Py_buffer *in_lengths;
+    Py_buffer *in_table;
+    Py_buffer *in_gain_lengths;
+    Py_buffer *in_gains;
+    Py_buffer *in_tracker;
+    Py_buffer *in_setpoints;
+    double in_duration;
+    Py_buffer *in_memory;
+    (void)self;
+    if (take_count(&call, count, 13)
+        && (in_loop = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_sensors = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_components = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_changes = take_array(&call, 3, 2, 'd', false)) != NULL
+        && (in_tracking = take_array(&call, 4, 1, 'd', false)) != NULL
+        && (in_lengths = take_array(&call, 5, 1, 'd', false)) != NULL
+        && (in_table = take_array(&call, 6, 3, 'd', false)) != NULL
+        && (in_gain_lengths = take_array(&call, 7, 1, 'd', false)) != NULL
+        && (in_gains = take_array(&call, 8, 3, 'd', false)) != NULL
+        && (in_tracker = take_array(&call, 9, 2, 'd', true)) != NULL
+        && (in_setpoints = take_array(&call, 10, 1, 'd', false)) != NULL
+        && take_float(&call, 11, &in_duration)
+        && (in_memory = take_array(&call, 12, 2, 'd', true)) != NULL) {
+        answer = PyLong_FromLongLong(segfmu_rig_step(
+            (array_double_1d){in_loop->buf, {in_loop->shape[0]}},
+            (array_double_1d){in_sensors->buf, {in_sensors->shape[0]}},
+            (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}},
+            (array_double_2d){in_changes->buf, {in_changes->shape[0], in_changes->shape[1]}},
+            (array_double_1d){in_tracking->buf, {in_tracking->shape[0]}},
+            (array_double_1d){in_lengths->buf, {in_lengths->shape[0]}},
+            (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}},
+            (array_double_1d){in_gain_lengths->buf, {in_gain_lengths->shape[0]}},
+            (array_double_3d){in_gains->buf, {in_gains->shape[0], in_gains->shape[1], in_gains->shape[2]}},
+            (array_double_2d){in_tracker->buf, {in_tracker->shape[0], in_tracker->shape[1]}},
+            (array_double_1d){in_setpoints->buf, {in_setpoints->shape[0]}},
+            in_duration,
+            (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_rig_balance(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "rig_balance", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_memory;
+    Py_buffer *in_balance;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_memory = take_array(&call, 0, 2, 'd', true)) != NULL
+        && (in_balance = take_array(&call, 1, 1, 'd', true)) != NULL) {
+        segfmu_rig_balance(
+            (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}},
+            (array_double_1d){in_balance->buf, {in_balance->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_rig_imbalance(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "rig_imbalance", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_balance;
+    (void)self;
+    if (take_count(&call, count, 1)
+        && (in_balance = take_array(&call, 0, 1, 'd', false)) != NULL) {
+        answer = PyFloat_FromDouble(segfmu_rig_imbalance(
+            (array_double_1d){in_balance->buf, {in_balance->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_same_break(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "same_break", .values = values};
+    PyObject *answer = NULL;
+    double in_time;
+    (void)self;
+    if (take_count(&call, count, 1)
+        && take_float(&call, 0, &in_time)) {
+        answer = PyFloat_FromDouble(segfmu_same_break(
+            in_time));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_next_plan_event(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "next_plan_event", .values = values};
+    PyObject *answer = NULL;
+    double in_time;
+    double in_start;
+    Py_buffer *in_timing;
+    Py_buffer *in_offsets;
+    Py_buffer *in_ends;
+    Py_buffer *in_times;
+    (void)self;
+    if (take_count(&call, count, 6)
+        && take_float(&call, 0, &in_time)
+        && take_float(&call, 1, &in_start)
+        && (in_timing = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
+        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
+        && (in_times = take_array(&call, 5, 2, 'd', false)) != NULL) {
+        answer = PyFloat_FromDouble(segfmu_next_plan_event(
+            in_time,
+            in_start,
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
+            (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_right_of_break(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "right_of_break", .values = values};
+    PyObject *answer = NULL;
+    double in_time;
+    double in_start;
+    Py_buffer *in_timing;
+    Py_buffer *in_offsets;
+    Py_buffer *in_ends;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && take_float(&call, 0, &in_time)
+        && take_float(&call, 1, &in_start)
+        && (in_timing = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
+        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL) {
+        answer = PyFloat_FromDouble(segfmu_right_of_break(
+            in_time,
+            in_start,
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_1d){in_ends->buf, {in_ends->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_count_pieces(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "count_pieces", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_counts;
+    int64_t in_cells;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_counts = take_array(&call, 0, 1, 'l', false)) != NULL
+        && take_int(&call, 1, &in_cells)) {
+        answer = PyLong_FromLongLong(segfmu_count_pieces(
+            (array_int64_t_1d){in_counts->buf, {in_counts->shape[0]}},
+            in_cells));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_expand_plan(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "expand_plan", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_positions;
+    Py_buffer *in_velocities;
+    Py_buffer *in_dwells;
+    int64_t in_smoothness;
+    int64_t in_shape;
+    Py_buffer *in_phases;
+    Py_buffer *in_counts;
+    Py_buffer *in_weights;
+    Py_buffer *in_durations;
+    Py_buffer *in_ramps;
+    Py_buffer *in_scratch_timing;
+    Py_buffer *in_scratch;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_times;
+    (void)self;
+    if (take_count(&call, count, 16)
+        && (in_positions = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_velocities = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_dwells = take_array(&call, 2, 1, 'd', false)) != NULL
+        && take_int(&call, 3, &in_smoothness)
+        && take_int(&call, 4, &in_shape)
+        && (in_phases = take_array(&call, 5, 3, 'd', false)) != NULL
+        && (in_counts = take_array(&call, 6, 1, 'l', false)) != NULL
+        && (in_weights = take_array(&call, 7, 1, 'd', false)) != NULL
+        && (in_durations = take_array(&call, 8, 2, 'd', false)) != NULL
+        && (in_ramps = take_array(&call, 9, 2, 'd', false)) != NULL
+        && (in_scratch_timing = take_array(&call, 10, 2, 'd', true)) != NULL
+        && (in_scratch = take_array(&call, 11, 2, 'd', true)) != NULL
+        && (in_timing = take_array(&call, 12, 2, 'd', true)) != NULL
+        && (in_coefficients = take_array(&call, 13, 2, 'd', true)) != NULL
+        && (in_offsets = take_array(&call, 14, 1, 'l', true)) != NULL
+        && (in_times = take_array(&call, 15, 2, 'd', true)) != NULL) {
+        answer = PyLong_FromLongLong(segfmu_expand_plan(
+            (array_double_2d){in_positions->buf, {in_positions->shape[0], in_positions->shape[1]}},
+            (array_double_2d){in_velocities->buf, {in_velocities->shape[0], in_velocities->shape[1]}},
+            (array_double_1d){in_dwells->buf, {in_dwells->shape[0]}},
+            in_smoothness,
+            in_shape,
+            (array_double_3d){in_phases->buf, {in_phases->shape[0], in_phases->shape[1], in_phases->shape[2]}},
+            (array_int64_t_1d){in_counts->buf, {in_counts->shape[0]}},
+            (array_double_1d){in_weights->buf, {in_weights->shape[0]}},
+            (array_double_2d){in_durations->buf, {in_durations->shape[0], in_durations->shape[1]}},
+            (array_double_2d){in_ramps->buf, {in_ramps->shape[0], in_ramps->shape[1]}},
+            (array_double_2d){in_scratch_timing->buf, {in_scratch_timing->shape[0], in_scratch_timing->shape[1]}},
+            (array_double_2d){in_scratch->buf, {in_scratch->shape[0], in_scratch->shape[1]}},
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyMethodDef methods[] = {
-    {"ramp_parameters", (PyCFunction)(void (*)(void))call_ramp_parameters, METH_FASTCALL, NULL},
-    {"ramp_duration", (PyCFunction)(void (*)(void))call_ramp_duration, METH_FASTCALL, NULL},
-    {"measure_phases", (PyCFunction)(void (*)(void))call_measure_phases, METH_FASTCALL, NULL},
-    {"shortest_profile", (PyCFunction)(void (*)(void))call_shortest_profile, METH_FASTCALL, NULL},
-    {"timed_profile", (PyCFunction)(void (*)(void))call_timed_profile, METH_FASTCALL, NULL},
-    {"plan_phases", (PyCFunction)(void (*)(void))call_plan_phases, METH_FASTCALL, NULL},
-    {"expand_phases", (PyCFunction)(void (*)(void))call_expand_phases, METH_FASTCALL, NULL},
-    {"evaluate", (PyCFunction)(void (*)(void))call_evaluate, METH_FASTCALL, NULL},
-    {"evaluate_orders", (PyCFunction)(void (*)(void))call_evaluate_orders, METH_FASTCALL, NULL},
-    {"same_break", (PyCFunction)(void (*)(void))call_same_break, METH_FASTCALL, NULL},
-    {"next_plan_event", (PyCFunction)(void (*)(void))call_next_plan_event, METH_FASTCALL, NULL},
-    {"right_of_break", (PyCFunction)(void (*)(void))call_right_of_break, METH_FASTCALL, NULL},
-    {"count_pieces", (PyCFunction)(void (*)(void))call_count_pieces, METH_FASTCALL, NULL},
-    {"expand_plan", (PyCFunction)(void (*)(void))call_expand_plan, METH_FASTCALL, NULL},
-    {"check_plan", (PyCFunction)(void (*)(void))call_check_plan, METH_FASTCALL, NULL},
-    {"check_rope", (PyCFunction)(void (*)(void))call_check_rope, METH_FASTCALL, NULL},
     {"feedback_correction", (PyCFunction)(void (*)(void))call_feedback_correction, METH_FASTCALL, NULL},
     {"feedback_bandwidth", (PyCFunction)(void (*)(void))call_feedback_bandwidth, METH_FASTCALL, NULL},
     {"feedback_gains", (PyCFunction)(void (*)(void))call_feedback_gains, METH_FASTCALL, NULL},
@@ -1646,7 +1630,6 @@ static PyMethodDef methods[] = {
     {"observer_predict", (PyCFunction)(void (*)(void))call_observer_predict, METH_FASTCALL, NULL},
     {"observer_correct", (PyCFunction)(void (*)(void))call_observer_correct, METH_FASTCALL, NULL},
     {"track_setpoint", (PyCFunction)(void (*)(void))call_track_setpoint, METH_FASTCALL, NULL},
-    {"compensate_setpoints", (PyCFunction)(void (*)(void))call_compensate_setpoints, METH_FASTCALL, NULL},
     {"crane_rhs", (PyCFunction)(void (*)(void))call_crane_rhs, METH_FASTCALL, NULL},
     {"crane_driven", (PyCFunction)(void (*)(void))call_crane_driven, METH_FASTCALL, NULL},
     {"crane_flat_inverse", (PyCFunction)(void (*)(void))call_crane_flat_inverse, METH_FASTCALL, NULL},
@@ -1654,23 +1637,40 @@ static PyMethodDef methods[] = {
     {"crane_energy", (PyCFunction)(void (*)(void))call_crane_energy, METH_FASTCALL, NULL},
     {"crane_load_partials", (PyCFunction)(void (*)(void))call_crane_load_partials, METH_FASTCALL, NULL},
     {"crane_energy_partials", (PyCFunction)(void (*)(void))call_crane_energy_partials, METH_FASTCALL, NULL},
-    {"flat_derivatives", (PyCFunction)(void (*)(void))call_flat_derivatives, METH_FASTCALL, NULL},
+    {"compensate_setpoints", (PyCFunction)(void (*)(void))call_compensate_setpoints, METH_FASTCALL, NULL},
     {"seed_numbers", (PyCFunction)(void (*)(void))call_seed_numbers, METH_FASTCALL, NULL},
     {"next_uniform", (PyCFunction)(void (*)(void))call_next_uniform, METH_FASTCALL, NULL},
     {"noise_components", (PyCFunction)(void (*)(void))call_noise_components, METH_FASTCALL, NULL},
     {"plant_advance", (PyCFunction)(void (*)(void))call_plant_advance, METH_FASTCALL, NULL},
+    {"ramp_parameters", (PyCFunction)(void (*)(void))call_ramp_parameters, METH_FASTCALL, NULL},
+    {"ramp_duration", (PyCFunction)(void (*)(void))call_ramp_duration, METH_FASTCALL, NULL},
+    {"expand_phases", (PyCFunction)(void (*)(void))call_expand_phases, METH_FASTCALL, NULL},
+    {"evaluate", (PyCFunction)(void (*)(void))call_evaluate, METH_FASTCALL, NULL},
+    {"evaluate_orders", (PyCFunction)(void (*)(void))call_evaluate_orders, METH_FASTCALL, NULL},
+    {"check_plan", (PyCFunction)(void (*)(void))call_check_plan, METH_FASTCALL, NULL},
+    {"check_rope", (PyCFunction)(void (*)(void))call_check_rope, METH_FASTCALL, NULL},
+    {"flat_derivatives", (PyCFunction)(void (*)(void))call_flat_derivatives, METH_FASTCALL, NULL},
+    {"measure_phases", (PyCFunction)(void (*)(void))call_measure_phases, METH_FASTCALL, NULL},
+    {"shortest_profile", (PyCFunction)(void (*)(void))call_shortest_profile, METH_FASTCALL, NULL},
+    {"timed_profile", (PyCFunction)(void (*)(void))call_timed_profile, METH_FASTCALL, NULL},
+    {"plan_phases", (PyCFunction)(void (*)(void))call_plan_phases, METH_FASTCALL, NULL},
     {"measure_state", (PyCFunction)(void (*)(void))call_measure_state, METH_FASTCALL, NULL},
     {"switch_correction", (PyCFunction)(void (*)(void))call_switch_correction, METH_FASTCALL, NULL},
-    {"rig_rows", (PyCFunction)(void (*)(void))call_rig_rows, METH_FASTCALL, NULL},
-    {"rig_start", (PyCFunction)(void (*)(void))call_rig_start, METH_FASTCALL, NULL},
-    {"rig_step", (PyCFunction)(void (*)(void))call_rig_step, METH_FASTCALL, NULL},
-    {"rig_balance", (PyCFunction)(void (*)(void))call_rig_balance, METH_FASTCALL, NULL},
-    {"rig_imbalance", (PyCFunction)(void (*)(void))call_rig_imbalance, METH_FASTCALL, NULL},
     {"rig_next_event", (PyCFunction)(void (*)(void))call_rig_next_event, METH_FASTCALL, NULL},
     {"rig_event", (PyCFunction)(void (*)(void))call_rig_event, METH_FASTCALL, NULL},
     {"rig_signals", (PyCFunction)(void (*)(void))call_rig_signals, METH_FASTCALL, NULL},
     {"rig_rates", (PyCFunction)(void (*)(void))call_rig_rates, METH_FASTCALL, NULL},
     {"rig_partials", (PyCFunction)(void (*)(void))call_rig_partials, METH_FASTCALL, NULL},
+    {"rig_rows", (PyCFunction)(void (*)(void))call_rig_rows, METH_FASTCALL, NULL},
+    {"rig_start", (PyCFunction)(void (*)(void))call_rig_start, METH_FASTCALL, NULL},
+    {"rig_step", (PyCFunction)(void (*)(void))call_rig_step, METH_FASTCALL, NULL},
+    {"rig_balance", (PyCFunction)(void (*)(void))call_rig_balance, METH_FASTCALL, NULL},
+    {"rig_imbalance", (PyCFunction)(void (*)(void))call_rig_imbalance, METH_FASTCALL, NULL},
+    {"same_break", (PyCFunction)(void (*)(void))call_same_break, METH_FASTCALL, NULL},
+    {"next_plan_event", (PyCFunction)(void (*)(void))call_next_plan_event, METH_FASTCALL, NULL},
+    {"right_of_break", (PyCFunction)(void (*)(void))call_right_of_break, METH_FASTCALL, NULL},
+    {"count_pieces", (PyCFunction)(void (*)(void))call_count_pieces, METH_FASTCALL, NULL},
+    {"expand_plan", (PyCFunction)(void (*)(void))call_expand_plan, METH_FASTCALL, NULL},
     {NULL, NULL, 0, NULL},
 };
 

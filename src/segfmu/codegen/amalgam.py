@@ -1,0 +1,111 @@
+"""kernels/**/*.py -> one module of functions, in which names of records are their integers."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from importlib import import_module
+from pathlib import Path
+
+from segfmu.errors import BuildError
+from segfmu.kernels.records import Codes, Record
+
+KERNELS = Path(__file__).parents[1] / "kernels"
+PACKAGE = "segfmu.kernels"
+
+
+def modules() -> list[str]:
+    """Kernel modules below `segfmu.kernels`, each behind those that it imports."""
+    paths = sorted(KERNELS.glob("*/*.py"))
+    names = [f"{p.parent.name}.{p.stem}" for p in paths if p.stem not in ("__init__", "records")]
+    ordered: list[str] = []
+    for name in names:
+        _visit(name, ordered, ())
+    return ordered
+
+
+def _visit(name: str, ordered: list[str], above: tuple[str, ...]) -> None:
+    if name in above:
+        raise BuildError(f"kernels import each other: {' -> '.join((*above, name))}")
+    if name in ordered:
+        return
+    for node in tree(name).body:
+        if isinstance(node, ast.ImportFrom) and (node.module or "").startswith(f"{PACKAGE}."):
+            used = (node.module or "").removeprefix(f"{PACKAGE}.")
+            if not used.endswith("records"):
+                _visit(used, ordered, (*above, name))
+    ordered.append(name)
+
+
+def text(name: str) -> str:
+    """Source of a kernel module."""
+    return (KERNELS / f"{name.replace('.', '/')}.py").read_text(encoding="utf-8")
+
+
+def tree(name: str) -> ast.Module:
+    """Syntax tree of a kernel module."""
+    return ast.parse(text(name))
+
+
+def amalgamated() -> str:
+    """All kernels as one Python module."""
+    imported: set[str] = set()
+    texts = []
+    for name in modules():
+        source = resolved(name)
+        lines = source.splitlines()
+        for node in ast.parse(source).body:
+            module = node.module if isinstance(node, ast.ImportFrom) else None
+            if isinstance(node, ast.ImportFrom) and module == "math":
+                imported.update(alias.name for alias in node.names)
+            elif isinstance(node, ast.FunctionDef):
+                texts.append("\n".join(lines[node.lineno - 1 : node.end_lineno]))
+            elif not isinstance(node, ast.ImportFrom | ast.Expr):
+                raise BuildError(f"kernels/{name}.py:{node.lineno}: only functions translate")
+    head = f"from math import {', '.join(sorted(imported))}"
+    return "\n\n\n".join([head, *texts]) + "\n"
+
+
+def resolved(name: str) -> str:
+    """A kernel module with integers in place of the names of records and codes."""
+    source = text(name)
+    lines = source.splitlines(keepends=True)
+    parsed = ast.parse(source)
+    # from the end, so that places found before stay valid
+    for node, value in sorted(_places(name, parsed), key=lambda p: _position(p[0]), reverse=True):
+        row = lines[node.lineno - 1].encode()
+        spelt = repr(value).encode()
+        changed = row[: node.col_offset] + spelt + row[node.end_col_offset :]
+        lines[node.lineno - 1] = changed.decode()
+    return "".join(lines)
+
+
+def _position(node: ast.expr) -> tuple[int, int]:
+    return node.lineno, node.col_offset
+
+
+def _places(name: str, parsed: ast.Module) -> Iterator[tuple[ast.expr, int]]:
+    """Every use of a record's or code's name, and its value."""
+    records = _records(parsed)
+    for node in ast.walk(parsed):
+        if not (isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name)):
+            continue
+        record = records.get(node.value.id)
+        if record is None:
+            continue
+        value = getattr(record, node.attr, None)
+        if not isinstance(value, int):
+            raise BuildError(
+                f"kernels/{name}.py:{node.lineno}: {record.__name__} has no {node.attr}"
+            )
+        yield node, value
+
+
+def _records(parsed: ast.Module) -> dict[str, type[Record] | type[Codes]]:
+    """Records and codes that a module imports, by their names in it."""
+    found: dict[str, type[Record] | type[Codes]] = {}
+    for node in parsed.body:
+        if isinstance(node, ast.ImportFrom) and (node.module or "").endswith("records"):
+            module = import_module(node.module or "")
+            found |= {a.asname or a.name: getattr(module, a.name) for a in node.names}
+    return found

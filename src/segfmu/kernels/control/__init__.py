@@ -1,0 +1,1 @@
+"""Observer, sway feedback and the tracking controller."""

@@ -1,0 +1,1 @@
+"""The crane's equations, its flat inverse, drives, friction and wind."""

@@ -1,0 +1,1 @@
+"""Roots, small matrices, integration, random numbers."""

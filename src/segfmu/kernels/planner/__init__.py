@@ -1,0 +1,1 @@
+"""From waypoints to phases: transition polynomials, profiles, common durations."""

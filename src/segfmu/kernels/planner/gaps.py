@@ -1,0 +1,208 @@
+"""The durations at which a gap between feasible durations can end.
+
+Outside a gap the profiles of one duration cover distances on both sides of the one asked for. At
+its end either the nearest of them covers just that distance, and so is a member of the families
+that the shortest profile is taken from, or profiles of a new kind begin there: a family whose
+duration falls and rises again begins where it turns.
+"""
+
+from segfmu.kernels.planner.braking import braked
+from segfmu.kernels.planner.cruise import cruise_form, direct_form, slower_cruise, with_cruise
+from segfmu.kernels.planner.merged import tempered_form
+from segfmu.kernels.planner.profile import meets
+from segfmu.kernels.planner.transition import ramp_duration
+
+
+def insert_end(duration: float, after: float, count: int, ends: 'float[:,:]') -> int:
+    """Sort a duration later than `after` into the first column of ends; the latest falls out."""
+    if duration <= after:
+        return count
+    place = count
+    while place > 0 and ends[place - 1, 0] > duration:
+        place = place - 1
+    if place > 0 and duration - ends[place - 1, 0] <= 1e-10 * duration:
+        return count
+    count = min(count + 1, ends.shape[0])
+    for j in range(count - 1 - place):
+        i = count - 1 - j
+        ends[i, 0] = ends[i - 1, 0]
+    if place < count:
+        ends[place, 0] = duration
+    return count
+
+
+def cruise_time(
+    cruise: float,
+    covering: bool,
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    distance: float,
+    top: float,
+    ramp: 'float[:]',
+    phases: 'float[:,:]',
+) -> float:
+    """Duration of the paper's form, if `covering` with the cruise that it takes to the distance.
+
+    1e300 where there is no such form.
+    """
+    count, row, duration, y = cruise_form(phases, cruise, v, a, w, b, top, ramp)
+    if count < 0 or (covering and (distance - y) * cruise <= 0.0):
+        return 1e300
+    if covering:
+        duration = duration + (distance - y) / cruise
+    return duration
+
+
+def turning_time(
+    lower: float,
+    upper: float,
+    covering: bool,
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    distance: float,
+    top: float,
+    ramp: 'float[:]',
+    phases: 'float[:,:]',
+) -> float:
+    """The least `cruise_time` between two cruise velocities, by golden section."""
+    shrink = 0.6180339887498949
+    p = upper - shrink * (upper - lower)
+    q = lower + shrink * (upper - lower)
+    t_p = cruise_time(p, covering, v, a, w, b, distance, top, ramp, phases)
+    t_q = cruise_time(q, covering, v, a, w, b, distance, top, ramp, phases)
+    for i in range(30):
+        if t_p <= t_q:
+            upper = q
+            q = p
+            t_q = t_p
+            p = upper - shrink * (upper - lower)
+            t_p = cruise_time(p, covering, v, a, w, b, distance, top, ramp, phases)
+        else:
+            lower = p
+            p = q
+            t_p = t_q
+            q = lower + shrink * (upper - lower)
+            t_q = cruise_time(q, covering, v, a, w, b, distance, top, ramp, phases)
+    return min(t_p, t_q)
+
+
+def turning_ends(
+    covering: bool,
+    spent: float,
+    after: float,
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    distance: float,
+    velocity_limit: float,
+    top: float,
+    ramp: 'float[:]',
+    phases: 'float[:,:]',
+    count: int,
+    ends: 'float[:,:]',
+) -> int:
+    """Insert the durations at which the paper's form turns, over all cruise velocities."""
+    samples = 24
+    first = 1e300
+    second = 1e300
+    for i in range(samples + 2):
+        third = 1e300
+        if i <= samples:
+            cruise = velocity_limit * (2.0 * i / samples - 1.0)
+            third = cruise_time(cruise, covering, v, a, w, b, distance, top, ramp, phases)
+        if second < 1e300 and first >= second and third >= second:
+            lower = velocity_limit * max(2.0 * (i - 2) / samples - 1.0, -1.0)
+            upper = velocity_limit * min(2.0 * i / samples - 1.0, 1.0)
+            turn = turning_time(
+                lower, upper, covering, v, a, w, b, distance, top, ramp, phases
+            )
+            count = insert_end(spent + min(turn, second), after, count, ends)
+        first = second
+        second = third
+    return count
+
+
+def covering_ends(
+    spent: float,
+    after: float,
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    distance: float,
+    velocity_limit: float,
+    top: float,
+    ramp: 'float[:]',
+    phases: 'float[:,:]',
+    found: int,
+    ends: 'float[:,:]',
+) -> int:
+    """Insert the durations of all candidates of the shortest profile that cover the distance."""
+    t_top, rise, slope = ramp_duration(top, ramp)
+    usual = 4.0 * (velocity_limit / top + t_top) + abs(distance) / velocity_limit
+    skipped = -1
+    for form in range(21):
+        branch = (form - 5) // 4
+        if form >= 5 and branch == skipped:
+            continue
+        if form == 0:
+            count = slower_cruise(phases, v, a, w, b, distance, velocity_limit, top, ramp)
+        elif form < 3:
+            cruise = velocity_limit * (3 - 2 * form)
+            count = with_cruise(phases, cruise, v, a, w, b, distance, top, ramp)
+        elif form < 5:
+            count = direct_form(
+                phases, form == 3, v, a, w, b, distance, velocity_limit, top, ramp
+            )
+        else:
+            count = tempered_form(
+                phases, branch == 1 or branch == 2, branch >= 2, (form - 5) % 4, False, usual,
+                v, a, w, b, distance, velocity_limit, top, ramp,
+            )
+            if count < 0:
+                skipped = branch
+        if count > 0:
+            duration = meets(phases, count, v, w, distance, velocity_limit, ramp)
+            if duration >= 0.0:
+                found = insert_end(spent + duration, after, found, ends)
+    return found
+
+
+def gap_ends(
+    after: float,
+    v: float,
+    a: float,
+    w: float,
+    b: float,
+    distance: float,
+    velocity_limit: float,
+    top: float,
+    ramp: 'float[:]',
+    phases: 'float[:,:]',
+    ends: 'float[:,:]',
+) -> int:
+    """Write the earliest durations after a given one at which a gap can end; their number.
+
+    They come in rising order, in the first column of `ends`, as many as it has rows for.
+    """
+    count = 0
+    for variant in range(4):
+        taken, spent, rest, v1, a1, w1, b1 = braked(
+            variant, v, a, w, b, distance, velocity_limit, top, ramp, phases
+        )
+        if taken < 0:
+            continue
+        count = covering_ends(
+            spent, after, v1, a1, w1, b1, rest, velocity_limit, top, ramp, phases, count, ends
+        )
+        for kind in range(2):
+            count = turning_ends(
+                kind == 1, spent, after, v1, a1, w1, b1, rest, velocity_limit, top, ramp,
+                phases, count, ends,
+            )
+    return count

@@ -1,0 +1,145 @@
+"""Lists of phases: rows [duration, rise, acceleration at the start, acceleration change]."""
+
+from segfmu.kernels.planner.transition import (
+    ramp_change,
+    ramp_distance,
+    ramp_duration,
+    ramp_extreme_velocity,
+    ramp_rise,
+)
+
+
+def without_dust(value: float, scale: float) -> float:
+    """The value, or 0 where it is so small against its scale that its powers would underflow."""
+    if abs(value) <= 1e-30 * scale:
+        return 0.0
+    return value
+
+
+def without_excess(value: float, limit: float) -> float:
+    """A boundary value without dust, and clamped where it passes its limit by rounding."""
+    return min(max(without_dust(value, limit), -limit), limit)
+
+
+def append_ramp(
+    phases: 'float[:,:]', count: int, a: float, b: float, duration: float, ramp: 'float[:]'
+) -> int:
+    """Append the ramp from a to b whose duration was solved for; nothing if it has none.
+
+    The change follows from the duration, not from b - a: the rounding error of that difference
+    would be large against a small change, and break the limits of the ramp.
+    """
+    if duration <= 0.0:
+        return count
+    change, slope = ramp_change(duration, ramp)
+    if b < a:
+        change = -change
+    phases[count, 0] = duration
+    phases[count, 1] = ramp_rise(duration, ramp)
+    phases[count, 2] = a
+    phases[count, 3] = change
+    return count + 1
+
+
+def append_change(
+    phases: 'float[:,:]', count: int, a: float, b: float, ramp: 'float[:]'
+) -> int:
+    """Append the fastest ramp from a to b; nothing if they are equal."""
+    duration, rise, slope = ramp_duration(abs(b - a), ramp)
+    if duration <= 0.0:
+        return count
+    phases[count, 0] = duration
+    phases[count, 1] = rise
+    phases[count, 2] = a
+    phases[count, 3] = b - a
+    return count + 1
+
+
+def append_hold(phases: 'float[:,:]', count: int, a: float, duration: float) -> int:
+    """Append a phase of constant acceleration; nothing if it has no duration."""
+    if duration <= 0.0:
+        return count
+    phases[count, 0] = duration
+    phases[count, 1] = 0.0
+    phases[count, 2] = a
+    phases[count, 3] = 0.0
+    return count + 1
+
+
+def insert_hold(
+    phases: 'float[:,:]', count: int, row: int, a: float, duration: float
+) -> int:
+    """Insert a phase of constant acceleration before `row`; nothing if it has no duration."""
+    if duration <= 0.0:
+        return count
+    for j in range(count - row):
+        i = count - 1 - j
+        for column in range(4):
+            phases[i + 1, column] = phases[i, column]
+    append_hold(phases, row, a, duration)
+    return count + 1
+
+
+def copy_phases(source: 'float[:,:]', target: 'float[:,:]', count: int) -> None:
+    """Copy the first rows of a list of phases."""
+    for i in range(count):
+        for column in range(4):
+            target[i, column] = source[i, column]
+
+
+def mirror_phases(phases: 'float[:,:]', count: int) -> None:
+    """The same motion in the other direction."""
+    for i in range(count):
+        phases[i, 2] = -phases[i, 2]
+        phases[i, 3] = -phases[i, 3]
+
+
+def swap_entries(phases: 'float[:,:]', i: int, j: int, column: int) -> None:
+    """Exchange one column of two rows."""
+    kept = phases[i, column]
+    phases[i, column] = phases[j, column]
+    phases[j, column] = kept
+
+
+def reverse_phases(phases: 'float[:,:]', first: int, count: int) -> None:
+    """The same path run from its end, velocities kept: accelerations change their sign.
+
+    y(t) becomes -y(T - t); rows first .. count - 1 are reversed.
+    """
+    for i in range((count - first) // 2):
+        for column in range(4):
+            swap_entries(phases, first + i, count - 1 - i, column)
+    for i in range(first, count):
+        # a ramp from a to a + d, run backwards with the sign changed, goes from -(a + d) to -a
+        phases[i, 2] = -(phases[i, 2] + phases[i, 3])
+
+
+def measure_phases(
+    phases: 'float[:,:]', count: int, v: float, within: float, ramp: 'float[:]'
+) -> 'tuple[float, float, float, float, float]':
+    """Duration, distance, end velocity, lowest and highest velocity of a list of phases.
+
+    Peaks inside of ramps are left out where they are surely within +-`within`.
+    """
+    total = 0.0
+    y = 0.0
+    lowest = v
+    highest = v
+    for i in range(count):
+        duration = phases[i, 0]
+        a = phases[i, 2]
+        b = a + phases[i, 3]
+        if a * b < 0.0:
+            # a quick bound first: the end with the smaller acceleration is less than half of the
+            # ramp away from the crossing
+            bound = v + 0.5 * a * duration
+            if bound > max(highest, within) or bound < min(lowest, -within):
+                extreme = ramp_extreme_velocity(v, a, b, duration, phases[i, 1], ramp)
+                lowest = min(lowest, extreme)
+                highest = max(highest, extreme)
+        y = y + ramp_distance(v, a, b, duration, phases[i, 1], ramp)
+        v = v + 0.5 * (a + b) * duration
+        lowest = min(lowest, v)
+        highest = max(highest, v)
+        total = total + duration
+    return total, y, v, lowest, highest

@@ -1,0 +1,85 @@
+"""Names for the places of the flat arrays that kernels pass on.
+
+A record names the entries of an array, or the rows of one with two dimensions. It is declared once,
+and from it come the indices in the kernels, the C enumerations of c/records.h, the mapping from an
+FMU's variables, and docs/records.md:
+
+    class Clock(Record):
+        "Times of a rig."
+        START = field("time of the start", "s")
+        STOPS = field("end stops of bridge and trolley", "m", size=2)
+
+`Clock.START` is 0, `Clock.STOPS` is 1 and `Clock.SIZE` is 3: plain integers, which the translator
+to C puts in place of the names. A kernel writes `clock[Clock.STOPS + axis]`, and for an array whose
+rows are named `memory[Memory.CLOCK, Clock.START]`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+
+@dataclass(frozen=True)
+class Field:
+    """One field of a record.
+
+    Attributes
+    ----------
+    meaning : str
+    unit : str
+        Empty for a number without one.
+    size : int
+        Entries, or rows.
+    of : type of Record, optional
+        What names the entries of this field, or of each of its rows.
+    variables : tuple of str
+        FMU variables that feed it, one an entry; empty where none does.
+    """
+
+    meaning: str
+    unit: str
+    size: int
+    of: type[Record] | None
+    variables: tuple[str, ...]
+
+
+def field(
+    meaning: str,
+    unit: str = "",
+    *,
+    size: int = 1,
+    of: type[Record] | None = None,
+    variables: Sequence[str] = (),
+) -> Any:
+    """Declare a field; in the finished record its name is the place of its first entry.
+
+    Parameters are those of `Field`. Type checkers take the name for what it becomes.
+    """
+    if variables and len(variables) != size:
+        raise AssertionError(f"{meaning}: {len(variables)} variables for {size} entries")
+    return Field(meaning, unit, size, of, tuple(variables))
+
+
+class Record:
+    """Base of all records: fields in the order of their places."""
+
+    FIELDS: ClassVar[dict[str, Field]]
+    SIZE: ClassVar[int]
+
+    def __init_subclass__(cls) -> None:
+        cls.FIELDS = {n: f for n, f in vars(cls).items() if isinstance(f, Field)}
+        cls.SIZE = 0
+        for name, declared in cls.FIELDS.items():
+            setattr(cls, name, cls.SIZE)
+            cls.SIZE += declared.size
+
+
+class Codes:
+    """Base of enumerations that kernels pass as numbers: names with integer values."""
+
+    @classmethod
+    def items(cls) -> dict[str, int]:
+        """Names and values in the order of declaration."""
+        return {n: v for n, v in vars(cls).items() if n.isupper() and isinstance(v, int)}

@@ -1,0 +1,1 @@
+"""The crane with sensors and a sampled controller, from event to event."""

@@ -1,0 +1,1 @@
+"""Polynomial pieces of a plan: made, evaluated, checked."""

@@ -1,0 +1,75 @@
+"""The times of a plan at which a step of a simulation should end.
+
+Arrays are those of evaluate.py; times[waypoint, axis] is the arrival of each axis.
+"""
+
+from segfmu.kernels.trajectory.evaluate import find_piece
+
+
+def next_break(
+    time: float, timing: 'float[:,:]', offsets: 'int[:]', ends: 'float[:]'
+) -> float:
+    """First time after `time` at which a piece of any axis begins or its last one ends; or 1e300.
+    """
+    found = 1e300
+    for axis in range(ends.shape[0]):
+        first = offsets[axis]
+        last = offsets[axis + 1]
+        if time < timing[first, 0]:
+            found = min(found, timing[first, 0])
+        else:
+            row = find_piece(time, timing, first, last) + 1
+            if row < last:
+                found = min(found, timing[row, 0])
+            elif time < ends[axis]:
+                found = min(found, ends[axis])
+    return found
+
+
+def same_break(time: float) -> float:
+    """Events that differ by less [s] are the same; clocks are coarser late."""
+    return 1e-8 + 1e-14 * abs(time)
+
+
+def next_plan_event(
+    time: float,
+    start: float,
+    timing: 'float[:,:]',
+    offsets: 'int[:]',
+    ends: 'float[:]',
+    times: 'float[:,:]',
+) -> float:
+    """First event after `time` of a plan that begins at `start`; 1e300 if there is none.
+
+    Events are the last axis' arrival at a waypoint, the end of the motion, and the breaks of all
+    pieces, where derivatives of the crane's forces jump: the first one at smoothness 4.
+    """
+    event = 1e300
+    for waypoint in range(1, times.shape[0] + 1):
+        arrival = 0.0
+        for axis in range(ends.shape[0]):
+            if waypoint < times.shape[0]:
+                arrival = max(arrival, times[waypoint, axis])
+            else:
+                arrival = max(arrival, ends[axis])
+        if start + arrival > time + same_break(time):
+            event = min(event, start + arrival)
+    found = next_break(time + same_break(time) - start, timing, offsets, ends)
+    if found < 1e300:
+        found = start + found
+    # of a start that is far away the clock may be too coarse to tell a break from the present
+    if event <= found + same_break(time) or found <= time:
+        return event
+    return found
+
+
+def right_of_break(
+    time: float, start: float, timing: 'float[:,:]', offsets: 'int[:]', ends: 'float[:]'
+) -> float:
+    """Time since `start`, just behind the break where it is at one: all axes on the next piece."""
+    local = time - start
+    # an axis that has come to its end is still on its last piece there
+    behind = local + same_break(time)
+    if next_break(local - same_break(time), timing, offsets, ends) <= behind:
+        return behind
+    return local

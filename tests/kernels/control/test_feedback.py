@@ -1,0 +1,30 @@
+"""Evaluation of the gain table: interpolation inside, constant outside."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from segfmu.kernels.control.feedback import feedback_correction
+
+LENGTHS = np.array([1.0, 2.0, 4.0])
+GAINS = np.random.default_rng(7).normal(size=(3, 3, 10))
+REFERENCE = np.arange(10.0)
+
+
+@pytest.mark.parametrize("length", [0.5, 1.0, 1.3, 2.0, 3.1, 4.0, 9.0])
+def test_correction_is_the_interpolated_gain_times_the_error(length: float) -> None:
+    state = np.linspace(-1.0, 1.0, 10)
+    state[2] = length
+    gain = np.array(
+        [[np.interp(length, LENGTHS, GAINS[:, i, j]) for j in range(10)] for i in range(3)]
+    )
+    found = np.zeros(3)
+    feedback_correction(state, REFERENCE, LENGTHS, GAINS, found)
+    assert found == pytest.approx(-gain @ (state - REFERENCE))
+
+
+def test_one_row_serves_every_length() -> None:
+    state, found = np.ones(10), np.zeros(3)
+    feedback_correction(state, REFERENCE, LENGTHS[:1], GAINS[:1], found)
+    assert found == pytest.approx(-GAINS[0] @ (state - REFERENCE))

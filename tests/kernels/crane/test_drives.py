@@ -1,0 +1,81 @@
+"""Drives at their bounds against Newton's equations; friction and gusts."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from segfmu.kernels.crane.drives import driven_derivative, friction_force, gust_share
+from tests.crane.newton import accelerations
+
+MASSES = (2.2, 1.155, 1.0, 9.81)
+
+
+def driven(state, demand, force_max, acceleration_max=(0.0, 0.0, 0.0)):
+    """Accelerations, drive forces and flags; no lag, no friction, no wind."""
+    parameters, work, derivative = np.zeros(37), np.zeros((16, 13)), np.zeros(13)
+    parameters[:5] = *MASSES, 1.0
+    parameters[8:11], parameters[11:14] = force_max, acceleration_max
+    work[14, :3] = demand
+    driven_derivative(parameters, np.array(state), work, derivative)
+    return derivative[5:10], work[10, :3], work[10, 3:6] > 0.0
+
+
+angles = st.floats(-1.3, 1.3)
+rates = st.floats(-2.0, 2.0)
+demands = st.floats(-8.0, 8.0)
+bounds = st.sampled_from([0.0, 0.5, 3.0, 9.81, 12.0]) | st.floats(0.1, 40.0)
+
+
+@given(
+    st.tuples(angles, angles), st.floats(0.2, 3.0), st.tuples(*[rates] * 5),
+    st.tuples(*[demands] * 3), st.tuples(*[bounds] * 3),
+)
+def test_a_drive_has_its_demand_or_lags_behind_at_its_bound(angle, length, rate, demand, most):
+    state = np.array([0.0, 0.0, length, *angle, *rate, 0.0, 0.0, 0.0])
+    found, force, saturated = driven(state, demand, most)
+    expected = accelerations(state[:10], force, np.zeros(3), *MASSES)
+    assert found == pytest.approx(expected, rel=1e-7, abs=1e-7)
+    for i in range(3):
+        if saturated[i]:
+            assert abs(force[i]) == pytest.approx(most[i], rel=1e-9)
+            assert np.sign(force[i]) * (found[i] - demand[i]) <= 1e-9
+        else:
+            assert found[i] == pytest.approx(demand[i], abs=1e-9)
+            assert most[i] == 0.0 or abs(force[i]) <= most[i] * (1.0 + 1e-9)
+
+
+def test_forces_change_continuously_where_a_bound_sets_in() -> None:
+    state = np.array([0.0, 0.0, 0.7, 0.3, -0.2, 0.1, 0.2, 0.0, 0.5, -0.4, 0.0, 0.0, 0.0])
+    needed = driven(state, (1.0, 0.5, 0.2), (0.0, 0.0, 0.0))[1]
+    below = driven(state, (1.0, 0.5, 0.2), np.abs(needed) * (1.0 - 1e-7))
+    above = driven(state, (1.0, 0.5, 0.2), np.abs(needed) * (1.0 + 1e-7))
+    assert below[2].any()
+    assert not above[2].any()
+    assert below[0] == pytest.approx(above[0], abs=1e-5)
+
+
+def test_accelerations_are_bounded_and_flagged() -> None:
+    state = np.array([0.0, 0.0, 0.7, 0.3, -0.2, 0.1, 0.2, 0.0, 0.5, -0.4, 0.0, 0.0, 0.0])
+    found, _, saturated = driven(state, (1.0, -2.0, 0.2), (0.0,) * 3, (1.0, 0.6, 0.5))
+    assert found[:3].tolist() == [1.0, -0.6, 0.2]
+    assert saturated.tolist() == [False, True, False]
+
+
+def test_friction_is_odd_and_comes_to_its_value_within_a_few_widths() -> None:
+    parameters = np.zeros(37)
+    parameters[14:17], parameters[17:20], parameters[20] = (2.0, 0.0, 1.0), (5.0, 4.0, 0.0), 1e-3
+    assert friction_force(parameters, 0, 0.0) == 0.0
+    assert friction_force(parameters, 0, -0.3) == -friction_force(parameters, 0, 0.3)
+    assert friction_force(parameters, 0, 0.3) == pytest.approx(0.6 + 5.0)
+    assert friction_force(parameters, 1, 1e-3) == pytest.approx(4.0 * np.tanh(1.0))
+    assert friction_force(parameters, 2, 0.5) == pytest.approx(0.5)
+
+
+@pytest.mark.parametrize("shape", [0.0, 1.0])
+def test_gusts_rise_to_one_and_are_zero_outside(shape: float) -> None:
+    assert [gust_share(shape, s) for s in (-0.1, 0.0, 1.0, 1.1)] == [0.0] * 4
+    assert gust_share(shape, 0.5) == pytest.approx(1.0)
+    assert gust_share(shape, 0.25) == pytest.approx(0.5 if shape == 0.0 else np.sqrt(0.5))

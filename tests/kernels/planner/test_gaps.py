@@ -1,0 +1,90 @@
+"""Ends of gaps between feasible durations, against linear programs over the jerk."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.optimize import linprog
+
+from segfmu import Limits, Waypoint, plan
+from segfmu.kernels.planner.gaps import gap_ends, insert_end
+from tests.problems import AxisProblem
+
+CELLS = 160
+
+
+def reaches(problem: AxisProblem, duration: float) -> bool:
+    """Whether some jerk, constant in each of many cells, meets the boundary in that duration."""
+    h = duration / CELLS
+    velocity, acceleration, jerk = problem.limits[:3]
+    k = np.arange(CELLS)
+    after = np.maximum(k[:, None] - k[None, :], 0.0)
+    own = (k[:, None] >= k[None, :]).astype(float)
+    a = own * h
+    v = own * h * h * (after + 0.5)
+    y = own[-1] * h**3 * (0.5 * after[-1] ** 2 + 0.5 * after[-1] + 1.0 / 6.0)
+    t = h * (k + 1.0)
+    a0, v0 = np.full(CELLS, problem.a), problem.v + problem.a * t
+    y0 = problem.v * duration + 0.5 * problem.a * duration**2
+    rows = np.vstack([a, -a, v, -v])
+    bounds = np.concatenate([
+        acceleration - a0, acceleration + a0, velocity - v0, velocity + v0,
+    ])
+    found = linprog(
+        np.zeros(CELLS), A_ub=rows, b_ub=bounds, A_eq=np.vstack([y, v[-1], a[-1]]),
+        b_eq=[problem.distance - y0, problem.w - v0[-1], problem.b - a0[-1]],
+        bounds=(-jerk, jerk), method="highs",
+    )
+    return found.status == 0
+
+
+def slow_partner(problem: AxisProblem, target: float) -> tuple[list[Waypoint], Limits]:
+    """A plan of two axes: the problem, and one that rests at both ends and takes `target`."""
+    # rest to rest with c_1 = 1 and hardly any ramp: distance + 1 / c_2 + c_2 / c_3
+    distance = target - 1.0 / 1e3 - 1e3 / 1e7
+    points = [
+        Waypoint([0.0, 0.0], [problem.v, 0.0], [problem.a, 0.0]),
+        Waypoint([problem.distance, distance], [problem.w, 0.0], [problem.b, 0.0]),
+    ]
+    velocity, acceleration, jerk = problem.limits[:3]
+    return points, Limits([velocity, 1.0], [acceleration, 1e3], [jerk, 1e7])
+
+
+@pytest.mark.parametrize(
+    ("problem", "inside"),
+    [
+        # keeps going forwards as slowly as it can, then has to turn back
+        (AxisProblem(2, 1, (2.0, 0.6, 3.0), 1.36, -0.11, 1.7, 0.38, 1.9), 2.2),
+        (AxisProblem(2, 1, (2.0, 0.4, 3.0), -1.04, 0.2, -1.04, -0.2, -1.06), 2.0),
+        # slow and nearly there: the gap is short
+        (AxisProblem(2, 1, (1.0, 1.0, 1.0), 0.3, 0.0, 0.3, 0.0, 0.05), 0.5),
+    ],
+)
+def test_a_common_duration_in_a_gap_goes_to_its_end(problem: AxisProblem, inside: float) -> None:
+    points, limits = slow_partner(problem, inside)
+    assert not reaches(problem, inside)
+    found = plan(points, limits, smoothness=2).duration
+    assert found > 1.02 * inside
+    # the optimum over cells is a little slower than that over all jerks
+    assert not reaches(problem, 0.99 * found)
+    assert reaches(problem, 1.01 * found)
+
+
+def test_ends_rise_and_come_after_the_given_duration() -> None:
+    problem = AxisProblem(4, 1, (2.0, 0.6, 3.0, 20.0, 0.0), 1.36, -0.11, 1.7, 0.38, 1.9)
+    ends = np.zeros((16, 8))
+    count = gap_ends(
+        1.3, problem.v, problem.a, problem.w, problem.b, problem.distance, problem.limits[0],
+        problem.limits[1], problem.ramp(), np.zeros((13, 4)), ends,
+    )
+    assert count >= 2
+    assert (np.diff(ends[:count, 0]) > 0.0).all() and ends[0, 0] > 1.3
+
+
+def test_insertion_keeps_the_earliest() -> None:
+    ends = np.zeros((3, 8))
+    count = 0
+    for duration in (5.0, 2.0, 9.0, 0.5, 4.0, 2.0, 8.0):
+        count = insert_end(duration, 1.0, count, ends)
+    assert count == 3
+    assert ends[:, 0].tolist() == [2.0, 4.0, 5.0]

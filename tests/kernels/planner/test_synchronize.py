@@ -1,0 +1,112 @@
+"""Profiles of prescribed duration: durations, distances and limits."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from segfmu.kernels.planner.phases import measure_phases
+from segfmu.kernels.planner.profile import shortest_profile
+from segfmu.kernels.planner.synchronize import stretch_phases, timed_profile
+from tests.problems import AxisProblem, axis_problems
+
+
+def timed(problem: AxisProblem, target: float):
+    """Weight of the mean (-1: infeasible), and duration, distance and velocities of both parts."""
+    ramp = problem.ramp()
+    found, below, above = np.zeros(4), np.zeros((13, 4)), np.zeros((13, 4))
+    weight = timed_profile(
+        target, problem.v, problem.a, problem.w, problem.b, problem.distance, problem.limits[0],
+        problem.limits[1], ramp, found, below, above, np.zeros((13, 4)),
+    )
+    parts = [
+        measure_phases(rows, int(count), problem.v, 0.0, ramp)
+        for rows, count in ((below, found[0]), (above, found[2]))
+    ]
+    return weight, parts
+
+
+def shortest(problem: AxisProblem) -> float:
+    phases, ramp = np.zeros((13, 4)), problem.ramp()
+    count = shortest_profile(
+        problem.v, problem.a, problem.w, problem.b, problem.distance, problem.limits[0],
+        problem.limits[1], ramp, phases, np.zeros((26, 4)),
+    )
+    return -1.0 if count < 0 else float(phases[:count, 0].sum())
+
+
+@settings(max_examples=60, deadline=None)
+@given(axis_problems(), st.sampled_from([1.0001, 1.1, 1.5, 3.0, 20.0]))
+def test_mean_of_two_profiles_meets_the_boundary(problem: AxisProblem, factor: float) -> None:
+    least = shortest(problem)
+    if least <= 0.0:
+        return
+    target = least * factor
+    weight, parts = timed(problem, target)
+    if weight < 0.0:
+        return
+    assert 0.0 <= weight <= 1.0
+    distance = 0.0
+    for share, (duration, y, end, lowest, highest) in zip(
+        (1.0 - weight, weight), parts, strict=True
+    ):
+        distance += share * y
+        if share > 0.0:
+            assert duration == pytest.approx(target, rel=1e-9)
+            assert end == pytest.approx(problem.w, abs=1e-9 * problem.limits[0])
+            assert max(-lowest, highest) <= problem.limits[0] * (1.0 + 1e-9)
+    reach = abs(problem.distance) + problem.limits[0] * target
+    assert abs(distance - problem.distance) <= 1e-9 * reach
+
+
+def test_long_durations_are_always_feasible() -> None:
+    problem = AxisProblem(4, 1, (1.0, 1.0, 2.0, 10.0, 0.0), 0.5, 0.2, -0.3, 0.1, 0.4)
+    for target in (20.0, 50.0, 1000.0):
+        assert timed(problem, target)[0] >= 0.0
+
+
+def test_gap_of_errata_e10() -> None:
+    """Two moving points, 0.3 m apart at 0.5 m/s: about 0.6 s, or more than 2.8 s."""
+    problem = AxisProblem(4, 1, (1.0, 1.0, 2.0, 10.0, 0.0), 0.5, 0.0, 0.5, 0.0, 0.3)
+    feasible = [t for t in np.arange(0.58, 4.0, 0.02) if timed(problem, t)[0] >= 0.0]
+    assert min(feasible) < 0.62
+    assert not [t for t in feasible if 0.8 < t < 2.8]
+    assert [t for t in feasible if t > 3.3] == pytest.approx(
+        [t for t in np.arange(0.58, 4.0, 0.02) if t > 3.3]
+    )
+
+
+def test_stretching_keeps_the_distance() -> None:
+    problem = AxisProblem(5, 1, (1.0, 1.0, 2.0, 10.0, 90.0, 0.0), 0.0, 0.0, 0.0, 0.0, 0.7)
+    phases, ramp = np.zeros((13, 4)), problem.ramp()
+    count = shortest_profile(
+        0.0, 0.0, 0.0, 0.0, 0.7, 1.0, 1.0, ramp, phases, np.zeros((26, 4))
+    )
+    before = measure_phases(phases, count, 0.0, 0.0, ramp)
+    stretch_phases(phases, count, 2.5)
+    after = measure_phases(phases, count, 0.0, 0.0, ramp)
+    assert after[0] == pytest.approx(2.5 * before[0])
+    assert after[1] == pytest.approx(0.7)
+    assert after[4] == pytest.approx(before[4] / 2.5)
+
+
+@pytest.mark.parametrize(
+    "problem",
+    [
+        AxisProblem(
+            6, 1, (0.77214, 2.88543, 1.94765, 0.72618, 0.47188, 0.60954, 0.0),
+            -0.06119, -0.32268, 0.43414, 0.0, -0.45489,
+        ),
+        AxisProblem(
+            6, 1, (0.38853, 0.55953, 3.32279, 0.67355, 0.60386, 0.23595, 0.0),
+            0.0, 0.16786, -0.04133, 0.08784, 0.48107,
+        ),
+    ],
+)
+def test_no_duration_is_lost_where_few_levels_keep_the_velocity_limit(problem) -> None:
+    # a level has to be low enough for the limit and high enough for the duration
+    least = shortest(problem)
+    for target in np.linspace(1.001, 1.6, 80) * least:
+        assert timed(problem, float(target))[0] >= 0.0, target

@@ -1,0 +1,93 @@
+"""The judge of a plan: it passes what keeps the limits and finds what does not, between samples."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from segfmu import Limits, Waypoint, plan
+from segfmu.kernels.trajectory.check import bernstein_coefficients, check_plan, within
+from segfmu.planning.polynomials import piece_extrema
+
+LIMITS = Limits([1.0, 0.4], [1.0, 0.5], [1.0, 0.5], [10.0, 5.0])
+POINTS = [
+    Waypoint([0.0, 0.0]), Waypoint([0.07, 0.055], [0.2, 0.17], [0.34, 0.27]),
+    Waypoint([1.0, 0.8], dwell=0.5),
+]
+
+
+def judged(change=lambda arrays: None, limits: Limits = LIMITS) -> int:
+    trajectory = plan(POINTS, LIMITS)
+    arrays = {
+        "positions": np.array([p.position for p in POINTS]),
+        "velocities": np.array([p.velocity for p in POINTS]),
+        "accelerations": np.array([p.acceleration for p in POINTS]),
+        "times": trajectory.axis_waypoint_times.copy(),
+        "timing": trajectory.timing.copy(),
+        "coefficients": trajectory.coefficients.copy(),
+        "offsets": trajectory.offsets.copy(),
+        "ends": trajectory.axis_durations.copy(),
+        "limits": limits.table(2, 4),
+    }
+    change(arrays)
+    with np.errstate(all="ignore"):
+        return check_plan(*arrays.values(), 1e-9, np.zeros((43, 14)))
+
+
+def test_a_plan_passes() -> None:
+    assert judged() == 0
+
+
+@pytest.mark.parametrize("row", [0, 3, -1])
+@pytest.mark.parametrize("column", range(8))
+@pytest.mark.parametrize("change", [0.1, np.nan, np.inf])
+def test_a_changed_coefficient_is_found(row: int, column: int, change: float) -> None:
+    def add(arrays) -> None:
+        arrays["coefficients"][row, column] += change * max(
+            1.0, abs(arrays["coefficients"][row, column])
+        )
+
+    assert judged(add) == (2 if row == -1 else 1)
+
+
+@pytest.mark.parametrize("name", ["positions", "velocities", "accelerations"])
+@pytest.mark.parametrize("point", [0, 1, 2])
+def test_a_missed_waypoint_is_found(name: str, point: int) -> None:
+    def move(arrays) -> None:
+        arrays[name][point, 1] += 1e-7
+
+    assert judged(move) == 2
+
+
+@pytest.mark.parametrize("order", range(4))
+def test_a_tighter_limit_is_found(order: int) -> None:
+    peaks = np.maximum(*np.abs(np.array(plan(POINTS, LIMITS).extrema(order + 1))))
+
+    def tighten(arrays) -> None:
+        arrays["limits"][0, order] = peaks[0] * (1.0 - 1e-6)
+
+    def touch(arrays) -> None:
+        arrays["limits"][0, order] = peaks[0]
+
+    assert judged(tighten) == 1
+    assert judged(touch) == 0
+
+
+@settings(max_examples=200, deadline=None)
+@given(
+    st.lists(st.floats(-3.0, 3.0), min_size=4, max_size=12), st.floats(0.1, 3.0),
+    st.integers(0, 2), st.floats(-0.2, 0.2),
+)
+def test_verdict_is_that_of_the_roots(values, length: float, derivative: int, margin) -> None:
+    coefficients = np.array([values])
+    hull = np.zeros((40, 14))
+    count = bernstein_coefficients(coefficients, 0, len(values), derivative, length, hull)
+    polynomial = np.polynomial.Polynomial(values).deriv(derivative)
+    low, high = piece_extrema(polynomial.coef, length)
+    peak = max(-low, high, 1e-9)
+    assert hull[0, 0] == pytest.approx(polynomial(0.0), abs=1e-9 * peak)
+    assert hull[0, count - 1] == pytest.approx(polynomial(length), abs=1e-9 * peak)
+    if abs(margin) > 1e-6:
+        assert within(hull, count, peak * (1.0 + margin)) == (margin > 0.0)
