@@ -1,7 +1,8 @@
 """Feedback with closed-form gains: poles of the flat output's error by bandwidth and damping.
 
 About rest the load's position is a chain of four integrators behind each horizontal drive, and the
-rope's length one of two behind the hoist. `feedback_gains` gives each error the poles chosen here; no Riccati equation is solved, so the same table can be made anywhere.
+rope's length one of two behind the hoist. `feedback_gains` gives each error the
+poles chosen here; no Riccati equation is solved, so the same table can be made anywhere.
 
 The design is in continuous time and knows no lag. Both delay the loop, which leaves the poles in
 place as long as the bandwidth times the delay is small: the bandwidth is a ratio to the pendulum's
