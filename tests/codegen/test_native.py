@@ -8,14 +8,19 @@ from pathlib import Path
 
 import pytest
 
-from segfmu.codegen import glue, native
+from segfmu.codegen import extension, native, stubs
+from segfmu.codegen.functions import functions
 
 FLAGS = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]
 
 
 def test_generated_c_is_up_to_date() -> None:
-    for name, text in (native.generate() | glue.generate()).items():
+    for name, text in (native.generate() | extension.generate()).items():
         assert (native.TARGET / name).read_text(encoding="utf-8") == text, name
+
+
+def test_generated_stub_is_up_to_date() -> None:
+    assert stubs.TARGET.read_text(encoding="utf-8") == stubs.generate()
 
 
 def test_entry_points_alone_are_visible() -> None:
@@ -26,12 +31,12 @@ def test_entry_points_alone_are_visible() -> None:
 
 
 def test_what_a_kernel_writes_to_is_known() -> None:
-    functions = {f.name: f for f in glue._functions()}
-    assert functions["evaluate"].written == {"values"}
-    assert functions["crane_rhs"].written == {"derivative"}
-    assert functions["shortest_profile"].written == {"phases", "work"}
+    kernels = {f.name: f for f in functions()}
+    assert kernels["evaluate"].written == {"values"}
+    assert kernels["crane_rhs"].written == {"derivative"}
+    assert kernels["shortest_profile"].written == {"phases", "work"}
     # through a view of its row
-    assert "scratch" in functions["expand_interval"].written
+    assert "scratch" in kernels["expand_interval"].written
 
 
 def test_c_compiles_without_warning_but_for_unused_variables(tmp_path: Path) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from segfmu.codegen import crane, glue, native, partials
+from segfmu.codegen import crane, extension, native, partials, stubs
 from segfmu.codegen.files import write
 
 
@@ -10,8 +10,9 @@ def main() -> None:
     """The crane's equations first: the kernels in C contain them."""
     write(crane.TARGET, crane.generate())
     write(partials.TARGET, partials.generate())
-    for name, text in (native.generate() | glue.generate()).items():
+    for name, text in (native.generate() | extension.generate()).items():
         write(native.TARGET / name, text)
+    write(stubs.TARGET, stubs.generate())
 
 
 if __name__ == "__main__":

@@ -15,22 +15,10 @@ from pathlib import Path
 
 from segfmu.codegen.amalgam import KERNELS, amalgamated
 from segfmu.errors import BuildError
+from segfmu.kernels import entry_points
 
 TARGET = KERNELS / "c"
-# what C programs and the compiled extension may call
-ENTRY_POINTS = (
-    "ramp_parameters", "ramp_duration", "measure_phases", "shortest_profile", "timed_profile",
-    "plan_phases", "count_pieces", "expand_phases", "expand_plan", "check_plan", "check_rope",
-    "evaluate", "evaluate_orders", "next_plan_event", "right_of_break", "same_break",
-    "feedback_correction", "feedback_bandwidth", "feedback_gains",
-    "observer_design", "observer_predict", "observer_correct", "track_setpoint",
-    "compensate_setpoints", "crane_rhs", "crane_driven", "crane_flat_inverse", "flat_derivatives",
-    "crane_load", "crane_energy", "plant_advance",
-    "seed_numbers", "next_uniform", "noise_components", "measure_state",
-    "switch_correction", "rig_rows", "rig_start", "rig_step", "rig_balance", "rig_imbalance",
-    "rig_next_event", "rig_event", "rig_signals", "rig_rates", "rig_partials",
-    "crane_load_partials", "crane_energy_partials",
-)
+ENTRY_POINTS = tuple(e.name for e in entry_points.ENTRY_POINTS)
 PREFIX = "segfmu_"
 
 BANNER = "/* Generated from the kernels in Python by `python -m segfmu.codegen`; never edited. */\n"

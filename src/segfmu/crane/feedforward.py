@@ -66,13 +66,17 @@ class Compensation:
         forces = np.array(force, dtype=np.float64)
         velocities = np.asarray(velocity, dtype=np.float64)
         setpoints = np.zeros(velocities.shape)
-        known = [np.array(v, dtype=np.float64) for v in (self.lag, self.viscous, self.coulomb)]
+        lag, viscous, coulomb = (
+            np.array(v, dtype=np.float64) for v in (self.lag, self.viscous, self.coulomb)
+        )
         for rows in zip(
             *(a.reshape(-1, 3) for a in (velocities, np.asarray(acceleration), forces, setpoints)),
             strict=True,
         ):
             v, a, f, s = rows
-            backend.compensate_setpoints(v.copy(), a.copy(), *known, self.width, f, s)
+            backend.compensate_setpoints(
+                v.copy(), a.copy(), lag, viscous, coulomb, self.width, f, s
+            )
         return forces, setpoints
 
 

@@ -20,7 +20,7 @@ from segfmu.crane.failures import failure
 from segfmu.crane.feedback import SwayFeedback
 from segfmu.crane.parameters import Crane
 from segfmu.crane.rig import Rig
-from segfmu.crane.tracking import FADE, TrackingController
+from segfmu.crane.tracking import FADE, Arrays, TrackingController
 from segfmu.errors import InputError, SimulationError
 from segfmu.kernels import backend
 from segfmu.planning.arrays import FloatArray
@@ -281,7 +281,7 @@ def _corrector(controller: Controller | SwayFeedback) -> int:
     return TRACKING if type(controller) is TrackingController else CALLER
 
 
-def _arrays(controller: Controller | SwayFeedback) -> tuple[FloatArray, ...]:
+def _arrays(controller: Controller | SwayFeedback) -> Arrays:
     """Parameters, tables and memory of the kernel's controllers; empty where there is none."""
     if type(controller) is TrackingController:
         return controller.arrays

@@ -20,6 +20,9 @@ from segfmu.errors import InputError
 from segfmu.kernels import backend
 from segfmu.planning.arrays import FloatArray
 
+# the first five arguments of the kernel, and its memory
+Arrays = tuple[FloatArray, FloatArray, FloatArray, FloatArray, FloatArray, FloatArray]
+
 UNLIMITED = 1e99
 # s
 FADE = 0.1
@@ -101,7 +104,7 @@ class TrackingController:
         return self._parameters.copy()
 
     @property
-    def arrays(self) -> tuple[FloatArray, ...]:
+    def arrays(self) -> Arrays:
         """The first five arguments of the kernel, and its memory; not copies."""
         return (
             self._parameters, self.observer.lengths, self.observer.table, self._feedback.lengths,
@@ -219,8 +222,11 @@ class TrackingController:
         """
         correction = np.zeros(3)
         given = np.zeros(3) if feedforward is None else feedforward
-        *given_to, memory = self.arrays
-        backend.track_setpoint(*given_to, measured, reference, given, memory, correction)
+        parameters, lengths, table, gain_lengths, gains, memory = self.arrays
+        backend.track_setpoint(
+            parameters, lengths, table, gain_lengths, gains, measured, reference, given, memory,
+            correction,
+        )
         return correction
 
 

@@ -72,4 +72,26 @@ static Py_buffer *take_array(arguments *call, int index, int rank, char type, bo
     return buffer;
 }
 
+static bool has_extent(const arguments *call, const char *name, int dimension, Py_ssize_t extent,
+                       int64_t expected)
+{
+    if (extent == expected) {
+        return true;
+    }
+    PyErr_Format(PyExc_IndexError, "%s() argument %s: dimension %d must be %lld, got %zd",
+                 call->function, name, dimension, (long long)expected, extent);
+    return false;
+}
+
+static bool has_at_least(const arguments *call, const char *name, int dimension, Py_ssize_t extent,
+                         int64_t least)
+{
+    if (extent >= least) {
+        return true;
+    }
+    PyErr_Format(PyExc_IndexError, "%s() argument %s: dimension %d must be at least %lld, got %zd",
+                 call->function, name, dimension, (long long)least, extent);
+    return false;
+}
+
 #endif

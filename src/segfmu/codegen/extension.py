@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-import ast
+import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
-from segfmu.codegen.amalgam import modules, tree
-from segfmu.codegen.native import BANNER, ENTRY_POINTS, PREFIX
+from segfmu.codegen.functions import Function, functions
+from segfmu.codegen.native import BANNER, PREFIX
+from segfmu.errors import BuildError
+from segfmu.kernels.entry_points import ENTRY_POINTS, Extent
 
 C_TYPES = {"float": "double", "int": "int64_t", "bool": "bool"}
 ARRAYS = {
@@ -23,24 +24,14 @@ TO_PYTHON = {
 }
 
 
-@dataclass(frozen=True)
-class Function:
-    """An entry point: names and annotations of its arguments, and of what it returns."""
-
-    name: str
-    arguments: tuple[tuple[str, str], ...]
-    results: tuple[str, ...]
-    is_tuple: bool
-    written: frozenset[str]
-
-
 def generate() -> dict[str, str]:
     """Return the texts of the generated files, by name."""
-    functions = [f for f in _functions() if f.name in ENTRY_POINTS]
-    calls = "\n\n".join("\n".join(_call(f)) for f in functions)
+    points = {e.name: e.extents for e in ENTRY_POINTS}
+    chosen = [f for f in functions() if f.name in points]
+    calls = "\n\n".join("\n".join(_call(f, points[f.name])) for f in chosen)
     table = "\n".join(
         f'    {{"{f.name}", (PyCFunction)(void (*)(void))call_{f.name}, METH_FASTCALL, NULL}},'
-        for f in functions
+        for f in chosen
     )
     return {
         "module.c": f'{BANNER}#include "arguments.h"\n\n{calls}\n\n'
@@ -52,63 +43,7 @@ def generate() -> dict[str, str]:
     }
 
 
-def _functions() -> list[Function]:
-    """All kernels; later ones use earlier ones, so what they write to is known in time."""
-    known: dict[str, Function] = {}
-    for module in modules():
-        nodes = [node for node in tree(module).body if isinstance(node, ast.FunctionDef)]
-        # within a module a function may use a later one: twice finds what both write to
-        for node in nodes + nodes:
-            known[node.name] = _function(node, known)
-    return list(known.values())
-
-
-def _function(node: ast.FunctionDef, known: dict[str, Function]) -> Function:
-    arguments = tuple((a.arg, _annotation(a.annotation)) for a in node.args.args)
-    returned = _annotation(node.returns)
-    is_tuple = returned.startswith("tuple[")
-    names = returned.removeprefix("tuple[").removesuffix("]").split(", ")
-    results = () if returned == "None" else tuple(C_TYPES[name] for name in names)
-    written = frozenset(_written(node, known)) & {name for name, _ in arguments}
-    return Function(node.name, arguments, results, is_tuple, written)
-
-
-def _annotation(node: ast.expr | None) -> str:
-    if isinstance(node, ast.Constant):
-        return str(node.value)
-    assert isinstance(node, ast.Name)
-    return node.id
-
-
-def _written(node: ast.FunctionDef, known: dict[str, Function]) -> Iterator[str]:
-    """Arrays that a function writes to, itself, through a view or through what it calls."""
-    views: dict[str, str] = {}
-    for part in ast.walk(node):
-        if isinstance(part, ast.Assign):
-            target = part.targets[0]
-            if isinstance(target, ast.Name) and isinstance(part.value, ast.Subscript):
-                views[target.id] = _base(part.value)
-    for part in ast.walk(node):
-        if isinstance(part, ast.Assign) and isinstance(part.targets[0], ast.Subscript):
-            name = _base(part.targets[0])
-            yield views.get(name, name)
-        elif isinstance(part, ast.Call) and isinstance(part.func, ast.Name):
-            function = known.get(part.func.id)
-            if function is None:
-                continue
-            for (name, _), given in zip(function.arguments, part.args, strict=True):
-                if name in function.written:
-                    base = _base(given)
-                    yield views.get(base, base)
-
-
-def _base(node: ast.expr) -> str:
-    while isinstance(node, ast.Subscript):
-        node = node.value
-    return node.id if isinstance(node, ast.Name) else ""
-
-
-def _call(function: Function) -> Iterator[str]:
+def _call(function: Function, extents: dict[str, tuple[Extent, ...]]) -> Iterator[str]:
     count = len(function.arguments)
     yield f"static PyObject *call_{function.name}("
     yield "    PyObject *self, PyObject *const *values, Py_ssize_t count)"
@@ -123,6 +58,7 @@ def _call(function: Function) -> Iterator[str]:
     yield "    (void)self;"
     takes = [f"take_count(&call, count, {count})"]
     takes += [_take(function, i, *argument) for i, argument in enumerate(function.arguments)]
+    takes += _checks(function, extents)
     yield "    if (" + "\n        && ".join(takes) + ") {"
     yield from (f"        {line}" for line in _evaluate(function))
     yield "    }"
@@ -139,6 +75,40 @@ def _take(function: Function, index: int, name: str, annotation: str) -> str:
     return f"take_{annotation}(&call, {index}, &in_{name})"
 
 
+def _checks(function: Function, extents: dict[str, tuple[Extent, ...]]) -> list[str]:
+    """Conditions that the extents of the arrays are what the kernel relies on."""
+    counts = {name: f"in_{name}" for name, kind in function.arguments if kind == "int"}
+    known = dict(counts)
+    rows, later = [], []
+    for name, annotation in function.arguments:
+        if annotation not in ARRAYS:
+            continue
+        for i, extent in enumerate(extents.get(name, ())):
+            actual = f"in_{name}->shape[{i}]"
+            if isinstance(extent, str) and extent.isidentifier() and extent not in counts:
+                if extent not in known:
+                    known[extent] = actual
+                    continue
+                rows.append(f'has_extent(&call, "{name}", {i}, {actual}, {known[extent]})')
+            else:
+                later.append((name, i, actual, str(extent)))
+    for name, i, actual, extent in later:
+        least = _in_c(extent, known, function.name)
+        rows.append(f'has_at_least(&call, "{name}", {i}, {actual}, {least})')
+    return rows
+
+
+def _in_c(extent: str, known: dict[str, str], function: str) -> str:
+    """An expression of extents in C."""
+
+    def value(match: re.Match[str]) -> str:
+        if match.group() not in known:
+            raise BuildError(f"{function}: no argument has the extent {match.group()}")
+        return known[match.group()]
+
+    return re.sub(r"[A-Za-z]\w*", value, extent)
+
+
 def _evaluate(function: Function) -> Iterator[str]:
     """Call the kernel and turn what it returns into Python's."""
     given = []
@@ -150,20 +120,21 @@ def _evaluate(function: Function) -> Iterator[str]:
         extents = ", ".join(f"in_{name}->shape[{i}]" for i in range(rank))
         given.append(f"({kind}){{in_{name}->buf, {{{extents}}}}}")
     if function.is_tuple:
-        for i, kind in enumerate(function.results):
-            yield f"{kind} result_{i};"
+        for i, name in enumerate(function.results):
+            yield f"{C_TYPES[name]} result_{i};"
         given = [f"&result_{i}" for i in range(len(function.results))] + given
     call = f"{PREFIX}{function.name}(\n            " + ",\n            ".join(given) + ")"
-    if not function.results:
+    results = [C_TYPES[name] for name in function.results]
+    if not results:
         yield f"{call};"
         yield "answer = Py_NewRef(Py_None);"
     elif not function.is_tuple:
-        yield f"answer = {TO_PYTHON[function.results[0]].format(call)};"
+        yield f"answer = {TO_PYTHON[results[0]].format(call)};"
     else:
         yield f"{call};"
-        codes = "".join({"double": "d", "int64_t": "L", "bool": "i"}[k] for k in function.results)
+        codes = "".join({"double": "d", "int64_t": "L", "bool": "i"}[k] for k in results)
         values = ", ".join(
             f"(long long)result_{i}" if kind == "int64_t" else f"result_{i}"
-            for i, kind in enumerate(function.results)
+            for i, kind in enumerate(results)
         )
         yield f'answer = Py_BuildValue("({codes})", {values});'

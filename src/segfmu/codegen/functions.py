@@ -1,0 +1,82 @@
+"""What the translated kernels take, give back and write to, read from their annotations."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from segfmu.codegen.amalgam import modules, tree
+
+
+@dataclass(frozen=True)
+class Function:
+    """A kernel: names and annotations of its arguments, and of what it returns.
+
+    `written` has the arrays that it changes.
+    """
+
+    name: str
+    arguments: tuple[tuple[str, str], ...]
+    results: tuple[str, ...]
+    is_tuple: bool
+    written: frozenset[str]
+    doc: str
+
+
+def functions() -> list[Function]:
+    """All kernels; later ones use earlier ones, so what they write to is known in time."""
+    known: dict[str, Function] = {}
+    for module in modules():
+        nodes = [node for node in tree(module).body if isinstance(node, ast.FunctionDef)]
+        # within a module a function may use a later one: twice finds what both write to
+        for node in nodes + nodes:
+            known[node.name] = _function(node, known)
+    return list(known.values())
+
+
+def _function(node: ast.FunctionDef, known: dict[str, Function]) -> Function:
+    arguments = tuple((a.arg, _annotation(a.annotation)) for a in node.args.args)
+    returned = _annotation(node.returns)
+    is_tuple = returned.startswith("tuple[")
+    names = returned.removeprefix("tuple[").removesuffix("]").split(", ")
+    results = () if returned == "None" else tuple(names)
+    written = frozenset(_written(node, known)) & {name for name, _ in arguments}
+    return Function(
+        node.name, arguments, results, is_tuple, written, ast.get_docstring(node) or ""
+    )
+
+
+def _annotation(node: ast.expr | None) -> str:
+    if isinstance(node, ast.Constant):
+        return str(node.value)
+    assert isinstance(node, ast.Name)
+    return node.id
+
+
+def _written(node: ast.FunctionDef, known: dict[str, Function]) -> Iterator[str]:
+    """Arrays that a function writes to, itself, through a view or through what it calls."""
+    views: dict[str, str] = {}
+    for part in ast.walk(node):
+        if isinstance(part, ast.Assign):
+            target = part.targets[0]
+            if isinstance(target, ast.Name) and isinstance(part.value, ast.Subscript):
+                views[target.id] = _base(part.value)
+    for part in ast.walk(node):
+        if isinstance(part, ast.Assign) and isinstance(part.targets[0], ast.Subscript):
+            name = _base(part.targets[0])
+            yield views.get(name, name)
+        elif isinstance(part, ast.Call) and isinstance(part.func, ast.Name):
+            function = known.get(part.func.id)
+            if function is None:
+                continue
+            for (name, _), given in zip(function.arguments, part.args, strict=True):
+                if name in function.written:
+                    base = _base(given)
+                    yield views.get(base, base)
+
+
+def _base(node: ast.expr) -> str:
+    while isinstance(node, ast.Subscript):
+        node = node.value
+    return node.id if isinstance(node, ast.Name) else ""
