@@ -41,7 +41,7 @@ bench: $(VENV)/installed-bench ## measure beside the peers; BENCH="--quick --onl
 	$(BIN)/python -m benchmarks --output $(OUT)/benchmarks.json $(BENCH)
 
 fuzz: $(VENV)/installed ## a million random call sequences against each native FMU, with sanitizers
-	$(BIN)/python -m tests.fmu.fuzz
+	$(BIN)/python -m tests.fmu.native.fuzz
 
 $(VENV)/installed-platforms: $(VENV)/installed
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check \
@@ -53,8 +53,8 @@ fmus: $(VENV)/installed-platforms ## both FMUs, FMI 2 and 3, with the binaries o
 	$(BIN)/segfmu build --platforms all --fmi 3 --output fmus/dist/fmi3
 
 check-platforms: $(VENV)/installed-platforms ## run binaries under Wine and qemu, where installed
-	$(BIN)/python -m tests.fmu.platforms
-	$(BIN)/python -m tests.fmu.foreign
+	$(BIN)/python -m tests.fmu.native.platforms
+	$(BIN)/python -m tests.fmu.native.foreign
 
 generate: $(VENV)/installed ## write the generated files again
 	SEGFMU_INTERPRETED=1 $(BIN)/python -m segfmu.codegen

@@ -24,9 +24,11 @@ from benchmarks.report import Part, Record, Section, Settings
 from benchmarks.timing import ratios
 from segfmu.cosim.load import load
 from segfmu.errors import BuildError
-from segfmu.fmu import gantry_crane, gantry_feedforward, native
-from segfmu.fmu.build import build_all
-from segfmu.fmu.spec import Spec, started
+from segfmu.fmu.gantry_crane import interface as gantry_crane
+from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
+from segfmu.fmu.native import archive as native
+from segfmu.fmu.python.archive import build_all
+from segfmu.fmu.standard.spec import Spec, started
 
 FloatArray = NDArray[np.float64]
 HEADERS = Path(native.__file__).parent / "c" / "fmi"

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from segfmu.cosim import simulate
-from segfmu.fmu.build import build_all
+from segfmu.fmu.python.archive import build_all
 
 with tempfile.TemporaryDirectory() as folder:
     feedforward, crane = build_all(Path(folder))

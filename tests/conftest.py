@@ -7,9 +7,11 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 
-from segfmu.fmu import gantry_crane, gantry_feedforward, native
-from segfmu.fmu.build import build_all
-from segfmu.fmu.compilers import available
+from segfmu.fmu.gantry_crane import interface as gantry_crane
+from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
+from segfmu.fmu.native import archive as native
+from segfmu.fmu.native.compilers import available
+from segfmu.fmu.python.archive import build_all
 
 # The same examples in every run of the whole suite; `--hypothesis-profile=search` looks for more.
 settings.register_profile("repeatable", derandomize=True, deadline=None)

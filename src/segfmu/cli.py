@@ -203,7 +203,11 @@ def _built(
     backend: str = "native", platforms: str = "",
 ) -> tuple[Path, Path]:
     """Build both FMUs, for a mission where there is one."""
-    from segfmu.fmu import build, choice, gantry_crane, gantry_feedforward, native
+    from segfmu.fmu import choice
+    from segfmu.fmu.gantry_crane import interface as gantry_crane
+    from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
+    from segfmu.fmu.native import archive as native
+    from segfmu.fmu.python import archive as build
     from segfmu.validation.scenario import specs
 
     chosen = choice.chosen(fmi, backend, platforms)

@@ -11,8 +11,10 @@ import numpy as np
 import pytest
 from benchmarks import fmu_steps
 
-from segfmu.fmu import gantry_crane, gantry_feedforward, native
-from segfmu.fmu.spec import started
+from segfmu.fmu.gantry_crane import interface as gantry_crane
+from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
+from segfmu.fmu.native import archive as native
+from segfmu.fmu.standard.spec import started
 
 pytestmark = pytest.mark.skipif(
     shutil.which("cc") is None or sys.platform != "linux" or platform.machine() != "x86_64",

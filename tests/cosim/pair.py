@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 
 from segfmu.cosim import simulate
-from segfmu.fmu import gantry_crane, gantry_feedforward
+from segfmu.fmu.gantry_crane import interface as gantry_crane
+from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 
 STEP, STOP = 0.005, 4.5
 SPECS = {

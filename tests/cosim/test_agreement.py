@@ -11,8 +11,8 @@ from segfmu import Crane, FlatInverse, plan
 from segfmu.cosim import simulate
 from segfmu.crane import Plant, Setpoints
 from segfmu.crane.feedback import design
-from segfmu.fmu.rig_parameters import rig_from, rig_parameters
-from tests.fmu.test_slaves import LIMITS, POINTS
+from segfmu.fmu.gantry_crane.rig_parameters import rig_from, rig_parameters
+from tests.fmu.python.test_slaves import LIMITS, POINTS
 
 STEP, STOP = 0.004, 2.0
 UNKIND = {

@@ -7,7 +7,8 @@ import struct
 import pytest
 
 from segfmu.errors import BuildError, InputError
-from segfmu.fmu import choice, compilers
+from segfmu.fmu import choice
+from segfmu.fmu.native import compilers
 
 
 def test_native_is_the_default_where_it_can_be_built(monkeypatch) -> None:

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from segfmu.cosim import simulate, write_csv
-from segfmu.fmu import gantry_crane, gantry_feedforward
+from segfmu.fmu.gantry_crane import interface as gantry_crane
+from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 
 FOLDER = Path(__file__).parents[2] / "fmus"
 

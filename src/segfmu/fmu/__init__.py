@@ -1,1 +1,1 @@
-"""The two FMUs: interface specifications, model descriptions, and the PythonFMU backend."""
+"""FMUs: one folder a model, and what all of them share."""

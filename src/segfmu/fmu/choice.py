@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from segfmu.errors import InputError
-from segfmu.fmu.compilers import PLATFORMS, available
+from segfmu.fmu.native.compilers import PLATFORMS, available
 
 BACKENDS = ("native", "python")
 

@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from segfmu.cosim import simulate
-from segfmu.fmu import gantry_crane, gantry_feedforward
-from segfmu.fmu.spec import Spec, started
+from segfmu.fmu.gantry_crane import interface as gantry_crane
+from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
+from segfmu.fmu.standard.spec import Spec, started
 from segfmu.planning import Trajectory
 from segfmu.validation.mission import AXES, Mission
 

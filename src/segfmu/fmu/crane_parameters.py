@@ -1,0 +1,35 @@
+"""`crane.*`, the parameters that both FMUs of the gantry crane have."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from segfmu.crane import Crane
+from segfmu.fmu.standard.spec import Variable, parameter
+
+
+def crane_parameters(which: str) -> list[Variable]:
+    """`crane.*`, the same in both FMUs; `which` crane it is goes into the descriptions."""
+    masses = (
+        ("bridge_mass", 2.2, "mass of the bridge, which moves in x together with the trolley"),
+        ("trolley_mass", 1.155, "mass of the trolley, which moves in y on the bridge"),
+        ("payload_mass", 1.0, "mass of the load"),
+    )
+    return [
+        *(
+            parameter(f"crane.{n}", start, "kg", f"{which}: {text}", minimum=1e-9)
+            for n, start, text in masses
+        ),
+        parameter("crane.gravity", 9.81, "m/s2", f"{which}: gravity", minimum=1e-9),
+        parameter("crane.rope_min", 0.16, "m", f"{which}: shortest rope; 0: no bound", minimum=0.0),
+        parameter("crane.rope_max", 1.5, "m", f"{which}: longest rope; 0: no bound", minimum=0.0),
+    ]
+
+
+def crane_from(value: Callable[[str], Any]) -> Crane:
+    """The crane that parameters describe; a rope bound of 0 means none."""
+    names = ("bridge_mass", "trolley_mass", "payload_mass", "gravity", "rope_min", "rope_max")
+    *masses, shortest, longest = (float(value(f"crane.{name}")) for name in names)
+    bridge, trolley, payload, gravity = masses
+    return Crane(bridge, trolley, payload, gravity, shortest or None, longest or None)

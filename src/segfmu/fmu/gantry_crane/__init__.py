@@ -1,0 +1,1 @@
+"""GantryCrane: interface, slave, and model in C."""

@@ -1,0 +1,22 @@
+/* GantryCrane: rope lengths of the tables of gains and of the observer. */
+#include <math.h>
+
+#include "crane.h"
+#include "say.h"
+
+bool crane_rope_range(const crane *m, double range[2], char message[MESSAGE])
+{
+    const double *real = m->base.real;
+    double shortest = real[V_CRANE_ROPE_MIN], longest = real[V_CRANE_ROPE_MAX];
+    range[0] = shortest > 0.0 ? shortest : 0.2 * real[V_ROPE_LENGTH];
+    range[1] = longest > 0.0 ? longest : 5.0 * real[V_ROPE_LENGTH];
+    return range[0] <= range[1]
+        || say(message, "the rope lengths of the feedback, %g to %g m, must be ascending; set "
+               "crane.rope_min and crane.rope_max", range[0], range[1]);
+}
+
+double crane_node(const double range[2], int64_t row)
+{
+    double share = (double)row / (MOST_LENGTHS - 1);
+    return row == MOST_LENGTHS - 1 ? range[1] : range[0] * pow(range[1] / range[0], share);
+}

@@ -1,0 +1,230 @@
+/* GantryCrane: exact partial derivatives in model exchange, and with them the time derivatives of
+   outputs in co-simulation. */
+#include <string.h>
+
+#include "crane.h"
+
+enum { ENERGIES = 3, COMMAND = 10, WIND = 13, TIME = 16 };
+
+/* A variable by which is differentiated: a column of the kernel's, a state that is an energy, or a
+   component of the load's reference; -1 where it is none. */
+typedef struct {
+    int column, energy, reference;
+} known_place;
+
+static bool at(const variable *v, int first, int count, int *place)
+{
+    *place = (int)v->offset - first;
+    return *place >= 0 && *place < count;
+}
+
+static bool find_known(const crane *m, const variable *v, known_place *k)
+{
+    int place;
+    *k = (known_place){-1, -1, -1};
+    if (v->kind != KIND_REAL) {
+        return false;
+    }
+    if (at(v, V_BRIDGE_POSITION, STATE, &place)) {
+        k->column = place;
+    } else if (at(v, V_FORCE_BRIDGE, 3, &place)) {
+        k->column = driven(m) ? -1 : COMMAND + place;
+    } else if (at(v, V_VELOCITY_BRIDGE, 3, &place)) {
+        k->column = driven(m) ? COMMAND + place : -1;
+    } else if (at(v, V_WIND_X, 3, &place)) {
+        k->column = WIND + place;
+    } else if (v->offset == V_TIME) {
+        k->column = TIME;
+    } else if (at(v, V_REFERENCE_LOAD_POSITION_X, 3, &place)) {
+        k->reference = place;
+    } else if (v->offset == V_ENERGY_DRIVES || v->offset == V_ENERGY_WIND
+               || v->offset == V_ENERGY_DISSIPATED) {
+        k->energy = v->offset == V_ENERGY_DRIVES ? 0 : v->offset == V_ENERGY_WIND ? 1 : 2;
+    } else {
+        /* references act at the ticks of the controller alone */
+        return v->setting == SET_INPUT;
+    }
+    return true;
+}
+
+static bool differentiate(crane *m)
+{
+    double work[6 * 18];
+    if (m->differentiated == 0) {
+        double *state = m->memory, *p = m->memory + ROW_PARAMETERS * COLUMNS;
+        m->differentiated = segfmu_rig_partials(
+            matrix(m->components, m->count_components, 7), crane_elapsed(m),
+            matrix(m->memory, m->rows, COLUMNS), matrix(work, 6, 18),
+            matrix(m->partials, PARTIAL_ROWS, PARTIAL_COLUMNS)) ? 1 : -1;
+        segfmu_crane_load_partials(vector(state, STATE), matrix(m->load_partials, 6, STATE));
+        segfmu_crane_energy_partials(vector(state, STATE), p[0], p[1], p[2], p[3],
+                                     matrix(m->energy_partials, 2, STATE));
+    }
+    return m->differentiated > 0;
+}
+
+/* Of a result of the kernel: a row of its matrix. */
+static double of_rig(const crane *m, int row, const known_place *k)
+{
+    return k->column < 0 ? 0.0 : m->partials[row * PARTIAL_COLUMNS + k->column];
+}
+
+/* Of the load's position and velocity, or of kinetic and potential energy. */
+static double of_state(const double *partials, int row, const known_place *k)
+{
+    return k->column < 0 || k->column >= STATE ? 0.0 : partials[row * STATE + k->column];
+}
+
+static double of_error(const crane *m, int axis, const known_place *k)
+{
+    return of_state(m->load_partials, axis, k) - (k->reference == axis ? 1.0 : 0.0);
+}
+
+static double of_norm(const crane *m, const known_place *k)
+{
+    const double *error = &m->base.real[V_ERROR_LOAD_X];
+    double norm = m->base.real[V_ERROR_LOAD_NORM], sum = 0.0;
+    for (int i = 0; norm > 0.0 && i < 3; i++) {
+        sum += error[i] / norm * of_error(m, i, k);
+    }
+    return sum;
+}
+
+static double of_energy(const crane *m, int offset, const known_place *k)
+{
+    static const double gained[ENERGIES] = {1.0, 1.0, -1.0};
+    switch (offset) {
+    case V_ENERGY_KINETIC: return of_state(m->energy_partials, 0, k);
+    case V_ENERGY_POTENTIAL: return of_state(m->energy_partials, 1, k);
+    case V_ENERGY_WORK: return k->energy == 0 || k->energy == 1 ? 1.0 : 0.0;
+    case V_ENERGY_DRIVES: return k->energy == 0;
+    case V_ENERGY_WIND: return k->energy == 1;
+    case V_ENERGY_DISSIPATED: return k->energy == 2;
+    case V_ENERGY_IMBALANCE:
+        return of_state(m->energy_partials, 0, k) + of_state(m->energy_partials, 1, k)
+            - (k->energy < 0 ? 0.0 : gained[k->energy]);
+    default: return 0.0;
+    }
+}
+
+/* A signal follows the state where its sensor is continuous and has no steps. */
+static double of_signal(const crane *m, int sensor, const known_place *k)
+{
+    bool follows = m->sensors[0] <= 0.0 && m->sensors[13 + sensor] <= 0.0;
+    return follows && k->column == sensor ? 1.0 : 0.0;
+}
+
+static double of_drive(const crane *m, int place, const known_place *k)
+{
+    const double *real = m->base.real;
+    int drive = place / 2;
+    double force = of_rig(m, 5 + drive, k);
+    if (place % 2 == 0) {
+        return force;
+    }
+    return force * real[V_BRIDGE_VELOCITY + drive]
+        + (k->column == 5 + drive ? real[V_DRIVE_BRIDGE_FORCE + place - 1] : 0.0);
+}
+
+/* Of an output or state derivative by one variable; `rig`: it follows from forces. */
+static double of_unknown(const crane *m, const variable *unknown, const known_place *k, bool *rig)
+{
+    int place, offset = unknown->offset;
+    *rig = false;
+    if (at(unknown, V_BRIDGE_POSITION, STATE, &place)) {
+        return k->column == place;
+    }
+    if (at(unknown, V_MEASURED_BRIDGE_POSITION, 5, &place)) {
+        return of_signal(m, place, k);
+    }
+    if (at(unknown, V_LOAD_POSITION_X, 6, &place)) {
+        return of_state(m->load_partials, place, k);
+    }
+    if (at(unknown, V_ERROR_LOAD_X, 3, &place)) {
+        return of_error(m, place, k);
+    }
+    if (offset == V_ERROR_LOAD_NORM) {
+        return of_norm(m, k);
+    }
+    *rig = true;
+    if (at(unknown, V_BRIDGE_ACCELERATION, 5, &place)) {
+        return of_rig(m, place, k);
+    }
+    if (at(unknown, V_DRIVE_BRIDGE_FORCE, 6, &place)) {
+        return of_drive(m, place, k);
+    }
+    if (offset == V_ROPE_FORCE) {
+        return of_rig(m, 8, k);
+    }
+    if (offset == V_POWER_DRIVES || offset == V_POWER_WIND || offset == V_POWER_FRICTION) {
+        return of_rig(m, offset == V_POWER_DRIVES ? 9 : offset == V_POWER_WIND ? 10 : 11, k);
+    }
+    *rig = false;
+    return of_energy(m, offset, k);
+}
+
+bool model_partial(model *base, const variable *unknown, const variable *known, double *value)
+{
+    crane *m = (crane *)base;
+    known_place k;
+    bool rig;
+    if (base->interface != 0 || unknown->kind != KIND_REAL || !unknown->calculated
+        || !find_known(m, known, &k) || !differentiate(m)) {
+        return false;
+    }
+    *value = of_unknown(m, unknown, &k, &rig);
+    return true;
+}
+
+/* Make the kernel's work space that of the present time; the step's report stays. */
+static void settle(crane *m)
+{
+    double report[COLUMNS], *now = m->memory + ROW_REPORT * COLUMNS;
+    if (m->differentiated != 0 || !crane_follows(m)) {
+        return;
+    }
+    memcpy(report, now, sizeof report);
+    memcpy(m->setpoints, m->input, 16 * sizeof *m->setpoints);
+    /* corrections are in the velocities already */
+    m->memory[ROW_CLOCK * COLUMNS + 8] = crane_elapsed(m);
+    crane_rates(m);
+    memcpy(now, report, sizeof report);
+}
+
+bool model_output_derivative(model *base, const variable *output, int64_t order, double *value)
+{
+    crane *m = (crane *)base;
+    bool rig, smooth;
+    if (base->interface == 0 || order != 1) {
+        return false;
+    }
+    settle(m);
+    smooth = differentiate(m) && crane_follows(m);
+    const double *commands = m->slope
+        + (m->parameters[4] > 0.5 ? V_VELOCITY_BRIDGE : V_FORCE_BRIDGE);
+    known_place k = {-1, -1, -1};
+    *value = of_unknown(m, output, &k, &rig);
+    if (rig && !smooth) {
+        return false;
+    }
+    double sum = 0.0;
+    for (k.column = 0; k.column < STATE; k.column++) {
+        sum += of_unknown(m, output, &k, &rig) * m->derivative[k.column];
+    }
+    for (k.column = COMMAND; k.column < WIND; k.column++) {
+        sum += of_unknown(m, output, &k, &rig) * commands[k.column - COMMAND];
+    }
+    k.column = TIME;
+    sum += of_unknown(m, output, &k, &rig);
+    k.column = -1;
+    for (k.energy = 0; k.energy < ENERGIES; k.energy++) {
+        sum += of_unknown(m, output, &k, &rig) * m->derivative[STATE + k.energy];
+    }
+    k.energy = -1;
+    for (k.reference = 0; k.reference < 3; k.reference++) {
+        sum += of_unknown(m, output, &k, &rig)
+            * m->slope[V_REFERENCE_LOAD_POSITION_X + k.reference];
+    }
+    *value = sum;
+    return true;
+}

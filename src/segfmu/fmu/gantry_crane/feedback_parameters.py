@@ -1,0 +1,190 @@
+"""GantryCrane's parameters for the feedback, and the controller on measured signals from them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from segfmu.crane import Crane
+from segfmu.crane.feedback import SwayFeedback
+from segfmu.crane.flat_feedback import DAMPING, HOIST_RATIO, RATIO
+from segfmu.crane.observer import Uncertainty, design_observer
+from segfmu.crane.tracking import FADE, PAYLOAD_TIME, UNLIMITED, TrackingController
+from segfmu.fmu.gantry_crane.rig_parameters import DRIVES
+from segfmu.fmu.standard.spec import Enumeration, Variable, choice, parameter
+
+DESIGNS = Enumeration(
+    "FeedbackDesign", ("lqr", "flatness"), "how the gains of the feedback come about"
+)
+SOURCES = Enumeration(
+    "FeedbackSource", ("state", "measured"), "what the feedback knows of the crane"
+)
+OBSERVER = (
+    ("position", "m", "quantisation step of the carriages' positions"),
+    ("length", "m", "quantisation step of the rope's length"),
+    ("angle", "rad", "quantisation step of the sway angles"),
+    ("drift", None, "random walk of the carriages' and the rope's unknown accelerations: "
+     "standard deviation after 1 s over gravity"),
+    ("wind", None, "the same of the load's"),
+)
+EXPECTED = ("position", "length", "angle", "drift", "wind", "wake", "offset")
+
+
+def feedback_parameters() -> list[Variable]:
+    """All of them; by default the gains of an LQR design on the true state."""
+    return [*_design(), *weight_parameters(), *_tracking()]
+
+
+def _design() -> list[Variable]:
+    return [
+        parameter(
+            "feedback.enabled", True, None, "sway feedback acts", kind="Boolean", tunable=True
+        ),
+        choice(
+            "feedback.design", DESIGNS, "lqr", "gains of a linear-quadratic design, or closed form"
+        ),
+        parameter("feedback.sample_time", 0.01, "s", "period of the feedback", minimum=1e-6),
+        parameter(
+            "feedback.payload_mass", 0.0, "kg",
+            "mass of the load that the feedback is designed for; 0: crane.payload_mass",
+            minimum=0.0,
+        ),
+        parameter(
+            "feedback.bandwidth", RATIO, None,
+            "of design flatness: bandwidth in units of the pendulum's frequency", minimum=1e-6,
+            tunable=True,
+        ),
+        parameter(
+            "feedback.hoist_bandwidth", HOIST_RATIO, None,
+            "of design flatness: bandwidth of the hoist in units of the pendulum's frequency",
+            minimum=1e-6, tunable=True,
+        ),
+        parameter(
+            "feedback.damping", DAMPING, None, "of design flatness: damping of all poles",
+            minimum=1e-6, tunable=True,
+        ),
+    ]
+
+
+def weight_parameters() -> list[Variable]:
+    """Of design lqr; a native FMU has the table of gains instead."""
+    weights = (
+        ("position", "carriage and rope position"), ("angle", "sway angles"),
+        ("velocity", "carriage and rope velocity"), ("rate", "sway rates"), ("effort", "effort"),
+    )
+    return [
+        parameter(
+            f"feedback.weight.{name}", 1.0, None,
+            f"weight of the {text} in the dimensionless LQR design", minimum=0.0,
+        )
+        for name, text in weights
+    ]
+
+
+def _tracking() -> list[Variable]:
+    """Of source measured; the observer's expectations are those of `crane.Uncertainty`."""
+    expected = Uncertainty()
+    return [
+        choice(
+            "feedback.source", SOURCES, "state",
+            "the true state, or measured.* alone, with an observer",
+        ),
+        *(
+            parameter(
+                f"feedback.rejection.{n}", 1.0, None,
+                f"share of the estimated disturbance of the {text} that is rejected", minimum=0.0,
+                maximum=1.0, tunable=True,
+            )
+            for n, text in (("carriage", "carriages and the rope"), ("load", "load"))
+        ),
+        parameter(
+            "feedback.fade", FADE, "s", "time constant of the change when something is switched "
+            "or tuned; 0: the correction jumps", minimum=0.0, tunable=True,
+        ),
+        parameter(
+            "feedback.payload_time", PAYLOAD_TIME, "s", "time constant of the payload's estimate",
+            minimum=1e-6,
+        ),
+        *(
+            parameter(
+                f"feedback.observer.{n}", getattr(expected, n), unit, f"expected {text}",
+                minimum=1e-12,
+            )
+            for n, unit, text in OBSERVER
+        ),
+        parameter(
+            "feedback.observer.wake", expected.wake, None, "number of quantisation steps that a "
+            "signal differs from its reference when corrections begin; 0: from the start",
+            minimum=0.0,
+        ),
+        parameter(
+            "feedback.observer.offset", expected.offset, None, "expected standard deviation of the "
+            "zero of the rope's sensor over the rope's length, which is estimated; 0: it is not",
+            minimum=0.0,
+        ),
+    ]
+
+
+def estimates() -> list[Variable]:
+    """What source measured finds; constant between the ticks of the feedback."""
+    rows = [("estimate.payload_mass", "kg", "estimated mass of the load in drive.mode force")]
+    rows += [
+        (f"estimate.disturbance.{n}", "m/s2", f"estimated unknown acceleration of the {n}")
+        for n in DRIVES
+    ]
+    rows += [
+        (f"estimate.disturbance.load.{a}", "m/s2", f"estimated acceleration of the load, {a}")
+        for a in "xy"
+    ]
+    rows.append(("estimate.rope_offset", "m", "what is added to the measured length of the rope"))
+    return [
+        Variable(n, "Real", "output", "discrete", f"{text}; of source measured", unit=unit)
+        for n, unit, text in rows
+    ]
+
+
+def tracking_from(
+    value: Callable[[str], Any], nominal: Crane, feedback: SwayFeedback, driven: bool
+) -> TrackingController:
+    """The controller that parameters describe; `value` gives them by name.
+
+    The observer is for the nominal crane and the rope lengths of the feedback.
+
+    Raises
+    ------
+    InputError
+        For values that do not fit together.
+    """
+    period = feedback.sample_time
+    lag = tuple(float(value(f"drive.{d}.lag")) for d in DRIVES)
+    observer = design_observer(
+        nominal, sample_time=period, shortest=float(feedback.lengths[0]),
+        longest=float(feedback.lengths[-1]), driven=driven, lag=(lag[0], lag[1], lag[2]),
+        delayed=float(value("sensor.dead_time")) >= 0.5 * period,
+        uncertainty=Uncertainty(*(float(value(f"feedback.observer.{n}")) for n in EXPECTED)),
+    )
+    bound = "acceleration_max" if driven else "force_max"
+    most = np.array([float(value(f"drive.{d}.{bound}")) or UNLIMITED for d in DRIVES])
+    return TrackingController(
+        observer, feedback, rejection=_rejection(value), lower=-most, upper=most,
+        fade=float(value("feedback.fade")), payload_time=float(value("feedback.payload_time")),
+        enabled=bool(value("feedback.enabled")),
+    )
+
+
+def tune(
+    controller: TrackingController, value: Callable[[str], Any], feedback: SwayFeedback | None
+) -> None:
+    """Take over the tunable parameters and new gains; what stays the same is no switching."""
+    if feedback is not None:
+        controller.feedback = feedback
+    controller.fade = float(value("feedback.fade"))
+    controller.enabled = bool(value("feedback.enabled"))
+    if controller.rejection != _rejection(value):
+        controller.rejection = _rejection(value)
+
+
+def _rejection(value: Callable[[str], Any]) -> tuple[float, float]:
+    return float(value("feedback.rejection.carriage")), float(value("feedback.rejection.load"))

@@ -1,0 +1,280 @@
+"""Interface of GantryCrane: the crane's dynamics with sampled sway feedback."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from segfmu.crane import Crane
+from segfmu.crane.feedback import SwayFeedback, design
+from segfmu.crane.flat_feedback import HOIST_LARGEST, LARGEST
+from segfmu.crane.observer import OFFSET_LARGEST, OFFSET_RATIO
+from segfmu.crane.plant import TOLERANCE
+from segfmu.fmu.crane_parameters import crane_parameters
+from segfmu.fmu.gantry_crane.feedback_parameters import (
+    estimates,
+    feedback_parameters,
+    weight_parameters,
+)
+from segfmu.fmu.gantry_crane.rig_parameters import DRIVES, rig_parameters
+from segfmu.fmu.standard.spec import (
+    Array,
+    Enumeration,
+    Spec,
+    Variable,
+    choice,
+    output,
+    parameter,
+    signal,
+    started,
+    time,
+    triple,
+)
+
+MODES = Enumeration("DriveMode", ("force", "velocity"), "what the drives follow")
+# of the rope lengths in the table of gains
+MOST_ROWS = 17
+
+# Names of the state's ten components, in the kernels' order.
+STATE = (
+    "bridge.position", "trolley.position", "rope.length", "sway.x.angle", "sway.y.angle",
+    "bridge.velocity", "trolley.velocity", "rope.velocity", "sway.x.rate", "sway.y.rate",
+)
+UNITS = ("m", "m", "m", "rad", "rad", "m/s", "m/s", "m/s", "rad/s", "rad/s")
+
+
+def _inputs() -> list[Variable]:
+    rows = [signal(f"force.{d}", "N", f"force setpoint of the {d} drive") for d in DRIVES]
+    rows += [signal(f"velocity.{d}", "m/s", f"velocity setpoint of the {d} drive") for d in DRIVES]
+    rows += [
+        signal(f"reference.{name}", unit, f"reference of {name}")
+        for name, unit in zip(STATE, UNITS, strict=True)
+    ]
+    rows += [
+        signal(f"reference.load.position.{a}", "m", f"reference of the load's position, {a}")
+        for a in "xyz"
+    ]
+    rows += [signal(f"wind.{a}", "N", f"external force on the load, {a}") for a in "xyz"]
+    return rows
+
+
+def _outputs() -> list[Variable]:
+    rows = [
+        output(name, unit, f"true {name}", start=0.5 if name == "rope.length" else 0.0)
+        for name, unit in zip(STATE, UNITS, strict=True)
+    ]
+    rows += [
+        output(f"measured.{name}", unit, f"measured {name}")
+        for name, unit in zip(STATE[:5], UNITS[:5], strict=True)
+    ]
+    rows += triple("load.position", "m", "true position of the load")
+    rows += triple("load.velocity", "m/s", "true velocity of the load")
+    rows += triple("error.load", "m", "load minus its reference")
+    rows.append(output("error.load.norm", "m", "distance of the load from its reference"))
+    for drive in DRIVES:
+        rows.append(output(f"drive.{drive}.force", "N", f"force that the {drive} drive applies"))
+        rows.append(
+            output(
+                f"drive.{drive}.saturated", None,
+                f"{drive} drive at a bound at some time in the last step", kind="Boolean",
+            )
+        )
+        rows.append(output(f"drive.{drive}.power", "W", f"power of the {drive} drive"))
+    return [*rows, *_energies(), *estimates()]
+
+
+def _energies() -> list[Variable]:
+    return [
+        output("rope.force", "N", "force on the rope, tension is negative"),
+        output("payload.mass", "kg", "present mass of the load"),
+        output("energy.kinetic", "J", "kinetic energy of bridge, trolley and load"),
+        output("energy.potential", "J", "potential energy of the load, zero at the trolley"),
+        output("energy.work", "J", "work of drives and wind since the start"),
+        output("energy.drives", "J", "work of the drives since the start"),
+        output("energy.wind", "J", "work of the wind since the start"),
+        output("energy.payload", "J", "energy that payload changes brought since the start"),
+        output("energy.dissipated", "J", "energy that friction took since the start"),
+        output("energy.imbalance", "J", "error of the balance of these by integration"),
+        output("power.wind", "W", "power of the wind"),
+        output("power.friction", "W", "power that friction dissipates"),
+    ]
+
+
+def spec() -> Spec:
+    """The interface of GantryCrane."""
+    return held(Spec(
+        "GantryCrane",
+        "Dynamics of a 3-DOF gantry crane from Lagrange's equations, driven by force or velocity "
+        "setpoints, with a sampled sway feedback about a reference state; drives, friction, end "
+        "stops, sensors, wind and payload changes as on a real crane, ideal by default",
+        (
+            *_inputs(),
+            *_outputs(),
+            *crane_parameters("true crane"),
+            choice("drive.mode", MODES, "force", "what the drives follow"),
+            *rig_parameters(),
+            *feedback_parameters(),
+        ),
+        stop_time=8.0,
+        step_size=0.001,
+    ))
+
+
+def held(own: Spec) -> Spec:
+    """With start values of the inputs that hold the crane where its start values put it.
+
+    So an importer that connects nothing sees the load hang at rest, not fall.
+    """
+    starts: dict[str, Any] = {v.name: v.start for v in own.variables}
+    place = [starts[name] for name in STATE[:3]]
+    weight = starts["crane.payload_mass"] * starts["crane.gravity"]
+    values = {f"reference.{name}": p for name, p in zip(STATE[:3], place, strict=True)}
+    load = (*place[:2], -place[2])
+    values |= {f"reference.load.position.{a}": p for a, p in zip("xyz", load, strict=True)}
+    return started(own, values | {"force.hoist": -weight})
+
+
+# State of model exchange and its derivatives: the crane's, then the integrated powers.
+RATES = (
+    *STATE[5:], "bridge.acceleration", "trolley.acceleration", "rope.acceleration",
+    "sway.x.acceleration", "sway.y.acceleration", "power.drives", "power.wind", "power.friction",
+)
+STATES = (*STATE, "energy.drives", "energy.wind", "energy.dissipated")
+
+# What an axis is corrected by, and the places of its gains among the state's ten.
+GAINS = {
+    "bridge": (("position", 0), ("angle", 3), ("velocity", 5), ("rate", 8)),
+    "trolley": (("position", 1), ("angle", 4), ("velocity", 6), ("rate", 9)),
+    "hoist": (("position", 2), ("velocity", 7)),
+}
+
+
+def native_spec(own: Spec | None = None) -> Spec:
+    """The interface of the native GantryCrane, from that of `spec` or with other start values.
+
+    The weights of the LQR design give way to the table of its gains, made here for the crane of
+    the start values; names of the derivatives and of time are added.
+    """
+    own = own or spec()
+    weights = {v.name for v in weight_parameters()}
+    kept = [v for v in own.variables if v.name not in weights]
+    table = _table({v.name: v.start for v in own.variables})
+    locals_ = [
+        Variable(f"{n}.acceleration", "Real", "local", "continuous", f"acceleration of {n}", unit=u)
+        for n, u in (
+            ("bridge", "m/s2"), ("trolley", "m/s2"), ("rope", "m/s2"), ("sway.x", "rad/s2"),
+            ("sway.y", "rad/s2"),
+        )
+    ]
+    power = Variable(
+        "power.drives", "Real", "local", "continuous", "power of all drives", unit="W"
+    )
+    return replace(
+        own, variables=(*kept, *table, *locals_, power, time()), arrays=_table_arrays(),
+        states=tuple(zip(STATES, RATES, strict=True)), dependencies=_dependencies(),
+        orders=1, partials=("ModelExchange",),
+        constants=(
+            ("LARGEST_ANGLE", LARGEST), ("LARGEST_HOIST_ANGLE", HOIST_LARGEST),
+            ("OFFSET_RATIO", OFFSET_RATIO), ("LARGEST_OFFSET_ANGLE", OFFSET_LARGEST),
+            ("TOLERANCE", TOLERANCE),
+        ),
+    )
+
+
+def _dependencies() -> tuple[tuple[str, tuple[str, ...]], ...]:
+    """What unknowns of model exchange depend on at one time: states, inputs that act, time."""
+    forces = tuple(f"force.{d}" for d in DRIVES) + tuple(f"velocity.{d}" for d in DRIVES)
+    winds = tuple(f"wind.{a}" for a in "xyz")
+    acting = (*STATE, *forces, *winds, "time")
+    targets = tuple(f"reference.load.position.{a}" for a in "xyz")
+    found: dict[str, tuple[str, ...]] = {n: (n,) for n in STATES}
+    found |= {f"measured.{n}": (n,) for n in STATE[:5]}
+    for i, axis in enumerate("xyz"):
+        found[f"load.position.{axis}"] = STATE[:5]
+        found[f"load.velocity.{axis}"] = STATE
+        found[f"error.load.{axis}"] = (*STATE[:5], targets[i])
+    found["error.load.norm"] = (*STATE[:5], *targets)
+    for drive in DRIVES:
+        for name in ("force", "saturated", "power"):
+            found[f"drive.{drive}.{name}"] = acting
+    found |= dict.fromkeys((*RATES[5:], "rope.force"), acting)
+    found["energy.kinetic"], found["energy.potential"] = STATE, STATE[:5]
+    found["energy.work"] = ("energy.drives", "energy.wind")
+    found["energy.imbalance"] = STATES
+    return tuple(found.items())
+
+
+def _table(starts: dict[str, Any]) -> list[Variable]:
+    feedback, driven = _designed(starts)
+    used = len(feedback.lengths)
+    rows = [
+        parameter(
+            "feedback.table.count", used, None, "rope lengths in the table of gains",
+            kind="Integer", minimum=1, maximum=MOST_ROWS,
+        ),
+        choice(
+            "feedback.table.mode", MODES, MODES.items[driven],
+            "drive.mode that the gains in the table are for",
+        ),
+        parameter(
+            "feedback.table.payload_mass", feedback.payload, "kg",
+            "mass of the load that the gains in the table are for", minimum=1e-9,
+        ),
+    ]
+    unit = "m/s2" if driven else "N"
+    for i in range(1, MOST_ROWS + 1):
+        row = min(i, used) - 1
+        name = f"feedback.table[{i}]"
+        rows.append(
+            parameter(
+                f"{name}.length", float(feedback.lengths[row]), "m", "rope length of a row",
+                minimum=1e-9, tunable=True,
+            )
+        )
+        for axis, drive in enumerate(GAINS):
+            for quantity, place in GAINS[drive]:
+                rows.append(
+                    parameter(
+                        f"{name}.{drive}.{quantity}", float(feedback.gains[row, axis, place]),
+                        None, f"gain of the {drive} [{unit}] by the error of {STATE[place]} in SI "
+                        "units", tunable=True,
+                    )
+                )
+    return rows
+
+
+def _designed(starts: dict[str, Any]) -> tuple[SwayFeedback, bool]:
+    """The LQR design for the crane of the start values, and whether it is for velocity drives."""
+    bridge, trolley, payload, gravity = (
+        float(starts[f"crane.{n}"])
+        for n in ("bridge_mass", "trolley_mass", "payload_mass", "gravity")
+    )
+    length = float(starts["rope.length"])
+    driven = MODES.items[int(starts["drive.mode"]) - 1] == "velocity"
+    crane = Crane(
+        bridge, trolley, float(starts["feedback.payload_mass"]) or payload, gravity
+    )
+    feedback = design(
+        crane, sample_time=float(starts["feedback.sample_time"]),
+        shortest=float(starts["crane.rope_min"]) or 0.2 * length,
+        longest=float(starts["crane.rope_max"]) or 5.0 * length, driven=driven, rows=MOST_ROWS,
+    )
+    return feedback, driven
+
+
+def _table_arrays() -> tuple[Array, ...]:
+    rows = range(1, MOST_ROWS + 1)
+    lengths = Array(
+        "feedback.table.length", tuple(f"feedback.table[{i}].length" for i in rows),
+        "feedback.table.count", 1, "rope lengths of the table of gains",
+    )
+    gains = [
+        Array(
+            f"feedback.table.{drive}",
+            tuple(f"feedback.table[{i}].{drive}.{q}" for i in rows for q, _ in quantities),
+            "feedback.table.count", len(quantities),
+            f"gains of the {drive} by the errors of {', '.join(q for q, _ in quantities)}",
+        )
+        for drive, quantities in GAINS.items()
+    ]
+    return lengths, *gains

@@ -1,0 +1,221 @@
+"""GantryCrane's parameters for what is not ideal: `segfmu.crane.Rig` as variables, and back."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from segfmu.crane import (
+    Drive,
+    Friction,
+    Gust,
+    PayloadChange,
+    Rig,
+    Sensors,
+    TravelLimits,
+    Wind,
+)
+from segfmu.crane.checks import LARGEST_SEED
+from segfmu.fmu.standard.spec import Enumeration, Variable, choice, parameter
+
+DRIVES = ("bridge", "trolley", "hoist")
+TRAVEL = ("bridge", "trolley", "rope")
+SIGNALS = (
+    "bridge.position", "trolley.position", "rope.length", "sway.x.angle", "sway.y.angle",
+)
+GUST_SHAPES = Enumeration("GustShape", ("cosine", "sine"), "course of a gust over time")
+PAYLOAD_CHANGES = 4
+# end stops so far away that there are none
+FAR = 1e9
+
+
+def rig_parameters() -> list[Variable]:
+    """All of them; by default everything is ideal."""
+    return [*_drives(), *_friction(), *_travel(), *_sensors(), *_wind(), *_payload()]
+
+
+def _drives() -> list[Variable]:
+    rows = []
+    for drive in DRIVES:
+        name = f"drive.{drive}"
+        rows += [
+            parameter(
+                f"{name}.lag", 0.0, "s", f"time constant of the {drive} drive in mode velocity; "
+                "0: none", minimum=0.0,
+            ),
+            parameter(
+                f"{name}.force_max", 0.0, "N", f"largest force of the {drive} drive; 0: no bound",
+                minimum=0.0,
+            ),
+            parameter(
+                f"{name}.acceleration_max", 0.0, "m/s2",
+                f"largest acceleration of the {drive} drive in mode velocity; 0: no bound",
+                minimum=0.0,
+            ),
+        ]
+    return rows
+
+
+def _friction() -> list[Variable]:
+    rows = []
+    for drive in DRIVES:
+        name = f"friction.{drive}"
+        rows += [
+            parameter(
+                f"{name}.viscous", 0.0, "N.s/m", f"viscous friction of the {drive}", minimum=0.0
+            ),
+            parameter(
+                f"{name}.coulomb", 0.0, "N", f"Coulomb friction of the {drive}", minimum=0.0
+            ),
+        ]
+    return [
+        *rows,
+        parameter(
+            "friction.width", 1e-3, "m/s", "Coulomb friction is coulomb * tanh(v / width)",
+            minimum=1e-9,
+        ),
+        parameter(
+            "friction.sway.viscous", 0.0, "N.m.s", "damping of both sway angles", minimum=0.0
+        ),
+    ]
+
+
+def _travel() -> list[Variable]:
+    rows = []
+    for axis in TRAVEL:
+        text = "end stop of the rope's length" if axis == "rope" else f"end stop of the {axis}"
+        rows += [
+            parameter(f"travel.{axis}.min", -FAR, "m", f"lower {text}"),
+            parameter(f"travel.{axis}.max", FAR, "m", f"upper {text}"),
+        ]
+    return rows
+
+
+def _sensors() -> list[Variable]:
+    rows = [
+        parameter("sensor.sample_time", 0.0, "s", "period; 0: continuous", minimum=0.0),
+        parameter(
+            "sensor.dead_time", 0.0, "s", "from sampling to the signal; needs sensor.sample_time",
+            minimum=0.0,
+        ),
+        _seed("sensor.seed", "seed of the sensors' noise"),
+    ]
+    for name in SIGNALS:
+        unit = "rad" if name.endswith("angle") else "m"
+        rows += [
+            parameter(
+                f"sensor.{name}.resolution", 0.0, unit, "quantisation step; 0: none", minimum=0.0
+            ),
+            parameter(
+                f"sensor.{name}.deviation", 0.0, unit,
+                "standard deviation of the noise; needs sensor.sample_time", minimum=0.0,
+            ),
+            parameter(f"sensor.{name}.offset", 0.0, unit, "measured minus true value"),
+        ]
+    return rows
+
+
+def _wind() -> list[Variable]:
+    return [
+        *_vector("wind.constant", "constant wind"),
+        parameter("wind.gust.start", 0.0, "s", "start of the gust"),
+        parameter("wind.gust.duration", 0.0, "s", "duration of the gust; 0: none", minimum=0.0),
+        choice("wind.gust.shape", GUST_SHAPES, "cosine", "1 - cosine, or half a sine"),
+        *_vector("wind.gust.force", "peak of the gust"),
+        *_vector("wind.noise.deviation", "standard deviation of the wind's noise", minimum=0.0),
+        parameter("wind.noise.bandwidth", 1.0, "Hz", "largest frequency in it", minimum=1e-9),
+        _seed("wind.noise.seed", "seed of the wind's noise"),
+    ]
+
+
+def _payload() -> list[Variable]:
+    rows = [
+        parameter(
+            "payload.count", 0, None, "number of payload changes in use", kind="Integer",
+            minimum=0, maximum=PAYLOAD_CHANGES,
+        )
+    ]
+    for i in range(1, PAYLOAD_CHANGES + 1):
+        rows += [
+            parameter(f"payload[{i}].time", 0.0, "s", "time of a payload change"),
+            parameter(f"payload[{i}].mass", 1.0, "kg", "mass of the load from then on",
+                      minimum=1e-9),
+        ]
+    return rows
+
+
+def _vector(prefix: str, text: str, minimum: float | None = None) -> list[Variable]:
+    return [parameter(f"{prefix}.{a}", 0.0, "N", f"{text}, {a}", minimum=minimum) for a in "xyz"]
+
+
+def _seed(name: str, text: str) -> Variable:
+    return parameter(name, 0, None, text, kind="Integer", minimum=0, maximum=LARGEST_SEED)
+
+
+def rig_from(value: Callable[[str], Any]) -> Rig:
+    """The rig that parameters describe; `value` gives them by name.
+
+    Raises
+    ------
+    InputError
+        For values that do not fit together.
+    """
+
+    def number(name: str) -> float:
+        return float(value(name))
+
+    bridge, trolley, hoist = (
+        Drive(
+            number(f"drive.{d}.lag"), number(f"drive.{d}.force_max") or None,
+            number(f"drive.{d}.acceleration_max") or None,
+        )
+        for d in DRIVES
+    )
+    travel = [(number(f"travel.{a}.min"), number(f"travel.{a}.max")) for a in TRAVEL]
+    changes = range(1, int(value("payload.count")) + 1)
+    return Rig(
+        bridge, trolley, hoist, _friction_from(value), TravelLimits(*travel),
+        _sensors_from(value), _wind_from(value),
+        tuple(
+            PayloadChange(number(f"payload[{i}].time"), number(f"payload[{i}].mass"))
+            for i in changes
+        ),
+    )
+
+
+def _friction_from(value: Callable[[str], Any]) -> Friction:
+    def triple(quantity: str) -> tuple[float, float, float]:
+        bridge, trolley, hoist = (float(value(f"friction.{d}.{quantity}")) for d in DRIVES)
+        return bridge, trolley, hoist
+
+    return Friction(
+        triple("viscous"), triple("coulomb"), float(value("friction.width")),
+        float(value("friction.sway.viscous")),
+    )
+
+
+def _sensors_from(value: Callable[[str], Any]) -> Sensors:
+    def five(quantity: str) -> tuple[float, float, float, float, float]:
+        a, b, c, d, e = (float(value(f"sensor.{name}.{quantity}")) for name in SIGNALS)
+        return a, b, c, d, e
+
+    return Sensors(
+        float(value("sensor.sample_time")), float(value("sensor.dead_time")),
+        five("resolution"), five("deviation"), five("offset"), int(value("sensor.seed")),
+    )
+
+
+def _wind_from(value: Callable[[str], Any]) -> Wind:
+    def vector(prefix: str) -> tuple[float, float, float]:
+        x, y, z = (float(value(f"{prefix}.{a}")) for a in "xyz")
+        return x, y, z
+
+    start, duration = (float(value(f"wind.gust.{n}")) for n in ("start", "duration"))
+    sine = int(value("wind.gust.shape")) == GUST_SHAPES.items.index("sine") + 1
+    gust = None
+    if duration > 0.0:
+        gust = Gust(start, duration, vector("wind.gust.force"), "sine" if sine else "cosine")
+    return Wind(
+        vector("wind.constant"), gust, vector("wind.noise.deviation"),
+        float(value("wind.noise.bandwidth")), int(value("wind.noise.seed")),
+    )

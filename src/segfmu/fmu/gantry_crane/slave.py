@@ -1,0 +1,160 @@
+"""GantryCrane on PythonFMU: the plant with its sampled feedback."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from segfmu.crane import Crane
+from segfmu.crane.feedback import SwayFeedback, Weights, design
+from segfmu.crane.flat_feedback import design_flat
+from segfmu.crane.plant import Plant, Setpoints
+from segfmu.crane.tracking import TrackingController
+from segfmu.errors import InputError
+from segfmu.fmu.crane_parameters import crane_from
+from segfmu.fmu.gantry_crane import interface as gantry_crane
+from segfmu.fmu.gantry_crane.feedback_parameters import (
+    DESIGNS,
+    SOURCES,
+    estimates,
+    tracking_from,
+    tune,
+)
+from segfmu.fmu.gantry_crane.rig_parameters import DRIVES, rig_from
+from segfmu.fmu.python.slave import SpecSlave
+
+STATE = gantry_crane.STATE
+FORCE = tuple(f"force.{d}" for d in DRIVES)
+VELOCITY = tuple(f"velocity.{d}" for d in DRIVES)
+REFERENCE = tuple(f"reference.{name}" for name in STATE)
+TARGET = tuple(f"reference.load.position.{a}" for a in "xyz")
+WIND = tuple(f"wind.{a}" for a in "xyz")
+MEASURED = tuple(f"measured.{name}" for name in STATE[:5])
+LOAD = tuple(f"load.{d}.{a}" for d in ("position", "velocity") for a in "xyz")
+ERROR = (*(f"error.load.{a}" for a in "xyz"), "error.load.norm")
+DRIVE = tuple(
+    f"drive.{d}.{n}" for n in ("force", "saturated", "power") for d in DRIVES
+)
+ENERGY = tuple(
+    f"energy.{n}" for n in ("kinetic", "potential", "drives", "wind", "payload", "dissipated")
+)
+ESTIMATE = tuple(v.name for v in estimates())
+POLES = ("bandwidth", "hoist_bandwidth", "damping")
+WEIGHTS = ("position", "angle", "velocity", "rate", "effort")
+
+
+class CraneSlave(SpecSlave):
+    """The slave: a thin shell around `segfmu.crane.plant.Plant`."""
+
+    spec = gantry_crane.spec()
+
+    def __init__(self, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self._plant: Plant | None = None
+        self._tracking: TrackingController | None = None
+        self._design: Callable[[], SwayFeedback] | None = None
+        self._tuned: tuple[float, ...] = ()
+
+    def initialise(self) -> None:
+        """Design the feedback and put the crane into its initial state."""
+        crane = crane_from(self.value)
+        state = self._vector(STATE)
+        if state[2] <= 0.0:
+            raise InputError(f"rope.length must start above 0 m, got {state[2]}")
+        driven = gantry_crane.MODES.items[int(self.value("drive.mode")) - 1] == "velocity"
+        nominal = float(self.value("feedback.payload_mass")) or crane.payload_mass
+        expected = replace(crane, payload_mass=nominal)
+        self._design = partial(self._feedback, expected, float(state[2]), driven)
+        self._tuned = self._poles()
+        feedback = self._design()
+        self._tracking = None
+        if SOURCES.items[int(self.value("feedback.source")) - 1] == "measured":
+            self._tracking = tracking_from(self.value, expected, feedback, driven)
+        self.assign(ESTIMATE, (nominal, *np.zeros(6)))
+        self._plant = Plant(
+            crane, state, self._setpoints(), self._tracking or feedback, driven=driven,
+            rig=rig_from(self.value), start_time=self.start_time,
+        )
+        self._show(self._plant)
+
+    def _feedback(self, crane: Crane, length: float, driven: bool) -> SwayFeedback:
+        """Gains over rope length; `crane` has the payload that the feedback is designed for."""
+        sample_time = float(self.value("feedback.sample_time"))
+        shortest, longest = crane.rope_min or 0.2 * length, crane.rope_max or 5.0 * length
+        if self._flat():
+            return design_flat(
+                crane, sample_time=sample_time, shortest=shortest, longest=longest,
+                ratio=float(self.value("feedback.bandwidth")),
+                hoist_ratio=float(self.value("feedback.hoist_bandwidth")),
+                damping=float(self.value("feedback.damping")), driven=driven,
+                lag=max(float(self.value(f"drive.{d}.lag")) for d in DRIVES) if driven else 0.0,
+            )
+        weights = Weights(*(float(self.value(f"feedback.weight.{n}")) for n in WEIGHTS))
+        return design(
+            crane, sample_time=sample_time, shortest=shortest, longest=longest, weights=weights,
+            driven=driven,
+        )
+
+    def advance(self, time: float, step: float) -> None:
+        """Step the plant to the setpoints now set."""
+        plant = self._plant
+        if plant is None:
+            raise AssertionError("a step before the end of initialisation")
+        self._tune(plant)
+        plant.step(step, self._setpoints())
+        self._show(plant)
+
+    def _poles(self) -> tuple[float, ...]:
+        """The tunable parameters that gains follow from; none of design lqr."""
+        names = POLES if self._flat() else ()
+        return tuple(float(self.value(f"feedback.{n}")) for n in names)
+
+    def _flat(self) -> bool:
+        return DESIGNS.items[int(self.value("feedback.design")) - 1] == "flatness"
+
+    def _tune(self, plant: Plant) -> None:
+        """Take over the tunable parameters."""
+        feedback = None
+        if self._design is not None and self._poles() != self._tuned:
+            self._tuned = self._poles()
+            feedback = self._design()
+        if self._tracking is not None:
+            tune(self._tracking, self.value, feedback)
+            return
+        plant.fade = float(self.value("feedback.fade"))
+        plant.enabled = bool(self.value("feedback.enabled"))
+        if feedback is not None:
+            plant.retune(feedback)
+
+    def _vector(self, names: tuple[str, ...]) -> Any:
+        return np.array([float(self.value(n)) for n in names])
+
+    def _setpoints(self) -> Setpoints:
+        return Setpoints(*(self._vector(n) for n in (FORCE, VELOCITY, REFERENCE, WIND)))
+
+    def _show(self, plant: Plant) -> None:
+        state, load = plant.state, plant.load
+        error = load[0] - self._vector(TARGET)
+        self.assign(STATE, state)
+        self.assign(MEASURED, plant.measured)
+        self.assign(LOAD, load.reshape(-1))
+        self.assign(ERROR, (*error, np.linalg.norm(error)))
+        self.assign(
+            DRIVE, (*plant.drive_force, *map(bool, plant.saturated), *plant.drive_power)
+        )
+        if self._tracking is not None:
+            carriages, loads = self._tracking.disturbance
+            payload, offset = self._tracking.payload, self._tracking.offset
+            self.assign(ESTIMATE, (payload, *carriages, *loads[:2], offset))
+        balance = plant.balance
+        self.assign(ENERGY, [getattr(balance, n.removeprefix("energy.")) for n in ENERGY])
+        self.assign(
+            ("energy.work", "energy.imbalance", "power.wind", "power.friction", "rope.force",
+             "payload.mass"),
+            (plant.work, balance.imbalance, plant.wind_power, plant.friction_power,
+             plant.rope_force, plant.payload_mass),
+        )

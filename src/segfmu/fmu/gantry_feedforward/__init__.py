@@ -1,0 +1,1 @@
+"""GantryFeedforward: interface, slave, and model in C."""

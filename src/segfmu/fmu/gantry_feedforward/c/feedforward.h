@@ -1,0 +1,28 @@
+/* GantryFeedforward's block: the plan, at the end of it. */
+#ifndef SEGFMU_FEEDFORWARD_H
+#define SEGFMU_FEEDFORWARD_H
+
+#include "arrays.h"
+#include "model.h"
+#include "segfmu.h"
+
+enum { AXES = 3, ORDERS = 5, RESULTS = 18, MOST_POINTS = MODEL_ROWS };
+
+typedef struct {
+    model base;
+    int64_t points, smoothness, pieces;
+    double duration;
+    double events[MOST_POINTS + 1];  /* s, ascending: arrival at the waypoints, end */
+    double upcoming;                 /* s; the next event of the plan, infinite after the last */
+    int64_t derived[MODEL_ORDERS];   /* whether these derivatives are those of the present time */
+    double derivatives[MODEL_ORDERS][RESULTS];
+    double space[];                  /* timing, coefficients, offsets, times, ends */
+} feedforward;
+
+/* Plan by the parameters; false with a message where that cannot be done. */
+bool feedforward_plan(feedforward *m, char message[MESSAGE]);
+
+/* The trajectory in the block. */
+segfmu_trajectory feedforward_trajectory(const feedforward *m);
+
+#endif

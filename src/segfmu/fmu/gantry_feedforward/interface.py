@@ -1,0 +1,187 @@
+"""Interface of GantryFeedforward: planner and flat inverse."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from segfmu.fmu.crane_parameters import crane_parameters
+from segfmu.fmu.standard.spec import (
+    Array,
+    Enumeration,
+    Spec,
+    Variable,
+    choice,
+    output,
+    parameter,
+    time,
+    triple,
+)
+
+MAX_WAYPOINTS = 16
+
+SHAPES = Enumeration("Shape", ("smoothstep", "plateau"), "shape of the acceleration ramps")
+SYNCHRONIZATIONS = Enumeration(
+    "Synchronization", ("none", "waypoints", "total"), "where the axes meet in time"
+)
+
+# The paper's mission (24) at constant height.
+POINTS = (
+    ((0.0, 0.0, -0.5), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)),
+    ((0.07, 0.055, -0.5), (0.2, 0.17, 0.0), (0.34, 0.27, 0.0)),
+    ((1.0, 0.8, -0.5), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)),
+)
+LIMITS = {
+    "x": (1.0, 1.0, 1.0, 10.0),
+    "y": (0.4, 0.5, 0.5, 5.0),
+    "z": (0.3, 0.5, 0.5, 5.0),
+}
+
+
+def _outputs() -> list[Variable]:
+    force = "feedforward force setpoint"
+    rows = [
+        output("force.bridge", "N", f"{force} of the bridge drive"),
+        output("force.trolley", "N", f"{force} of the trolley drive"),
+        output("force.hoist", "N", f"{force} of the winch; negative is rope tension"),
+        output("velocity.bridge", "m/s", "velocity setpoint of the bridge drive"),
+        output("velocity.trolley", "m/s", "velocity setpoint of the trolley drive"),
+        output("velocity.hoist", "m/s", "rope velocity setpoint; positive pays rope out"),
+    ]
+    for name, unit in (
+        ("position", "m"), ("velocity", "m/s"), ("acceleration", "m/s2"),
+        ("jerk", "m/s3"), ("snap", "m/s4"),
+    ):
+        rows += triple(f"reference.load.{name}", unit, f"planned {name} of the load")
+    for part, quantity in (("bridge", "position"), ("trolley", "position"), ("rope", "length")):
+        for name, unit in ((quantity, "m"), ("velocity", "m/s"), ("acceleration", "m/s2")):
+            rows.append(output(f"reference.{part}.{name}", unit, f"planned {part} {name}"))
+    for axis in "xy":
+        sway = f"reference.sway.{axis}"
+        rows.append(output(f"{sway}.angle", "rad", f"planned sway angle phi_{axis}"))
+        rows.append(output(f"{sway}.rate", "rad/s", f"planned rate of phi_{axis}"))
+    rows.append(output("plan.interval", None, "active waypoint interval, from 1", kind="Integer"))
+    rows.append(output("plan.done", None, "the planned motion has ended", kind="Boolean"))
+    rows.append(
+        Variable(
+            "plan.next_event", "Real", "output", "discrete",
+            "time of the next event: arrival at a waypoint, end of the motion, or jump of a "
+            "derivative of the forces (the first at smoothness 4); behind the last, its time",
+            unit="s",
+        )
+    )
+    return rows
+
+
+def _limits() -> list[Variable]:
+    rows = []
+    for axis, values in LIMITS.items():
+        for name, unit, value in zip(
+            ("velocity", "acceleration", "jerk", "snap"), ("m/s", "m/s2", "m/s3", "m/s4"), values,
+            strict=True,
+        ):
+            free = "" if name in ("velocity", "acceleration") else "; 0: no limit"
+            rows.append(
+                parameter(
+                    f"limits.{axis}.{name}", value, unit,
+                    f"limit of the load's {name} in {axis}{free}", minimum=0.0,
+                )
+            )
+    return rows
+
+
+def _waypoints() -> list[Variable]:
+    rows = [
+        parameter(
+            "waypoint.count", len(POINTS), None, "number of waypoints in use", kind="Integer",
+            minimum=2, maximum=MAX_WAYPOINTS,
+        )
+    ]
+    for i in range(1, MAX_WAYPOINTS + 1):
+        point = POINTS[min(i, len(POINTS)) - 1]
+        for name, unit, values in zip(
+            ("position", "velocity", "acceleration"), ("m", "m/s", "m/s2"), point, strict=True
+        ):
+            for axis, value in zip("xyz", values, strict=True):
+                rows.append(
+                    parameter(
+                        f"waypoint[{i}].{name}.{axis}", value, unit,
+                        f"{name} of the load at waypoint {i} in {axis}",
+                    )
+                )
+        rows.append(
+            parameter(f"waypoint[{i}].dwell", 0.0, "s", f"rest at waypoint {i}", minimum=0.0)
+        )
+    return rows
+
+
+def _planner() -> list[Variable]:
+    return [
+        parameter(
+            "planner.smoothness", 4, None, "n: the load's position is n times differentiable",
+            kind="Integer", minimum=4, maximum=6,
+        ),
+        choice("planner.shape", SHAPES, "plateau", "shape of the acceleration ramps"),
+        choice("planner.synchronization", SYNCHRONIZATIONS, "waypoints", "where the axes meet"),
+        parameter(
+            "planner.sample_time", 0.0, "s",
+            "waypoint intervals become multiples of it; 0: any duration", minimum=0.0,
+        ),
+        parameter(
+            "planner.duration", 0.0, "s", "duration to take; 0: the shortest one", minimum=0.0
+        ),
+        parameter("planner.start_time", 0.0, "s", "time at which the motion starts"),
+    ]
+
+
+def spec() -> Spec:
+    """The interface of GantryFeedforward."""
+    return Spec(
+        "GantryFeedforward",
+        "Plans the motion of a crane's load through waypoints within limits on velocity, "
+        "acceleration, jerk and snap, and inverts the crane exactly: force and velocity "
+        "setpoints and the reference of load and state",
+        (
+            *_outputs(),
+            Variable(
+                "plan.duration", "Real", "calculatedParameter", "fixed",
+                "duration of the planned motion", unit="s",
+            ),
+            *crane_parameters("nominal crane"),
+            *_limits(),
+            *_waypoints(),
+            *_planner(),
+        ),
+        stop_time=8.0,
+        step_size=0.001,
+    )
+
+
+def native_spec(own: Spec | None = None) -> Spec:
+    """The interface of the native GantryFeedforward, which also names time.
+
+    It is that of `spec`, or of one with other start values.
+    """
+    own = own or spec()
+    outputs = own.where("output")
+    return replace(
+        own,
+        variables=(*own.variables, time()),
+        arrays=_arrays(),
+        dependencies=tuple((v.name, ("time",)) for v in outputs),
+        orders=3,
+    )
+
+
+def _arrays() -> tuple[Array, ...]:
+    rows = range(1, MAX_WAYPOINTS + 1)
+    arrays = [
+        Array(
+            f"waypoint.{name}", tuple(f"waypoint[{i}].{name}.{a}" for i in rows for a in "xyz"),
+            "waypoint.count", 3, f"{name} of the load at the waypoints",
+        )
+        for name in ("position", "velocity", "acceleration")
+    ]
+    dwells = tuple(f"waypoint[{i}].dwell" for i in rows)
+    return (
+        *arrays, Array("waypoint.dwell", dwells, "waypoint.count", 1, "rest at the waypoints")
+    )

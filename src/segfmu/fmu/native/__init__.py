@@ -1,0 +1,1 @@
+"""Native FMUs: sources in C99, compilers, archives."""

@@ -1,0 +1,101 @@
+/* What fmi2.c and fmi3.c share: instances, the course of a simulation, access to variables, saved
+   states. Each file calls those before it: instance.c, simulation.c, values.c; instance.c, state.c. */
+#ifndef SEGFMU_GLUE_H
+#define SEGFMU_GLUE_H
+
+#include "model.h"
+
+/* the numbers of both versions of the standard */
+enum { STATUS_OK, STATUS_WARNING, STATUS_DISCARD, STATUS_ERROR, STATUS_FATAL };
+
+/* States of the standard's state machines. */
+enum {
+    MODE_INSTANTIATED = 1, MODE_CONFIGURATION = 2, MODE_INITIALISATION = 4, MODE_EVENT = 8,
+    MODE_CONTINUOUS = 16, MODE_STEP = 32, MODE_TERMINATED = 64, MODE_FAILED = 128,
+    MODE_RUNNING = MODE_EVENT | MODE_CONTINUOUS | MODE_STEP,
+    MODE_ANY = 255
+};
+
+enum { MODEL_EXCHANGE, CO_SIMULATION };
+
+typedef struct instance instance;
+typedef void (*reporter)(instance *c, int status, const char *category, const char *message);
+/* any function; cast back to its own type before it is called */
+typedef void (*callback)(void);
+
+struct instance {
+    model *model;
+    char *name;
+    void *environment;
+    reporter report;
+    callback log, update;
+    bool logging;
+    bool event_mode, early_return;
+};
+
+/* A new instance in mode INSTANTIATED, or NULL with a message. */
+instance *glue_create(const char *name, const char *token, int interface, bool logging,
+                      reporter report, callback log, void *environment);
+void glue_free(instance *c);
+/* Back to the start values, mode INSTANTIATED. */
+void glue_reset(instance *c);
+
+/* Errors and warnings are always reported, the rest where logging is on. */
+void glue_log(instance *c, int status, const char *format, ...);
+
+/* Whether a call is allowed: c exists and is in one of the modes; reports what is wrong. */
+bool glue_allows(instance *c, int modes, const char *function);
+/* Whether a pointer that must be given is there; reports if not. */
+bool glue_given(instance *c, const void *pointer, const char *function);
+
+void glue_set_time(instance *c, double time);
+/* Whether a time can be used: clocks need digits behind it. */
+bool glue_time(instance *c, double time, const char *what);
+bool glue_finite(instance *c, double value, const char *what);
+
+/* Check references, kind and number of values; before reading, make the values current. */
+bool glue_readable(instance *c, const char *function, const uint32_t references[], size_t count,
+                   const void *values, size_t size, int kinds);
+bool glue_settable(instance *c, const char *function, const uint32_t references[], size_t count,
+                   const void *values, size_t size, int kinds);
+/* Number of elements of a variable. */
+size_t glue_elements_of(const instance *c, const variable *v);
+void glue_get_reals(const instance *c, const uint32_t references[], size_t count, double values[]);
+bool glue_set_reals(instance *c, const uint32_t references[], size_t count, const double values[],
+                    size_t size);
+/* One integer, Boolean or enumeration. */
+int64_t glue_integer(const instance *c, uint32_t reference);
+bool glue_set_integer(instance *c, uint32_t reference, int64_t value);
+
+/* The experiment: start time, and stop time where there is one. */
+bool glue_begin(instance *c, double start, bool has_stop, double stop);
+/* End of initialisation; the instance fails where its parameters are of no use. */
+bool glue_initialise(instance *c);
+/* Outputs current; in initialisation mode, follow the parameters first. */
+bool glue_evaluate(instance *c);
+
+/* One communication step: begin it, go on to its end or an event. */
+bool glue_begin_step(instance *c, double time, double step);
+bool glue_continue_step(instance *c, double end, bool *event);
+bool glue_event(instance *c);
+
+/* Products of the partial derivatives with a seed. */
+bool glue_directional(instance *c, const char *function, const uint32_t unknowns[], size_t m,
+                      const uint32_t knowns[], size_t n, const double seed[], double found[],
+                      bool adjoint);
+bool glue_output_derivatives(instance *c, const char *function, const uint32_t references[],
+                             size_t count, const int32_t orders[], double values[]);
+
+/* Derivatives of inputs at the beginning of the next step; they hold until the end of that step. */
+bool glue_input_derivatives(instance *c, const char *function, const uint32_t references[],
+                            size_t count, const int32_t orders[], const double values[]);
+
+/* Saved states: the used part of the block behind a header. */
+bool glue_save(instance *c, void **state);
+bool glue_restore(instance *c, const void *state);
+size_t glue_state_size(const void *state);
+void glue_free_state(void **state);
+bool glue_serialise(instance *c, const void *state, void *bytes, size_t size);
+bool glue_deserialise(instance *c, const void *bytes, size_t size, void **state);
+
+#endif

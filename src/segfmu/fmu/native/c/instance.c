@@ -1,0 +1,143 @@
+/* Instances: their life, modes and messages. */
+#include "glue.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* s; beyond it doubles have no microseconds */
+static const double LATEST = 1e9;
+
+static const char *const CATEGORIES[] = {
+    "logEvents", "logStatusWarning", "logStatusDiscard", "logStatusError", "logStatusFatal"
+};
+
+void glue_log(instance *c, int status, const char *format, ...)
+{
+    if (c->report == NULL || (status == STATUS_DISCARD && !c->logging)) {
+        return;
+    }
+    char message[2 * MESSAGE];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    c->report(c, status, CATEGORIES[status], message);
+}
+
+static void start(instance *c, int interface)
+{
+    memset(c->model, 0, model_used(c->model));
+    memcpy(c->model->real, model_real_start, sizeof c->model->real);
+    memcpy(c->model->integer, model_integer_start, sizeof c->model->integer);
+    c->model->mode = MODE_INSTANTIATED;
+    c->model->interface = interface;
+}
+
+instance *glue_create(const char *name, const char *token, int interface, bool logging,
+                      reporter report, callback log, void *environment)
+{
+    instance heard = {0};
+    heard.report = log == NULL ? NULL : report;
+    heard.log = log;
+    heard.environment = environment;
+    heard.name = (char *)(name == NULL ? "" : name);
+    if (name == NULL || name[0] == '\0') {
+        glue_log(&heard, STATUS_ERROR, "an instance needs a name");
+        return NULL;
+    }
+    if (token == NULL || strcmp(token, model_token) != 0) {
+        glue_log(&heard, STATUS_ERROR, "the token of %s is %s, got %.80s; the description and the "
+                 "binary are not of the same archive", model_name, model_token,
+                 token == NULL ? "none" : token);
+        return NULL;
+    }
+    instance *c = calloc(1, sizeof *c);
+    char *own = malloc(strlen(name) + 1);
+    model *block = calloc(1, model_size());
+    if (c == NULL || own == NULL || block == NULL) {
+        glue_log(&heard, STATUS_ERROR, "out of memory");
+        free(c);
+        free(own);
+        free(block);
+        return NULL;
+    }
+    *c = heard;
+    c->name = strcpy(own, name);
+    c->logging = logging;
+    c->model = block;
+    start(c, interface);
+    return c;
+}
+
+void glue_free(instance *c)
+{
+    if (c != NULL) {
+        free(c->model);
+        free(c->name);
+        free(c);
+    }
+}
+
+void glue_reset(instance *c)
+{
+    start(c, (int)c->model->interface);
+}
+
+bool glue_allows(instance *c, int modes, const char *function)
+{
+    if (c == NULL) {
+        return false;
+    }
+    if ((c->model->mode & modes) == 0) {
+        const char *mode = c->model->mode == MODE_INSTANTIATED ? "before initialisation"
+            : c->model->mode == MODE_CONFIGURATION ? "in configuration mode"
+            : c->model->mode == MODE_INITIALISATION ? "in initialisation mode"
+            : c->model->mode == MODE_EVENT ? "in event mode"
+            : c->model->mode == MODE_CONTINUOUS ? "in continuous-time mode"
+            : c->model->mode == MODE_STEP ? "between steps"
+            : c->model->mode == MODE_TERMINATED ? "after termination" : "after an error";
+        glue_log(c, STATUS_ERROR, "%s is not allowed %s", function, mode);
+        return false;
+    }
+    return true;
+}
+
+bool glue_given(instance *c, const void *pointer, const char *function)
+{
+    if (pointer == NULL) {
+        glue_log(c, STATUS_ERROR, "%s: an argument is a null pointer", function);
+    }
+    return pointer != NULL;
+}
+
+bool glue_finite(instance *c, double value, const char *what)
+{
+    if (!isfinite(value)) {
+        glue_log(c, STATUS_ERROR, "%s must be finite, got %g", what, value);
+        return false;
+    }
+    return true;
+}
+
+bool glue_time(instance *c, double time, const char *what)
+{
+    if (!(fabs(time) <= LATEST)) {
+        glue_log(c, STATUS_ERROR, "%s must be within %g s of 0, got %g s", what, LATEST, time);
+        return false;
+    }
+    return true;
+}
+
+void glue_set_time(instance *c, double time)
+{
+    c->model->real[V_TIME] = time;
+    c->model->evaluated = 0;
+}
+
+size_t glue_elements_of(const instance *c, const variable *v)
+{
+    return v->columns == 0 ? 1 : (size_t)(model_rows(c->model) * v->columns);
+}

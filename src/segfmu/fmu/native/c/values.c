@@ -1,0 +1,252 @@
+/* Access to variables by value reference. */
+#include <math.h>
+#include <string.h>
+
+#include "glue.h"
+
+/* Modes in which a variable may be set. */
+static int modes_of(uint8_t setting)
+{
+    static const int modes[] = {
+        0, MODE_INSTANTIATED | MODE_INITIALISATION,
+        MODE_INSTANTIATED | MODE_INITIALISATION | MODE_EVENT | MODE_STEP,
+        MODE_INSTANTIATED | MODE_INITIALISATION,
+        MODE_INSTANTIATED | MODE_INITIALISATION | MODE_RUNNING, MODE_CONFIGURATION
+    };
+    return modes[setting];
+}
+
+static const char *kind_name(uint8_t kind)
+{
+    static const char *const names[] = {"Real", "Integer", "Boolean", "Enumeration", "a size"};
+    return names[kind];
+}
+
+/* The checks that reading and setting have in common. */
+static bool usable(instance *c, const char *function, const uint32_t references[], size_t count,
+                   const void *values, size_t size, int kinds)
+{
+    if (count > 0
+        && (!glue_given(c, references, function) || !glue_given(c, values, function))) {
+        return false;
+    }
+    size_t elements = 0;
+    for (size_t i = 0; i < count; i++) {
+        if (references[i] >= MODEL_VARIABLES) {
+            glue_log(c, STATUS_ERROR, "%s: there is no variable with value reference %u", function,
+                     (unsigned)references[i]);
+            return false;
+        }
+        const variable *v = &model_variables[references[i]];
+        if ((kinds & (1 << v->kind)) == 0) {
+            glue_log(c, STATUS_ERROR, "%s: %s is of type %s", function, v->name,
+                     kind_name(v->kind));
+            return false;
+        }
+        elements += glue_elements_of(c, v);
+    }
+    if (elements != size) {
+        glue_log(c, STATUS_ERROR, "%s: the variables have %lu values, got %lu", function,
+                 (unsigned long)elements, (unsigned long)size);
+        return false;
+    }
+    return true;
+}
+
+bool glue_readable(instance *c, const char *function, const uint32_t references[], size_t count,
+                   const void *values, size_t size, int kinds)
+{
+    if (!usable(c, function, references, count, values, size, kinds)) {
+        return false;
+    }
+    bool follows = false;
+    int early = 0;
+    for (size_t i = 0; i < count; i++) {
+        const variable *v = &model_variables[references[i]];
+        if (v->calculated) {
+            follows = true;
+            early |= v->setting == SET_NEVER ? MODE_INSTANTIATED | MODE_CONFIGURATION : 0;
+        }
+    }
+    return !follows || (glue_allows(c, MODE_ANY & ~early, function) && glue_evaluate(c));
+}
+
+bool glue_settable(instance *c, const char *function, const uint32_t references[], size_t count,
+                   const void *values, size_t size, int kinds)
+{
+    if (!usable(c, function, references, count, values, size, kinds)) {
+        return false;
+    }
+    const int64_t mode = c->model->mode;
+    for (size_t i = 0; i < count; i++) {
+        const variable *v = &model_variables[references[i]];
+        if ((modes_of(v->setting) & mode) == 0) {
+            glue_log(c, STATUS_ERROR, "%s: %s cannot be set %s", function, v->name,
+                     v->setting == SET_NEVER ? "at all" : "now");
+            return false;
+        }
+    }
+    return true;
+}
+
+void glue_get_reals(const instance *c, const uint32_t references[], size_t count, double values[])
+{
+    const double *real = c->model->real;
+    for (size_t i = 0; i < count; i++) {
+        const variable *v = &model_variables[references[i]];
+        if (v->columns == 0) {
+            *values++ = real[v->offset];
+        } else {
+            size_t elements = glue_elements_of(c, v);
+            memcpy(values, real + v->offset, elements * sizeof *values);
+            values += elements;
+        }
+    }
+}
+
+/* What follows from variables is out of date. */
+static void touch(instance *c, bool tunable)
+{
+    if ((c->model->mode & MODE_RUNNING) == 0) {
+        c->model->initialised = 0;
+    }
+    c->model->tuned |= tunable;
+    c->model->evaluated = 0;
+}
+
+/* Whether all values are finite; reports the first one that is not. */
+static bool all_finite(instance *c, const uint32_t references[], const double values[], size_t size)
+{
+    size_t place = 0, behind = 0;
+    while (place < size && isfinite(values[place])) {
+        place++;
+    }
+    if (place == size) {
+        return true;
+    }
+    const variable *v = NULL;
+    while (behind <= place) {
+        v = &model_variables[*references++];
+        behind += glue_elements_of(c, v);
+    }
+    return glue_finite(c, values[place], v->name);
+}
+
+bool glue_set_reals(instance *c, const uint32_t references[], size_t count, const double values[],
+                    size_t size)
+{
+    if (!all_finite(c, references, values, size)) {
+        return false;
+    }
+    double *real = c->model->real;
+    bool tunable = false;
+    for (size_t i = 0; i < count; i++) {
+        const variable *v = &model_variables[references[i]];
+        if (v->columns == 0) {
+            real[v->offset] = *values++;
+        } else {
+            size_t elements = glue_elements_of(c, v);
+            memcpy(real + v->offset, values, elements * sizeof *values);
+            values += elements;
+        }
+        tunable = tunable || v->setting == SET_TUNABLE;
+    }
+    if (count > 0) {
+        touch(c, tunable);
+    }
+    return true;
+}
+
+int64_t glue_integer(const instance *c, uint32_t reference)
+{
+    return c->model->integer[model_variables[reference].offset];
+}
+
+bool glue_set_integer(instance *c, uint32_t reference, int64_t value)
+{
+    const variable *v = &model_variables[reference];
+    if (v->kind == KIND_COUNT && !((double)value >= v->least && (double)value <= v->most)) {
+        glue_log(c, STATUS_ERROR, "%s must be at least %g and at most %g, got %lld", v->name,
+                 v->least, v->most, (long long)value);
+        return false;
+    }
+    c->model->integer[v->offset] = value;
+    touch(c, v->setting == SET_TUNABLE);
+    return true;
+}
+
+bool glue_directional(instance *c, const char *function, const uint32_t unknowns[], size_t m,
+                      const uint32_t knowns[], size_t n, const double seed[], double found[],
+                      bool adjoint)
+{
+    const int real = 1 << KIND_REAL;
+    size_t rows = adjoint ? n : m, columns = adjoint ? m : n;
+    if (rows == 0) {
+        return true;
+    }
+    if (!usable(c, function, unknowns, m, found, m, real)
+        || !usable(c, function, knowns, n, found, n, real) || !glue_given(c, found, function)
+        || (columns > 0 && !glue_given(c, seed, function)) || !glue_evaluate(c)) {
+        return false;
+    }
+    for (size_t i = 0; i < rows; i++) {
+        double sum = 0.0;
+        for (size_t j = 0; j < columns; j++) {
+            const variable *unknown = &model_variables[unknowns[adjoint ? j : i]];
+            const variable *known = &model_variables[knowns[adjoint ? i : j]];
+            double partial = 0.0;
+            if (!model_partial(c->model, unknown, known, &partial)) {
+                glue_log(c, STATUS_ERROR, "%s: there is no derivative of %s by %s now", function,
+                         unknown->name, known->name);
+                return false;
+            }
+            sum += partial * seed[j];
+        }
+        found[i] = sum;
+    }
+    return true;
+}
+
+bool glue_output_derivatives(instance *c, const char *function, const uint32_t references[],
+                             size_t count, const int32_t orders[], double values[])
+{
+    if (!usable(c, function, references, count, values, count, 1 << KIND_REAL)
+        || (count > 0 && !glue_given(c, orders, function)) || !glue_evaluate(c)) {
+        return false;
+    }
+    for (size_t i = 0; i < count; i++) {
+        const variable *v = &model_variables[references[i]];
+        if (!v->differentiable || orders[i] < 1 || orders[i] > MODEL_ORDERS
+            || !model_output_derivative(c->model, v, orders[i], &values[i])) {
+            glue_log(c, STATUS_ERROR, "%s: %s has no derivative of order %d", function, v->name,
+                     (int)orders[i]);
+            return false;
+        }
+    }
+    return true;
+}
+
+bool glue_input_derivatives(instance *c, const char *function, const uint32_t references[],
+                            size_t count, const int32_t orders[], const double values[])
+{
+    if (!usable(c, function, references, count, values, count, 1 << KIND_REAL)
+        || (count > 0 && !glue_given(c, orders, function))) {
+        return false;
+    }
+    for (size_t i = 0; i < count; i++) {
+        const variable *v = &model_variables[references[i]];
+        if (v->setting != SET_INPUT || orders[i] < 1 || orders[i] > INPUT_ORDERS) {
+            glue_log(c, STATUS_ERROR, "%s: %s takes no derivative of order %d", function, v->name,
+                     (int)orders[i]);
+            return false;
+        }
+        if (!glue_finite(c, values[i], v->name)) {
+            return false;
+        }
+    }
+    for (size_t i = 0; i < count; i++) {
+        c->model->slope[orders[i] - 1][model_variables[references[i]].offset] = values[i];
+        c->model->sloped = 1;
+    }
+    return true;
+}

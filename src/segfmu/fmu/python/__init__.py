@@ -1,0 +1,1 @@
+"""FMUs on PythonFMU."""

@@ -1,0 +1,129 @@
+"""Archives of the FMUs on the PythonFMU backend (FMI 2.0 co-simulation).
+
+PythonFMU packs the script and its binaries; the description it writes lacks units, types and
+initial unknowns, so it is replaced by the one generated from the specification. Two of its FMUs
+in one process share Python's module table, so every archive gets a script name of its own.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import sys
+import tempfile
+import zipfile
+from collections.abc import Callable, Sequence
+from importlib.metadata import version
+from importlib.resources import files
+from pathlib import Path
+
+from pythonfmu import FmuBuilder
+
+from segfmu.errors import BuildError
+from segfmu.fmu.gantry_crane import interface as gantry_crane
+from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
+from segfmu.fmu.standard.documentation import page
+from segfmu.fmu.standard.fmi2 import GENERATED, model_description
+from segfmu.fmu.standard.spec import Spec
+
+SLAVES = {
+    "GantryFeedforward": ("segfmu.fmu.gantry_feedforward.slave", "FeedforwardSlave"),
+    "GantryCrane": ("segfmu.fmu.gantry_crane.slave", "CraneSlave"),
+}
+
+SPECS: tuple[Callable[[], Spec], ...] = (gantry_feedforward.spec, gantry_crane.spec)
+
+SCRIPT = '''"""{name} as an FMU; the implementation is in the installed package segfmu."""
+
+from {module} import {base}
+
+# PythonFMU 0.7 releases one reference to this module's names too many per instance, and the names
+# vanish with the last one. One reference is kept here for the first instance, and every instance
+# keeps one for the next.
+REFERENCES = [globals()]
+
+
+class {name}({base}):
+    """See {module}."""
+
+    starts = {starts!r}
+
+    def __init__(self, **kwargs):
+        REFERENCES.append(globals())
+        super().__init__(**kwargs)
+'''
+
+
+def build_all(
+    folder: Path, report: Callable[[str], None] = lambda _: None,
+    specs: Sequence[Spec] | None = None,
+) -> list[Path]:
+    """Build both FMUs, or those of `specs`, into a folder; `report` gets a line before each.
+
+    Raises
+    ------
+    BuildError
+        When the folder cannot be written.
+    """
+    built = []
+    for spec in specs or [make() for make in SPECS]:
+        report(f"building {spec.name}.fmu")
+        built.append(build(spec, folder))
+    return built
+
+
+def build(spec: Spec, folder: Path) -> Path:
+    """Build one FMU; the archive appears under its name only when it is complete."""
+    target = folder / f"{spec.name}.fmu"
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(prefix="segfmu_", dir=folder) as work:
+            packed = _pack(spec, Path(work))
+            complete = Path(work) / "complete.fmu"
+            _complete(spec, packed, complete)
+            os.replace(complete, target)
+    except OSError as error:
+        raise BuildError(f"{target}: cannot be written: {error.strerror}") from error
+    return target
+
+
+def _pack(spec: Spec, work: Path) -> Path:
+    module, base = SLAVES[spec.name]
+    usual = {make().name: make() for make in SPECS}[spec.name]
+    starts = {
+        v.name: v.start
+        for v, u in zip(spec.variables, usual.variables, strict=True) if v.start != u.start
+    }
+    text = SCRIPT.format(name=spec.name, module=module, base=base, starts=starts)
+    digest = hashlib.sha256(model_description(spec, version("segfmu")) + text.encode()).hexdigest()
+    script = work / f"segfmu_{spec.name.lower()}_{digest[:12]}.py"
+    script.write_text(text, encoding="utf-8")
+    before = list(sys.path)
+    try:
+        packed: Path = FmuBuilder.build_FMU(script, dest=work, needsExecutionTool="false")
+    finally:
+        sys.path[:] = before
+        sys.modules.pop(script.stem, None)
+    return packed
+
+
+def _complete(spec: Spec, packed: Path, target: Path) -> None:
+    """Copy an archive, with our description, documentation, icon and licence."""
+    room = SLAVES[spec.name][0].rpartition(".")[0]
+    own = {
+        "modelDescription.xml": model_description(spec, version("segfmu")),
+        "model.png": files(room).joinpath("icon.png").read_bytes(),
+        "documentation/index.html": page(spec, version("segfmu")).encode(),
+        "documentation/licenses/license.txt": files("segfmu.fmu.standard")
+        .joinpath("license.txt").read_bytes(),
+    }
+    with zipfile.ZipFile(packed) as source:
+        entries = {n: source.read(n) for n in source.namelist() if not n.endswith("/")}
+    entries.update(own)
+    date = tuple(int(GENERATED[i : i + w]) for i, w in ((0, 4), (5, 2), (8, 2)))
+    with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name in sorted(entries):
+            info = zipfile.ZipInfo(name, (*date, 0, 0, 0))  # type: ignore[arg-type]
+            info.compress_type = zipfile.ZIP_DEFLATED
+            info.external_attr = 0o644 << 16
+            archive.writestr(info, entries[name])

@@ -1,0 +1,137 @@
+"""Base of the PythonFMU slaves: values by value reference, as the specification numbers them."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from pathlib import Path
+from typing import Any, ClassVar
+
+from pythonfmu import Fmi2Slave
+from pythonfmu.enums import Fmi2Status
+
+from segfmu.errors import InputError, SegfmuError
+from segfmu.fmu.python.release import release_at_exit
+from segfmu.fmu.standard.spec import Spec, Value
+
+KINDS = {
+    "real": ("Real",),
+    "integer": ("Integer", "Enumeration"),
+    "boolean": ("Boolean",),
+    "string": (),
+}
+
+
+class SpecSlave(Fmi2Slave):  # type: ignore[misc]
+    """A slave whose variables are those of a specification.
+
+    Subclasses implement `initialise` (at the end of initialisation) and `advance` (a step), and
+    read and write values by name.
+    """
+
+    spec: Spec
+    # values in place of the specification's, where an FMU was built for a mission
+    starts: ClassVar[dict[str, Value]] = {}
+
+    def __init__(self, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self.modelName = self.spec.name
+        folder = Path(kwargs.get("resources") or "").parent
+        release_at_exit(folder / "binaries" / "linux64" / f"{self.spec.name}.so")
+        self._values: list[Value] = [
+            0 if v.start is None else v.start for v in self.spec.variables
+        ]
+        for name, value in self.starts.items():
+            self._values[self.spec.references[name]] = value
+        self.start_time = 0.0
+
+    @abstractmethod
+    def initialise(self) -> None:
+        """Compute everything that follows from parameters and start values."""
+
+    @abstractmethod
+    def advance(self, time: float, step: float) -> None:
+        """Advance from `time` by `step`."""
+
+    def value(self, name: str) -> Any:
+        """Value of a variable."""
+        return self._values[self.spec.references[name]]
+
+    def assign(self, names: tuple[str, ...], values: Any) -> None:
+        """Set variables by name."""
+        references = self.spec.references
+        for name, value in zip(names, values, strict=True):
+            self._values[references[name]] = value
+
+    def setup_experiment(
+        self, start_time: float, stop_time: float | None, tolerance: float | None
+    ) -> None:
+        self.start_time = start_time
+
+    def exit_initialization_mode(self) -> None:
+        try:
+            self._require_ranges()
+            self.initialise()
+        except SegfmuError as error:
+            self.log(f"initialisation failed: {error}", Fmi2Status.error)
+            raise
+
+    def do_step(self, current_time: float, step_size: float) -> bool:
+        try:
+            self.advance(current_time, step_size)
+        except SegfmuError as error:
+            self.log(str(error), Fmi2Status.error)
+            return False
+        return True
+
+    def _require_ranges(self) -> None:
+        """Raise InputError for a parameter outside the range that the specification gives."""
+        for variable, value in zip(self.spec.variables, self._values, strict=True):
+            least, most = variable.minimum, variable.maximum
+            if variable.enumeration is not None:
+                least, most = 1, len(variable.enumeration.items)
+            if (least is not None and not value >= least) or (
+                most is not None and not value <= most
+            ):
+                bounds = f"at least {least:g}" + ("" if most is None else f" and at most {most:g}")
+                raise InputError(f"{variable.name} must be {bounds}, got {value:g}")
+
+    def _get(self, kind: str, references: list[int]) -> list[Any]:
+        self._check(kind, references)
+        return [self._values[r] for r in references]
+
+    def _set(self, kind: str, references: list[int], values: list[Any]) -> None:
+        self._check(kind, references)
+        for reference, value in zip(references, values, strict=True):
+            self._values[reference] = value
+
+    def _check(self, kind: str, references: list[int]) -> None:
+        for reference in references:
+            if not 0 <= reference < len(self._values):
+                raise ValueError(f"there is no variable with value reference {reference}")
+            variable = self.spec.variables[reference]
+            if variable.kind not in KINDS[kind]:
+                raise TypeError(f"{variable.name} is of type {variable.kind}, not {kind}")
+
+    def get_real(self, vrs: list[int]) -> list[float]:
+        return [float(v) for v in self._get("real", vrs)]
+
+    def get_integer(self, vrs: list[int]) -> list[int]:
+        return [int(v) for v in self._get("integer", vrs)]
+
+    def get_boolean(self, vrs: list[int]) -> list[bool]:
+        return [bool(v) for v in self._get("boolean", vrs)]
+
+    def get_string(self, vrs: list[int]) -> list[str]:
+        return self._get("string", vrs)
+
+    def set_real(self, vrs: list[int], values: list[float]) -> None:
+        self._set("real", vrs, values)
+
+    def set_integer(self, vrs: list[int], values: list[int]) -> None:
+        self._set("integer", vrs, values)
+
+    def set_boolean(self, vrs: list[int], values: list[bool]) -> None:
+        self._set("boolean", vrs, values)
+
+    def set_string(self, vrs: list[int], values: list[str]) -> None:
+        self._set("string", vrs, values)

@@ -1,0 +1,1 @@
+"""What an FMU is by the standard: interface specification, model descriptions, documentation."""

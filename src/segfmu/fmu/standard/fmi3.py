@@ -1,0 +1,193 @@
+"""modelDescription.xml, buildDescription.xml and terminals of FMI 3.0 from a specification."""
+
+from __future__ import annotations
+
+from xml.etree import ElementTree as ET
+
+from segfmu.fmu.standard.fmi2 import (
+    CATEGORIES,
+    GENERATED,
+    details,
+    document,
+    experiment,
+    guid,
+    initial_unknowns,
+    text,
+)
+from segfmu.fmu.standard.references import Entry, entries
+from segfmu.fmu.standard.spec import Spec, Variable
+from segfmu.fmu.standard.units import BASE_UNITS, DISPLAY_UNITS
+
+TYPES = {
+    "Real": "Float64", "Integer": "Int32", "Boolean": "Boolean", "Enumeration": "Enumeration"
+}
+
+
+def model_description(spec: Spec, version: str) -> bytes:
+    """The XML text of modelDescription.xml."""
+    root = ET.Element(
+        "fmiModelDescription",
+        {
+            "fmiVersion": "3.0",
+            "modelName": spec.name,
+            "instantiationToken": guid(spec),
+            "description": spec.description,
+            "version": version,
+            "license": "MIT",
+            "generationTool": f"segfmu {version}",
+            "generationDateAndTime": GENERATED,
+            "variableNamingConvention": "structured",
+        },
+    )
+    _interfaces(root, spec)
+    _units(root, spec)
+    _types(root, spec)
+    categories = ET.SubElement(root, "LogCategories")
+    for name, description in CATEGORIES.items():
+        ET.SubElement(categories, "Category", {"name": name, "description": description})
+    ET.SubElement(root, "DefaultExperiment", experiment(spec))
+    rows = entries(spec, 3)
+    references = {e.variable.name: i for i, e in enumerate(rows)}
+    variables = ET.SubElement(root, "ModelVariables")
+    for reference, entry in enumerate(rows):
+        variables.append(_variable(reference, entry, spec, references))
+    _structure(root, spec, references)
+    return document(root)
+
+
+def build_description(spec: Spec, sources: tuple[str, ...]) -> bytes:
+    """The XML text of sources/buildDescription.xml."""
+    root = ET.Element("fmiBuildDescription", {"fmiVersion": "3.0"})
+    build = ET.SubElement(root, "BuildConfiguration", {"modelIdentifier": spec.name})
+    files = ET.SubElement(build, "SourceFileSet", {"language": "C99"})
+    for source in sources:
+        ET.SubElement(files, "SourceFile", {"name": source})
+    return document(root)
+
+
+def terminals(spec: Spec) -> bytes:
+    """The XML text of terminalsAndIcons.xml: what connects both FMUs is one bus."""
+    root = ET.Element("fmiTerminalsAndIcons", {"fmiVersion": "3.0"})
+    box = {"x1": "-100", "y1": "-100", "x2": "100", "y2": "100"}
+    graphic = ET.SubElement(root, "GraphicalRepresentation")
+    ET.SubElement(graphic, "CoordinateSystem", box | {"suggestedScalingFactorTo_mm": "0.1"})
+    ET.SubElement(graphic, "Icon", box)
+    terminal = ET.SubElement(
+        ET.SubElement(root, "Terminals"),
+        "Terminal",
+        {
+            "name": "setpoints", "matchingRule": "bus",
+            "description": "setpoints of the drives and the reference that belongs to them",
+        },
+    )
+    for v in spec.where("input", "output"):
+        if v.name.split(".")[0] in ("force", "velocity", "reference"):
+            ET.SubElement(
+                terminal, "TerminalMemberVariable",
+                {"variableName": v.name, "memberName": v.name, "variableKind": "signal"},
+            )
+    return document(root)
+
+
+def _interfaces(root: ET.Element, spec: Spec) -> None:
+    common = {
+        "modelIdentifier": spec.name, "canGetAndSetFMUState": "true",
+        "canSerializeFMUState": "true",
+    }
+    partials = {"providesDirectionalDerivatives": "true", "providesAdjointDerivatives": "true"}
+    accepts = {"needsCompletedIntegratorStep": "true"} if spec.states else {}
+    if "ModelExchange" in spec.partials:
+        accepts |= partials
+    ET.SubElement(root, "ModelExchange", common | accepts)
+    steps = {
+        "canHandleVariableCommunicationStepSize": "true",
+        "maxOutputDerivativeOrder": str(spec.orders), "providesIntermediateUpdate": "true",
+        "mightReturnEarlyFromDoStep": "true", "canReturnEarlyAfterIntermediateUpdate": "true",
+        "hasEventMode": "true",
+    }
+    if "CoSimulation" in spec.partials:
+        steps |= partials
+    ET.SubElement(root, "CoSimulation", common | steps)
+
+
+def _units(root: ET.Element, spec: Spec) -> None:
+    used = {v.unit for v in spec.variables if v.unit}
+    definitions = ET.SubElement(root, "UnitDefinitions")
+    for name in (n for n in BASE_UNITS if n in used):
+        unit = ET.SubElement(definitions, "Unit", {"name": name})
+        ET.SubElement(unit, "BaseUnit", {k: str(v) for k, v in BASE_UNITS[name].items()})
+        if name in DISPLAY_UNITS:
+            shown, factor = DISPLAY_UNITS[name]
+            ET.SubElement(unit, "DisplayUnit", {"name": shown, "factor": repr(factor)})
+
+
+def _types(root: ET.Element, spec: Spec) -> None:
+    if not spec.enumerations:
+        return
+    definitions = ET.SubElement(root, "TypeDefinitions")
+    for enumeration in spec.enumerations:
+        kind = ET.SubElement(
+            definitions, "EnumerationType",
+            {"name": enumeration.name, "description": enumeration.description},
+        )
+        for value, name in enumerate(enumeration.items, 1):
+            ET.SubElement(kind, "Item", {"name": name, "value": str(value)})
+
+
+def _variable(
+    reference: int, entry: Entry, spec: Spec, references: dict[str, int]
+) -> ET.Element:
+    v = entry.variable
+    counts = any(v.name == a.rows for a in spec.arrays)
+    attributes = {
+        "name": entry.name,
+        "valueReference": str(reference),
+        "description": entry.array.description if entry.array else v.description,
+        "causality": "structuralParameter" if counts else v.causality,
+        "variability": v.variability,
+    }
+    if v.initial is not None:
+        attributes["initial"] = v.initial
+    attributes |= details(v)
+    state = {rate: state for state, rate in spec.states}.get(v.name)
+    if state is not None:
+        attributes["derivative"] = str(references[state])
+    element = ET.Element("UInt64" if counts else TYPES[v.kind], attributes)
+    if entry.array is not None:
+        element.set("start", _starts(entry, spec))
+        ET.SubElement(element, "Dimension", {"valueReference": str(references[entry.array.rows])})
+        if entry.array.columns > 1:
+            ET.SubElement(element, "Dimension", {"start": str(entry.array.columns)})
+    return element
+
+
+def _starts(entry: Entry, spec: Spec) -> str:
+    """Start values of the rows that are in use by default."""
+    array = entry.array
+    assert array is not None
+    variables: dict[str, Variable] = {v.name: v for v in spec.variables}
+    used = int(variables[array.rows].start or 0) * array.columns
+    members = [variables[n] for n in array.members[:used]]
+    return " ".join(text(v, v.start or 0.0) for v in members)
+
+
+def _structure(root: ET.Element, spec: Spec, references: dict[str, int]) -> None:
+    structure = ET.SubElement(root, "ModelStructure")
+    known = dict(spec.dependencies)
+
+    def unknown(kind: str, name: str) -> None:
+        knowns = sorted(references[n] for n in known.get(name, ()))
+        ET.SubElement(
+            structure, kind,
+            {
+                "valueReference": str(references[name]),
+                "dependencies": " ".join(map(str, knowns)),
+            },
+        )
+
+    for variable in spec.where("output"):
+        unknown("Output", variable.name)
+    for _, rate in spec.states:
+        unknown("ContinuousStateDerivative", rate)
+    for name in initial_unknowns(spec):
+        ET.SubElement(structure, "InitialUnknown", {"valueReference": str(references[name])})

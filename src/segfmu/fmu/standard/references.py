@@ -1,0 +1,33 @@
+"""The value references of both versions of the standard."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from segfmu.fmu.standard.spec import Array, Spec, Variable
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One value reference: a scalar, or an array of FMI 3.0 with its first member."""
+
+    name: str
+    variable: Variable
+    array: Array | None = None
+
+
+def entries(spec: Spec, version: int) -> list[Entry]:
+    """The value references of one version of FMI, in their order."""
+    if version == 2:
+        return [Entry(v.name, v) for v in spec.variables]
+    variables = {v.name: v for v in spec.variables}
+    first = {a.members[0]: a for a in spec.arrays}
+    members = {m for a in spec.arrays for m in a.members}
+    rows = []
+    for v in spec.variables:
+        if v.name in first:
+            array = first[v.name]
+            rows.append(Entry(array.name, variables[v.name], array))
+        elif v.name not in members:
+            rows.append(Entry(v.name, v))
+    return rows

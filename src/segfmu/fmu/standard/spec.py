@@ -1,0 +1,176 @@
+"""What an FMU shows to its importer, as plain data; every description is generated from it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any, Literal
+
+Kind = Literal["Real", "Integer", "Boolean", "Enumeration"]
+Causality = Literal[
+    "input", "output", "parameter", "calculatedParameter", "local", "independent"
+]
+Variability = Literal["continuous", "discrete", "fixed", "tunable"]
+Value = float | int | bool
+
+
+@dataclass(frozen=True)
+class Enumeration:
+    """An enumeration type; items count from 1."""
+
+    name: str
+    items: tuple[str, ...]
+    description: str
+
+
+@dataclass(frozen=True)
+class Variable:
+    """One variable. `start` is None exactly where the FMU calculates the initial value."""
+
+    name: str
+    kind: Kind
+    causality: Causality
+    variability: Variability
+    description: str
+    start: Value | None = None
+    unit: str | None = None
+    minimum: float | None = None
+    maximum: float | None = None
+    nominal: float | None = None
+    enumeration: Enumeration | None = None
+
+    @property
+    def initial(self) -> str | None:
+        """The FMI attribute `initial`; inputs and time have none."""
+        if self.causality in ("input", "independent"):
+            return None
+        return "calculated" if self.start is None else "exact"
+
+
+@dataclass(frozen=True)
+class Array:
+    """Scalars of FMI 2.0 that are one array in FMI 3.0, row by row.
+
+    `rows` names the variable that counts the rows in use; a row has `columns` members, and the
+    array has one dimension where `columns` is 1.
+    """
+
+    name: str
+    members: tuple[str, ...]
+    rows: str
+    columns: int
+    description: str
+
+
+@dataclass(frozen=True)
+class Spec:
+    """One FMU: its variables in the order of their value references.
+
+    What follows the step size is for native FMUs alone: arrays of FMI 3.0, continuous states of
+    model exchange with their derivatives, the variables that an unknown depends on, the highest
+    order of output derivatives, the interfaces with directional derivatives, and constants of the
+    Python package that the model in C shares.
+    """
+
+    name: str
+    description: str
+    variables: tuple[Variable, ...]
+    stop_time: float
+    step_size: float
+    arrays: tuple[Array, ...] = ()
+    states: tuple[tuple[str, str], ...] = ()
+    dependencies: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    orders: int = 0
+    partials: tuple[str, ...] = ("ModelExchange", "CoSimulation")
+    constants: tuple[tuple[str, float], ...] = ()
+    references: dict[str, int] = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        references = {v.name: i for i, v in enumerate(self.variables)}
+        if len(references) != len(self.variables):
+            raise AssertionError("variable names are unique by construction")
+        object.__setattr__(self, "references", references)
+
+    def where(self, *causalities: Causality) -> tuple[Variable, ...]:
+        """The variables with one of the given causalities."""
+        return tuple(v for v in self.variables if v.causality in causalities)
+
+    @property
+    def enumerations(self) -> tuple[Enumeration, ...]:
+        """Enumeration types in use, in the order of their first use."""
+        return tuple(dict.fromkeys(v.enumeration for v in self.variables if v.enumeration))
+
+
+def started(spec: Spec, values: Mapping[str, Value | str], **changes: Any) -> Spec:
+    """A specification with other start values, enumerations also by item, and other fields.
+
+    Raises
+    ------
+    KeyError
+        For a name that the specification does not have.
+    """
+    unknown = values.keys() - spec.references.keys()
+    if unknown:
+        raise KeyError(f"{spec.name} has no {', '.join(sorted(unknown))}")
+
+    def number(v: Variable) -> Value:
+        value = values[v.name]
+        if isinstance(value, str):
+            if v.enumeration is None:
+                raise TypeError(f"{v.name} takes a number, got {value!r}")
+            return v.enumeration.items.index(value) + 1
+        return value if v.kind == "Real" else bool(value) if v.kind == "Boolean" else int(value)
+
+    variables = tuple(
+        replace(v, start=number(v)) if v.name in values else v for v in spec.variables
+    )
+    return replace(spec, variables=variables, **changes)
+
+
+def output(
+    name: str, unit: str | None, description: str, *, nominal: float | None = None,
+    start: float | None = None, kind: Kind = "Real",
+) -> Variable:
+    """An output: continuous if real, else discrete."""
+    variability: Variability = "continuous" if kind == "Real" else "discrete"
+    return Variable(
+        name, kind, "output", variability, description, start, unit, nominal=nominal
+    )
+
+
+def signal(name: str, unit: str, description: str) -> Variable:
+    """A continuous real input that starts at zero."""
+    return Variable(name, "Real", "input", "continuous", description, 0.0, unit)
+
+
+def parameter(
+    name: str, start: Value, unit: str | None, description: str, *,
+    minimum: float | None = None, maximum: float | None = None, kind: Kind = "Real",
+    tunable: bool = False,
+) -> Variable:
+    """A fixed or tunable parameter."""
+    return Variable(
+        name, kind, "parameter", "tunable" if tunable else "fixed", description, start, unit,
+        minimum, maximum,
+    )
+
+
+def choice(name: str, enumeration: Enumeration, start: str, description: str) -> Variable:
+    """A fixed enumeration parameter."""
+    return Variable(
+        name, "Enumeration", "parameter", "fixed", description,
+        enumeration.items.index(start) + 1, enumeration=enumeration,
+    )
+
+
+def triple(
+    prefix: str, unit: str, description: str, names: Sequence[str] = ("x", "y", "z"),
+    *, suffix: str = "",
+) -> list[Variable]:
+    """Three outputs of one quantity."""
+    return [output(f"{prefix}.{n}{suffix}", unit, f"{description}, {n}") for n in names]
+
+
+def time() -> Variable:
+    """The independent variable, for descriptions that name it."""
+    return Variable("time", "Real", "independent", "continuous", "time", unit="s")

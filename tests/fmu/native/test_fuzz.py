@@ -1,0 +1,43 @@
+"""A few thousand random call sequences; `python -m tests.fmu.native.fuzz` makes a million."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from tests.fmu.native import fuzz
+
+COMPILER = shutil.which("cc")
+SEQUENCES = 1500
+
+
+@pytest.fixture(scope="module")
+def objects(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+    """Kernels with sanitizers, where compiler and sanitizers are there."""
+    if COMPILER is None:
+        pytest.skip("no C compiler found")
+    folder = tmp_path_factory.mktemp("fuzz")
+    empty = folder / "empty.c"
+    empty.write_text("int main(void) { return 0; }\n")
+    done = subprocess.run(
+        [COMPILER, *fuzz.SANITIZERS, empty, "-o", folder / "empty"], capture_output=True,
+        check=False,
+    )
+    if done.returncode != 0:
+        pytest.skip("the C compiler has no sanitizers")
+    return fuzz.kernels(COMPILER, folder)
+
+
+# every source is in one of the two; the command makes all four
+@pytest.mark.parametrize(("fmi", "spec"), [(3, fuzz.SPECS[0]), (2, fuzz.SPECS[1])])
+def test_random_calls_end_with_a_status(objects, tmp_path: Path, spec, fmi: int) -> None:
+    assert COMPILER is not None
+    target = fuzz.program(COMPILER, spec, fmi, tmp_path, objects)
+    told = fuzz.run(target, SEQUENCES, 1, timeout=120.0)
+    sequences, calls, errors, messages = (int(t.split()[0]) for t in told.split(", "))
+    assert (sequences, calls) == (SEQUENCES, 40 * SEQUENCES)
+    # a good part of the calls is in order, so that the models run
+    assert errors < 0.8 * calls and messages > 0
