@@ -24,7 +24,7 @@ from segfmu.fmu.compilers import (
 from segfmu.fmu.documentation import page
 from segfmu.fmu.spec import Spec
 
-KERNELS = ("kernels.c", "kernels.h", "plan.c", "segfmu.h", "span.h")
+KERNELS = ("kernels.c", "kernels.h", "plan.c", "records.h", "segfmu.h", "span.h")
 GLUE = ("glue.c", "glue.h", "model.h", "say.c", "say.h", "state.c", "values.c")
 VERSIONS = {
     2: (
