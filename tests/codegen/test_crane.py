@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
-from segfmu.codegen.crane import TARGET, generate
+import pytest
+
+from segfmu.codegen import crane, partials
 
 
-def test_generated_crane_is_up_to_date() -> None:
-    assert TARGET.read_text(encoding="utf-8") == generate()
+@pytest.mark.parametrize("module", [crane, partials])
+def test_generated_kernels_are_up_to_date(module) -> None:
+    assert module.TARGET.read_text(encoding="utf-8") == module.generate()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from segfmu.codegen import crane, extension, native, partials, stubs
+from segfmu.codegen import crane, extension, native, partials, records, stubs
 from segfmu.codegen.files import write
 
 
@@ -13,6 +13,8 @@ def main() -> None:
     for name, text in (native.generate() | extension.generate()).items():
         write(native.TARGET / name, text)
     write(stubs.TARGET, stubs.generate())
+    for target, text in records.generate().items():
+        write(target, text)
 
 
 if __name__ == "__main__":

@@ -12,6 +12,10 @@ FMU's variables, and docs/records.md:
 `Clock.START` is 0, `Clock.STOPS` is 1 and `Clock.SIZE` is 3: plain integers, which the translator
 to C puts in place of the names. A kernel writes `clock[Clock.STOPS + axis]`, and for an array whose
 rows are named `memory[Memory.CLOCK, Clock.START]`.
+
+A record that derives from another one begins with its fields, so an array of the longer one can be
+passed where the shorter one is expected. Where fields are rows, `COLUMNS` is the length of the
+longest row.
 """
 
 from __future__ import annotations
@@ -63,17 +67,31 @@ def field(
 
 
 class Record:
-    """Base of all records: fields in the order of their places."""
+    """Base of all records: fields in the order of their places, those of the base first.
 
-    FIELDS: ClassVar[dict[str, Field]]
-    SIZE: ClassVar[int]
+    Attributes
+    ----------
+    FIELDS : dict of str to Field
+    SIZE : int
+        Entries, or rows.
+    COLUMNS : int
+        Entries of the longest row where fields are rows that have names for their entries; else 0.
+    """
+
+    FIELDS: ClassVar[dict[str, Field]] = {}
+    SIZE: ClassVar[int] = 0
+    COLUMNS: ClassVar[int] = 0
 
     def __init_subclass__(cls) -> None:
-        cls.FIELDS = {n: f for n, f in vars(cls).items() if isinstance(f, Field)}
-        cls.SIZE = 0
-        for name, declared in cls.FIELDS.items():
-            setattr(cls, name, cls.SIZE)
-            cls.SIZE += declared.size
+        own = {n: f for n, f in vars(cls).items() if isinstance(f, Field)}
+        place = cls.SIZE
+        for name, declared in own.items():
+            setattr(cls, name, place)
+            place += declared.size
+        cls.SIZE = place
+        cls.FIELDS = cls.FIELDS | own
+        rows = [f.of for f in cls.FIELDS.values() if f.of is not None]
+        cls.COLUMNS = max((r.COLUMNS or r.SIZE for r in rows), default=0)
 
 
 class Codes:

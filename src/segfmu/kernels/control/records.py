@@ -1,0 +1,228 @@
+"""Records of the controllers: gains, observer, tracking controller."""
+
+from segfmu.kernels.crane.records import Coordinates, State
+from segfmu.kernels.records import Record, field
+
+OBSERVER = "feedback.observer"
+
+
+class Gains(Record):
+    """Rows of a table of gains at a rope length."""
+
+    LENGTH = field("rope length, the first entry", "m")
+    AXES = field("gains of bridge, trolley and hoist, by the errors of the state", size=3, of=State)
+
+
+class Estimate(Record):
+    """Deviation of an axis from its reference; the load is at position + length * angle."""
+
+    POSITION = field("of the carriage, or length of the rope", "m")
+    ANGLE = field("sway angle; the hoist has none", "rad")
+    VELOCITY = field("rate of the position", "m/s")
+    RATE = field("rate of the sway angle", "rad/s")
+    DRIFT = field("unknown acceleration of the carriage or rope", "m/s2")
+    WIND = field("unknown acceleration of the load; the hoist has none", "m/s2")
+
+
+class AxisModel(Estimate):
+    """States and inputs of the observer's model of an axis."""
+
+    COMMAND = field("velocity command", "m/s")
+    CORRECTION = field("force on the carriage [N], or acceleration [m/s2]")
+
+
+class AxisTable(AxisModel):
+    """Columns of the observer's table: transition over a sample, effect of the inputs, gains."""
+
+    POSITION_GAIN = field("gain from the position's innovation")
+    ANGLE_GAIN = field("gain from the angle's innovation")
+
+
+class Observer(Record):
+    """Rows of the observer's table at a rope length."""
+
+    LENGTH = field("rope length, the first entry", "m")
+    BRIDGE = field("a row for each entry of the estimate", size=Estimate.SIZE, of=AxisTable)
+    TROLLEY = field("a row for each entry of the estimate", size=Estimate.SIZE, of=AxisTable)
+    HOIST = field("a row for each entry of the estimate", size=Estimate.SIZE, of=AxisTable)
+
+
+class Expected(Record):
+    """What the observer expects of the crane."""
+
+    POSITION = field("sensor step of the carriages", "m", variables=(f"{OBSERVER}.position",))
+    LENGTH = field("sensor step of the rope's length", "m", variables=(f"{OBSERVER}.length",))
+    ANGLE = field("sensor step of the sway angles", "rad", variables=(f"{OBSERVER}.angle",))
+    DRIFT = field(
+        "standard deviation of the drift's random walk after 1 s", "m/s2",
+        variables=(f"{OBSERVER}.drift",),
+    )
+    WIND = field(
+        "standard deviation of the wind's random walk after 1 s", "m/s2",
+        variables=(f"{OBSERVER}.wind",),
+    )
+
+
+class ModelWork(Record):
+    """Rows, blocks of eight: work space of the sampled model."""
+
+    TERM = field("term of a series", size=AxisModel.SIZE)
+    PRODUCT = field("product with the model", size=AxisModel.SIZE)
+    TRANSPOSED = field("product with the transposed model", size=AxisModel.SIZE)
+
+
+class Doubling(Record):
+    """Rows, blocks of eight: matrices of the doubling of a Riccati equation."""
+
+    TRANSPOSED = field("A^T", size=AxisModel.SIZE)
+    INFORMATION = field("G, what the measurements tell", size=AxisModel.SIZE)
+    FACTOR = field("1 + G X, then products", size=AxisModel.SIZE)
+    SOLUTION = field("(1 + G X)^-1 A^T and, six columns on, (1 + G X)^-1 G", size=AxisModel.SIZE)
+    PRODUCT = field("products", size=AxisModel.SIZE)
+    CHANGE = field("change of X in a turn", size=AxisModel.SIZE)
+
+
+class Kalman(Doubling):
+    """Rows, blocks of eight: work space of the observer's design."""
+
+    TRANSITION = field("transition over a sample", size=AxisModel.SIZE)
+    SPREAD = field("covariance X of the estimate", size=AxisModel.SIZE)
+    MODEL = field("derivatives of states and inputs", size=AxisModel.SIZE)
+
+
+class Tracking(Record):
+    """Parameters of the tracking controller."""
+
+    MODE = field("what the drives follow, see DriveMode", variables=("drive.mode",))
+    PERIOD = field("sample time", "s", variables=("feedback.sample_time",))
+    DELAYED = field("1: measurements are one sample old")
+    MASSES = field("masses that move in x, in y and with the rope", "kg", size=3)
+    GRAVITY = field("gravity", "m/s2", variables=("crane.gravity",))
+    REJECTED_DRIFT = field(
+        "share of the drift that is rejected", variables=("feedback.rejection.carriage",)
+    )
+    REJECTED_WIND = field(
+        "share of the load's disturbance that is rejected",
+        variables=("feedback.rejection.load",),
+    )
+    ENABLED = field("1: corrections are made", variables=("feedback.enabled",))
+    FADE = field("time constant of switching", "s", variables=("feedback.fade",))
+    DECAY = field("what is left of a switching step after a sample")
+    LEAST = field("least setpoints, N or m/s2", size=3)
+    GREATEST = field("greatest setpoints, N or m/s2", size=3)
+    GAINS_PAYLOAD = field("mass of the load that the gains are for", "kg")
+    PAYLOAD_SHARE = field("sample time over the time constant of the payload's estimate")
+    WAKE_POSITION = field("deviation of a carriage up to which nothing is corrected", "m")
+    WAKE_LENGTH = field("deviation of the rope up to which nothing is corrected", "m")
+    WAKE_ANGLE = field("deviation of an angle up to which nothing is corrected", "rad")
+    OFFSET_EXPECTED = field(
+        "expected standard deviation of the length sensor's offset over the rope's length; 0: "
+        "none is estimated", variables=("feedback.observer.offset",),
+    )
+    OFFSET_BANDWIDTH = field("bandwidth of the offset's filter", "rad/s")
+    ANGLE_VARIANCE = field("variance of the angles' noise", "rad2")
+    POSITION_VARIANCE = field("variance of the positions' noise", "m2")
+
+
+class OffsetSignals(Record):
+    """What the offset's filter takes."""
+
+    PLACE = field("place of the load by the measured length", "m", size=3)
+    DIRECTION = field("direction of the rope", size=3)
+    START = field("1 at the first tick, then 0")
+
+
+class OffsetFilter(Record):
+    """Rows: three lags in series."""
+
+    INPUT = field("input", of=OffsetSignals)
+    FIRST = field("after one lag", of=OffsetSignals)
+    SECOND = field("after two lags", of=OffsetSignals)
+    THIRD = field("after three lags", of=OffsetSignals)
+
+
+class OffsetEquation(Record):
+    """The equation of the offset along an axis."""
+
+    RESIDUAL = field("left side without offset")
+    FACTOR = field("factor of the offset")
+    INSTRUMENT = field("the factor of the reference")
+
+
+class OffsetMeans(Record):
+    """Slow means of the equations."""
+
+    AXES = field("residual, factor and instrument of x, then of y", size=2 * OffsetEquation.SIZE)
+    START = field("residual at the start, of x and y", size=2)
+    STARTED = field("1: there was a tick before")
+
+
+class OffsetEstimate(Record):
+    """What is known of the offset."""
+
+    FOUND = field("offset by the sums", "m")
+    DEVIATION = field("its standard deviation", "m")
+    TICKS = field("ticks for which it has been significant")
+    LAST = field("the last significant offset", "m")
+    VALID = field("1: LAST is to be used")
+    USED = field("what is added to the measured length", "m")
+
+
+class OffsetSums(Record):
+    """Sums over the ticks of products of instrument z, residual r and factor f."""
+
+    ZR = field("z r")
+    ZF = field("z f")
+    ZZRR = field("z^2 r^2")
+    ZZRF = field("z^2 r f")
+    ZZFF = field("z^2 f^2")
+    ZZ = field("z^2")
+
+
+class OffsetMemory(Record):
+    """Rows: memory of the offset's estimate."""
+
+    MEASURED = field("filter of the measured signals", size=OffsetFilter.SIZE, of=OffsetSignals)
+    PLANNED = field("filter of the reference", size=OffsetFilter.SIZE, of=OffsetSignals)
+    MEANS = field("slow means", of=OffsetMeans)
+    ESTIMATE = field("estimate", of=OffsetEstimate)
+    SUMS = field("sums", of=OffsetSums)
+    SIGNALS = field("signals to be filtered", of=OffsetSignals)
+    EQUATIONS = field("equations of x and y at the present tick", size=2, of=OffsetEquation)
+
+
+class Held(Record):
+    """What holds from tick to tick."""
+
+    INPUT = field("corrections as the observer takes them, N or m/s2", size=3)
+    CORRECTION = field("corrections, N or m/s2", size=3)
+    AWAKE = field("1: a deviation was more than the sensors' steps")
+
+
+class VelocityCommand(Record):
+    """Velocity command and switches of the tracking controller."""
+
+    VELOCITY = field("velocity command", "m/s", size=3)
+    STARTED = field("1: there was a tick before")
+    SWITCHED = field("1: something was switched since")
+
+
+class Fading(Record):
+    """What fades out, and the payload."""
+
+    STEP = field("what remains of a switching step, N or m/s2", size=3)
+    PAYLOAD = field("estimate of the payload over the nominal one, minus 1")
+
+
+class Tracker(Record):
+    """Rows: memory of the tracking controller."""
+
+    ESTIMATE = field("estimates of bridge, trolley and hoist", size=3, of=Estimate)
+    COMMAND = field("velocity command", of=VelocityCommand)
+    HELD = field("corrections since the last tick", of=Held)
+    FADING = field("what fades out", of=Fading)
+    REFERENCE = field("reference at the tick before", of=State)
+    STATE = field("work space: the deviation", of=State)
+    TARGET = field("work space: where the disturbances are balanced", of=State)
+    SIGNALS = field("measured signals without the offset", of=Coordinates)
+    OFFSET = field("memory of the offset's estimate", size=OffsetMemory.SIZE, of=OffsetMemory)

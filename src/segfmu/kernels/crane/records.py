@@ -1,0 +1,247 @@
+"""Records of the crane and its equipment. Triples are bridge, trolley and rope, or x, y and z."""
+
+from segfmu.kernels.numerics.records import Stages
+from segfmu.kernels.records import Codes, Record, field
+
+DRIVES = ("bridge", "trolley", "hoist")
+AXES = ("bridge", "trolley", "rope")
+
+
+class DriveMode(Codes):
+    """What the drives follow."""
+
+    FORCE = 0
+    VELOCITY = 1
+
+
+class GustShape(Codes):
+    """Force of a gust over its duration: 1 - cosine, or half a sine."""
+
+    COSINE = 0
+    SINE = 1
+
+
+class PlantStatus(Codes):
+    """How an advance of the crane ended."""
+
+    DONE = 0
+    SWAY_ANGLE = 1
+    ROPE_LENGTH = 2
+    STEP_TOO_SMALL = 3
+    NOT_FINITE = 4
+    SLACK_ROPE = 5
+    # and the two behind it: trolley and rope
+    BELOW_TRAVEL = 6
+    ABOVE_TRAVEL = 9
+
+
+class Axes(Record):
+    """A triple of the axes."""
+
+    BRIDGE = field("bridge, along x")
+    TROLLEY = field("trolley, along y")
+    ROPE = field("rope or hoist")
+
+
+class Vector(Record):
+    """A triple of the directions in space."""
+
+    X = field("along x")
+    Y = field("along y")
+    Z = field("upwards")
+
+
+class Coordinates(Record):
+    """Generalised coordinates of the crane."""
+
+    POSITION = field(
+        "positions of bridge and trolley, length of the rope", "m", size=3,
+        variables=("bridge.position", "trolley.position", "rope.length"),
+    )
+    ANGLE = field(
+        "sway angles phi_x, phi_y", "rad", size=2, variables=("sway.x.angle", "sway.y.angle")
+    )
+
+
+class State(Coordinates):
+    """State of the crane."""
+
+    VELOCITY = field(
+        "rates of the positions", "m/s", size=3,
+        variables=("bridge.velocity", "trolley.velocity", "rope.velocity"),
+    )
+    RATE = field(
+        "rates of the sway angles", "rad/s", size=2, variables=("sway.x.rate", "sway.y.rate")
+    )
+
+
+class PlantState(State):
+    """State of the crane and works since the start."""
+
+    DRIVE_WORK = field("work of the drives", "J")
+    WIND_WORK = field("work of the wind", "J")
+    DISSIPATED = field("energy dissipated by friction", "J")
+
+
+class Masses(Record):
+    """Masses and gravity."""
+
+    BRIDGE_MASS = field("mass of the bridge", "kg", variables=("crane.bridge_mass",))
+    TROLLEY_MASS = field("mass of the trolley", "kg", variables=("crane.trolley_mass",))
+    PAYLOAD_MASS = field("mass of the load", "kg", variables=("crane.payload_mass",))
+    GRAVITY = field("gravity", "m/s2", variables=("crane.gravity",))
+
+
+class Plant(Masses):
+    """Parameters of the crane with its drives; 0 where a bound or an effect is absent."""
+
+    MODE = field("what the drives follow, see DriveMode", variables=("drive.mode",))
+    LAG = field(
+        "time constants of the velocity loops", "s", size=3,
+        variables=[f"drive.{d}.lag" for d in DRIVES],
+    )
+    FORCE_MAX = field(
+        "largest forces of the drives", "N", size=3,
+        variables=[f"drive.{d}.force_max" for d in DRIVES],
+    )
+    ACCELERATION_MAX = field(
+        "largest accelerations by velocity drives", "m/s2", size=3,
+        variables=[f"drive.{d}.acceleration_max" for d in DRIVES],
+    )
+    VISCOUS = field(
+        "viscous friction", "N.s/m", size=3, variables=[f"friction.{d}.viscous" for d in DRIVES]
+    )
+    COULOMB = field(
+        "Coulomb friction", "N", size=3, variables=[f"friction.{d}.coulomb" for d in DRIVES]
+    )
+    FRICTION_WIDTH = field(
+        "velocity at which Coulomb friction comes to tanh(1) of its value", "m/s",
+        variables=("friction.width",),
+    )
+    SWAY_DAMPING = field(
+        "viscous damping of both sway angles", "N.m.s", variables=("friction.sway.viscous",)
+    )
+    TRAVEL_MIN = field(
+        "least positions", "m", size=3, variables=[f"travel.{a}.min" for a in AXES]
+    )
+    TRAVEL_MAX = field(
+        "greatest positions", "m", size=3, variables=[f"travel.{a}.max" for a in AXES]
+    )
+    WIND = field("constant wind", "N", size=3, variables=[f"wind.constant.{a}" for a in "xyz"])
+    GUST_START = field("start of the gust", "s", variables=("wind.gust.start",))
+    GUST_DURATION = field("duration of the gust", "s", variables=("wind.gust.duration",))
+    GUST_SHAPE = field("force of the gust over time, see GustShape", variables=("wind.gust.shape",))
+    GUST_FORCE = field(
+        "greatest force of the gust", "N", size=3,
+        variables=[f"wind.gust.force.{a}" for a in "xyz"],
+    )
+
+
+class Compensation(Record):
+    """What feedforward knows of the drives."""
+
+    LAG = field("time constants of the velocity loops", "s", size=3)
+    VISCOUS = field("viscous friction", "N.s/m", size=3)
+    COULOMB = field("Coulomb friction", "N", size=3)
+    FRICTION_WIDTH = field("velocity at which Coulomb friction comes to tanh(1)", "m/s")
+
+
+class FlatInverse(Record):
+    """Results of the flat inverse."""
+
+    FORCE = field("forces of the drives", "N", size=3)
+    STATE = field("state of the crane", size=State.SIZE, of=State)
+    ACCELERATION = field("second derivatives of the coordinates", size=Coordinates.SIZE)
+
+
+class Load(Record):
+    """Rows: motion of the load along x, y and z."""
+
+    POSITION = field("position", "m", of=Vector)
+    VELOCITY = field("velocity", "m/s", of=Vector)
+
+
+class GeneralisedForce(Record):
+    """Forces on the coordinates; the rope's is negative under tension."""
+
+    FORCE = field("on bridge, trolley and along the rope", "N", size=3)
+    TORQUE = field("on the sway angles", "N.m", size=2)
+
+
+class CommandRates(Record):
+    """Coefficients of the time elapsed in the commands of the drives."""
+
+    LINEAR = field("of the time", size=3)
+    SQUARE = field("of its square", size=3)
+    CUBE = field("of its cube", size=3)
+
+
+class Action(Record):
+    """What acts on the crane."""
+
+    FORCE = field("forces of the drives, friction included", "N", size=3)
+    SATURATED = field("1: the drive is at a bound", size=3)
+    ROPE_FORCE = field("force on the rope, negative under tension", "N")
+
+
+class StageAction(Action):
+    """What acts at a stage of a step."""
+
+    SATURATED_BEFORE = field("SATURATED at the step's start", size=3)
+
+
+class Report(Action):
+    """What acted at the end of an interval; SATURATED: at some time in it."""
+
+    WIND_POWER = field("power of the wind", "W")
+    FRICTION_POWER = field("power that friction dissipates", "W")
+    ELAPSED = field("time advanced", "s")
+    STEP_SATURATED = field("1: the drive was at a bound in the communication step", size=3)
+
+
+class ForceLimit(Record):
+    """Work space of the drives at their largest force."""
+
+    SIDE = field("-1, 1: the drive is at its bound, 0: it is not", size=3)
+    CHANGE = field("change of its acceleration", "m/s2", size=3)
+    ROPE = field("direction of the rope in the coordinates of the drives", size=3)
+
+
+class Work(Record):
+    """Rows: the commands of an interval, and the plant's work space."""
+
+    COMMAND = field("forces, velocities or accelerations at the start of the interval", of=Axes)
+    RATES = field("how they change in it", of=CommandRates)
+    LOAD_FORCE = field("force on the load, held", "N", of=Vector)
+    STAGES = field("derivatives of the state", size=Stages.SIZE, of=PlantState)
+    TRIAL = field("state at the end of the step that is tried", of=PlantState)
+    STEP = field("step to try first, 0: the whole interval; kept for the next call", "s")
+    GENERALISED = field("generalised forces", of=GeneralisedForce)
+    ACTION = field("what acts", of=StageAction)
+    WIND = field("force of the wind on the load", "N", of=Vector)
+    LOAD = field("motion of the load", size=Load.SIZE, of=Load)
+    DEMAND = field("commands of the drives, then their accelerations", of=Axes)
+    FRICTION = field("friction", "N", of=Axes)
+    LIMIT = field("drives at their largest force", of=ForceLimit)
+
+
+class CranePartials(State):
+    """Columns: what the partial derivatives of the crane's equations are by."""
+
+    DRIVE = field("forces on bridge, trolley and rope, or their accelerations", size=3)
+    TORQUE = field("torques on the sway angles", size=2)
+    WIND = field("forces on the load", size=3)
+
+
+class DrivenPartials(Record):
+    """Rows of the partial derivatives for given accelerations of the drives."""
+
+    ANGLE = field("accelerations of the sway angles", size=2)
+    FORCE = field("forces of the drives", size=3)
+
+
+class LoadPartials(Record):
+    """Rows of the partial derivatives of the load."""
+
+    POSITION = field("position", size=3)
+    VELOCITY = field("velocity", size=3)

@@ -1,0 +1,30 @@
+"""Records of the numerics."""
+
+from segfmu.kernels.records import Record, field
+
+
+class Stages(Record):
+    """Rows: derivatives at the stages of a Runge-Kutta step."""
+
+    K1 = field("at the step's start")
+    K2 = field("at 1/5 of the step")
+    K3 = field("at 3/10 of the step")
+    K4 = field("at 4/5 of the step")
+    K5 = field("at 8/9 of the step")
+    K6 = field("at the step's end, by a lower order")
+    K7 = field("at the step's end")
+
+
+class Sinusoid(Record):
+    """A sine of the wind's noise, with its amplitudes along x, y and z."""
+
+    FREQUENCY = field("angular frequency w", "rad/s")
+    SINE = field("factors of sin(w t)", "N", size=3)
+    COSINE = field("factors of cos(w t)", "N", size=3)
+
+
+class RandomState(Record):
+    """State of the random numbers, integers kept as floats."""
+
+    FIRST = field("of the first generator")
+    SECOND = field("of the second generator")

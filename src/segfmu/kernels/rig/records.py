@@ -1,0 +1,235 @@
+"""Records of the rig: settings, memory, balance of energy, partial derivatives."""
+
+from segfmu.kernels.control.records import Tracking
+from segfmu.kernels.crane.records import (
+    DRIVES,
+    Axes,
+    Coordinates,
+    Plant,
+    PlantState,
+    Report,
+    State,
+    Work,
+)
+from segfmu.kernels.numerics.records import RandomState
+from segfmu.kernels.records import Codes, Record, field
+
+SIGNALS = ("bridge.position", "trolley.position", "rope.length", "sway.x.angle", "sway.y.angle")
+
+
+class Corrector(Codes):
+    """Who corrects the setpoints."""
+
+    CALLER = 0
+    STATE = 1
+    TRACKING = 2
+
+
+class Acting(Codes):
+    """Whether corrections acted at the tick before."""
+
+    NO_TICK = 0
+    OFF = 1
+    ON = 2
+    # with other gains
+    RETUNED = 3
+
+
+class RigStatus(Codes):
+    """Status of a step beside those of the plant: the caller's correction is due."""
+
+    TICK = -1
+
+
+class Loop(Record):
+    """Settings of the sampled loop."""
+
+    CORRECTOR = field("who corrects, see Corrector", variables=("feedback.source",))
+    PERIOD = field("period of the controller", "s", variables=("feedback.sample_time",))
+    ENABLED = field("1: corrections act", variables=("feedback.enabled",))
+    TOLERANCE = field("tolerance of the integration")
+    FADE = field(
+        "time constant with which a change of ENABLED fades in; 0: it jumps", "s",
+        variables=("feedback.fade",),
+    )
+
+
+class Sensors(Record):
+    """Settings of the sensors of the coordinates."""
+
+    SAMPLE_TIME = field("period; 0: continuous", "s", variables=("sensor.sample_time",))
+    DEAD_TIME = field("from sampling to the signal", "s", variables=("sensor.dead_time",))
+    SEED = field("seed of the noise", variables=("sensor.seed",))
+    OFFSET = field(
+        "measured minus true value, m or rad", size=Coordinates.SIZE,
+        variables=[f"sensor.{s}.offset" for s in SIGNALS],
+    )
+    DEVIATION = field(
+        "standard deviation of the noise, m or rad", size=Coordinates.SIZE,
+        variables=[f"sensor.{s}.deviation" for s in SIGNALS],
+    )
+    RESOLUTION = field(
+        "width of a quantisation step, m or rad; 0: none", size=Coordinates.SIZE,
+        variables=[f"sensor.{s}.resolution" for s in SIGNALS],
+    )
+
+
+class Settings(Record):
+    """Rows: all that is set of a rig."""
+
+    LOOP = field("sampled loop", of=Loop)
+    SENSORS = field("sensors", of=Sensors)
+    TRACKING = field("tracking controller", of=Tracking)
+    PLANT = field("crane and drives", of=Plant)
+
+
+class PayloadChange(Record):
+    """A change of the load."""
+
+    TIME = field("from when on", "s")
+    MASS = field("mass of the load", "kg")
+
+
+class Setpoints(Record):
+    """What the crane follows at a time."""
+
+    FORCE = field("forces", "N", size=3, variables=[f"force.{d}" for d in DRIVES])
+    VELOCITY = field("velocities", "m/s", size=3, variables=[f"velocity.{d}" for d in DRIVES])
+    REFERENCE = field(
+        "reference state", size=State.SIZE, of=State,
+        variables=[f"reference.{v}" for f in State.FIELDS.values() for v in f.variables],
+    )
+    WIND = field(
+        "force on the load beside the rig's wind, held over the step", "N", size=3,
+        variables=[f"wind.{a}" for a in "xyz"],
+    )
+
+
+class Correction(Record):
+    """The correction, and what remains of switching."""
+
+    VALUE = field("correction that acts, N or m/s2", size=3)
+    FADING = field("what remains of a switching step, N or m/s2", size=3)
+    ACTED = field("whether corrections acted at the tick before, see Acting")
+    BEFORE = field("correction of the tick before, N or m/s2", size=3)
+
+
+class Tick(Record):
+    """Rows: what a controller gets at a tick, and its correction."""
+
+    SIGNALS = field("signals of the sensors", of=Coordinates)
+    REFERENCE = field("reference at the tick", of=State)
+    ADDED_TO = field(
+        "what the correction is added to: force setpoints, or slopes of the velocity setpoints",
+        of=Axes,
+    )
+    CORRECTION = field("correction", of=Correction)
+
+
+class Clock(Record):
+    """Times of a rig; those without another zero are since the start."""
+
+    START = field("time of the start", "s")
+    REACHED = field("end of the last communication step", "s")
+    DONE = field("time done within the present communication step", "s")
+    TICKS = field("ticks of the controller")
+    NEXT_CHANGE = field("next change of payload or wind", "s")
+    EVENT = field("tick that is due, or failure, from the zero of START", "s")
+    LAST_TICK = field("last tick, in model exchange", "s")
+
+
+class Energies(Record):
+    """Mechanical energy of the crane."""
+
+    KINETIC = field("kinetic energy", "J")
+    POTENTIAL = field("potential energy", "J")
+
+
+class EnergyMemory(Energies):
+    """Mechanical energy, and what changed it beside works."""
+
+    INITIAL = field("energy at the start", "J")
+    PAYLOAD = field("energy that payload changes brought", "J")
+
+
+class Balance(Energies):
+    """The balance of energy and work since the start."""
+
+    INITIAL = field("energy at the start", "J")
+    DRIVES = field("work of the drives", "J")
+    WIND = field("work of the wind", "J")
+    PAYLOAD = field("energy that payload changes brought", "J")
+    DISSIPATED = field("energy dissipated", "J")
+
+
+class Sample(Record):
+    """A sample that waits for its dead time to pass."""
+
+    AVAILABLE = field("when it becomes the signal", "s")
+    VALUES = field("measured values", size=Coordinates.SIZE)
+
+
+class Queue(Record):
+    """State of the ring of samples, integers kept as floats."""
+
+    TAKEN = field("samples taken")
+    OLDEST = field("place of the oldest sample")
+    WAITING = field("samples in the ring")
+    DELIVERED = field("1: a sample has become the signal")
+
+
+class Ring(Codes):
+    """Layout of the ring of samples."""
+
+    SAMPLES_A_ROW = 6
+
+
+class RingRow(Record):
+    """A row of the ring."""
+
+    SAMPLES = field("samples", size=Ring.SAMPLES_A_ROW * Sample.SIZE)
+
+
+class Sensing(Record):
+    """Rows: memory of the sensors."""
+
+    QUEUE = field("state of the ring", of=Queue)
+    RANDOM = field("state of the random numbers", of=RandomState)
+    LATEST = field("sample that is the signal", of=Coordinates)
+    TAKEN = field("work space: the sample that is taken", of=Coordinates)
+    RING = field("ring of samples, as many rows as it takes", size=0, of=RingRow)
+
+
+class Memory(Tick):
+    """Rows: all that a rig remembers. A copy of the array is the rig's state."""
+
+    STATE = field("state", of=PlantState)
+    PLANT = field("crane and drives, with the present mass of the load", of=Plant)
+    CLOCK = field("times", of=Clock)
+    LAST = field("setpoints at the end of the last step", of=Setpoints)
+    REPORT = field("what acted", of=Report)
+    ADDED = field("velocities that corrections have added", "m/s", of=Axes)
+    SQUARE = field("what setpoints have of the square of the share of the step done", of=Setpoints)
+    CUBE = field("what setpoints have of its cube", of=Setpoints)
+    ENERGY = field("energies", of=EnergyMemory)
+    WORK = field("commands, and work space of the plant", size=Work.SIZE, of=Work)
+    SENSING = field("memory of the sensors, to the end", size=Sensing.SIZE, of=Sensing)
+
+
+class RigPartials(Record):
+    """Rows of the rig's partial derivatives."""
+
+    ACCELERATION = field("second derivatives of the coordinates", size=Coordinates.SIZE)
+    FORCE = field("forces of the drives", size=3)
+    ROPE_FORCE = field("force on the rope")
+    DRIVE_POWER = field("power of the drives")
+    WIND_POWER = field("power of the wind")
+    FRICTION_POWER = field("power of friction")
+
+
+class RigVariables(State):
+    """Columns of the rig's partial derivatives: what they are by."""
+
+    COMMAND = field("commands of the drives, forces or velocities", size=3)
+    WIND = field("forces on the load", size=3)
+    TIME = field("time")
