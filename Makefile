@@ -6,17 +6,24 @@ VENV := .venv
 BIN := $(VENV)/bin
 OUT ?= out
 
-.PHONY: demo test lint examples bench fmus fuzz check-platforms generate golden lock clean
+.PHONY: help demo quick test interpreted lint examples bench fuzz fmus check-platforms generate \
+	golden lock wheel check-wheel clean
 .DEFAULT_GOAL := demo
 
 $(VENV)/installed: pyproject.toml setup.py requirements-dev.lock $(wildcard src/segfmu/kernels/c/*)
 	@test -n "$(PYTHON)" || { echo "segfmu needs Python 3.11 or newer; none was found"; exit 1; }
 	@test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
+	@# a module of an older build would be found first
+	@rm -f src/segfmu/kernels/_compiled.cpython-* src/segfmu/kernels/_compiled.cp3*
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check \
 		--constraint requirements-dev.lock --editable '.[dev]'
 	@$(BIN)/python -c "from segfmu.kernels.backend import COMPILED; \
 		COMPILED or print('note: no C compiler found; the kernels run interpreted, only slower')"
 	@touch $@
+
+help: ## this list
+	@sed -n 's/^\([a-z][a-z-]*\):.*## \(.*\)$$/\1@\2/p' $(MAKEFILE_LIST) | \
+		awk -F@ '{ printf "make %-16s %s\n", $$1, $$2 }'
 
 demo: $(VENV)/installed ## plan, invert, pack, co-simulate and judge the paper's mission
 	$(BIN)/segfmu plan models/paper.toml --output $(OUT)

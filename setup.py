@@ -1,19 +1,27 @@
 """The compiled kernels: optional, as the interpreted ones give the same numbers."""
 
+import sys
+import sysconfig
+
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 
 SOURCES = "src/segfmu/kernels/c"
+# One binary for every Python from 3.11 on. Python without its global lock has no stable ABI yet.
+STABLE = sys.implementation.name == "cpython" and not sysconfig.get_config_var("Py_GIL_DISABLED")
 
 
 class BuildKernels(build_ext):
     """Options by kind of compiler; contraction is off so that every platform computes alike."""
 
     def build_extension(self, ext: Extension) -> None:
-        msvc = self.compiler.compiler_type == "msvc"
-        ext.extra_compile_args = (
-            ["/O2", "/fp:precise"] if msvc else ["-std=c99", "-O3", "-ffp-contract=off", "-w"]
-        )
+        if self.compiler.compiler_type == "msvc":
+            ext.extra_compile_args = ["/O2", "/fp:precise"]
+        else:
+            # some builds of Python ask for debugging symbols: -g0 overrides
+            ext.extra_compile_args = ["-std=c99", "-O3", "-ffp-contract=off", "-w", "-g0"]
+            # symbols for the static linker alone are of no use in a module
+            ext.extra_link_args = ["-Wl,-x" if sys.platform == "darwin" else "-Wl,-s"]
         super().build_extension(ext)
 
 
@@ -23,8 +31,11 @@ setup(
             "segfmu.kernels._compiled",
             sources=[f"{SOURCES}/module.c", f"{SOURCES}/kernels.c"],
             depends=[f"{SOURCES}/{name}.h" for name in ("arguments", "kernels", "span")],
+            define_macros=[("Py_LIMITED_API", "0x030B0000")] if STABLE else [],
+            py_limited_api=STABLE,
             optional=True,
         )
     ],
     cmdclass={"build_ext": BuildKernels},
+    options={"bdist_wheel": {"py_limited_api": "cp311"}} if STABLE else {},
 )

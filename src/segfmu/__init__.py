@@ -4,6 +4,8 @@ See README.md for a tour. Importing this package loads neither SymPy, fmpy, pyth
 Matplotlib.
 """
 
+from importlib.metadata import version
+
 from segfmu.crane import ActuatedPlan, ActuatorBounds, Crane, FlatInverse, plan_actuated
 from segfmu.errors import (
     BuildError,
@@ -29,7 +31,10 @@ __all__ = [
     "Trajectory",
     "Verification",
     "Waypoint",
+    "__version__",
     "plan",
     "plan_actuated",
     "verify",
 ]
+
+__version__ = version("segfmu")

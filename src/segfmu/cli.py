@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from importlib.metadata import version
 from pathlib import Path
 from typing import Annotated
 
@@ -30,6 +31,24 @@ app = typer.Typer(
 console = Console()
 
 MissionFile = Annotated[Path, typer.Argument(help="Mission file (TOML); see models/ for examples.")]
+
+
+def _show_version(wanted: bool) -> None:
+    if wanted:
+        console.print(f"segfmu {version('segfmu')}", highlight=False)
+        raise typer.Exit
+
+
+@app.callback()
+def _options(
+    show_version: Annotated[
+        bool,
+        typer.Option(
+            "--version", callback=_show_version, is_eager=True, help="Show the version and exit."
+        ),
+    ] = False,
+) -> None:
+    pass
 
 
 @app.command(epilog="Example: segfmu plan models/paper.toml --output out")
@@ -207,7 +226,6 @@ def _built(
     from segfmu.fmu.gantry_crane import interface as gantry_crane
     from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
     from segfmu.fmu.native import archive as native
-    from segfmu.fmu.python import archive as build
     from segfmu.validation.scenario import specs
 
     chosen = choice.chosen(fmi, backend, platforms)
@@ -226,6 +244,8 @@ def _built(
                 folder, fmi=fmi, platforms=chosen.platforms, report=status.update,
             )
         else:
+            from segfmu.fmu.python import archive as build
+
             feedforward, crane = build.build_all(folder, status.update, interfaces)
     return feedforward, crane
 

@@ -16,7 +16,6 @@ from typing import Any, Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from segfmu.cosim.load import load
 from segfmu.cosim.unit import Channel, Unit
 from segfmu.errors import InputError
 
@@ -83,6 +82,9 @@ def simulate(
         allowed = " or ".join(get_args(Coupling))
         raise InputError(f"coupling must be {allowed}, got {coupling!r}")
     times = _times(start_time, stop_time, step)
+    # fmpy is loaded where FMUs run, not where missions are only planned or built
+    from segfmu.cosim.load import load
+
     with load(source, leads=events) as first, load(sink) as second:
         first.set(dict(source_values or {}))
         second.set(dict(sink_values or {}))
