@@ -22,7 +22,8 @@ settings.load_profile("repeatable")
 @pytest.fixture(scope="session")
 def fmus(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
     """Archives of GantryFeedforward and GantryCrane on the Python backend."""
-    feedforward, crane = build_all(tmp_path_factory.mktemp("fmus"))
+    specs = (gantry_feedforward.spec(), gantry_crane.spec())
+    feedforward, crane = build_all(tmp_path_factory.mktemp("fmus"), specs=specs)
     return feedforward, crane
 
 

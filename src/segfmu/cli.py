@@ -220,34 +220,18 @@ def _samples(task: Mission, trajectory: Trajectory) -> NDArray[np.void]:
 def _built(
     folder: Path, task: Mission | None, trajectory: Trajectory | None = None, *, fmi: int = 2,
     backend: str = "native", platforms: str = "",
-) -> tuple[Path, Path]:
-    """Build both FMUs, for a mission where there is one."""
-    from segfmu.fmu import choice
-    from segfmu.fmu.gantry_crane import interface as gantry_crane
-    from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
-    from segfmu.fmu.native import archive as native
+) -> list[Path]:
+    """Build the FMUs of all models, or the two of a mission."""
+    from segfmu.fmu.build import build_all
+    from segfmu.fmu.choice import chosen
     from segfmu.validation.scenario import specs
 
-    chosen = choice.chosen(fmi, backend, platforms)
-    if chosen.note:
-        print(f"segfmu: {chosen.note}", file=sys.stderr)
-    interfaces = (gantry_feedforward.spec(), gantry_crane.spec())
-    if task is not None:
-        interfaces = specs(task, trajectory or _planned(task))
+    choice = chosen(fmi, backend, platforms)
+    if choice.note:
+        print(f"segfmu: {choice.note}", file=sys.stderr)
+    interfaces = None if task is None else specs(task, trajectory or _planned(task))
     with console.status("building the FMUs") as status:
-        if chosen.native:
-            feedforward, crane = native.build_all(
-                (
-                    gantry_feedforward.native_spec(interfaces[0]),
-                    gantry_crane.native_spec(interfaces[1]),
-                ),
-                folder, fmi=fmi, platforms=chosen.platforms, report=status.update,
-            )
-        else:
-            from segfmu.fmu.python import archive as build
-
-            feedforward, crane = build.build_all(folder, status.update, interfaces)
-    return feedforward, crane
+        return build_all(folder, choice, interfaces, report=status.update)
 
 
 def _run(

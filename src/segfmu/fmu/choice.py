@@ -15,6 +15,7 @@ class Choice:
     """A backend, its platforms (the host's where there are none), and what the user must know."""
 
     native: bool
+    fmi: int = 2
     platforms: tuple[str, ...] = ()
     note: str = ""
 
@@ -44,7 +45,7 @@ def chosen(fmi: int, backend: str, platforms: str) -> Choice:
             raise InputError("--backend python has neither FMI 3 nor platforms; use native")
         return Choice(native=False)
     if names or fmi == 3 or available():
-        return Choice(True, names)
+        return Choice(True, fmi, names)
     return Choice(
         native=False,
         note="no C compiler found; built with the Python backend. Install a C compiler, or the "

@@ -10,7 +10,7 @@ from segfmu.crane.feedback import SwayFeedback, design
 from segfmu.crane.flat_feedback import HOIST_LARGEST, LARGEST
 from segfmu.crane.observer import OFFSET_LARGEST, OFFSET_RATIO
 from segfmu.crane.plant import TOLERANCE
-from segfmu.fmu.crane_parameters import crane_parameters
+from segfmu.fmu.gantry import SETPOINTS, crane_parameters
 from segfmu.fmu.gantry_crane.feedback_parameters import (
     estimates,
     feedback_parameters,
@@ -172,7 +172,7 @@ def native_spec(own: Spec | None = None) -> Spec:
     return replace(
         own, variables=(*kept, *table, *locals_, power, time()), arrays=_table_arrays(),
         states=tuple(zip(STATES, RATES, strict=True)), dependencies=_dependencies(),
-        orders=1, partials=("ModelExchange",),
+        orders=1, partials=("ModelExchange",), terminals=(SETPOINTS,),
         constants=(
             ("LARGEST_ANGLE", LARGEST), ("LARGEST_HOIST_ANGLE", HOIST_LARGEST),
             ("OFFSET_RATIO", OFFSET_RATIO), ("LARGEST_OFFSET_ANGLE", OFFSET_LARGEST),

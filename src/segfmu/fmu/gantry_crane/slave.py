@@ -15,7 +15,7 @@ from segfmu.crane.flat_feedback import design_flat
 from segfmu.crane.plant import Plant, Setpoints
 from segfmu.crane.tracking import TrackingController
 from segfmu.errors import InputError
-from segfmu.fmu.crane_parameters import crane_from
+from segfmu.fmu.gantry import crane_from
 from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_crane.feedback_parameters import (
     DESIGNS,

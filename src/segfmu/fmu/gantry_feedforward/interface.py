@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from segfmu.fmu.crane_parameters import crane_parameters
+from segfmu.fmu.gantry import SETPOINTS, crane_parameters
 from segfmu.fmu.standard.spec import (
     Array,
     Enumeration,
@@ -169,6 +169,7 @@ def native_spec(own: Spec | None = None) -> Spec:
         arrays=_arrays(),
         dependencies=tuple((v.name, ("time",)) for v in outputs),
         orders=3,
+        terminals=(SETPOINTS,),
     )
 
 

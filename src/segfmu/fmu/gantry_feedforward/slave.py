@@ -6,7 +6,7 @@ from math import inf
 from typing import Any
 
 from segfmu.crane import FlatInverse
-from segfmu.fmu.crane_parameters import crane_from
+from segfmu.fmu.gantry import crane_from
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.python.slave import SpecSlave
 from segfmu.planning import Limits, Trajectory, Waypoint, plan

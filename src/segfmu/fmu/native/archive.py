@@ -12,6 +12,7 @@ from importlib.resources import files
 from pathlib import Path
 
 from segfmu.errors import BuildError
+from segfmu.fmu.models import named
 from segfmu.fmu.native import tables
 from segfmu.fmu.native.compilers import (
     PLATFORMS,
@@ -39,11 +40,6 @@ VERSIONS = {
         "fmi3.c", "fmi3_run.c", "fmi3_step.c", "fmi3_values.c", "fmi/fmi3Functions.h",
         "fmi/fmi3FunctionTypes.h", "fmi/fmi3PlatformTypes.h",
     ),
-}
-# packages of the models
-MODELS = {
-    "GantryFeedforward": "segfmu.fmu.gantry_feedforward",
-    "GantryCrane": "segfmu.fmu.gantry_crane",
 }
 LICENCE = files("segfmu.fmu.standard").joinpath("license.txt")
 DARWIN = ("x86_64-darwin", "aarch64-darwin")
@@ -98,11 +94,9 @@ def build_all(
 
 def sources(spec: Spec, fmi: int) -> dict[str, bytes]:
     """All sources of an FMU by their names in the archive, which has them in one folder."""
-    model = MODELS[spec.name]
-    own = [p.name for p in files(model).joinpath("c").iterdir() if p.name.endswith((".c", ".h"))]
     found = _packaged("segfmu.kernels", KERNELS)
     found |= _packaged("segfmu.fmu.native", (*GLUE, *VERSIONS[fmi]))
-    found |= _packaged(model, sorted(own))
+    found |= named(spec.name).sources
     found["variables.h"] = tables.header(spec, fmi).encode()
     found["variables.c"] = tables.source(spec, fmi).encode()
     return found
@@ -170,19 +164,19 @@ def _described(spec: Spec, fmi: int, texts: dict[str, bytes]) -> dict[str, bytes
     """All entries of an archive but sources and binaries."""
     release = version("segfmu")
     units = tuple(sorted(n for n in texts if n.endswith(".c")))
-    icon = files(MODELS[spec.name]).joinpath("icon.png").read_bytes()
+    model = named(spec.name)
     entries = {
-        "documentation/index.html": page(spec, release).encode(),
+        "documentation/index.html": page(spec, release, model.about).encode(),
         "documentation/licenses/license.txt": LICENCE.read_bytes(),
     }
     if fmi == 2:
         entries["modelDescription.xml"] = fmi2.model_description(spec, release, units)
-        entries["model.png"] = icon
+        entries["model.png"] = model.icon
     else:
         entries["modelDescription.xml"] = fmi3.model_description(spec, release)
         entries["sources/buildDescription.xml"] = fmi3.build_description(spec, units)
         entries["terminalsAndIcons/terminalsAndIcons.xml"] = fmi3.terminals(spec)
-        entries["terminalsAndIcons/icon.png"] = icon
+        entries["terminalsAndIcons/icon.png"] = model.icon
     return entries
 
 

@@ -67,7 +67,8 @@ def header(spec: Spec, version: int) -> str:
     rows = max((len(a.members) // a.columns for a in spec.arrays), default=0)
     sizes = {
         "VARIABLES": len(entries(spec, version)), "REALS": len(placed.reals),
-        "INTEGERS": len(placed.integers), "INPUTS": len(spec.where("input")),
+        # C has no arrays of no size
+        "INTEGERS": max(1, len(placed.integers)), "INPUTS": len(spec.where("input")),
         "STATES": len(spec.states), "ROWS": rows, "ORDERS": spec.orders,
     }
     lines = [

@@ -20,18 +20,10 @@ from pathlib import Path
 from pythonfmu import FmuBuilder
 
 from segfmu.errors import BuildError
-from segfmu.fmu.gantry_crane import interface as gantry_crane
-from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
+from segfmu.fmu.models import named, registered
 from segfmu.fmu.standard.documentation import page
 from segfmu.fmu.standard.fmi2 import GENERATED, model_description
 from segfmu.fmu.standard.spec import Spec
-
-SLAVES = {
-    "GantryFeedforward": ("segfmu.fmu.gantry_feedforward.slave", "FeedforwardSlave"),
-    "GantryCrane": ("segfmu.fmu.gantry_crane.slave", "CraneSlave"),
-}
-
-SPECS: tuple[Callable[[], Spec], ...] = (gantry_feedforward.spec, gantry_crane.spec)
 
 SCRIPT = '''"""{name} as an FMU; the implementation is in the installed package segfmu."""
 
@@ -58,15 +50,15 @@ def build_all(
     folder: Path, report: Callable[[str], None] = lambda _: None,
     specs: Sequence[Spec] | None = None,
 ) -> list[Path]:
-    """Build both FMUs, or those of `specs`, into a folder; `report` gets a line before each.
+    """Build FMUs of `specs`, or of all models, into a folder; `report` gets a line before each.
 
     Raises
     ------
     BuildError
-        When the folder cannot be written.
+        When the folder cannot be written, and for a model that this backend does not have.
     """
     built = []
-    for spec in specs or [make() for make in SPECS]:
+    for spec in specs or [m.spec() for m in registered() if m.slave]:
         report(f"building {spec.name}.fmu")
         built.append(build(spec, folder))
     return built
@@ -88,8 +80,11 @@ def build(spec: Spec, folder: Path) -> Path:
 
 
 def _pack(spec: Spec, work: Path) -> Path:
-    module, base = SLAVES[spec.name]
-    usual = {make().name: make() for make in SPECS}[spec.name]
+    model = named(spec.name)
+    if not model.slave:
+        raise BuildError(f"{spec.name} has no Python backend; build it natively")
+    module, _, base = model.slave.partition(":")
+    usual = model.spec()
     starts = {
         v.name: v.start
         for v, u in zip(spec.variables, usual.variables, strict=True) if v.start != u.start
@@ -109,11 +104,11 @@ def _pack(spec: Spec, work: Path) -> Path:
 
 def _complete(spec: Spec, packed: Path, target: Path) -> None:
     """Copy an archive, with our description, documentation, icon and licence."""
-    room = SLAVES[spec.name][0].rpartition(".")[0]
+    model = named(spec.name)
     own = {
         "modelDescription.xml": model_description(spec, version("segfmu")),
-        "model.png": files(room).joinpath("icon.png").read_bytes(),
-        "documentation/index.html": page(spec, version("segfmu")).encode(),
+        "model.png": model.icon,
+        "documentation/index.html": page(spec, version("segfmu"), model.about).encode(),
         "documentation/licenses/license.txt": files("segfmu.fmu.standard")
         .joinpath("license.txt").read_bytes(),
     }

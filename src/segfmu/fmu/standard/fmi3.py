@@ -15,7 +15,7 @@ from segfmu.fmu.standard.fmi2 import (
     text,
 )
 from segfmu.fmu.standard.references import Entry, entries
-from segfmu.fmu.standard.spec import Spec, Variable
+from segfmu.fmu.standard.spec import Spec, Terminal, Variable
 from segfmu.fmu.standard.units import BASE_UNITS, DISPLAY_UNITS
 
 TYPES = {
@@ -66,27 +66,32 @@ def build_description(spec: Spec, sources: tuple[str, ...]) -> bytes:
 
 
 def terminals(spec: Spec) -> bytes:
-    """The XML text of terminalsAndIcons.xml: what connects both FMUs is one bus."""
+    """The XML text of terminalsAndIcons.xml."""
     root = ET.Element("fmiTerminalsAndIcons", {"fmiVersion": "3.0"})
     box = {"x1": "-100", "y1": "-100", "x2": "100", "y2": "100"}
     graphic = ET.SubElement(root, "GraphicalRepresentation")
     ET.SubElement(graphic, "CoordinateSystem", box | {"suggestedScalingFactorTo_mm": "0.1"})
     ET.SubElement(graphic, "Icon", box)
-    terminal = ET.SubElement(
-        ET.SubElement(root, "Terminals"),
-        "Terminal",
+    if spec.terminals:
+        buses = ET.SubElement(root, "Terminals")
+        for terminal in spec.terminals:
+            _terminal(buses, terminal, spec)
+    return document(root)
+
+
+def _terminal(parent: ET.Element, terminal: Terminal, spec: Spec) -> None:
+    bus = ET.SubElement(
+        parent, "Terminal",
         {
-            "name": "setpoints", "matchingRule": "bus",
-            "description": "setpoints of the drives and the reference that belongs to them",
+            "name": terminal.name, "matchingRule": "bus", "description": terminal.description,
         },
     )
     for v in spec.where("input", "output"):
-        if v.name.split(".")[0] in ("force", "velocity", "reference"):
+        if v.name.split(".")[0] in terminal.words:
             ET.SubElement(
-                terminal, "TerminalMemberVariable",
+                bus, "TerminalMemberVariable",
                 {"variableName": v.name, "memberName": v.name, "variableKind": "signal"},
             )
-    return document(root)
 
 
 def _interfaces(root: ET.Element, spec: Spec) -> None:

@@ -63,13 +63,22 @@ class Array:
 
 
 @dataclass(frozen=True)
+class Terminal:
+    """A bus that connects FMUs: inputs and outputs whose names begin with one of these words."""
+
+    name: str
+    description: str
+    words: tuple[str, ...]
+
+
+@dataclass(frozen=True)
 class Spec:
     """One FMU: its variables in the order of their value references.
 
     What follows the step size is for native FMUs alone: arrays of FMI 3.0, continuous states of
     model exchange with their derivatives, the variables that an unknown depends on, the highest
     order of output derivatives, the interfaces with directional derivatives, and constants of the
-    Python package that the model in C shares.
+    Python package that the model in C shares; terminals are of FMI 3.0.
     """
 
     name: str
@@ -83,6 +92,7 @@ class Spec:
     orders: int = 0
     partials: tuple[str, ...] = ("ModelExchange", "CoSimulation")
     constants: tuple[tuple[str, float], ...] = ()
+    terminals: tuple[Terminal, ...] = ()
     references: dict[str, int] = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:

@@ -1,4 +1,4 @@
-"""`crane.*`, the parameters that both FMUs of the gantry crane have."""
+"""What both FMUs of the gantry crane have: parameters `crane.*`, and the bus that connects them."""
 
 from __future__ import annotations
 
@@ -6,7 +6,12 @@ from collections.abc import Callable
 from typing import Any
 
 from segfmu.crane import Crane
-from segfmu.fmu.standard.spec import Variable, parameter
+from segfmu.fmu.standard.spec import Terminal, Variable, parameter
+
+SETPOINTS = Terminal(
+    "setpoints", "setpoints of the drives and the reference that belongs to them",
+    ("force", "velocity", "reference"),
+)
 
 
 def crane_parameters(which: str) -> list[Variable]:

@@ -1,0 +1,34 @@
+"""FMUs of any models by the backend that was chosen."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from segfmu.fmu.choice import Choice
+from segfmu.fmu.models import named, registered
+from segfmu.fmu.standard.spec import Spec
+
+
+def build_all(
+    folder: Path, choice: Choice, specs: Sequence[Spec] | None = None, *,
+    report: Callable[[str], None] = lambda _: None,
+) -> list[Path]:
+    """Build FMUs of `specs`, or of all models, into a folder; `report` gets a line before each.
+
+    Raises
+    ------
+    BuildError
+        When the folder cannot be written, and where a compiler or a backend is missing or fails.
+    """
+    interfaces = specs or [m.spec() for m in registered()]
+    if choice.native:
+        from segfmu.fmu.native.archive import build_all as build_native
+
+        natives = [named(s.name).native_spec(s) for s in interfaces]
+        return build_native(
+            natives, folder, fmi=choice.fmi, platforms=choice.platforms, report=report
+        )
+    from segfmu.fmu.python.archive import build_all as build_python
+
+    return build_python(folder, report, interfaces)

@@ -1,0 +1,14 @@
+"""GantryFeedforward as a model to build."""
+
+from __future__ import annotations
+
+from segfmu.fmu.gantry_feedforward.interface import native_spec, spec
+from segfmu.fmu.model import Model
+
+GANTRY_FEEDFORWARD = Model(
+    name="GantryFeedforward",
+    package="segfmu.fmu.gantry_feedforward",
+    spec=spec,
+    native_spec=native_spec,
+    slave="segfmu.fmu.gantry_feedforward.slave:FeedforwardSlave",
+)

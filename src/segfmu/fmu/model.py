@@ -1,0 +1,52 @@
+"""What makes a model: one declaration in its folder, from which everything else follows."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from importlib.resources import files
+
+from segfmu.fmu.standard.spec import Spec
+
+
+@dataclass(frozen=True)
+class Model:
+    """A model of which FMUs are built.
+
+    Attributes
+    ----------
+    name : str
+        Of the FMU, as in its specification.
+    package : str
+        The model's folder. It has `c`, the sources of the model in C, `icon.png`, and `about.html`,
+        the model's part of the documentation page.
+    spec : callable
+        The interface on PythonFMU.
+    native_spec : callable
+        The interface of native FMUs, from that on PythonFMU with any start values.
+    slave : str
+        The slave on PythonFMU as module:class, which only that backend imports; empty for none.
+    """
+
+    name: str
+    package: str
+    spec: Callable[[], Spec]
+    native_spec: Callable[[Spec], Spec]
+    slave: str = ""
+
+    @property
+    def sources(self) -> dict[str, bytes]:
+        """Texts of the model in C by the names of their files."""
+        folder = files(self.package).joinpath("c")
+        names = sorted(p.name for p in folder.iterdir() if p.name.endswith((".c", ".h")))
+        return {n: folder.joinpath(n).read_bytes() for n in names}
+
+    @property
+    def icon(self) -> bytes:
+        """The picture that importers show."""
+        return files(self.package).joinpath("icon.png").read_bytes()
+
+    @property
+    def about(self) -> str:
+        """What the model does, its equations and its use, as HTML."""
+        return files(self.package).joinpath("about.html").read_text(encoding="utf-8")

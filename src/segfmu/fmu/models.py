@@ -1,0 +1,44 @@
+"""All models that FMUs can be built of. A further one is one more entry here."""
+
+from __future__ import annotations
+
+from segfmu.errors import BuildError
+from segfmu.fmu.gantry_crane.model import GANTRY_CRANE
+from segfmu.fmu.gantry_feedforward.model import GANTRY_FEEDFORWARD
+from segfmu.fmu.model import Model
+
+_registered: dict[str, Model] = {}
+
+
+def register(model: Model) -> None:
+    """Make a model known to builds of both backends.
+
+    Raises
+    ------
+    BuildError
+        For a name that another model has.
+    """
+    if _registered.setdefault(model.name, model) is not model:
+        raise BuildError(f"there is a model {model.name} already; give this one another name")
+
+
+def registered() -> tuple[Model, ...]:
+    """All models in the order of their registration."""
+    return tuple(_registered.values())
+
+
+def named(name: str) -> Model:
+    """The model with a name.
+
+    Raises
+    ------
+    BuildError
+        Where there is none.
+    """
+    if name not in _registered:
+        raise BuildError(f"model must be one of {', '.join(_registered)}, got {name!r}")
+    return _registered[name]
+
+
+register(GANTRY_FEEDFORWARD)
+register(GANTRY_CRANE)
