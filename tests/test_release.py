@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 import segfmu
-from segfmu.fmu.compilers import available
+from segfmu.fmu.native.compilers import available
 
 ROOT = Path(__file__).parents[1]
 MISSION = ROOT / "models" / "paper.toml"

@@ -60,7 +60,7 @@ def check_source(source: Path) -> None:
 
 
 def check_wheel(wheel: Path) -> None:
-    """One wheel for every Python from 3.11 on, with one compiled module and nothing of the tests."""
+    """One wheel for every Python from 3.11 on, with one compiled module and no tests."""
     assert "-cp311-abi3-" in wheel.name, wheel.name
     with zipfile.ZipFile(wheel) as archive:
         names = archive.namelist()
