@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import ctypes
+from collections.abc import Iterable
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
+from segfmu.fmu.native import archive as native
 from tests.fmu.native.importer import Importer
 
 CRANE = {"sway.x.angle": 0.1, "force.hoist": -9.81, "reference.rope.length": 0.5,
@@ -109,6 +112,33 @@ def test_damaged_and_foreign_states_are_refused(native_fmus, fmi: int, index: in
             with pytest.raises(Exception, match="ialize"):
                 restore(fmu, bad)
         assert serialised(fmu) == good
+
+
+def test_states_of_the_other_version_of_fmi_are_refused(native_fmus) -> None:
+    with Importer(native_fmus[2][0]) as two, Importer(native_fmus[3][0]) as three:
+        for one, other in ((two, three), (three, two)):
+            start(one, 0)
+            with pytest.raises(Exception, match="ialize"):
+                restore(other, serialised(one))
+            assert "another version of FMI" in other.messages[-1]
+
+
+def test_states_of_another_build_are_refused(native_fmus, tmp_path: Path, monkeypatch) -> None:
+    """As they are where only a record of the kernels has changed, and the interface has not."""
+    packaged = native._packaged
+
+    def changed(package: str, names: Iterable[str]) -> dict[str, bytes]:
+        texts = packaged(package, names)
+        return {n: t + b"/* changed */\n" if n == "records.h" else t for n, t in texts.items()}
+
+    monkeypatch.setattr(native, "_packaged", changed)
+    path, = native.build_all([gantry_feedforward.native_spec()], tmp_path)
+    with Importer(native_fmus[2][0]) as old, Importer(path) as new:
+        assert old.description.guid == new.description.guid
+        start(old, 0)
+        with pytest.raises(Exception, match="ialize"):
+            restore(new, serialised(old))
+        assert "another build" in new.messages[-1]
 
 
 def resident() -> int:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from segfmu.crane import Crane
-from segfmu.crane.feedback import SwayFeedback
+from segfmu.crane.feedback import SwayFeedback, Weights
 from segfmu.crane.flat_feedback import DAMPING, HOIST_RATIO, RATIO
 from segfmu.crane.observer import Uncertainty, design_observer
 from segfmu.crane.tracking import FADE, PAYLOAD_TIME, UNLIMITED, TrackingController
@@ -28,6 +28,10 @@ OBSERVER = (
     ("drift", None, "random walk of the carriages' and the rope's unknown accelerations: "
      "standard deviation after 1 s over gravity"),
     ("wind", None, "the same of the load's"),
+)
+WEIGHTS = (
+    ("position", "carriage and rope position"), ("angle", "sway angles"),
+    ("velocity", "carriage and rope velocity"), ("rate", "sway rates"), ("effort", "effort"),
 )
 EXPECTED = ("position", "length", "angle", "drift", "wind", "wake", "offset")
 
@@ -69,18 +73,25 @@ def _design() -> list[Variable]:
 
 
 def weight_parameters() -> list[Variable]:
-    """Of design lqr; a native FMU has the table of gains instead."""
-    weights = (
-        ("position", "carriage and rope position"), ("angle", "sway angles"),
-        ("velocity", "carriage and rope velocity"), ("rate", "sway rates"), ("effort", "effort"),
-    )
+    """Of design lqr; a native FMU has the table of gains that they lead to instead."""
     return [
         parameter(
             f"feedback.weight.{name}", 1.0, None,
             f"weight of the {text} in the dimensionless LQR design", minimum=0.0,
         )
-        for name, text in weights
+        for name, text in WEIGHTS
     ]
+
+
+def weights_from(value: Callable[[str], Any]) -> Weights:
+    """The weights of the LQR design that parameters give; `value` gives them by name.
+
+    Raises
+    ------
+    InputError
+        For weights without a design.
+    """
+    return Weights(*(float(value(f"feedback.weight.{name}")) for name, _ in WEIGHTS))
 
 
 def _tracking() -> list[Variable]:

@@ -15,6 +15,7 @@ from segfmu.fmu.gantry_crane.feedback_parameters import (
     estimates,
     feedback_parameters,
     weight_parameters,
+    weights_from,
 )
 from segfmu.fmu.gantry_crane.rig_parameters import DRIVES, rig_parameters
 from segfmu.fmu.standard.spec import (
@@ -152,13 +153,18 @@ GAINS = {
 def native_spec(own: Spec | None = None) -> Spec:
     """The interface of the native GantryCrane, from that of `spec` or with other start values.
 
-    The weights of the LQR design give way to the table of its gains, made here for the crane of
-    the start values; names of the derivatives and of time are added.
+    The weights of the LQR design give way to the table of its gains, made here for the crane and
+    with the weights of the start values; names of the derivatives and of time are added.
+
+    Raises
+    ------
+    InputError
+        For weights without a design.
     """
     own = own or spec()
-    weights = {v.name for v in weight_parameters()}
+    weights = [v.name for v in weight_parameters()]
     kept = [v for v in own.variables if v.name not in weights]
-    table = _table({v.name: v.start for v in own.variables})
+    table = _table({v.name: v.start for v in own.variables}, weights)
     locals_ = [
         Variable(f"{n}.acceleration", "Real", "local", "continuous", f"acceleration of {n}", unit=u)
         for n, u in (
@@ -204,12 +210,15 @@ def _dependencies() -> tuple[tuple[str, tuple[str, ...]], ...]:
     return tuple(found.items())
 
 
-def _table(starts: dict[str, Any]) -> list[Variable]:
+def _table(starts: dict[str, Any], weights: list[str]) -> list[Variable]:
+    """The table of gains; its description tells the weights, which are no variables any more."""
     feedback, driven = _designed(starts)
     used = len(feedback.lengths)
+    told = ", ".join(f"{n.rpartition('.')[2]} {starts[n]!r}" for n in weights)
     rows = [
         parameter(
-            "feedback.table.count", used, None, "rope lengths in the table of gains",
+            "feedback.table.count", used, None,
+            f"rope lengths in the table of gains; its start values are those of weights {told}",
             kind="Integer", minimum=1, maximum=MOST_ROWS,
         ),
         choice(
@@ -228,7 +237,7 @@ def _table(starts: dict[str, Any]) -> list[Variable]:
         rows.append(
             parameter(
                 f"{name}.length", float(feedback.lengths[row]), "m", "rope length of a row",
-                minimum=1e-9, tunable=True,
+                minimum=1e-9, tunable=True, computed=True,
             )
         )
         for axis, drive in enumerate(GAINS):
@@ -237,7 +246,7 @@ def _table(starts: dict[str, Any]) -> list[Variable]:
                     parameter(
                         f"{name}.{drive}.{quantity}", float(feedback.gains[row, axis, place]),
                         None, f"gain of the {drive} [{unit}] by the error of {STATE[place]} in SI "
-                        "units", tunable=True,
+                        "units", tunable=True, computed=True,
                     )
                 )
     return rows
@@ -258,6 +267,7 @@ def _designed(starts: dict[str, Any]) -> tuple[SwayFeedback, bool]:
         crane, sample_time=float(starts["feedback.sample_time"]),
         shortest=float(starts["crane.rope_min"]) or 0.2 * length,
         longest=float(starts["crane.rope_max"]) or 5.0 * length, driven=driven, rows=MOST_ROWS,
+        weights=weights_from(starts.__getitem__),
     )
     return feedback, driven
 

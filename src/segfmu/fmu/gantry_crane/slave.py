@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from segfmu.crane import Crane
-from segfmu.crane.feedback import SwayFeedback, Weights, design
+from segfmu.crane.feedback import SwayFeedback, design
 from segfmu.crane.flat_feedback import design_flat
 from segfmu.crane.plant import Plant, Setpoints
 from segfmu.crane.tracking import TrackingController
@@ -23,6 +23,7 @@ from segfmu.fmu.gantry_crane.feedback_parameters import (
     estimates,
     tracking_from,
     tune,
+    weights_from,
 )
 from segfmu.fmu.gantry_crane.rig_parameters import DRIVES, rig_from
 from segfmu.fmu.python.slave import SpecSlave
@@ -44,7 +45,6 @@ ENERGY = tuple(
 )
 ESTIMATE = tuple(v.name for v in estimates())
 POLES = ("bandwidth", "hoist_bandwidth", "damping")
-WEIGHTS = ("position", "angle", "velocity", "rate", "effort")
 
 
 class CraneSlave(SpecSlave):
@@ -93,10 +93,9 @@ class CraneSlave(SpecSlave):
                 damping=float(self.value("feedback.damping")), driven=driven,
                 lag=max(float(self.value(f"drive.{d}.lag")) for d in DRIVES) if driven else 0.0,
             )
-        weights = Weights(*(float(self.value(f"feedback.weight.{n}")) for n in WEIGHTS))
         return design(
-            crane, sample_time=sample_time, shortest=shortest, longest=longest, weights=weights,
-            driven=driven,
+            crane, sample_time=sample_time, shortest=shortest, longest=longest,
+            weights=weights_from(self.value), driven=driven,
         )
 
     def advance(self, time: float, step: float) -> None:

@@ -98,6 +98,8 @@ def sources(spec: Spec, fmi: int) -> dict[str, bytes]:
     found |= _packaged("segfmu.fmu.native", (*GLUE, *VERSIONS[fmi]))
     found |= named(spec.name).sources
     found["variables.h"] = tables.header(spec, fmi).encode()
+    # start values are no part of the layout: gains are computed, and differ in their last digits
+    found["build.h"] = tables.build(found).encode()
     found["variables.c"] = tables.source(spec, fmi).encode()
     return found
 

@@ -2,15 +2,18 @@
 
 Every variable has a place in one of two arrays, `real` and `integer`; the members of an FMI 3.0
 array lie side by side. variables.h names the places, variables.c says of every value reference
-where its value is, of which kind, in which range, and when it may be set.
+where its value is, of which kind, in which range, and when it may be set. build.h has a
+mark of all sources.
 """
 
 from __future__ import annotations
 
+import hashlib
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 
-from segfmu.fmu.standard.fmi2 import guid
+from segfmu.fmu.standard.identity import guid
 from segfmu.fmu.standard.references import Entry, entries
 from segfmu.fmu.standard.spec import Spec, Variable
 
@@ -78,6 +81,18 @@ def header(spec: Spec, version: int) -> str:
         "/* places in `real` and `integer` */", "enum {", *names, "};", "", "#endif", "",
     ]
     return "\n".join(lines).replace(",\n}", "\n}")
+
+
+def build(sources: Mapping[str, bytes]) -> str:
+    """The text of build.h: the mark of these sources, of which one version of FMI is a part."""
+    digest = hashlib.sha256()
+    for name in sorted(sources):
+        digest.update(f"{name} {len(sources[name])} ".encode() + sources[name])
+    return (
+        f"{BANNER}#ifndef SEGFMU_BUILD_H\n#define SEGFMU_BUILD_H\n\n"
+        "/* of the sources: with others, a state may lie in memory in another way */\n"
+        f"#define BUILD_MARK 0x{digest.hexdigest()[:16]}u\n\n#endif\n"
+    )
 
 
 def source(spec: Spec, version: int) -> str:

@@ -6,9 +6,9 @@ PythonFMU packs has co-simulation alone.
 
 from __future__ import annotations
 
-import hashlib
 from xml.etree import ElementTree as ET
 
+from segfmu.fmu.standard.identity import guid
 from segfmu.fmu.standard.spec import Spec, Variable
 from segfmu.fmu.standard.units import BASE_UNITS, DISPLAY_UNITS, nominal
 
@@ -25,12 +25,6 @@ CATEGORIES = {
     "logStatusFatal": "messages with status fatal",
     "logAll": "all messages",
 }
-
-
-def guid(spec: Spec) -> str:
-    """An identifier of the interface's content."""
-    digest = hashlib.sha256(repr(spec).encode()).hexdigest()
-    return f"{{{digest[:8]}-{digest[8:12]}-{digest[12:16]}-{digest[16:20]}-{digest[20:32]}}}"
 
 
 def model_description(

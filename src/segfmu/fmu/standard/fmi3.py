@@ -10,10 +10,10 @@ from segfmu.fmu.standard.fmi2 import (
     details,
     document,
     experiment,
-    guid,
     initial_unknowns,
     text,
 )
+from segfmu.fmu.standard.identity import guid
 from segfmu.fmu.standard.references import Entry, entries
 from segfmu.fmu.standard.spec import Spec, Terminal, Variable
 from segfmu.fmu.standard.units import BASE_UNITS, DISPLAY_UNITS

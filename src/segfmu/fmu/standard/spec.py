@@ -25,7 +25,11 @@ class Enumeration:
 
 @dataclass(frozen=True)
 class Variable:
-    """One variable. `start` is None exactly where the FMU calculates the initial value."""
+    """One variable. `start` is None exactly where the FMU calculates the initial value.
+
+    `computed` marks a start value that was computed from those of other variables. Its last digits
+    may depend on the machine, so it is no part of the FMU's identity.
+    """
 
     name: str
     kind: Kind
@@ -38,6 +42,7 @@ class Variable:
     maximum: float | None = None
     nominal: float | None = None
     enumeration: Enumeration | None = None
+    computed: bool = False
 
     @property
     def initial(self) -> str | None:
@@ -114,6 +119,8 @@ class Spec:
 def started(spec: Spec, values: Mapping[str, Value | str], **changes: Any) -> Spec:
     """A specification with other start values, enumerations also by item, and other fields.
 
+    A value that is given counts as declared, also where the variable's was computed.
+
     Raises
     ------
     KeyError
@@ -132,7 +139,8 @@ def started(spec: Spec, values: Mapping[str, Value | str], **changes: Any) -> Sp
         return value if v.kind == "Real" else bool(value) if v.kind == "Boolean" else int(value)
 
     variables = tuple(
-        replace(v, start=number(v)) if v.name in values else v for v in spec.variables
+        replace(v, start=number(v), computed=False) if v.name in values else v
+        for v in spec.variables
     )
     return replace(spec, variables=variables, **changes)
 
@@ -156,12 +164,12 @@ def signal(name: str, unit: str, description: str) -> Variable:
 def parameter(
     name: str, start: Value, unit: str | None, description: str, *,
     minimum: float | None = None, maximum: float | None = None, kind: Kind = "Real",
-    tunable: bool = False,
+    tunable: bool = False, computed: bool = False,
 ) -> Variable:
     """A fixed or tunable parameter."""
     return Variable(
         name, kind, "parameter", "tunable" if tunable else "fixed", description, start, unit,
-        minimum, maximum,
+        minimum, maximum, computed=computed,
     )
 
 

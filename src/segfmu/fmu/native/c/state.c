@@ -3,10 +3,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "build.h"
 #include "glue.h"
 
 typedef struct {
     uint64_t mark;    /* of the model and its interface */
+    uint64_t build;   /* of the sources, and of the sizes that the compiler gave */
     uint64_t size;    /* bytes of the block behind the header */
     uint64_t sum;     /* over the block, in serialised form */
 } header;
@@ -36,10 +38,16 @@ static uint64_t mark(const instance *c)
     return sum;
 }
 
+/* A block has this layout where the sources and the sizes of structures are the same. */
+static uint64_t build(void)
+{
+    return mix(mix(BUILD_MARK, sizeof(model)), model_size());
+}
+
 bool glue_save(instance *c, void **state)
 {
     size_t used = model_used(c->model);
-    header head = {mark(c), used, 0};
+    header head = {mark(c), build(), used, 0};
     if (*state != NULL && glue_state_size(*state) != sizeof head + used) {
         free(*state);
         *state = NULL;
@@ -55,11 +63,20 @@ bool glue_save(instance *c, void **state)
     return true;
 }
 
-/* Whether a header is that of a state of this model. */
+/* Whether a header is that of a state of this model and of this build of it. */
 static bool fits(instance *c, const header *head)
 {
-    if (head->mark != mark(c) || head->size > model_size() || head->size < sizeof(model)) {
+    if (head->mark != mark(c)) {
         glue_log(c, STATUS_ERROR, "the state is not one of this model and interface");
+        return false;
+    }
+    if (head->build != build()) {
+        glue_log(c, STATUS_ERROR, "the state was saved by another build of this model or by that of "
+                 "another version of FMI; save it again with this FMU");
+        return false;
+    }
+    if (head->size > model_size() || head->size < sizeof(model)) {
+        glue_log(c, STATUS_ERROR, "the state has a size that no state of this model has");
         return false;
     }
     return true;

@@ -1,0 +1,100 @@
+"""The package as its users get it: versions, the wheel, and what the commands load."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from importlib.metadata import version
+from pathlib import Path
+
+import pytest
+
+import segfmu
+from segfmu.fmu.native.compilers import available
+
+ROOT = Path(__file__).parents[1]
+MISSION = ROOT / "models" / "paper.toml"
+
+# Runs the command line where some packages cannot be imported.
+BLOCKED = """
+import sys
+
+
+class Blocked:
+    def find_spec(self, name, path=None, target=None):
+        if name.partition(".")[0] in {packages!r}:
+            raise ModuleNotFoundError(f"No module named {{name!r}}: blocked by a test")
+        return None
+
+
+sys.meta_path.insert(0, Blocked())
+sys.argv = ["segfmu", *{words!r}]
+from segfmu.cli import main
+
+main()
+"""
+HEAVY = ("sympy", "pyccel", "pythonfmu", "fmpy", "matplotlib")
+
+
+def run_without(packages: tuple[str, ...], *words: str) -> subprocess.CompletedProcess[str]:
+    """Run `segfmu` in a process where these packages are not installed."""
+    code = BLOCKED.format(packages=set(packages), words=[str(w) for w in words])
+    return subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, timeout=300, cwd=ROOT
+    )
+
+
+def test_version_is_that_of_the_package() -> None:
+    assert segfmu.__version__ == version("segfmu")
+    shown = run_without(HEAVY, "--version")
+    assert (shown.returncode, shown.stdout) == (0, f"segfmu {segfmu.__version__}\n")
+
+
+def test_the_test_can_block_a_package() -> None:
+    failed = run_without(("numpy",), "plan", str(MISSION))
+    assert failed.returncode != 0 and "blocked by a test" in failed.stderr
+
+
+def test_plan_needs_nothing_heavy() -> None:
+    planned = run_without(HEAVY, "plan", str(MISSION))
+    assert planned.returncode == 0, planned.stderr
+    assert "velocity" in planned.stdout
+
+
+@pytest.mark.skipif(not available(), reason="native FMUs need a C compiler; none was found")
+@pytest.mark.parametrize("fmi", [2, 3])
+def test_native_build_needs_nothing_heavy(fmi: int, tmp_path: Path) -> None:
+    built = run_without(HEAVY, "build", str(MISSION), "--fmi", str(fmi), "-o", str(tmp_path))
+    assert built.returncode == 0, built.stderr
+    assert sorted(p.name for p in tmp_path.iterdir()) == [
+        "GantryCrane.fmu", "GantryFeedforward.fmu"
+    ]
+
+
+def test_python_build_needs_pythonfmu_alone(tmp_path: Path) -> None:
+    others = tuple(n for n in HEAVY if n != "pythonfmu")
+    built = run_without(others, "build", "--backend", "python", "-o", str(tmp_path))
+    assert built.returncode == 0, built.stderr
+
+
+def test_plots_need_matplotlib_alone(tmp_path: Path) -> None:
+    others = tuple(n for n in HEAVY if n != "matplotlib")
+    planned = run_without(others, "plan", str(MISSION), "-o", str(tmp_path))
+    assert planned.returncode == 0, planned.stderr
+    assert (tmp_path / "plan.png").exists()
+
+
+@pytest.mark.skipif(not available(), reason="native FMUs need a C compiler; none was found")
+def test_simulation_needs_neither_sympy_nor_pythonfmu(tmp_path: Path) -> None:
+    done = run_without(
+        ("sympy", "pyccel", "pythonfmu"), "simulate", str(MISSION), "-o", str(tmp_path)
+    )
+    assert done.returncode == 0, done.stderr + done.stdout
+
+
+def test_the_compiled_kernels_are_one_binary_for_all_versions_of_python() -> None:
+    compiled = pytest.importorskip(
+        "segfmu.kernels._compiled", reason="the kernels were installed without a C compiler"
+    )
+    if sys.platform != "win32":
+        assert Path(compiled.__file__).name == "_compiled.abi3.so"

@@ -1,0 +1,109 @@
+"""What a user installs: `python -m tests.wheel [interpreter ...]`.
+
+Builds the source distribution and from it the wheel, looks into both, and runs the wheel's commands
+in an empty environment outside of the repository, for each of the interpreters.
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import tarfile
+import tempfile
+import zipfile
+from pathlib import Path
+
+ROOT = Path(__file__).parents[1]
+SHIPPED = (
+    "CHANGELOG.md", "CONTRIBUTING.md", "LICENSE", "Makefile", "README.md", "requirements-dev.lock",
+    ".ci/run", "docs/planner.md", "examples/01_plan_a_move.py", "fmus/gantry_crane/README.md",
+    "models/paper.toml", "src/segfmu/kernels/c/kernels.c", "tests/data/planner-problems.json",
+    "tests/conftest.py",
+)
+CODE = """
+import sys
+import segfmu
+from segfmu.kernels.backend import COMPILED
+
+assert COMPILED, "the wheel has no compiled kernels"
+assert not segfmu.__file__.startswith({root!r}), segfmu.__file__
+print(sys.version.split()[0], "segfmu", segfmu.__version__)
+"""
+
+
+def built(folder: Path) -> tuple[Path, Path]:
+    """Build into a folder; returns the source distribution and the wheel made from it."""
+    run(sys.executable, "-m", "build", "--outdir", str(folder), str(ROOT))
+    (source,), (wheel,) = folder.glob("*.tar.gz"), folder.glob("*.whl")
+    return source, wheel
+
+
+def run(*words: str, folder: Path | None = None) -> None:
+    """Run a command; what it prints is shown where it fails."""
+    outside = {k: v for k, v in os.environ.items() if not k.startswith("PYTHON")}
+    done = subprocess.run(
+        words, cwd=folder, env=outside, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT
+    )
+    if done.returncode != 0:
+        raise SystemExit(f"{done.stdout}\n{' '.join(words)}: exit code {done.returncode}")
+
+
+def check_source(source: Path) -> None:
+    """The source distribution is all of the repository that a fork needs."""
+    with tarfile.open(source) as archive:
+        names = {name.partition("/")[2] for name in archive.getnames()}
+    missing = set(SHIPPED) - names
+    assert not missing, f"{source.name} lacks {sorted(missing)}"
+    left = {n for n in names if n.endswith((".so", ".pyc", ".fmu")) or n.startswith("out/")}
+    assert not left, f"{source.name} has {sorted(left)}"
+
+
+def check_wheel(wheel: Path) -> None:
+    """One wheel for every Python from 3.11 on, with one compiled module and no tests."""
+    assert "-cp311-abi3-" in wheel.name, wheel.name
+    with zipfile.ZipFile(wheel) as archive:
+        names = archive.namelist()
+        metadata = archive.read(next(n for n in names if n.endswith("/METADATA"))).decode()
+    modules = [n for n in names if n.endswith((".so", ".pyd"))]
+    assert len(modules) == 1, modules
+    tops = {n.partition("/")[0].partition("-")[0] for n in names}
+    assert tops == {"segfmu"}, tops
+    needed = [line for line in metadata.splitlines() if line.startswith("Requires-Dist")]
+    assert not any("sympy" in line and "extra" not in line for line in needed), needed
+
+
+def check_commands(wheel: Path, interpreter: str, work: Path) -> None:
+    """The main job, with what `pip install` brings and nothing else."""
+    environment = work / "environment"
+    run(interpreter, "-m", "venv", str(environment))
+    commands = environment / ("Scripts" if os.name == "nt" else "bin")
+    run(str(commands / "python"), "-m", "pip", "install", "--quiet", str(wheel))
+    run(str(commands / "python"), "-c", CODE.format(root=str(ROOT)), folder=work)
+    mission = str(ROOT / "models" / "paper.toml")
+    segfmu = str(commands / "segfmu")
+    run(segfmu, "--version", folder=work)
+    run(segfmu, "plan", mission, "--output", "plan", folder=work)
+    run(segfmu, "build", mission, "--fmi", "3", "--output", "fmi3", folder=work)
+    run(segfmu, "build", "--backend", "python", "--output", "python", folder=work)
+    run(segfmu, "simulate", mission, "--output", "run", folder=work)
+    for name in ("plan/plan.csv", "fmi3/GantryCrane.fmu", "python/GantryCrane.fmu", "run/run.csv"):
+        assert (work / name).exists(), name
+
+
+def main() -> None:
+    """Check both distributions under the interpreters of the command line, or this one."""
+    with tempfile.TemporaryDirectory(prefix="segfmu_wheel_") as folder:
+        source, wheel = built(Path(folder) / "dist")
+        check_source(source)
+        check_wheel(wheel)
+        print(f"{wheel.name}  {wheel.stat().st_size / 1024:.0f} KiB")
+        for i, interpreter in enumerate(sys.argv[1:] or [sys.executable]):
+            work = Path(folder) / f"work{i}"
+            work.mkdir()
+            check_commands(wheel, interpreter, work)
+            print(f"{interpreter}: plan, build and simulate work")
+
+
+if __name__ == "__main__":
+    main()
