@@ -19,6 +19,7 @@ from segfmu.crane.tracking import TrackingController
 from segfmu.kernels import backend
 from segfmu.kernels.control import feedback, observer, tracking
 from segfmu.kernels.crane import _crane, compensation, plant, rope
+from segfmu.kernels.crane.records import RopeWork
 from segfmu.kernels.numerics import noise
 from segfmu.kernels.planner import plan as plan_kernel
 from segfmu.kernels.planner.profile import shortest_profile
@@ -113,8 +114,8 @@ def test_proofs_of_the_rope_agree(smoothness: int, bounds: tuple[float, float]) 
         for module in (rope, compiled):
             report = np.zeros(3)
             status = module.check_rope(
-                found.timing, found.coefficients, found.offsets, gravity, *bounds,
-                np.zeros((52, 8 * smoothness - 5)), report,
+                found.timing, found.coefficients, found.offsets, np.array([gravity, *bounds]),
+                np.zeros((RopeWork.SIZE, 8 * smoothness - 5)), report,
             )
             outputs.append([status, *report])
         assert close(*outputs)

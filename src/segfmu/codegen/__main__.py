@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from segfmu.codegen import crane, extension, native, partials, records, stubs
+from segfmu.codegen import crane, extension, native, partials, records, rope, series, stubs
 from segfmu.codegen.files import write
 
 
 def main() -> None:
     """The crane's equations first: the kernels in C contain them."""
-    write(crane.TARGET, crane.generate())
-    write(partials.TARGET, partials.generate())
+    for source in (crane, partials, series, rope):
+        write(source.TARGET, source.generate())
     for name, text in (native.generate() | extension.generate()).items():
         write(native.TARGET / name, text)
     write(stubs.TARGET, stubs.generate())

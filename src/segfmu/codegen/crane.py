@@ -53,7 +53,8 @@ def _is_plain(power: sp.Pow) -> bool:
     return power.exp in (-1, sp.Rational(1, 2), sp.Rational(-1, 2))
 
 
-def _code(expression: sp.Expr) -> str:
+def code(expression: sp.Expr) -> str:
+    """Python text of an expression."""
     text = str(_Printer({"fully_qualified_modules": False}).doprint(expression))
     return text[1:-1] if expression.is_Pow and not _is_plain(expression) else text
 
@@ -102,9 +103,9 @@ def function(
     used = set().union(*(r.free_symbols for r in results), *(v.free_symbols for _, v in steps))
     lines = [f"def {head} -> None:", f'    """{doc}"""']
     lines += [f"    {symbol} = {source}" for symbol, source in inputs if symbol in used]
-    lines += [f"    {name} = {_code(value)}" for name, value in steps]
+    lines += [f"    {name} = {code(value)}" for name, value in steps]
     lines += [
-        f"    {target} = {_code(sp.Float(0.0) if value == 0 else value)}"
+        f"    {target} = {code(sp.Float(0.0) if value == 0 else value)}"
         for (target, _), value in zip(outputs, results, strict=True)
     ]
     return "\n".join(lines)

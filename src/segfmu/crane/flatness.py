@@ -1,11 +1,16 @@
 """The flat inverse (7) of the crane: the load's position determines everything (E7, E8).
 
+This is its only statement. From it codegen writes the inverse itself (kernels/crane/_crane.py), its
+time derivatives of any order (_series.py) and the demands on the rope (_rope.py).
+
 With w = p'' + g e_z the rope pulls along w: F_l = -m_p |w|, the unit vector from trolley to load
 is -w / |w|, and the trolley lies where the rope meets its height, z = 0. Rates and accelerations
 follow by total differentiation, which needs p up to its fourth derivative in all three axes.
 """
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 import sympy as sp
 
@@ -28,16 +33,47 @@ def total_derivative(expression: sp.Expr, flat: sp.Matrix) -> sp.Expr:
     )
 
 
-def configuration(flat: sp.Matrix, gravity: sp.Symbol) -> sp.Matrix:
-    """Coordinates (x_t, y_t, l, phi_x, phi_y) from p and p''."""
-    wx, wy, wz = flat[2, 0], flat[2, 1], flat[2, 2] + gravity
+def pull(flat: sp.Matrix, gravity: sp.Symbol) -> sp.Matrix:
+    """w = p'' + g e_z, the rope's force per mass of the load [m/s2], shape (3, 1)."""
+    return sp.Matrix([flat[2, 0], flat[2, 1], flat[2, 2] + gravity])
+
+
+def pull_size(w: sp.Matrix) -> sp.Expr:
+    """|w| [m/s2]."""
+    return sp.sqrt(w[0] ** 2 + w[1] ** 2 + w[2] ** 2)
+
+
+def rope_length(load: sp.Matrix, w: sp.Matrix) -> sp.Expr:
+    """Length of the rope [m] from the load's position and w."""
+    return -load[2] * pull_size(w) / w[2]
+
+
+def configuration(load: sp.Matrix, w: sp.Matrix) -> sp.Matrix:
+    """Coordinates (x_t, y_t, l, phi_x, phi_y) from the load's position and w, shape (5, 1)."""
     return sp.Matrix(
         [
-            flat[0, 0] - flat[0, 2] * wx / wz,
-            flat[0, 1] - flat[0, 2] * wy / wz,
-            -flat[0, 2] * sp.sqrt(wx**2 + wy**2 + wz**2) / wz,
-            sp.atan2(-wx, sp.sqrt(wy**2 + wz**2)),
-            sp.atan2(wy, wz),
+            load[0] - load[2] * w[0] / w[2],
+            load[1] - load[2] * w[1] / w[2],
+            rope_length(load, w),
+            sp.atan2(-w[0], sp.sqrt(w[1] ** 2 + w[2] ** 2)),
+            sp.atan2(w[1], w[2]),
+        ]
+    )
+
+
+def forces(
+    acceleration: sp.Matrix, flat: sp.Matrix, w: sp.Matrix, masses: Sequence[sp.Symbol]
+) -> sp.Matrix:
+    """Drive forces F_x, F_y, F_l [N], shape (3, 1).
+
+    acceleration is that of the coordinates, and masses are those of bridge, trolley and payload.
+    """
+    bridge_mass, trolley_mass, payload_mass = masses
+    return sp.Matrix(
+        [
+            (bridge_mass + trolley_mass) * acceleration[0] + payload_mass * flat[2, 0],
+            trolley_mass * acceleration[1] + payload_mass * flat[2, 1],
+            -payload_mass * pull_size(w),
         ]
     )
 
@@ -50,15 +86,9 @@ def inverse(
     gravity: sp.Symbol,
 ) -> tuple[sp.Matrix, sp.Matrix, sp.Matrix]:
     """Drive forces (3, 1), state (10, 1) and accelerations (5, 1) of the crane."""
-    q = configuration(flat, gravity)
+    w = pull(flat, gravity)
+    q = configuration(flat[0, :], w)
     rate = q.applyfunc(lambda f: total_derivative(f, flat))
     acceleration = rate.applyfunc(lambda f: total_derivative(f, flat))
-    wx, wy, wz = flat[2, 0], flat[2, 1], flat[2, 2] + gravity
-    force = sp.Matrix(
-        [
-            (bridge_mass + trolley_mass) * acceleration[0] + payload_mass * flat[2, 0],
-            trolley_mass * acceleration[1] + payload_mass * flat[2, 1],
-            -payload_mass * sp.sqrt(wx**2 + wy**2 + wz**2),
-        ]
-    )
+    force = forces(acceleration, flat, w, (bridge_mass, trolley_mass, payload_mass))
     return force, q.col_join(rate), acceleration

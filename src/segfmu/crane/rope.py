@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 from segfmu.crane.parameters import Crane
 from segfmu.errors import InfeasibleError
 from segfmu.kernels import backend
+from segfmu.kernels.crane.records import RopeWork
 from segfmu.planning.arrays import FloatArray
 
 
@@ -73,10 +74,10 @@ def require_rope(crane: Crane, trajectory: LoadTrajectory) -> None:
         [np.pad(p[2], ((0, 0), (0, width - p[2].shape[1]))) for p in pieces]
     )
     offsets = np.cumsum([0, *(p[0].size for p in pieces)])
+    bounds = np.array([crane.gravity, crane.rope_min or 0.0, crane.rope_max or 0.0])
     report = np.zeros(3)
     status = backend.check_rope(
-        timing, coefficients, offsets, crane.gravity, crane.rope_min or 0.0,
-        crane.rope_max or 0.0, np.zeros((52, 4 * width - 5)), report,
+        timing, coefficients, offsets, bounds, np.zeros((RopeWork.SIZE, 4 * width - 5)), report,
     )
     if status != 0:
         demand = DEMANDS[status - 1]

@@ -161,6 +161,15 @@ def crane_energy_partials(
     /,
 ) -> None: ...
 
+def flat_derivatives(
+    flat: Floats,
+    order: int,
+    masses: Floats,
+    work: Floats,
+    found: Floats,
+    /,
+) -> None: ...
+
 def compensate_setpoints(
     velocity: Floats,
     acceleration: Floats,
@@ -278,25 +287,11 @@ def check_rope(
     timing: Floats,
     coefficients: Floats,
     offsets: Integers,
-    gravity: float,
-    shortest: float,
-    longest: float,
+    bounds: Floats,
     work: Floats,
     report: Floats,
     /,
 ) -> int: ...
-
-def flat_derivatives(
-    flat: Floats,
-    order: int,
-    bridge_mass: float,
-    trolley_mass: float,
-    payload_mass: float,
-    gravity: float,
-    work: Floats,
-    found: Floats,
-    /,
-) -> None: ...
 
 def measure_phases(
     phases: Floats,

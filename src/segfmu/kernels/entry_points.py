@@ -11,6 +11,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from segfmu.kernels.crane.records import FlatInverse, FlatSeries, Masses, RopeBounds, RopeWork
+
 Extent = int | str
 
 
@@ -41,7 +43,10 @@ ENTRY_POINTS = (
     entry("trajectory.evaluate", "expand_phases"),
     entry("trajectory.expand", "expand_plan"),
     entry("trajectory.check", "check_plan"),
-    entry("crane.rope", "check_rope"),
+    entry(
+        "crane.rope", "check_rope", timing=("pieces", 2), coefficients=("pieces", "width"),
+        offsets=4, bounds=RopeBounds.SIZE, work=(RopeWork.SIZE, "4 * width - 5"), report=3,
+    ),
     entry("trajectory.evaluate", "evaluate"),
     entry("trajectory.evaluate", "evaluate_orders"),
     entry("trajectory.breaks", "next_plan_event"),
@@ -58,7 +63,10 @@ ENTRY_POINTS = (
     entry("crane._crane", "crane_rhs"),
     entry("crane._crane", "crane_driven"),
     entry("crane._crane", "crane_flat_inverse"),
-    entry("crane.series", "flat_derivatives"),
+    entry(
+        "crane._series", "flat_derivatives", flat=("order + 5", 3), masses=Masses.SIZE,
+        work=(FlatSeries.SIZE, "order + 3"), found=FlatInverse.SIZE,
+    ),
     entry("crane._crane", "crane_load"),
     entry("crane._crane", "crane_energy"),
     entry("crane.plant", "plant_advance"),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from segfmu.kernels.crane.records import RopeWork
 from segfmu.kernels.crane.rope import check_rope
 
 GRAVITY = 9.81
@@ -24,8 +25,8 @@ def judge(
     offsets = np.cumsum([0, len(x), len(y), len(z)])
     report = np.zeros(3)
     status = check_rope(
-        np.array(timing), np.array(coefficients), offsets, GRAVITY, shortest, longest,
-        np.zeros((52, 4 * width - 5)), report,
+        np.array(timing), np.array(coefficients), offsets,
+        np.array([GRAVITY, shortest, longest]), np.zeros((RopeWork.SIZE, 4 * width - 5)), report,
     )
     return status, *report.tolist()
 

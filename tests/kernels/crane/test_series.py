@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from segfmu.kernels import backend
+from segfmu.kernels.crane.records import FlatSeries
 
 MASSES = (2.2, 1.155, 1.3, 9.81)
 
@@ -29,7 +30,7 @@ def inverse(t: float) -> np.ndarray:
 def derivatives(t: float, order: int) -> np.ndarray:
     found = np.zeros(18)
     backend.flat_derivatives(
-        motion(t, order), order, *MASSES, np.zeros((20, order + 3)), found
+        motion(t, order), order, np.array(MASSES), np.zeros((FlatSeries.SIZE, order + 3)), found
     )
     return found
 

@@ -35,6 +35,23 @@ static void track_law(array_double_1d parameters, double length, array_double_1d
 static void track_hoist(array_double_1d parameters, array_double_2d memory);
 static void crane_rhs_partials(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d partials);
 static void crane_driven_partials(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d partials);
+static void polynomial_differentiate(array_double_1d a, int64_t count, int64_t order, array_double_1d found);
+static void polynomial_add_product(array_double_1d a, int64_t a_count, array_double_1d b, int64_t b_count, array_double_1d found);
+static void polynomial_clear(array_double_1d found);
+static void polynomial_shift(array_double_1d a, double offset, int64_t count);
+static void rope_pull(double gravity, int64_t width, array_double_2d work);
+static int64_t rope_margin(int64_t demand, double bound, int64_t width, array_double_2d work);
+static double rope_value(int64_t demand, double gravity, double z, double w_x, double w_y, double w_z);
+static double series_factorial(int64_t order);
+static void series_of_derivatives(array_double_2d values, int64_t first, int64_t column, int64_t count, array_double_1d found);
+static double series_derivative(array_double_1d a, int64_t order);
+static void series_sum(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found);
+static void series_difference(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found);
+static void series_negative(array_double_1d a, int64_t count, array_double_1d found);
+static void series_product(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found);
+static void series_quotient(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found);
+static void series_root(array_double_1d a, int64_t count, array_double_1d found);
+static void series_angle(array_double_1d y, array_double_1d x, array_double_1d square, int64_t count, array_double_1d scratch, array_double_1d found);
 static double full_circle(void);
 static double next_normal(array_double_1d numbers);
 static double friction_force(array_double_1d parameters, int64_t axis, double velocity);
@@ -85,16 +102,11 @@ static bool within(array_double_2d hull, int64_t count, double limit);
 static bool check_axis(int64_t axis, array_double_2d timing, array_double_2d coefficients, int64_t first, int64_t last, array_double_2d limits, double tolerance, array_double_2d work);
 static double interval_end(double time, array_double_2d timing, array_int64_t_1d offsets);
 static void interval_pieces(double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work);
-static void add_product(int64_t first, int64_t first_count, int64_t second, int64_t second_count, int64_t row, array_double_2d work);
-static void length_margin(int64_t width, double bound, double sign, array_double_2d work);
-static int64_t rope_demand(int64_t demand, double gravity, double shortest, double longest, double tolerance, array_double_2d work);
+static double demand_bound(int64_t demand, array_double_1d bounds);
+static int64_t rope_demand(int64_t demand, array_double_1d bounds, int64_t width, array_double_2d work);
 static double first_negative(int64_t count, double length, array_double_2d work);
-static double rope_value(int64_t demand, double local, double gravity, array_double_2d work);
-static double worst_value(int64_t demand, double first, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work);
-static void series_product(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found);
-static void series_quotient(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found);
-static void series_root(array_double_1d a, int64_t count, array_double_1d found);
-static void series_angle(array_double_1d y, array_double_1d x, array_double_1d square, int64_t count, array_double_1d scratch, array_double_1d found);
+static double value_at(int64_t demand, double local, double gravity, int64_t width, array_double_2d work);
+static double worst_value(int64_t demand, double first, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work);
 static double root_share(double a, double b, double c, double f_a, double f_b, double f_c);
 static double without_dust(double value, double scale);
 static double without_excess(double value, double limit);
@@ -2721,6 +2733,382 @@ void segfmu_crane_energy_partials(array_double_1d state, double bridge_mass, dou
     (*cspan_at(&partials, INT64_C(1), INT64_C(8))) = 0.0;
     (*cspan_at(&partials, INT64_C(1), INT64_C(9))) = 0.0;
 }
+/*Put a derivative of a polynomial of `count` coefficients into found. */
+static void polynomial_differentiate(array_double_1d a, int64_t count, int64_t order, array_double_1d found)
+{
+    int64_t i;
+    double factor;
+    int64_t j;
+    for (i = INT64_C(0); i < count - order; i += INT64_C(1))
+    {
+        factor = 1.0;
+        for (j = INT64_C(0); j < order; j += INT64_C(1))
+        {
+            factor = factor * (i + j + INT64_C(1));
+        }
+        (*cspan_at(&found, i)) = factor * (*cspan_at(&a, i + order));
+    }
+}
+/*found = found + a b. */
+static void polynomial_add_product(array_double_1d a, int64_t a_count, array_double_1d b, int64_t b_count, array_double_1d found)
+{
+    int64_t i;
+    int64_t j;
+    for (i = INT64_C(0); i < a_count; i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < b_count; j += INT64_C(1))
+        {
+            (*cspan_at(&found, i + j)) = (*cspan_at(&found, i + j)) + (*cspan_at(&a, i)) * (*cspan_at(&b, j));
+        }
+    }
+}
+/*found = 0.           */
+static void polynomial_clear(array_double_1d found)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < found.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        (*cspan_at(&found, i)) = 0.0;
+    }
+}
+/*Rewrite a polynomial, in place, about the offset: its value at 0 is the one at the offset. */
+static void polynomial_shift(array_double_1d a, double offset, int64_t count)
+{
+    int64_t i;
+    int64_t j;
+    int64_t k;
+    /*repeated synthetic division*/
+    for (i = INT64_C(0); i < count - INT64_C(1); i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < count - INT64_C(1) - i; j += INT64_C(1))
+        {
+            k = count - INT64_C(2) - j;
+            (*cspan_at(&a, k)) = (*cspan_at(&a, k)) + offset * (*cspan_at(&a, k + INT64_C(1)));
+        }
+    }
+}
+/*The pull w of each axis from the load's position.*/
+static void rope_pull(double gravity, int64_t width, array_double_2d work)
+{
+    polynomial_differentiate(span_row(&work, INT64_C(0)), width, INT64_C(2), span_row(&work, INT64_C(3)));
+    polynomial_differentiate(span_row(&work, INT64_C(0) + INT64_C(1)), width, INT64_C(2), span_row(&work, INT64_C(3) + INT64_C(1)));
+    polynomial_differentiate(span_row(&work, INT64_C(0) + INT64_C(2)), width, INT64_C(2), span_row(&work, INT64_C(3) + INT64_C(2)));
+    (*cspan_at(&work, INT64_C(3) + INT64_C(2), INT64_C(0))) = (*cspan_at(&work, INT64_C(3) + INT64_C(2), INT64_C(0))) + gravity;
+}
+/*Put the polynomial of a demand into work[RopeWork.DEMAND, :]; returns its length.                  */
+/*                                                                                                   */
+/*    bound: what the load is to stay below the trolley [m], what is to be left of gravity [m/s2], or*/
+/*    the rope's length [m].                                                                         */
+/*                                                                                                   */
+static int64_t rope_margin(int64_t demand, double bound, int64_t width, array_double_2d work)
+{
+    array_double_1d z;
+    array_double_1d w_x;
+    array_double_1d w_y;
+    array_double_1d w_z;
+    array_double_1d margin;
+    array_double_1d product_0;
+    array_double_1d product_1;
+    array_double_1d product_2;
+    int64_t i;
+    double sign;
+    int64_t result;
+    z = span_row(&work, INT64_C(0) + INT64_C(2));
+    w_x = span_row(&work, INT64_C(3));
+    w_y = span_row(&work, INT64_C(3) + INT64_C(1));
+    w_z = span_row(&work, INT64_C(3) + INT64_C(2));
+    margin = span_row(&work, INT64_C(6));
+    product_0 = span_row(&work, INT64_C(7));
+    product_1 = span_row(&work, INT64_C(7) + INT64_C(1));
+    product_2 = span_row(&work, INT64_C(7) + INT64_C(2));
+    if (demand == INT64_C(1))
+    {
+        for (i = INT64_C(0); i < width; i += INT64_C(1))
+        {
+            (*cspan_at(&margin, i)) = -(*cspan_at(&z, i));
+        }
+        (*cspan_at(&margin, INT64_C(0))) = (*cspan_at(&margin, INT64_C(0))) - bound;
+        return width;
+    }
+    if (demand == INT64_C(2))
+    {
+        for (i = INT64_C(0); i < width - INT64_C(2); i += INT64_C(1))
+        {
+            (*cspan_at(&margin, i)) = (*cspan_at(&w_z, i));
+        }
+        (*cspan_at(&margin, INT64_C(0))) = (*cspan_at(&margin, INT64_C(0))) - bound;
+        return width - INT64_C(2);
+    }
+    /*product_0 = w_z**2*/
+    polynomial_clear(product_0);
+    polynomial_add_product(w_z, width - INT64_C(2), w_z, width - INT64_C(2), product_0);
+    /*product_1 = z**2*/
+    polynomial_clear(product_1);
+    polynomial_add_product(z, width, z, width, product_1);
+    /*product_2 = w_x**2 + w_y**2 + w_z**2*/
+    polynomial_clear(product_2);
+    polynomial_add_product(w_x, width - INT64_C(2), w_x, width - INT64_C(2), product_2);
+    polynomial_add_product(w_y, width - INT64_C(2), w_y, width - INT64_C(2), product_2);
+    polynomial_add_product(w_z, width - INT64_C(2), w_z, width - INT64_C(2), product_2);
+    /*margin = z**2*(w_x**2 + w_y**2 + w_z**2)*/
+    polynomial_clear(margin);
+    polynomial_add_product(product_1, INT64_C(2) * width - INT64_C(1), product_2, INT64_C(2) * width - INT64_C(5), margin);
+    sign = 1.0;
+    if (demand == INT64_C(4))
+    {
+        sign = -1.0;
+    }
+    for (i = INT64_C(0); i < INT64_C(4) * width - INT64_C(7); i += INT64_C(1))
+    {
+        (*cspan_at(&margin, i)) = sign * (bound * bound * (*cspan_at(&product_0, i)) - (*cspan_at(&margin, i)));
+    }
+    return INT64_C(4) * width - INT64_C(7);
+}
+/*What a demand bounds: height [m], acceleration downwards [m/s2] or rope's length [m].*/
+static double rope_value(int64_t demand, double gravity, double z, double w_x, double w_y, double w_z)
+{
+    double result;
+    if (demand == INT64_C(1))
+    {
+        return z;
+    }
+    if (demand == INT64_C(2))
+    {
+        return gravity - w_z;
+    }
+    return (-z) * sqrt(w_x * w_x + w_y * w_y + w_z * w_z) / w_z;
+}
+/*order! as a float.   */
+static double series_factorial(int64_t order)
+{
+    int64_t i;
+    double product;
+    product = 1.0;
+    for (i = INT64_C(2); i < order + INT64_C(1); i += INT64_C(1))
+    {
+        product = product * i;
+    }
+    return product;
+}
+/*Series of a function whose derivatives stand in a column of values, from a row on. */
+static void series_of_derivatives(array_double_2d values, int64_t first, int64_t column, int64_t count, array_double_1d found)
+{
+    double scale;
+    int64_t i;
+    scale = 1.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        if (i > INT64_C(1))
+        {
+            scale = scale * i;
+        }
+        (*cspan_at(&found, i)) = (*cspan_at(&values, first + i, column)) / scale;
+    }
+}
+/*The derivative of an order that a series stands for. */
+static double series_derivative(array_double_1d a, int64_t order)
+{
+    double result;
+    result = series_factorial(order) * (*cspan_at(&a, order));
+    return result;
+}
+/*found = a + b.       */
+static void series_sum(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&found, i)) = (*cspan_at(&a, i)) + (*cspan_at(&b, i));
+    }
+}
+/*found = a - b.       */
+static void series_difference(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&found, i)) = (*cspan_at(&a, i)) - (*cspan_at(&b, i));
+    }
+}
+/*found = -a.          */
+static void series_negative(array_double_1d a, int64_t count, array_double_1d found)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&found, i)) = -(*cspan_at(&a, i));
+    }
+}
+/*found = a b.         */
+static void series_product(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found)
+{
+    int64_t k;
+    double total;
+    int64_t i;
+    for (k = INT64_C(0); k < count; k += INT64_C(1))
+    {
+        total = 0.0;
+        for (i = INT64_C(0); i < k + INT64_C(1); i += INT64_C(1))
+        {
+            total = total + (*cspan_at(&a, i)) * (*cspan_at(&b, k - i));
+        }
+        (*cspan_at(&found, k)) = total;
+    }
+}
+/*found = a / b, where b[0] is not zero. */
+static void series_quotient(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found)
+{
+    int64_t k;
+    double total;
+    int64_t i;
+    for (k = INT64_C(0); k < count; k += INT64_C(1))
+    {
+        total = (*cspan_at(&a, k));
+        for (i = INT64_C(0); i < k; i += INT64_C(1))
+        {
+            total = total - (*cspan_at(&found, i)) * (*cspan_at(&b, k - i));
+        }
+        (*cspan_at(&found, k)) = total / (*cspan_at(&b, INT64_C(0)));
+    }
+}
+/*found = sqrt(a), where a[0] is positive. */
+static void series_root(array_double_1d a, int64_t count, array_double_1d found)
+{
+    int64_t k;
+    double total;
+    int64_t i;
+    (*cspan_at(&found, INT64_C(0))) = sqrt((*cspan_at(&a, INT64_C(0))));
+    for (k = INT64_C(1); k < count; k += INT64_C(1))
+    {
+        total = (*cspan_at(&a, k));
+        for (i = INT64_C(1); i < k; i += INT64_C(1))
+        {
+            total = total - (*cspan_at(&found, i)) * (*cspan_at(&found, k - i));
+        }
+        (*cspan_at(&found, k)) = total / (2.0 * (*cspan_at(&found, INT64_C(0))));
+    }
+}
+/*found = atan2(y, x), where square = x x + y y: its rate is (x y' - y x') / square. */
+static void series_angle(array_double_1d y, array_double_1d x, array_double_1d square, int64_t count, array_double_1d scratch, array_double_1d found)
+{
+    int64_t k;
+    double total;
+    int64_t i;
+    (*cspan_at(&found, INT64_C(0))) = atan2((*cspan_at(&y, INT64_C(0))), (*cspan_at(&x, INT64_C(0))));
+    for (k = INT64_C(0); k < count - INT64_C(1); k += INT64_C(1))
+    {
+        total = 0.0;
+        for (i = INT64_C(0); i < k + INT64_C(1); i += INT64_C(1))
+        {
+            total = total + (k + INT64_C(1) - i) * ((*cspan_at(&x, i)) * (*cspan_at(&y, k + INT64_C(1) - i)) - (*cspan_at(&y, i)) * (*cspan_at(&x, k + INT64_C(1) - i)));
+        }
+        for (i = INT64_C(0); i < k; i += INT64_C(1))
+        {
+            total = total - (*cspan_at(&scratch, i)) * (*cspan_at(&square, k - i));
+        }
+        (*cspan_at(&scratch, k)) = total / (*cspan_at(&square, INT64_C(0)));
+        (*cspan_at(&found, k + INT64_C(1))) = (*cspan_at(&scratch, k)) / (k + 1.0);
+    }
+}
+/*Derivatives, of an order, of what `crane_flat_inverse` gives.                              */
+/*                                                                                           */
+/*    flat (order + 5, 3) holds the derivatives 0 .. order + 4 of the load's position; masses*/
+/*    (Masses.SIZE), work (FlatSeries.SIZE, order + 3 or more), found (FlatInverse.SIZE).    */
+/*                                                                                           */
+void segfmu_flat_derivatives(array_double_2d flat, int64_t order, array_double_1d masses, array_double_2d work, array_double_1d found)
+{
+    double bridge_mass;
+    double trolley_mass;
+    double payload_mass;
+    double gravity;
+    array_double_1d x;
+    array_double_1d y;
+    array_double_1d z;
+    array_double_1d w_x;
+    array_double_1d w_y;
+    array_double_1d w_z;
+    array_double_1d s0;
+    array_double_1d s1;
+    array_double_1d s2;
+    array_double_1d s3;
+    array_double_1d s4;
+    array_double_1d s5;
+    array_double_1d s6;
+    array_double_1d x_t;
+    array_double_1d y_t;
+    array_double_1d l;
+    array_double_1d phi_x;
+    array_double_1d phi_y;
+    int64_t count;
+    int64_t i;
+    double scale;
+    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
+    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
+    payload_mass = (*cspan_at(&masses, INT64_C(2)));
+    gravity = (*cspan_at(&masses, INT64_C(3)));
+    x = span_row(&work, INT64_C(0));
+    y = span_row(&work, INT64_C(0) + INT64_C(1));
+    z = span_row(&work, INT64_C(0) + INT64_C(2));
+    w_x = span_row(&work, INT64_C(3));
+    w_y = span_row(&work, INT64_C(3) + INT64_C(1));
+    w_z = span_row(&work, INT64_C(3) + INT64_C(2));
+    s0 = span_row(&work, INT64_C(6));
+    s1 = span_row(&work, INT64_C(6) + INT64_C(1));
+    s2 = span_row(&work, INT64_C(6) + INT64_C(2));
+    s3 = span_row(&work, INT64_C(6) + INT64_C(3));
+    s4 = span_row(&work, INT64_C(6) + INT64_C(4));
+    s5 = span_row(&work, INT64_C(6) + INT64_C(5));
+    s6 = span_row(&work, INT64_C(6) + INT64_C(6));
+    x_t = span_row(&work, INT64_C(13));
+    y_t = span_row(&work, INT64_C(13) + INT64_C(1));
+    l = span_row(&work, INT64_C(13) + INT64_C(2));
+    phi_x = span_row(&work, INT64_C(13) + INT64_C(3));
+    phi_y = span_row(&work, INT64_C(13) + INT64_C(4));
+    count = order + INT64_C(3);
+    series_of_derivatives(flat, INT64_C(0), INT64_C(0), count, x);
+    series_of_derivatives(flat, INT64_C(0), INT64_C(1), count, y);
+    series_of_derivatives(flat, INT64_C(0), INT64_C(2), count, z);
+    series_of_derivatives(flat, INT64_C(2), INT64_C(0), count, w_x);
+    series_of_derivatives(flat, INT64_C(2), INT64_C(1), count, w_y);
+    series_of_derivatives(flat, INT64_C(2), INT64_C(2), count, w_z);
+    (*cspan_at(&w_z, INT64_C(0))) = (*cspan_at(&w_z, INT64_C(0))) + gravity;
+    /*s0 = z/w_z*/
+    series_quotient(z, w_z, count, s0);
+    /*s1 = w_y**2 + w_z**2*/
+    series_product(w_y, w_y, count, s2);
+    series_product(w_z, w_z, count, s3);
+    series_sum(s2, s3, count, s1);
+    /*s2 = s1 + w_x**2*/
+    series_product(w_x, w_x, count, s3);
+    series_sum(s1, s3, count, s2);
+    /*s3 = sqrt(s2)*/
+    series_root(s2, count, s3);
+    /*x_t = -s0*w_x + x*/
+    series_product(s0, w_x, count, s4);
+    series_difference(x, s4, count, x_t);
+    /*y_t = -s0*w_y + y*/
+    series_product(s0, w_y, count, s4);
+    series_difference(y, s4, count, y_t);
+    /*l = -s0*s3*/
+    series_product(s0, s3, count, l);
+    series_negative(l, count, l);
+    /*phi_x = atan2(-w_x, sqrt(s1))*/
+    series_negative(w_x, count, s4);
+    series_root(s1, count, s5);
+    series_angle(s4, s5, s2, count, s6, phi_x);
+    /*phi_y = atan2(w_y, w_z)*/
+    series_angle(w_y, w_z, s1, count, s4, phi_y);
+    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
+    {
+        (*cspan_at(&found, INT64_C(3) + INT64_C(0) + i)) = series_derivative(span_row(&work, INT64_C(13) + i), order);
+        (*cspan_at(&found, INT64_C(3) + INT64_C(5) + i)) = series_derivative(span_row(&work, INT64_C(13) + i), order + INT64_C(1));
+        (*cspan_at(&found, INT64_C(13) + i)) = series_derivative(span_row(&work, INT64_C(13) + i), order + INT64_C(2));
+    }
+    scale = series_factorial(order);
+    (*cspan_at(&found, INT64_C(0))) = payload_mass * (*cspan_at(&flat, order + INT64_C(2), INT64_C(0))) + (bridge_mass + trolley_mass) * (*cspan_at(&found, INT64_C(13)));
+    (*cspan_at(&found, INT64_C(0) + INT64_C(1))) = payload_mass * (*cspan_at(&flat, order + INT64_C(2), INT64_C(1))) + trolley_mass * (*cspan_at(&found, INT64_C(13) + INT64_C(1)));
+    (*cspan_at(&found, INT64_C(0) + INT64_C(2))) = (-payload_mass) * scale * (*cspan_at(&s3, order));
+}
 /*Velocity setpoints, and forces in place, of bridge, trolley and hoist (3 each).                  */
 /*                                                                                                 */
 /*    velocity and acceleration [m/s], [m/s2] are those that shall happen. A lag v' = (v* - v) / T */
@@ -4598,136 +4986,86 @@ static void interval_pieces(double time, double until, array_double_2d timing, a
     int64_t axis;
     int64_t last;
     int64_t row;
+    array_double_1d piece;
     int64_t i;
-    double offset;
-    int64_t j;
-    int64_t k;
     width = coefficients.shape[INT64_C(1)];
     middle = 0.5 * (time + until);
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
         last = (*cspan_at(&offsets, axis + INT64_C(1)));
         row = find_piece(middle, timing, (*cspan_at(&offsets, axis)), last);
+        piece = span_row(&work, INT64_C(0) + axis);
         for (i = INT64_C(0); i < width; i += INT64_C(1))
         {
-            (*cspan_at(&work, axis, i)) = (*cspan_at(&coefficients, row, i));
+            (*cspan_at(&piece, i)) = (*cspan_at(&coefficients, row, i));
         }
         if (middle > (*cspan_at(&timing, row, INT64_C(0))) + (*cspan_at(&timing, row, INT64_C(1))))
         {
-            (*cspan_at(&work, axis, INT64_C(0))) = evaluate_piece(coefficients, row, width, (*cspan_at(&timing, row, INT64_C(1))), INT64_C(0));
+            (*cspan_at(&piece, INT64_C(0))) = evaluate_piece(coefficients, row, width, (*cspan_at(&timing, row, INT64_C(1))), INT64_C(0));
             for (i = INT64_C(1); i < width; i += INT64_C(1))
             {
-                (*cspan_at(&work, axis, i)) = 0.0;
+                (*cspan_at(&piece, i)) = 0.0;
             }
         }
         else
         {
-            /*the piece about a later time, by repeated synthetic division*/
-            offset = time - (*cspan_at(&timing, row, INT64_C(0)));
-            for (i = INT64_C(0); i < width - INT64_C(1); i += INT64_C(1))
-            {
-                for (j = INT64_C(0); j < width - INT64_C(1) - i; j += INT64_C(1))
-                {
-                    k = width - INT64_C(2) - j;
-                    (*cspan_at(&work, axis, k)) = (*cspan_at(&work, axis, k)) + offset * (*cspan_at(&work, axis, k + INT64_C(1)));
-                }
-            }
-        }
-        for (i = INT64_C(0); i < width - INT64_C(2); i += INT64_C(1))
-        {
-            (*cspan_at(&work, INT64_C(3) + axis, i)) = (i + 1.0) * (i + 2.0) * (*cspan_at(&work, axis, i + INT64_C(2)));
+            polynomial_shift(piece, time - (*cspan_at(&timing, row, INT64_C(0))), width);
         }
     }
-    (*cspan_at(&work, INT64_C(5), INT64_C(0))) = (*cspan_at(&work, INT64_C(5), INT64_C(0))) + gravity;
+    rope_pull(gravity, width, work);
 }
-/*Add the product of the polynomials in two rows to a third one. */
-static void add_product(int64_t first, int64_t first_count, int64_t second, int64_t second_count, int64_t row, array_double_2d work)
+/*Bound of what a demand bounds: height [m], acceleration downwards [m/s2] or length [m].*/
+static double demand_bound(int64_t demand, array_double_1d bounds)
 {
-    int64_t i;
-    int64_t j;
-    for (i = INT64_C(0); i < first_count; i += INT64_C(1))
-    {
-        for (j = INT64_C(0); j < second_count; j += INT64_C(1))
-        {
-            (*cspan_at(&work, row, i + j)) = (*cspan_at(&work, row, i + j)) + (*cspan_at(&work, first, i)) * (*cspan_at(&work, second, j));
-        }
-    }
-}
-/*sign * (bound^2 w_z^2 - z^2 |w|^2) in work[6, :].*/
-static void length_margin(int64_t width, double bound, double sign, array_double_2d work)
-{
-    int64_t columns;
-    int64_t count;
-    int64_t row;
-    int64_t i;
-    int64_t axis;
-    columns = work.shape[INT64_C(1)] - INT64_C(2);
-    count = width - INT64_C(2);
-    for (row = INT64_C(6); row < INT64_C(10); row += INT64_C(1))
-    {
-        for (i = INT64_C(0); i < columns; i += INT64_C(1))
-        {
-            (*cspan_at(&work, row, i)) = 0.0;
-        }
-    }
-    add_product(INT64_C(2), width, INT64_C(2), width, INT64_C(7), work);
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        add_product(INT64_C(3) + axis, count, INT64_C(3) + axis, count, INT64_C(8), work);
-    }
-    add_product(INT64_C(5), count, INT64_C(5), count, INT64_C(9), work);
-    add_product(INT64_C(7), INT64_C(2) * width - INT64_C(1), INT64_C(8), INT64_C(2) * count - INT64_C(1), INT64_C(6), work);
-    for (i = INT64_C(0); i < columns; i += INT64_C(1))
-    {
-        (*cspan_at(&work, INT64_C(6), i)) = sign * (bound * bound * (*cspan_at(&work, INT64_C(9), i)) - (*cspan_at(&work, INT64_C(6), i)));
-    }
-}
-/*Put the polynomial of a demand into work[6, :]; returns its length, 0: no such demand. */
-static int64_t rope_demand(int64_t demand, double gravity, double shortest, double longest, double tolerance, array_double_2d work)
-{
-    int64_t columns;
-    int64_t width;
-    int64_t i;
-    int64_t result;
-    columns = work.shape[INT64_C(1)] - INT64_C(2);
-    width = span_floor_div((columns + INT64_C(7)), INT64_C(4));
-    if (demand == INT64_C(1))
-    {
-        for (i = INT64_C(0); i < width; i += INT64_C(1))
-        {
-            (*cspan_at(&work, INT64_C(6), i)) = -(*cspan_at(&work, INT64_C(2), i));
-        }
-        (*cspan_at(&work, INT64_C(6), INT64_C(0))) = (*cspan_at(&work, INT64_C(6), INT64_C(0))) - tolerance;
-        return width;
-    }
+    double result;
     if (demand == INT64_C(2))
     {
-        for (i = INT64_C(0); i < width - INT64_C(2); i += INT64_C(1))
-        {
-            (*cspan_at(&work, INT64_C(6), i)) = (*cspan_at(&work, INT64_C(5), i));
-        }
-        (*cspan_at(&work, INT64_C(6), INT64_C(0))) = (*cspan_at(&work, INT64_C(6), INT64_C(0))) - tolerance * gravity;
-        return width - INT64_C(2);
+        result = (*cspan_at(&bounds, INT64_C(0)));
+        return result;
     }
     if (demand == INT64_C(3))
     {
-        if (longest <= 0.0)
-        {
-            return INT64_C(0);
-        }
-        length_margin(width, longest * (1.0 + tolerance), 1.0, work);
+        result = (*cspan_at(&bounds, INT64_C(2)));
+        return result;
     }
-    else
+    if (demand == INT64_C(4))
     {
-        if (shortest <= 0.0)
-        {
-            return INT64_C(0);
-        }
-        length_margin(width, shortest * (1.0 - tolerance), -1.0, work);
+        result = (*cspan_at(&bounds, INT64_C(1)));
+        return result;
     }
-    return columns;
+    return 0.0;
 }
-/*Where, as a share of the interval, work[6, :] is first not proved to be zero or more.*/
+/*Put a demand's polynomial into work[RopeWork.DEMAND, :]; its length, 0: no such demand.*/
+static int64_t rope_demand(int64_t demand, array_double_1d bounds, int64_t width, array_double_2d work)
+{
+    double tolerance;
+    double bound;
+    int64_t result;
+    tolerance = 1e-09;
+    bound = demand_bound(demand, bounds);
+    if (demand == INT64_C(1))
+    {
+        result = rope_margin(demand, tolerance, width, work);
+        return result;
+    }
+    if (demand == INT64_C(2))
+    {
+        result = rope_margin(demand, tolerance * bound, width, work);
+        return result;
+    }
+    if (bound <= 0.0)
+    {
+        return INT64_C(0);
+    }
+    if (demand == INT64_C(3))
+    {
+        result = rope_margin(demand, bound * (1.0 + tolerance), width, work);
+        return result;
+    }
+    result = rope_margin(demand, bound * (1.0 - tolerance), width, work);
+    return result;
+}
+/*Where, as a share of the interval, a demand is first not proved to be zero or more.  */
 /*                                                                                     */
 /*    -1: nowhere. Hulls are reversed, so that the first half of an interval is on top.*/
 /*                                                                                     */
@@ -4786,31 +5124,24 @@ static double first_negative(int64_t count, double length, array_double_2d work)
     return -1.0;
 }
 /*What a demand bounds, at a local time of the interval: height, fall or length. */
-static double rope_value(int64_t demand, double local, double gravity, array_double_2d work)
+static double value_at(int64_t demand, double local, double gravity, int64_t width, array_double_2d work)
 {
-    int64_t width;
-    double pull;
-    double x_pull;
-    double y_pull;
     double z;
-    width = span_floor_div((work.shape[INT64_C(1)] + INT64_C(5)), INT64_C(4));
-    z = evaluate_piece(work, INT64_C(2), width, local, INT64_C(0));
-    pull = evaluate_piece(work, INT64_C(5), width - INT64_C(2), local, INT64_C(0));
-    if (demand == INT64_C(1))
-    {
-        return z;
-    }
-    if (demand == INT64_C(2))
-    {
-        return gravity - pull;
-    }
-    x_pull = evaluate_piece(work, INT64_C(3), width - INT64_C(2), local, INT64_C(0));
-    y_pull = evaluate_piece(work, INT64_C(4), width - INT64_C(2), local, INT64_C(0));
-    return (-z) * sqrt(x_pull * x_pull + y_pull * y_pull + pull * pull) / pull;
+    double w_x;
+    double w_y;
+    double w_z;
+    double result;
+    z = evaluate_piece(work, INT64_C(0) + INT64_C(2), width, local, INT64_C(0));
+    w_x = evaluate_piece(work, INT64_C(3), width - INT64_C(2), local, INT64_C(0));
+    w_y = evaluate_piece(work, INT64_C(3) + INT64_C(1), width - INT64_C(2), local, INT64_C(0));
+    w_z = evaluate_piece(work, INT64_C(3) + INT64_C(2), width - INT64_C(2), local, INT64_C(0));
+    return rope_value(demand, gravity, z, w_x, w_y, w_z);
 }
 /*The worst of samples, 33 an interval, of what a demand bounds from a time on.*/
-static double worst_value(int64_t demand, double first, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work)
+static double worst_value(int64_t demand, double first, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work)
 {
+    double gravity;
+    int64_t width;
     double sign;
     double worst;
     double time;
@@ -4818,6 +5149,8 @@ static double worst_value(int64_t demand, double first, array_double_2d timing, 
     int64_t i;
     double local;
     double result;
+    gravity = (*cspan_at(&bounds, INT64_C(0)));
+    width = coefficients.shape[INT64_C(1)];
     sign = 1.0;
     if (demand == INT64_C(4))
     {
@@ -4834,7 +5167,7 @@ static double worst_value(int64_t demand, double first, array_double_2d timing, 
             for (i = INT64_C(0); i < INT64_C(33); i += INT64_C(1))
             {
                 local = span_max((until - time) * i / 32.0, first - time);
-                worst = span_max(worst, sign * rope_value(demand, local, gravity, work));
+                worst = span_max(worst, sign * value_at(demand, local, gravity, width, work));
             }
         }
         time = until;
@@ -4842,32 +5175,32 @@ static double worst_value(int64_t demand, double first, array_double_2d timing, 
     }
     return sign * worst;
 }
-/*Check a trajectory x, y, z; pieces as in kernels/trajectory/evaluate.py, pieces rise in time.      */
-/*                                                                                                   */
-/*    shortest and longest: bounds of the rope's length [m], 0 where there is none. Returns 0, or the*/
-/*    first demand, 1 to 4, that is not met; the later ones rely on the earlier ones. report (3): the*/
-/*    time [s] from which on it is not, the worst value after that, and its bound: of the load's     */
-/*    height [m], of its acceleration downwards [m/s2], or of the rope's length [m].                 */
-/*                                                                                                   */
-int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, double shortest, double longest, array_double_2d work, array_double_1d report)
+/*Check a trajectory x, y, z; pieces as in kernels/trajectory/evaluate.py, pieces rise in time.    */
+/*                                                                                                 */
+/*    bounds (RopeBounds.SIZE); work (RopeWork.SIZE, 4 width - 5 or more) for pieces of `width`    */
+/*    coefficients, 4 or more. Returns the first demand of RopeDemand that is not met, or 0. report*/
+/*    (3): the time [s] from which on it is not, the worst value after that, and its bound: of the */
+/*    load's height [m], of its acceleration downwards [m/s2], or of the rope's length [m].        */
+/*                                                                                                 */
+int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work, array_double_1d report)
 {
-    double tolerance;
+    int64_t none;
     double time;
     double until;
     int64_t demand;
     int64_t count;
     double share;
     int64_t failed;
-    tolerance = 1e-09;
+    none = INT64_C(4) + INT64_C(1);
     time = (*cspan_at(&timing, (*cspan_at(&offsets, INT64_C(0))), INT64_C(0)));
     until = interval_end(time, timing, offsets);
-    failed = INT64_C(5);
+    failed = none;
     while(until > time)
     {
-        interval_pieces(time, until, timing, coefficients, offsets, gravity, work);
+        interval_pieces(time, until, timing, coefficients, offsets, (*cspan_at(&bounds, INT64_C(0))), work);
         for (demand = INT64_C(1); demand < failed; demand += INT64_C(1))
         {
-            count = rope_demand(demand, gravity, shortest, longest, tolerance, work);
+            count = rope_demand(demand, bounds, coefficients.shape[INT64_C(1)], work);
             if (count > INT64_C(0))
             {
                 share = first_negative(count, until - time, work);
@@ -4882,168 +5215,13 @@ int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, 
         time = until;
         until = interval_end(time, timing, offsets);
     }
-    if (failed == INT64_C(5))
+    if (failed == none)
     {
         return INT64_C(0);
     }
-    (*cspan_at(&report, INT64_C(2))) = 0.0;
-    if (failed == INT64_C(2))
-    {
-        (*cspan_at(&report, INT64_C(2))) = gravity;
-    }
-    else if (failed == INT64_C(3))
-    {
-        (*cspan_at(&report, INT64_C(2))) = longest;
-    }
-    else if (failed == INT64_C(4))
-    {
-        (*cspan_at(&report, INT64_C(2))) = shortest;
-    }
-    (*cspan_at(&report, INT64_C(1))) = worst_value(failed, (*cspan_at(&report, INT64_C(0))), timing, coefficients, offsets, gravity, work);
+    (*cspan_at(&report, INT64_C(1))) = worst_value(failed, (*cspan_at(&report, INT64_C(0))), timing, coefficients, offsets, bounds, work);
+    (*cspan_at(&report, INT64_C(2))) = demand_bound(failed, bounds);
     return failed;
-}
-/*found = a b, `count` coefficients. */
-static void series_product(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found)
-{
-    int64_t k;
-    double total;
-    int64_t i;
-    for (k = INT64_C(0); k < count; k += INT64_C(1))
-    {
-        total = 0.0;
-        for (i = INT64_C(0); i < k + INT64_C(1); i += INT64_C(1))
-        {
-            total = total + (*cspan_at(&a, i)) * (*cspan_at(&b, k - i));
-        }
-        (*cspan_at(&found, k)) = total;
-    }
-}
-/*found = a / b, where b[0] is not zero. */
-static void series_quotient(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found)
-{
-    int64_t k;
-    double total;
-    int64_t i;
-    for (k = INT64_C(0); k < count; k += INT64_C(1))
-    {
-        total = (*cspan_at(&a, k));
-        for (i = INT64_C(0); i < k; i += INT64_C(1))
-        {
-            total = total - (*cspan_at(&found, i)) * (*cspan_at(&b, k - i));
-        }
-        (*cspan_at(&found, k)) = total / (*cspan_at(&b, INT64_C(0)));
-    }
-}
-/*found = sqrt(a), where a[0] is positive. */
-static void series_root(array_double_1d a, int64_t count, array_double_1d found)
-{
-    int64_t k;
-    double total;
-    int64_t i;
-    (*cspan_at(&found, INT64_C(0))) = sqrt((*cspan_at(&a, INT64_C(0))));
-    for (k = INT64_C(1); k < count; k += INT64_C(1))
-    {
-        total = (*cspan_at(&a, k));
-        for (i = INT64_C(1); i < k; i += INT64_C(1))
-        {
-            total = total - (*cspan_at(&found, i)) * (*cspan_at(&found, k - i));
-        }
-        (*cspan_at(&found, k)) = total / (2.0 * (*cspan_at(&found, INT64_C(0))));
-    }
-}
-/*found = atan2(y, x), where square = x x + y y: its rate is (x y' - y x') / square. */
-static void series_angle(array_double_1d y, array_double_1d x, array_double_1d square, int64_t count, array_double_1d scratch, array_double_1d found)
-{
-    int64_t k;
-    double total;
-    int64_t i;
-    (*cspan_at(&found, INT64_C(0))) = atan2((*cspan_at(&y, INT64_C(0))), (*cspan_at(&x, INT64_C(0))));
-    for (k = INT64_C(0); k < count - INT64_C(1); k += INT64_C(1))
-    {
-        total = 0.0;
-        for (i = INT64_C(0); i < k + INT64_C(1); i += INT64_C(1))
-        {
-            total = total + (k + INT64_C(1) - i) * ((*cspan_at(&x, i)) * (*cspan_at(&y, k + INT64_C(1) - i)) - (*cspan_at(&y, i)) * (*cspan_at(&x, k + INT64_C(1) - i)));
-        }
-        for (i = INT64_C(0); i < k; i += INT64_C(1))
-        {
-            total = total - (*cspan_at(&scratch, i)) * (*cspan_at(&square, k - i));
-        }
-        (*cspan_at(&scratch, k)) = total / (*cspan_at(&square, INT64_C(0)));
-        (*cspan_at(&found, k + INT64_C(1))) = (*cspan_at(&scratch, k)) / (k + 1.0);
-    }
-}
-/*Time derivatives of what `crane_flat_inverse` gives.                                             */
-/*                                                                                                 */
-/*    flat holds the derivatives 0 .. order + 4 of the load's position, work is (20, order + 3) or */
-/*    larger; found (18) are the derivatives of that order of forces, state and accelerations.     */
-/*                                                                                                 */
-void segfmu_flat_derivatives(array_double_2d flat, int64_t order, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d work, array_double_1d found)
-{
-    int64_t count;
-    double factorial;
-    int64_t i;
-    int64_t axis;
-    int64_t j;
-    count = order + INT64_C(3);
-    factorial = 1.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        if (i > INT64_C(1))
-        {
-            factorial = factorial * i;
-        }
-        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-        {
-            (*cspan_at(&work, axis, i)) = (*cspan_at(&flat, i, axis)) / factorial;
-            (*cspan_at(&work, INT64_C(3) + axis, i)) = (*cspan_at(&flat, i + INT64_C(2), axis)) / factorial;
-        }
-    }
-    (*cspan_at(&work, INT64_C(5), INT64_C(0))) = (*cspan_at(&work, INT64_C(5), INT64_C(0))) + gravity;
-    /*rows: 0-2 load, 3-5 pull w, 6-8 squares, 9 |w_yz|^2, 10 |w|^2, 11 |w_yz|, 12 |w|*/
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        series_product(span_row(&work, INT64_C(3) + axis), span_row(&work, INT64_C(3) + axis), count, span_row(&work, INT64_C(6) + axis));
-    }
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        (*cspan_at(&work, INT64_C(9), i)) = (*cspan_at(&work, INT64_C(7), i)) + (*cspan_at(&work, INT64_C(8), i));
-        (*cspan_at(&work, INT64_C(10), i)) = (*cspan_at(&work, INT64_C(9), i)) + (*cspan_at(&work, INT64_C(6), i));
-    }
-    series_root(span_row(&work, INT64_C(9)), count, span_row(&work, INT64_C(11)));
-    series_root(span_row(&work, INT64_C(10)), count, span_row(&work, INT64_C(12)));
-    /*rows 15-19: the coordinates; 13 and 14 are scratch*/
-    series_quotient(span_row(&work, INT64_C(2)), span_row(&work, INT64_C(5)), count, span_row(&work, INT64_C(13)));
-    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
-    {
-        series_product(span_row(&work, INT64_C(13)), span_row(&work, INT64_C(3) + axis), count, span_row(&work, INT64_C(14)));
-        for (i = INT64_C(0); i < count; i += INT64_C(1))
-        {
-            (*cspan_at(&work, INT64_C(15) + axis, i)) = (*cspan_at(&work, axis, i)) - (*cspan_at(&work, INT64_C(14), i));
-        }
-    }
-    series_product(span_row(&work, INT64_C(13)), span_row(&work, INT64_C(12)), count, span_row(&work, INT64_C(17)));
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        (*cspan_at(&work, INT64_C(17), i)) = -(*cspan_at(&work, INT64_C(17), i));
-        (*cspan_at(&work, INT64_C(13), i)) = -(*cspan_at(&work, INT64_C(3), i));
-    }
-    series_angle(span_row(&work, INT64_C(13)), span_row(&work, INT64_C(11)), span_row(&work, INT64_C(10)), count, span_row(&work, INT64_C(14)), span_row(&work, INT64_C(18)));
-    series_angle(span_row(&work, INT64_C(4)), span_row(&work, INT64_C(5)), span_row(&work, INT64_C(9)), count, span_row(&work, INT64_C(14)), span_row(&work, INT64_C(19)));
-    factorial = 1.0;
-    for (i = INT64_C(2); i < order + INT64_C(1); i += INT64_C(1))
-    {
-        factorial = factorial * i;
-    }
-    for (j = INT64_C(0); j < INT64_C(5); j += INT64_C(1))
-    {
-        (*cspan_at(&found, INT64_C(3) + j)) = factorial * (*cspan_at(&work, INT64_C(15) + j, order));
-        (*cspan_at(&found, INT64_C(8) + j)) = factorial * (order + 1.0) * (*cspan_at(&work, INT64_C(15) + j, order + INT64_C(1)));
-        (*cspan_at(&found, INT64_C(13) + j)) = factorial * (order + 1.0) * (order + 2.0) * (*cspan_at(&work, INT64_C(15) + j, order + INT64_C(2)));
-    }
-    (*cspan_at(&found, INT64_C(0))) = (bridge_mass + trolley_mass) * (*cspan_at(&found, INT64_C(13))) + payload_mass * (*cspan_at(&flat, order + INT64_C(2), INT64_C(0)));
-    (*cspan_at(&found, INT64_C(1))) = trolley_mass * (*cspan_at(&found, INT64_C(14))) + payload_mass * (*cspan_at(&flat, order + INT64_C(2), INT64_C(1)));
-    (*cspan_at(&found, INT64_C(2))) = (-payload_mass) * factorial * (*cspan_at(&work, INT64_C(12), order));
 }
 /*Share of the way from a to b at which to evaluate next, inside (0, 1). */
 static double root_share(double a, double b, double c, double f_a, double f_b, double f_c)

@@ -21,6 +21,7 @@ void segfmu_crane_load(array_double_1d state, array_double_2d load);
 void segfmu_crane_energy(array_double_1d state, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_1d energy);
 void segfmu_crane_load_partials(array_double_1d state, array_double_2d partials);
 void segfmu_crane_energy_partials(array_double_1d state, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d partials);
+void segfmu_flat_derivatives(array_double_2d flat, int64_t order, array_double_1d masses, array_double_2d work, array_double_1d found);
 void segfmu_compensate_setpoints(array_double_1d velocity, array_double_1d acceleration, array_double_1d lag, array_double_1d viscous, array_double_1d coulomb, double width, array_double_1d force, array_double_1d setpoint);
 double segfmu_next_uniform(array_double_1d numbers);
 void segfmu_seed_numbers(int64_t seed, array_double_1d numbers);
@@ -32,8 +33,7 @@ int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, int64_t smoo
 void segfmu_evaluate(array_double_1d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, int64_t derivative, array_double_2d values);
 void segfmu_evaluate_orders(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d values);
 int64_t segfmu_check_plan(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d limits, double tolerance, array_double_2d work);
-int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, double shortest, double longest, array_double_2d work, array_double_1d report);
-void segfmu_flat_derivatives(array_double_2d flat, int64_t order, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d work, array_double_1d found);
+int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work, array_double_1d report);
 int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result_2_0001, double* result_3, double* result_4, array_double_2d phases, int64_t count, double v, double within_0001, array_double_1d ramp);
 int64_t segfmu_shortest_profile(double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, array_double_2d work);
 double segfmu_timed_profile(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial);

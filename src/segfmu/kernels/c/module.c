@@ -484,6 +484,41 @@ static PyObject *call_crane_energy_partials(
     return answer;
 }
 
+static PyObject *call_flat_derivatives(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "flat_derivatives", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_flat;
+    int64_t in_order;
+    Py_buffer *in_masses;
+    Py_buffer *in_work;
+    Py_buffer *in_found;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && (in_flat = take_array(&call, 0, 2, 'd', false)) != NULL
+        && take_int(&call, 1, &in_order)
+        && (in_masses = take_array(&call, 2, 1, 'd', false)) != NULL
+        && (in_work = take_array(&call, 3, 2, 'd', true)) != NULL
+        && (in_found = take_array(&call, 4, 1, 'd', true)) != NULL
+        && has_at_least(&call, "flat", 0, in_flat->shape[0], in_order + 5)
+        && has_at_least(&call, "flat", 1, in_flat->shape[1], 3)
+        && has_at_least(&call, "masses", 0, in_masses->shape[0], 4)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 18)
+        && has_at_least(&call, "work", 1, in_work->shape[1], in_order + 3)
+        && has_at_least(&call, "found", 0, in_found->shape[0], 18)) {
+        segfmu_flat_derivatives(
+            (array_double_2d){in_flat->buf, {in_flat->shape[0], in_flat->shape[1]}},
+            in_order,
+            (array_double_1d){in_masses->buf, {in_masses->shape[0]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_1d){in_found->buf, {in_found->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_compensate_setpoints(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -854,68 +889,31 @@ static PyObject *call_check_rope(
     Py_buffer *in_timing;
     Py_buffer *in_coefficients;
     Py_buffer *in_offsets;
-    double in_gravity;
-    double in_shortest;
-    double in_longest;
+    Py_buffer *in_bounds;
     Py_buffer *in_work;
     Py_buffer *in_report;
     (void)self;
-    if (take_count(&call, count, 8)
+    if (take_count(&call, count, 6)
         && (in_timing = take_array(&call, 0, 2, 'd', false)) != NULL
         && (in_coefficients = take_array(&call, 1, 2, 'd', false)) != NULL
         && (in_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
-        && take_float(&call, 3, &in_gravity)
-        && take_float(&call, 4, &in_shortest)
-        && take_float(&call, 5, &in_longest)
-        && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
-        && (in_report = take_array(&call, 7, 1, 'd', true)) != NULL) {
+        && (in_bounds = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_work = take_array(&call, 4, 2, 'd', true)) != NULL
+        && (in_report = take_array(&call, 5, 1, 'd', true)) != NULL
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
+        && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 3)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 52)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 4 * in_coefficients->shape[1] - 5)
+        && has_at_least(&call, "report", 0, in_report->shape[0], 3)) {
         answer = PyLong_FromLongLong(segfmu_check_rope(
             (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
             (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
             (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
-            in_gravity,
-            in_shortest,
-            in_longest,
+            (array_double_1d){in_bounds->buf, {in_bounds->shape[0]}},
             (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
             (array_double_1d){in_report->buf, {in_report->shape[0]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_flat_derivatives(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "flat_derivatives", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_flat;
-    int64_t in_order;
-    double in_bridge_mass;
-    double in_trolley_mass;
-    double in_payload_mass;
-    double in_gravity;
-    Py_buffer *in_work;
-    Py_buffer *in_found;
-    (void)self;
-    if (take_count(&call, count, 8)
-        && (in_flat = take_array(&call, 0, 2, 'd', false)) != NULL
-        && take_int(&call, 1, &in_order)
-        && take_float(&call, 2, &in_bridge_mass)
-        && take_float(&call, 3, &in_trolley_mass)
-        && take_float(&call, 4, &in_payload_mass)
-        && take_float(&call, 5, &in_gravity)
-        && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
-        && (in_found = take_array(&call, 7, 1, 'd', true)) != NULL) {
-        segfmu_flat_derivatives(
-            (array_double_2d){in_flat->buf, {in_flat->shape[0], in_flat->shape[1]}},
-            in_order,
-            in_bridge_mass,
-            in_trolley_mass,
-            in_payload_mass,
-            in_gravity,
-            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
-            (array_double_1d){in_found->buf, {in_found->shape[0]}});
-        answer = Py_NewRef(Py_None);
     }
     release_arguments(&call);
     return answer;
@@ -1637,6 +1635,7 @@ static PyMethodDef methods[] = {
     {"crane_energy", (PyCFunction)(void (*)(void))call_crane_energy, METH_FASTCALL, NULL},
     {"crane_load_partials", (PyCFunction)(void (*)(void))call_crane_load_partials, METH_FASTCALL, NULL},
     {"crane_energy_partials", (PyCFunction)(void (*)(void))call_crane_energy_partials, METH_FASTCALL, NULL},
+    {"flat_derivatives", (PyCFunction)(void (*)(void))call_flat_derivatives, METH_FASTCALL, NULL},
     {"compensate_setpoints", (PyCFunction)(void (*)(void))call_compensate_setpoints, METH_FASTCALL, NULL},
     {"seed_numbers", (PyCFunction)(void (*)(void))call_seed_numbers, METH_FASTCALL, NULL},
     {"next_uniform", (PyCFunction)(void (*)(void))call_next_uniform, METH_FASTCALL, NULL},
@@ -1649,7 +1648,6 @@ static PyMethodDef methods[] = {
     {"evaluate_orders", (PyCFunction)(void (*)(void))call_evaluate_orders, METH_FASTCALL, NULL},
     {"check_plan", (PyCFunction)(void (*)(void))call_check_plan, METH_FASTCALL, NULL},
     {"check_rope", (PyCFunction)(void (*)(void))call_check_rope, METH_FASTCALL, NULL},
-    {"flat_derivatives", (PyCFunction)(void (*)(void))call_flat_derivatives, METH_FASTCALL, NULL},
     {"measure_phases", (PyCFunction)(void (*)(void))call_measure_phases, METH_FASTCALL, NULL},
     {"shortest_profile", (PyCFunction)(void (*)(void))call_shortest_profile, METH_FASTCALL, NULL},
     {"timed_profile", (PyCFunction)(void (*)(void))call_timed_profile, METH_FASTCALL, NULL},

@@ -419,6 +419,38 @@ enum {
     LOAD_PARTIALS_SIZE = 6
 };
 
+enum {
+    FLAT_SERIES_LOAD = 0,
+    FLAT_SERIES_PULL = 3,
+    FLAT_SERIES_INTERMEDIATE = 6,
+    FLAT_SERIES_COORDINATES = 13,
+    FLAT_SERIES_SIZE = 18
+};
+
+enum {
+    ROPE_DEMAND_MET = 0,
+    ROPE_DEMAND_BELOW_TROLLEY = 1,
+    ROPE_DEMAND_TAUT = 2,
+    ROPE_DEMAND_NOT_TOO_LONG = 3,
+    ROPE_DEMAND_NOT_TOO_SHORT = 4
+};
+
+enum {
+    ROPE_BOUNDS_GRAVITY = 0,
+    ROPE_BOUNDS_SHORTEST = 1,
+    ROPE_BOUNDS_LONGEST = 2,
+    ROPE_BOUNDS_SIZE = 3
+};
+
+enum {
+    ROPE_WORK_LOAD = 0,
+    ROPE_WORK_PULL = 3,
+    ROPE_WORK_DEMAND = 6,
+    ROPE_WORK_PRODUCTS = 7,
+    ROPE_WORK_HULLS = 10,
+    ROPE_WORK_SIZE = 52
+};
+
 /* kernels/numerics/records.py */
 
 enum {

@@ -245,3 +245,43 @@ class LoadPartials(Record):
 
     POSITION = field("position", size=3)
     VELOCITY = field("velocity", size=3)
+
+
+class FlatSeries(Record):
+    """Rows: the work space of `flat_derivatives`, a Taylor series each."""
+
+    LOAD = field("position of the load", "m", size=3)
+    PULL = field("w = p'' + g e_z", "m/s2", size=3)
+    INTERMEDIATE = field("intermediate results", size=7)
+    COORDINATES = field("coordinates of the crane", size=Coordinates.SIZE)
+
+
+class RopeDemand(Codes):
+    """Demands on the rope, in the order of their proof: each relies on those before it."""
+
+    MET = 0
+    BELOW_TROLLEY = 1
+    TAUT = 2
+    NOT_TOO_LONG = 3
+    NOT_TOO_SHORT = 4
+
+
+class RopeBounds(Record):
+    """What the proof about the rope needs of a crane."""
+
+    GRAVITY = field("gravity", "m/s2", variables=("crane.gravity",))
+    SHORTEST = field("shortest rope, 0: no bound", "m", variables=("crane.rope_min",))
+    LONGEST = field("longest rope, 0: no bound", "m", variables=("crane.rope_max",))
+
+
+class RopeWork(Record):
+    """Rows: the work space of `check_rope`, polynomials in an interval's local time, and hulls.
+
+    The last two columns of a hull hold where it starts and how often it was halved.
+    """
+
+    LOAD = field("position of the load", "m", size=3)
+    PULL = field("w = p'' + g e_z", "m/s2", size=3)
+    DEMAND = field("polynomial that must not become negative")
+    PRODUCTS = field("its parts", size=3)
+    HULLS = field("Bernstein coefficients of parts of the interval", size=42)

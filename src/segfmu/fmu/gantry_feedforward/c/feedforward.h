@@ -4,6 +4,7 @@
 
 #include "arrays.h"
 #include "model.h"
+#include "records.h"
 #include "segfmu.h"
 
 enum { AXES = 3, ORDERS = 5, RESULTS = 18, MOST_POINTS = MODEL_ROWS };

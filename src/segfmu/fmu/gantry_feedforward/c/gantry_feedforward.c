@@ -174,13 +174,13 @@ static const double *derivatives(feedforward *m, const segfmu_trajectory *t, dou
                                  int64_t order)
 {
     const double *crane = &m->base.real[V_CRANE_BRIDGE_MASS];
-    double flat[(ORDERS + MODEL_ORDERS) * AXES], work[20 * (MODEL_ORDERS + 3)];
+    double flat[(ORDERS + MODEL_ORDERS) * AXES], work[FLAT_SERIES_SIZE * (MODEL_ORDERS + 3)];
     double *found = m->derivatives[order - 1];
     if (!m->derived[order - 1]) {
         evaluate(t, time, ORDERS + order, flat);
         segfmu_flat_derivatives(
-            matrix(flat, ORDERS + order, AXES), order, crane[0], crane[1], crane[2], crane[3],
-            matrix(work, 20, MODEL_ORDERS + 3), vector(found, RESULTS));
+            matrix(flat, ORDERS + order, AXES), order, vector((double *)crane, MASSES_SIZE),
+            matrix(work, FLAT_SERIES_SIZE, MODEL_ORDERS + 3), vector(found, RESULTS));
         m->derived[order - 1] = 1;
     }
     return found;

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "kernels.h"
+#include "records.h"
 
 /* Refusals of a whole interval of an axis. */
 static bool say_interval(char message[MESSAGE], int status, const segfmu_problem *p, int axis,
@@ -93,16 +94,16 @@ bool require_rope(const segfmu_trajectory *t, const double crane[6], char messag
         {"rope length", "m", "rope_max", "raise the waypoints or rope_max"},
         {"rope length", "m", "rope_min", "lower the waypoints or rope_min"}
     };
-    enum { WIDTH = 12, ROWS = 52 };
+    enum { WIDTH = 12 };
     const int64_t width = 2 * t->smoothness;
-    double space[ROWS * (4 * WIDTH - 5)], found[3];
+    double space[ROPE_WORK_SIZE * (4 * WIDTH - 5)], found[3];
     array_double_2d timing = {(double *)t->timing, {t->pieces, 2}};
     array_double_2d coefficients = {(double *)t->coefficients, {t->pieces, width}};
     array_int64_t_1d offsets = {(int64_t *)t->offsets, {t->axes + 1}};
-    array_double_2d work = {space, {ROWS, 4 * width - 5}};
+    array_double_2d work = {space, {ROPE_WORK_SIZE, 4 * width - 5}};
+    array_double_1d bounds = {(double *)&crane[MASSES_GRAVITY], {ROPE_BOUNDS_SIZE}};
     array_double_1d report = {found, {3}};
-    int64_t status = segfmu_check_rope(timing, coefficients, offsets, crane[3], crane[4], crane[5],
-                                       work, report);
+    int64_t status = segfmu_check_rope(timing, coefficients, offsets, bounds, work, report);
     if (status == 0) {
         return true;
     }
