@@ -104,8 +104,8 @@ def test_free_states_are_near_the_best_that_another_search_finds(places) -> None
             return 1e3
 
     random = np.random.default_rng(0)
-    along = 0.3 * np.sign(np.subtract(places[2], places[0]))
-    starts = random.uniform(-0.5, 0.5, (4, 4)) + [*along, 0.0, 0.0]
+    starts = random.uniform(-0.5, 0.5, (4, 4))
+    starts[:, :2] += 0.3 * np.sign(np.subtract(places[2], places[0]))
     options = {"xatol": 1e-3, "fatol": 1e-4, "maxfev": 200}
     best = min(
         minimize(duration, start, method="Nelder-Mead", options=options).fun for start in starts
