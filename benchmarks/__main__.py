@@ -21,7 +21,6 @@ PARTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "e": ("growth", ()),
     "f": ("evaluation", ()),
     "g": ("fmu_steps", ()),
-    "h": ("ramp_limits", ()),
 }
 
 LIST = ", ".join(f"{letter} {module}" for letter, (module, _) in PARTS.items())
@@ -45,7 +44,6 @@ def main(
         samples=100 if quick else 500,
         repetitions=3 if quick else 9,
         folder=output.parent / "benchmarks",
-        bounded=12 if quick else 150,
     )
     # as wide as the widest table where the output is no terminal
     console = Console() if sys.stdout.isatty() else Console(width=132)

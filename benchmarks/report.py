@@ -33,15 +33,12 @@ class Settings:
         Passes over the problems of a timing; a ratio's spread is that of the passes.
     folder : Path
         Where archives and compiled drivers are kept.
-    bounded : int
-        Reference problems that a lower bound on the duration is sought for.
     """
 
     problems: int
     samples: int
     repetitions: int
     folder: Path
-    bounded: int = 150
 
 
 @dataclass(frozen=True)

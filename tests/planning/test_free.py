@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from scipy.optimize import minimize
 
-from segfmu import InputError, Limits, Waypoint, plan, verify
+from segfmu import InfeasibleError, InputError, Limits, Waypoint, plan, verify
 
 LIMITS = Limits([1.0, 0.4], [1.0, 0.5], [1.0, 0.5], [10.0, 5.0])
 STAIRS = [[0.0, 0.0], [0.5, 0.2], [1.0, 0.5], [1.4, 0.8]]
@@ -80,3 +81,34 @@ def test_never_slower_than_stopping(places, synchronize: str) -> None:
 def test_other_words_are_refused(given) -> None:
     with pytest.raises(InputError, match="velocity"):
         Waypoint([0.0, 0.0], given)
+
+
+@pytest.mark.parametrize(
+    "places",
+    [
+        [[0.0, 0.0], [0.2, 0.1], [2.0, 0.8]],
+        [[0.27, 0.93], [-0.02, 1.85], [-0.05, 1.98]],
+        [[-0.01, 0.68], [-0.05, 0.86], [-0.35, 0.97]],
+    ],
+)
+def test_free_states_are_near_the_best_that_another_search_finds(places) -> None:
+    """Nelder and Mead's simplex over the four free numbers, from several starts."""
+    bounds = np.concatenate([LIMITS.velocity, LIMITS.acceleration])
+
+    def duration(shares: np.ndarray) -> float:
+        state = np.clip(shares, -1.0, 1.0) * bounds
+        middle = Waypoint(places[1], state[:2], state[2:])
+        try:
+            return plan([Waypoint(places[0]), middle, Waypoint(places[2])], LIMITS).duration
+        except InfeasibleError:
+            return 1e3
+
+    random = np.random.default_rng(0)
+    starts = random.uniform(-0.5, 0.5, (4, 4))
+    starts[:, :2] += 0.3 * np.sign(np.subtract(places[2], places[0]))
+    options = {"xatol": 1e-3, "fatol": 1e-4, "maxfev": 200}
+    best = min(
+        minimize(duration, start, method="Nelder-Mead", options=options).fun for start in starts
+    )
+    _, passing = via(places)
+    assert passing < 1.015 * best

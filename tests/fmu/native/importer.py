@@ -36,18 +36,23 @@ class Importer:
             guid=self.description.guid, unzipDirectory=str(self.folder),
             modelIdentifier=self.description.modelName, instanceName="one",
         )
+        self._options = options
+        self.instantiate()
+
+    def instantiate(self) -> None:
+        """Make the instance; the one before must have been freed."""
         if self.three:
             self._log = fmi3LogMessageCallback(lambda _, s, c, m: self._hear(m, s, c))
-            self.fmu.instantiate(logMessage=self._log, loggingOn=True, **options)
+            self.fmu.instantiate(logMessage=self._log, loggingOn=True, **self._options)
         else:
             callbacks = fmi2CallbackFunctions()
             self._log = fmi2CallbackLoggerTYPE(lambda _, n, s, c, m: self._hear(m, s, c))
             callbacks.logger = self._log
             self.fmu.instantiate(callbacks=callbacks, loggingOn=True)
 
-    def _hear(self, message: bytes, status: int, category: bytes) -> None:
+    def _hear(self, message: bytes, status: int, category: bytes | None) -> None:
         self.messages.append(message.decode())
-        self.categories.append((status, category.decode()))
+        self.categories.append((status, (category or b"").decode()))
 
     def __enter__(self) -> Importer:
         return self

@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 from scipy.optimize import linprog
 
-from segfmu import Limits, Waypoint, plan
+from segfmu import Limits, Trajectory, Waypoint, plan
 from segfmu.kernels.planner.gaps import gap_ends, insert_end
 from tests.problems import AxisProblem
+from tests.property.soak_axes import earlier
 
 CELLS = 160
 
@@ -88,3 +89,53 @@ def test_insertion_keeps_the_earliest() -> None:
         count = insert_end(duration, 1.0, count, ends)
     assert count == 3
     assert ends[:, 0].tolist() == [2.0, 4.0, 5.0]
+
+
+TURNS = (
+    (
+        AxisProblem(
+            4, 1, (0.0707468147, 0.0498065466, 0.1753526762, 4.0, 0.03723825),
+            -0.0003677391119, -0.01985812885, 0.01037935882, 0.01908260604, -0.122146877,
+        ),
+        5.68,
+    ),
+    (
+        AxisProblem(
+            6, 1, (16.9799542734, 2.3222803585, 2.5390431977, 0.3768493508, 0.0363073190, 9.0),
+            0.0, -2.322280358, 2.668961957, 2.230235755, -179.4507204,
+        ),
+        57.842,
+    ),
+    (
+        AxisProblem(
+            5, 0, (12.9079862806, 8.0, 2.2264995785, 2.0, 0.1219789019),
+            6.279442737, -3.578619206, -1.002483126, -0.1165917749, 13.80614924,
+        ),
+        35.0,
+    ),
+)
+
+
+@pytest.mark.parametrize(("problem", "inside"), TURNS)
+def test_a_gap_ends_where_the_duration_over_the_cruise_velocity_turns(
+    problem: AxisProblem, inside: float
+) -> None:
+    """The feasible durations behind such an end are few: who misses it waits for the next gap."""
+    names = ("velocity", "acceleration", "jerk", "snap", "crackle", "pop")
+    shape = ("smoothstep", "plateau")[problem.shape]
+
+    def common(distance: float) -> Trajectory:
+        points = [
+            Waypoint([0.0, 0.0], [problem.v, 0.0], [problem.a, 0.0]),
+            Waypoint([problem.distance, distance], [problem.w, 0.0], [problem.b, 0.0]),
+        ]
+        both = {n: [c, partner] for n, c, partner in zip(
+            names, problem.limits, (1.0, 10.0, 1e3, 1e5, 1e7, 1e9), strict=False
+        )}
+        return plan(points, Limits(**both), smoothness=problem.smoothness, shape=shape)
+
+    # the partner rests at both ends and cruises at 1 m/s: a meter takes it a second
+    rest = common(100.0).duration - 100.0
+    trajectory = common(inside - rest)
+    assert trajectory.duration > 1.0005 * inside
+    assert earlier(trajectory) is None

@@ -1,0 +1,180 @@
+"""Short scenarios in which every parameter and every input of an FMU acts, and how each is changed.
+
+A scenario is start values and inputs; a change of a parameter counts where an output differs.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from math import cos, sin
+from typing import Any
+
+import numpy as np
+
+from segfmu.fmu.gantry_crane.rig_parameters import DRIVES, SIGNALS
+from segfmu.fmu.standard.spec import Variable
+from tests.fmu.bench import Inputs, Values
+
+
+def crane_inputs(time: float) -> Values:
+    """Setpoints and winds that move every axis, about the place where the crane starts."""
+    wave = 0.1 * sin(3.0 * time)
+    rate = 0.3 * cos(3.0 * time)
+    values = {"force.bridge": 2.0 + wave, "force.trolley": 1.0 - wave, "force.hoist": -9.0 - wave}
+    values |= {f"velocity.{d}": v for d, v in zip(DRIVES, (rate, -rate, 0.5 * rate), strict=True)}
+    values |= {"reference.bridge.position": wave, "reference.trolley.position": -wave,
+               "reference.rope.length": 0.5 + 0.5 * wave}
+    return values | WINDS
+
+
+def still(time: float) -> Values:
+    """Inputs stay at their start values, which hold the crane where it is."""
+    return {}
+
+
+def swing(time: float) -> Values:
+    """The bridge and its reference swing the load at 3 rad/s, a rope of 0.5 m at constant length.
+
+    The load's place is y = x + l phi with y'' = -g phi, so phi = w^2 x / (g - l w^2).
+    """
+    rate = 3.0
+    angle = rate**2 / (9.81 - 0.5 * rate**2)
+    place, velocity = 0.1 * sin(rate * time), 0.1 * rate * cos(rate * time)
+    return {
+        "velocity.bridge": velocity, "reference.bridge.position": place,
+        "reference.bridge.velocity": velocity, "reference.sway.x.angle": angle * place,
+        "reference.sway.x.rate": angle * velocity,
+    }
+
+
+@dataclass(frozen=True)
+class Scenario:
+    """Start values, inputs in motion or not, and the communication points [s]."""
+
+    values: Values
+    times: np.ndarray
+    motion: Inputs = crane_inputs
+    # inputs that are held
+    held: Values = field(default_factory=dict)
+    # the feedback is off for a while
+    switched: bool = False
+
+    def inputs(self, time: float) -> Values:
+        """Values of the inputs, and of what is tuned."""
+        values = self.motion(time) | self.held
+        if self.switched:
+            values["feedback.enabled"] = not 0.4 < time < 0.6
+        return values
+
+
+TIMES = np.arange(33) / 40.0
+
+EQUIPMENT: Values = {
+    "sway.x.angle": 0.05, "sway.y.angle": -0.04, "sway.x.rate": 0.1, "bridge.velocity": 0.05,
+    "trolley.velocity": -0.04, "rope.velocity": 0.03, "friction.width": 0.02,
+    "friction.sway.viscous": 0.01, "wind.gust.start": 0.1, "wind.gust.duration": 0.3,
+    "wind.noise.seed": 3, "payload.count": 4, "sensor.sample_time": 0.01,
+    "sensor.dead_time": 0.02, "sensor.seed": 5,
+}
+EQUIPMENT |= {f"friction.{d}.viscous": 0.5 for d in DRIVES}
+EQUIPMENT |= {f"friction.{d}.coulomb": 0.3 for d in DRIVES}
+EQUIPMENT |= {f"wind.{n}.{a}": 0.2 for n in ("constant", "gust.force") for a in "xyz"}
+EQUIPMENT |= {f"wind.noise.deviation.{a}": 0.1 for a in "xyz"}
+EQUIPMENT |= {f"sensor.{s}.resolution": 1e-6 for s in SIGNALS}
+EQUIPMENT |= {f"sensor.{s}.deviation": 1e-4 for s in SIGNALS}
+EQUIPMENT |= {f"sensor.{s}.offset": 1e-3 for s in SIGNALS}
+for _i in range(1, 5):
+    EQUIPMENT |= {f"payload[{_i}].time": 0.15 * _i, f"payload[{_i}].mass": 1.0 + 0.1 * _i}
+QUIET: Values = {n: v for n, v in EQUIPMENT.items() if not n.startswith(("sensor", "payload"))}
+FORCE_BOUNDS: Values = {
+    f"drive.{d}.force_max": m for d, m in zip(DRIVES, (2.05, 1.05, 9.5), strict=True)
+}
+LAGS: Values = {f"drive.{d}.lag": 0.05 for d in DRIVES}
+ACCELERATIONS: Values = {f"drive.{d}.acceleration_max": 0.5 for d in DRIVES}
+OBSERVED: Values = {
+    "feedback.source": "measured", "sensor.rope.length.offset": 0.01,
+}
+WINDS: Values = {"wind.x": 0.2, "wind.y": -0.3, "wind.z": 0.1}
+FLAT: Values = {"feedback.design": "flatness"}
+VELOCITY: Values = {"drive.mode": "velocity"}
+
+# in the order in which they are tried
+CRANE: dict[str, Scenario] = {
+    "equipment": Scenario(EQUIPMENT | FORCE_BOUNDS | FLAT, TIMES),
+    "velocity": Scenario(EQUIPMENT | VELOCITY | LAGS | ACCELERATIONS | FLAT, TIMES),
+    "observer": Scenario(
+        QUIET | OBSERVED | FLAT, np.arange(61) / 20.0, motion=still, held=WINDS, switched=True
+    ),
+    "lqr": Scenario({"sway.x.angle": 0.05, "sway.y.angle": 0.04, "rope.length": 0.52}, TIMES[:5]),
+    "observed lqr": Scenario({"feedback.source": "measured"}, TIMES, motion=still, held=WINDS),
+    "swing": Scenario(
+        OBSERVED | VELOCITY | LAGS | FLAT | {
+            "sensor.sample_time": 0.01, "sensor.rope.length.offset": 0.03,
+            "feedback.enabled": False, "bridge.velocity": 0.3,
+            "sway.x.rate": swing(0.0)["reference.sway.x.rate"],
+        },
+        np.arange(201) / 20.0, motion=swing,
+    ),
+}
+
+
+def row_scenario(length: float) -> Scenario:
+    """With a rope of nearly the length of a row of the table of gains."""
+    values = {"rope.length": 0.995 * length, "sway.x.rate": 0.1, "sway.y.rate": 0.1,
+              "sway.x.angle": 0.05, "sway.y.angle": 0.05, "rope.velocity": 0.1}
+    held = {"reference.rope.length": length, "reference.bridge.position": 0.1,
+            "reference.trolley.position": 0.1}
+    return Scenario(values, TIMES[:3], motion=still, held=held)
+
+ZIGZAG: Values = {"waypoint.count": 16, "planner.shape": "plateau"}
+for _i in range(1, 17):
+    ZIGZAG |= {f"waypoint[{_i}].position.{a}": p for a, p in zip(
+        "xyz", (0.1 * _i, 0.3 * (_i % 2), -0.5 - 0.05 * (_i % 3)), strict=True
+    )}
+    ZIGZAG |= {f"waypoint[{_i}].{n}.{a}": 0.0 for n in ("velocity", "acceleration") for a in "xyz"}
+
+FEEDFORWARD: dict[str, Scenario] = {
+    "paper": Scenario({}, np.linspace(0.0, 5.0, 26), motion=still),
+    "zigzag": Scenario(ZIGZAG, np.linspace(0.0, 60.0, 31), motion=still),
+}
+
+
+# where a small change does nothing yet
+CHANGES: Values = {
+    "limits.z.velocity": 0.1, "planner.smoothness": 5, "planner.duration": 80.0,
+    "feedback.observer.wake": 100.0, "feedback.observer.offset": 0.02,
+}
+# what only ever refuses: the scenario, a value that is refused, and a part of what is said
+REFUSALS: dict[str, dict[str, tuple[str, Any, str]]] = {
+    "feedforward": {
+        "crane.rope_min": ("paper", 0.55, "rope length passes rope_min"),
+        "crane.rope_max": ("paper", 0.45, "rope length passes rope_max"),
+    },
+    "crane": {
+        "travel.bridge.min": ("equipment", 0.001, "bridge at 0 m is at its end stop, least"),
+        "travel.bridge.max": ("equipment", 0.01, "bridge at 0.01 m is at its end stop, greatest"),
+        "travel.trolley.min": ("equipment", 0.001, "trolley at 0 m is at its end stop, least"),
+        "travel.trolley.max": ("equipment", -0.01, "trolley at 0 m is at its end stop, greatest"),
+        "travel.rope.min": ("equipment", 0.501, "rope at 0.5 m is at its end stop, least"),
+        "travel.rope.max": ("equipment", 0.499, "rope at 0.5 m is at its end stop, greatest"),
+        "feedback.table.mode": ("lqr", "velocity", "feedback.table are for the other drive.mode"),
+    },
+}
+
+
+def changed(variable: Variable, value: Any) -> Any:
+    """Another value of a parameter or an input, a little away."""
+    if variable.name in CHANGES:
+        return CHANGES[variable.name]
+    if variable.kind == "Boolean":
+        return not value
+    if isinstance(value, str):
+        return next(item for item in variable.enumeration.items if item != value)
+    if variable.kind == "Enumeration":
+        return 2 if value == 1 else 1
+    if variable.kind == "Integer":
+        return value + 1 if value < 4 else value - 1
+    if value == 0.0:
+        return 0.01
+    most = variable.maximum
+    return 1.03 * value if most is None or 1.03 * value <= most else 0.97 * value

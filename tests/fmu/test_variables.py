@@ -1,0 +1,126 @@
+"""Every output moves, and every parameter and input acts, on both backends.
+
+A variable that the specification has but no model computes or reads fails here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+
+from segfmu.fmu.gantry_crane import interface as gantry_crane
+from segfmu.fmu.gantry_crane.slave import CraneSlave
+from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
+from segfmu.fmu.gantry_feedforward.slave import FeedforwardSlave
+from segfmu.fmu.standard.spec import Spec, Variable
+from tests.fmu.bench import Bench, Rows, SlaveBench, bench
+from tests.fmu.scenarios import CRANE, FEEDFORWARD, REFUSALS, Scenario, changed, row_scenario
+
+Runs = Bench | SlaveBench
+Case = tuple[Runs, Spec, dict[str, Scenario], dict[str, Rows]]
+BACKENDS = ("python", "fmi2", "fmi3")
+MODELS = ("feedforward", "crane")
+SLAVES = {"feedforward": FeedforwardSlave, "crane": CraneSlave}
+SCENARIOS = {"feedforward": FEEDFORWARD, "crane": CRANE}
+
+
+def spec_of(backend: str, model: str) -> Spec:
+    interface = {"feedforward": gantry_feedforward, "crane": gantry_crane}[model]
+    return interface.spec() if backend == "python" else interface.native_spec()
+
+
+def results(spec: Spec) -> list[str]:
+    """Names of all that an FMU computes."""
+    return [v.name for v in spec.where("output", "local", "calculatedParameter")]
+
+
+def model_of(scenarios: dict[str, Scenario]) -> str:
+    """Which model they are for."""
+    return next(m for m in MODELS if SCENARIOS[m] is scenarios)
+
+
+def run(runs: Runs, scenario: Scenario) -> Rows:
+    """A run that must not be refused."""
+    rows = runs.run(scenario.values, scenario.inputs, scenario.times)
+    assert rows is not None, runs.messages
+    return rows
+
+
+@pytest.fixture(scope="module", params=[(b, m) for b in BACKENDS for m in MODELS],
+                ids=lambda p: f"{p[0]}-{p[1]}")
+def case(request) -> Iterator[Case]:
+    """A bench, its specification and scenarios, and what runs of these tell."""
+    backend, model = request.param
+    spec = spec_of(backend, model)
+    scenarios = SCENARIOS[model]
+    if backend == "python":
+        runs = SlaveBench(SLAVES[model], results(spec))
+        yield runs, spec, scenarios, {n: run(runs, s) for n, s in scenarios.items()}
+        return
+    archives = request.getfixturevalue("native_fmus")[int(backend[-1])]
+    with bench(archives[MODELS.index(model)], spec, results(spec)) as runs:
+        yield runs, spec, scenarios, {n: run(runs, s) for n, s in scenarios.items()}
+
+
+def test_every_output_moves(case) -> None:
+    _, spec, _, told = case
+    still = [
+        name for name in results(spec)
+        if len({value for rows in told.values() for value in rows[name]}) < 2
+    ]
+    assert still == []
+
+
+def test_every_parameter_and_input_acts(case) -> None:
+    runs, spec, scenarios, told = case
+    told = dict(told)
+    refusing = REFUSALS[model_of(scenarios)]
+    idle = []
+    for variable in spec.where("parameter", "input"):
+        tried = rows_of_the_table(variable, spec) or scenarios
+        if variable.name not in refusing and not acts(variable, runs, tried, told):
+            idle.append(variable.name)
+    assert idle == []
+
+
+def rows_of_the_table(variable: Variable, spec: Spec) -> dict[str, Scenario]:
+    """A scenario in which the row of the table of gains acts that the variable belongs to."""
+    if variable.name == "feedback.table.count":
+        row = f"table[{variable.start}]"
+    elif variable.name.startswith("feedback.table["):
+        row = variable.name.split(".")[1]
+    else:
+        return {}
+    length = spec.variables[spec.references[f"feedback.{row}.length"]].start
+    return {row: row_scenario(length)}
+
+
+def acts(
+    variable: Variable, runs: Runs, scenarios: dict[str, Scenario], told: dict[str, Rows]
+) -> bool:
+    """Whether a change of a variable is seen in an output in some scenario."""
+    for name, scenario in scenarios.items():
+        if name not in told:
+            told[name] = run(runs, scenario)
+        held, values = {}, scenario.values
+        if variable.causality == "input":
+            start = scenario.inputs(0.0).get(variable.name, variable.start)
+            held = {variable.name: changed(variable, start)}
+        else:
+            start = values.get(variable.name, variable.start)
+            values = values | {variable.name: changed(variable, start)}
+        rows = runs.run(values, lambda t: scenario.inputs(t) | held, scenario.times)
+        if rows is not None and rows != told[name]:
+            return True
+    return False
+
+
+def test_what_only_refuses_says_why(case) -> None:
+    runs, spec, scenarios, _ = case
+    for name, (scenario, value, words) in REFUSALS[model_of(scenarios)].items():
+        if name not in spec.references:
+            continue
+        tried = scenarios[scenario]
+        assert runs.run(tried.values | {name: value}, tried.inputs, tried.times) is None, name
+        assert words in runs.messages[-1], name
