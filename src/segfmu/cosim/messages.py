@@ -77,26 +77,22 @@ class Messages:
 
 
 class _Lines(logging.Handler):
-    """Lines `warning: GantryCrane: ...` on stderr; those of errors are kept for the end."""
+    """Keeps records as lines `warning: GantryCrane: ...`, with their levels."""
 
     def __init__(self) -> None:
         super().__init__(logging.INFO)
-        self.errors: list[str] = []
+        self.kept: list[tuple[int, str]] = []
 
     def emit(self, record: logging.LogRecord) -> None:
         words = " ".join(record.getMessage().split())
         # what would steer a terminal is shown as an escape
         shown = "".join(c if c.isprintable() else ascii(c)[1:-1] for c in words)
-        line = f"{record.levelname.lower()}: {shown}"
-        if record.levelno >= logging.ERROR:
-            self.errors.append(line)
-        else:
-            print(line, file=sys.stderr)
+        self.kept.append((record.levelno, f"{record.levelname.lower()}: {shown}"))
 
 
 @contextmanager
 def on_stderr() -> Iterator[None]:
-    """Show what FMUs say as lines on stderr.
+    """Show at the end what FMUs have said, a line a message on stderr.
 
     An error that ends the simulation is in its exception; lines of errors appear without one.
     """
@@ -105,11 +101,14 @@ def on_stderr() -> Iterator[None]:
     LOGGER.addHandler(lines)
     LOGGER.setLevel(logging.INFO)
     LOGGER.propagate = False
+    most = logging.WARNING
     try:
         yield
-        for line in lines.errors:
-            print(line, file=sys.stderr)
+        most = logging.CRITICAL
     finally:
         LOGGER.removeHandler(lines)
         LOGGER.setLevel(before)
         LOGGER.propagate = propagates
+        for level, line in lines.kept:
+            if level <= most:
+                print(line, file=sys.stderr)

@@ -6,36 +6,18 @@ import ctypes
 import shutil
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
+from segfmu.cosim.channel import Channel
 from segfmu.cosim.messages import ERROR, FATAL, OK, WARNING, Messages
 from segfmu.errors import InputError, SimulationError
 
 # s; times that differ by less are the same
 INSTANT = 1e-9
-
-
-@dataclass(frozen=True)
-class Channel:
-    """A fixed list of variables of one type, and the memory to read or write them at once.
-
-    Attributes
-    ----------
-    values : ndarray, shape (n,)
-        That memory; of the type that the FMU has for the variables.
-    read, write : callable
-        Fetch the variables into the memory, and set them from it; SimulationError when the FMU
-        refuses.
-    """
-
-    values: NDArray[Any]
-    read: Callable[[], None]
-    write: Callable[[], None]
 
 
 class Unit(ABC):
@@ -268,14 +250,16 @@ class Unit(ABC):
         """Free the instance and remove the unpacked archive; safe to call in any state."""
         if self._instantiated:
             self._instantiated = False
-            # before the end of initialisation and after an error only freeing is allowed, after a
-            # fatal one nothing at all
-            if self._initialised and self._worst < ERROR:
-                self.call("terminate", self.fmu.terminate)
-            if self._worst < FATAL:
-                self.fmu.freeInstance()
-        self.messages.close()
-        shutil.rmtree(self._folder, ignore_errors=True)
+            try:
+                # before the end of initialisation and after an error only freeing is allowed,
+                # after a fatal one nothing at all
+                if self._initialised and self._worst < ERROR:
+                    self.call("terminate", self.fmu.terminate)
+            finally:
+                if self._worst < FATAL:
+                    self.fmu.freeInstance()
+                self.messages.close()
+                shutil.rmtree(self._folder, ignore_errors=True)
 
     def __enter__(self) -> Unit:
         return self
@@ -290,11 +274,6 @@ def alike(names: Sequence[str], *units: Unit) -> list[list[str]]:
     for name in names:
         groups.setdefault(tuple(u.variables[name].type for u in units), []).append(name)
     return list(groups.values())
-
-
-def named(names: Sequence[str]) -> str:
-    """A few words for a list of variables."""
-    return names[0] if len(names) == 1 else f"{names[0]} and {len(names) - 1} more"
 
 
 def _flat(value: Any) -> list[Any]:

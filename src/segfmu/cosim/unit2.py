@@ -16,8 +16,9 @@ from fmpy.fmi2 import (
 )
 from numpy.typing import NDArray
 
+from segfmu.cosim.channel import Channel, named
 from segfmu.cosim.messages import WARNING
-from segfmu.cosim.unit import INSTANT, Channel, Unit, named
+from segfmu.cosim.unit import INSTANT, Unit
 from segfmu.errors import InputError
 
 # the output that tells the time of the next event, where an FMU has it

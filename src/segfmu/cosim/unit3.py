@@ -10,8 +10,9 @@ import numpy as np
 from fmpy.fmi3 import FMU3Slave
 from numpy.typing import NDArray
 
+from segfmu.cosim.channel import Channel, named
 from segfmu.cosim.messages import WARNING
-from segfmu.cosim.unit import INSTANT, Channel, Unit, named
+from segfmu.cosim.unit import INSTANT, Unit
 from segfmu.errors import InputError, SimulationError
 
 FUNCTIONS: dict[str, tuple[str, Any]] = {
