@@ -21,6 +21,7 @@ PARTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "e": ("growth", ()),
     "f": ("evaluation", ()),
     "g": ("fmu_steps", ()),
+    "h": ("master_time", ()),
 }
 
 LIST = ", ".join(f"{letter} {module}" for letter, (module, _) in PARTS.items())

@@ -237,9 +237,10 @@ def _built(
 def _run(
     task: Mission, trajectory: Trajectory, feedforward: Path, crane: Path
 ) -> NDArray[np.void]:
+    from segfmu.cosim.messages import on_stderr
     from segfmu.validation.scenario import run
 
-    with Progress(console=console, transient=True) as progress:
+    with on_stderr(), Progress(console=console, transient=True) as progress:
         bar = progress.add_task("co-simulating", total=1.0)
         return run(
             task, feedforward, crane, trajectory,

@@ -8,7 +8,7 @@ import zipfile
 from pathlib import Path
 from typing import Any
 
-from fmpy import extract, read_model_description
+from fmpy import extract, platform, platform_tuple, read_model_description
 
 from segfmu.cosim.unit import Unit
 from segfmu.cosim.unit2 import Unit2
@@ -39,7 +39,7 @@ def load(path: Path, *, leads: bool = False) -> Unit:
 def _describe(path: Path, folder: Path) -> Any:
     try:
         description = read_model_description(str(path))
-        extract(str(path), unzipdir=str(folder))
+        extract(str(path), unzipdir=str(folder), include=_runs)
     except (OSError, zipfile.BadZipFile) as error:
         raise InputError(f"{path}: not a readable FMU: {error}") from None
     except Exception as error:
@@ -51,3 +51,11 @@ def _describe(path: Path, folder: Path) -> Any:
             f"{path}: the master needs co-simulation of FMI 2.0 or 3.0, this is FMI {version}"
         )
     return description
+
+
+def _runs(name: str) -> bool:
+    """Whether a file of an archive may be needed to run it here."""
+    top, _, below = name.partition("/")
+    if top == "binaries":
+        return below.split("/")[0] in (platform, platform_tuple)
+    return top not in ("sources", "documentation")

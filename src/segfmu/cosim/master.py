@@ -16,16 +16,15 @@ from typing import Any, Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from segfmu.cosim.unit import Channel, Unit
+from segfmu.cosim.link import Link
+from segfmu.cosim.table import Table
+from segfmu.cosim.unit import Unit
 from segfmu.errors import InputError
 
 # results of both FMUs take 0.7 kB a step
 MAX_STEPS = 2_000_000
 
 Coupling = Literal["sequential", "parallel", "derivatives"]
-
-# types of values -> those of a result's columns
-COLUMNS: dict[type, type] = {float: np.float64, int: np.int32, bool: np.bool_}
 
 
 def simulate(
@@ -94,16 +93,19 @@ def simulate(
             has_derivatives = first.order > 0 and second.takes_derivatives
             coupling = "derivatives" if has_derivatives else "sequential"
         order = max(1, first.order) if coupling == "derivatives" else 0
-        link = _Link(first, second, order=order)
+        link = Link(first, second, order=order)
         first.exit_initialization()
         link.transfer()
         second.exit_initialization()
-        table = _Table(times, first, second)
+        second.read_outputs()
+        table = Table(times, first, second)
         table.record(0)
+        points = times.tolist()
         for i in range(1, times.size):
-            time, end = float(times[i - 1]), float(times[i])
+            time, end = points[i - 1], points[i]
             while time < end:
-                time = _step(time, end, first, second, link, coupling)
+                time = _step(time, end, first, second, link, coupling == "sequential")
+            second.read_outputs()
             table.record(i)
             if i % 100 == 0:
                 progress(i / (times.size - 1))
@@ -112,16 +114,17 @@ def simulate(
 
 
 def _step(
-    time: float, end: float, first: Unit, second: Unit, link: _Link, coupling: Coupling
+    time: float, end: float, first: Unit, second: Unit, link: Link, sequential: bool
 ) -> float:
     """A step of both units towards `end`; returns the time reached, that of an event or `end`."""
     link.transfer_slopes()
     reached = first.step(time, first.next_end(time, end))
-    if coupling == "sequential":
+    if sequential:
         link.transfer()
     second.step(time, reached)
-    first.meet_event()
-    if coupling != "sequential":
+    if first.meet_event() and sequential:
+        first.read_outputs()
+    if not sequential:
         link.transfer()
     return reached
 
@@ -153,65 +156,3 @@ def _times(start: float, stop: float, step: float) -> NDArray[np.float64]:
     times: NDArray[np.float64] = start + np.arange(count + 1, dtype=np.float64) * step
     times[-1] = stop
     return times
-
-
-class _Link:
-    """Equal names: outputs of one unit to inputs of the other."""
-
-    def __init__(self, first: Unit, second: Unit, *, order: int) -> None:
-        inputs = {n: v for n, v in second.variables.items() if v.causality == "input"}
-        names = [n for n in first.outputs() if n in inputs]
-        for name in names:
-            if first.kind(name) is not second.kind(name):
-                raise InputError(f"{name}: types of output and input differ")
-        self._pairs = [
-            (first.channel(own), second.channel(own)) for own in _alike(names, first, second)
-        ]
-        self._slopes: tuple[Channel, Channel] | None = None
-        reals = [n for n in names if first.kind(n) is float]
-        if order and reals:
-            self._slopes = first.output_slopes(reals, order), second.input_slopes(reals, order)
-
-    def transfer_slopes(self) -> None:
-        """Derivatives at the beginning of a step; they hold until its end."""
-        if self._slopes:
-            _hand_on(*self._slopes)
-
-    def transfer(self) -> None:
-        for pair in self._pairs:
-            _hand_on(*pair)
-
-
-def _hand_on(source: Channel, sink: Channel) -> None:
-    source.read()
-    sink.values[:] = source.values
-    sink.write()
-
-
-def _alike(names: list[str], *units: Unit) -> list[list[str]]:
-    """Names in groups of equal types in every unit."""
-    groups: dict[tuple[str, ...], list[str]] = {}
-    for name in names:
-        groups.setdefault(tuple(u.variables[name].type for u in units), []).append(name)
-    return list(groups.values())
-
-
-class _Table:
-    """Rows of the result: time and all outputs."""
-
-    def __init__(self, times: NDArray[np.float64], *units: Unit) -> None:
-        fields: list[tuple[str, type]] = [("time", np.float64)]
-        self._sources: list[tuple[Channel, list[str]]] = []
-        for unit in units:
-            for own in _alike(unit.outputs(), unit):
-                fields += [(n, COLUMNS[unit.kind(n)]) for n in own]
-                self._sources.append((unit.channel(own), own))
-        self.rows: NDArray[np.void] = np.zeros(times.size, dtype=fields)
-        self.rows["time"] = times
-
-    def record(self, i: int) -> None:
-        row = self.rows[i]
-        for channel, names in self._sources:
-            channel.read()
-            for name, value in zip(names, channel.values, strict=True):
-                row[name] = value

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import shutil
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
@@ -11,30 +12,12 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
+from segfmu.cosim.channel import Channel
+from segfmu.cosim.messages import ERROR, FATAL, OK, WARNING, Messages
 from segfmu.errors import InputError, SimulationError
-
-# fmi2Status, fmi3Status
-ERROR, FATAL = 3, 4
 
 # s; times that differ by less are the same
 INSTANT = 1e-9
-
-
-class Channel:
-    """A fixed list of variables of one type with the buffer to read or write them at once.
-
-    Parameters
-    ----------
-    buffer : ctypes array
-        Of the variables' type.
-    read, write : callable
-        Fetch the variables into the buffer, and set them from it.
-    """
-
-    def __init__(self, buffer: Any, read: Callable[[], Any], write: Callable[[], Any]) -> None:
-        self.values: NDArray[Any] = np.ctypeslib.as_array(buffer)
-        self.read = read
-        self.write = write
 
 
 class Unit(ABC):
@@ -48,6 +31,11 @@ class Unit(ABC):
         Its model description, as fmpy reads it.
     leads : bool
         Whether steps may end at its events.
+
+    Attributes
+    ----------
+    observed : list of (list of str, Channel)
+        Names and values of all outputs after `observe`, by type.
     """
 
     # types of the standard -> what values are in Python and in a result
@@ -56,13 +44,14 @@ class Unit(ABC):
     fmu: Any
 
     def __init__(self, folder: Path, description: Any, leads: bool) -> None:
-        self.messages: list[str] = []
         self.description = description
         self.name = description.modelName
+        self.messages = Messages(self.name)
         self.variables = {v.name: v for v in description.modelVariables}
         self._folder, self._leads = folder, leads
         self._instantiated = self._initialised = False
-        self._worst = 0
+        self._worst = OK
+        self.observed: list[tuple[list[str], Channel]] = []
         self._instantiate()
         self._instantiated = True
 
@@ -71,8 +60,16 @@ class Unit(ABC):
         """Make the instance."""
 
     @abstractmethod
-    def channel(self, names: Sequence[str]) -> Channel:
-        """A channel for some variables of one type, at least one; arrays one at a time."""
+    def channel(self, names: Sequence[str], values: NDArray[Any] | None = None) -> Channel:
+        """A channel for some variables of one type, at least one; arrays one at a time.
+
+        It takes `values` as its memory where they are of the FMU's type.
+
+        Raises
+        ------
+        InputError
+            When `values` are more or fewer than the variables have.
+        """
 
     @abstractmethod
     def output_slopes(self, names: Sequence[str], order: int) -> Channel:
@@ -85,8 +82,10 @@ class Unit(ABC):
         """
 
     @abstractmethod
-    def input_slopes(self, names: Sequence[str], order: int) -> Channel:
-        """Derivatives of some real inputs, from the first to an order.
+    def input_slopes(
+        self, names: Sequence[str], order: int, values: NDArray[np.float64]
+    ) -> Channel:
+        """Derivatives of some real inputs, from the first to an order, with `values` as memory.
 
         Raises
         ------
@@ -111,8 +110,8 @@ class Unit(ABC):
         """Step to `end`, or to an event before; returns the time reached."""
 
     @abstractmethod
-    def meet_event(self) -> None:
-        """Handle the event at which the last step ended, if it did."""
+    def meet_event(self) -> bool:
+        """Handle the event at which the last step ended; returns whether there was one."""
 
     @property
     def order(self) -> int:
@@ -124,13 +123,8 @@ class Unit(ABC):
         """Whether it takes derivatives of its inputs."""
         return bool(self.description.coSimulation.canInterpolateInputs)
 
-    def hear(self, status: int, message: bytes | None) -> None:
-        """Keep a message of the FMU."""
-        if status > 0 and message:
-            self.messages.append(message.decode("utf-8", "replace").strip())
-
     def call(self, doing: str, function: Any, *arguments: Any, **named: Any) -> Any:
-        """Call the FMU.
+        """Call a function of fmpy's instance.
 
         Raises
         ------
@@ -141,9 +135,43 @@ class Unit(ABC):
             return function(*arguments, **named)
         except Exception as error:
             # fmpy raises bare exceptions beside its own
-            self._worst = max(self._worst, getattr(error, "status", ERROR))
-            told = self.messages[0].splitlines()[-1] if self.messages else str(error)
-            raise SimulationError(f"{self.name} could not {doing}: {told}") from None
+            raise self.failure(doing, error) from None
+
+    def failure(self, doing: str, error: Exception) -> SimulationError:
+        """The error of a call that went wrong, in the FMU's own words where it has some."""
+        self._worst = max(self._worst, getattr(error, "status", ERROR))
+        return SimulationError(
+            f"{self.name} could not {doing}: {self.messages.reason() or error}"
+        )
+
+    def refusal(self, doing: str, function: str, status: int) -> SimulationError:
+        """The error of a function of the FMU that returned a status above a warning's."""
+        from fmpy.fmi1 import FMICallException
+
+        return self.failure(doing, FMICallException(function, status))
+
+    def prepared(self, doing: str, name: str, *arguments: Any) -> Callable[[], None]:
+        """A call of the FMU's function `name` with arguments of ctypes that stay the same."""
+        # fmpy's own way of calling takes as long as the FMU does
+        function = self.fmu.dll[name]
+
+        def call() -> None:
+            status = function(*arguments)
+            if status > WARNING:
+                raise self.refusal(doing, name, status)
+
+        return call
+
+    def memory(
+        self, kind: Any, size: int, values: NDArray[Any] | None
+    ) -> tuple[NDArray[Any], ctypes.c_void_p]:
+        """`values` where they are of the type `kind`, else new ones, and where they begin."""
+        if values is not None and values.size != size:
+            raise InputError(f"{self.name}: {size} values are connected to {values.size}")
+        if values is None or values.dtype != kind:
+            values = np.zeros(size, kind)
+        # the pointer keeps the memory alive
+        return values, values.ctypes.data_as(ctypes.c_void_p)
 
     def set(self, values: dict[str, Any]) -> None:
         """Set variables by name; enumerations also by the name of an item, arrays by their values.
@@ -164,7 +192,7 @@ class Unit(ABC):
             self._write(variable, channel)
 
     def _write(self, variable: Any, channel: Channel) -> None:
-        self.call(f"set {variable.name}", channel.write)
+        channel.write()
 
     def _number(self, variable: Any, value: Any) -> float | int:
         if isinstance(value, str):
@@ -200,23 +228,52 @@ class Unit(ABC):
         ]
         return [v.name for v in sorted(found, key=lambda v: order.index(self.TYPES[v.type]))]
 
+    def observe(self, leading: Sequence[str] = ()) -> None:
+        """Prepare to read all outputs, a channel a type, in which `leading` ones come first."""
+        places = {name: i for i, name in enumerate(leading)}
+        for names in alike(self.outputs(), self):
+            ordered = sorted(names, key=lambda n: places.get(n, len(places)))
+            self.observed.append((ordered, self.channel(ordered)))
+
+    def read_outputs(self) -> None:
+        """Read all outputs into the channels of `observed`."""
+        for _, channel in self.observed:
+            channel.read()
+
+    def observed_values(self, names: Sequence[str]) -> NDArray[Any]:
+        """Where outputs that follow each other in `observed` are found once they are read."""
+        own, channel = next(o for o in self.observed if names[0] in o[0])
+        place = own.index(names[0])
+        return channel.values[place:place + len(names)]
+
     def close(self) -> None:
         """Free the instance and remove the unpacked archive; safe to call in any state."""
         if self._instantiated:
             self._instantiated = False
-            # before the end of initialisation and after an error only freeing is allowed, after a
-            # fatal one nothing at all
-            if self._initialised and self._worst < ERROR:
-                self.call("terminate", self.fmu.terminate)
-            if self._worst < FATAL:
-                self.fmu.freeInstance()
-        shutil.rmtree(self._folder, ignore_errors=True)
+            try:
+                # before the end of initialisation and after an error only freeing is allowed,
+                # after a fatal one nothing at all
+                if self._initialised and self._worst < ERROR:
+                    self.call("terminate", self.fmu.terminate)
+            finally:
+                if self._worst < FATAL:
+                    self.fmu.freeInstance()
+                self.messages.close()
+                shutil.rmtree(self._folder, ignore_errors=True)
 
     def __enter__(self) -> Unit:
         return self
 
     def __exit__(self, *_: object) -> None:
         self.close()
+
+
+def alike(names: Sequence[str], *units: Unit) -> list[list[str]]:
+    """Names in groups of equal types in every unit."""
+    groups: dict[tuple[str, ...], list[str]] = {}
+    for name in names:
+        groups.setdefault(tuple(u.variables[name].type for u in units), []).append(name)
+    return list(groups.values())
 
 
 def _flat(value: Any) -> list[Any]:

@@ -6,9 +6,19 @@ import ctypes
 from collections.abc import Sequence
 from typing import Any, ClassVar
 
-from fmpy.fmi2 import FMU2Slave, fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
+import numpy as np
+from fmpy.fmi2 import (
+    FMU2Slave,
+    defaultCallbacks,
+    fmi2CallbackFunctions,
+    fmi2CallbackLoggerTYPE,
+    fmi2True,
+)
+from numpy.typing import NDArray
 
-from segfmu.cosim.unit import INSTANT, Channel, Unit
+from segfmu.cosim.channel import Channel, named
+from segfmu.cosim.messages import WARNING
+from segfmu.cosim.unit import INSTANT, Unit
 from segfmu.errors import InputError
 
 # the output that tells the time of the next event, where an FMU has it
@@ -29,25 +39,43 @@ class Unit2(Unit):
             modelIdentifier=self.description.coSimulation.modelIdentifier,
             instanceName=self.name,
         )
-        self._callbacks = fmi2CallbackFunctions()
-        self._callbacks.logger = fmi2CallbackLoggerTYPE(
-            lambda _environment, _instance, status, _category, message: self.hear(status, message)
+        self._callbacks = fmi2CallbackFunctions(
+            fmi2CallbackLoggerTYPE(self._hear), defaultCallbacks.allocateMemory,
+            defaultCallbacks.freeMemory,
         )
         self.call(
             "be instantiated", self.fmu.instantiate, callbacks=self._callbacks, loggingOn=True
         )
-        named = self._leads and NEXT_EVENT in self.variables
-        self._next_event = self.channel([NEXT_EVENT]) if named else None
+        self._instance = ctypes.c_void_p(self.fmu.component)
+        self._do_step = self.fmu.dll["fmi2DoStep"]
+        self._do_step.argtypes = ctypes.c_void_p, ctypes.c_double, ctypes.c_double, ctypes.c_int
+        self._next_event: NDArray[np.float64] | None = None
 
-    def channel(self, names: Sequence[str]) -> Channel:
-        variables = [self.variables[n] for n in names]
-        kind = variables[0].type
+    def _hear(
+        self, _environment: int, _instance: bytes, status: int, category: bytes, message: bytes
+    ) -> None:
+        # it is a format of printf, whose other arguments Python does not get
+        self.messages.hear(status, category, message and message.replace(b"%%", b"%"))
+
+    def channel(self, names: Sequence[str], values: NDArray[Any] | None = None) -> Channel:
+        kind = self.variables[names[0]].type
         group = "Integer" if kind == "Enumeration" else kind
-        buffer = ((ctypes.c_double if kind == "Real" else ctypes.c_int) * len(names))()
-        references = (ctypes.c_uint * len(names))(*(v.valueReference for v in variables))
-        arguments = self.fmu.component, references, len(names), buffer
-        read, write = (getattr(self.fmu, f"fmi2{way}{group}") for way in ("Get", "Set"))
-        return Channel(buffer, lambda: read(*arguments), lambda: write(*arguments))
+        values, pointer = self.memory(
+            np.float64 if kind == "Real" else np.intc, len(names), values
+        )
+        arguments = (
+            self._instance, self._references(names), ctypes.c_size_t(len(names)), pointer
+        )
+        return Channel(
+            values,
+            self.prepared(f"give {named(names)}", f"fmi2Get{group}", *arguments),
+            self.prepared(f"set {named(names)}", f"fmi2Set{group}", *arguments),
+        )
+
+    def observe(self, leading: Sequence[str] = ()) -> None:
+        super().observe(leading)
+        if self._leads and NEXT_EVENT in self.outputs() and self.kind(NEXT_EVENT) is float:
+            self._next_event = self.observed_values([NEXT_EVENT])
 
     def output_slopes(self, names: Sequence[str], order: int) -> Channel:
         if self.order < 1:
@@ -56,29 +84,39 @@ class Unit2(Unit):
             )
         return self._slopes(names, order)
 
-    def input_slopes(self, names: Sequence[str], order: int) -> Channel:
+    def input_slopes(
+        self, names: Sequence[str], order: int, values: NDArray[np.float64]
+    ) -> Channel:
         if not self.takes_derivatives:
             raise InputError(
                 f"{self.name} takes no input derivatives; use coupling sequential or parallel"
             )
-        return self._slopes(names, order)
+        return self._slopes(names, order, values)
 
-    def _slopes(self, names: Sequence[str], order: int) -> Channel:
+    def _slopes(
+        self, names: Sequence[str], order: int, values: NDArray[np.float64] | None = None
+    ) -> Channel:
         size = len(names) * order
-        own = [self.variables[n].valueReference for n in names]
-        buffer = (ctypes.c_double * size)()
-        arguments: tuple[Any, ...] = (
-            self.fmu.component, (ctypes.c_uint * size)(*own * order), size,
-            (ctypes.c_int * size)(*(k for k in range(1, order + 1) for _ in own)), buffer,
+        values, pointer = self.memory(np.float64, size, values)
+        orders = (ctypes.c_int * size)(*(k for k in range(1, order + 1) for _ in names))
+        arguments = (
+            self._instance, self._references([*names] * order), ctypes.c_size_t(size), orders,
+            pointer,
         )
         return Channel(
-            buffer,
-            lambda: self.fmu.fmi2GetRealOutputDerivatives(*arguments),
-            lambda: self.call(
-                f"take input derivatives up to order {order}",
-                self.fmu.fmi2SetRealInputDerivatives, *arguments,
+            values,
+            self.prepared(
+                f"give output derivatives up to order {order}", "fmi2GetRealOutputDerivatives",
+                *arguments,
+            ),
+            self.prepared(
+                f"take input derivatives up to order {order}", "fmi2SetRealInputDerivatives",
+                *arguments,
             ),
         )
+
+    def _references(self, names: Sequence[str]) -> Any:
+        return (ctypes.c_uint * len(names))(*(self.variables[n].valueReference for n in names))
 
     def enter_initialization(self, start: float, stop: float) -> None:
         self.call("set up", self.fmu.setupExperiment, startTime=start, stopTime=stop)
@@ -91,16 +129,15 @@ class Unit2(Unit):
     def next_end(self, time: float, end: float) -> float:
         if self._next_event is None:
             return end
-        self._next_event.read()
-        event = float(self._next_event.values[0])
+        event = self._next_event.item()
         return event if time + 1e-3 * INSTANT < event < end - INSTANT else end
 
     def step(self, time: float, end: float) -> float:
-        self.call(
-            f"step at {time:.6g} s", self.fmu.doStep, currentCommunicationPoint=time,
-            communicationStepSize=end - time,
-        )
+        status = self._do_step(self._instance, time, end - time, fmi2True)
+        if status > WARNING:
+            raise self.refusal(f"step at {time:.6g} s", "fmi2DoStep", status)
         return end
 
-    def meet_event(self) -> None:
+    def meet_event(self) -> bool:
         """Events are met within steps."""
+        return False

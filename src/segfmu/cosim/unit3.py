@@ -6,15 +6,19 @@ import ctypes
 from collections.abc import Sequence
 from typing import Any, ClassVar
 
+import numpy as np
 from fmpy.fmi3 import FMU3Slave
+from numpy.typing import NDArray
 
-from segfmu.cosim.unit import INSTANT, Channel, Unit
+from segfmu.cosim.channel import Channel, named
+from segfmu.cosim.messages import WARNING
+from segfmu.cosim.unit import INSTANT, Unit
 from segfmu.errors import InputError, SimulationError
 
 FUNCTIONS: dict[str, tuple[str, Any]] = {
-    "Float64": ("Float64", ctypes.c_double), "Int32": ("Int32", ctypes.c_int32),
-    "Boolean": ("Boolean", ctypes.c_bool), "Enumeration": ("Int64", ctypes.c_int64),
-    "UInt64": ("UInt64", ctypes.c_uint64),
+    "Float64": ("Float64", np.float64), "Int32": ("Int32", np.int32),
+    "Boolean": ("Boolean", np.bool_), "Enumeration": ("Int64", np.int64),
+    "UInt64": ("UInt64", np.uint64),
 }
 
 
@@ -39,18 +43,33 @@ class Unit3(Unit):
         self.call(
             "be instantiated", self.fmu.instantiate, loggingOn=True,
             eventModeUsed=self._has_events, earlyReturnAllowed=early,
-            logMessage=lambda _environment, status, _category, message: self.hear(status, message),
+            logMessage=lambda _environment, *message: self.messages.hear(*message),
         )
+        self._instance = ctypes.c_void_p(self.fmu.component)
+        self._do_step = self.fmu.dll["fmi3DoStep"]
+        self._do_step.argtypes = (
+            ctypes.c_void_p, ctypes.c_double, ctypes.c_double, ctypes.c_bool,
+            *[ctypes.c_void_p] * 4,
+        )
+        # eventHandlingNeeded, terminateSimulation, earlyReturn, lastSuccessfulTime
+        self._flags, self._reached = (ctypes.c_bool * 3)(), ctypes.c_double()
+        flags, reached = ctypes.addressof(self._flags), ctypes.addressof(self._reached)
+        self._told = tuple(ctypes.c_void_p(p) for p in (flags, flags + 1, flags + 2, reached))
 
-    def channel(self, names: Sequence[str]) -> Channel:
+    def channel(self, names: Sequence[str], values: NDArray[Any] | None = None) -> Channel:
         variables = [self.variables[n] for n in names]
         function, kind = FUNCTIONS[variables[0].type]
         size = sum(self._elements(v) for v in variables)
-        buffer = (kind * size)()
+        values, pointer = self.memory(kind, size, values)
         references = (ctypes.c_uint * len(names))(*(v.valueReference for v in variables))
-        arguments = self.fmu.component, references, len(names), buffer, size
-        read, write = (getattr(self.fmu, f"fmi3{way}{function}") for way in ("Get", "Set"))
-        return Channel(buffer, lambda: read(*arguments), lambda: write(*arguments))
+        arguments = (
+            self._instance, references, ctypes.c_size_t(len(names)), pointer, ctypes.c_size_t(size)
+        )
+        return Channel(
+            values,
+            self.prepared(f"give {named(names)}", f"fmi3Get{function}", *arguments),
+            self.prepared(f"set {named(names)}", f"fmi3Set{function}", *arguments),
+        )
 
     def _elements(self, variable: Any) -> int:
         size = 1
@@ -76,7 +95,9 @@ class Unit3(Unit):
             f"{self.name}: FMI 3.0 has no input derivatives; use coupling sequential or parallel"
         )
 
-    def input_slopes(self, names: Sequence[str], order: int) -> Channel:
+    def input_slopes(
+        self, names: Sequence[str], order: int, values: NDArray[np.float64]
+    ) -> Channel:
         return self.output_slopes(names, order)
 
     def enter_initialization(self, start: float, stop: float) -> None:
@@ -96,20 +117,23 @@ class Unit3(Unit):
         return end
 
     def step(self, time: float, end: float) -> float:
-        event, terminate, early, reached = self.call(
-            f"step at {time:.6g} s", self.fmu.doStep, currentCommunicationPoint=time,
-            communicationStepSize=end - time,
-        )
+        status = self._do_step(self._instance, time, end - time, True, *self._told)
+        if status > WARNING:
+            raise self.refusal(f"step at {time:.6g} s", "fmi3DoStep", status)
+        event, terminate, early = self._flags
+        reached = self._reached.value
         if terminate:
             raise SimulationError(f"{self.name} asked to end the simulation at {reached:.6g} s")
         self._at_event = event
-        return float(reached) if early and reached < end - INSTANT else end
+        return reached if early and reached < end - INSTANT else end
 
-    def meet_event(self) -> None:
-        if self._at_event:
-            self._at_event = False
-            self.call("enter event mode", self.fmu.enterEventMode)
-            self._update()
+    def meet_event(self) -> bool:
+        if not self._at_event:
+            return False
+        self._at_event = False
+        self.call("enter event mode", self.fmu.enterEventMode)
+        self._update()
+        return True
 
     def _update(self) -> None:
         again = True
