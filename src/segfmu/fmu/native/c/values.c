@@ -68,7 +68,7 @@ bool glue_readable(instance *c, const char *function, const uint32_t references[
             early |= v->setting == SET_NEVER ? MODE_INSTANTIATED | MODE_CONFIGURATION : 0;
         }
     }
-    return !follows || (glue_allows(c, MODE_ANY & ~early, function) && glue_evaluate(c));
+    return !follows || (glue_allows(c, (MODE_ANY | MODE_UPDATE) & ~early, function) && glue_evaluate(c));
 }
 
 bool glue_settable(instance *c, const char *function, const uint32_t references[], size_t count,
