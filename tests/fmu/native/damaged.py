@@ -1,4 +1,4 @@
-"""Restore saved states with changed words and a sum that fits: `python -m tests.fmu.native.damaged`.
+"""Restore changed states with a sum that fits: `python -m tests.fmu.native.damaged`.
 
 A process of its own, as what is tested is that an importer survives. Prints how many states were
 refused and how many went on.
