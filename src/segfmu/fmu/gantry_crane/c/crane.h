@@ -14,7 +14,7 @@ enum {
 /* rows of the memory, see kernels/rig/rig.py */
 enum {
     ROW_STATE, ROW_PARAMETERS, ROW_CLOCK, ROW_LAST, ROW_REPORT, ROW_SIGNALS, ROW_CORRECTION = 8,
-    ROW_SQUARES = 10, ROW_CUBES, ROW_DERIVATIVE = 20, FIRST_BEND = 10
+    ROW_SQUARES = 10, ROW_CUBES, ROW_DERIVATIVE = 20, ROW_QUEUE = 30, FIRST_BEND = 10
 };
 
 typedef struct {

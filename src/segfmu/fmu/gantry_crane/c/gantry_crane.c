@@ -9,22 +9,81 @@
 enum { EXCHANGE = 0, ENERGIES = 7 };
 
 /* s by which an event may be met late: importers with fixed steps cannot do better */
-static const double LATEST = 1.0;
+static const double LATEST_EVENT = 1.0;
+
+/* periods by which the next tick or sample can be away from the present */
+static const double MOST_LATE = 2.0;
 
 /* the states in the order of the description: the crane's and its energies */
 const double model_nominals[MODEL_STATES + 1] = {
     1.0, 1.0, 1.0, 0.1, 0.1, 1.0, 1.0, 1.0, 0.1, 0.1, 10.0, 10.0, 10.0, 0.0
 };
 
-size_t model_size(void)
+/* Bytes of a block for sensors with these times; dead times that are refused need no room. */
+static size_t size_for(double sample_time, double dead_time)
 {
-    return sizeof(crane)
-        + (size_t)segfmu_rig_rows(1.0, MOST_SAMPLES) * COLUMNS * sizeof(double);
+    bool sampled = sample_time > 0.0 && dead_time >= 0.0 && dead_time <= MOST_SAMPLES * sample_time;
+    int64_t rows = sampled ? segfmu_rig_rows(sample_time, dead_time) : segfmu_rig_rows(0.0, 0.0);
+    return sizeof(crane) + (size_t)rows * COLUMNS * sizeof(double);
+}
+
+size_t model_least(void)
+{
+    return size_for(0.0, 0.0);
+}
+
+size_t model_size(const model *base)
+{
+    return size_for(base->real[V_SENSOR_SAMPLE_TIME], base->real[V_SENSOR_DEAD_TIME]);
 }
 
 size_t model_used(const model *base)
 {
-    return sizeof(crane) + (size_t)((const crane *)base)->rows * COLUMNS * sizeof(double);
+    const crane *m = (const crane *)base;
+    return m->rows == 0 ? model_least() : sizeof(crane) + (size_t)m->rows * COLUMNS * sizeof(double);
+}
+
+/* A whole number from 0 to below a bound, as the kernels keep it. */
+static bool counts(double value, double bound)
+{
+    return value >= 0.0 && value < bound && value == floor(value);
+}
+
+/* Whether the times of the next tick and sample are near the present; the loops go from one to the
+   next. */
+static bool near(double due, double now, double period)
+{
+    return period > 0.0 && fabs(due - now) <= MOST_LATE * period + LATEST_EVENT;
+}
+
+/* Whether the clock and the queue of the samples are what a simulation leaves. */
+static bool sound_memory(const crane *m)
+{
+    const double *clock = m->memory + ROW_CLOCK * COLUMNS, *queue = m->memory + ROW_QUEUE * COLUMNS;
+    const double now = clock[1], places = 6.0 * (double)(m->rows - ROW_QUEUE - 4);
+    for (int64_t i = 0; i < m->rows * COLUMNS; i++) {
+        if (!isfinite(m->memory[i])) {
+            return false;
+        }
+    }
+    return fabs(now) <= LATEST && clock[2] == 0.0 && near(clock[3] * m->loop[1], now, m->loop[1])
+        && (m->sensors[0] <= 0.0
+            || (near(queue[0] * m->sensors[0], now, m->sensors[0])
+                && counts(queue[1], places) && counts(queue[2], places + 1.0)));
+}
+
+bool model_sound(const model *base, size_t size)
+{
+    const crane *m = (const crane *)base;
+    bool sized = size == model_used(base)
+        && (m->rows == 0 || size == size_for(m->sensors[0], m->sensors[1]));
+    return sized && (m->rows > 0 || !base->initialised) && m->count_changes >= 0
+        && m->count_changes <= CHANGES && (m->count_components == 0
+                                           || m->count_components == COMPONENTS)
+        && m->count_lengths >= 0 && m->count_lengths <= MOST_LENGTHS && m->count_nodes >= 0
+        && m->count_nodes <= MOST_LENGTHS
+        && (m->rows == 0 || (m->count_lengths > 0 && m->count_nodes > 0
+                             && (m->loop[0] == 1.0 || m->loop[0] == 2.0) && sound_memory(m)));
 }
 
 int64_t model_rows(const model *base)
@@ -147,7 +206,7 @@ bool model_event(model *base, char message[MESSAGE])
     }
     double late = crane_elapsed(m) - segfmu_rig_next_event(
         vector(m->loop, LOOP), vector(m->sensors, SENSORS), memory_of(m));
-    if (late > LATEST) {
+    if (late > LATEST_EVENT) {
         return say(message, "the time event at %.9g s was missed by %g s; an importer has to stop at "
                    "the times that the FMU names", base->real[V_TIME] - late, late);
     }

@@ -26,9 +26,15 @@ SIDE_BY_SIDE(V_REFERENCE_LOAD_POSITION_X, V_REFERENCE_LOAD_SNAP_Z, ORDERS * AXES
 SIDE_BY_SIDE(V_CRANE_BRIDGE_MASS, V_CRANE_ROPE_MAX, 6);
 SIDE_BY_SIDE(V_LIMITS_X_VELOCITY, V_LIMITS_Z_SNAP, 4 * AXES);
 
-size_t model_size(void)
+size_t model_least(void)
 {
-    return sizeof(feedforward) + segfmu_plan_size(MOST_POINTS, AXES, 6) * sizeof(double);
+    return sizeof(feedforward);
+}
+
+size_t model_size(const model *base)
+{
+    return sizeof(feedforward) + sizeof(double) * segfmu_plan_size(
+        base->integer[V_WAYPOINT_COUNT], AXES, base->integer[V_PLANNER_SMOOTHNESS]);
 }
 
 static size_t kept(const feedforward *m)
@@ -42,6 +48,29 @@ static size_t kept(const feedforward *m)
 size_t model_used(const model *base)
 {
     return sizeof(feedforward) + kept((const feedforward *)base) * sizeof(double);
+}
+
+/* Whether the pieces of the axes follow each other. */
+static bool ordered(const feedforward *m)
+{
+    const segfmu_trajectory t = feedforward_trajectory(m);
+    for (int axis = 0; axis < AXES; axis++) {
+        if (t.offsets[axis] >= t.offsets[axis + 1]) {
+            return false;
+        }
+    }
+    return t.offsets[0] == 0 && t.offsets[AXES] == m->pieces;
+}
+
+bool model_sound(const model *base, size_t size)
+{
+    const feedforward *m = (const feedforward *)base;
+    const int64_t most = (int64_t)(size / sizeof(double));
+    if (m->pieces == 0) {
+        return !base->initialised && size == sizeof(feedforward);
+    }
+    return m->points >= 2 && m->points <= MOST_POINTS && m->smoothness >= 2 && m->smoothness <= 6
+        && m->pieces >= AXES && m->pieces <= most && size == model_used(base) && ordered(m);
 }
 
 int64_t model_rows(const model *base)

@@ -23,9 +23,18 @@ static fmi2Status status(bool good)
 static void report(instance *c, int code, const char *category, const char *message)
 {
     fmi2CallbackLogger log = (fmi2CallbackLogger)c->log;
-    /* the standard has the importer format the message, so a percent sign would be one of printf's;
-       none of ours has one */
-    log(c->environment, c->name, (fmi2Status)code, category, message);
+    /* the standard has the importer format the message, so every percent sign is doubled: names and
+       tokens that the importer gave may have some */
+    char text[4 * MESSAGE];
+    size_t used = 0;
+    for (const char *p = message; *p != '\0' && used + 2 < sizeof text; p++) {
+        text[used++] = *p;
+        if (*p == '%') {
+            text[used++] = '%';
+        }
+    }
+    text[used] = '\0';
+    log(c->environment, c->name, (fmi2Status)code, category, text);
 }
 
 /* ---- versions, logging, instances ---- */
@@ -61,9 +70,10 @@ fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, f
     if (functions == NULL) {
         return NULL;
     }
-    return glue_create(name, guid, type == fmi2CoSimulation ? CO_SIMULATION : MODEL_EXCHANGE,
-                       on != fmi2False, report, (callback)functions->logger,
-                       functions->componentEnvironment);
+    int interface = type == fmi2CoSimulation ? CO_SIMULATION
+        : type == fmi2ModelExchange ? MODEL_EXCHANGE : NO_INTERFACE;
+    return glue_create(name, guid, interface, on != fmi2False, report,
+                       (callback)functions->logger, functions->componentEnvironment);
 }
 
 void fmi2FreeInstance(fmi2Component component)
@@ -186,7 +196,9 @@ static fmi2Status set_integers(instance *c, const char *function,
     }
     for (size_t i = 0; i < count; i++) {
         bool boolean = model_variables[references[i]].kind == KIND_BOOLEAN;
-        glue_set_integer(c, references[i], boolean ? values[i] != fmi2False : values[i]);
+        if (!glue_set_integer(c, references[i], boolean ? values[i] != fmi2False : values[i])) {
+            return fmi2Error;
+        }
     }
     return fmi2OK;
 }

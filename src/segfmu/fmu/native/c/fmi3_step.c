@@ -28,7 +28,9 @@ static void update(instance *c, double *end)
     if (tell == NULL) {
         return;
     }
+    c->model->mode = MODE_UPDATE;
     tell(c->environment, now, false, true, true, c->early_return && now < *end, &early, &asked);
+    c->model->mode = MODE_STEP;
     if (early && c->early_return && asked < *end) {
         *end = asked > now ? asked : now;
     }

@@ -3,8 +3,8 @@
 
 #include "glue.h"
 
-/* modes in which values are read and set */
-enum { ALIVE = MODE_ANY };
+/* modes in which values are read */
+enum { READABLE = MODE_ANY | MODE_UPDATE };
 
 #define ALLOW(modes) if (!glue_allows(c, (modes), __func__)) return fmi3Error
 #define GIVEN(pointer) if (!glue_given(c, (pointer), __func__)) return fmi3Error
@@ -19,13 +19,13 @@ static fmi3Status status(bool good)
     fmi3Status fmi3Get##Type(fmi3Instance c, const fmi3ValueReference references[], size_t count, \
                              fmi3##Type values[], size_t size)                                    \
     {                                                                                             \
-        ALLOW(ALIVE);                                                                             \
+        ALLOW(READABLE);                                                                          \
         return status(glue_readable(c, __func__, references, count, values, size, 0));            \
     }                                                                                             \
     fmi3Status fmi3Set##Type(fmi3Instance c, const fmi3ValueReference references[], size_t count, \
                              const fmi3##Type values[], size_t size)                              \
     {                                                                                             \
-        ALLOW(ALIVE);                                                                             \
+        ALLOW(MODE_ANY);                                                                          \
         return status(glue_settable(c, __func__, references, count, values, size, 0));            \
     }
 
@@ -42,7 +42,7 @@ WITHOUT(String)
     fmi3Status fmi3Get##Type(fmi3Instance c, const fmi3ValueReference references[], size_t count, \
                              fmi3##Type values[], size_t size)                                    \
     {                                                                                             \
-        ALLOW(ALIVE);                                                                             \
+        ALLOW(READABLE);                                                                          \
         if (!glue_readable(c, __func__, references, count, values, size, 1 << (kind))) {          \
             return fmi3Error;                                                                     \
         }                                                                                         \
@@ -54,7 +54,7 @@ WITHOUT(String)
     fmi3Status fmi3Set##Type(fmi3Instance c, const fmi3ValueReference references[], size_t count, \
                              const fmi3##Type values[], size_t size)                              \
     {                                                                                             \
-        ALLOW(ALIVE);                                                                             \
+        ALLOW(MODE_ANY);                                                                          \
         if (!glue_settable(c, __func__, references, count, values, size, 1 << (kind))) {          \
             return fmi3Error;                                                                     \
         }                                                                                         \
@@ -75,7 +75,7 @@ fmi3Status fmi3GetFloat64(fmi3Instance self, const fmi3ValueReference references
                           fmi3Float64 values[], size_t size)
 {
     instance *c = self;
-    ALLOW(ALIVE);
+    ALLOW(READABLE);
     if (!glue_readable(c, __func__, references, count, values, size, 1 << KIND_REAL)) {
         return fmi3Error;
     }
@@ -87,7 +87,7 @@ fmi3Status fmi3SetFloat64(fmi3Instance self, const fmi3ValueReference references
                           const fmi3Float64 values[], size_t size)
 {
     instance *c = self;
-    ALLOW(ALIVE);
+    ALLOW(MODE_ANY);
     return status(glue_settable(c, __func__, references, count, values, size, 1 << KIND_REAL)
                   && glue_set_reals(c, references, count, values, size));
 }
@@ -96,7 +96,7 @@ fmi3Status fmi3GetBinary(fmi3Instance self, const fmi3ValueReference references[
                          size_t sizes[], fmi3Binary values[], size_t size)
 {
     instance *c = self;
-    ALLOW(ALIVE);
+    ALLOW(READABLE);
     (void)sizes;
     return status(glue_readable(c, __func__, references, count, values, size, 0));
 }
@@ -105,7 +105,7 @@ fmi3Status fmi3SetBinary(fmi3Instance self, const fmi3ValueReference references[
                          const size_t sizes[], const fmi3Binary values[], size_t size)
 {
     instance *c = self;
-    ALLOW(ALIVE);
+    ALLOW(MODE_ANY);
     (void)sizes;
     return status(glue_settable(c, __func__, references, count, values, size, 0));
 }

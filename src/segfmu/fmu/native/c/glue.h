@@ -13,10 +13,12 @@ enum {
     MODE_INSTANTIATED = 1, MODE_CONFIGURATION = 2, MODE_INITIALISATION = 4, MODE_EVENT = 8,
     MODE_CONTINUOUS = 16, MODE_STEP = 32, MODE_TERMINATED = 64, MODE_FAILED = 128,
     MODE_RUNNING = MODE_EVENT | MODE_CONTINUOUS | MODE_STEP,
-    MODE_ANY = 255
+    MODE_ANY = 255,
+    /* within the callback of FMI 3.0: values can be read, and nothing else */
+    MODE_UPDATE = 256
 };
 
-enum { MODEL_EXCHANGE, CO_SIMULATION };
+enum { MODEL_EXCHANGE, CO_SIMULATION, NO_INTERFACE };
 
 typedef struct instance instance;
 typedef void (*reporter)(instance *c, int status, const char *category, const char *message);
@@ -25,6 +27,7 @@ typedef void (*callback)(void);
 
 struct instance {
     model *model;
+    size_t capacity;  /* bytes of the model's block */
     char *name;
     void *environment;
     reporter report;
@@ -37,6 +40,8 @@ struct instance {
 instance *glue_create(const char *name, const char *token, int interface, bool logging,
                       reporter report, callback log, void *environment);
 void glue_free(instance *c);
+/* Make room in the model's block, which may move; false where there is no memory. */
+bool glue_reserve(instance *c, size_t size);
 /* Back to the start values, mode INSTANTIATED. */
 void glue_reset(instance *c);
 
@@ -60,6 +65,8 @@ bool glue_settable(instance *c, const char *function, const uint32_t references[
                    const void *values, size_t size, int kinds);
 /* Number of elements of a variable. */
 size_t glue_elements_of(const instance *c, const variable *v);
+/* Whether a value is in the range of its variable; reports if not, `what` goes before. */
+bool glue_in_range(instance *c, const variable *v, double value, const char *what);
 void glue_get_reals(const instance *c, const uint32_t references[], size_t count, double values[]);
 bool glue_set_reals(instance *c, const uint32_t references[], size_t count, const double values[],
                     size_t size);
@@ -73,6 +80,9 @@ bool glue_begin(instance *c, double start, bool has_stop, double stop);
 bool glue_initialise(instance *c);
 /* Outputs current; in initialisation mode, follow the parameters first. */
 bool glue_evaluate(instance *c);
+
+/* Model exchange: the derivatives at the present state. */
+bool glue_derivatives(instance *c, double derivatives[]);
 
 /* One communication step: begin it, go on to its end or an event. */
 bool glue_begin_step(instance *c, double time, double step);

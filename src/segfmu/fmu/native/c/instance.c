@@ -7,9 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* s; beyond it doubles have no microseconds */
-static const double LATEST = 1e9;
-
 static const char *const CATEGORIES[] = {
     "logEvents", "logStatusWarning", "logStatusDiscard", "logStatusError", "logStatusFatal"
 };
@@ -27,9 +24,24 @@ void glue_log(instance *c, int status, const char *format, ...)
     c->report(c, status, CATEGORIES[status], message);
 }
 
+bool glue_reserve(instance *c, size_t size)
+{
+    if (size > c->capacity) {
+        model *block = realloc(c->model, size);
+        if (block == NULL) {
+            glue_log(c, STATUS_ERROR, "out of memory");
+            return false;
+        }
+        memset((char *)block + c->capacity, 0, size - c->capacity);
+        c->model = block;
+        c->capacity = size;
+    }
+    return true;
+}
+
 static void start(instance *c, int interface)
 {
-    memset(c->model, 0, model_used(c->model));
+    memset(c->model, 0, c->capacity);
     memcpy(c->model->real, model_real_start, sizeof c->model->real);
     memcpy(c->model->integer, model_integer_start, sizeof c->model->integer);
     c->model->mode = MODE_INSTANTIATED;
@@ -54,9 +66,14 @@ instance *glue_create(const char *name, const char *token, int interface, bool l
                  token == NULL ? "none" : token);
         return NULL;
     }
+    if (interface != MODEL_EXCHANGE && interface != CO_SIMULATION) {
+        glue_log(&heard, STATUS_ERROR, "an instance is for model exchange or for co-simulation; the "
+                 "type asked for is neither");
+        return NULL;
+    }
     instance *c = calloc(1, sizeof *c);
     char *own = malloc(strlen(name) + 1);
-    model *block = calloc(1, model_size());
+    model *block = calloc(1, model_least());
     if (c == NULL || own == NULL || block == NULL) {
         glue_log(&heard, STATUS_ERROR, "out of memory");
         free(c);
@@ -68,13 +85,17 @@ instance *glue_create(const char *name, const char *token, int interface, bool l
     c->name = strcpy(own, name);
     c->logging = logging;
     c->model = block;
+    c->capacity = model_least();
     start(c, interface);
     return c;
 }
 
 void glue_free(instance *c)
 {
-    if (c != NULL) {
+    if (c != NULL && c->model->mode == MODE_UPDATE) {
+        /* the step that called is not over, and needs the instance */
+        glue_log(c, STATUS_ERROR, "an instance cannot be freed within its callback");
+    } else if (c != NULL) {
         free(c->model);
         free(c->name);
         free(c);
@@ -98,6 +119,7 @@ bool glue_allows(instance *c, int modes, const char *function)
             : c->model->mode == MODE_EVENT ? "in event mode"
             : c->model->mode == MODE_CONTINUOUS ? "in continuous-time mode"
             : c->model->mode == MODE_STEP ? "between steps"
+            : c->model->mode == MODE_UPDATE ? "within the intermediate update"
             : c->model->mode == MODE_TERMINATED ? "after termination" : "after an error";
         glue_log(c, STATUS_ERROR, "%s is not allowed %s", function, mode);
         return false;
@@ -135,6 +157,21 @@ void glue_set_time(instance *c, double time)
 {
     c->model->real[V_TIME] = time;
     c->model->evaluated = 0;
+}
+
+bool glue_in_range(instance *c, const variable *v, double value, const char *what)
+{
+    if (value >= v->least && value <= v->most) {
+        return true;
+    }
+    if (isinf(v->most)) {
+        glue_log(c, STATUS_ERROR, "%s: %s must be at least %g, got %g", what, v->name, v->least,
+                 value);
+    } else {
+        glue_log(c, STATUS_ERROR, "%s: %s must be at least %g and at most %g, got %g", what,
+                 v->name, v->least, v->most, value);
+    }
+    return false;
 }
 
 size_t glue_elements_of(const instance *c, const variable *v)

@@ -13,6 +13,9 @@
 /* room for a message, its end included */
 enum { MESSAGE = 400 };
 
+/* s; times beyond it have no microseconds */
+#define LATEST 1e9
+
 /* orders of the derivatives of inputs */
 enum { INPUT_ORDERS = 3 };
 
@@ -58,9 +61,14 @@ typedef struct {
     int64_t integer[MODEL_INTEGERS];
 } model;
 
-/* Bytes of the largest block, and of the part of a block that is in use. */
-size_t model_size(void);
+/* Bytes of a block before initialisation, of one that has room for what `model_initialise` needs by
+   the present parameters, and of the part of a block that is in use. */
+size_t model_least(void);
+size_t model_size(const model *m);
 size_t model_used(const model *m);
+
+/* Whether a block that comes from outside, of so many bytes, has sizes and indices within itself. */
+bool model_sound(const model *m, size_t size);
 
 /* Rows of the variables that are arrays. */
 int64_t model_rows(const model *m);

@@ -9,28 +9,17 @@ static const double SAME = 1e-9;
 /* of a time to which a step was added, relative to it */
 static const double ROUNDING = 1e-14;
 
-/* The first parameter outside its range, as the specification gives it. */
+/* Whether all values are in the ranges that the specification gives. */
 static bool in_range(instance *c)
 {
     for (size_t i = 0; i < MODEL_VARIABLES; i++) {
         const variable *v = &model_variables[i];
-        if (v->setting == SET_NEVER) {
-            continue;
-        }
-        for (size_t k = 0; k < glue_elements_of(c, v); k++) {
+        for (size_t k = 0; v->setting != SET_NEVER && k < glue_elements_of(c, v); k++) {
             double value = v->kind == KIND_REAL ? c->model->real[v->offset + k]
                                                 : (double)c->model->integer[v->offset + k];
-            if (value >= v->least && value <= v->most) {
-                continue;
+            if (!glue_in_range(c, v, value, "initialisation failed")) {
+                return false;
             }
-            if (isinf(v->most)) {
-                glue_log(c, STATUS_ERROR, "initialisation failed: %s must be at least %g, got %g",
-                         v->name, v->least, value);
-            } else {
-                glue_log(c, STATUS_ERROR, "initialisation failed: %s must be at least %g and at "
-                         "most %g, got %g", v->name, v->least, v->most, value);
-            }
-            return false;
         }
     }
     return true;
@@ -39,7 +28,7 @@ static bool in_range(instance *c)
 static bool follow_parameters(instance *c)
 {
     char message[MESSAGE] = "";
-    if (!in_range(c)) {
+    if (!in_range(c) || !glue_reserve(c, model_size(c->model))) {
         return false;
     }
     if (!model_initialise(c->model, message)) {
@@ -51,21 +40,57 @@ static bool follow_parameters(instance *c)
     return true;
 }
 
+/* A solver of model exchange may try states outside the model's range. */
+static int trial_status(const instance *c)
+{
+    return c->model->mode == MODE_CONTINUOUS ? STATUS_DISCARD : STATUS_ERROR;
+}
+
+/* Whether the outputs are numbers: parameters at the edge of their range can overflow. */
+static bool finite_outputs(instance *c)
+{
+    for (size_t i = 0; i < MODEL_VARIABLES; i++) {
+        const variable *v = &model_variables[i];
+        if (v->differentiable && !isfinite(c->model->real[v->offset])) {
+            glue_log(c, trial_status(c), "at %.9g s: %s is not finite; check the size of parameters "
+                     "and inputs", c->model->real[V_TIME], v->name);
+            return false;
+        }
+    }
+    return true;
+}
+
 bool glue_evaluate(instance *c)
 {
-    model *m = c->model;
     char message[MESSAGE];
-    if (m->mode == MODE_INITIALISATION && !m->initialised && !follow_parameters(c)) {
+    if (c->model->mode == MODE_INITIALISATION && !c->model->initialised && !follow_parameters(c)) {
         return false;
     }
-    if ((m->mode & (MODE_INITIALISATION | MODE_RUNNING)) == 0 || m->evaluated) {
+    model *m = c->model;
+    if ((m->mode & (MODE_INITIALISATION | MODE_RUNNING | MODE_UPDATE)) == 0 || m->evaluated) {
         return true;
     }
     if (!model_evaluate(m, message)) {
         glue_log(c, STATUS_ERROR, "%s", message);
         return false;
     }
+    if (!finite_outputs(c)) {
+        return false;
+    }
     m->evaluated = 1;
+    return true;
+}
+
+bool glue_derivatives(instance *c, double derivatives[])
+{
+    char message[MESSAGE] = "";
+    if (!glue_evaluate(c)) {
+        return false;
+    }
+    if (!model_derivatives(c->model, derivatives, message)) {
+        glue_log(c, trial_status(c), "%s", message);
+        return false;
+    }
     return true;
 }
 
@@ -113,6 +138,11 @@ bool glue_begin_step(instance *c, double time, double step)
     }
     if (!(step > 0.0)) {
         glue_log(c, STATUS_ERROR, "the communication step size must be above 0 s, got %g s", step);
+        return false;
+    }
+    if (!(time + step > time + ROUNDING * (1.0 + fabs(time)))) {
+        glue_log(c, STATUS_ERROR, "a step of %g s is below the resolution of the time at %.9g s",
+                 step, time);
         return false;
     }
     if (m->stops && time + step > m->stop + SAME * (1.0 + fabs(m->stop)) + 1e-3 * step) {

@@ -1,5 +1,6 @@
 /* Saved states: the part of an instance's block that is in use, behind a header. As the block has
    no pointers, a copy in another instance, process or run goes on bit for bit. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -41,7 +42,7 @@ static uint64_t mark(const instance *c)
 /* A block has this layout where the sources and the sizes of structures are the same. */
 static uint64_t build(void)
 {
-    return mix(mix(BUILD_MARK, sizeof(model)), model_size());
+    return mix(mix(BUILD_MARK, sizeof(model)), model_least());
 }
 
 bool glue_save(instance *c, void **state)
@@ -75,21 +76,58 @@ static bool fits(instance *c, const header *head)
                  "another version of FMI; save it again with this FMU");
         return false;
     }
-    if (head->size > model_size() || head->size < sizeof(model)) {
+    if (head->size < model_least()) {
         glue_log(c, STATUS_ERROR, "the state has a size that no state of this model has");
         return false;
     }
     return true;
 }
 
+static bool is_truth(int64_t value)
+{
+    return value == 0 || value == 1;
+}
+
+/* Whether what the parameters say of sizes and choices is in range, and all numbers are finite. */
+static bool sound_values(const instance *c, const model *m)
+{
+    for (size_t i = 0; i < MODEL_VARIABLES; i++) {
+        const variable *v = &model_variables[i];
+        double value = (double)m->integer[v->kind == KIND_REAL ? 0 : v->offset];
+        if (v->kind != KIND_REAL && v->setting != SET_NEVER
+            && !(value >= v->least && value <= v->most)) {
+            return false;
+        }
+    }
+    for (size_t i = 0; i < MODEL_REALS; i++) {
+        if (!isfinite(m->real[i])) {
+            return false;
+        }
+    }
+    return m->interface == c->model->interface && fabs(m->start) <= LATEST
+        && fabs(m->real[V_TIME]) <= LATEST && isfinite(m->stop) && isfinite(m->step_start)
+        && isfinite(m->step_end);
+}
+
+/* Bytes from outside can have a sum that fits and values that do not: whether a block's mode exists,
+   and its sizes and indices are within it. */
+static bool sound(const instance *c, const model *m, size_t size)
+{
+    bool mode = m->mode > 0 && m->mode <= MODE_FAILED && (m->mode & (m->mode - 1)) == 0;
+    bool ready = m->initialised || (m->mode & (MODE_RUNNING | MODE_TERMINATED)) == 0;
+    return mode && ready && is_truth(m->initialised) && is_truth(m->evaluated) && is_truth(m->stops)
+        && is_truth(m->sloped) && is_truth(m->tuned) && sound_values(c, m) && model_sound(m, size);
+}
+
 bool glue_restore(instance *c, const void *state)
 {
     header head;
     memcpy(&head, state, sizeof head);
-    if (!fits(c, &head)) {
+    if (!fits(c, &head) || !glue_reserve(c, (size_t)head.size)) {
         return false;
     }
     memcpy(c->model, (const char *)state + sizeof head, (size_t)head.size);
+    memset((char *)c->model + head.size, 0, c->capacity - (size_t)head.size);
     return true;
 }
 
@@ -137,7 +175,7 @@ bool glue_deserialise(instance *c, const void *bytes, size_t size, void **state)
         return false;
     }
     const char *block = (const char *)bytes + sizeof head;
-    if (size < sizeof head + head.size || head.sum != sum_of(block, (size_t)head.size)) {
+    if (head.size > size - sizeof head || head.sum != sum_of(block, (size_t)head.size)) {
         glue_log(c, STATUS_ERROR, "the bytes of the saved state are damaged");
         return false;
     }
@@ -147,6 +185,11 @@ bool glue_deserialise(instance *c, const void *bytes, size_t size, void **state)
         return false;
     }
     memcpy(copy, bytes, sizeof head + (size_t)head.size);
+    if (!sound(c, (const model *)(const void *)(copy + sizeof head), (size_t)head.size)) {
+        glue_log(c, STATUS_ERROR, "the saved state has values that no simulation comes to");
+        free(copy);
+        return false;
+    }
     *state = copy;
     return true;
 }

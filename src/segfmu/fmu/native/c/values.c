@@ -68,7 +68,7 @@ bool glue_readable(instance *c, const char *function, const uint32_t references[
             early |= v->setting == SET_NEVER ? MODE_INSTANTIATED | MODE_CONFIGURATION : 0;
         }
     }
-    return !follows || (glue_allows(c, MODE_ANY & ~early, function) && glue_evaluate(c));
+    return !follows || (glue_allows(c, (MODE_ANY | MODE_UPDATE) & ~early, function) && glue_evaluate(c));
 }
 
 bool glue_settable(instance *c, const char *function, const uint32_t references[], size_t count,
@@ -132,10 +132,38 @@ static bool all_finite(instance *c, const uint32_t references[], const double va
     return glue_finite(c, values[place], v->name);
 }
 
+/* While the model runs nothing checks its parameters again, so what is tuned is checked here. */
+static bool tuned_in_range(instance *c, const variable *v, const double values[], size_t count)
+{
+    if (v->setting != SET_TUNABLE || (c->model->mode & MODE_RUNNING) == 0) {
+        return true;
+    }
+    for (size_t k = 0; k < count; k++) {
+        if (!glue_in_range(c, v, values[k], "tuning refused")) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool all_in_range(instance *c, const uint32_t references[], size_t count,
+                         const double values[])
+{
+    for (size_t i = 0; i < count; i++) {
+        const variable *v = &model_variables[references[i]];
+        size_t elements = glue_elements_of(c, v);
+        if (!tuned_in_range(c, v, values, elements)) {
+            return false;
+        }
+        values += elements;
+    }
+    return true;
+}
+
 bool glue_set_reals(instance *c, const uint32_t references[], size_t count, const double values[],
                     size_t size)
 {
-    if (!all_finite(c, references, values, size)) {
+    if (!all_finite(c, references, values, size) || !all_in_range(c, references, count, values)) {
         return false;
     }
     double *real = c->model->real;
@@ -168,6 +196,10 @@ bool glue_set_integer(instance *c, uint32_t reference, int64_t value)
     if (v->kind == KIND_COUNT && !((double)value >= v->least && (double)value <= v->most)) {
         glue_log(c, STATUS_ERROR, "%s must be at least %g and at most %g, got %lld", v->name,
                  v->least, v->most, (long long)value);
+        return false;
+    }
+    double number = (double)value;
+    if (!tuned_in_range(c, v, &number, 1)) {
         return false;
     }
     c->model->integer[v->offset] = value;

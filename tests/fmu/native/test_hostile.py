@@ -1,0 +1,145 @@
+"""What a careless or hostile importer does: it gets an error, and never a crash or a false OK."""
+
+from __future__ import annotations
+
+import ctypes
+import subprocess
+import sys
+from contextlib import ExitStack
+from pathlib import Path
+
+import numpy as np
+import pytest
+from fmpy.fmi2 import fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
+
+from tests.fmu.native.importer import Importer
+from tests.fmu.native.test_state import CRANE, each, start
+
+ROOT = Path(__file__).parents[3]
+# what the bindings raise for a status
+STATUS = r"(?i)status|error"
+both = pytest.mark.parametrize("fmi", [2, 3])
+
+
+def instantiated(fmu: Importer, kind: int, token: bytes) -> list[str]:
+    """Messages of an instance of FMI 2.0 that is asked for with a type and a token."""
+    told: list[str] = []
+    callbacks = fmi2CallbackFunctions()
+    log = fmi2CallbackLoggerTYPE(lambda _, n, s, c, m: told.append(m.decode()))
+    callbacks.logger = log
+    function = fmu.fmu.dll.fmi2Instantiate
+    function.restype = ctypes.c_void_p
+    assert not function(b"one", kind, token, b"", ctypes.byref(callbacks), 0, 0)
+    return told
+
+
+def test_percent_signs_of_a_token_reach_the_logger_as_text(native_fmus) -> None:
+    with Importer(native_fmus[2][0]) as fmu:
+        told = instantiated(fmu, 1, b"%s%n%s%s%s%s")
+    assert "%%s%%n%%s" in told[0] and "%s%n" not in told[0].replace("%%", "")
+
+
+def test_an_interface_that_does_not_exist_is_refused(native_fmus) -> None:
+    with Importer(native_fmus[2][0]) as fmu:
+        told = instantiated(fmu, 7, fmu.description.guid.encode())
+    assert "neither" in told[0]
+
+
+@both
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [("feedback.bandwidth", -5.0), ("feedback.rejection.load", 1e300), ("feedback.fade", -1.0)],
+)
+def test_what_is_tuned_stays_in_its_range(native_fmus, fmi: int, name: str, value: float) -> None:
+    with Importer(native_fmus[fmi][1]) as fmu:
+        fmu.set({"force.hoist": -9.81, "reference.rope.length": 0.5})
+        fmu.initialise()
+        fmu.step(0.0, 0.01)
+        before = fmu.get(name)
+        with pytest.raises(Exception, match=STATUS):
+            fmu.set({name: value})
+        assert f"{name} must be at least" in fmu.messages[-1]
+        assert fmu.get(name) == before
+        fmu.step(0.01, 0.01)
+
+
+@both
+def test_a_step_below_the_resolution_of_time_is_refused(native_fmus, fmi: int) -> None:
+    with Importer(native_fmus[fmi][1]) as fmu:
+        fmu.set({"force.hoist": -9.81})
+        fmu.initialise()
+        fmu.step(0.0, 1e-3)
+        with pytest.raises(Exception, match=STATUS):
+            fmu.step(1e-3, 1e-20)
+        assert "resolution" in fmu.messages[-1]
+
+
+@both
+@pytest.mark.parametrize("index", [0, 1])
+def test_outputs_that_overflow_are_an_error(native_fmus, fmi: int, index: int) -> None:
+    with Importer(native_fmus[fmi][index]) as fmu:
+        fmu.set({"crane.payload_mass": 1e308})
+        with pytest.raises(Exception, match=STATUS):
+            fmu.initialise()
+            fmu.step(0.0, 1e-3)
+        assert fmu.messages
+
+
+def test_within_the_callback_of_fmi3_values_can_be_read_and_nothing_else(native_fmus) -> None:
+    refused, read = [], []
+
+    def update(*_: object) -> None:
+        position = fmu.variables["reference.load.position.x"].valueReference
+        read.extend(fmu.fmu.getFloat64([position]))
+        for name in ("terminate", "reset", "getFMUState"):
+            with pytest.raises(Exception, match=STATUS):
+                getattr(fmu.fmu, name)()
+            refused.append(name)
+        with pytest.raises(Exception, match=STATUS):
+            fmu.fmu.doStep(0.0, 0.1)
+        with pytest.raises(Exception, match=STATUS):
+            fmu.set({"crane.payload_mass": 2.0})
+        # returns nothing: it must leave the instance to the step under way
+        fmu.fmu.dll.fmi3FreeInstance(ctypes.c_void_p(fmu.fmu.component))
+
+    with Importer(native_fmus[3][0], intermediateUpdate=update) as fmu:
+        fmu.initialise()
+        assert fmu.fmu.doStep(0.0, 0.1)[-1] == 0.1
+    assert len(refused) >= 3 and np.isfinite(read).all()
+
+
+@each
+def test_an_instance_takes_what_its_parameters_need(native_fmus, fmi: int, index: int) -> None:
+    def resident() -> int:
+        return int(Path("/proc/self/statm").read_text().split()[1]) * 4096
+
+    if not Path("/proc/self/statm").exists():
+        pytest.skip("memory in use is read from Linux' /proc")
+    with ExitStack() as stack:
+        instances = [stack.enter_context(Importer(native_fmus[fmi][index])) for _ in range(20)]
+        before = resident()
+        for fmu in instances:
+            start(fmu, index)
+            fmu.step(0.0, 1e-3)
+        assert (resident() - before) / len(instances) < 400e3
+
+
+@each
+def test_no_damaged_state_brings_the_importer_down(native_fmus, fmi: int, index: int) -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "tests.fmu.native.damaged", str(native_fmus[fmi][index]),
+         str(index), "60", str(fmi)],
+        cwd=ROOT, capture_output=True, text=True, check=False, timeout=120,
+    )
+    assert done.returncode == 0, done.stderr
+    refused, gone_on = map(int, done.stdout.split()[-2:])
+    assert refused > 0 and refused + gone_on == 60
+
+
+def test_a_late_sensor_still_has_room(native_fmus) -> None:
+    with Importer(native_fmus[2][1]) as fmu:
+        fmu.set(CRANE | {"sensor.sample_time": 1e-4, "sensor.dead_time": 1.0})
+        fmu.initialise()
+        for i in range(30):
+            fmu.step(i * 0.05, 0.05)
+        assert np.isfinite(fmu.get("measured.sway.x.angle"))
