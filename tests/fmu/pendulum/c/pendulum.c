@@ -14,9 +14,21 @@ typedef struct {
 
 const double model_nominals[MODEL_STATES + 1] = {0.1, 0.1, 0.0};
 
-size_t model_size(void)
+size_t model_least(void)
 {
     return sizeof(pendulum);
+}
+
+size_t model_size(const model *m)
+{
+    (void)m;
+    return sizeof(pendulum);
+}
+
+bool model_sound(const model *m, size_t size)
+{
+    (void)m;
+    return size == sizeof(pendulum);
 }
 
 size_t model_used(const model *m)
