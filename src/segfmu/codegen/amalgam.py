@@ -51,6 +51,7 @@ def amalgamated() -> str:
     """All kernels as one Python module."""
     imported: set[str] = set()
     texts = []
+    found: dict[str, str] = {}
     for name in modules():
         source = resolved(name)
         lines = source.splitlines()
@@ -59,6 +60,12 @@ def amalgamated() -> str:
             if isinstance(node, ast.ImportFrom) and module == "math":
                 imported.update(alias.name for alias in node.names)
             elif isinstance(node, ast.FunctionDef):
+                if node.name in found:
+                    raise BuildError(
+                        f"kernels/{name}.py:{node.lineno}: {found[node.name]} has a function "
+                        f"{node.name} too; all kernels become one C file"
+                    )
+                found[node.name] = name
                 texts.append("\n".join(lines[node.lineno - 1 : node.end_lineno]))
             elif not isinstance(node, ast.ImportFrom | ast.Expr):
                 raise BuildError(f"kernels/{name}.py:{node.lineno}: only functions translate")
