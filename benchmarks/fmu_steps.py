@@ -1,7 +1,7 @@
 """Communication steps of the FMUs, native and on PythonFMU, beside an FMU that does nothing.
 
 Every step sets all real inputs, steps by 1 ms and reads all real outputs: in C through a small
-importer that loads the FMU's library, and in Python through fmpy's bindings. The backends take
+importer that loads the FMU's library, and in Python by the calls of our master. The backends take
 turns, and every measurement loads and initialises the FMU anew.
 """
 
@@ -39,7 +39,7 @@ NATIVE_C, PYTHON, NOTHING = "native", "PythonFMU", "does nothing"
 # steps of a measurement, so that each takes some 10 ms
 STEPS = {
     (NATIVE_C, "C"): 10000, (PYTHON, "C"): 200, (NOTHING, "C"): 100000,
-    (NATIVE_C, "fmpy"): 2000, (PYTHON, "fmpy"): 200, (NOTHING, "fmpy"): 2000,
+    (NATIVE_C, "master"): 2000, (PYTHON, "master"): 200, (NOTHING, "master"): 2000,
 }
 
 
@@ -79,7 +79,7 @@ def measure(settings: Settings) -> Part:
     for name, backends in archives.items():
         calls = {
             (backend, importer): _call(driver, archive, importer, STEPS[backend, importer])
-            for importer in ("C", "fmpy")
+            for importer in ("C", "master")
             for backend, archive in backends.items()
         }
         found = _in_turns(calls, settings.repetitions)
@@ -89,7 +89,7 @@ def measure(settings: Settings) -> Part:
     return Part(TITLE, sections, (
         f"median, least and largest of {settings.repetitions} measurements; ratio: time over the "
         "native FMU's in the same importer and pass",
-        "C: the FMU's library, loaded and called by a program in C; fmpy: by its bindings",
+        "C: the FMU's library, loaded and called by a program in C; master: by ours",
         f"initialisation: GantryFeedforward plans through {WAYPOINTS} waypoints, GantryCrane finds "
         "its feedback gains",
     ))

@@ -70,6 +70,15 @@ def test_an_error_has_its_own_words_after_a_warning(native_fmus, caplog, fmi: in
     assert caplog.records[1].getMessage().endswith(str(raised.value).split(": ", 1)[1])
 
 
+def test_refused_reading_and_writing_name_the_variables(unit) -> None:
+    unit.variables["force.hoist"].valueReference = 10**6
+    unit.variables["error.load.x"].valueReference = 10**6
+    with pytest.raises(SimulationError, match=r"GantryCrane could not set force\.hoist: \w"):
+        unit.set({"force.hoist": 1.0})
+    with pytest.raises(SimulationError, match=r"give error\.load\.x and 1 more: \w"):
+        unit.channel(["error.load.x", "error.load.y"]).read()
+
+
 @pytest.mark.parametrize(
     ("status", "category", "level"),
     [
