@@ -9,6 +9,8 @@ from segfmu import Crane
 from segfmu.crane import Plant, Rig, Sensors, Setpoints
 from tests.crane.test_rig import HANGING
 
+pytestmark = pytest.mark.interpreted
+
 LAB = Crane(2.2, 1.155, 1.0)
 HOLD = Setpoints(np.array([0.0, 0.0, -9.81]), reference=HANGING)
 

@@ -10,6 +10,8 @@ from segfmu.crane import Plant, Rig, Sensors, Setpoints
 from segfmu.crane.sensors import resolution
 from tests.crane.test_rig import HANGING, feedback
 
+pytestmark = pytest.mark.interpreted
+
 LAB = Crane(2.2, 1.155, 1.0)
 
 

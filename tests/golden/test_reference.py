@@ -12,6 +12,8 @@ from segfmu.cosim import simulate, write_csv
 from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 
+pytestmark = pytest.mark.interpreted
+
 FOLDER = Path(__file__).parents[2] / "fmus"
 
 

@@ -30,6 +30,8 @@ from segfmu.kernels.trajectory import evaluate, expand
 from tests.kernels.rigs import CONTROLLERS, HANGING, LAB, everything
 from tests.problems import AxisProblem, axis_problems
 
+pytestmark = pytest.mark.interpreted
+
 compiled = pytest.importorskip(
     "segfmu.kernels._compiled", reason="the kernels were installed without a C compiler"
 )

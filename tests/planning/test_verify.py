@@ -11,6 +11,8 @@ import pytest
 from segfmu import InfeasibleError, Limits, Trajectory, Waypoint, plan, verify
 from segfmu.planning.verify import require
 
+pytestmark = pytest.mark.interpreted
+
 LIMITS = Limits([1.0, 0.4], [1.0, 0.5], [1.0, 0.5], [10.0, 5.0])
 WIDE = Limits([2.0, 0.8], [2.0, 1.0], [2.0, 1.0], [20.0, 10.0])
 POINTS = [

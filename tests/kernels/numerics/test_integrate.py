@@ -7,6 +7,8 @@ import pytest
 
 from segfmu.kernels.numerics.integrate import next_step, stage_node, stage_state, step_error
 
+pytestmark = pytest.mark.interpreted
+
 # derivatives of seven components that each are 1 in one stage: the sums are the coefficients
 ONE_EACH = np.vstack([np.eye(7), np.zeros((1, 7))])
 

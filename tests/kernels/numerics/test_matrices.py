@@ -7,6 +7,8 @@ import pytest
 
 from segfmu.kernels.numerics import matrices
 
+pytestmark = pytest.mark.interpreted
+
 
 def padded(a: np.ndarray) -> np.ndarray:
     """In the corner of a larger array of sevens."""

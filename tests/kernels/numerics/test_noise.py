@@ -13,6 +13,8 @@ from segfmu.kernels.numerics.noise import (
     seed_numbers,
 )
 
+pytestmark = pytest.mark.interpreted
+
 
 def seeded(seed: int) -> np.ndarray:
     numbers = np.zeros(2)

@@ -6,6 +6,8 @@ import pytest
 
 from segfmu import Limits, Trajectory, Waypoint, plan, verify
 
+pytestmark = pytest.mark.interpreted
+
 # limits of velocity, acceleration, jerk and snap; v, a -> w, b over a distance
 TOUCHING = [
     ((0.2527563, 0.40575217, 2.0, 0.43820065), (-0.08464547, 0.31082352, 0.0, 0.31082352, 0.0)),
