@@ -89,3 +89,13 @@ def test_a_limit_that_is_passed_between_the_switches_fails(derivative: int) -> N
     found = verify(replace(sound, limits=Limits(**bounds)))
     assert not found.passed
     assert np.argwhere(found.usage > 1.0 + 1e-9).tolist() == [[derivative - 1, 1]]
+
+
+@pytest.mark.parametrize("end", [0, 2])
+def test_a_missed_end_fails(end: int) -> None:
+    sound = planned(4)
+    points = list(sound.waypoints)
+    points[end] = Waypoint(points[end].position + [0.0, 1e-6])
+    found = verify(replace(sound, waypoints=tuple(points)))
+    assert not found.passed
+    assert found.waypoint_error == pytest.approx(1e-6, rel=1e-3)

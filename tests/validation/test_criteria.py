@@ -41,3 +41,8 @@ def test_either_excess_fails(error: float, sway: float) -> None:
 def test_run_that_ends_too_early_is_refused() -> None:
     with pytest.raises(InputError, match=r"ends at 5\.000 s"):
         judge(run(0.0, 0.0, 0.0), 9.0, 1e-3, 0.02)
+
+
+def test_sway_just_before_the_end_of_the_plan_does_not_count() -> None:
+    assert judge(run(2e-4, 8.0, 0.01), 2.505, 1e-3, 0.02).residual_sway == pytest.approx(0.01)
+    assert judge(run(2e-4, 8.0, 0.01), 2.5, 1e-3, 0.02).residual_sway == pytest.approx(8.0)
