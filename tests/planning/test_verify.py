@@ -95,7 +95,7 @@ def test_a_limit_that_is_passed_between_the_switches_fails(derivative: int) -> N
 def test_a_missed_end_fails(end: int) -> None:
     sound = planned(4)
     points = list(sound.waypoints)
-    points[end] = Waypoint(points[end].position + [0.0, 1e-6])
+    points[end] = Waypoint(np.add(points[end].position, [0.0, 1e-6]))
     found = verify(replace(sound, waypoints=tuple(points)))
     assert not found.passed
     assert found.waypoint_error == pytest.approx(1e-6, rel=1e-3)
