@@ -16,6 +16,14 @@ def test_noise_follows_its_seed_and_costs_nothing_when_absent() -> None:
     assert Wind().components.shape == (0, 7)
 
 
+@pytest.mark.parametrize("axis", [0, 1, 2])
+def test_noise_may_blow_along_one_axis_alone(axis: int) -> None:
+    deviation = np.zeros(3)
+    deviation[axis] = 1.0
+    components = Wind(deviation=tuple(deviation), seed=4).components
+    assert len(components) > 0 and np.isfinite(components).all() and components.any()
+
+
 @pytest.mark.parametrize(
     ("make", "words"),
     [
