@@ -39,9 +39,10 @@ def test_driven_form_is_the_inverse_of_the_rhs() -> None:
     for _ in range(200):
         state, force, wind, masses = random_case()
         generalized, derivative = np.append(force, [0.3, -0.2]), np.zeros(10)
-        crane_rhs(state, generalized, wind, *masses, derivative)
+        crane_rhs(state, generalized, wind, np.array(masses), derivative)
         again, needed = np.zeros(10), np.zeros(3)
-        crane_driven(state, derivative[5:8].copy(), generalized, wind, *masses, again, needed)
+        carriage = derivative[5:8].copy()
+        crane_driven(state, carriage, generalized, wind, np.array(masses), again, needed)
         assert again == pytest.approx(derivative, rel=1e-9, abs=1e-9)
         assert needed == pytest.approx(force, rel=1e-8, abs=1e-8)
 
@@ -53,7 +54,7 @@ def test_energy_minus_work_of_constant_forces_is_conserved() -> None:
 
     def energy(state: np.ndarray) -> float:
         values = np.zeros(2)
-        crane_energy(state, *MASSES, values)
+        crane_energy(state, np.array(MASSES), values)
         return float(values.sum())
 
     run = solve_ivp(

@@ -18,9 +18,18 @@ from segfmu.crane.observer import design_observer
 from segfmu.crane.tracking import TrackingController
 from segfmu.kernels import backend
 from segfmu.kernels.control import feedback, observer, tracking
+from segfmu.kernels.control.records import (
+    Gains,
+    Observer,
+    Tick,
+    Tracker,
+    Tracking,
+    VelocityCommand,
+)
 from segfmu.kernels.crane import _crane, compensation, plant, rope
-from segfmu.kernels.crane.records import RopeWork
+from segfmu.kernels.crane.records import CommandRates, Compensation, Report, RopeWork, Work
 from segfmu.kernels.numerics import noise
+from segfmu.kernels.numerics.records import RandomState, Sinusoid
 from segfmu.kernels.planner import plan as plan_kernel
 from segfmu.kernels.planner.profile import shortest_profile
 from segfmu.kernels.planner.synchronize import timed_profile
@@ -135,10 +144,10 @@ def test_crane_kernels_agree() -> None:
         for module in (_crane, compiled):
             results = [np.zeros(10), np.zeros(2), np.zeros((2, 3)), np.zeros(3), np.zeros(10)]
             accelerations = np.zeros(5)
-            module.crane_rhs(state, generalized, wind, *MASSES, results[0])
-            module.crane_energy(state, *MASSES, results[1])
+            module.crane_rhs(state, generalized, wind, np.array(MASSES), results[0])
+            module.crane_energy(state, np.array(MASSES), results[1])
             module.crane_load(state, results[2])
-            module.crane_flat_inverse(flat, *MASSES, results[3], results[4], accelerations)
+            module.crane_flat_inverse(flat, np.array(MASSES), results[3], results[4], accelerations)
             outputs.append(np.concatenate([r.ravel() for r in (*results, accelerations)]))
         assert close(*outputs)
 
@@ -160,10 +169,12 @@ def test_plants_agree(driven: bool) -> None:
         command[2] = 0.0 if driven else -15.0
         outputs = []
         for advance in (plant.plant_advance, compiled.plant_advance):
-            moved, work, report = state.copy(), np.zeros((16, 13)), np.zeros(10)
+            moved, report = state.copy(), np.zeros(Report.SIZE)
+            work = np.zeros((Work.SIZE, Work.COLUMNS))
+            work[Work.COMMAND, :3], work[Work.RATES, : CommandRates.SIZE] = command, rate
+            work[Work.LOAD_FORCE, :3] = load_force
             status = advance(
-                parameters, rig.wind.components, 0.05, moved, command, rate, load_force, 0.02,
-                1e-9, work, report,
+                parameters, rig.wind.components, 0.05, moved, 0.02, 1e-9, work, report
             )
             assert status == 0
             outputs.append(np.concatenate([moved, report]))
@@ -173,7 +184,7 @@ def test_plants_agree(driven: bool) -> None:
 def test_noise_agrees() -> None:
     outputs = []
     for module in (noise, compiled):
-        numbers, components = np.zeros(2), np.zeros((8, 7))
+        numbers, components = np.zeros(RandomState.SIZE), np.zeros((8, Sinusoid.SIZE))
         module.seed_numbers(2**31 - 1, numbers)
         module.noise_components(2.0, np.array([1.0, 2.0, 0.5]), numbers, components)
         outputs.append(np.concatenate([numbers, components.ravel()]))
@@ -203,22 +214,24 @@ def test_rigs_agree(monkeypatch: pytest.MonkeyPatch, kind: str, driven: bool) ->
 
 def test_feedback_agrees() -> None:
     random = np.random.default_rng(4)
-    lengths, gains = np.array([0.5, 1.0, 2.0]), random.uniform(-1.0, 1.0, (3, 3, 10))
+    gains = random.uniform(-1.0, 1.0, (3, Gains.SIZE, Gains.COLUMNS))
+    gains[:, Gains.LENGTH, 0] = 0.5, 1.0, 2.0
     for length in (0.1, 0.5, 0.7, 1.0, 1.9, 2.0, 5.0):
         state, reference = random.uniform(-1.0, 1.0, (2, 10))
         state[2] = length
         results = np.zeros((2, 3))
-        feedback.feedback_correction(state, reference, lengths, gains, results[0])
-        compiled.feedback_correction(state, reference, lengths, gains, results[1])
+        feedback.feedback_correction(state, reference, gains, results[0])
+        compiled.feedback_correction(state, reference, gains, results[1])
         assert close(*results)
 
 
 @pytest.mark.parametrize("driven", [False, True])
 def test_flat_gains_agree(driven: bool) -> None:
-    results = np.zeros((2, 3, 10))
+    results = np.zeros((2, Gains.SIZE, Gains.COLUMNS))
+    crane = np.array([*MASSES, driven])
     for module, gains in zip((feedback, compiled), results, strict=True):
         bandwidth = module.feedback_bandwidth(1.3, 0.2, 9.81, 0.05, 0.25)
-        module.feedback_gains(driven, 0.2, *MASSES, bandwidth, 9.0, 0.8, gains)
+        module.feedback_gains(crane, 0.2, bandwidth, 9.0, 0.8, gains)
     assert close(*results)
     assert results[0].any()
 
@@ -227,11 +240,9 @@ def test_compensation_agrees() -> None:
     outputs = []
     for module in (compensation, compiled):
         random = np.random.default_rng(6)
-        velocity, acceleration, lag, viscous, coulomb, force = random.uniform(0.1, 1.0, (6, 3))
-        setpoint = np.zeros(3)
-        module.compensate_setpoints(
-            velocity, acceleration, lag, viscous, coulomb, 0.3, force, setpoint
-        )
+        velocity, acceleration, force = random.uniform(0.1, 1.0, (3, 3))
+        known, setpoint = random.uniform(0.1, 1.0, Compensation.SIZE), np.zeros(3)
+        module.compensate_setpoints(velocity, acceleration, known, force, setpoint)
         outputs.append(np.concatenate([force, setpoint]))
     assert close(*outputs)
 
@@ -240,13 +251,14 @@ def test_observers_agree() -> None:
     outputs = []
     for module in (observer, compiled):
         random = np.random.default_rng(8)
-        lengths, table = np.array([0.5, 1.0, 2.0]), random.uniform(-1.0, 1.0, (3, 18, 10))
+        table = random.uniform(-1.0, 1.0, (3, Observer.SIZE, Observer.COLUMNS))
+        table[:, Observer.LENGTH, 0] = 0.5, 1.0, 2.0
         estimate = random.uniform(-1.0, 1.0, (3, 6))
         for length in (0.1, 0.7, 2.5):
             command, held = random.uniform(-1.0, 1.0, (2, 3))
             measured, reference = random.uniform(-1.0, 1.0, 5), random.uniform(-1.0, 1.0, 10)
-            module.observer_predict(length, lengths, table, command, held, estimate, np.zeros(10))
-            module.observer_correct(length, lengths, table, measured, reference, estimate)
+            module.observer_predict(length, table, command, held, estimate, np.zeros(10))
+            module.observer_correct(length, table, measured, reference, estimate)
         outputs.append(estimate)
     assert close(*outputs)
 
@@ -264,18 +276,19 @@ def test_tracking_agrees(driven: bool, delayed: bool) -> None:
             watcher, design_flat(crane, **options), rejection=(0.9, 0.8),
             lower=[-6.0, -6.0, -20.0], upper=[6.0, 6.0, 0.0],
         )
-        parameters, memory, rows = controller.parameters, np.zeros((22, 10)), []
+        parameters, rows = controller.parameters, []
+        memory = np.zeros((Tracker.SIZE, Tracker.COLUMNS))
         for i in range(60):
-            parameters[9], memory[3, 4] = i < 40, i in (20, 40)
-            reference, correction = crane.hanging([0.1, 0.2, -0.6]), np.zeros(3)
-            feedforward = random.uniform(-1.0, 1.0, 3)
+            parameters[Tracking.ENABLED] = i < 40
+            memory[Tracker.COMMAND, VelocityCommand.SWITCHED] = i in (20, 40)
+            reference, tick = crane.hanging([0.1, 0.2, -0.6]), np.zeros((Tick.SIZE, Tick.COLUMNS))
+            tick[Tick.REFERENCE], tick[Tick.ADDED_TO, :3] = reference, random.uniform(-1.0, 1.0, 3)
             # the first ones are below the steps of the sensors
             measured = reference[:5] + min(i, 3) * random.uniform(-1e-4, 1e-2, 5) * (i > 1)
-            module.track_setpoint(
-                parameters, watcher.lengths, watcher.table, controller.feedback.lengths,
-                controller.feedback.gains, measured, reference, feedforward, memory, correction,
-            )
-            rows.append(np.concatenate([correction, memory.ravel()]))
+            tick[Tick.SIGNALS, :5] = measured
+            gains = controller.feedback.table
+            module.track_setpoint(parameters, watcher.table, gains, tick, memory)
+            rows.append(np.concatenate([tick[Tick.CORRECTION, :3], memory.ravel()]))
         outputs.append(np.array(rows))
     assert np.allclose(*outputs, rtol=1e-9, atol=1e-11)
     assert np.abs(outputs[0][30]).max() > 0.1

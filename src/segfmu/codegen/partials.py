@@ -7,7 +7,7 @@ from pathlib import Path
 
 import sympy as sp
 
-from segfmu.codegen.crane import MASSES, function, state_inputs
+from segfmu.codegen.crane import function, state_inputs
 from segfmu.crane import lagrangian
 
 TARGET = Path(__file__).parents[1] / "kernels" / "crane" / "_partials.py"
@@ -41,7 +41,7 @@ def _rhs() -> str:
     inputs += [(v, f"load_force[{i}]") for i, v in enumerate(s.load_force)]
     return function(
         "crane_rhs_partials(\n    state: 'float[:]', generalized_force: 'float[:]',\n"
-        f"    load_force: 'float[:]', {MASSES},\n    partials: 'float[:,:]',\n)",
+        "    load_force: 'float[:]', masses: 'float[:]', partials: 'float[:,:]',\n)",
         "Accelerations (5) by the state (10), generalised forces (5) and load forces (3).",
         inputs,
         _entries(lagrangian.accelerations(s), [*s.q, *s.rate, *s.force, *s.load_force]),
@@ -60,7 +60,7 @@ def _driven() -> str:
     return function(
         "crane_driven_partials(\n    state: 'float[:]', carriage: 'float[:]', "
         "generalized_force: 'float[:]',\n"
-        f"    load_force: 'float[:]', {MASSES},\n    partials: 'float[:,:]',\n)",
+        "    load_force: 'float[:]', masses: 'float[:]', partials: 'float[:,:]',\n)",
         "Sway accelerations (2) and forces (3) by the state (10), the accelerations of bridge, "
         "trolley\n    and rope (3), the torques (2) and load forces (3).",
         inputs,
@@ -82,8 +82,8 @@ def _load() -> str:
 def _energy() -> str:
     s = lagrangian.symbols()
     return function(
-        f"crane_energy_partials(\n    state: 'float[:]', {MASSES},\n"
-        "    partials: 'float[:,:]',\n)",
+        "crane_energy_partials(\n"
+        "    state: 'float[:]', masses: 'float[:]', partials: 'float[:,:]',\n)",
         "Kinetic and potential energy by the state (10).",
         state_inputs(s),
         _entries(lagrangian.energies(s), [*s.q, *s.rate]),

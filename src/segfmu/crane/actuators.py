@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.crane.inverse import FlatInverse
+from segfmu.crane.inverse import ANGLE, DRIVE_ACCELERATION, FORCE, VELOCITY, FlatInverse
 from segfmu.crane.parameters import Crane
 from segfmu.errors import InfeasibleError, InputError
 from segfmu.planning.arrays import FloatArray, limit_values
@@ -188,7 +188,7 @@ def scaled(limits: Limits, scale: float) -> Limits:
 def _quantities(inverse: FlatInverse, times: FloatArray) -> FloatArray:
     """Magnitudes in the order of `ActuatorBounds.vector`, shape (times, 11)."""
     values = inverse.evaluate(times)
-    columns = (values[:, :3], values[:, 8:11], values[:, 13:16], values[:, 6:8])
+    columns = [values[:, places] for places in (FORCE, VELOCITY, DRIVE_ACCELERATION, ANGLE)]
     return np.abs(np.concatenate(columns, axis=1))
 
 

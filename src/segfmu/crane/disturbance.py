@@ -16,6 +16,7 @@ from segfmu.crane.checks import (
 )
 from segfmu.errors import InputError
 from segfmu.kernels import backend
+from segfmu.kernels.numerics.records import RandomState, Sinusoid
 from segfmu.planning.arrays import FloatArray
 
 SHAPES = ("cosine", "sine")
@@ -84,8 +85,8 @@ class Wind:
             require_not_negative(f"wind deviation along {axis}", value)
         require_positive("wind bandwidth", self.bandwidth)
         require_seed("wind seed", self.seed)
-        components = np.zeros((COMPONENTS if deviation.any() else 0, 7))
-        numbers = np.zeros(2)
+        components = np.zeros((COMPONENTS if deviation.any() else 0, Sinusoid.SIZE))
+        numbers = np.zeros(RandomState.SIZE)
         backend.seed_numbers(self.seed, numbers)
         backend.noise_components(self.bandwidth, deviation, numbers, components)
         object.__setattr__(self, "components", components)

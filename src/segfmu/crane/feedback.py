@@ -8,7 +8,7 @@ frequency sqrt(g / l), so that one set of weights suits every crane.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -24,6 +24,7 @@ from segfmu.crane.linear import (
 )
 from segfmu.crane.parameters import Crane
 from segfmu.errors import InputError
+from segfmu.kernels.control.records import Gains
 from segfmu.planning.arrays import FloatArray, finite_vector
 
 # effort that counts as one, over the moved weight
@@ -70,12 +71,21 @@ class SwayFeedback:
         the three accelerations [m/s2].
     payload : float
         That the gains are for [kg].
+    table : ndarray, shape (rows, 4, 10)
+        Lengths and gains as the kernels take them, a `Gains` a row.
     """
 
     sample_time: float
     lengths: FloatArray
     gains: FloatArray
     payload: float
+    table: FloatArray = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        table = np.zeros((len(self.lengths), Gains.SIZE, Gains.COLUMNS))
+        table[:, Gains.LENGTH, 0] = self.lengths
+        table[:, Gains.AXES :] = self.gains
+        object.__setattr__(self, "table", table)
 
 
 def gain(

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from segfmu.crane.checks import require_not_negative, require_positive, sized
-from segfmu.crane.inverse import FlatInverse
+from segfmu.crane.inverse import DRIVE_ACCELERATION, FORCE, VELOCITY, FlatInverse
 from segfmu.kernels import backend
 from segfmu.planning.arrays import FloatArray
 
@@ -66,17 +66,13 @@ class Compensation:
         forces = np.array(force, dtype=np.float64)
         velocities = np.asarray(velocity, dtype=np.float64)
         setpoints = np.zeros(velocities.shape)
-        lag, viscous, coulomb = (
-            np.array(v, dtype=np.float64) for v in (self.lag, self.viscous, self.coulomb)
-        )
+        known = np.array([*self.lag, *self.viscous, *self.coulomb, self.width], dtype=np.float64)
         for rows in zip(
             *(a.reshape(-1, 3) for a in (velocities, np.asarray(acceleration), forces, setpoints)),
             strict=True,
         ):
             v, a, f, s = rows
-            backend.compensate_setpoints(
-                v.copy(), a.copy(), lag, viscous, coulomb, self.width, f, s
-            )
+            backend.compensate_setpoints(v.copy(), a.copy(), known, f, s)
         return forces, setpoints
 
 
@@ -104,5 +100,5 @@ class Feedforward:
     def _setpoints(self, t: ArrayLike) -> tuple[FloatArray, FloatArray]:
         values = self.inverse.evaluate(t)
         return self.compensation.setpoints(
-            values[..., :3], values[..., 8:11], values[..., 13:16]
+            values[..., FORCE], values[..., VELOCITY], values[..., DRIVE_ACCELERATION]
         )

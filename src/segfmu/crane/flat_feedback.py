@@ -18,6 +18,8 @@ from segfmu.crane.feedback import SwayFeedback
 from segfmu.crane.linear import ROWS, scheduled_lengths
 from segfmu.crane.parameters import Crane
 from segfmu.kernels import backend
+from segfmu.kernels.control.records import Gains
+from segfmu.kernels.crane.records import DriveMode
 from segfmu.planning.arrays import FloatArray
 
 RATIO = 1.1
@@ -42,9 +44,10 @@ def flat_gain(
     The hoist has the same bandwidth as the others unless its own is given.
     """
     hoist = bandwidth if hoist_bandwidth is None else hoist_bandwidth
-    gains = np.zeros((3, 10))
-    backend.feedback_gains(driven, length, *crane.masses, bandwidth, hoist, damping, gains)
-    return gains
+    gains = np.zeros((Gains.SIZE, Gains.COLUMNS))
+    plant = np.array([*crane.masses, DriveMode.VELOCITY if driven else DriveMode.FORCE])
+    backend.feedback_gains(plant, length, bandwidth, hoist, damping, gains)
+    return gains[Gains.AXES :]
 
 
 def design_flat(

@@ -9,9 +9,19 @@ from segfmu.crane.parameters import Crane
 from segfmu.crane.rope import LoadTrajectory, require_rope
 from segfmu.errors import InputError
 from segfmu.kernels import backend
+from segfmu.kernels.crane.records import FlatInverse as Results
+from segfmu.kernels.crane.records import State
 from segfmu.planning.arrays import FloatArray
 
 ORDERS = 5
+
+# of what `FlatInverse.evaluate` gives; ANGLE: both sway angles
+FORCE = slice(Results.FORCE, Results.STATE)
+STATE = slice(Results.STATE, Results.ACCELERATION)
+ANGLE = slice(Results.STATE + State.ANGLE, Results.STATE + State.VELOCITY)
+VELOCITY = slice(Results.STATE + State.VELOCITY, Results.STATE + State.RATE)
+ACCELERATION = slice(Results.ACCELERATION, Results.SIZE)
+DRIVE_ACCELERATION = slice(Results.ACCELERATION, Results.ACCELERATION + State.ANGLE)
 
 
 class FlatInverse:
@@ -50,26 +60,27 @@ class FlatInverse:
 
     def force(self, t: ArrayLike) -> FloatArray:
         """Drive forces F_x, F_y, F_l [N] at times t, shape (..., 3)."""
-        return self.evaluate(t)[..., :3]
+        return self.evaluate(t)[..., FORCE]
 
     def velocity(self, t: ArrayLike) -> FloatArray:
         """Velocities of bridge, trolley and rope [m/s] at times t, shape (..., 3)."""
-        return self.evaluate(t)[..., 8:11]
+        return self.evaluate(t)[..., VELOCITY]
 
     def state(self, t: ArrayLike) -> FloatArray:
         """State x_t, y_t, l, phi_x, phi_y and rates at times t, shape (..., 10)."""
-        return self.evaluate(t)[..., 3:13]
+        return self.evaluate(t)[..., STATE]
 
     def acceleration(self, t: ArrayLike) -> FloatArray:
         """Second derivatives of x_t, y_t, l, phi_x, phi_y at times t, shape (..., 5)."""
-        return self.evaluate(t)[..., 13:]
+        return self.evaluate(t)[..., ACCELERATION]
 
     def evaluate(self, t: ArrayLike) -> FloatArray:
         """Forces (3), state (10) and accelerations (5) side by side, shape (..., 18)."""
         flat = np.stack([self.trajectory(t, d) for d in range(ORDERS)], axis=-2)
-        results = np.empty((*flat.shape[:-2], 18))
+        results = np.empty((*flat.shape[:-2], Results.SIZE))
+        masses = np.array(self.crane.masses)
         for row, values in zip(
-            results.reshape(-1, 18), flat.reshape(-1, ORDERS, 3), strict=True
+            results.reshape(-1, Results.SIZE), flat.reshape(-1, ORDERS, 3), strict=True
         ):
-            backend.crane_flat_inverse(values, *self.crane.masses, row[:3], row[3:13], row[13:])
+            backend.crane_flat_inverse(values, masses, row[FORCE], row[STATE], row[ACCELERATION])
         return results

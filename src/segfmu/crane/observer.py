@@ -22,12 +22,18 @@ from segfmu.crane.linear import ROWS, scheduled_lengths
 from segfmu.crane.parameters import Crane
 from segfmu.errors import InputError
 from segfmu.kernels import backend
+from segfmu.kernels.control.records import AxisModel, Kalman
+from segfmu.kernels.control.records import Observer as Table
+from segfmu.kernels.crane.records import DriveMode, Plant
 from segfmu.planning.arrays import FloatArray
 
 # bandwidth of the filter that finds the offset of the rope's sensor: in units of the longest
 # pendulum's frequency, but no more than so many radians in a sample
 OFFSET_RATIO = 4.0
 OFFSET_LARGEST = 0.5
+
+# of the design's work space
+WORK_COLUMNS = 2 * AxisModel.SIZE
 
 
 @dataclass(frozen=True)
@@ -76,12 +82,12 @@ class Uncertainty:
         return self.wake * np.array([self.position, self.length, self.angle])
 
     def vector(self, gravity: float) -> FloatArray:
-        """As kernels/control/kalman.py takes it, walks in m/s2; shape (5,)."""
+        """The kernels' `Expected`, walks in m/s2; shape (5,)."""
         walks = self.drift * gravity, self.wind * gravity
         return np.array([self.position, self.length, self.angle, *walks])
 
     def offset_parameters(self, gravity: float, longest: float, sample_time: float) -> FloatArray:
-        """The tracking controller's parameters for kernels/control/offset.py; shape (4,)."""
+        """What the kernels' `Tracking` has of the offset, its last fields; shape (4,)."""
         bandwidth = min(OFFSET_RATIO * sqrt(gravity / longest), OFFSET_LARGEST / sample_time)
         place = max(self.position, self.length)
         noise = self.angle**2 / 12.0, place**2 / 12.0
@@ -102,10 +108,8 @@ class Observer:
         Whether corrections are accelerations.
     delayed : bool
         Whether measured signals are one sample old.
-    lengths : ndarray, shape (rows,)
-        Rope lengths [m], ascending.
-    table : ndarray, shape (rows, 18, 10)
-        See kernels/control/observer.py.
+    table : ndarray, shape (rows, 19, 10)
+        The kernels' `Observer` for ascending rope lengths.
     tolerances : ndarray, shape (3,)
         Of `Uncertainty`.
     offset : ndarray, shape (4,)
@@ -116,10 +120,14 @@ class Observer:
     sample_time: float
     driven: bool
     delayed: bool
-    lengths: FloatArray
     table: FloatArray
     tolerances: FloatArray
     offset: FloatArray
+
+    @property
+    def lengths(self) -> FloatArray:
+        """Rope lengths [m], ascending, shape (rows,)."""
+        return self.table[:, Table.LENGTH, 0]
 
 
 def design_observer(
@@ -164,20 +172,21 @@ def design_observer(
         require_not_negative(f"lag of the {name}", value)
     lengths = scheduled_lengths(shortest, longest, rows)
     expected = uncertainty or Uncertainty()
-    table, work = np.zeros((lengths.size, 18, 10)), np.zeros((80, 16))
+    table = np.zeros((lengths.size, Table.SIZE, Table.COLUMNS))
+    work = np.zeros((Kalman.SIZE, WORK_COLUMNS))
+    plant = np.zeros(Plant.SIZE)
+    plant[Plant.BRIDGE_MASS : Plant.MODE] = crane.masses
+    plant[Plant.MODE] = DriveMode.VELOCITY if driven else DriveMode.FORCE
+    plant[Plant.LAG : Plant.FORCE_MAX] = lags
     # what overflows is told below, by interpreted kernels as by compiled ones
     with np.errstate(all="ignore"):
         walks = expected.vector(crane.gravity)
         for length, block in zip(lengths, table, strict=True):
-            backend.observer_design(
-                driven, sample_time, float(length), *crane.masses, lags, walks, work, block
-            )
+            backend.observer_design(plant, sample_time, float(length), walks, work, block)
     if not np.isfinite(table).all():
         raise InputError(
             f"the observer has no finite gains between {shortest} and {longest} m of rope; check "
             "masses, lags and what it expects"
         )
     offset = expected.offset_parameters(crane.gravity, longest, sample_time)
-    return Observer(
-        crane, sample_time, driven, delayed, lengths, table, expected.tolerances, offset
-    )
+    return Observer(crane, sample_time, driven, delayed, table, expected.tolerances, offset)

@@ -87,7 +87,7 @@ class Crane:
         derivative = np.zeros(10)
         backend.crane_rhs(
             sized("state", state, 10), generalized, sized("load_force", load_force, 3),
-            *self.masses, derivative,
+            np.array(self.masses), derivative,
         )
         return derivative
 

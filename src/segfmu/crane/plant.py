@@ -20,22 +20,37 @@ from segfmu.crane.failures import failure
 from segfmu.crane.feedback import SwayFeedback
 from segfmu.crane.parameters import Crane
 from segfmu.crane.rig import Rig
-from segfmu.crane.tracking import FADE, Arrays, TrackingController
+from segfmu.crane.tracking import FADE, TrackingController
 from segfmu.errors import InputError, SimulationError
 from segfmu.kernels import backend
+from segfmu.kernels.control.records import Acting, Correction, Gains, Observer, Tracker
+from segfmu.kernels.crane.records import (
+    Axes,
+    Coordinates,
+    PlantState,
+    PlantStatus,
+    Report,
+    State,
+)
+from segfmu.kernels.crane.records import Plant as Parameters
+from segfmu.kernels.rig.records import (
+    Balance,
+    Clock,
+    Corrector,
+    Loop,
+    Memory,
+    RigStatus,
+    Sensors,
+    Settings,
+)
 from segfmu.planning.arrays import FloatArray
 
 TOLERANCE = 1e-10
 
-# who corrects, and the status that asks the caller to
-CALLER, STATE, TRACKING = range(3)
-TICK = -1
-
-# what the kernel's memory says of the tick before where the gains were others
-RETUNED = 3.0
-
-# rows of the kernel's memory
-CRANE, PARAMETERS, CLOCK, LAST, REPORT, SIGNALS, REFERENCE, ADDED_TO, CORRECTION = range(9)
+# in place of the tables and of the memory that a controller does not have
+NO_OBSERVER = np.zeros((1, Observer.SIZE, Observer.COLUMNS))
+NO_GAINS = np.zeros((1, Gains.SIZE, Gains.COLUMNS))
+NO_TRACKER = np.zeros((Tracker.SIZE, Tracker.COLUMNS))
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,7 +74,7 @@ class Setpoints:
 
     @property
     def vector(self) -> FloatArray:
-        """As kernels/rig/rig.py takes them, shape (19,)."""
+        """The kernels' `Setpoints`, shape (19,)."""
         parts = (self.force, self.velocity, self.reference, self.wind)
         return np.concatenate(parts, dtype=np.float64)
 
@@ -111,37 +126,41 @@ class Plant:
         require_positive("controller sample_time", controller.sample_time)
         rig = rig or Rig()
         self._controller = controller
-        self._loop = np.array(
-            [_corrector(controller), controller.sample_time, enabled, TOLERANCE, 0.0]
-        )
+        self._settings = np.zeros((Settings.SIZE, Settings.COLUMNS))
+        self._loop = self._settings[Settings.LOOP, : Loop.SIZE]
+        self._loop[Loop.CORRECTOR] = _corrector(controller)
+        self._loop[Loop.PERIOD] = controller.sample_time
+        self._loop[Loop.ENABLED] = enabled
+        self._loop[Loop.TOLERANCE] = TOLERANCE
         self.fade = fade
-        self._sensors, self._changes = rig.sensors.vector, rig.changes
-        self._components = rig.wind.components
+        self._settings[Settings.SENSORS, : Sensors.SIZE] = rig.sensors.vector
+        self._settings[Settings.PLANT, : Parameters.SIZE] = rig.parameters(crane, driven)
+        self._changes, self._components = rig.changes, rig.wind.components
         rows = backend.rig_rows(rig.sensors.sample_time, rig.sensors.dead_time)
-        self._memory = np.zeros((rows, 40))
+        self._memory = np.zeros((rows, Memory.COLUMNS))
         backend.rig_start(
-            self._loop, self._sensors, self._changes, rig.parameters(crane, driven),
-            np.array(state, dtype=np.float64), setpoints.vector, start_time, self._memory,
+            self._settings, self._changes, np.array(state, dtype=np.float64), setpoints.vector,
+            start_time, self._memory,
         )
 
     @property
     def enabled(self) -> bool:
         """Whether the correction acts."""
-        return bool(self._loop[2])
+        return bool(self._loop[Loop.ENABLED])
 
     @enabled.setter
     def enabled(self, value: bool) -> None:
-        self._loop[2] = bool(value)
+        self._loop[Loop.ENABLED] = bool(value)
 
     @property
     def fade(self) -> float:
         """Time constant [s] of changes by switching; may be changed between steps."""
-        return float(self._loop[4])
+        return float(self._loop[Loop.FADE])
 
     @fade.setter
     def fade(self, value: float) -> None:
         require_not_negative("fade", value)
-        self._loop[4] = value
+        self._loop[Loop.FADE] = value
 
     def retune(self, feedback: SwayFeedback) -> None:
         """Go on with other gains on the true state.
@@ -158,71 +177,75 @@ class Plant:
                 f"{feedback.sample_time} s and {own.sample_time} s of {type(own).__name__}"
             )
         self._controller = feedback
-        if self._memory[CORRECTION, 6] > 0.0:
-            self._memory[CORRECTION, 6] = RETUNED
+        correction = self._memory[Memory.CORRECTION]
+        if correction[Correction.ACTED] != Acting.NO_TICK:
+            correction[Correction.ACTED] = Acting.RETUNED
 
     @property
     def time(self) -> float:
         """Time reached [s]."""
-        return float(self._memory[CLOCK, 0] + self._memory[CLOCK, 1])
+        clock = self._memory[Memory.CLOCK]
+        return float(clock[Clock.START] + clock[Clock.REACHED])
 
     @property
     def state(self) -> FloatArray:
         """The ten components of the state; a copy."""
-        return self._memory[CRANE, :10].copy()
+        return self._memory[Memory.STATE, : State.SIZE].copy()
 
     @property
     def measured(self) -> FloatArray:
         """Signals of the sensors, shape (5,)."""
-        return self._memory[SIGNALS, :5].copy()
+        return self._memory[Memory.SIGNALS, : Coordinates.SIZE].copy()
 
     @property
     def drive_force(self) -> FloatArray:
         """Forces [N] that the drives apply, friction included, shape (3,)."""
-        return self._memory[REPORT, :3].copy()
+        return self._report(Report.FORCE)
 
     @property
     def saturated(self) -> NDArray[np.bool_]:
         """Which drives were at a bound during the last step, shape (3,)."""
-        flags: NDArray[np.bool_] = self._memory[REPORT, 10:13] > 0.0
+        flags: NDArray[np.bool_] = self._report(Report.STEP_SATURATED) > 0.0
         return flags
 
     @property
     def rope_force(self) -> float:
         """Force on the rope [N], tension is negative."""
-        return float(self._memory[REPORT, 6])
+        return float(self._memory[Memory.REPORT, Report.ROPE_FORCE])
 
     @property
     def wind_power(self) -> float:
         """Power of the wind [W]."""
-        return float(self._memory[REPORT, 7])
+        return float(self._memory[Memory.REPORT, Report.WIND_POWER])
 
     @property
     def friction_power(self) -> float:
         """Power that friction dissipates [W]."""
-        return float(self._memory[REPORT, 8])
+        return float(self._memory[Memory.REPORT, Report.FRICTION_POWER])
 
     @property
     def payload_mass(self) -> float:
         """Present mass of the load [kg]."""
-        return float(self._memory[PARAMETERS, 2])
+        return float(self._memory[Memory.PLANT, Parameters.PAYLOAD_MASS])
 
     @property
     def work(self) -> float:
         """Work of drives and wind since the start [J]."""
-        return float(self._memory[CRANE, 10] + self._memory[CRANE, 11])
+        state = self._memory[Memory.STATE]
+        return float(state[PlantState.DRIVE_WORK] + state[PlantState.WIND_WORK])
 
     @property
     def load(self) -> FloatArray:
         """Position and velocity of the load, shape (2, 3)."""
         load = np.zeros((2, 3))
-        backend.crane_load(self._memory[CRANE], load)
+        backend.crane_load(self._memory[Memory.STATE], load)
         return load
 
     @property
     def drive_power(self) -> FloatArray:
         """Power of the drives [W], shape (3,)."""
-        power: FloatArray = self._memory[REPORT, :3] * self._memory[CRANE, 5:8]
+        velocity = self._memory[Memory.STATE, State.VELOCITY : State.RATE]
+        power: FloatArray = self._report(Report.FORCE) * velocity
         return power
 
     @property
@@ -234,7 +257,7 @@ class Plant:
     @property
     def balance(self) -> EnergyBalance:
         """Energies and works since the start."""
-        values = np.zeros(7)
+        values = np.zeros(Balance.SIZE)
         backend.rig_balance(self._memory, values)
         return EnergyBalance(*values.tolist())
 
@@ -247,45 +270,56 @@ class Plant:
             When the crane reaches an end stop or leaves the range of its equations; names what
             happened and when. The plant stays at the last state before.
         """
-        controller = _arrays(self._controller)
+        table, gains, tracker = self._tables()
         vector = setpoints.vector
-        status = TICK
-        while status == TICK:
+        status = RigStatus.TICK
+        while status == RigStatus.TICK:
             status = backend.rig_step(
-                self._loop, self._sensors, self._components, self._changes, *controller, vector,
+                self._settings, self._components, self._changes, table, gains, tracker, vector,
                 duration, self._memory,
             )
-            if status == TICK:
+            if status == RigStatus.TICK:
                 self._sample()
-        if status != 0:
+        if status != PlantStatus.DONE:
             memory = self._memory
-            time = float(memory[CLOCK, 7])
-            raise SimulationError(failure(status, time, memory[CRANE], memory[PARAMETERS]))
+            time = float(memory[Memory.CLOCK, Clock.EVENT])
+            raise SimulationError(
+                failure(status, time, memory[Memory.STATE], memory[Memory.PLANT])
+            )
 
     def _sample(self) -> None:
         """Ask a controller that is no kernel for its correction."""
         memory = self._memory
         assert not isinstance(self._controller, SwayFeedback)
-        found = self._controller.sample(
-            float(memory[CLOCK, 7]), memory[SIGNALS, :5].copy(), memory[REFERENCE, :10].copy(),
-            memory[ADDED_TO, :3].copy(),
+        value = self._controller.sample(
+            float(memory[Memory.CLOCK, Clock.EVENT]),
+            memory[Memory.SIGNALS, : Coordinates.SIZE].copy(),
+            memory[Memory.REFERENCE, : State.SIZE].copy(),
+            memory[Memory.ADDED_TO, : Axes.SIZE].copy(),
         )
-        memory[CORRECTION, :3] = found
-        backend.switch_correction(self._loop, memory)
+        memory[Memory.CORRECTION, Correction.VALUE : Correction.FADING] = value
+        backend.switch_correction(self._settings, memory)
+
+    def _report(self, place: int) -> FloatArray:
+        """A triple of what the kernel reports; a copy."""
+        return self._memory[Memory.REPORT, place : place + Axes.SIZE].copy()
+
+    def _tables(self) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """The observer's table, gains and the tracking controller's memory; or empty ones.
+
+        The parameters of a tracking controller, which may have changed, become those of the rig.
+        """
+        own = self._controller
+        if type(own) is TrackingController:
+            parameters, table, gains, tracker = own.arrays
+            self._settings[Settings.TRACKING, : parameters.size] = parameters
+            return table, gains, tracker
+        gains = own.table if isinstance(own, SwayFeedback) else NO_GAINS
+        return NO_OBSERVER, gains, NO_TRACKER
 
 
 def _corrector(controller: Controller | SwayFeedback) -> int:
     """Which of the kernel's controllers this one is; what a class derives may be anything."""
     if isinstance(controller, SwayFeedback):
-        return STATE
-    return TRACKING if type(controller) is TrackingController else CALLER
-
-
-def _arrays(controller: Controller | SwayFeedback) -> Arrays:
-    """Parameters, tables and memory of the kernel's controllers; empty where there is none."""
-    if type(controller) is TrackingController:
-        return controller.arrays
-    vector, table = np.zeros(1), np.zeros((1, 1, 1))
-    if isinstance(controller, SwayFeedback):
-        return vector, vector, table, controller.lengths, controller.gains, np.zeros((1, 1))
-    return vector, vector, table, vector, table, np.zeros((1, 1))
+        return Corrector.STATE
+    return Corrector.TRACKING if type(controller) is TrackingController else Corrector.CALLER

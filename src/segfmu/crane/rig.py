@@ -10,6 +10,7 @@ from segfmu.crane.disturbance import SHAPES, PayloadChange, Wind
 from segfmu.crane.equipment import AXES, Drive, Friction, TravelLimits
 from segfmu.crane.parameters import Crane
 from segfmu.crane.sensors import Sensors
+from segfmu.kernels.crane.records import DriveMode, Plant
 from segfmu.planning.arrays import FloatArray
 
 UNLIMITED = 1e99
@@ -50,23 +51,25 @@ class Rig:
         return np.array([(c.time, c.mass) for c in self.payload], dtype=np.float64).reshape(-1, 2)
 
     def parameters(self, crane: Crane, driven: bool) -> FloatArray:
-        """The array of kernels/crane/plant.py, shape (37,)."""
-        packed = np.zeros(37)
-        packed[:4] = crane.masses
-        packed[4] = driven
+        """The kernels' `Plant`, shape (37,)."""
+        packed = np.zeros(Plant.SIZE)
+        packed[Plant.BRIDGE_MASS : Plant.MODE] = crane.masses
+        packed[Plant.MODE] = DriveMode.VELOCITY if driven else DriveMode.FORCE
         for i, drive in enumerate(self.drives):
-            packed[5 + i] = drive.lag
-            packed[8 + i] = drive.force_max or 0.0
-            packed[11 + i] = drive.acceleration_max or 0.0
-        packed[14:17] = self.friction.viscous
-        packed[17:20] = self.friction.coulomb
-        packed[20], packed[21] = self.friction.width, self.friction.sway
+            packed[Plant.LAG + i] = drive.lag
+            packed[Plant.FORCE_MAX + i] = drive.force_max or 0.0
+            packed[Plant.ACCELERATION_MAX + i] = drive.acceleration_max or 0.0
+        packed[Plant.VISCOUS : Plant.COULOMB] = self.friction.viscous
+        packed[Plant.COULOMB : Plant.FRICTION_WIDTH] = self.friction.coulomb
+        packed[Plant.FRICTION_WIDTH] = self.friction.width
+        packed[Plant.SWAY_DAMPING] = self.friction.sway
         for i, name in enumerate(AXES):
-            limits = getattr(self.travel, name) or (-UNLIMITED, UNLIMITED)
-            packed[22 + i], packed[25 + i] = limits
-        packed[28:31] = self.wind.constant
+            least, greatest = getattr(self.travel, name) or (-UNLIMITED, UNLIMITED)
+            packed[Plant.TRAVEL_MIN + i], packed[Plant.TRAVEL_MAX + i] = least, greatest
+        packed[Plant.WIND : Plant.GUST_START] = self.wind.constant
         gust = self.wind.gust
         if gust is not None:
-            packed[31:34] = gust.start, gust.duration, SHAPES.index(gust.shape)
-            packed[34:37] = gust.force
+            packed[Plant.GUST_START], packed[Plant.GUST_DURATION] = gust.start, gust.duration
+            packed[Plant.GUST_SHAPE] = SHAPES.index(gust.shape)
+            packed[Plant.GUST_FORCE :] = gust.force
         return packed

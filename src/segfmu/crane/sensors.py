@@ -82,6 +82,6 @@ class Sensors:
 
     @property
     def vector(self) -> FloatArray:
-        """The array of kernels/rig/sensing.py, shape (18,)."""
+        """The kernels' `Sensors`, shape (18,)."""
         timing = (self.sample_time, self.dead_time, self.seed)
         return np.array([*timing, *self.offset, *self.deviation, *self.resolution])

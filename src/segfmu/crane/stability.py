@@ -12,18 +12,45 @@ from numpy.typing import ArrayLike
 
 from segfmu.crane.checks import require_not_negative, require_positive, sized
 from segfmu.crane.linear import lagged, matrices, sampled
-from segfmu.crane.tracking import MEMORY, TrackingController
+from segfmu.crane.tracking import ESTIMATE, TrackingController
 from segfmu.kernels import backend
+from segfmu.kernels.control.records import (
+    AxisTable,
+    Correction,
+    Estimate,
+    Fading,
+    Held,
+    Tick,
+    Tracker,
+    VelocityCommand,
+)
+from segfmu.kernels.control.records import Observer as Table
+from segfmu.kernels.crane.records import Axes, Coordinates, State
+from segfmu.kernels.records import field
 from segfmu.planning.arrays import FloatArray
 
 # of the nominal payload: what the hook weighs, which the hoist moves when there is no load
 HOOK = 0.05
 
-# of the loop, see `_loop`
-STATES = 40
-
 # deviations by which the controller is read [m], [rad] and their rates
 PROBE = 1e-6
+
+
+class LoopState(State):
+    """State of the sampled loop."""
+
+    COMMAND = field("velocity commands before the tick", "m/s", size=3)
+    ESTIMATE = field("estimates of the observer", size=3 * Estimate.SIZE)
+    INPUT = field("corrections as the observer takes them", size=3)
+    SIGNALS = field("deviations of the signals one sample before", size=Coordinates.SIZE)
+    PAYLOAD = field("estimate of the payload over the nominal one, minus 1")
+
+
+HOIST = LoopState.POSITION + Axes.ROPE
+COMMAND = slice(LoopState.COMMAND, LoopState.ESTIMATE)
+ESTIMATES = slice(LoopState.ESTIMATE, LoopState.INPUT)
+INPUT = slice(LoopState.INPUT, LoopState.SIGNALS)
+SIGNALS = slice(LoopState.SIGNALS, LoopState.PAYLOAD)
 
 
 def largest_eigenvalue(
@@ -57,23 +84,27 @@ def largest_eigenvalue(
     for value in lags:
         require_not_negative("lag", value)
     observer = controller.observer
-    commanded = (observer.table[0, :, 6].reshape(3, 6) != 0.0).any(axis=1)
+    effect = observer.table[0, Table.BRIDGE :, AxisTable.COMMAND].reshape(3, Estimate.SIZE)
+    commanded = (effect != 0.0).any(axis=1)
     if observer.driven:
         # a command that the observer reckons with is a state, however fast the drive is
         lags[commanded] = np.maximum(lags[commanded], 1e-3 * observer.sample_time)
     bridge, trolley, nominal, gravity = observer.crane.masses
     a, b = matrices((bridge, trolley, payload, gravity), length, observer.driven)
-    rest = np.zeros(STATES)
-    rest[2] = length
+    rest = np.zeros(LoopState.SIZE)
+    rest[HOIST] = length
     if not observer.driven:
         hoisted = max(payload, HOOK * nominal)
-        b[7, 2] = 1.0 / hoisted
-        rest[-1] = hoisted / nominal - 1.0
+        b[State.VELOCITY + Axes.ROPE, Axes.ROPE] = 1.0 / hoisted
+        rest[LoopState.PAYLOAD] = hoisted / nominal - 1.0
     plant = sampled(*lagged(a, b, lags, observer.driven), observer.sample_time)
     loop = _loop(controller, plant, rest)
-    kept = [*range(10), *range(13, 34)]
-    kept += [10 + int(i) for i in np.flatnonzero(lags)] if observer.driven else [STATES - 1]
-    kept += range(34, 39) if observer.delayed else ()
+    kept = [*range(State.SIZE), *range(LoopState.ESTIMATE, LoopState.SIGNALS)]
+    if observer.driven:
+        kept += [LoopState.COMMAND + int(i) for i in np.flatnonzero(lags)]
+    else:
+        kept.append(LoopState.PAYLOAD)
+    kept += range(LoopState.SIGNALS, LoopState.PAYLOAD) if observer.delayed else ()
     return float(np.abs(np.linalg.eigvals(loop[np.ix_(kept, kept)])).max())
 
 
@@ -95,21 +126,17 @@ def stability_map(
 def _loop(
     controller: TrackingController, plant: tuple[FloatArray, FloatArray], rest: FloatArray
 ) -> FloatArray:
-    """Transition over a sample about rest, (STATES, STATES).
-
-    The states are the plant's (10), the velocity commands before the tick (3), the estimate (18),
-    the inputs that the observer takes (3), the signals one sample before (5), and the estimate of
-    the payload.
-    """
+    """Transition over a sample about rest, for the states of `LoopState`; shape (40, 40)."""
     transition, inputs = plant
 
     def after(start: FloatArray) -> FloatArray:
         end, correction = _respond(controller, start, rest)
-        end[:10] = (transition @ np.append(start[:10], end[10:13]) + inputs @ correction)[:10]
+        driven = np.append(start[: State.SIZE], end[COMMAND])
+        end[: State.SIZE] = (transition @ driven + inputs @ correction)[: State.SIZE]
         return end
 
     origin = after(rest)
-    columns = [after(rest + PROBE * unit) - origin for unit in np.eye(STATES)]
+    columns = [after(rest + PROBE * unit) - origin for unit in np.eye(LoopState.SIZE)]
     return np.array(columns).T / PROBE
 
 
@@ -118,20 +145,27 @@ def _respond(
 ) -> tuple[FloatArray, FloatArray]:
     """The states of `_loop` after a tick, but for the plant's own, and the correction."""
     observer, feedback = controller.observer, controller.feedback
-    reference = rest[:10].copy()
-    signals = (start[34:39] + reference[:5]) if observer.delayed else start[:5].copy()
-    memory, correction = np.zeros(MEMORY), np.zeros(3)
-    memory[:3, :6] = start[13:31].reshape(3, 6)
-    memory[3, :3], memory[4, :3], memory[6] = start[10:13], start[31:34], reference
-    memory[3, 3], memory[4, 6], memory[5, 3] = 1.0, 1.0, start[-1]
-    backend.track_setpoint(
-        controller.parameters, observer.lengths, observer.table, feedback.lengths, feedback.gains,
-        signals, reference, np.zeros(3), memory, correction,
+    reference = rest[: State.SIZE].copy()
+    true = start[: Coordinates.SIZE]
+    tick = np.zeros((Tick.SIZE, Tick.COLUMNS))
+    tick[Tick.REFERENCE] = reference
+    tick[Tick.SIGNALS, : Coordinates.SIZE] = (
+        start[SIGNALS] + reference[: Coordinates.SIZE] if observer.delayed else true
     )
+    memory = np.zeros((Tracker.SIZE, Tracker.COLUMNS))
+    command, held = memory[Tracker.COMMAND], memory[Tracker.HELD]
+    estimate, fading = memory[ESTIMATE, : Estimate.SIZE], memory[Tracker.FADING]
+    estimate[:] = start[ESTIMATES].reshape(3, Estimate.SIZE)
+    command[: VelocityCommand.STARTED], command[VelocityCommand.STARTED] = start[COMMAND], 1.0
+    held[: Held.CORRECTION], held[Held.AWAKE] = start[INPUT], 1.0
+    memory[Tracker.REFERENCE] = reference
+    fading[Fading.PAYLOAD] = start[LoopState.PAYLOAD]
+    backend.track_setpoint(controller.parameters, observer.table, feedback.table, tick, memory)
     end = np.concatenate(
         [
-            start[:10], memory[3, :3], memory[:3, :6].reshape(-1), memory[4, :3],
-            start[:5] - reference[:5], memory[5, 3:4],
+            start[: State.SIZE], command[: VelocityCommand.STARTED], estimate.reshape(-1),
+            held[: Held.CORRECTION], true - reference[: Coordinates.SIZE],
+            [fading[Fading.PAYLOAD]],
         ]
     )
-    return end, correction
+    return end, tick[Tick.CORRECTION, Correction.VALUE : Correction.FADING]

@@ -18,17 +18,31 @@ from segfmu.crane.linear import SIGNS, moved_masses
 from segfmu.crane.observer import Observer
 from segfmu.errors import InputError
 from segfmu.kernels import backend
+from segfmu.kernels.control.records import (
+    Correction,
+    Estimate,
+    Fading,
+    OffsetEstimate,
+    OffsetMemory,
+    Tick,
+    Tracker,
+    Tracking,
+    VelocityCommand,
+)
+from segfmu.kernels.crane.records import Axes, Coordinates, DriveMode, State
 from segfmu.planning.arrays import FloatArray
 
-# the first five arguments of the kernel, and its memory
-Arrays = tuple[FloatArray, FloatArray, FloatArray, FloatArray, FloatArray, FloatArray]
+# parameters, the observer's table, gains and memory of the kernel
+Arrays = tuple[FloatArray, FloatArray, FloatArray, FloatArray]
 
 UNLIMITED = 1e99
 # s
 FADE = 0.1
 PAYLOAD_TIME = 2.0
-# of the kernel's memory
-MEMORY = 22, 10
+
+# rows of the kernel's memory, and entries of its parameters
+ESTIMATE = slice(Tracker.ESTIMATE, Tracker.COMMAND)
+REJECTED = slice(Tracking.REJECTED_DRIFT, Tracking.ENABLED)
 
 
 class TrackingController:
@@ -74,19 +88,23 @@ class TrackingController:
         require_positive("payload_time", payload_time)
         period = observer.sample_time
         self.observer = observer
-        self._parameters = np.zeros(27)
-        self._parameters[:3] = observer.driven, period, observer.delayed
-        self._parameters[3:6] = moved_masses(observer.crane.masses)
-        self._parameters[6] = observer.crane.gravity
-        self._parameters[19] = period / payload_time
-        self._parameters[20:23], self._parameters[23:] = observer.tolerances, observer.offset
+        own = np.zeros(Tracking.SIZE)
+        own[Tracking.MODE] = DriveMode.VELOCITY if observer.driven else DriveMode.FORCE
+        own[Tracking.PERIOD], own[Tracking.DELAYED] = period, observer.delayed
+        own[Tracking.MASSES : Tracking.GRAVITY] = moved_masses(observer.crane.masses)
+        own[Tracking.GRAVITY] = observer.crane.gravity
+        own[Tracking.PAYLOAD_SHARE] = period / payload_time
+        own[Tracking.WAKE_POSITION : Tracking.OFFSET_EXPECTED] = observer.tolerances
+        own[Tracking.OFFSET_EXPECTED :] = observer.offset
         least, greatest = _limits("lower", lower, -UNLIMITED), _limits("upper", upper, UNLIMITED)
         if (least > greatest).any():
             raise InputError(
                 f"lower must not be above upper, got {least.tolist()} and {greatest.tolist()}"
             )
-        self._parameters[12:15], self._parameters[15:18] = least, greatest
-        self._memory = np.zeros(MEMORY)
+        own[Tracking.LEAST : Tracking.GREATEST] = least
+        own[Tracking.GREATEST : Tracking.GAINS_PAYLOAD] = greatest
+        self._parameters = own
+        self._memory = np.zeros((Tracker.SIZE, Tracker.COLUMNS))
         self.fade = fade
         self.rejection = rejection
         self.feedback = feedback
@@ -100,38 +118,36 @@ class TrackingController:
 
     @property
     def parameters(self) -> FloatArray:
-        """What kernels/control/tracking.py calls `parameters`; a copy."""
+        """The kernels' `Tracking`, shape (27,); a copy."""
         return self._parameters.copy()
 
     @property
     def arrays(self) -> Arrays:
-        """The first five arguments of the kernel, and its memory; not copies."""
-        return (
-            self._parameters, self.observer.lengths, self.observer.table, self._feedback.lengths,
-            self._feedback.gains, self._memory,
-        )
+        """Parameters, the observer's table, gains and memory of the kernel; not copies."""
+        return self._parameters, self.observer.table, self._feedback.table, self._memory
 
     @property
     def enabled(self) -> bool:
         """Whether corrections are made; the observer always goes on."""
-        return bool(self._parameters[9])
+        return bool(self._parameters[Tracking.ENABLED])
 
     @enabled.setter
     def enabled(self, value: bool) -> None:
         if bool(value) != self.enabled:
-            self._parameters[9] = bool(value)
-            self._memory[3, 4] = 1.0
+            self._parameters[Tracking.ENABLED] = bool(value)
+            self._switch()
 
     @property
     def fade(self) -> float:
         """Time constant [s] of changes by switching; may be changed while running."""
-        return float(self._parameters[10])
+        return float(self._parameters[Tracking.FADE])
 
     @fade.setter
     def fade(self, value: float) -> None:
         require_not_negative("fade", value)
-        self._parameters[10] = value
-        self._parameters[11] = exp(-self.sample_time / value) if value > 0.0 else 0.0
+        self._parameters[Tracking.FADE] = value
+        decay = exp(-self.sample_time / value) if value > 0.0 else 0.0
+        self._parameters[Tracking.DECAY] = decay
 
     @property
     def feedback(self) -> SwayFeedback:
@@ -146,45 +162,50 @@ class TrackingController:
                 f"{self.sample_time} s; design both for one sample_time"
             )
         self._feedback = value
-        self._parameters[18] = value.payload
-        self._memory[3, 4] = 1.0
+        self._parameters[Tracking.GAINS_PAYLOAD] = value.payload
+        self._switch()
 
     @property
     def rejection(self) -> tuple[float, float]:
         """Shares of the disturbances that are rejected; may be changed while running."""
-        return float(self._parameters[7]), float(self._parameters[8])
+        drift, wind = self._parameters[REJECTED].tolist()
+        return drift, wind
 
     @rejection.setter
     def rejection(self, value: tuple[float, float]) -> None:
         shares = sized("rejection", value, 2)
         if (shares < 0.0).any() or (shares > 1.0).any():
             raise InputError(f"rejection must be shares from 0 to 1, got {shares.tolist()}")
-        self._parameters[7:9] = shares
-        self._memory[3, 4] = 1.0
+        self._parameters[REJECTED] = shares
+        self._switch()
 
     @property
     def deviation(self) -> FloatArray:
         """Estimated state minus its reference at the last tick, shape (10,)."""
-        found = np.zeros(10)
-        found[:3], found[5:8] = self._memory[:3, 0], self._memory[:3, 2]
-        found[3:5], found[8:10] = SIGNS * self._memory[:2, 1], SIGNS * self._memory[:2, 3]
+        estimate, found = self._memory[ESTIMATE], np.zeros(State.SIZE)
+        found[State.POSITION : State.ANGLE] = estimate[:, Estimate.POSITION]
+        found[State.ANGLE : State.VELOCITY] = SIGNS * estimate[:2, Estimate.ANGLE]
+        found[State.VELOCITY : State.RATE] = estimate[:, Estimate.VELOCITY]
+        found[State.RATE : State.SIZE] = SIGNS * estimate[:2, Estimate.RATE]
         return found
 
     @property
     def disturbance(self) -> FloatArray:
         """Estimated unknown accelerations of carriages and rope, and of the load; (2, 3) [m/s2]."""
-        found: FloatArray = self._memory[:3, 4:6].T.copy()
+        found: FloatArray = self._memory[ESTIMATE, Estimate.DRIFT : Estimate.SIZE].T.copy()
         return found
 
     @property
     def payload(self) -> float:
         """Estimated payload [kg]; in velocity mode the nominal one."""
-        return float(self._parameters[5] * (1.0 + self._memory[5, 3]))
+        nominal = self._parameters[Tracking.MASSES + Axes.ROPE]
+        return float(nominal * (1.0 + self._memory[Tracker.FADING, Fading.PAYLOAD]))
 
     @property
     def offset(self) -> float:
         """What is added to the measured length of the rope [m]."""
-        return float(self._memory[18, 5])
+        offset = self._memory[Tracker.OFFSET + OffsetMemory.ESTIMATE, OffsetEstimate.USED]
+        return float(offset)
 
     def reset(self, deviation: ArrayLike | None = None) -> None:
         """Forget the past.
@@ -195,8 +216,13 @@ class TrackingController:
         self._memory[:] = 0.0
         if deviation is not None:
             value = sized("deviation", deviation, 10)
-            self._memory[:3, 2] = value[5:8]
-            self._memory[:2, 3] = SIGNS * value[8:10]
+            estimate = self._memory[ESTIMATE]
+            estimate[:, Estimate.VELOCITY] = value[State.VELOCITY : State.RATE]
+            estimate[:2, Estimate.RATE] = SIGNS * value[State.RATE : State.SIZE]
+
+    def _switch(self) -> None:
+        """Tell the kernel that something was switched, so that the change fades in."""
+        self._memory[Tracker.COMMAND, VelocityCommand.SWITCHED] = 1.0
 
     def sample(
         self,
@@ -220,14 +246,14 @@ class TrackingController:
             What the correction is added to, forces [N] or accelerations [m/s2]; it counts for the
             limits alone.
         """
-        correction = np.zeros(3)
-        given = np.zeros(3) if feedforward is None else feedforward
-        parameters, lengths, table, gain_lengths, gains, memory = self.arrays
-        backend.track_setpoint(
-            parameters, lengths, table, gain_lengths, gains, measured, reference, given, memory,
-            correction,
-        )
-        return correction
+        tick = np.zeros((Tick.SIZE, Tick.COLUMNS))
+        tick[Tick.SIGNALS, : Coordinates.SIZE] = measured
+        tick[Tick.REFERENCE, : State.SIZE] = reference
+        if feedforward is not None:
+            tick[Tick.ADDED_TO, : Axes.SIZE] = feedforward
+        parameters, table, gains, memory = self.arrays
+        backend.track_setpoint(parameters, table, gains, tick, memory)
+        return tick[Tick.CORRECTION, Correction.VALUE : Correction.FADING].copy()
 
 
 def _limits(name: str, value: ArrayLike | None, default: float) -> FloatArray:

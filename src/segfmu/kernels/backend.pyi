@@ -9,96 +9,11 @@ Integers = NDArray[np.int64]
 
 COMPILED: bool
 
-def feedback_correction(
-    state: Floats,
-    reference: Floats,
-    lengths: Floats,
-    gains: Floats,
-    correction: Floats,
-    /,
-) -> None: ...
-
-def feedback_bandwidth(
-    ratio: float,
-    length: float,
-    gravity: float,
-    delay: float,
-    largest: float,
-    /,
-) -> float: ...
-
-def feedback_gains(
-    driven: bool,
-    length: float,
-    bridge_mass: float,
-    trolley_mass: float,
-    payload_mass: float,
-    gravity: float,
-    bandwidth: float,
-    hoist_bandwidth: float,
-    damping: float,
-    gains: Floats,
-    /,
-) -> None: ...
-
-def observer_design(
-    driven: bool,
-    sample_time: float,
-    length: float,
-    bridge_mass: float,
-    trolley_mass: float,
-    payload_mass: float,
-    gravity: float,
-    lag: Floats,
-    expected: Floats,
-    work: Floats,
-    table: Floats,
-    /,
-) -> None: ...
-
-def observer_predict(
-    length: float,
-    lengths: Floats,
-    table: Floats,
-    command: Floats,
-    held: Floats,
-    estimate: Floats,
-    scratch: Floats,
-    /,
-) -> None: ...
-
-def observer_correct(
-    length: float,
-    lengths: Floats,
-    table: Floats,
-    measured: Floats,
-    reference: Floats,
-    estimate: Floats,
-    /,
-) -> None: ...
-
-def track_setpoint(
-    parameters: Floats,
-    lengths: Floats,
-    table: Floats,
-    gain_lengths: Floats,
-    gains: Floats,
-    measured: Floats,
-    reference: Floats,
-    feedforward: Floats,
-    memory: Floats,
-    correction: Floats,
-    /,
-) -> None: ...
-
 def crane_rhs(
     state: Floats,
     generalized_force: Floats,
     load_force: Floats,
-    bridge_mass: float,
-    trolley_mass: float,
-    payload_mass: float,
-    gravity: float,
+    masses: Floats,
     derivative: Floats,
     /,
 ) -> None: ...
@@ -108,10 +23,7 @@ def crane_driven(
     carriage: Floats,
     generalized_force: Floats,
     load_force: Floats,
-    bridge_mass: float,
-    trolley_mass: float,
-    payload_mass: float,
-    gravity: float,
+    masses: Floats,
     derivative: Floats,
     force: Floats,
     /,
@@ -119,10 +31,7 @@ def crane_driven(
 
 def crane_flat_inverse(
     flat: Floats,
-    bridge_mass: float,
-    trolley_mass: float,
-    payload_mass: float,
-    gravity: float,
+    masses: Floats,
     force: Floats,
     state: Floats,
     acceleration: Floats,
@@ -137,48 +46,8 @@ def crane_load(
 
 def crane_energy(
     state: Floats,
-    bridge_mass: float,
-    trolley_mass: float,
-    payload_mass: float,
-    gravity: float,
-    energy: Floats,
-    /,
-) -> None: ...
-
-def crane_load_partials(
-    state: Floats,
-    partials: Floats,
-    /,
-) -> None: ...
-
-def crane_energy_partials(
-    state: Floats,
-    bridge_mass: float,
-    trolley_mass: float,
-    payload_mass: float,
-    gravity: float,
-    partials: Floats,
-    /,
-) -> None: ...
-
-def flat_derivatives(
-    flat: Floats,
-    order: int,
     masses: Floats,
-    work: Floats,
-    found: Floats,
-    /,
-) -> None: ...
-
-def compensate_setpoints(
-    velocity: Floats,
-    acceleration: Floats,
-    lag: Floats,
-    viscous: Floats,
-    coulomb: Floats,
-    width: float,
-    force: Floats,
-    setpoint: Floats,
+    energy: Floats,
     /,
 ) -> None: ...
 
@@ -201,14 +70,107 @@ def noise_components(
     /,
 ) -> None: ...
 
-def plant_advance(
+def feedback_correction(
+    state: Floats,
+    reference: Floats,
+    gains: Floats,
+    correction: Floats,
+    /,
+) -> None: ...
+
+def feedback_bandwidth(
+    ratio: float,
+    length: float,
+    gravity: float,
+    delay: float,
+    largest: float,
+    /,
+) -> float: ...
+
+def feedback_gains(
+    plant: Floats,
+    length: float,
+    bandwidth: float,
+    hoist_bandwidth: float,
+    damping: float,
+    gains: Floats,
+    /,
+) -> None: ...
+
+def observer_design(
+    plant: Floats,
+    sample_time: float,
+    length: float,
+    expected: Floats,
+    work: Floats,
+    table: Floats,
+    /,
+) -> None: ...
+
+def observer_predict(
+    length: float,
+    table: Floats,
+    command: Floats,
+    held: Floats,
+    estimate: Floats,
+    scratch: Floats,
+    /,
+) -> None: ...
+
+def observer_correct(
+    length: float,
+    table: Floats,
+    measured: Floats,
+    reference: Floats,
+    estimate: Floats,
+    /,
+) -> None: ...
+
+def track_setpoint(
     parameters: Floats,
+    table: Floats,
+    gains: Floats,
+    tick: Floats,
+    memory: Floats,
+    /,
+) -> None: ...
+
+def crane_load_partials(
+    state: Floats,
+    partials: Floats,
+    /,
+) -> None: ...
+
+def crane_energy_partials(
+    state: Floats,
+    masses: Floats,
+    partials: Floats,
+    /,
+) -> None: ...
+
+def flat_derivatives(
+    flat: Floats,
+    order: int,
+    masses: Floats,
+    work: Floats,
+    found: Floats,
+    /,
+) -> None: ...
+
+def compensate_setpoints(
+    velocity: Floats,
+    acceleration: Floats,
+    known: Floats,
+    force: Floats,
+    setpoint: Floats,
+    /,
+) -> None: ...
+
+def plant_advance(
+    plant: Floats,
     components: Floats,
     time: float,
     state: Floats,
-    command: Floats,
-    rate: Floats,
-    load_force: Floats,
     duration: float,
     tolerance: float,
     work: Floats,
@@ -364,27 +326,22 @@ def measure_state(
     /,
 ) -> None: ...
 
-def switch_correction(
-    loop: Floats,
-    memory: Floats,
-    /,
-) -> None: ...
-
 def rig_next_event(
-    loop: Floats,
-    sensors: Floats,
+    settings: Floats,
     memory: Floats,
     /,
 ) -> float: ...
 
+def switch_correction(
+    settings: Floats,
+    memory: Floats,
+    /,
+) -> None: ...
+
 def rig_event(
-    loop: Floats,
-    sensors: Floats,
+    settings: Floats,
     changes: Floats,
-    tracking: Floats,
-    lengths: Floats,
     table: Floats,
-    gain_lengths: Floats,
     gains: Floats,
     tracker: Floats,
     setpoints: Floats,
@@ -394,7 +351,7 @@ def rig_event(
 ) -> None: ...
 
 def rig_signals(
-    sensors: Floats,
+    settings: Floats,
     time: float,
     memory: Floats,
     /,
@@ -425,10 +382,8 @@ def rig_rows(
 ) -> int: ...
 
 def rig_start(
-    loop: Floats,
-    sensors: Floats,
+    settings: Floats,
     changes: Floats,
-    parameters: Floats,
     state: Floats,
     setpoints: Floats,
     start: float,
@@ -437,14 +392,10 @@ def rig_start(
 ) -> None: ...
 
 def rig_step(
-    loop: Floats,
-    sensors: Floats,
+    settings: Floats,
     components: Floats,
     changes: Floats,
-    tracking: Floats,
-    lengths: Floats,
     table: Floats,
-    gain_lengths: Floats,
     gains: Floats,
     tracker: Floats,
     setpoints: Floats,

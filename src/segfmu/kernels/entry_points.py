@@ -80,7 +80,7 @@ ENTRY_POINTS = (
     entry("rig.rig", "rig_step"),
     entry("rig.rig", "rig_balance"),
     entry("rig.rig", "rig_imbalance"),
-    entry("rig.exchange", "rig_next_event"),
+    entry("rig.events", "rig_next_event"),
     entry("rig.exchange", "rig_event"),
     entry("rig.exchange", "rig_signals"),
     entry("rig.exchange", "rig_rates"),

@@ -5,10 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from segfmu.crane import SwayFeedback
 from segfmu.kernels.control.feedback import feedback_correction
 
 LENGTHS = np.array([1.0, 2.0, 4.0])
 GAINS = np.random.default_rng(7).normal(size=(3, 3, 10))
+TABLE = SwayFeedback(0.01, LENGTHS, GAINS, 1.0).table
 REFERENCE = np.arange(10.0)
 
 
@@ -20,11 +22,11 @@ def test_correction_is_the_interpolated_gain_times_the_error(length: float) -> N
         [[np.interp(length, LENGTHS, GAINS[:, i, j]) for j in range(10)] for i in range(3)]
     )
     found = np.zeros(3)
-    feedback_correction(state, REFERENCE, LENGTHS, GAINS, found)
+    feedback_correction(state, REFERENCE, TABLE, found)
     assert found == pytest.approx(-gain @ (state - REFERENCE))
 
 
 def test_one_row_serves_every_length() -> None:
     state, found = np.ones(10), np.zeros(3)
-    feedback_correction(state, REFERENCE, LENGTHS[:1], GAINS[:1], found)
+    feedback_correction(state, REFERENCE, TABLE[:1], found)
     assert found == pytest.approx(-GAINS[0] @ (state - REFERENCE))

@@ -9,24 +9,32 @@ from scipy.linalg import expm
 
 from segfmu.kernels import backend
 from segfmu.kernels.control import kalman
+from segfmu.kernels.control.records import Kalman, ModelWork, Observer
+from segfmu.kernels.crane.records import Plant
 
 MASSES = (2.2, 1.155, 1.0, 9.81)
 LAG = np.array([0.025, 0.0, 0.03])
 EXPECTED = np.array([1e-4, 2e-4, 2.0 * np.pi / 4096, 2.9, 0.5])
 
 
+def plant(driven: bool) -> np.ndarray:
+    parameters = np.zeros(Plant.SIZE)
+    parameters[: Plant.LAG] = *MASSES, driven
+    parameters[Plant.LAG : Plant.FORCE_MAX] = LAG
+    return parameters
+
+
 def design(module, driven: bool, length: float, sample_time: float = 0.01) -> np.ndarray:
-    table = np.full((18, 10), np.nan)
-    module.observer_design(
-        driven, sample_time, length, *MASSES, LAG, EXPECTED, np.full((80, 16), np.nan), table
-    )
-    return table
+    table = np.full((Observer.SIZE, Observer.COLUMNS), np.nan)
+    work = np.full((Kalman.SIZE, 16), np.nan)
+    module.observer_design(plant(driven), sample_time, length, EXPECTED, work, table)
+    assert table[Observer.LENGTH, 0] == length
+    return table[Observer.BRIDGE :]
 
 
 def model(axis: int, driven: bool, length: float) -> np.ndarray:
     found = np.full((8, 8), np.nan)
-    mass = (3.355, 1.155, 1.0)[axis]
-    kalman.kalman_model(axis, driven, mass, 1.0, 9.81, length, LAG[axis], found)
+    kalman.kalman_model(axis, plant(driven), length, found)
     return found
 
 
@@ -39,7 +47,7 @@ def test_transition_and_covariance_are_their_integrals(axis: int, driven: bool) 
     for time in (1e-3, 3.0):
         transition, covariance = np.zeros((8, 8)), np.zeros((6, 6))
         kalman.kalman_sampled(
-            time, 2.9, 0.5, own, transition, covariance, np.zeros((24, 16))
+            time, 2.9, 0.5, own, transition, covariance, np.zeros((ModelWork.SIZE, 16))
         )
         assert transition == pytest.approx(expm(own * time), rel=1e-9, abs=1e-10)
 

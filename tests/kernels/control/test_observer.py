@@ -6,17 +6,20 @@ import numpy as np
 import pytest
 
 from segfmu.kernels.control.observer import observer_correct, observer_predict
+from segfmu.kernels.control.records import Observer
 
 RANDOM = np.random.default_rng(11)
 LENGTHS = np.array([0.5, 1.0, 2.0])
-TABLE = RANDOM.normal(size=(3, 18, 10))
+BLOCKS = RANDOM.normal(size=(3, 18, 10))
+TABLE = np.concatenate([np.zeros((3, 1, 10)), BLOCKS], axis=1)
+TABLE[:, Observer.LENGTH, 0] = LENGTHS
 START = RANDOM.normal(size=(3, 6))
 SIGNS = np.array([1.0, -1.0])
 
 
 def rows(length: float) -> np.ndarray:
     """The table at a rope length, one block (6, 10) an axis."""
-    flat = [np.interp(length, LENGTHS, column) for column in TABLE.reshape(3, -1).T]
+    flat = [np.interp(length, LENGTHS, column) for column in BLOCKS.reshape(3, -1).T]
     return np.array(flat).reshape(3, 6, 10)
 
 
@@ -24,7 +27,7 @@ def rows(length: float) -> np.ndarray:
 def test_prediction_is_transition_and_inputs(length: float) -> None:
     command, held = RANDOM.normal(size=(2, 3))
     found = START.copy()
-    observer_predict(length, LENGTHS, TABLE, command, held, found, np.zeros(10))
+    observer_predict(length, TABLE, command, held, found, np.zeros(10))
     for axis, block in enumerate(rows(length)):
         inputs = np.array([command[axis], held[axis]])
         assert found[axis] == pytest.approx(block[:, :6] @ START[axis] + block[:, 6:8] @ inputs)
@@ -34,7 +37,7 @@ def test_prediction_is_transition_and_inputs(length: float) -> None:
 def test_correction_is_the_gain_on_the_innovation(length: float) -> None:
     measured, reference = RANDOM.normal(size=5), RANDOM.normal(size=10)
     found = START.copy()
-    observer_correct(length, LENGTHS, TABLE, measured, reference, found)
+    observer_correct(length, TABLE, measured, reference, found)
     deviation = measured - reference[:5]
     for axis, block in enumerate(rows(length)):
         innovation = np.zeros(2)

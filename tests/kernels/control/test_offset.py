@@ -8,11 +8,17 @@ import numpy as np
 import pytest
 
 from segfmu.kernels.control.offset import (
+    offset_decide,
     offset_estimate,
     offset_filter,
-    offset_judge,
     offset_noise,
     offset_sum,
+)
+from segfmu.kernels.control.records import (
+    OffsetEstimate,
+    OffsetMemory,
+    OffsetSums,
+    Tracking,
 )
 from tests.crane.newton import accelerations
 
@@ -25,10 +31,15 @@ Course = Callable[[float], np.ndarray]
 
 def parameters(share: float = 0.05) -> np.ndarray:
     """What of the tracking controller's the estimate reads."""
-    found = np.zeros(27)
-    found[1], found[6], found[11] = T, GRAVITY, np.exp(-T / 0.1)
-    found[23:] = share, BANDWIDTH, STEP**2 / 12.0, 1e-4**2 / 12.0
+    found = np.zeros(Tracking.SIZE)
+    found[Tracking.PERIOD], found[Tracking.GRAVITY] = T, GRAVITY
+    found[Tracking.DECAY] = np.exp(-T / 0.1)
+    found[Tracking.OFFSET_EXPECTED :] = share, BANDWIDTH, STEP**2 / 12.0, 1e-4**2 / 12.0
     return found
+
+
+def new_memory() -> np.ndarray:
+    return np.zeros((OffsetMemory.SIZE, OffsetMemory.COLUMNS))
 
 
 def swing(
@@ -66,7 +77,7 @@ def estimates(
     signals: np.ndarray, planned: np.ndarray, share: float = 0.05
 ) -> tuple[np.ndarray, np.ndarray]:
     """Offsets in use, and the memory at the end."""
-    given, memory = parameters(share), np.zeros((13, 10))
+    given, memory = parameters(share), new_memory()
     pairs = zip(signals, planned, strict=True)
     return np.array([offset_estimate(given, m, r, memory) for m, r in pairs]), memory
 
@@ -115,14 +126,14 @@ def test_without_an_offset_none_is_used(noise: float) -> None:
     signals = measured(swing(push, 5.0, rope=lift), noise=noise)
     found, memory = estimates(signals, PLANNED)
     assert not found.any()
-    assert abs(memory[9, 0]) < (0.02 if noise else 1e-6)
+    assert abs(memory[OffsetMemory.ESTIMATE, OffsetEstimate.FOUND]) < (0.02 if noise else 1e-6)
 
 
 @pytest.mark.parametrize("start", [0.02, 0.1])
 def test_initial_sway_is_no_offset(start: float) -> None:
     found, memory = estimates(measured(swing(push, 5.0, rope=lift, start=(start, 0.0))), PLANNED)
     assert not found.any()
-    assert abs(memory[9, 0]) < 4e-3
+    assert abs(memory[OffsetMemory.ESTIMATE, OffsetEstimate.FOUND]) < 4e-3
 
 
 @pytest.mark.parametrize("begin", [0.0, 0.6, 1.5, 3.5])
@@ -143,22 +154,22 @@ def test_constant_wind_is_no_offset_and_moves_no_estimate(wind: float) -> None:
 
     found, memory = estimates(measured(swing(push, 5.0, rope=lift, wind=blow)), PLANNED)
     assert not found.any()
-    assert abs(memory[9, 0]) < 2e-3
+    assert abs(memory[OffsetMemory.ESTIMATE, OffsetEstimate.FOUND]) < 2e-3
     true = swing(push, 5.0, rope=lift, wind=blow, length=LENGTH + 0.04)
     found, memory = estimates(measured(true, 0.04), PLANNED)
-    assert memory[9, 0] == pytest.approx(0.04, rel=0.03)
+    assert memory[OffsetMemory.ESTIMATE, OffsetEstimate.FOUND] == pytest.approx(0.04, rel=0.03)
     # in use where the wind's beginning, which is like a gust, is soon forgotten
     assert found[-1] == pytest.approx(0.04 if wind < 0.1 else 0.0, rel=0.03)
 
 
 def test_the_instrument_is_blind_to_what_noise_and_wind_do_to_the_factor() -> None:
     """Residuals that go with what is measured alone, as wind's do, are no offset."""
-    random, sums = np.random.default_rng(5), np.zeros(10)
+    random, sums = np.random.default_rng(5), np.zeros(OffsetSums.SIZE)
     for _ in range(20000):
         planned, wind = random.normal(0.0, 1.0, 2)
         offset_sum(1.0, np.array([0.04 * planned + wind, planned + wind, planned]), sums)
-    assert sums[0] / sums[1] == pytest.approx(0.04, abs=0.03)
-    assert sums[3] / sums[4] > 0.2
+    assert sums[OffsetSums.ZR] / sums[OffsetSums.ZF] == pytest.approx(0.04, abs=0.03)
+    assert sums[OffsetSums.ZZRF] / sums[OffsetSums.ZZFF] > 0.2
 
 
 @pytest.mark.parametrize("bandwidth", [0.3, 1.0, 2.0])
@@ -167,15 +178,16 @@ def test_noisy_wind_is_seldom_five_deviations(bandwidth: float) -> None:
     share, found = 2.0 * np.pi * bandwidth * T, []
     swinging = 0.3 * np.sin(6.0 * T * np.arange(400))
     for seed in range(60):
-        memory, wind = np.zeros((13, 10)), np.zeros(2)
+        memory, wind = new_memory(), np.zeros(2)
         noise = np.random.default_rng(seed).normal(0.0, 0.1, (400, 2))
         for planned, blow in zip(swinging, noise, strict=True):
             wind += share * (blow - wind)
             for axis in range(2):
                 values = np.array([wind[axis], planned, planned])
-                offset_sum(1.0, values, memory[10])
-        offset_judge(parameters(), LENGTH, 0.0, memory)
-        found.append(memory[9, 0] / memory[9, 1])
+                offset_sum(1.0, values, memory[OffsetMemory.SUMS])
+        estimate = memory[OffsetMemory.ESTIMATE]
+        offset_decide(parameters(), LENGTH, 0.0, memory[OffsetMemory.SUMS], estimate)
+        found.append(estimate[OffsetEstimate.FOUND] / estimate[OffsetEstimate.DEVIATION])
     assert np.max(np.abs(found)) < 5.0
     assert np.std(found) < 2.0
 
@@ -184,7 +196,7 @@ def test_noise_at_rest_teaches_nothing() -> None:
     """The noise of the angles is in both sides of the equation, and alone means D = -l."""
     still = np.tile([0.0, 0.0, LENGTH, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0], (3000, 1))
     _, memory = estimates(measured(still, noise=STEP / np.sqrt(12.0)), still)
-    assert not memory[9].any() and not memory[10].any()
+    assert not memory[OffsetMemory.ESTIMATE].any() and not memory[OffsetMemory.SUMS].any()
 
 
 def test_a_share_of_zero_turns_it_off() -> None:
@@ -209,7 +221,7 @@ def test_the_variances_are_those_of_filtered_white_noise() -> None:
     given, states = parameters(), np.zeros((4, 7))
     random, found = np.random.default_rng(3), []
     for i in range(40000):
-        angle, place = random.normal(0.0, np.sqrt(given[25:27]))
+        angle, place = random.normal(0.0, np.sqrt(given[Tracking.ANGLE_VARIANCE :]))
         signals = np.array([LENGTH * angle + place, angle, 0.0, 0.0, 0.0, 0.0, 0.0])
         offset_filter(i == 0, 0.5 * BANDWIDTH * T, signals, states)
         second = BANDWIDTH**2 * (states[1, :2] - 2.0 * states[2, :2] + states[3, :2])

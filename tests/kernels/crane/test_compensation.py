@@ -19,9 +19,9 @@ def motion(t: float) -> tuple[float, float, float]:
 
 def compensated(velocity, acceleration, force) -> tuple[np.ndarray, np.ndarray]:
     forces, setpoints = np.array(force), np.zeros(3)
+    known = np.array([*LAG, *VISCOUS, *COULOMB, WIDTH])
     compensate_setpoints(
-        np.full(3, velocity), np.full(3, acceleration), LAG, VISCOUS, COULOMB, WIDTH, forces,
-        setpoints,
+        np.full(3, velocity), np.full(3, acceleration), known, forces, setpoints
     )
     return forces, setpoints
 

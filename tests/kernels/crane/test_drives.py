@@ -7,7 +7,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from segfmu.kernels.crane.drives import driven_derivative, friction_force, gust_share
+from segfmu.kernels.crane.drives import driven_derivative, friction_force, gust_factor
+from segfmu.kernels.crane.records import (
+    Action,
+    DriveMode,
+    Plant,
+    PlantState,
+    State,
+    Work,
+)
 from tests.crane.newton import accelerations
 
 MASSES = (2.2, 1.155, 1.0, 9.81)
@@ -15,12 +23,16 @@ MASSES = (2.2, 1.155, 1.0, 9.81)
 
 def driven(state, demand, force_max, acceleration_max=(0.0, 0.0, 0.0)):
     """Accelerations, drive forces and flags; no lag, no friction, no wind."""
-    parameters, work, derivative = np.zeros(37), np.zeros((16, 13)), np.zeros(13)
-    parameters[:5] = *MASSES, 1.0
-    parameters[8:11], parameters[11:14] = force_max, acceleration_max
-    work[14, :3] = demand
+    parameters, derivative = np.zeros(Plant.SIZE), np.zeros(PlantState.SIZE)
+    work = np.zeros((Work.SIZE, Work.COLUMNS))
+    parameters[: Plant.LAG] = *MASSES, DriveMode.VELOCITY
+    parameters[Plant.FORCE_MAX : Plant.ACCELERATION_MAX] = force_max
+    parameters[Plant.ACCELERATION_MAX : Plant.VISCOUS] = acceleration_max
+    work[Work.DEMAND, :3] = demand
     driven_derivative(parameters, np.array(state), work, derivative)
-    return derivative[5:10], work[10, :3], work[10, 3:6] > 0.0
+    action = work[Work.ACTION]
+    saturated = action[Action.SATURATED : Action.ROPE_FORCE] > 0.0
+    return derivative[State.VELOCITY : State.SIZE], action[: Action.SATURATED], saturated
 
 
 angles = st.floats(-1.3, 1.3)
@@ -65,8 +77,10 @@ def test_accelerations_are_bounded_and_flagged() -> None:
 
 
 def test_friction_is_odd_and_comes_to_its_value_within_a_few_widths() -> None:
-    parameters = np.zeros(37)
-    parameters[14:17], parameters[17:20], parameters[20] = (2.0, 0.0, 1.0), (5.0, 4.0, 0.0), 1e-3
+    parameters = np.zeros(Plant.SIZE)
+    parameters[Plant.VISCOUS : Plant.COULOMB] = 2.0, 0.0, 1.0
+    parameters[Plant.COULOMB : Plant.FRICTION_WIDTH] = 5.0, 4.0, 0.0
+    parameters[Plant.FRICTION_WIDTH] = 1e-3
     assert friction_force(parameters, 0, 0.0) == 0.0
     assert friction_force(parameters, 0, -0.3) == -friction_force(parameters, 0, 0.3)
     assert friction_force(parameters, 0, 0.3) == pytest.approx(0.6 + 5.0)
@@ -76,6 +90,6 @@ def test_friction_is_odd_and_comes_to_its_value_within_a_few_widths() -> None:
 
 @pytest.mark.parametrize("shape", [0.0, 1.0])
 def test_gusts_rise_to_one_and_are_zero_outside(shape: float) -> None:
-    assert [gust_share(shape, s) for s in (-0.1, 0.0, 1.0, 1.1)] == [0.0] * 4
-    assert gust_share(shape, 0.5) == pytest.approx(1.0)
-    assert gust_share(shape, 0.25) == pytest.approx(0.5 if shape == 0.0 else np.sqrt(0.5))
+    assert [gust_factor(shape, s) for s in (-0.1, 0.0, 1.0, 1.1)] == [0.0] * 4
+    assert gust_factor(shape, 0.5) == pytest.approx(1.0)
+    assert gust_factor(shape, 0.25) == pytest.approx(0.5 if shape == 0.0 else np.sqrt(0.5))

@@ -9,6 +9,7 @@ from scipy.integrate import solve_ivp
 from segfmu import Crane
 from segfmu.crane import Drive, Friction, Gust, Rig, TravelLimits, Wind
 from segfmu.kernels.crane.plant import plant_advance
+from segfmu.kernels.crane.records import Report, Work
 from tests.crane.newton import accelerations, direction
 
 MASSES = (2.2, 1.155, 1.0, 9.81)
@@ -20,11 +21,13 @@ def advance(
     tolerance=1e-11,
 ):
     rig = rig or Rig()
-    result, work, report = np.array(state), np.zeros((16, 13)), np.zeros(10)
-    rates = np.concatenate([rate, np.zeros(9 - len(rate))])
+    result, report = np.array(state), np.zeros(Report.SIZE)
+    work = np.zeros((Work.SIZE, Work.COLUMNS))
+    work[Work.COMMAND, :3], work[Work.RATES, : len(rate)] = command, rate
+    work[Work.LOAD_FORCE, :3] = wind
     status = plant_advance(
-        rig.parameters(Crane(*MASSES), driven), rig.wind.components, time, result,
-        np.array(command), rates, np.array(wind), duration, tolerance, work, report,
+        rig.parameters(Crane(*MASSES), driven), rig.wind.components, time, result, duration,
+        tolerance, work, report,
     )
     return status, result, report
 
@@ -71,8 +74,9 @@ def test_forces_linear_in_time_against_scipy(duration: float, rough: bool) -> No
     status, found, report = advance(START, command, rate, duration, rig=rig, wind=wind)
     assert status == 0
     assert found == pytest.approx(expected, rel=1e-8, abs=1e-8)
-    assert report[:3] == pytest.approx(np.array(command) + duration * np.array(rate))
-    assert report[9] == pytest.approx(duration)
+    forces = np.array(command) + duration * np.array(rate)
+    assert report[: Report.SATURATED] == pytest.approx(forces)
+    assert report[Report.ELAPSED] == pytest.approx(duration)
 
 
 def test_driven_carriage_moves_as_prescribed() -> None:
@@ -130,7 +134,7 @@ def test_falling_faster_than_the_load_slackens_the_rope() -> None:
     assert advance(start, [0.0, 0.0, 9.7], [0.0] * 3, 0.1, driven=True)[0] == 0
     status, _, report = advance(start, [0.0, 0.0, 9.7], [0.0, 0.0, 2.0], 0.1, driven=True)
     assert status == 5
-    assert report[9] == pytest.approx(0.055, abs=1e-6)
+    assert report[Report.ELAPSED] == pytest.approx(0.055, abs=1e-6)
 
 
 @pytest.mark.parametrize("axis", [0, 1, 2])
@@ -146,7 +150,7 @@ def test_end_stops_are_met_at_their_place_and_time(axis: int, side: float) -> No
     status, found, report = advance(start, command, [0.0] * 3, 1.0, rig=rig, driven=True)
     assert status == (9 if side > 0.0 else 6) + axis
     assert found[axis] == pytest.approx(centre + 0.02 * side, abs=1e-7)
-    assert report[9] == pytest.approx(0.2, abs=1e-6)
+    assert report[Report.ELAPSED] == pytest.approx(0.2, abs=1e-6)
 
 
 def test_resting_at_an_end_stop_is_allowed() -> None:
@@ -161,6 +165,6 @@ def test_lag_and_bounds_are_reported() -> None:
     start[2] = 1.0
     rig = Rig(bridge=Drive(lag=0.1, acceleration_max=0.5), trolley=Drive(lag=0.1, force_max=0.5))
     _, found, report = advance(start, [0.2, 0.02, 0.0], [0.0] * 3, 0.1, rig=rig, driven=True)
-    assert report[3:6].tolist() == [1.0, 0.0, 0.0]
+    assert report[Report.SATURATED : Report.ROPE_FORCE].tolist() == [1.0, 0.0, 0.0]
     assert found[5] == pytest.approx(0.05, abs=1e-9)
     assert found[6] == pytest.approx(0.02 * (1.0 - np.exp(-1.0)), abs=1e-9)

@@ -23,7 +23,7 @@ def motion(t: float, order: int) -> np.ndarray:
 
 def inverse(t: float) -> np.ndarray:
     found = np.zeros(18)
-    backend.crane_flat_inverse(motion(t, 0), *MASSES, found[:3], found[3:13], found[13:])
+    backend.crane_flat_inverse(motion(t, 0), np.array(MASSES), found[:3], found[3:13], found[13:])
     return found
 
 

@@ -9,12 +9,13 @@
 #include <time.h>
 
 #include "kernels.h"
+#include "records.h"
 
-enum { SETPOINTS = 19, COLUMNS = 40, TRACKER = 22 * 10 };
+enum { TRACKER = TRACKER_SIZE * TRACKER_COLUMNS };
 
 typedef struct {
-    array_double_1d loop, sensors, parameters, state, tracking, lengths, gain_lengths;
-    array_double_2d components, changes, steps, memory, tracker;
+    array_double_1d state;
+    array_double_2d settings, components, changes, steps, memory, tracker;
     array_double_3d table, gains;
     double start, *block;
     size_t size;
@@ -57,52 +58,52 @@ static rig read_rig(void)
     if (scanf("%ld %ld %ld %ld", &components, &changes, &rows, &steps) != 4) {
         exit(2);
     }
-    r.loop = vector(5);
-    r.sensors = vector(18);
-    r.parameters = vector(37);
-    r.state = vector(10);
+    r.settings = matrix(SETTINGS_SIZE, SETTINGS_COLUMNS);
+    r.state = vector(STATE_SIZE);
     double *start = numbers(1);
     r.start = *start;
     free(start);
-    r.components = matrix(components, 7);
-    r.changes = matrix(changes, 2);
-    r.tracking = vector(27);
-    r.lengths = vector(rows);
-    r.table = stack(rows, 18, 10);
-    r.gain_lengths = vector(rows);
-    r.gains = stack(rows, 3, 10);
-    r.steps = matrix(1 + steps, 1 + SETPOINTS);
-    int64_t used = segfmu_rig_rows(r.sensors.data[0], r.sensors.data[1]);
-    r.size = (size_t)(used * COLUMNS + TRACKER) * sizeof(double);
+    r.components = matrix(components, SINUSOID_SIZE);
+    r.changes = matrix(changes, PAYLOAD_CHANGE_SIZE);
+    r.table = stack(rows, OBSERVER_SIZE, OBSERVER_COLUMNS);
+    r.gains = stack(rows, GAINS_SIZE, GAINS_COLUMNS);
+    r.steps = matrix(1 + steps, 1 + SETPOINTS_SIZE);
+    const double *sensors = r.settings.data + SETTINGS_SENSORS * SETTINGS_COLUMNS;
+    int64_t used = segfmu_rig_rows(sensors[SENSORS_SAMPLE_TIME], sensors[SENSORS_DEAD_TIME]);
+    r.size = (size_t)(used * MEMORY_COLUMNS + TRACKER) * sizeof(double);
     r.block = malloc(r.size);
-    r.memory = (array_double_2d){r.block, {used, COLUMNS}};
-    r.tracker = (array_double_2d){r.block + used * COLUMNS, {22, 10}};
+    r.memory = (array_double_2d){r.block, {used, MEMORY_COLUMNS}};
+    r.tracker = (array_double_2d){r.block + used * MEMORY_COLUMNS, {TRACKER_SIZE, TRACKER_COLUMNS}};
     return r;
 }
 
 static void start(rig *r)
 {
-    array_double_1d first = {r->steps.data + 1, {SETPOINTS}};
+    array_double_1d first = {r->steps.data + 1, {SETPOINTS_SIZE}};
     memset(r->tracker.data, 0, TRACKER * sizeof(double));
-    segfmu_rig_start(r->loop, r->sensors, r->changes, r->parameters, r->state, first, r->start,
-                     r->memory);
+    segfmu_rig_start(r->settings, r->changes, r->state, first, r->start, r->memory);
+}
+
+static void print_row(const rig *r, int place, int count)
+{
+    for (int i = 0; i < count; i++) {
+        printf("%a ", r->memory.data[place * MEMORY_COLUMNS + i]);
+    }
 }
 
 static void run(rig *r, int64_t from, int64_t to, int print)
 {
     for (int64_t i = from; i < to; i++) {
-        double *row = r->steps.data + i * (1 + SETPOINTS);
-        array_double_1d setpoints = {row + 1, {SETPOINTS}};
-        if (segfmu_rig_step(r->loop, r->sensors, r->components, r->changes, r->tracking,
-                            r->lengths, r->table, r->gain_lengths, r->gains, r->tracker,
-                            setpoints, row[0], r->memory) != 0) {
+        double *row = r->steps.data + i * (1 + SETPOINTS_SIZE);
+        array_double_1d setpoints = {row + 1, {SETPOINTS_SIZE}};
+        if (segfmu_rig_step(r->settings, r->components, r->changes, r->table, r->gains, r->tracker,
+                            setpoints, row[0], r->memory) != PLANT_STATUS_DONE) {
             exit(3);
         }
-        for (int j = 0; print && j < 18; j++) {
-            const double *from_row = r->memory.data + COLUMNS * (j < 10 ? 0 : j < 15 ? 5 : 4);
-            printf("%a ", from_row[j < 10 ? j : j < 15 ? j - 10 : j - 15]);
-        }
         if (print) {
+            print_row(r, MEMORY_STATE, STATE_SIZE);
+            print_row(r, MEMORY_SIGNALS, COORDINATES_SIZE);
+            print_row(r, MEMORY_REPORT, REPORT_SATURATED);
             printf("\n");
         }
     }
@@ -132,8 +133,7 @@ int main(int argc, char **argv)
     memcpy(r.block, saved, r.size);
     run(&r, middle, steps, 1);
     void *all[] = {
-        r.loop.data, r.sensors.data, r.parameters.data, r.state.data, r.components.data,
-        r.changes.data, r.tracking.data, r.lengths.data, r.table.data, r.gain_lengths.data,
+        r.settings.data, r.state.data, r.components.data, r.changes.data, r.table.data,
         r.gains.data, r.steps.data, r.block, saved
     };
     for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {

@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 from segfmu.crane import Plant, Rig, Sensors, Setpoints
-from segfmu.crane.plant import CALLER, STATE, TRACKING
 from segfmu.kernels import backend
-from segfmu.kernels.rig.events import next_edge
+from segfmu.kernels.crane.records import Plant as Parameters
+from segfmu.kernels.rig.events import next_change
+from segfmu.kernels.rig.records import Clock, Corrector, Loop, Memory
 from segfmu.kernels.rig.rig import rig_imbalance
 from tests.kernels.rigs import CONTROLLERS, HANGING, LAB, everything, feedback, tracking
 
@@ -89,7 +90,9 @@ def test_tracking_is_the_same_inside_and_outside(driven: bool) -> None:
     inside, outside = (
         start(c, driven, rig) for c in (tracking(driven), Inside(tracking(driven)))
     )
-    assert (inside._loop[0], outside._loop[0]) == (TRACKING, CALLER)
+    assert [p._loop[Loop.CORRECTOR] for p in (inside, outside)] == [
+        Corrector.TRACKING, Corrector.CALLER
+    ]
     assert go(inside, 1, 60).tolist() == go(outside, 1, 60).tolist()
 
 
@@ -98,7 +101,9 @@ def test_state_feedback_is_the_same_inside_and_outside(driven: bool) -> None:
     controller = OnState(driven)
     inside, outside = (start(c, driven, Rig()) for c in (feedback(driven), controller))
     controller.plant = outside
-    assert (inside._loop[0], outside._loop[0]) == (STATE, CALLER)
+    assert [p._loop[Loop.CORRECTOR] for p in (inside, outside)] == [
+        Corrector.STATE, Corrector.CALLER
+    ]
     assert go(inside, 1, 60) == pytest.approx(go(outside, 1, 60), abs=1e-9)
 
 
@@ -117,16 +122,17 @@ def test_a_tick_of_the_callers_controller_keeps_saturation() -> None:
     assert flags[1][0]
 
 
-def test_edges_are_where_mass_or_wind_change_their_course() -> None:
+def test_changes_are_where_mass_or_wind_change() -> None:
     rig = everything()
-    memory = np.zeros((30, 40))
-    memory[1, :37], memory[2, 0] = rig.parameters(LAB, False), 0.3
+    memory = np.zeros((Memory.SIZE, Memory.COLUMNS))
+    memory[Memory.PLANT, : Parameters.SIZE] = rig.parameters(LAB, False)
+    memory[Memory.CLOCK, Clock.START] = 0.3
     found, time = [], 0.0
-    while (time := next_edge(rig.changes, time, memory)) < 1e300:
+    while (time := next_change(rig.changes, time, memory)) < 1e300:
         found.append(time)
     assert found == pytest.approx([0.0333, 0.04, 0.0601, 0.5333])
-    memory[1, 31:33] = 0.0
-    assert next_edge(np.zeros((0, 2)), 0.0, memory) == 1e300
+    memory[Memory.PLANT, [Parameters.GUST_START, Parameters.GUST_DURATION]] = 0.0
+    assert next_change(np.zeros((0, 2)), 0.0, memory) == 1e300
 
 
 def test_imbalance_is_what_is_not_accounted_for() -> None:

@@ -11,6 +11,10 @@ import pytest
 
 from segfmu.codegen.native import TARGET
 from segfmu.crane import Plant, Rig, Sensors, Setpoints, SwayFeedback
+from segfmu.kernels.control.records import Tracking
+from segfmu.kernels.crane.records import Plant as Parameters
+from segfmu.kernels.rig.records import Corrector, Loop, Settings
+from segfmu.kernels.rig.records import Sensors as Sensing
 from tests.kernels.rigs import HANGING, LAB, everything, feedback, observer, tracking
 
 COMPILER = shutil.which("cc")
@@ -47,6 +51,19 @@ def steps(driven: bool) -> list[tuple[float, Setpoints]]:
     return found
 
 
+def settings(rig: Rig, controller, driven: bool) -> np.ndarray:
+    """All that is set, shape (4, 37)."""
+    found = np.zeros((Settings.SIZE, Settings.COLUMNS))
+    on_state = isinstance(controller, SwayFeedback)
+    corrector = Corrector.STATE if on_state else Corrector.TRACKING
+    found[Settings.LOOP, : Loop.SIZE] = corrector, controller.sample_time, 1.0, 1e-10, 0.1
+    found[Settings.SENSORS, : Sensing.SIZE] = rig.sensors.vector
+    found[Settings.PLANT, : Parameters.SIZE] = rig.parameters(LAB, driven)
+    if not on_state:
+        found[Settings.TRACKING, : Tracking.SIZE] = controller.parameters
+    return found
+
+
 def case(rig: Rig, kind: str, driven: bool) -> tuple[str, Plant]:
     """What the driver reads, and the same as a plant."""
     controller = feedback(driven) if kind == "state" else tracking(driven)
@@ -54,15 +71,13 @@ def case(rig: Rig, kind: str, driven: bool) -> tuple[str, Plant]:
     start[3:5] = 0.1, -0.05
     table = steps(driven)
     plant = Plant(LAB, start, table[0][1], controller, driven=driven, rig=rig, start_time=0.3)
-    parameters = np.zeros(27) if isinstance(controller, SwayFeedback) else controller.parameters
     seen, gains = observer(driven), feedback(driven)
     arrays = [
-        [1.0 if kind == "state" else 2.0, controller.sample_time, 1.0, 1e-10, 0.1],
-        rig.sensors.vector, rig.parameters(LAB, driven), start, [0.3], rig.wind.components,
-        rig.changes, parameters, seen.lengths, seen.table, gains.lengths, gains.gains,
+        settings(rig, controller, driven), start, [0.3], rig.wind.components, rig.changes,
+        seen.table, gains.table,
         *(np.append(duration, setpoints.vector) for duration, setpoints in table),
     ]
-    sizes = len(rig.wind.components), len(rig.changes), seen.lengths.size, STEPS
+    sizes = len(rig.wind.components), len(rig.changes), len(seen.table), STEPS
     numbers = np.concatenate([np.ravel(a) for a in arrays])
     return " ".join(map(str, sizes)) + " " + " ".join(float(x).hex() for x in numbers), plant
 

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from segfmu.crane import Sensors
 from segfmu.kernels.numerics.noise import seed_numbers
+from segfmu.kernels.rig.records import Queue, Sensing
 from segfmu.kernels.rig.sensing import (
     measure_state,
     next_sample,
@@ -26,7 +27,7 @@ def seeded(seed: int) -> np.ndarray:
 
 
 def memory_of(sensors: Sensors) -> np.ndarray:
-    return np.zeros((sensing_rows(sensors.sample_time, sensors.dead_time), 36))
+    return np.zeros((sensing_rows(sensors.sample_time, sensors.dead_time), Sensing.COLUMNS))
 
 
 def state_at(time: float) -> np.ndarray:
@@ -97,7 +98,7 @@ def test_signals_are_the_latest_available_samples(period: float, late: float, pa
         sure = abs(look / period - late - round(look / period - late)) > 1e-8
         if sure:
             assert found == pytest.approx(state_at(latest * period)[:5], abs=1e-9)
-        assert memory[0, 2] <= np.ceil(late) + 2
+        assert memory[Sensing.QUEUE, Queue.WAITING] <= np.ceil(late) + 2
         assert signals(sensors, look, memory).tolist() == found.tolist()
 
 

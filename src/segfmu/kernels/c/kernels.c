@@ -3,8 +3,23 @@
 
 #include <math.h>
 
-static int64_t table_row(double value, array_double_1d nodes);
-static double table_share(double value, array_double_1d nodes, int64_t row);
+static double full_circle(void);
+static double next_normal(array_double_1d numbers);
+static double friction_force(array_double_1d plant, int64_t axis, double velocity);
+static double gust_factor(double shape, double share);
+static void wind_force(array_double_1d plant, array_double_2d components, double time, array_double_2d work);
+static bool exceeds(double value, double bound);
+static double limited(double value, double bound);
+static void forced_derivative(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
+static void driven_forces(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
+static double carriage_mass(array_double_1d masses, int64_t axis);
+static double limit_side(array_double_1d plant, int64_t axis, array_double_1d action, array_double_1d limit);
+static double missing_force(array_double_1d plant, int64_t axis, array_double_1d action, array_double_1d limit);
+static void change_accelerations(array_double_1d plant, array_double_1d action, array_double_1d limit);
+static void limit_accelerations(array_double_1d plant, array_double_1d state, array_double_1d action, array_double_1d acceleration, array_double_1d limit);
+static void driven_derivative(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
+static int64_t table_row(double length, array_double_3d table);
+static double table_share(double length, array_double_3d table, int64_t row);
 static void matrix_set(int64_t n, double value, array_double_2d a);
 static void matrix_copy(int64_t n, array_double_2d a, array_double_2d c);
 static void matrix_add(int64_t n, double factor, array_double_2d a, array_double_2d c);
@@ -13,7 +28,7 @@ static void matrix_product_transposed(int64_t n, array_double_2d a, array_double
 static void matrix_transpose(int64_t n, array_double_2d a, array_double_2d c);
 static void matrix_reduce(int64_t n, int64_t columns, int64_t pivot, array_double_2d a, array_double_2d b);
 static void matrix_solve(int64_t n, int64_t columns, array_double_2d a, array_double_2d b);
-static void kalman_model(int64_t axis, bool driven, double mass, double payload, double gravity, double length, double lag, array_double_2d model);
+static void kalman_model(int64_t axis, array_double_1d plant, double length, array_double_2d model);
 static void kalman_series(double part, double drift, double wind, array_double_2d model, array_double_2d transition, array_double_2d covariance, array_double_2d work);
 static void kalman_sampled(double sample_time, double drift, double wind, array_double_2d model, array_double_2d transition, array_double_2d covariance, array_double_2d work);
 static double kalman_turn(array_double_2d spread, array_double_2d work);
@@ -21,20 +36,25 @@ static void kalman_gain(int64_t axis, double first, double second, array_double_
 static void kalman_axis(int64_t axis, double sample_time, array_double_1d expected, array_double_2d work, array_double_2d table);
 static void offset_filter(bool first, double share, array_double_1d signals, array_double_2d states);
 static void offset_signals(array_double_1d measured, double start, array_double_1d signals);
+static double second_difference(int64_t signal, array_double_2d states);
 static int64_t offset_residual(double* result_0_0001, double* result_1_0001, int64_t axis, double gravity, double square, array_double_2d states);
 static int64_t offset_noise(double* result_0, double* result_1_0001, array_double_1d parameters, double length);
 static void offset_centre(int64_t axis, double share, array_double_1d values, array_double_1d means);
 static void offset_sum(double keep, array_double_1d values, array_double_1d sums);
-static void offset_judge(array_double_1d parameters, double length, double noise, array_double_2d memory);
+static void offset_decide(array_double_1d parameters, double length, double noise, array_double_1d sums, array_double_1d estimate);
 static void offset_equations(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory);
 static double offset_estimate(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory);
 static void track_wake(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory);
-static void track_offset(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory);
-static void track_observe(array_double_1d parameters, array_double_1d lengths, array_double_3d table, array_double_1d measured, array_double_1d reference, array_double_2d memory);
-static void track_law(array_double_1d parameters, double length, array_double_1d gain_lengths, array_double_3d gains, array_double_2d memory, array_double_1d correction);
+static void track_offset(array_double_1d parameters, array_double_2d tick, array_double_2d memory);
+static void track_start(array_double_1d measured, array_double_1d reference, array_double_2d memory);
+static void track_observe(array_double_1d parameters, array_double_3d table, array_double_1d reference, array_double_2d memory);
+static bool track_acts(array_double_1d parameters, array_double_2d memory);
+static void track_deviation(array_double_1d parameters, array_double_2d memory);
+static void track_forces(array_double_1d parameters, array_double_2d memory, array_double_1d correction);
+static void track_law(array_double_1d parameters, array_double_3d gains, array_double_2d memory, array_double_1d correction);
 static void track_hoist(array_double_1d parameters, array_double_2d memory);
-static void crane_rhs_partials(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d partials);
-static void crane_driven_partials(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d partials);
+static void crane_rhs_partials(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_2d partials);
+static void crane_driven_partials(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_2d partials);
 static void polynomial_differentiate(array_double_1d a, int64_t count, int64_t order, array_double_1d found);
 static void polynomial_add_product(array_double_1d a, int64_t a_count, array_double_1d b, int64_t b_count, array_double_1d found);
 static void polynomial_clear(array_double_1d found);
@@ -52,30 +72,17 @@ static void series_product(array_double_1d a, array_double_1d b, int64_t count, 
 static void series_quotient(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found);
 static void series_root(array_double_1d a, int64_t count, array_double_1d found);
 static void series_angle(array_double_1d y, array_double_1d x, array_double_1d square, int64_t count, array_double_1d scratch, array_double_1d found);
-static double full_circle(void);
-static double next_normal(array_double_1d numbers);
-static double friction_force(array_double_1d parameters, int64_t axis, double velocity);
-static double gust_share(double shape, double share);
-static void wind_force(array_double_1d parameters, array_double_2d components, double time, array_double_1d load_force, array_double_1d force);
-static bool beyond(double value, double bound);
-static double clamped(double value, double bound);
-static void forced_derivative(array_double_1d parameters, array_double_1d state, array_double_2d work, array_double_1d derivative);
-static void driven_forces(array_double_1d parameters, array_double_1d state, array_double_2d work, array_double_1d derivative);
-static double carriage_mass(array_double_1d parameters, int64_t axis);
-static double limit_side(array_double_1d parameters, int64_t axis, array_double_1d force, array_double_1d scratch);
-static void change_accelerations(array_double_1d parameters, array_double_1d force, array_double_1d scratch);
-static void limit_accelerations(array_double_1d parameters, array_double_1d state, array_double_1d force, array_double_1d acceleration, array_double_1d scratch);
-static void driven_derivative(array_double_1d parameters, array_double_1d state, array_double_2d work, array_double_1d derivative);
 static double stage_node(int64_t stage);
 static void stage_state(int64_t stage, double h, int64_t count, array_double_1d state, array_double_2d k, array_double_1d trial);
 static double step_error(double h, int64_t count, array_double_1d start, array_double_1d end, array_double_2d k);
 static double next_step(double error, double tolerance);
 static bool all_finite(array_double_1d values, int64_t count);
-static void plant_derivative(array_double_1d parameters, array_double_2d components, double time, double elapsed, array_double_1d state, array_double_1d command, array_double_1d rate, array_double_1d load_force, array_double_2d work, array_double_1d derivative);
-static void first_stage(array_double_2d work);
-static double plant_attempt(array_double_1d parameters, array_double_2d components, double time, double elapsed, array_double_1d state, array_double_1d command, array_double_1d rate, array_double_1d load_force, double h, array_double_2d work);
-static int64_t plant_status(array_double_1d parameters, array_double_1d state, double rope_force);
-static void accept(array_double_1d state, array_double_2d work, double elapsed, array_double_1d report);
+static void plant_powers(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
+static void plant_derivative(array_double_1d plant, array_double_2d components, double time, double elapsed, array_double_1d state, array_double_2d work, array_double_1d derivative);
+static void reuse_last_stage(array_double_2d work);
+static double try_step(array_double_1d plant, array_double_2d components, double time, double elapsed, array_double_1d state, double h, array_double_2d work);
+static int64_t plant_status(array_double_1d plant, array_double_1d state, double rope_force);
+static void accept_step(array_double_1d state, array_double_2d work, double elapsed, array_double_1d report);
 static void transition_coefficients(int64_t order, array_double_1d coefficients);
 static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s);
 static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks);
@@ -175,79 +182,1031 @@ static int64_t plan_axis(int64_t axis, double share, array_double_2d positions, 
 static int64_t synchronize_plan(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d dwells, array_double_2d limits, int64_t synchronization, double sample_time, double duration, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d shortest, array_double_2d durations, array_int64_t_1d active, array_double_2d work, array_double_1d report);
 static int64_t sensing_rows(double sample_time, double dead_time);
 static double next_sample(array_double_1d sensors, array_double_2d memory);
-static int64_t queue_entry(int64_t* result_0_0001, int64_t* result_1_0001, int64_t place, array_double_2d memory);
+static int64_t ring_size(array_double_2d memory);
+static int64_t ring_place(int64_t* result_0, int64_t* result_1_0001, int64_t number, array_double_2d memory);
 static void deliver_samples(array_double_1d sensors, double time, array_double_2d memory);
 static void take_sample(array_double_1d sensors, array_double_1d state, array_double_2d memory);
 static void start_sensing(array_double_1d sensors, array_double_1d state, array_double_2d memory);
 static void sense_signals(array_double_1d sensors, double time, array_double_1d state, array_double_2d memory, array_double_1d measured);
-static double instant(array_double_1d loop);
-static double next_event(array_double_1d loop, array_double_1d sensors, double duration, array_double_2d memory);
-static double next_edge(array_double_2d changes, double after, array_double_2d memory);
+static double time_tolerance(array_double_2d settings);
+static double present_time(array_double_2d memory);
+static double next_tick(array_double_2d settings, array_double_2d memory);
+static double next_reading(array_double_2d settings, array_double_2d memory);
+static double next_event(array_double_2d settings, double duration, array_double_2d memory);
+static double next_change(array_double_2d changes, double after, array_double_2d memory);
 static double mechanical_energy(array_double_2d memory);
-static void change_payload(array_double_1d loop, array_double_2d changes, double time, array_double_2d memory);
-static void meet_events(array_double_1d loop, array_double_1d sensors, array_double_2d changes, array_double_2d memory);
-static double course(array_double_1d setpoints, int64_t i, double share, array_double_2d memory);
-static void course_rates(array_double_1d setpoints, int64_t i, double share, double duration, array_double_2d memory, array_double_1d rates, int64_t place);
-static bool controller_due(array_double_1d loop, array_double_2d memory);
-static void prepare_tick(array_double_1d sensors, array_double_1d setpoints, double duration, array_double_2d memory);
-static void correct_setpoints(array_double_1d loop, array_double_1d tracking, array_double_1d lengths, array_double_3d table, array_double_1d gain_lengths, array_double_3d gains, array_double_2d tracker, array_double_2d memory);
+static void change_payload(array_double_2d settings, array_double_2d changes, double time, array_double_2d memory);
+static void handle_events(array_double_2d settings, array_double_2d changes, array_double_2d memory);
+static void update_signals(array_double_2d settings, double time, array_double_2d memory);
+static bool is_driven(array_double_2d memory);
+static double setpoint_at(array_double_1d setpoints, int64_t i, double share, array_double_2d memory);
+static int64_t setpoint_rates(double* result_0_0001, double* result_1, double* result_2_0001, array_double_1d setpoints, int64_t i, double share, double duration, array_double_2d memory);
+static bool controller_due(array_double_2d settings, array_double_2d memory);
+static void prepare_tick(array_double_2d settings, array_double_1d setpoints, double duration, array_double_2d memory);
+static void correct_setpoints(array_double_2d settings, array_double_3d table, array_double_3d gains, array_double_2d tracker, array_double_2d memory);
+static void set_command(int64_t axis, double value, double slope, double square, double cube, array_double_2d memory);
 static void command_velocities(array_double_1d setpoints, double duration, double until, array_double_2d memory);
-static int64_t advance_plant(array_double_1d loop, array_double_2d components, array_double_1d setpoints, double duration, double until, array_double_2d memory);
-static double friction_slope(array_double_1d parameters, int64_t axis, double velocity);
-static double wind_slope(array_double_1d parameters, array_double_2d components, double time, int64_t axis);
-static void forced_partials(array_double_1d parameters, array_double_1d state, array_double_2d rig, array_double_2d work, array_double_2d partials);
-static bool driven_partials(array_double_1d parameters, array_double_1d state, array_double_2d rig, array_double_1d command, array_double_2d work, array_double_2d partials);
-static void power_partials(array_double_1d parameters, array_double_1d state, array_double_2d rig, array_double_2d work, array_double_2d partials);
+static void command_forces(array_double_1d setpoints, double duration, array_double_2d memory);
+static int64_t advance_plant(array_double_2d settings, array_double_2d components, array_double_1d setpoints, double duration, double until, array_double_2d memory);
+static double added_velocity(int64_t axis, double time, array_double_2d memory);
+static double friction_slope(array_double_1d plant, int64_t axis, double velocity);
+static double gust_rate(double shape, double share);
+static double wind_slope(array_double_1d plant, array_double_2d components, double time, int64_t axis);
+static void add_damping(array_double_1d plant, array_double_1d by, array_double_1d row);
+static void forced_partials(array_double_1d plant, array_double_1d state, array_double_2d rig, array_double_2d work, array_double_2d partials);
+static bool demand_partials(array_double_1d plant, array_double_1d state, array_double_2d rig, array_double_1d command, array_double_2d partials);
+static bool driven_partials(array_double_1d plant, array_double_1d state, array_double_2d rig, array_double_2d work, array_double_2d partials);
+static void power_partials(array_double_1d plant, array_double_1d state, array_double_2d rig, array_double_2d work, array_double_2d partials);
 static double next_break(double time, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends);
 static void shift_piece(array_double_2d coefficients, int64_t source, int64_t width, double t, double weight, array_double_2d target, int64_t row);
 static int64_t merge_pieces(double weight, double now, int64_t first_a, int64_t last_a, int64_t last_b, array_double_2d scratch_timing, array_double_2d scratch, array_double_2d timing, array_double_2d coefficients, int64_t row);
 static int64_t expand_interval(int64_t interval, int64_t axis, int64_t axes, double now, array_double_2d positions, array_double_2d velocities, int64_t smoothness, int64_t shape, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d ramps, array_double_2d scratch_timing, array_double_2d scratch, array_double_2d timing, array_double_2d coefficients, int64_t row);
 
 
-/*Row of an ascending table before which or at which a value lies; 0 .. rows - 2.*/
-static int64_t table_row(double value, array_double_1d nodes)
+/*Right-hand side of (1): derivative of the state under forces on every coordinate.*/
+void segfmu_crane_rhs(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative)
+{
+    double l;
+    double phi_x;
+    double phi_y;
+    double x_t_rate;
+    double y_t_rate;
+    double l_rate;
+    double phi_x_rate;
+    double phi_y_rate;
+    double bridge_mass;
+    double trolley_mass;
+    double payload_mass;
+    double gravity;
+    double f_x_t;
+    double f_y_t;
+    double f_l;
+    double f_phi_x;
+    double f_phi_y;
+    double w_x;
+    double w_y;
+    double w_z;
+    double c0;
+    double c1;
+    double c2;
+    double c3;
+    double c4;
+    double c5;
+    double c6;
+    double c7;
+    double c8;
+    double c9;
+    double c10;
+    double c11;
+    double c12;
+    double c13;
+    double c14;
+    double c15;
+    double c16;
+    double c17;
+    double c18;
+    double c19;
+    double c20;
+    double c21;
+    double c22;
+    double c23;
+    double c24;
+    double c25;
+    double c26;
+    double c27;
+    double c28;
+    l = (*cspan_at(&state, INT64_C(2)));
+    phi_x = (*cspan_at(&state, INT64_C(3)));
+    phi_y = (*cspan_at(&state, INT64_C(4)));
+    x_t_rate = (*cspan_at(&state, INT64_C(5)));
+    y_t_rate = (*cspan_at(&state, INT64_C(6)));
+    l_rate = (*cspan_at(&state, INT64_C(7)));
+    phi_x_rate = (*cspan_at(&state, INT64_C(8)));
+    phi_y_rate = (*cspan_at(&state, INT64_C(9)));
+    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
+    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
+    payload_mass = (*cspan_at(&masses, INT64_C(2)));
+    gravity = (*cspan_at(&masses, INT64_C(3)));
+    f_x_t = (*cspan_at(&generalized_force, INT64_C(0)));
+    f_y_t = (*cspan_at(&generalized_force, INT64_C(1)));
+    f_l = (*cspan_at(&generalized_force, INT64_C(2)));
+    f_phi_x = (*cspan_at(&generalized_force, INT64_C(3)));
+    f_phi_y = (*cspan_at(&generalized_force, INT64_C(4)));
+    w_x = (*cspan_at(&load_force, INT64_C(0)));
+    w_y = (*cspan_at(&load_force, INT64_C(1)));
+    w_z = (*cspan_at(&load_force, INT64_C(2)));
+    c0 = INT64_C(1) / (bridge_mass + trolley_mass);
+    c1 = sin(phi_x);
+    c2 = cos(phi_x);
+    c3 = INT64_C(1) / l;
+    c4 = c3 * f_phi_x;
+    c5 = c1 * f_l + c2 * c4;
+    c6 = c5 - f_x_t;
+    c7 = sin(phi_y);
+    c8 = c2 * c7;
+    c9 = cos(phi_y);
+    c10 = c3 / c2;
+    c11 = c10 * f_phi_y;
+    c12 = c1 * c7;
+    c13 = c11 * c9 - c12 * c4 + c8 * f_l;
+    c14 = (c13 + f_y_t) / trolley_mass;
+    c15 = c2 * l_rate;
+    c16 = c1 * phi_x_rate;
+    c17 = c16 * l;
+    c18 = INT64_C(1) / payload_mass;
+    c19 = (-c0) * c6 + c15 * phi_x_rate - c18 * (c5 + w_x) + phi_x_rate * ((-c17) + c2 * l_rate);
+    c20 = c8 * phi_y_rate;
+    c21 = c1 * l_rate;
+    c22 = c2 * c9;
+    c23 = l * phi_x_rate;
+    c24 = l * phi_y_rate;
+    c25 = c22 * phi_y_rate;
+    c26 = c1 * c9;
+    c27 = (-c18) * (c11 * c7 - c22 * f_l + c26 * c4 + w_z) + gravity + l_rate * (c16 * c9 + c20) + phi_x_rate * ((-c12) * c24 + c21 * c9 + c22 * c23) + phi_y_rate * (c15 * c7 - c17 * c7 + c25 * l);
+    c28 = c14 - c18 * ((-c13) + w_y) + l_rate * (c16 * c7 - c25) + phi_x_rate * (c21 * c7 + c23 * c8 + c24 * c26) + phi_y_rate * ((-c15) * c9 + c17 * c9 + c20 * l);
+    (*cspan_at(&derivative, INT64_C(0))) = x_t_rate;
+    (*cspan_at(&derivative, INT64_C(1))) = y_t_rate;
+    (*cspan_at(&derivative, INT64_C(2))) = l_rate;
+    (*cspan_at(&derivative, INT64_C(3))) = phi_x_rate;
+    (*cspan_at(&derivative, INT64_C(4))) = phi_y_rate;
+    (*cspan_at(&derivative, INT64_C(5))) = (-c0) * c6;
+    (*cspan_at(&derivative, INT64_C(6))) = c14;
+    (*cspan_at(&derivative, INT64_C(7))) = (-c1) * c19 + c22 * c27 + c28 * c8;
+    (*cspan_at(&derivative, INT64_C(8))) = (-c3) * (c12 * c28 + c19 * c2 + c26 * c27);
+    (*cspan_at(&derivative, INT64_C(9))) = c10 * ((-c27) * c7 + c28 * c9);
+}
+/*The same for given accelerations of bridge, trolley and rope; force: what they need. */
+void segfmu_crane_driven(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative, array_double_1d force)
+{
+    double l;
+    double phi_x;
+    double phi_y;
+    double x_t_rate;
+    double y_t_rate;
+    double l_rate;
+    double phi_x_rate;
+    double phi_y_rate;
+    double bridge_mass;
+    double trolley_mass;
+    double payload_mass;
+    double gravity;
+    double a_x;
+    double a_y;
+    double a_l;
+    double f_phi_x;
+    double f_phi_y;
+    double w_x;
+    double w_y;
+    double w_z;
+    double c0;
+    double c1;
+    double c2;
+    double c3;
+    double c4;
+    double c5;
+    double c6;
+    double c7;
+    double c8;
+    double c9;
+    double c10;
+    double c11;
+    double c12;
+    double c13;
+    double c14;
+    double c15;
+    double c16;
+    double c17;
+    double c18;
+    double c19;
+    double c20;
+    double c21;
+    double c22;
+    double c23;
+    double c24;
+    double c25;
+    double c26;
+    double c27;
+    double c28;
+    double c29;
+    double c30;
+    double c31;
+    double c32;
+    double c33;
+    double c34;
+    l = (*cspan_at(&state, INT64_C(2)));
+    phi_x = (*cspan_at(&state, INT64_C(3)));
+    phi_y = (*cspan_at(&state, INT64_C(4)));
+    x_t_rate = (*cspan_at(&state, INT64_C(5)));
+    y_t_rate = (*cspan_at(&state, INT64_C(6)));
+    l_rate = (*cspan_at(&state, INT64_C(7)));
+    phi_x_rate = (*cspan_at(&state, INT64_C(8)));
+    phi_y_rate = (*cspan_at(&state, INT64_C(9)));
+    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
+    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
+    payload_mass = (*cspan_at(&masses, INT64_C(2)));
+    gravity = (*cspan_at(&masses, INT64_C(3)));
+    a_x = (*cspan_at(&carriage, INT64_C(0)));
+    a_y = (*cspan_at(&carriage, INT64_C(1)));
+    a_l = (*cspan_at(&carriage, INT64_C(2)));
+    f_phi_x = (*cspan_at(&generalized_force, INT64_C(3)));
+    f_phi_y = (*cspan_at(&generalized_force, INT64_C(4)));
+    w_x = (*cspan_at(&load_force, INT64_C(0)));
+    w_y = (*cspan_at(&load_force, INT64_C(1)));
+    w_z = (*cspan_at(&load_force, INT64_C(2)));
+    c0 = INT64_C(1) / (l * l);
+    c1 = INT64_C(1) / payload_mass;
+    c2 = cos(phi_x);
+    c3 = sin(phi_x);
+    c4 = c3 * phi_x_rate;
+    c5 = c4 * l;
+    c6 = (-c2) * l_rate + c5;
+    c7 = c2 * l_rate;
+    c8 = a_l * c3 + a_x + c7 * phi_x_rate;
+    c9 = (-c1) * w_x + c8;
+    c10 = c2 * l;
+    c11 = sin(phi_y);
+    c12 = cos(phi_y);
+    c13 = c2 * phi_y_rate;
+    c14 = c3 * l_rate;
+    c15 = c10 * c11;
+    c16 = c3 * l;
+    c17 = c12 * phi_y_rate;
+    c18 = a_l * c2;
+    c19 = a_y - c11 * c18 + l_rate * (c11 * c4 - c12 * c13) + phi_x_rate * (c11 * c14 + c15 * phi_x_rate + c16 * c17) + phi_y_rate * (c12 * c5 - c12 * c7 + c15 * phi_y_rate);
+    c20 = (-c1) * w_y + c19;
+    c21 = c11 * c16;
+    c22 = c10 * c12;
+    c23 = (-c1) * w_z - c12 * c18 + gravity + l_rate * (c11 * c13 + c12 * c4) + phi_x_rate * (c12 * c14 - c21 * phi_y_rate + c22 * phi_x_rate) + phi_y_rate * (c10 * c17 - c11 * c5 + c11 * c7);
+    c24 = (-c1) * f_phi_x + c10 * ((-c6) * phi_x_rate + c9) + c12 * c16 * c23 + c20 * c21;
+    c25 = c1 * f_phi_y - c15 * c23 + c20 * c22;
+    c26 = (-c6) * phi_x_rate;
+    c27 = INT64_C(1) / l;
+    c28 = c2 * c27;
+    c29 = c12 * c27;
+    c30 = c25 / c2;
+    c31 = (-c29) * c30;
+    c32 = c11 * c27;
+    c33 = c3 * c32;
+    c34 = -c24;
+    (*cspan_at(&derivative, INT64_C(0))) = x_t_rate;
+    (*cspan_at(&derivative, INT64_C(1))) = y_t_rate;
+    (*cspan_at(&derivative, INT64_C(2))) = l_rate;
+    (*cspan_at(&derivative, INT64_C(3))) = phi_x_rate;
+    (*cspan_at(&derivative, INT64_C(4))) = phi_y_rate;
+    (*cspan_at(&derivative, INT64_C(5))) = a_x;
+    (*cspan_at(&derivative, INT64_C(6))) = a_y;
+    (*cspan_at(&derivative, INT64_C(7))) = a_l;
+    (*cspan_at(&derivative, INT64_C(8))) = (-c0) * c24;
+    (*cspan_at(&derivative, INT64_C(9))) = c0 * c25 / (c2 * c2);
+    (*cspan_at(&force, INT64_C(0))) = a_x * (bridge_mass + trolley_mass) + payload_mass * ((-c24) * c28 + c26 + c8) - w_x;
+    (*cspan_at(&force, INT64_C(1))) = a_y * trolley_mass + payload_mass * (c19 - c24 * c33 + c31) - w_y;
+    (*cspan_at(&force, INT64_C(2))) = payload_mass * ((-c11) * c2 * (c20 + c31 + c33 * c34) - c12 * c2 * (c23 + c29 * c3 * c34 + c30 * c32) + c3 * (c26 + c28 * c34 + c9));
+}
+/*Flat inverse (7): flat[d, i] is the d-th derivative of the load's position in axis i.*/
+void segfmu_crane_flat_inverse(array_double_2d flat, array_double_1d masses, array_double_1d force, array_double_1d state, array_double_1d acceleration)
+{
+    double p0x;
+    double p0y;
+    double p0z;
+    double p1x;
+    double p1y;
+    double p1z;
+    double p2x;
+    double p2y;
+    double p2z;
+    double p3x;
+    double p3y;
+    double p3z;
+    double p4x;
+    double p4y;
+    double p4z;
+    double bridge_mass;
+    double trolley_mass;
+    double payload_mass;
+    double gravity;
+    double c0;
+    double c1;
+    double c2;
+    double c3;
+    double c4;
+    double c5;
+    double c6;
+    double c7;
+    double c8;
+    double c9;
+    double c10;
+    double c11;
+    double c12;
+    double c13;
+    double c14;
+    double c15;
+    double c16;
+    double c17;
+    double c18;
+    double c19;
+    double c20;
+    double c21;
+    double c22;
+    double c23;
+    double c24;
+    double c25;
+    double c26;
+    double c27;
+    double c28;
+    double c29;
+    double c30;
+    double c31;
+    double c32;
+    double c33;
+    double c34;
+    double c35;
+    double c36;
+    double c37;
+    double c38;
+    double c39;
+    double c40;
+    double c41;
+    double c42;
+    double c43;
+    double c44;
+    double c45;
+    double c46;
+    double c47;
+    double c48;
+    double c49;
+    double c50;
+    double c51;
+    double c52;
+    double c53;
+    double c54;
+    double c55;
+    double c56;
+    double c57;
+    double c58;
+    double c59;
+    double c60;
+    double c61;
+    double c62;
+    double c63;
+    double c64;
+    double c65;
+    double c66;
+    double c67;
+    p0x = (*cspan_at(&flat, INT64_C(0), INT64_C(0)));
+    p0y = (*cspan_at(&flat, INT64_C(0), INT64_C(1)));
+    p0z = (*cspan_at(&flat, INT64_C(0), INT64_C(2)));
+    p1x = (*cspan_at(&flat, INT64_C(1), INT64_C(0)));
+    p1y = (*cspan_at(&flat, INT64_C(1), INT64_C(1)));
+    p1z = (*cspan_at(&flat, INT64_C(1), INT64_C(2)));
+    p2x = (*cspan_at(&flat, INT64_C(2), INT64_C(0)));
+    p2y = (*cspan_at(&flat, INT64_C(2), INT64_C(1)));
+    p2z = (*cspan_at(&flat, INT64_C(2), INT64_C(2)));
+    p3x = (*cspan_at(&flat, INT64_C(3), INT64_C(0)));
+    p3y = (*cspan_at(&flat, INT64_C(3), INT64_C(1)));
+    p3z = (*cspan_at(&flat, INT64_C(3), INT64_C(2)));
+    p4x = (*cspan_at(&flat, INT64_C(4), INT64_C(0)));
+    p4y = (*cspan_at(&flat, INT64_C(4), INT64_C(1)));
+    p4z = (*cspan_at(&flat, INT64_C(4), INT64_C(2)));
+    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
+    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
+    payload_mass = (*cspan_at(&masses, INT64_C(2)));
+    gravity = (*cspan_at(&masses, INT64_C(3)));
+    c0 = gravity + p2z;
+    c1 = INT64_C(1) / c0;
+    c2 = c1 * p0z;
+    c3 = c1 * p2z;
+    c4 = p0z * p4z;
+    c5 = c0 * c0;
+    c6 = INT64_C(1) / c5;
+    c7 = c6 * p2x;
+    c8 = c1 * p3z;
+    c9 = c8 * p2x;
+    c10 = c1 * p1z;
+    c11 = c1 * (c8 * p0z - p1z);
+    c12 = p0z * p3x;
+    c13 = p1z * p2x;
+    c14 = c6 * p3z;
+    c15 = c10 * (c9 - p3x) + c11 * p3x + c14 * (c12 + c13 - INT64_C(2) * c9 * p0z) - c2 * p4x - c3 * p2x + c4 * c7 + p2x;
+    c16 = p2y * p4z;
+    c17 = c6 * p0z;
+    c18 = p2y * p3z;
+    c19 = p0z * p3y;
+    c20 = p1z * p2y;
+    c21 = INT64_C(2) * c18;
+    c22 = c10 * (c1 * c18 - p3y) + c11 * p3y + c14 * (c19 - c2 * c21 + c20) + c16 * c17 - c2 * p4y - c3 * p2y + p2y;
+    c23 = p2x * p2x;
+    c24 = p2y * p2y;
+    c25 = c24 + c5;
+    c26 = c23 + c25;
+    c27 = sqrt(c26);
+    c28 = sqrt(c25);
+    c29 = p0z * p2x;
+    c30 = c1 * c12;
+    c31 = (-c1) * c13 - c30;
+    c32 = c1 * c19;
+    c33 = (-c1) * c20 - c32;
+    c34 = INT64_C(1) / c27;
+    c35 = c1 * c34;
+    c36 = c12 * p2x;
+    c37 = c19 * p2y;
+    c38 = c27 * c6;
+    c39 = c34 - c38;
+    c40 = p0z * p3z;
+    c41 = INT64_C(1) / c26;
+    c42 = c28 * p3x;
+    c43 = INT64_C(1) / c28;
+    c44 = c43 * p2y;
+    c45 = c44 * p3y;
+    c46 = c0 * c43;
+    c47 = c46 * p3z;
+    c48 = INT64_C(1) / c25;
+    c49 = c35 * p2y;
+    c50 = c41 + c6;
+    c51 = c30 * c41;
+    c52 = c32 * c41;
+    c53 = p2x * p2y;
+    c54 = INT64_C(1) / (c26 * sqrt(c26));
+    c55 = c44 * p2x;
+    c56 = c46 * p2x;
+    c57 = INT64_C(2) * c41;
+    c58 = c42 * c57;
+    c59 = c23 * c57;
+    c60 = c43 * p2x;
+    c61 = c60 * p3y;
+    c62 = p2x / (c25 * sqrt(c25));
+    c63 = c0 * c18;
+    c64 = c60 * p3z;
+    c65 = c0 * p3y;
+    c66 = c65 * p2y;
+    c67 = INT64_C(2) * c48;
+    (*cspan_at(&force, INT64_C(0))) = c15 * (bridge_mass + trolley_mass) + p2x * payload_mass;
+    (*cspan_at(&force, INT64_C(1))) = c22 * trolley_mass + p2y * payload_mass;
+    (*cspan_at(&force, INT64_C(2))) = (-c27) * payload_mass;
+    (*cspan_at(&state, INT64_C(0))) = (-c2) * p2x + p0x;
+    (*cspan_at(&state, INT64_C(1))) = (-c2) * p2y + p0y;
+    (*cspan_at(&state, INT64_C(2))) = (-c2) * c27;
+    (*cspan_at(&state, INT64_C(3))) = atan2(-p2x, c28);
+    (*cspan_at(&state, INT64_C(4))) = atan2(p2y, c0);
+    (*cspan_at(&state, INT64_C(5))) = c14 * c29 + c31 + p1x;
+    (*cspan_at(&state, INT64_C(6))) = c17 * c18 + c33 + p1y;
+    (*cspan_at(&state, INT64_C(7))) = (-c10) * c27 - c35 * c36 - c35 * c37 - c39 * c40;
+    (*cspan_at(&state, INT64_C(8))) = c41 * ((-c42) + c45 * p2x + c47 * p2x);
+    (*cspan_at(&state, INT64_C(9))) = c48 * (c0 * p3y - c18);
+    (*cspan_at(&acceleration, INT64_C(0))) = c15;
+    (*cspan_at(&acceleration, INT64_C(1))) = c22;
+    (*cspan_at(&acceleration, INT64_C(2))) = (-c27) * c3 - c29 * c35 * p4x + c34 * p3x * (c23 * c51 + c31 + c40 * c50 * p2x + c52 * c53) + c34 * p3y * (c18 * c50 * p0z + c24 * c52 + c33 + c51 * c53) - c39 * c4 - c49 * p0z * p4y - p1z * (c35 * p2x * p3x + c39 * p3z + c49 * p3y) + p3z * (c12 * c34 * c7 + c34 * c37 * c6 - c34 * p1z + c36 * c54 + c37 * c54 + c38 * p1z - c40 * ((-c0) * c54 - c35 + INT64_C(2) * c27 / (c0 * c0 * c0)));
+    (*cspan_at(&acceleration, INT64_C(3))) = c41 * ((-c28) * p4x + c55 * p4y + c56 * p4z + p3x * ((-c45) * c59 + c45 - c47 * c59 + c47 + c58 * p2x) - p3y * (c21 * c41 * c56 + c24 * c57 * c61 + c24 * c62 * p3y + c44 * p3x - c58 * p2y - c61 + c62 * c63) - p3z * ((-c0) * c58 + c46 * p3x + c5 * c57 * c64 + c5 * c62 * p3z + c55 * c57 * c65 + c62 * c66 - c64));
+    (*cspan_at(&acceleration, INT64_C(4))) = c48 * (c0 * p4y - c16 - p3y * ((-c24) * c67 * p3z + c66 * c67 + p3z) + p3z * ((-c5) * c67 * p3y + c63 * c67 + p3y));
+}
+/*Position load[0] and velocity load[1] of the load, (16). */
+void segfmu_crane_load(array_double_1d state, array_double_2d load)
+{
+    double x_t;
+    double y_t;
+    double l;
+    double phi_x;
+    double phi_y;
+    double x_t_rate;
+    double y_t_rate;
+    double l_rate;
+    double phi_x_rate;
+    double phi_y_rate;
+    double c0;
+    double c1;
+    double c2;
+    double c3;
+    double c4;
+    double c5;
+    double c6;
+    double c7;
+    double c8;
+    double c9;
+    x_t = (*cspan_at(&state, INT64_C(0)));
+    y_t = (*cspan_at(&state, INT64_C(1)));
+    l = (*cspan_at(&state, INT64_C(2)));
+    phi_x = (*cspan_at(&state, INT64_C(3)));
+    phi_y = (*cspan_at(&state, INT64_C(4)));
+    x_t_rate = (*cspan_at(&state, INT64_C(5)));
+    y_t_rate = (*cspan_at(&state, INT64_C(6)));
+    l_rate = (*cspan_at(&state, INT64_C(7)));
+    phi_x_rate = (*cspan_at(&state, INT64_C(8)));
+    phi_y_rate = (*cspan_at(&state, INT64_C(9)));
+    c0 = sin(phi_x);
+    c1 = c0 * l;
+    c2 = sin(phi_y);
+    c3 = cos(phi_x);
+    c4 = c3 * l;
+    c5 = c2 * c4;
+    c6 = cos(phi_y);
+    c7 = c4 * c6;
+    c8 = c3 * l_rate;
+    c9 = c1 * phi_x_rate;
+    (*cspan_at(&load, INT64_C(0), INT64_C(0))) = c1 + x_t;
+    (*cspan_at(&load, INT64_C(0), INT64_C(1))) = (-c5) + y_t;
+    (*cspan_at(&load, INT64_C(0), INT64_C(2))) = -c7;
+    (*cspan_at(&load, INT64_C(1), INT64_C(0))) = c0 * l_rate + c4 * phi_x_rate + x_t_rate;
+    (*cspan_at(&load, INT64_C(1), INT64_C(1))) = (-c2) * c8 + c2 * c9 - c7 * phi_y_rate + y_t_rate;
+    (*cspan_at(&load, INT64_C(1), INT64_C(2))) = c5 * phi_y_rate - c6 * c8 + c6 * c9;
+}
+/*Kinetic and potential energy, (17a) and (17b). */
+void segfmu_crane_energy(array_double_1d state, array_double_1d masses, array_double_1d energy)
+{
+    double l;
+    double phi_x;
+    double phi_y;
+    double x_t_rate;
+    double y_t_rate;
+    double l_rate;
+    double phi_x_rate;
+    double phi_y_rate;
+    double bridge_mass;
+    double trolley_mass;
+    double payload_mass;
+    double gravity;
+    double c0;
+    double c1;
+    double c2;
+    double c3;
+    double c4;
+    double c5;
+    double c6;
+    double c7;
+    double c8;
+    double c9;
+    double c10;
+    double c11;
+    double c12;
+    l = (*cspan_at(&state, INT64_C(2)));
+    phi_x = (*cspan_at(&state, INT64_C(3)));
+    phi_y = (*cspan_at(&state, INT64_C(4)));
+    x_t_rate = (*cspan_at(&state, INT64_C(5)));
+    y_t_rate = (*cspan_at(&state, INT64_C(6)));
+    l_rate = (*cspan_at(&state, INT64_C(7)));
+    phi_x_rate = (*cspan_at(&state, INT64_C(8)));
+    phi_y_rate = (*cspan_at(&state, INT64_C(9)));
+    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
+    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
+    payload_mass = (*cspan_at(&masses, INT64_C(2)));
+    gravity = (*cspan_at(&masses, INT64_C(3)));
+    c0 = x_t_rate * x_t_rate;
+    c1 = sin(phi_x);
+    c2 = cos(phi_x);
+    c3 = l * phi_x_rate;
+    c4 = cos(phi_y);
+    c5 = c2 * l_rate;
+    c6 = c1 * c3;
+    c7 = sin(phi_y);
+    c8 = c2 * l;
+    c9 = c8 * phi_y_rate;
+    c10 = c1 * l_rate + c2 * c3 + x_t_rate;
+    c11 = (-c4) * c5 + c4 * c6 + c7 * c9;
+    c12 = (-c4) * c9 - c5 * c7 + c6 * c7 + y_t_rate;
+    (*cspan_at(&energy, INT64_C(0))) = 1.0 / 2.0 * bridge_mass * c0 + 1.0 / 2.0 * payload_mass * (c10 * c10 + c11 * c11 + c12 * c12) + 1.0 / 2.0 * trolley_mass * (c0 + y_t_rate * y_t_rate);
+    (*cspan_at(&energy, INT64_C(1))) = (-c4) * c8 * gravity * payload_mass;
+}
+/*2 pi; C99 has no name for it.*/
+static double full_circle(void)
+{
+    double result;
+    return 6.283185307179586;
+}
+/*A number in the open interval (0, 1).*/
+double segfmu_next_uniform(array_double_1d numbers)
+{
+    double first;
+    double second;
+    double difference;
+    double result;
+    first = 40014.0 * (*cspan_at(&numbers, INT64_C(0)));
+    second = 40692.0 * (*cspan_at(&numbers, INT64_C(1)));
+    (*cspan_at(&numbers, INT64_C(0))) = first - (int64_t)floor(first / 2147483563.0) * 2147483563.0;
+    (*cspan_at(&numbers, INT64_C(1))) = second - (int64_t)floor(second / 2147483399.0) * 2147483399.0;
+    difference = (*cspan_at(&numbers, INT64_C(0))) - (*cspan_at(&numbers, INT64_C(1)));
+    if (difference < 1.0)
+    {
+        difference = difference + 2147483562.0;
+    }
+    return difference / 2147483563.0;
+}
+/*Start the random numbers; seed in 0 .. 2^31 - 1. */
+void segfmu_seed_numbers(int64_t seed, array_double_1d numbers)
+{
+    int64_t other;
+    int64_t Dummy_0000;
+    int64_t Dummy_0001;
+    double Dummy_0002;
+    other = seed * INT64_C(69069) + INT64_C(12345);
+    (*cspan_at(&numbers, INT64_C(0))) = 1.0 + seed - span_floor_div(seed, INT64_C(2147483562)) * INT64_C(2147483562);
+    (*cspan_at(&numbers, INT64_C(1))) = 1.0 + other - span_floor_div(other, INT64_C(2147483398)) * INT64_C(2147483398);
+    /*neighbouring seeds start alike*/
+    for (Dummy_0000 = INT64_C(0); Dummy_0000 < INT64_C(20); Dummy_0000 += INT64_C(1))
+    {
+        Dummy_0002 = segfmu_next_uniform(numbers);
+    }
+}
+/*A number of the standard normal distribution, by Box and Muller. */
+static double next_normal(array_double_1d numbers)
+{
+    double radius;
+    double result;
+    radius = sqrt((-2.0) * log(segfmu_next_uniform(numbers)));
+    result = radius * cos(full_circle() * segfmu_next_uniform(numbers));
+    return result;
+}
+/*Sines that add up to noise whose spectrum is flat up to a bandwidth [Hz] and zero above.           */
+/*                                                                                                   */
+/*    deviation (3,): standard deviations along x, y, z [N]; components (count, 7): a `Sinusoid` a   */
+/*    row, a sine with a random phase.                                                               */
+/*    Spectral representation of M. Shinozuka and C.-M. Jan, J. Sound Vib. 25 (1972); the frequencies*/
+/*    lie at random in equal bands, so that the noise has no period.                                 */
+/*                                                                                                   */
+void segfmu_noise_components(double bandwidth, array_double_1d deviation, array_double_1d numbers, array_double_2d components)
+{
+    int64_t count;
+    int64_t i;
+    double frequency;
+    int64_t axis;
+    double amplitude;
+    double phase;
+    count = components.shape[INT64_C(0)];
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        frequency = full_circle() * bandwidth * (i + segfmu_next_uniform(numbers)) / count;
+        (*cspan_at(&components, i, INT64_C(0))) = frequency;
+        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+        {
+            amplitude = (*cspan_at(&deviation, axis)) * sqrt(2.0 / count);
+            phase = full_circle() * segfmu_next_uniform(numbers);
+            (*cspan_at(&components, i, INT64_C(1) + axis)) = amplitude * cos(phase);
+            (*cspan_at(&components, i, INT64_C(4) + axis)) = amplitude * sin(phase);
+        }
+    }
+}
+/*Viscous and Coulomb friction [N] against a velocity; the sign change is a tanh.*/
+static double friction_force(array_double_1d plant, int64_t axis, double velocity)
+{
+    double share;
+    double friction;
+    friction = (*cspan_at(&plant, INT64_C(14) + axis)) * velocity;
+    if ((*cspan_at(&plant, INT64_C(17) + axis)) > 0.0)
+    {
+        share = tanh(velocity / (*cspan_at(&plant, INT64_C(20))));
+        friction = friction + (*cspan_at(&plant, INT64_C(17) + axis)) * share;
+    }
+    return friction;
+}
+/*Force of a gust over its greatest one, at a share of its duration. */
+static double gust_factor(double shape, double share)
+{
+    double result;
+    if ((share <= 0.0) || (share >= 1.0))
+    {
+        return 0.0;
+    }
+    if ((int64_t)(shape) == INT64_C(1))
+    {
+        return sin(0.5 * full_circle() * share);
+    }
+    return 0.5 * (1.0 - cos(full_circle() * share));
+}
+/*Force on the load [N]: the given one, constant wind, gust and noise. */
+static void wind_force(array_double_1d plant, array_double_2d components, double time, array_double_2d work)
+{
+    double gust;
+    double share;
+    array_double_1d force;
+    int64_t i;
+    double steady;
+    int64_t k;
+    double sine;
+    double cosine;
+    double added;
+    gust = 0.0;
+    if ((*cspan_at(&plant, INT64_C(32))) > 0.0)
+    {
+        share = (time - (*cspan_at(&plant, INT64_C(31)))) / (*cspan_at(&plant, INT64_C(32)));
+        gust = gust_factor((*cspan_at(&plant, INT64_C(33))), share);
+    }
+    force = span_row(&work, INT64_C(14));
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        steady = (*cspan_at(&work, INT64_C(2), i)) + (*cspan_at(&plant, INT64_C(28) + i));
+        (*cspan_at(&force, i)) = steady + gust * (*cspan_at(&plant, INT64_C(34) + i));
+    }
+    for (k = INT64_C(0); k < components.shape[INT64_C(0)]; k += INT64_C(1))
+    {
+        sine = sin((*cspan_at(&components, k, INT64_C(0))) * time);
+        cosine = cos((*cspan_at(&components, k, INT64_C(0))) * time);
+        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        {
+            added = (*cspan_at(&force, i)) + (*cspan_at(&components, k, INT64_C(1) + i)) * sine;
+            (*cspan_at(&force, i)) = added + (*cspan_at(&components, k, INT64_C(4) + i)) * cosine;
+        }
+    }
+}
+/*Whether a magnitude is above a bound by more than rounding; 0 is no bound. */
+static bool exceeds(double value, double bound)
+{
+    bool result;
+    return (bound > 0.0) && (fabs(value) > bound * (1.0 + 1e-12));
+}
+/*A value within plus and minus a bound. */
+static double limited(double value, double bound)
+{
+    double result;
+    return span_min(span_max(value, -bound), bound);
+}
+/*Derivative of the crane under force demands; see `driven_derivative`.*/
+static void forced_derivative(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative)
+{
+    array_double_1d force;
+    array_double_1d action;
+    int64_t i;
+    double drive;
+    force = span_row(&work, INT64_C(12));
+    action = span_row(&work, INT64_C(13));
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        drive = (*cspan_at(&work, INT64_C(17), i));
+        if (exceeds(drive, (*cspan_at(&plant, INT64_C(8) + i))))
+        {
+            drive = limited(drive, (*cspan_at(&plant, INT64_C(8) + i)));
+            (*cspan_at(&action, INT64_C(3) + i)) = 1.0;
+        }
+        (*cspan_at(&action, INT64_C(0) + i)) = drive;
+        (*cspan_at(&force, i)) = drive - (*cspan_at(&work, INT64_C(18), i));
+    }
+    (*cspan_at(&action, INT64_C(6))) = (*cspan_at(&force, INT64_C(0) + INT64_C(2)));
+    segfmu_crane_rhs(state, force, span_row(&work, INT64_C(14)), plant, derivative);
+}
+/*Derivative and drive forces under the accelerations demanded.*/
+static void driven_forces(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative)
+{
+    array_double_1d action;
+    int64_t i;
+    action = span_row(&work, INT64_C(13));
+    segfmu_crane_driven(state, span_row(&work, INT64_C(17)), span_row(&work, INT64_C(12)), span_row(&work, INT64_C(14)), plant, derivative, action);
+    (*cspan_at(&action, INT64_C(6))) = (*cspan_at(&action, INT64_C(0) + INT64_C(2)));
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&action, INT64_C(0) + i)) = (*cspan_at(&action, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(18), i));
+    }
+}
+/*Mass [kg] that a drive moves beside the load.*/
+static double carriage_mass(array_double_1d masses, int64_t axis)
+{
+    double result;
+    if (axis == INT64_C(0))
+    {
+        result = (*cspan_at(&masses, INT64_C(0))) + (*cspan_at(&masses, INT64_C(1)));
+        return result;
+    }
+    if (axis == INT64_C(1))
+    {
+        result = (*cspan_at(&masses, INT64_C(1)));
+        return result;
+    }
+    return 0.0;
+}
+/*At which bound a drive has to be under the present changes: -1, 0 or 1.*/
+static double limit_side(array_double_1d plant, int64_t axis, array_double_1d action, array_double_1d limit)
+{
+    double change;
+    double along;
+    int64_t i;
+    double needed;
+    double side;
+    side = (*cspan_at(&limit, INT64_C(0) + axis));
+    change = (*cspan_at(&limit, INT64_C(3) + axis));
+    if (side != 0.0)
+    {
+        /*it may only lag behind what was demanded of it*/
+        if (side * change > 0.0)
+        {
+            return 0.0;
+        }
+        return side;
+    }
+    along = 0.0;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        along = along + (*cspan_at(&limit, INT64_C(6) + i)) * (*cspan_at(&limit, INT64_C(3) + i));
+    }
+    needed = (*cspan_at(&action, INT64_C(0) + axis)) + carriage_mass(plant, axis) * change;
+    needed = needed + (*cspan_at(&plant, INT64_C(2))) * (*cspan_at(&limit, INT64_C(6) + axis)) * along;
+    if (!exceeds(needed, (*cspan_at(&plant, INT64_C(8) + axis))))
+    {
+        return 0.0;
+    }
+    if (needed > 0.0)
+    {
+        return 1.0;
+    }
+    return -1.0;
+}
+/*Force [N] from what a drive's demand needs to the bound on its side. */
+static double missing_force(array_double_1d plant, int64_t axis, array_double_1d action, array_double_1d limit)
+{
+    double bound;
+    double result;
+    bound = (*cspan_at(&limit, INT64_C(0) + axis)) * (*cspan_at(&plant, INT64_C(8) + axis));
+    result = bound - (*cspan_at(&action, INT64_C(0) + axis));
+    return result;
+}
+/*Changes that bring the drives with a side to their bounds and leave the others alone.          */
+/*                                                                                               */
+/*    Forces change by (M + m e e') times the changes: M are the carriages' masses, m the load's,*/
+/*    and e is the rope's direction, as the load resists along the rope alone.                   */
+/*                                                                                               */
+static void change_accelerations(array_double_1d plant, array_double_1d action, array_double_1d limit)
+{
+    double payload;
+    double total;
+    double weight;
+    int64_t i;
+    double missing;
+    double mass;
+    double rope;
+    double along;
+    bool hoist_limited;
+    double rest;
+    payload = (*cspan_at(&plant, INT64_C(2)));
+    total = 0.0;
+    weight = 1.0;
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        if ((*cspan_at(&limit, INT64_C(0) + i)) != 0.0)
+        {
+            missing = missing_force(plant, i, action, limit);
+            mass = carriage_mass(plant, i);
+            rope = (*cspan_at(&limit, INT64_C(6) + i));
+            total = total + rope * missing / mass;
+            weight = weight + payload * rope * rope / mass;
+        }
+    }
+    along = total / weight;
+    hoist_limited = (*cspan_at(&limit, INT64_C(0) + INT64_C(2))) != 0.0;
+    if (hoist_limited)
+    {
+        along = missing_force(plant, INT64_C(2), action, limit) / payload;
+    }
+    rest = along;
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&limit, INT64_C(3) + i)) = 0.0;
+        if ((*cspan_at(&limit, INT64_C(0) + i)) != 0.0)
+        {
+            missing = missing_force(plant, i, action, limit);
+            missing = missing - payload * (*cspan_at(&limit, INT64_C(6) + i)) * along;
+            (*cspan_at(&limit, INT64_C(3) + i)) = missing / carriage_mass(plant, i);
+        }
+        rest = rest - (*cspan_at(&limit, INT64_C(6) + i)) * (*cspan_at(&limit, INT64_C(3) + i));
+    }
+    (*cspan_at(&limit, INT64_C(3) + INT64_C(2))) = 0.0;
+    if (hoist_limited)
+    {
+        (*cspan_at(&limit, INT64_C(3) + INT64_C(2))) = rest;
+    }
+}
+/*Reduce accelerations until no drive needs more than its largest force.                             */
+/*                                                                                                   */
+/*    A drive is at its bound and lags behind its demand, or it has its demand: a complementarity    */
+/*    problem in three unknowns with a positive definite matrix, solved by K. G. Murty's least-index */
+/*    pivoting (Linear Algebra and its Applications 7, 1974). action: an `Action`, what the demand   */
+/*    needs; its flags are set where the bound acts. limit: a `ForceLimit`.                          */
+/*                                                                                                   */
+static void limit_accelerations(array_double_1d plant, array_double_1d state, array_double_1d action, array_double_1d acceleration, array_double_1d limit)
+{
+    double phi_x;
+    double phi_y;
+    int64_t i;
+    int64_t Dummy_0000;
+    int64_t Dummy_0001;
+    bool changed;
+    double side;
+    phi_x = (*cspan_at(&state, INT64_C(3)));
+    phi_y = (*cspan_at(&state, INT64_C(3) + INT64_C(1)));
+    (*cspan_at(&limit, INT64_C(6))) = sin(phi_x);
+    (*cspan_at(&limit, INT64_C(6) + INT64_C(1))) = (-cos(phi_x)) * sin(phi_y);
+    (*cspan_at(&limit, INT64_C(6) + INT64_C(2))) = 1.0;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&limit, INT64_C(0) + i)) = 0.0;
+        (*cspan_at(&limit, INT64_C(3) + i)) = 0.0;
+    }
+    for (Dummy_0000 = INT64_C(0); Dummy_0000 < INT64_C(16); Dummy_0000 += INT64_C(1))
+    {
+        changed = 0;
+        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        {
+            if (!changed)
+            {
+                side = limit_side(plant, i, action, limit);
+                changed = side != (*cspan_at(&limit, INT64_C(0) + i));
+                (*cspan_at(&limit, INT64_C(0) + i)) = side;
+            }
+        }
+        if (!changed)
+        {
+            break;
+        }
+        change_accelerations(plant, action, limit);
+    }
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&acceleration, i)) = (*cspan_at(&acceleration, i)) + (*cspan_at(&limit, INT64_C(3) + i));
+        if ((*cspan_at(&limit, INT64_C(0) + i)) != 0.0)
+        {
+            (*cspan_at(&action, INT64_C(3) + i)) = 1.0;
+        }
+    }
+}
+/*Derivative of the crane under velocity demands, without lag acceleration demands.              */
+/*                                                                                               */
+/*    work has the demands, the torques on the sway angles, wind and friction; it gets what acts.*/
+/*                                                                                               */
+static void driven_derivative(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative)
+{
+    array_double_1d action;
+    int64_t i;
+    double demand;
+    action = span_row(&work, INT64_C(13));
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        demand = (*cspan_at(&work, INT64_C(17), i));
+        if ((*cspan_at(&plant, INT64_C(5) + i)) > 0.0)
+        {
+            demand = (demand - (*cspan_at(&state, INT64_C(5) + i))) / (*cspan_at(&plant, INT64_C(5) + i));
+        }
+        if (exceeds(demand, (*cspan_at(&plant, INT64_C(11) + i))))
+        {
+            demand = limited(demand, (*cspan_at(&plant, INT64_C(11) + i)));
+            (*cspan_at(&action, INT64_C(3) + i)) = 1.0;
+        }
+        (*cspan_at(&work, INT64_C(17), i)) = demand;
+    }
+    driven_forces(plant, state, work, derivative);
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        if (exceeds((*cspan_at(&action, INT64_C(0) + i)), (*cspan_at(&plant, INT64_C(8) + i))))
+        {
+            limit_accelerations(plant, state, action, span_row(&work, INT64_C(17)), span_row(&work, INT64_C(19)));
+            driven_forces(plant, state, work, derivative);
+            break;
+        }
+    }
+}
+/*Block of a table before which or at which a rope length lies; 0 .. blocks - 2. */
+static int64_t table_row(double length, array_double_3d table)
 {
     int64_t row;
     row = INT64_C(0);
-    while((row + INT64_C(2) < nodes.shape[INT64_C(0)]) && (value > (*cspan_at(&nodes, row + INT64_C(1)))))
+    while((row + INT64_C(2) < table.shape[INT64_C(0)]) && (length > (*cspan_at(&table, row + INT64_C(1), INT64_C(0), INT64_C(0)))))
     {
         row = row + INT64_C(1);
     }
     return row;
 }
-/*Weight of the row after `row` in a linear interpolation; constant outside the table. */
-static double table_share(double value, array_double_1d nodes, int64_t row)
+/*Weight of the block after `row` in a linear interpolation; constant outside the table. */
+static double table_share(double length, array_double_3d table, int64_t row)
 {
+    double first;
     double result;
-    if (nodes.shape[INT64_C(0)] < INT64_C(2))
+    if (table.shape[INT64_C(0)] < INT64_C(2))
     {
         return 0.0;
     }
-    result = span_min(span_max((value - (*cspan_at(&nodes, row))) / ((*cspan_at(&nodes, row + INT64_C(1))) - (*cspan_at(&nodes, row))), 0.0), 1.0);
+    first = (*cspan_at(&table, row, INT64_C(0), INT64_C(0)));
+    result = span_min(span_max((length - first) / ((*cspan_at(&table, row + INT64_C(1), INT64_C(0), INT64_C(0))) - first), 0.0), 1.0);
     return result;
 }
-/*-K(l) (x - x*), K interpolated linearly over rope length, constant outside the table.        */
-/*                                                                                             */
-/*    state and reference hold 10 numbers, lengths (rows,), gains (rows, 3, 10), correction 3. */
-/*                                                                                             */
-void segfmu_feedback_correction(array_double_1d state, array_double_1d reference, array_double_1d lengths, array_double_3d gains, array_double_1d correction)
+/*-K(l) (x - x*), K interpolated linearly over rope length, constant outside the table.            */
+/*                                                                                                 */
+/*    state and reference (10): a `State`; gains (rows, 4, 10): a `Gains` a rope length; correction*/
+/*    (3) [N] or [m/s2].                                                                           */
+/*                                                                                                 */
+void segfmu_feedback_correction(array_double_1d state, array_double_1d reference, array_double_3d gains, array_double_1d correction)
 {
+    double length;
     int64_t row;
     double share;
     int64_t following;
     int64_t i;
+    int64_t axis;
     double total;
     int64_t j;
     double k;
-    row = table_row((*cspan_at(&state, INT64_C(2))), lengths);
-    share = table_share((*cspan_at(&state, INT64_C(2))), lengths, row);
-    following = span_min_int(row + INT64_C(1), lengths.shape[INT64_C(0)] - INT64_C(1));
+    length = (*cspan_at(&state, INT64_C(0) + INT64_C(2)));
+    row = table_row(length, gains);
+    share = table_share(length, gains, row);
+    following = span_min_int(row + INT64_C(1), gains.shape[INT64_C(0)] - INT64_C(1));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
+        axis = INT64_C(1) + i;
         total = 0.0;
         for (j = INT64_C(0); j < INT64_C(10); j += INT64_C(1))
         {
-            k = (1.0 - share) * (*cspan_at(&gains, row, i, j)) + share * (*cspan_at(&gains, following, i, j));
+            k = (1.0 - share) * (*cspan_at(&gains, row, axis, j)) + share * (*cspan_at(&gains, following, axis, j));
             total = total + k * ((*cspan_at(&state, j)) - (*cspan_at(&reference, j)));
         }
         (*cspan_at(&correction, i)) = -total;
@@ -259,66 +1218,73 @@ double segfmu_feedback_bandwidth(double ratio, double length, double gravity, do
     double result;
     return span_min(ratio * sqrt(gravity / length), largest / delay);
 }
-/*Gains (3, 10) that give the flat output's error chosen poles; closed form.                           */
-/*                                                                                                     */
-/*    About the load hanging at rest, with the sway angle counted such that the load is at             */
-/*    p = x_t + l phi: p'' = -g phi and p'''' = (g / l) (g phi + a) under the carriage's               */
-/*    acceleration a. The error of p is given the characteristic polynomial                            */
-/*    (s^2 + 2 D w s + w^2)^2, that of the rope s^2 + 2 D w s + w^2, each with its bandwidth w         */
-/*    [rad/s], and the damping D. The corrections are accelerations if driven; otherwise forces, which */
-/*    also cancel the rope's pull on the carriage.                                                     */
-/*                                                                                                     */
-void segfmu_feedback_gains(bool driven, double length, double bridge_mass, double trolley_mass, double payload_mass, double gravity, double bandwidth, double hoist_bandwidth, double damping, array_double_2d gains)
+/*Gains (4, 10), a `Gains`, that give the flat output's error chosen poles; closed form.             */
+/*                                                                                                   */
+/*    plant: masses and drive mode of a `Plant`. About the load hanging at rest, with the sway angle */
+/*    counted such that the load is at p = x_t + l phi: p'' = -g phi and p'''' = (g / l) (g phi + a) */
+/*    under the carriage's acceleration a. The error of p is given the characteristic polynomial     */
+/*    (s^2 + 2 D w s + w^2)^2, that of the rope s^2 + 2 D w s + w^2, each with its bandwidth w       */
+/*    [rad/s], and the damping D. The corrections are accelerations of velocity drives; otherwise    */
+/*    forces, which also cancel the rope's pull on the carriage.                                     */
+/*                                                                                                   */
+void segfmu_feedback_gains(array_double_1d plant, double length, double bandwidth, double hoist_bandwidth, double damping, array_double_2d gains)
 {
+    bool driven;
+    double gravity;
     double k0;
     double k1;
     double k2;
     double k3;
     int64_t i;
     int64_t j;
+    array_double_1d axis;
     double sign;
     double scale;
     double pull;
     double ratio;
+    double angle;
     double weight;
+    array_double_1d hoist;
+    driven = (int64_t)((*cspan_at(&plant, INT64_C(4)))) == INT64_C(1);
+    gravity = (*cspan_at(&plant, INT64_C(3)));
     k0 = bandwidth * bandwidth * bandwidth * bandwidth;
     k1 = 4.0 * damping * bandwidth * bandwidth * bandwidth;
     k2 = (2.0 + 4.0 * damping * damping) * bandwidth * bandwidth;
     k3 = 4.0 * damping * bandwidth;
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
     {
         for (j = INT64_C(0); j < INT64_C(10); j += INT64_C(1))
         {
             (*cspan_at(&gains, i, j)) = 0.0;
         }
     }
+    (*cspan_at(&gains, INT64_C(0), INT64_C(0))) = length;
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
+        axis = span_row(&gains, INT64_C(1) + i);
         sign = 1.0 - 2.0 * i;
         scale = 1.0;
         pull = 0.0;
         if (!driven)
         {
-            scale = trolley_mass;
-            if (i == INT64_C(0))
-            {
-                scale = bridge_mass + trolley_mass;
-            }
-            pull = payload_mass * gravity;
+            scale = carriage_mass(plant, i);
+            pull = (*cspan_at(&plant, INT64_C(2))) * gravity;
         }
         ratio = length / gravity;
-        (*cspan_at(&gains, i, i)) = scale * ratio * k0;
-        (*cspan_at(&gains, i, INT64_C(3) + i)) = sign * (scale * (ratio * length * k0 - length * k2 + gravity) + pull);
-        (*cspan_at(&gains, i, INT64_C(5) + i)) = scale * ratio * k1;
-        (*cspan_at(&gains, i, INT64_C(8) + i)) = sign * scale * (ratio * length * k1 - length * k3);
+        angle = scale * (ratio * length * k0 - length * k2 + gravity) + pull;
+        (*cspan_at(&axis, INT64_C(0) + i)) = scale * ratio * k0;
+        (*cspan_at(&axis, INT64_C(3) + i)) = sign * angle;
+        (*cspan_at(&axis, INT64_C(5) + i)) = scale * ratio * k1;
+        (*cspan_at(&axis, INT64_C(8) + i)) = sign * scale * (ratio * length * k1 - length * k3);
     }
     weight = 1.0;
     if (!driven)
     {
-        weight = payload_mass;
+        weight = (*cspan_at(&plant, INT64_C(2)));
     }
-    (*cspan_at(&gains, INT64_C(2), INT64_C(2))) = weight * hoist_bandwidth * hoist_bandwidth;
-    (*cspan_at(&gains, INT64_C(2), INT64_C(7))) = weight * 2.0 * damping * hoist_bandwidth;
+    hoist = span_row(&gains, INT64_C(1) + INT64_C(2));
+    (*cspan_at(&hoist, INT64_C(0) + INT64_C(2))) = weight * hoist_bandwidth * hoist_bandwidth;
+    (*cspan_at(&hoist, INT64_C(5) + INT64_C(2))) = weight * 2.0 * damping * hoist_bandwidth;
 }
 /*a = value times the identity.*/
 static void matrix_set(int64_t n, double value, array_double_2d a)
@@ -481,10 +1447,19 @@ static void matrix_solve(int64_t n, int64_t columns, array_double_2d a, array_do
         }
     }
 }
-/*Derivatives (8, 8) of six states and two inputs by themselves. */
-static void kalman_model(int64_t axis, bool driven, double mass, double payload, double gravity, double length, double lag, array_double_2d model)
+/*Derivatives (8, 8) of six states and two inputs by themselves; length of the rope [m]. */
+static void kalman_model(int64_t axis, array_double_1d plant, double length, array_double_2d model)
 {
+    double mass;
+    double gravity;
+    double lag;
+    bool driven;
+    array_double_1d rate;
     int64_t j;
+    mass = carriage_mass(plant, axis);
+    gravity = (*cspan_at(&plant, INT64_C(3)));
+    lag = (*cspan_at(&plant, INT64_C(5) + axis));
+    driven = (int64_t)((*cspan_at(&plant, INT64_C(4)))) == INT64_C(1);
     matrix_set(INT64_C(8), 0.0, model);
     (*cspan_at(&model, INT64_C(6), INT64_C(7))) = 1.0;
     (*cspan_at(&model, INT64_C(0), INT64_C(2))) = 1.0;
@@ -501,51 +1476,58 @@ static void kalman_model(int64_t axis, bool driven, double mass, double payload,
     else
     {
         (*cspan_at(&model, INT64_C(2), INT64_C(7))) = 1.0 / mass;
-        (*cspan_at(&model, INT64_C(2), INT64_C(1))) = payload * gravity / mass;
+        (*cspan_at(&model, INT64_C(2), INT64_C(1))) = (*cspan_at(&plant, INT64_C(2))) * gravity / mass;
     }
-    if (axis < INT64_C(2))
+    if (axis != INT64_C(2))
     {
+        rate = span_row(&model, INT64_C(3));
         /*l angle'' = -g angle - carriage acceleration + acceleration of the load*/
         (*cspan_at(&model, INT64_C(1), INT64_C(3))) = 1.0;
         for (j = INT64_C(0); j < INT64_C(8); j += INT64_C(1))
         {
-            (*cspan_at(&model, INT64_C(3), j)) = (-(*cspan_at(&model, INT64_C(2), j))) / length;
+            (*cspan_at(&rate, j)) = (-(*cspan_at(&model, INT64_C(2), j))) / length;
         }
-        (*cspan_at(&model, INT64_C(3), INT64_C(1))) = (*cspan_at(&model, INT64_C(3), INT64_C(1))) - gravity / length;
-        (*cspan_at(&model, INT64_C(3), INT64_C(5))) = 1.0 / length;
+        (*cspan_at(&rate, INT64_C(1))) = (*cspan_at(&rate, INT64_C(1))) - gravity / length;
+        (*cspan_at(&rate, INT64_C(5))) = 1.0 / length;
     }
 }
 /*exp(M h) = 1 + M h + ..., and the integral W h + (M W + W M^T) h^2 / 2 + ... of the walks. */
 static void kalman_series(double part, double drift, double wind, array_double_2d model, array_double_2d transition, array_double_2d covariance, array_double_2d work)
 {
+    array_double_2d term;
+    array_double_2d product;
+    array_double_2d transposed;
     int64_t n;
+    term = span_rows(&work, INT64_C(0), INT64_C(8));
+    product = span_rows(&work, INT64_C(8), INT64_C(16));
+    transposed = span_rows(&work, INT64_C(16), INT64_C(24));
     matrix_set(INT64_C(8), 1.0, transition);
-    matrix_set(INT64_C(8), 1.0, span_rows(&work, INT64_C(0), INT64_C(8)));
+    matrix_set(INT64_C(8), 1.0, term);
     for (n = INT64_C(1); n < INT64_C(17); n += INT64_C(1))
     {
-        matrix_product(INT64_C(8), model, span_rows(&work, INT64_C(0), INT64_C(8)), span_rows(&work, INT64_C(8), INT64_C(16)));
-        matrix_set(INT64_C(8), 0.0, span_rows(&work, INT64_C(0), INT64_C(8)));
-        matrix_add(INT64_C(8), part / n, span_rows(&work, INT64_C(8), INT64_C(16)), span_rows(&work, INT64_C(0), INT64_C(8)));
-        matrix_add(INT64_C(8), 1.0, span_rows(&work, INT64_C(0), INT64_C(8)), transition);
+        matrix_product(INT64_C(8), model, term, product);
+        matrix_set(INT64_C(8), 0.0, term);
+        matrix_add(INT64_C(8), part / n, product, term);
+        matrix_add(INT64_C(8), 1.0, term, transition);
     }
     matrix_set(INT64_C(6), 0.0, covariance);
-    matrix_set(INT64_C(6), 0.0, span_rows(&work, INT64_C(0), INT64_C(8)));
-    (*cspan_at(&work, INT64_C(4), INT64_C(4))) = drift * drift * part;
-    (*cspan_at(&work, INT64_C(5), INT64_C(5))) = wind * wind * part;
+    matrix_set(INT64_C(6), 0.0, term);
+    (*cspan_at(&term, INT64_C(4), INT64_C(4))) = drift * drift * part;
+    (*cspan_at(&term, INT64_C(5), INT64_C(5))) = wind * wind * part;
     for (n = INT64_C(2); n < INT64_C(18); n += INT64_C(1))
     {
-        matrix_add(INT64_C(6), 1.0, span_rows(&work, INT64_C(0), INT64_C(8)), covariance);
-        matrix_product(INT64_C(6), model, span_rows(&work, INT64_C(0), INT64_C(8)), span_rows(&work, INT64_C(8), INT64_C(16)));
-        matrix_product_transposed(INT64_C(6), span_rows(&work, INT64_C(0), INT64_C(8)), model, span_rows(&work, INT64_C(16), INT64_C(24)));
-        matrix_add(INT64_C(6), 1.0, span_rows(&work, INT64_C(16), INT64_C(24)), span_rows(&work, INT64_C(8), INT64_C(16)));
-        matrix_set(INT64_C(6), 0.0, span_rows(&work, INT64_C(0), INT64_C(8)));
-        matrix_add(INT64_C(6), part / n, span_rows(&work, INT64_C(8), INT64_C(16)), span_rows(&work, INT64_C(0), INT64_C(8)));
+        matrix_add(INT64_C(6), 1.0, term, covariance);
+        matrix_product(INT64_C(6), model, term, product);
+        matrix_product_transposed(INT64_C(6), term, model, transposed);
+        matrix_add(INT64_C(6), 1.0, transposed, product);
+        matrix_set(INT64_C(6), 0.0, term);
+        matrix_add(INT64_C(6), part / n, product, term);
     }
 }
-/*Transition (8, 8) over a sample, and what the walks add to the covariance (6, 6).      */
-/*                                                                                       */
-/*    Taylor series over a part of the sample that is short, then doubled; work (24, 16).*/
-/*                                                                                       */
+/*Transition (8, 8) over a sample, and what the walks add to the covariance (6, 6).            */
+/*                                                                                             */
+/*    Taylor series over a part of the sample that is short, then doubled; work: a `ModelWork`.*/
+/*                                                                                             */
 static void kalman_sampled(double sample_time, double drift, double wind, array_double_2d model, array_double_2d transition, array_double_2d covariance, array_double_2d work)
 {
     double size;
@@ -554,6 +1536,8 @@ static void kalman_sampled(double sample_time, double drift, double wind, array_
     int64_t j;
     double part;
     int64_t doublings;
+    array_double_2d term;
+    array_double_2d product;
     int64_t Dummy_0000;
     int64_t Dummy_0001;
     size = 0.0;
@@ -574,67 +1558,83 @@ static void kalman_sampled(double sample_time, double drift, double wind, array_
         doublings = doublings + INT64_C(1);
     }
     kalman_series(part, drift, wind, model, transition, covariance, work);
+    term = span_rows(&work, INT64_C(0), INT64_C(8));
+    product = span_rows(&work, INT64_C(8), INT64_C(16));
     for (Dummy_0000 = INT64_C(0); Dummy_0000 < doublings; Dummy_0000 += INT64_C(1))
     {
-        matrix_product(INT64_C(6), transition, covariance, span_rows(&work, INT64_C(0), INT64_C(8)));
-        matrix_product_transposed(INT64_C(6), span_rows(&work, INT64_C(0), INT64_C(8)), transition, span_rows(&work, INT64_C(8), INT64_C(16)));
-        matrix_add(INT64_C(6), 1.0, span_rows(&work, INT64_C(8), INT64_C(16)), covariance);
-        matrix_product(INT64_C(8), transition, transition, span_rows(&work, INT64_C(0), INT64_C(8)));
-        matrix_copy(INT64_C(8), span_rows(&work, INT64_C(0), INT64_C(8)), transition);
+        matrix_product(INT64_C(6), transition, covariance, term);
+        matrix_product_transposed(INT64_C(6), term, transition, product);
+        matrix_add(INT64_C(6), 1.0, product, covariance);
+        matrix_product(INT64_C(8), transition, transition, term);
+        matrix_copy(INT64_C(8), term, transition);
     }
 }
-/*One doubling of X in `spread` with A^T and G in work[0:8] and work[8:16].*/
-/*                                                                         */
-/*    Returns the largest relative change of a variance; work (56, 16).    */
-/*                                                                         */
+/*One doubling of X in `spread` with the A^T and G of work, a `Doubling`.*/
+/*                                                                       */
+/*    Returns the largest relative change of a variance.                 */
+/*                                                                       */
 static double kalman_turn(array_double_2d spread, array_double_2d work)
 {
+    array_double_2d transposed;
+    array_double_2d information;
+    array_double_2d factor;
+    array_double_2d solution;
+    array_double_2d product;
+    array_double_2d change;
+    int64_t n;
     int64_t i;
     int64_t j;
-    double change;
+    double largest;
+    transposed = span_rows(&work, INT64_C(0), INT64_C(8));
+    information = span_rows(&work, INT64_C(8), INT64_C(16));
+    factor = span_rows(&work, INT64_C(16), INT64_C(24));
+    solution = span_rows(&work, INT64_C(24), INT64_C(32));
+    product = span_rows(&work, INT64_C(32), INT64_C(40));
+    change = span_rows(&work, INT64_C(40), INT64_C(48));
+    n = INT64_C(6);
     /*one solution for both: (1 + G X)^-1 A^T and (1 + G X)^-1 G*/
-    matrix_set(INT64_C(6), 1.0, span_rows(&work, INT64_C(16), INT64_C(24)));
-    matrix_product(INT64_C(6), span_rows(&work, INT64_C(8), INT64_C(16)), spread, span_rows(&work, INT64_C(24), INT64_C(32)));
-    matrix_add(INT64_C(6), 1.0, span_rows(&work, INT64_C(24), INT64_C(32)), span_rows(&work, INT64_C(16), INT64_C(24)));
-    for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+    matrix_set(n, 1.0, factor);
+    matrix_product(n, information, spread, solution);
+    matrix_add(n, 1.0, solution, factor);
+    for (i = INT64_C(0); i < n; i += INT64_C(1))
     {
-        for (j = INT64_C(0); j < INT64_C(6); j += INT64_C(1))
+        for (j = INT64_C(0); j < n; j += INT64_C(1))
         {
-            (*cspan_at(&work, INT64_C(24) + i, j)) = (*cspan_at(&work, i, j));
-            (*cspan_at(&work, INT64_C(24) + i, INT64_C(6) + j)) = (*cspan_at(&work, INT64_C(8) + i, j));
+            (*cspan_at(&solution, i, j)) = (*cspan_at(&transposed, i, j));
+            (*cspan_at(&solution, i, n + j)) = (*cspan_at(&information, i, j));
         }
     }
-    matrix_solve(INT64_C(6), INT64_C(12), span_rows(&work, INT64_C(16), INT64_C(24)), span_rows(&work, INT64_C(24), INT64_C(32)));
-    for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+    matrix_solve(n, INT64_C(2) * n, factor, solution);
+    for (i = INT64_C(0); i < n; i += INT64_C(1))
     {
-        for (j = INT64_C(0); j < INT64_C(6); j += INT64_C(1))
+        for (j = INT64_C(0); j < n; j += INT64_C(1))
         {
-            (*cspan_at(&work, INT64_C(32) + i, j)) = (*cspan_at(&work, INT64_C(24) + i, INT64_C(6) + j));
+            (*cspan_at(&product, i, j)) = (*cspan_at(&solution, i, n + j));
         }
     }
     /*G + A^T (1 + G X)^-1 G A*/
-    matrix_product(INT64_C(6), span_rows(&work, INT64_C(0), INT64_C(8)), span_rows(&work, INT64_C(32), INT64_C(40)), span_rows(&work, INT64_C(16), INT64_C(24)));
-    matrix_product_transposed(INT64_C(6), span_rows(&work, INT64_C(16), INT64_C(24)), span_rows(&work, INT64_C(0), INT64_C(8)), span_rows(&work, INT64_C(32), INT64_C(40)));
-    matrix_add(INT64_C(6), 1.0, span_rows(&work, INT64_C(32), INT64_C(40)), span_rows(&work, INT64_C(8), INT64_C(16)));
+    matrix_product(n, transposed, product, factor);
+    matrix_product_transposed(n, factor, transposed, product);
+    matrix_add(n, 1.0, product, information);
     /*X + A X (1 + G X)^-1 A^T*/
-    matrix_product(INT64_C(6), spread, span_rows(&work, INT64_C(24), INT64_C(32)), span_rows(&work, INT64_C(16), INT64_C(24)));
-    matrix_transpose(INT64_C(6), span_rows(&work, INT64_C(0), INT64_C(8)), span_rows(&work, INT64_C(32), INT64_C(40)));
-    matrix_product(INT64_C(6), span_rows(&work, INT64_C(32), INT64_C(40)), span_rows(&work, INT64_C(16), INT64_C(24)), span_rows(&work, INT64_C(40), INT64_C(48)));
-    matrix_add(INT64_C(6), 1.0, span_rows(&work, INT64_C(40), INT64_C(48)), spread);
+    matrix_product(n, spread, solution, factor);
+    matrix_transpose(n, transposed, product);
+    matrix_product(n, product, factor, change);
+    matrix_add(n, 1.0, change, spread);
     /*A^T (1 + G X)^-1 A^T*/
-    matrix_product(INT64_C(6), span_rows(&work, INT64_C(0), INT64_C(8)), span_rows(&work, INT64_C(24), INT64_C(32)), span_rows(&work, INT64_C(16), INT64_C(24)));
-    matrix_copy(INT64_C(6), span_rows(&work, INT64_C(16), INT64_C(24)), span_rows(&work, INT64_C(0), INT64_C(8)));
-    change = 0.0;
-    for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+    matrix_product(n, transposed, solution, factor);
+    matrix_copy(n, factor, transposed);
+    largest = 0.0;
+    for (i = INT64_C(0); i < n; i += INT64_C(1))
     {
         if ((*cspan_at(&spread, i, i)) > 0.0)
         {
-            change = span_max(change, (*cspan_at(&work, INT64_C(40) + i, i)) / (*cspan_at(&spread, i, i)));
+            largest = span_max(largest, (*cspan_at(&change, i, i)) / (*cspan_at(&spread, i, i)));
         }
     }
-    return change;
+    return largest;
 }
-/*Columns 8 and 9 of an axis' rows: X C^T (C X C^T + R)^-1, for variances R of the signals.*/
+/*Gains of an axis: X C^T (C X C^T + R)^-1, for variances R of position and angle. */
 static void kalman_gain(int64_t axis, double first, double second, array_double_2d spread, array_double_2d table)
 {
     double a;
@@ -642,7 +1642,7 @@ static void kalman_gain(int64_t axis, double first, double second, array_double_
     double d;
     double determinant;
     int64_t i;
-    int64_t k;
+    array_double_1d row;
     a = (*cspan_at(&spread, INT64_C(0), INT64_C(0))) + first;
     b = 0.5 * ((*cspan_at(&spread, INT64_C(0), INT64_C(1))) + (*cspan_at(&spread, INT64_C(1), INT64_C(0))));
     d = (*cspan_at(&spread, INT64_C(1), INT64_C(1))) + second;
@@ -653,52 +1653,57 @@ static void kalman_gain(int64_t axis, double first, double second, array_double_
     determinant = a * d - b * b;
     for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
     {
-        k = INT64_C(6) * axis + i;
-        (*cspan_at(&table, k, INT64_C(8))) = (d * (*cspan_at(&spread, i, INT64_C(0))) - b * (*cspan_at(&spread, i, INT64_C(1)))) / determinant;
-        (*cspan_at(&table, k, INT64_C(9))) = (a * (*cspan_at(&spread, i, INT64_C(1))) - b * (*cspan_at(&spread, i, INT64_C(0)))) / determinant;
+        row = span_row(&table, INT64_C(1) + INT64_C(6) * axis + i);
+        (*cspan_at(&row, INT64_C(8))) = (d * (*cspan_at(&spread, i, INT64_C(0))) - b * (*cspan_at(&spread, i, INT64_C(1)))) / determinant;
+        (*cspan_at(&row, INT64_C(9))) = (a * (*cspan_at(&spread, i, INT64_C(1))) - b * (*cspan_at(&spread, i, INT64_C(0)))) / determinant;
     }
 }
-/*An axis' rows of the table for the model (8, 8) in work[72:80]; work (80, 16). */
+/*An axis' rows of the table for the model in work, a `Kalman`.*/
 static void kalman_axis(int64_t axis, double sample_time, array_double_1d expected, array_double_2d work, array_double_2d table)
 {
     array_double_2d transition;
     array_double_2d spread;
+    array_double_2d transposed;
+    array_double_2d information;
+    double step;
+    double wind;
     double position;
     double angle;
-    double wind;
+    int64_t first;
     int64_t i;
     int64_t j;
     int64_t turns;
-    transition = span_rows(&work, INT64_C(56), INT64_C(64));
-    spread = span_rows(&work, INT64_C(64), INT64_C(72));
-    position = (*cspan_at(&expected, INT64_C(0))) * (*cspan_at(&expected, INT64_C(0))) / 12.0;
-    if (axis == INT64_C(2))
-    {
-        position = (*cspan_at(&expected, INT64_C(1))) * (*cspan_at(&expected, INT64_C(1))) / 12.0;
-    }
-    angle = (*cspan_at(&expected, INT64_C(2))) * (*cspan_at(&expected, INT64_C(2))) / 12.0;
+    transition = span_rows(&work, INT64_C(48), INT64_C(56));
+    spread = span_rows(&work, INT64_C(56), INT64_C(64));
+    transposed = span_rows(&work, INT64_C(0), INT64_C(8));
+    information = span_rows(&work, INT64_C(8), INT64_C(16));
+    step = (*cspan_at(&expected, INT64_C(0)));
     wind = (*cspan_at(&expected, INT64_C(4)));
     if (axis == INT64_C(2))
     {
+        step = (*cspan_at(&expected, INT64_C(1)));
         wind = 0.0;
     }
-    kalman_sampled(sample_time, (*cspan_at(&expected, INT64_C(3))), wind, span_rows(&work, INT64_C(72), INT64_C(80)), transition, spread, span_rows(&work, INT64_C(0), INT64_C(24)));
+    position = step * step / 12.0;
+    angle = (*cspan_at(&expected, INT64_C(2))) * (*cspan_at(&expected, INT64_C(2))) / 12.0;
+    kalman_sampled(sample_time, (*cspan_at(&expected, INT64_C(3))), wind, span_rows(&work, INT64_C(64), INT64_C(72)), transition, spread, span_rows(&work, INT64_C(0), INT64_C(24)));
+    first = INT64_C(1) + INT64_C(6) * axis;
     for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
     {
         for (j = INT64_C(0); j < INT64_C(8); j += INT64_C(1))
         {
-            (*cspan_at(&table, INT64_C(6) * axis + i, j)) = (*cspan_at(&transition, i, j));
+            (*cspan_at(&table, first + i, j)) = (*cspan_at(&transition, i, j));
         }
     }
-    matrix_transpose(INT64_C(6), transition, span_rows(&work, INT64_C(0), INT64_C(8)));
-    matrix_set(INT64_C(6), 0.0, span_rows(&work, INT64_C(8), INT64_C(16)));
-    (*cspan_at(&work, INT64_C(8), INT64_C(0))) = 1.0 / position;
-    if (axis < INT64_C(2))
+    matrix_transpose(INT64_C(6), transition, transposed);
+    matrix_set(INT64_C(6), 0.0, information);
+    (*cspan_at(&information, INT64_C(0), INT64_C(0))) = 1.0 / position;
+    if (axis != INT64_C(2))
     {
-        (*cspan_at(&work, INT64_C(9), INT64_C(1))) = 1.0 / angle;
+        (*cspan_at(&information, INT64_C(1), INT64_C(1))) = 1.0 / angle;
     }
     turns = INT64_C(0);
-    while((kalman_turn(spread, span_rows(&work, INT64_C(0), INT64_C(56))) > 1e-15) && (turns < INT64_C(60)))
+    while((kalman_turn(spread, span_rows(&work, INT64_C(0), INT64_C(48))) > 1e-15) && (turns < INT64_C(60)))
     {
         turns = turns + INT64_C(1);
     }
@@ -710,32 +1715,33 @@ static void kalman_axis(int64_t axis, double sample_time, array_double_1d expect
         {
             for (j = INT64_C(0); j < INT64_C(10); j += INT64_C(1))
             {
-                (*cspan_at(&table, INT64_C(12) + i, j)) = 0.0;
+                (*cspan_at(&table, first + i, j)) = 0.0;
             }
         }
     }
 }
-/*One rope length's part (18, 10) of the table of kernels/control/observer.py. */
-/*                                                                             */
-/*    lag (3) of the velocity drives [s]; work (80, 16).                       */
-/*                                                                             */
-void segfmu_observer_design(bool driven, double sample_time, double length, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_1d lag, array_double_1d expected, array_double_2d work, array_double_2d table)
+/*One rope length's part (19, 10) of the observer's table, an `Observer`.                            */
+/*                                                                                                   */
+/*    plant: the nominal crane, of whose `Plant` masses, drive mode and lags count; sample_time [s]; */
+/*    length [m]; work (72, 16): a `Kalman`.                                                         */
+/*                                                                                                   */
+void segfmu_observer_design(array_double_1d plant, double sample_time, double length, array_double_1d expected, array_double_2d work, array_double_2d table)
 {
+    int64_t j;
     int64_t axis;
-    double mass;
+    for (j = INT64_C(0); j < INT64_C(10); j += INT64_C(1))
+    {
+        (*cspan_at(&table, INT64_C(0), j)) = 0.0;
+    }
+    (*cspan_at(&table, INT64_C(0), INT64_C(0))) = length;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        mass = trolley_mass;
-        if (axis == INT64_C(0))
-        {
-            mass = bridge_mass + trolley_mass;
-        }
-        kalman_model(axis, driven, mass, payload_mass, gravity, length, (*cspan_at(&lag, axis)), span_rows(&work, INT64_C(72), INT64_C(80)));
+        kalman_model(axis, plant, length, span_rows(&work, INT64_C(64), INT64_C(72)));
         kalman_axis(axis, sample_time, expected, work, table);
     }
 }
-/*Advance the estimate (3, 6 or more) by a sample under command and held correction. */
-void segfmu_observer_predict(double length, array_double_1d lengths, array_double_3d table, array_double_1d command, array_double_1d held, array_double_2d estimate, array_double_1d scratch)
+/*Advance the estimate by a sample under velocity command (3) and held correction (3). */
+void segfmu_observer_predict(double length, array_double_3d table, array_double_1d command, array_double_1d held, array_double_2d estimate, array_double_1d scratch)
 {
     int64_t row;
     double share;
@@ -746,9 +1752,9 @@ void segfmu_observer_predict(double length, array_double_1d lengths, array_doubl
     int64_t k;
     double total;
     double entry;
-    row = table_row(length, lengths);
-    share = table_share(length, lengths, row);
-    following = span_min_int(row + INT64_C(1), lengths.shape[INT64_C(0)] - INT64_C(1));
+    row = table_row(length, table);
+    share = table_share(length, table, row);
+    following = span_min_int(row + INT64_C(1), table.shape[INT64_C(0)] - INT64_C(1));
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
         for (j = INT64_C(0); j < INT64_C(6); j += INT64_C(1))
@@ -759,7 +1765,7 @@ void segfmu_observer_predict(double length, array_double_1d lengths, array_doubl
         (*cspan_at(&scratch, INT64_C(7))) = (*cspan_at(&held, axis));
         for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
         {
-            k = INT64_C(6) * axis + i;
+            k = INT64_C(1) + INT64_C(6) * axis + i;
             total = 0.0;
             for (j = INT64_C(0); j < INT64_C(8); j += INT64_C(1))
             {
@@ -770,8 +1776,8 @@ void segfmu_observer_predict(double length, array_double_1d lengths, array_doubl
         }
     }
 }
-/*Correct the estimate (3, 6 or more) by the five measured signals and their references. */
-void segfmu_observer_correct(double length, array_double_1d lengths, array_double_3d table, array_double_1d measured, array_double_1d reference, array_double_2d estimate)
+/*Correct the estimate by the five measured signals and their references.*/
+void segfmu_observer_correct(double length, array_double_3d table, array_double_1d measured, array_double_1d reference, array_double_2d estimate)
 {
     int64_t row;
     double share;
@@ -780,32 +1786,41 @@ void segfmu_observer_correct(double length, array_double_1d lengths, array_doubl
     double first;
     double second;
     double sign;
+    int64_t angle;
+    double deviation;
     int64_t i;
     int64_t k;
     double a;
     double b;
-    row = table_row(length, lengths);
-    share = table_share(length, lengths, row);
-    following = span_min_int(row + INT64_C(1), lengths.shape[INT64_C(0)] - INT64_C(1));
+    row = table_row(length, table);
+    share = table_share(length, table, row);
+    following = span_min_int(row + INT64_C(1), table.shape[INT64_C(0)] - INT64_C(1));
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
         first = (*cspan_at(&measured, axis)) - (*cspan_at(&reference, axis)) - (*cspan_at(&estimate, axis, INT64_C(0)));
         second = 0.0;
-        if (axis < INT64_C(2))
+        if (axis != INT64_C(2))
         {
             sign = 1.0 - 2.0 * axis;
-            second = sign * ((*cspan_at(&measured, INT64_C(3) + axis)) - (*cspan_at(&reference, INT64_C(3) + axis))) - (*cspan_at(&estimate, axis, INT64_C(1)));
+            angle = INT64_C(3) + axis;
+            deviation = sign * ((*cspan_at(&measured, angle)) - (*cspan_at(&reference, angle)));
+            second = deviation - (*cspan_at(&estimate, axis, INT64_C(1)));
         }
         for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
         {
-            k = INT64_C(6) * axis + i;
-            a = (1.0 - share) * (*cspan_at(&table, row, k, INT64_C(8))) + share * (*cspan_at(&table, following, k, INT64_C(8)));
-            b = (1.0 - share) * (*cspan_at(&table, row, k, INT64_C(9))) + share * (*cspan_at(&table, following, k, INT64_C(9)));
+            k = INT64_C(1) + INT64_C(6) * axis + i;
+            a = (1.0 - share) * (*cspan_at(&table, row, k, INT64_C(8)));
+            a = a + share * (*cspan_at(&table, following, k, INT64_C(8)));
+            b = (1.0 - share) * (*cspan_at(&table, row, k, INT64_C(9)));
+            b = b + share * (*cspan_at(&table, following, k, INT64_C(9)));
             (*cspan_at(&estimate, axis, i)) = (*cspan_at(&estimate, axis, i)) + a * first + b * second;
         }
     }
 }
-/*Three lags (4, 7) of half a sample over their time constant `share`, by Tustin's rule. */
+/*Three lags of half a sample over their time constant `share`, by Tustin's rule.*/
+/*                                                                               */
+/*    signals (7): `OffsetSignals`; states (4, 7): an `OffsetFilter`.            */
+/*                                                                               */
 static void offset_filter(bool first, double share, array_double_1d signals, array_double_2d states)
 {
     int64_t i;
@@ -830,22 +1845,39 @@ static void offset_filter(bool first, double share, array_double_1d signals, arr
         }
     }
 }
-/*Place of the load and direction of the rope (3 each) from five measured values.*/
+/*Place of the load and direction of the rope from the coordinates (5).*/
 static void offset_signals(array_double_1d measured, double start, array_double_1d signals)
 {
+    double phi_x;
+    double phi_y;
+    double length;
     int64_t i;
-    (*cspan_at(&signals, INT64_C(3))) = sin((*cspan_at(&measured, INT64_C(3))));
-    (*cspan_at(&signals, INT64_C(4))) = (-cos((*cspan_at(&measured, INT64_C(3))))) * sin((*cspan_at(&measured, INT64_C(4))));
-    (*cspan_at(&signals, INT64_C(5))) = (-cos((*cspan_at(&measured, INT64_C(3))))) * cos((*cspan_at(&measured, INT64_C(4))));
+    double place;
+    phi_x = (*cspan_at(&measured, INT64_C(3)));
+    phi_y = (*cspan_at(&measured, INT64_C(3) + INT64_C(1)));
+    (*cspan_at(&signals, INT64_C(3) + INT64_C(0))) = sin(phi_x);
+    (*cspan_at(&signals, INT64_C(3) + INT64_C(1))) = (-cos(phi_x)) * sin(phi_y);
+    (*cspan_at(&signals, INT64_C(3) + INT64_C(2))) = (-cos(phi_x)) * cos(phi_y);
+    length = (*cspan_at(&measured, INT64_C(0) + INT64_C(2)));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        (*cspan_at(&signals, i)) = (*cspan_at(&measured, INT64_C(2))) * (*cspan_at(&signals, INT64_C(3) + i));
+        (*cspan_at(&signals, INT64_C(0) + i)) = length * (*cspan_at(&signals, INT64_C(3) + i));
     }
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
-        (*cspan_at(&signals, i)) = (*cspan_at(&signals, i)) + (*cspan_at(&measured, i));
+        place = (*cspan_at(&signals, INT64_C(0) + i));
+        (*cspan_at(&signals, INT64_C(0) + i)) = place + (*cspan_at(&measured, INT64_C(0) + i));
     }
     (*cspan_at(&signals, INT64_C(6))) = start;
+}
+/*Second derivative of a filtered signal over the square of the filter's bandwidth.*/
+static double second_difference(int64_t signal, array_double_2d states)
+{
+    double difference;
+    double result;
+    difference = (*cspan_at(&states, INT64_C(1), signal)) - 2.0 * (*cspan_at(&states, INT64_C(2), signal));
+    result = difference + (*cspan_at(&states, INT64_C(3), signal));
+    return result;
 }
 /*The equation's left side without offset, and the offset's factor, across the rope. */
 /*                                                                                   */
@@ -853,18 +1885,22 @@ static void offset_signals(array_double_1d measured, double start, array_double_
 /*                                                                                   */
 static int64_t offset_residual(double* result_0_0001, double* result_1_0001, int64_t axis, double gravity, double square, array_double_2d states)
 {
+    int64_t sideways;
+    int64_t upwards;
     double place;
     double height;
     double turn;
     double drop;
     double across;
     double down;
-    place = square * ((*cspan_at(&states, INT64_C(1), axis)) - 2.0 * (*cspan_at(&states, INT64_C(2), axis)) + (*cspan_at(&states, INT64_C(3), axis)));
-    height = square * ((*cspan_at(&states, INT64_C(1), INT64_C(2))) - 2.0 * (*cspan_at(&states, INT64_C(2), INT64_C(2))) + (*cspan_at(&states, INT64_C(3), INT64_C(2)))) + gravity;
-    turn = square * ((*cspan_at(&states, INT64_C(1), INT64_C(3) + axis)) - 2.0 * (*cspan_at(&states, INT64_C(2), INT64_C(3) + axis)) + (*cspan_at(&states, INT64_C(3), INT64_C(3) + axis)));
-    drop = square * ((*cspan_at(&states, INT64_C(1), INT64_C(5))) - 2.0 * (*cspan_at(&states, INT64_C(2), INT64_C(5))) + (*cspan_at(&states, INT64_C(3), INT64_C(5))));
-    across = (*cspan_at(&states, INT64_C(3), INT64_C(3) + axis));
-    down = (*cspan_at(&states, INT64_C(3), INT64_C(5)));
+    sideways = INT64_C(3) + axis;
+    upwards = INT64_C(3) + INT64_C(2);
+    place = square * second_difference(INT64_C(0) + axis, states);
+    height = square * second_difference(INT64_C(0) + INT64_C(2), states) + gravity;
+    turn = square * second_difference(sideways, states);
+    drop = square * second_difference(upwards, states);
+    across = (*cspan_at(&states, INT64_C(3), sideways));
+    down = (*cspan_at(&states, INT64_C(3), upwards));
     (*result_0_0001) = height * across - place * down;
     (*result_1_0001) = drop * across - turn * down;
     return 0;
@@ -877,13 +1913,15 @@ static int64_t offset_noise(double* result_0, double* result_1_0001, array_doubl
     double share;
     double fifth;
     double angle;
+    double of_angles;
     double residual;
     w = (*cspan_at(&parameters, INT64_C(24)));
     gravity = (*cspan_at(&parameters, INT64_C(6)));
     share = (*cspan_at(&parameters, INT64_C(1))) / 16.0;
     fifth = 3.0 * w * w * w * w * w;
     angle = length * length * fifth + gravity * w * (3.0 * gravity - 2.0 * length * w * w);
-    residual = share * (angle * (*cspan_at(&parameters, INT64_C(25))) + fifth * (*cspan_at(&parameters, INT64_C(26))));
+    of_angles = angle * (*cspan_at(&parameters, INT64_C(25)));
+    residual = share * (of_angles + fifth * (*cspan_at(&parameters, INT64_C(26))));
     (*result_0) = residual;
     (*result_1_0001) = share * fifth * (*cspan_at(&parameters, INT64_C(25)));
     return 0;
@@ -895,7 +1933,7 @@ static void offset_centre(int64_t axis, double share, array_double_1d values, ar
     int64_t k;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        k = INT64_C(3) * axis + i;
+        k = INT64_C(0) + INT64_C(3) * axis + i;
         (*cspan_at(&means, k)) = (*cspan_at(&means, k)) + share * ((*cspan_at(&values, i)) - (*cspan_at(&means, k)));
         (*cspan_at(&values, i)) = (*cspan_at(&values, i)) - (*cspan_at(&means, k));
     }
@@ -921,111 +1959,150 @@ static void offset_sum(double keep, array_double_1d values, array_double_1d sums
 /*Offset and deviation by the sums; which offset is to be used.                                        */
 /*                                                                                                     */
 /*    One that has been five deviations for five of the filter's time constants is; it stays until the */
-/*    data speak against it. In less time wind is too often shaped like the plan by chance.            */
+/*    data speak against it. In less time wind is too often shaped like the plan by chance. sums: an   */
+/*    `OffsetSums`, estimate: an `OffsetEstimate`.                                                     */
 /*                                                                                                     */
-static void offset_judge(array_double_1d parameters, double length, double noise, array_double_2d memory)
+static void offset_decide(array_double_1d parameters, double length, double noise, array_double_1d sums, array_double_1d estimate)
 {
+    double period;
+    double bandwidth;
     double samples;
     double offset;
     double left;
     double least;
     double deviation;
-    samples = 2.0 / ((*cspan_at(&parameters, INT64_C(24))) * (*cspan_at(&parameters, INT64_C(1))));
-    offset = (*cspan_at(&memory, INT64_C(10), INT64_C(0))) / (*cspan_at(&memory, INT64_C(10), INT64_C(1)));
-    left = (*cspan_at(&memory, INT64_C(10), INT64_C(2))) - 2.0 * offset * (*cspan_at(&memory, INT64_C(10), INT64_C(3))) + offset * offset * (*cspan_at(&memory, INT64_C(10), INT64_C(4)));
+    double largest;
+    period = (*cspan_at(&parameters, INT64_C(1)));
+    bandwidth = (*cspan_at(&parameters, INT64_C(24)));
+    samples = 2.0 / (bandwidth * period);
+    offset = (*cspan_at(&sums, INT64_C(0))) / (*cspan_at(&sums, INT64_C(1)));
+    left = (*cspan_at(&sums, INT64_C(2))) - 2.0 * offset * (*cspan_at(&sums, INT64_C(3)));
+    left = left + offset * offset * (*cspan_at(&sums, INT64_C(4)));
     /*what remains may be little by chance, but not less than the sensors' noise, of which a small*/
     /*part is as slow as the plan*/
-    least = noise * (*cspan_at(&memory, INT64_C(10), INT64_C(5))) / 16.0;
-    deviation = sqrt(samples * (span_max(left, 0.0) + least)) / (*cspan_at(&memory, INT64_C(10), INT64_C(1)));
-    (*cspan_at(&memory, INT64_C(9), INT64_C(0))) = offset;
-    (*cspan_at(&memory, INT64_C(9), INT64_C(1))) = deviation;
-    (*cspan_at(&memory, INT64_C(9), INT64_C(2))) = (*cspan_at(&memory, INT64_C(9), INT64_C(2))) + 1.0;
-    if ((fabs(offset) < 5.0 * deviation) || (fabs(offset) > 3.0 * (*cspan_at(&parameters, INT64_C(23))) * length))
+    least = noise * (*cspan_at(&sums, INT64_C(5))) / 16.0;
+    deviation = sqrt(samples * (span_max(left, 0.0) + least)) / (*cspan_at(&sums, INT64_C(1)));
+    (*cspan_at(&estimate, INT64_C(0))) = offset;
+    (*cspan_at(&estimate, INT64_C(1))) = deviation;
+    (*cspan_at(&estimate, INT64_C(2))) = (*cspan_at(&estimate, INT64_C(2))) + 1.0;
+    largest = 3.0 * (*cspan_at(&parameters, INT64_C(23))) * length;
+    if ((fabs(offset) < 5.0 * deviation) || (fabs(offset) > largest))
     {
-        (*cspan_at(&memory, INT64_C(9), INT64_C(2))) = 0.0;
+        (*cspan_at(&estimate, INT64_C(2))) = 0.0;
     }
-    if ((*cspan_at(&memory, INT64_C(9), INT64_C(2))) * (*cspan_at(&parameters, INT64_C(1))) * (*cspan_at(&parameters, INT64_C(24))) > 5.0)
+    if ((*cspan_at(&estimate, INT64_C(2))) * period * bandwidth > 5.0)
     {
-        (*cspan_at(&memory, INT64_C(9), INT64_C(3))) = offset;
-        (*cspan_at(&memory, INT64_C(9), INT64_C(4))) = 1.0;
+        (*cspan_at(&estimate, INT64_C(3))) = offset;
+        (*cspan_at(&estimate, INT64_C(4))) = 1.0;
     }
-    else if (fabs(offset - (*cspan_at(&memory, INT64_C(9), INT64_C(3)))) > 3.0 * deviation)
+    else if (fabs(offset - (*cspan_at(&estimate, INT64_C(3)))) > 3.0 * deviation)
     {
-        (*cspan_at(&memory, INT64_C(9), INT64_C(4))) = 0.0;
+        (*cspan_at(&estimate, INT64_C(4))) = 0.0;
     }
 }
-/*Put residual, factor and instrument of x and y into the memory's last two rows.*/
+/*Residual, factor and instrument of x and y at the present tick.*/
 static void offset_equations(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory)
 {
+    array_double_1d means;
+    array_double_1d signals;
+    array_double_2d filtered;
+    array_double_2d planned;
     bool first;
     double start;
+    double bandwidth;
     double step;
     double square;
     int64_t axis;
-    double found;
+    double gravity;
+    double seen;
     double factor;
-    double planned;
+    double expected;
     double instrument;
     double residual;
-    first = (*cspan_at(&memory, INT64_C(8), INT64_C(8))) < 0.5;
-    (*cspan_at(&memory, INT64_C(8), INT64_C(8))) = 1.0;
+    double settling;
+    array_double_1d equation;
+    means = span_row(&memory, INT64_C(8));
+    signals = span_row(&memory, INT64_C(11));
+    filtered = span_rows(&memory, INT64_C(0), INT64_C(4));
+    planned = span_rows(&memory, INT64_C(4), INT64_C(8));
+    first = (*cspan_at(&means, INT64_C(8))) < 0.5;
+    (*cspan_at(&means, INT64_C(8))) = 1.0;
     start = 0.0;
     if (first)
     {
         start = 1.0;
     }
-    step = (*cspan_at(&parameters, INT64_C(24))) * (*cspan_at(&parameters, INT64_C(1)));
-    square = (*cspan_at(&parameters, INT64_C(24))) * (*cspan_at(&parameters, INT64_C(24)));
-    offset_signals(measured, start, span_row(&memory, INT64_C(12)));
-    offset_filter(first, 0.5 * step, span_row(&memory, INT64_C(12)), span_rows(&memory, INT64_C(0), INT64_C(4)));
-    offset_signals(reference, start, span_row(&memory, INT64_C(11)));
-    offset_filter(first, 0.5 * step, span_row(&memory, INT64_C(11)), span_rows(&memory, INT64_C(4), INT64_C(8)));
+    bandwidth = (*cspan_at(&parameters, INT64_C(24)));
+    step = bandwidth * (*cspan_at(&parameters, INT64_C(1)));
+    square = bandwidth * bandwidth;
+    offset_signals(measured, start, signals);
+    offset_filter(first, 0.5 * step, signals, filtered);
+    offset_signals(reference, start, signals);
+    offset_filter(first, 0.5 * step, signals, planned);
     for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
     {
-        offset_residual(&found, &factor, axis, (*cspan_at(&parameters, INT64_C(6))), square, span_rows(&memory, INT64_C(0), INT64_C(4)));
-        offset_residual(&planned, &instrument, axis, (*cspan_at(&parameters, INT64_C(6))), square, span_rows(&memory, INT64_C(4), INT64_C(8)));
-        residual = planned - found;
+        gravity = (*cspan_at(&parameters, INT64_C(6)));
+        offset_residual(&seen, &factor, axis, gravity, square, filtered);
+        offset_residual(&expected, &instrument, axis, gravity, square, planned);
+        residual = expected - seen;
         if (first)
         {
-            (*cspan_at(&memory, INT64_C(8), INT64_C(6) + axis)) = residual;
+            (*cspan_at(&means, INT64_C(6) + axis)) = residual;
         }
         /*the filter starts as if all had rested before, which a swaying load did not*/
-        (*cspan_at(&memory, INT64_C(11) + axis, INT64_C(0))) = residual - (*cspan_at(&memory, INT64_C(8), INT64_C(6) + axis)) * (*cspan_at(&memory, INT64_C(3), INT64_C(6)));
-        (*cspan_at(&memory, INT64_C(11) + axis, INT64_C(1))) = factor;
-        (*cspan_at(&memory, INT64_C(11) + axis, INT64_C(2))) = instrument;
-        offset_centre(axis, step / 12.0, span_row(&memory, INT64_C(11) + axis), span_row(&memory, INT64_C(8)));
+        settling = (*cspan_at(&filtered, INT64_C(3), INT64_C(6)));
+        equation = span_row(&memory, INT64_C(12) + axis);
+        (*cspan_at(&equation, INT64_C(0))) = residual - (*cspan_at(&means, INT64_C(6) + axis)) * settling;
+        (*cspan_at(&equation, INT64_C(1))) = factor;
+        (*cspan_at(&equation, INT64_C(2))) = instrument;
+        offset_centre(axis, step / 12.0, equation, means);
     }
 }
 /*Offset [m] to add to the measured length, from signals and reference of the same time. */
 static double offset_estimate(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory)
 {
+    array_double_1d sums;
+    array_double_1d estimate;
+    double length;
     double noise;
     double factor_noise;
-    double planned;
-    double keep;
+    double power;
+    int64_t axis;
+    double instrument;
+    double step;
     double aim;
+    double used;
     double result;
     if ((*cspan_at(&parameters, INT64_C(23))) <= 0.0)
     {
         return 0.0;
     }
+    sums = span_row(&memory, INT64_C(10));
+    estimate = span_row(&memory, INT64_C(9));
+    length = (*cspan_at(&measured, INT64_C(0) + INT64_C(2)));
     offset_equations(parameters, measured, reference, memory);
-    offset_noise(&noise, &factor_noise, parameters, (*cspan_at(&measured, INT64_C(2))));
-    planned = (*cspan_at(&memory, INT64_C(11), INT64_C(2))) * (*cspan_at(&memory, INT64_C(11), INT64_C(2))) + (*cspan_at(&memory, INT64_C(12), INT64_C(2))) * (*cspan_at(&memory, INT64_C(12), INT64_C(2)));
-    if (planned > 9.0 * factor_noise)
+    offset_noise(&noise, &factor_noise, parameters, length);
+    power = 0.0;
+    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+    {
+        instrument = (*cspan_at(&memory, INT64_C(12) + axis, INT64_C(2)));
+        power = power + instrument * instrument;
+    }
+    if (power > 9.0 * factor_noise)
     {
         /*a plan that swings the load less than the sensors' noise teaches nothing*/
-        keep = 1.0 - (*cspan_at(&parameters, INT64_C(24))) * (*cspan_at(&parameters, INT64_C(1))) / 60.0;
-        offset_sum(keep, span_row(&memory, INT64_C(11)), span_row(&memory, INT64_C(10)));
-        offset_sum(1.0, span_row(&memory, INT64_C(12)), span_row(&memory, INT64_C(10)));
-        if ((*cspan_at(&memory, INT64_C(10), INT64_C(1))) > 0.0)
+        step = (*cspan_at(&parameters, INT64_C(24))) * (*cspan_at(&parameters, INT64_C(1)));
+        offset_sum(1.0 - step / 60.0, span_row(&memory, INT64_C(12)), sums);
+        offset_sum(1.0, span_row(&memory, INT64_C(12) + INT64_C(1)), sums);
+        if ((*cspan_at(&sums, INT64_C(1))) > 0.0)
         {
-            offset_judge(parameters, (*cspan_at(&measured, INT64_C(2))), noise, memory);
+            offset_decide(parameters, length, noise, sums, estimate);
         }
     }
-    aim = (*cspan_at(&memory, INT64_C(9), INT64_C(4))) * (*cspan_at(&memory, INT64_C(9), INT64_C(3)));
-    (*cspan_at(&memory, INT64_C(9), INT64_C(5))) = aim + (*cspan_at(&parameters, INT64_C(11))) * ((*cspan_at(&memory, INT64_C(9), INT64_C(5))) - aim);
-    result = (*cspan_at(&memory, INT64_C(9), INT64_C(5)));
+    aim = (*cspan_at(&estimate, INT64_C(4))) * (*cspan_at(&estimate, INT64_C(3)));
+    used = (*cspan_at(&estimate, INT64_C(5)));
+    (*cspan_at(&estimate, INT64_C(5))) = aim + (*cspan_at(&parameters, INT64_C(11))) * (used - aim);
+    result = (*cspan_at(&estimate, INT64_C(5)));
     return result;
 }
 /*Wake the feedback at the first deviation that is more than the sensors' steps. */
@@ -1036,710 +2113,290 @@ static void track_wake(array_double_1d parameters, array_double_1d measured, arr
 {
     int64_t i;
     double tolerance;
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
     {
         tolerance = (*cspan_at(&parameters, INT64_C(20)));
-        if (i == INT64_C(2))
+        if (i == INT64_C(0) + INT64_C(2))
         {
             tolerance = (*cspan_at(&parameters, INT64_C(21)));
+        }
+        else if (i >= INT64_C(3))
+        {
+            tolerance = (*cspan_at(&parameters, INT64_C(22)));
         }
         if (fabs((*cspan_at(&measured, i)) - (*cspan_at(&reference, i))) > tolerance)
         {
             (*cspan_at(&memory, INT64_C(4), INT64_C(6))) = 1.0;
         }
     }
-    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
-    {
-        if (fabs((*cspan_at(&measured, INT64_C(3) + i)) - (*cspan_at(&reference, INT64_C(3) + i))) > (*cspan_at(&parameters, INT64_C(22))))
-        {
-            (*cspan_at(&memory, INT64_C(4), INT64_C(6))) = 1.0;
-        }
-    }
 }
-/*Put the signals (5) with the offset of the rope's length removed into memory[21].*/
-static void track_offset(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory)
+/*Signals with the offset of the rope's length removed.*/
+static void track_offset(array_double_1d parameters, array_double_2d tick, array_double_2d memory)
 {
+    array_double_1d measured;
+    array_double_2d offsets;
     double before;
+    bool started;
     double offset;
+    array_double_1d hoist;
+    int64_t length;
     int64_t i;
-    before = (*cspan_at(&memory, INT64_C(18), INT64_C(5)));
-    if (((*cspan_at(&parameters, INT64_C(2))) > 0.5) && ((*cspan_at(&memory, INT64_C(3), INT64_C(3))) > 0.5))
+    measured = span_row(&tick, INT64_C(0));
+    offsets = span_rows(&memory, INT64_C(11), INT64_C(11) + INT64_C(14));
+    before = (*cspan_at(&offsets, INT64_C(9), INT64_C(5)));
+    started = (*cspan_at(&memory, INT64_C(3), INT64_C(3))) > 0.5;
+    if (((*cspan_at(&parameters, INT64_C(2))) > 0.5) && started)
     {
-        offset = offset_estimate(parameters, measured, span_row(&memory, INT64_C(6)), span_rows(&memory, INT64_C(9), INT64_C(22)));
+        offset = offset_estimate(parameters, measured, span_row(&memory, INT64_C(6)), offsets);
     }
     else
     {
-        offset = offset_estimate(parameters, measured, reference, span_rows(&memory, INT64_C(9), INT64_C(22)));
+        offset = offset_estimate(parameters, measured, span_row(&tick, INT64_C(1)), offsets);
     }
     /*a better known length is no motion of the rope*/
-    (*cspan_at(&memory, INT64_C(2), INT64_C(0))) = (*cspan_at(&memory, INT64_C(2), INT64_C(0))) + (offset - before);
+    hoist = span_row(&memory, INT64_C(0) + INT64_C(2));
+    (*cspan_at(&hoist, INT64_C(0))) = (*cspan_at(&hoist, INT64_C(0))) + (offset - before);
+    length = INT64_C(0) + INT64_C(2);
     for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
     {
-        (*cspan_at(&memory, INT64_C(21), i)) = (*cspan_at(&measured, i));
+        (*cspan_at(&memory, INT64_C(10), i)) = (*cspan_at(&measured, i));
     }
-    (*cspan_at(&memory, INT64_C(21), INT64_C(2))) = (*cspan_at(&measured, INT64_C(2))) + offset;
+    (*cspan_at(&memory, INT64_C(10), length)) = (*cspan_at(&measured, length)) + offset;
+}
+/*Begin the estimate at the first measured positions and angles. */
+static void track_start(array_double_1d measured, array_double_1d reference, array_double_2d memory)
+{
+    array_double_2d estimate;
+    int64_t i;
+    int64_t phi_x;
+    int64_t phi_y;
+    estimate = span_rows(&memory, INT64_C(0), INT64_C(3));
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&estimate, i, INT64_C(0))) = (*cspan_at(&measured, i)) - (*cspan_at(&reference, i));
+    }
+    phi_x = INT64_C(3);
+    phi_y = INT64_C(3) + INT64_C(1);
+    (*cspan_at(&estimate, INT64_C(0), INT64_C(1))) = (*cspan_at(&measured, phi_x)) - (*cspan_at(&reference, phi_x));
+    (*cspan_at(&estimate, INT64_C(1), INT64_C(1))) = (*cspan_at(&reference, phi_y)) - (*cspan_at(&measured, phi_y));
+    (*cspan_at(&memory, INT64_C(3), INT64_C(3))) = 1.0;
 }
 /*Bring estimate and velocity command to the present tick. */
-static void track_observe(array_double_1d parameters, array_double_1d lengths, array_double_3d table, array_double_1d measured, array_double_1d reference, array_double_2d memory)
+static void track_observe(array_double_1d parameters, array_double_3d table, array_double_1d reference, array_double_2d memory)
 {
-    bool delayed;
+    array_double_1d measured;
+    double length;
+    array_double_2d estimate;
+    array_double_1d command;
+    array_double_1d held;
+    array_double_1d before;
+    array_double_1d inputs;
     int64_t i;
-    delayed = (*cspan_at(&parameters, INT64_C(2))) > 0.5;
-    if ((*cspan_at(&memory, INT64_C(3), INT64_C(3))) < 0.5)
+    double added;
+    measured = span_row(&memory, INT64_C(10));
+    length = (*cspan_at(&measured, INT64_C(0) + INT64_C(2)));
+    estimate = span_rows(&memory, INT64_C(0), INT64_C(3));
+    command = span_row(&memory, INT64_C(3));
+    held = span_row(&memory, INT64_C(4));
+    before = span_row(&memory, INT64_C(6));
+    inputs = span_row(&memory, INT64_C(9));
+    if ((*cspan_at(&command, INT64_C(3))) < 0.5)
     {
-        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-        {
-            (*cspan_at(&memory, i, INT64_C(0))) = (*cspan_at(&measured, i)) - (*cspan_at(&reference, i));
-        }
-        (*cspan_at(&memory, INT64_C(0), INT64_C(1))) = (*cspan_at(&measured, INT64_C(3))) - (*cspan_at(&reference, INT64_C(3)));
-        (*cspan_at(&memory, INT64_C(1), INT64_C(1))) = (*cspan_at(&reference, INT64_C(4))) - (*cspan_at(&measured, INT64_C(4)));
-        (*cspan_at(&memory, INT64_C(3), INT64_C(3))) = 1.0;
+        track_start(measured, reference, memory);
         track_wake(parameters, measured, reference, memory);
     }
-    else if (delayed)
+    else if ((*cspan_at(&parameters, INT64_C(2))) > 0.5)
     {
-        track_wake(parameters, measured, span_row(&memory, INT64_C(6)), memory);
-        segfmu_observer_correct((*cspan_at(&measured, INT64_C(2))), lengths, table, measured, span_row(&memory, INT64_C(6)), span_rows(&memory, INT64_C(0), INT64_C(3)));
-        segfmu_observer_predict((*cspan_at(&measured, INT64_C(2))), lengths, table, span_row(&memory, INT64_C(3)), span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(0), INT64_C(3)), span_row(&memory, INT64_C(8)));
+        track_wake(parameters, measured, before, memory);
+        segfmu_observer_correct(length, table, measured, before, estimate);
+        segfmu_observer_predict(length, table, command, held, estimate, inputs);
     }
     else
     {
         track_wake(parameters, measured, reference, memory);
-        segfmu_observer_predict((*cspan_at(&measured, INT64_C(2))), lengths, table, span_row(&memory, INT64_C(3)), span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(0), INT64_C(3)), span_row(&memory, INT64_C(8)));
-        segfmu_observer_correct((*cspan_at(&measured, INT64_C(2))), lengths, table, measured, reference, span_rows(&memory, INT64_C(0), INT64_C(3)));
+        segfmu_observer_predict(length, table, command, held, estimate, inputs);
+        segfmu_observer_correct(length, table, measured, reference, estimate);
     }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        (*cspan_at(&memory, INT64_C(3), i)) = (*cspan_at(&memory, INT64_C(3), i)) + (*cspan_at(&parameters, INT64_C(1))) * (*cspan_at(&memory, INT64_C(4), i));
+        added = (*cspan_at(&parameters, INT64_C(1))) * (*cspan_at(&held, INT64_C(0) + i));
+        (*cspan_at(&command, INT64_C(0) + i)) = (*cspan_at(&command, INT64_C(0) + i)) + added;
     }
     for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
     {
-        (*cspan_at(&memory, INT64_C(6), i)) = (*cspan_at(&reference, i));
+        (*cspan_at(&before, i)) = (*cspan_at(&reference, i));
     }
 }
-/*Feedback on the estimated deviation from where the disturbances are balanced.                  */
+/*Whether corrections are made: they are enabled, and a deviation has woken them.*/
+static bool track_acts(array_double_1d parameters, array_double_2d memory)
+{
+    bool result;
+    result = ((*cspan_at(&parameters, INT64_C(9))) > 0.5) && ((*cspan_at(&memory, INT64_C(4), INT64_C(6))) > 0.5);
+    return result;
+}
+/*Estimated deviation from where the disturbances are balanced.                                  */
 /*                                                                                               */
 /*    A load pushed by an acceleration w hangs at the angle w / g; its position is right with the*/
 /*    carriage at -l w / g, and its height with a rope longer by l (w / g)^2 / 2.                */
 /*                                                                                               */
-static void track_law(array_double_1d parameters, double length, array_double_1d gain_lengths, array_double_3d gains, array_double_2d memory, array_double_1d correction)
+static void track_deviation(array_double_1d parameters, array_double_2d memory)
 {
+    double length;
+    array_double_1d deviation;
+    array_double_1d target;
     int64_t i;
     double slant;
+    array_double_1d estimate;
     double sign;
+    double rejected;
     double angle;
-    double mass;
-    double pull;
-    double rope;
-    double share;
-    if (((*cspan_at(&parameters, INT64_C(9))) < 0.5) || ((*cspan_at(&memory, INT64_C(4), INT64_C(6))) < 0.5))
-    {
-        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-        {
-            (*cspan_at(&correction, i)) = 0.0;
-            if ((*cspan_at(&parameters, INT64_C(0))) > 0.5)
-            {
-                /*a velocity that the feedback has added must not stay*/
-                (*cspan_at(&correction, i)) = (-(*cspan_at(&memory, INT64_C(3), i))) / span_max((*cspan_at(&parameters, INT64_C(10))), (*cspan_at(&parameters, INT64_C(1))));
-            }
-        }
-        return;
-    }
+    length = (*cspan_at(&memory, INT64_C(10), INT64_C(0) + INT64_C(2)));
+    deviation = span_row(&memory, INT64_C(7));
+    target = span_row(&memory, INT64_C(8));
     for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
     {
-        (*cspan_at(&memory, INT64_C(8), i)) = 0.0;
+        (*cspan_at(&target, i)) = 0.0;
     }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        (*cspan_at(&memory, INT64_C(7), i)) = (*cspan_at(&memory, i, INT64_C(0)));
-        (*cspan_at(&memory, INT64_C(7), INT64_C(5) + i)) = (*cspan_at(&memory, i, INT64_C(2)));
+        (*cspan_at(&deviation, INT64_C(0) + i)) = (*cspan_at(&memory, INT64_C(0) + i, INT64_C(0)));
+        (*cspan_at(&deviation, INT64_C(5) + i)) = (*cspan_at(&memory, INT64_C(0) + i, INT64_C(2)));
     }
     slant = 0.0;
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
+        estimate = span_row(&memory, INT64_C(0) + i);
         sign = 1.0 - 2.0 * i;
-        angle = (*cspan_at(&parameters, INT64_C(8))) * (*cspan_at(&memory, i, INT64_C(5))) / (*cspan_at(&parameters, INT64_C(6)));
-        (*cspan_at(&memory, INT64_C(7), i)) = (*cspan_at(&memory, INT64_C(7), i)) + length * angle;
-        (*cspan_at(&memory, INT64_C(7), INT64_C(3) + i)) = sign * ((*cspan_at(&memory, i, INT64_C(1))) - angle);
-        (*cspan_at(&memory, INT64_C(7), INT64_C(8) + i)) = sign * (*cspan_at(&memory, i, INT64_C(3)));
+        rejected = (*cspan_at(&parameters, INT64_C(8))) * (*cspan_at(&estimate, INT64_C(5)));
+        angle = rejected / (*cspan_at(&parameters, INT64_C(6)));
+        (*cspan_at(&deviation, INT64_C(0) + i)) = (*cspan_at(&deviation, INT64_C(0) + i)) + length * angle;
+        (*cspan_at(&deviation, INT64_C(3) + i)) = sign * ((*cspan_at(&estimate, INT64_C(1))) - angle);
+        (*cspan_at(&deviation, INT64_C(8) + i)) = sign * (*cspan_at(&estimate, INT64_C(3)));
         slant = slant + 0.5 * length * angle * angle;
     }
     /*the first argument's length chooses the gains, the difference is the deviation*/
-    (*cspan_at(&memory, INT64_C(8), INT64_C(2))) = length - (*cspan_at(&memory, INT64_C(7), INT64_C(2))) + slant;
-    (*cspan_at(&memory, INT64_C(7), INT64_C(2))) = length;
-    segfmu_feedback_correction(span_row(&memory, INT64_C(7)), span_row(&memory, INT64_C(8)), gain_lengths, gains, correction);
-    if ((*cspan_at(&parameters, INT64_C(0))) < 0.5)
+    (*cspan_at(&target, INT64_C(0) + INT64_C(2))) = length - (*cspan_at(&deviation, INT64_C(0) + INT64_C(2))) + slant;
+    (*cspan_at(&deviation, INT64_C(0) + INT64_C(2))) = length;
+}
+/*Forces that also reject the estimated disturbances.*/
+static void track_forces(array_double_1d parameters, array_double_2d memory, array_double_1d correction)
+{
+    double rejected;
+    double payload;
+    int64_t i;
+    array_double_1d estimate;
+    double mass;
+    double pull;
+    double drift;
+    double rope;
+    double share;
+    rejected = (*cspan_at(&parameters, INT64_C(7)));
+    payload = (*cspan_at(&parameters, INT64_C(3) + INT64_C(2)));
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
-        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+        estimate = span_row(&memory, INT64_C(0) + i);
+        mass = rejected * (*cspan_at(&parameters, INT64_C(3) + i));
+        pull = (*cspan_at(&parameters, INT64_C(8))) * payload * (*cspan_at(&estimate, INT64_C(5)));
+        (*cspan_at(&correction, i)) = (*cspan_at(&correction, i)) - mass * (*cspan_at(&estimate, INT64_C(4))) - pull;
+    }
+    drift = (*cspan_at(&memory, INT64_C(0) + INT64_C(2), INT64_C(4)));
+    rope = (*cspan_at(&correction, INT64_C(2))) / (*cspan_at(&parameters, INT64_C(18))) - rejected * drift;
+    share = (*cspan_at(&memory, INT64_C(5), INT64_C(3)));
+    rope = (1.0 + share) * rope - share * (*cspan_at(&parameters, INT64_C(6)));
+    (*cspan_at(&correction, INT64_C(2))) = payload * rope;
+}
+/*Feedback on the estimated deviation; correction (3) [N] or [m/s2]. */
+static void track_law(array_double_1d parameters, array_double_3d gains, array_double_2d memory, array_double_1d correction)
+{
+    bool driven;
+    int64_t i;
+    double added;
+    double fade;
+    driven = (int64_t)((*cspan_at(&parameters, INT64_C(0)))) == INT64_C(1);
+    if (!track_acts(parameters, memory))
+    {
+        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
         {
-            mass = (*cspan_at(&parameters, INT64_C(7))) * (*cspan_at(&parameters, INT64_C(3) + i));
-            pull = (*cspan_at(&parameters, INT64_C(8))) * (*cspan_at(&parameters, INT64_C(5))) * (*cspan_at(&memory, i, INT64_C(5)));
-            (*cspan_at(&correction, i)) = (*cspan_at(&correction, i)) - mass * (*cspan_at(&memory, i, INT64_C(4))) - pull;
+            (*cspan_at(&correction, i)) = 0.0;
+            if (driven)
+            {
+                /*a velocity that the feedback has added must not stay*/
+                added = (*cspan_at(&memory, INT64_C(3), INT64_C(0) + i));
+                fade = span_max((*cspan_at(&parameters, INT64_C(10))), (*cspan_at(&parameters, INT64_C(1))));
+                (*cspan_at(&correction, i)) = (-added) / fade;
+            }
         }
-        rope = (*cspan_at(&correction, INT64_C(2))) / (*cspan_at(&parameters, INT64_C(18))) - (*cspan_at(&parameters, INT64_C(7))) * (*cspan_at(&memory, INT64_C(2), INT64_C(4)));
-        share = (*cspan_at(&memory, INT64_C(5), INT64_C(3)));
-        (*cspan_at(&correction, INT64_C(2))) = (*cspan_at(&parameters, INT64_C(5))) * ((1.0 + share) * rope - share * (*cspan_at(&parameters, INT64_C(6))));
+        return;
+    }
+    track_deviation(parameters, memory);
+    segfmu_feedback_correction(span_row(&memory, INT64_C(7)), span_row(&memory, INT64_C(8)), gains, correction);
+    if (!driven)
+    {
+        track_forces(parameters, memory, correction);
     }
 }
 /*The rope's acceleration that its force asked for, within limits; estimate of the payload.*/
 static void track_hoist(array_double_1d parameters, array_double_2d memory)
 {
+    double gravity;
+    array_double_1d held;
     double share;
+    double force;
     double rope;
+    gravity = (*cspan_at(&parameters, INT64_C(6)));
+    held = span_row(&memory, INT64_C(4));
     share = (*cspan_at(&memory, INT64_C(5), INT64_C(3)));
-    rope = ((*cspan_at(&memory, INT64_C(4), INT64_C(5))) / (*cspan_at(&parameters, INT64_C(5))) + share * (*cspan_at(&parameters, INT64_C(6)))) / (1.0 + share);
-    (*cspan_at(&memory, INT64_C(4), INT64_C(2))) = rope;
-    if (((*cspan_at(&parameters, INT64_C(9))) > 0.5) && ((*cspan_at(&memory, INT64_C(4), INT64_C(6))) > 0.5))
+    force = (*cspan_at(&held, INT64_C(3) + INT64_C(2)));
+    rope = (force / (*cspan_at(&parameters, INT64_C(3) + INT64_C(2))) + share * gravity) / (1.0 + share);
+    (*cspan_at(&held, INT64_C(0) + INT64_C(2))) = rope;
+    if (track_acts(parameters, memory))
     {
-        share = share - (*cspan_at(&parameters, INT64_C(19))) * (1.0 + share) * rope / (*cspan_at(&parameters, INT64_C(6)));
+        share = share - (*cspan_at(&parameters, INT64_C(19))) * (1.0 + share) * rope / gravity;
         (*cspan_at(&memory, INT64_C(5), INT64_C(3))) = span_min(span_max(share, -0.98), 9.0);
     }
 }
-/*Correction (3) of the setpoints at a tick, held until the next one.                                */
-/*                                                                                                   */
-/*    measured (5), reference (10) at this tick; feedforward (3) is what the correction is added to, */
-/*    and counts for the limits alone. lengths and table are the observer's, gain_lengths and gains  */
-/*    the feedback's.                                                                                */
-/*                                                                                                   */
-void segfmu_track_setpoint(array_double_1d parameters, array_double_1d lengths, array_double_3d table, array_double_1d gain_lengths, array_double_3d gains, array_double_1d measured, array_double_1d reference, array_double_1d feedforward, array_double_2d memory, array_double_1d correction)
+/*Correction of the setpoints at a tick, held until the next one; its value goes to `tick`.*/
+/*                                                                                         */
+/*    What the correction is added to counts for the limits alone.                         */
+/*                                                                                         */
+void segfmu_track_setpoint(array_double_1d parameters, array_double_3d table, array_double_3d gains, array_double_2d tick, array_double_2d memory)
 {
+    array_double_1d correction;
+    array_double_1d held;
+    array_double_1d step;
     int64_t i;
+    double feedforward;
     double total;
-    track_offset(parameters, measured, reference, memory);
-    track_observe(parameters, lengths, table, span_row(&memory, INT64_C(21)), reference, memory);
-    track_law(parameters, (*cspan_at(&memory, INT64_C(21), INT64_C(2))), gain_lengths, gains, memory, correction);
+    correction = span_row(&tick, INT64_C(3));
+    held = span_row(&memory, INT64_C(4));
+    step = span_row(&memory, INT64_C(5));
+    track_offset(parameters, tick, memory);
+    track_observe(parameters, table, span_row(&tick, INT64_C(1)), memory);
+    track_law(parameters, gains, memory, correction);
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
+        feedforward = (*cspan_at(&tick, INT64_C(2), i));
         if ((*cspan_at(&memory, INT64_C(3), INT64_C(4))) > 0.5)
         {
             /*bumpless: what a switch would jump by fades out instead*/
-            (*cspan_at(&memory, INT64_C(5), i)) = (*cspan_at(&memory, INT64_C(4), INT64_C(3) + i)) - (*cspan_at(&correction, i));
+            (*cspan_at(&step, INT64_C(0) + i)) = (*cspan_at(&held, INT64_C(3) + i)) - (*cspan_at(&correction, i));
         }
-        (*cspan_at(&memory, INT64_C(5), i)) = (*cspan_at(&parameters, INT64_C(11))) * (*cspan_at(&memory, INT64_C(5), i));
-        total = (*cspan_at(&feedforward, i)) + (*cspan_at(&correction, i)) + (*cspan_at(&memory, INT64_C(5), i));
+        (*cspan_at(&step, INT64_C(0) + i)) = (*cspan_at(&parameters, INT64_C(11))) * (*cspan_at(&step, INT64_C(0) + i));
+        total = feedforward + (*cspan_at(&correction, i)) + (*cspan_at(&step, INT64_C(0) + i));
         total = span_min(span_max(total, (*cspan_at(&parameters, INT64_C(12) + i))), (*cspan_at(&parameters, INT64_C(15) + i)));
-        (*cspan_at(&correction, i)) = total - (*cspan_at(&feedforward, i));
+        (*cspan_at(&correction, i)) = total - feedforward;
         /*the observer gets what remains within the limits, so nothing winds up*/
-        (*cspan_at(&memory, INT64_C(4), INT64_C(3) + i)) = (*cspan_at(&correction, i));
-        (*cspan_at(&memory, INT64_C(4), i)) = (*cspan_at(&correction, i));
+        (*cspan_at(&held, INT64_C(3) + i)) = (*cspan_at(&correction, i));
+        (*cspan_at(&held, INT64_C(0) + i)) = (*cspan_at(&correction, i));
     }
-    if ((*cspan_at(&parameters, INT64_C(0))) < 0.5)
+    if ((int64_t)((*cspan_at(&parameters, INT64_C(0)))) == INT64_C(0))
     {
         track_hoist(parameters, memory);
     }
     (*cspan_at(&memory, INT64_C(3), INT64_C(4))) = 0.0;
 }
-/*Right-hand side of (1): derivative of the state under forces on every coordinate.*/
-void segfmu_crane_rhs(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_1d derivative)
-{
-    double l;
-    double phi_x;
-    double phi_y;
-    double x_t_rate;
-    double y_t_rate;
-    double l_rate;
-    double phi_x_rate;
-    double phi_y_rate;
-    double f_x_t;
-    double f_y_t;
-    double f_l;
-    double f_phi_x;
-    double f_phi_y;
-    double w_x;
-    double w_y;
-    double w_z;
-    double c0;
-    double c1;
-    double c2;
-    double c3;
-    double c4;
-    double c5;
-    double c6;
-    double c7;
-    double c8;
-    double c9;
-    double c10;
-    double c11;
-    double c12;
-    double c13;
-    double c14;
-    double c15;
-    double c16;
-    double c17;
-    double c18;
-    double c19;
-    double c20;
-    double c21;
-    double c22;
-    double c23;
-    double c24;
-    double c25;
-    double c26;
-    double c27;
-    double c28;
-    l = (*cspan_at(&state, INT64_C(2)));
-    phi_x = (*cspan_at(&state, INT64_C(3)));
-    phi_y = (*cspan_at(&state, INT64_C(4)));
-    x_t_rate = (*cspan_at(&state, INT64_C(5)));
-    y_t_rate = (*cspan_at(&state, INT64_C(6)));
-    l_rate = (*cspan_at(&state, INT64_C(7)));
-    phi_x_rate = (*cspan_at(&state, INT64_C(8)));
-    phi_y_rate = (*cspan_at(&state, INT64_C(9)));
-    f_x_t = (*cspan_at(&generalized_force, INT64_C(0)));
-    f_y_t = (*cspan_at(&generalized_force, INT64_C(1)));
-    f_l = (*cspan_at(&generalized_force, INT64_C(2)));
-    f_phi_x = (*cspan_at(&generalized_force, INT64_C(3)));
-    f_phi_y = (*cspan_at(&generalized_force, INT64_C(4)));
-    w_x = (*cspan_at(&load_force, INT64_C(0)));
-    w_y = (*cspan_at(&load_force, INT64_C(1)));
-    w_z = (*cspan_at(&load_force, INT64_C(2)));
-    c0 = INT64_C(1) / (bridge_mass + trolley_mass);
-    c1 = sin(phi_x);
-    c2 = cos(phi_x);
-    c3 = INT64_C(1) / l;
-    c4 = c3 * f_phi_x;
-    c5 = c1 * f_l + c2 * c4;
-    c6 = c5 - f_x_t;
-    c7 = sin(phi_y);
-    c8 = c2 * c7;
-    c9 = cos(phi_y);
-    c10 = c3 / c2;
-    c11 = c10 * f_phi_y;
-    c12 = c1 * c7;
-    c13 = c11 * c9 - c12 * c4 + c8 * f_l;
-    c14 = (c13 + f_y_t) / trolley_mass;
-    c15 = c2 * l_rate;
-    c16 = c1 * phi_x_rate;
-    c17 = c16 * l;
-    c18 = INT64_C(1) / payload_mass;
-    c19 = (-c0) * c6 + c15 * phi_x_rate - c18 * (c5 + w_x) + phi_x_rate * ((-c17) + c2 * l_rate);
-    c20 = c8 * phi_y_rate;
-    c21 = c1 * l_rate;
-    c22 = c2 * c9;
-    c23 = l * phi_x_rate;
-    c24 = l * phi_y_rate;
-    c25 = c22 * phi_y_rate;
-    c26 = c1 * c9;
-    c27 = (-c18) * (c11 * c7 - c22 * f_l + c26 * c4 + w_z) + gravity + l_rate * (c16 * c9 + c20) + phi_x_rate * ((-c12) * c24 + c21 * c9 + c22 * c23) + phi_y_rate * (c15 * c7 - c17 * c7 + c25 * l);
-    c28 = c14 - c18 * ((-c13) + w_y) + l_rate * (c16 * c7 - c25) + phi_x_rate * (c21 * c7 + c23 * c8 + c24 * c26) + phi_y_rate * ((-c15) * c9 + c17 * c9 + c20 * l);
-    (*cspan_at(&derivative, INT64_C(0))) = x_t_rate;
-    (*cspan_at(&derivative, INT64_C(1))) = y_t_rate;
-    (*cspan_at(&derivative, INT64_C(2))) = l_rate;
-    (*cspan_at(&derivative, INT64_C(3))) = phi_x_rate;
-    (*cspan_at(&derivative, INT64_C(4))) = phi_y_rate;
-    (*cspan_at(&derivative, INT64_C(5))) = (-c0) * c6;
-    (*cspan_at(&derivative, INT64_C(6))) = c14;
-    (*cspan_at(&derivative, INT64_C(7))) = (-c1) * c19 + c22 * c27 + c28 * c8;
-    (*cspan_at(&derivative, INT64_C(8))) = (-c3) * (c12 * c28 + c19 * c2 + c26 * c27);
-    (*cspan_at(&derivative, INT64_C(9))) = c10 * ((-c27) * c7 + c28 * c9);
-}
-/*The same for given accelerations of bridge, trolley and rope; force: what they need. */
-void segfmu_crane_driven(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_1d derivative, array_double_1d force)
-{
-    double l;
-    double phi_x;
-    double phi_y;
-    double x_t_rate;
-    double y_t_rate;
-    double l_rate;
-    double phi_x_rate;
-    double phi_y_rate;
-    double a_x;
-    double a_y;
-    double a_l;
-    double f_phi_x;
-    double f_phi_y;
-    double w_x;
-    double w_y;
-    double w_z;
-    double c0;
-    double c1;
-    double c2;
-    double c3;
-    double c4;
-    double c5;
-    double c6;
-    double c7;
-    double c8;
-    double c9;
-    double c10;
-    double c11;
-    double c12;
-    double c13;
-    double c14;
-    double c15;
-    double c16;
-    double c17;
-    double c18;
-    double c19;
-    double c20;
-    double c21;
-    double c22;
-    double c23;
-    double c24;
-    double c25;
-    double c26;
-    double c27;
-    double c28;
-    double c29;
-    double c30;
-    double c31;
-    double c32;
-    double c33;
-    double c34;
-    l = (*cspan_at(&state, INT64_C(2)));
-    phi_x = (*cspan_at(&state, INT64_C(3)));
-    phi_y = (*cspan_at(&state, INT64_C(4)));
-    x_t_rate = (*cspan_at(&state, INT64_C(5)));
-    y_t_rate = (*cspan_at(&state, INT64_C(6)));
-    l_rate = (*cspan_at(&state, INT64_C(7)));
-    phi_x_rate = (*cspan_at(&state, INT64_C(8)));
-    phi_y_rate = (*cspan_at(&state, INT64_C(9)));
-    a_x = (*cspan_at(&carriage, INT64_C(0)));
-    a_y = (*cspan_at(&carriage, INT64_C(1)));
-    a_l = (*cspan_at(&carriage, INT64_C(2)));
-    f_phi_x = (*cspan_at(&generalized_force, INT64_C(3)));
-    f_phi_y = (*cspan_at(&generalized_force, INT64_C(4)));
-    w_x = (*cspan_at(&load_force, INT64_C(0)));
-    w_y = (*cspan_at(&load_force, INT64_C(1)));
-    w_z = (*cspan_at(&load_force, INT64_C(2)));
-    c0 = INT64_C(1) / (l * l);
-    c1 = INT64_C(1) / payload_mass;
-    c2 = cos(phi_x);
-    c3 = sin(phi_x);
-    c4 = c3 * phi_x_rate;
-    c5 = c4 * l;
-    c6 = (-c2) * l_rate + c5;
-    c7 = c2 * l_rate;
-    c8 = a_l * c3 + a_x + c7 * phi_x_rate;
-    c9 = (-c1) * w_x + c8;
-    c10 = c2 * l;
-    c11 = sin(phi_y);
-    c12 = cos(phi_y);
-    c13 = c2 * phi_y_rate;
-    c14 = c3 * l_rate;
-    c15 = c10 * c11;
-    c16 = c3 * l;
-    c17 = c12 * phi_y_rate;
-    c18 = a_l * c2;
-    c19 = a_y - c11 * c18 + l_rate * (c11 * c4 - c12 * c13) + phi_x_rate * (c11 * c14 + c15 * phi_x_rate + c16 * c17) + phi_y_rate * (c12 * c5 - c12 * c7 + c15 * phi_y_rate);
-    c20 = (-c1) * w_y + c19;
-    c21 = c11 * c16;
-    c22 = c10 * c12;
-    c23 = (-c1) * w_z - c12 * c18 + gravity + l_rate * (c11 * c13 + c12 * c4) + phi_x_rate * (c12 * c14 - c21 * phi_y_rate + c22 * phi_x_rate) + phi_y_rate * (c10 * c17 - c11 * c5 + c11 * c7);
-    c24 = (-c1) * f_phi_x + c10 * ((-c6) * phi_x_rate + c9) + c12 * c16 * c23 + c20 * c21;
-    c25 = c1 * f_phi_y - c15 * c23 + c20 * c22;
-    c26 = (-c6) * phi_x_rate;
-    c27 = INT64_C(1) / l;
-    c28 = c2 * c27;
-    c29 = c12 * c27;
-    c30 = c25 / c2;
-    c31 = (-c29) * c30;
-    c32 = c11 * c27;
-    c33 = c3 * c32;
-    c34 = -c24;
-    (*cspan_at(&derivative, INT64_C(0))) = x_t_rate;
-    (*cspan_at(&derivative, INT64_C(1))) = y_t_rate;
-    (*cspan_at(&derivative, INT64_C(2))) = l_rate;
-    (*cspan_at(&derivative, INT64_C(3))) = phi_x_rate;
-    (*cspan_at(&derivative, INT64_C(4))) = phi_y_rate;
-    (*cspan_at(&derivative, INT64_C(5))) = a_x;
-    (*cspan_at(&derivative, INT64_C(6))) = a_y;
-    (*cspan_at(&derivative, INT64_C(7))) = a_l;
-    (*cspan_at(&derivative, INT64_C(8))) = (-c0) * c24;
-    (*cspan_at(&derivative, INT64_C(9))) = c0 * c25 / (c2 * c2);
-    (*cspan_at(&force, INT64_C(0))) = a_x * (bridge_mass + trolley_mass) + payload_mass * ((-c24) * c28 + c26 + c8) - w_x;
-    (*cspan_at(&force, INT64_C(1))) = a_y * trolley_mass + payload_mass * (c19 - c24 * c33 + c31) - w_y;
-    (*cspan_at(&force, INT64_C(2))) = payload_mass * ((-c11) * c2 * (c20 + c31 + c33 * c34) - c12 * c2 * (c23 + c29 * c3 * c34 + c30 * c32) + c3 * (c26 + c28 * c34 + c9));
-}
-/*Flat inverse (7): flat[d, i] is the d-th derivative of the load's position in axis i.*/
-void segfmu_crane_flat_inverse(array_double_2d flat, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_1d force, array_double_1d state, array_double_1d acceleration)
-{
-    double p0x;
-    double p0y;
-    double p0z;
-    double p1x;
-    double p1y;
-    double p1z;
-    double p2x;
-    double p2y;
-    double p2z;
-    double p3x;
-    double p3y;
-    double p3z;
-    double p4x;
-    double p4y;
-    double p4z;
-    double c0;
-    double c1;
-    double c2;
-    double c3;
-    double c4;
-    double c5;
-    double c6;
-    double c7;
-    double c8;
-    double c9;
-    double c10;
-    double c11;
-    double c12;
-    double c13;
-    double c14;
-    double c15;
-    double c16;
-    double c17;
-    double c18;
-    double c19;
-    double c20;
-    double c21;
-    double c22;
-    double c23;
-    double c24;
-    double c25;
-    double c26;
-    double c27;
-    double c28;
-    double c29;
-    double c30;
-    double c31;
-    double c32;
-    double c33;
-    double c34;
-    double c35;
-    double c36;
-    double c37;
-    double c38;
-    double c39;
-    double c40;
-    double c41;
-    double c42;
-    double c43;
-    double c44;
-    double c45;
-    double c46;
-    double c47;
-    double c48;
-    double c49;
-    double c50;
-    double c51;
-    double c52;
-    double c53;
-    double c54;
-    double c55;
-    double c56;
-    double c57;
-    double c58;
-    double c59;
-    double c60;
-    double c61;
-    double c62;
-    double c63;
-    double c64;
-    double c65;
-    double c66;
-    double c67;
-    p0x = (*cspan_at(&flat, INT64_C(0), INT64_C(0)));
-    p0y = (*cspan_at(&flat, INT64_C(0), INT64_C(1)));
-    p0z = (*cspan_at(&flat, INT64_C(0), INT64_C(2)));
-    p1x = (*cspan_at(&flat, INT64_C(1), INT64_C(0)));
-    p1y = (*cspan_at(&flat, INT64_C(1), INT64_C(1)));
-    p1z = (*cspan_at(&flat, INT64_C(1), INT64_C(2)));
-    p2x = (*cspan_at(&flat, INT64_C(2), INT64_C(0)));
-    p2y = (*cspan_at(&flat, INT64_C(2), INT64_C(1)));
-    p2z = (*cspan_at(&flat, INT64_C(2), INT64_C(2)));
-    p3x = (*cspan_at(&flat, INT64_C(3), INT64_C(0)));
-    p3y = (*cspan_at(&flat, INT64_C(3), INT64_C(1)));
-    p3z = (*cspan_at(&flat, INT64_C(3), INT64_C(2)));
-    p4x = (*cspan_at(&flat, INT64_C(4), INT64_C(0)));
-    p4y = (*cspan_at(&flat, INT64_C(4), INT64_C(1)));
-    p4z = (*cspan_at(&flat, INT64_C(4), INT64_C(2)));
-    c0 = gravity + p2z;
-    c1 = INT64_C(1) / c0;
-    c2 = c1 * p0z;
-    c3 = c1 * p2z;
-    c4 = p0z * p4z;
-    c5 = c0 * c0;
-    c6 = INT64_C(1) / c5;
-    c7 = c6 * p2x;
-    c8 = c1 * p3z;
-    c9 = c8 * p2x;
-    c10 = c1 * p1z;
-    c11 = c1 * (c8 * p0z - p1z);
-    c12 = p0z * p3x;
-    c13 = p1z * p2x;
-    c14 = c6 * p3z;
-    c15 = c10 * (c9 - p3x) + c11 * p3x + c14 * (c12 + c13 - INT64_C(2) * c9 * p0z) - c2 * p4x - c3 * p2x + c4 * c7 + p2x;
-    c16 = p2y * p4z;
-    c17 = c6 * p0z;
-    c18 = p2y * p3z;
-    c19 = p0z * p3y;
-    c20 = p1z * p2y;
-    c21 = INT64_C(2) * c18;
-    c22 = c10 * (c1 * c18 - p3y) + c11 * p3y + c14 * (c19 - c2 * c21 + c20) + c16 * c17 - c2 * p4y - c3 * p2y + p2y;
-    c23 = p2x * p2x;
-    c24 = p2y * p2y;
-    c25 = c24 + c5;
-    c26 = c23 + c25;
-    c27 = sqrt(c26);
-    c28 = sqrt(c25);
-    c29 = p0z * p2x;
-    c30 = c1 * c12;
-    c31 = (-c1) * c13 - c30;
-    c32 = c1 * c19;
-    c33 = (-c1) * c20 - c32;
-    c34 = INT64_C(1) / c27;
-    c35 = c1 * c34;
-    c36 = c12 * p2x;
-    c37 = c19 * p2y;
-    c38 = c27 * c6;
-    c39 = c34 - c38;
-    c40 = p0z * p3z;
-    c41 = INT64_C(1) / c26;
-    c42 = c28 * p3x;
-    c43 = INT64_C(1) / c28;
-    c44 = c43 * p2y;
-    c45 = c44 * p3y;
-    c46 = c0 * c43;
-    c47 = c46 * p3z;
-    c48 = INT64_C(1) / c25;
-    c49 = c35 * p2y;
-    c50 = c41 + c6;
-    c51 = c30 * c41;
-    c52 = c32 * c41;
-    c53 = p2x * p2y;
-    c54 = INT64_C(1) / (c26 * sqrt(c26));
-    c55 = c44 * p2x;
-    c56 = c46 * p2x;
-    c57 = INT64_C(2) * c41;
-    c58 = c42 * c57;
-    c59 = c23 * c57;
-    c60 = c43 * p2x;
-    c61 = c60 * p3y;
-    c62 = p2x / (c25 * sqrt(c25));
-    c63 = c0 * c18;
-    c64 = c60 * p3z;
-    c65 = c0 * p3y;
-    c66 = c65 * p2y;
-    c67 = INT64_C(2) * c48;
-    (*cspan_at(&force, INT64_C(0))) = c15 * (bridge_mass + trolley_mass) + p2x * payload_mass;
-    (*cspan_at(&force, INT64_C(1))) = c22 * trolley_mass + p2y * payload_mass;
-    (*cspan_at(&force, INT64_C(2))) = (-c27) * payload_mass;
-    (*cspan_at(&state, INT64_C(0))) = (-c2) * p2x + p0x;
-    (*cspan_at(&state, INT64_C(1))) = (-c2) * p2y + p0y;
-    (*cspan_at(&state, INT64_C(2))) = (-c2) * c27;
-    (*cspan_at(&state, INT64_C(3))) = atan2(-p2x, c28);
-    (*cspan_at(&state, INT64_C(4))) = atan2(p2y, c0);
-    (*cspan_at(&state, INT64_C(5))) = c14 * c29 + c31 + p1x;
-    (*cspan_at(&state, INT64_C(6))) = c17 * c18 + c33 + p1y;
-    (*cspan_at(&state, INT64_C(7))) = (-c10) * c27 - c35 * c36 - c35 * c37 - c39 * c40;
-    (*cspan_at(&state, INT64_C(8))) = c41 * ((-c42) + c45 * p2x + c47 * p2x);
-    (*cspan_at(&state, INT64_C(9))) = c48 * (c0 * p3y - c18);
-    (*cspan_at(&acceleration, INT64_C(0))) = c15;
-    (*cspan_at(&acceleration, INT64_C(1))) = c22;
-    (*cspan_at(&acceleration, INT64_C(2))) = (-c27) * c3 - c29 * c35 * p4x + c34 * p3x * (c23 * c51 + c31 + c40 * c50 * p2x + c52 * c53) + c34 * p3y * (c18 * c50 * p0z + c24 * c52 + c33 + c51 * c53) - c39 * c4 - c49 * p0z * p4y - p1z * (c35 * p2x * p3x + c39 * p3z + c49 * p3y) + p3z * (c12 * c34 * c7 + c34 * c37 * c6 - c34 * p1z + c36 * c54 + c37 * c54 + c38 * p1z - c40 * ((-c0) * c54 - c35 + INT64_C(2) * c27 / (c0 * c0 * c0)));
-    (*cspan_at(&acceleration, INT64_C(3))) = c41 * ((-c28) * p4x + c55 * p4y + c56 * p4z + p3x * ((-c45) * c59 + c45 - c47 * c59 + c47 + c58 * p2x) - p3y * (c21 * c41 * c56 + c24 * c57 * c61 + c24 * c62 * p3y + c44 * p3x - c58 * p2y - c61 + c62 * c63) - p3z * ((-c0) * c58 + c46 * p3x + c5 * c57 * c64 + c5 * c62 * p3z + c55 * c57 * c65 + c62 * c66 - c64));
-    (*cspan_at(&acceleration, INT64_C(4))) = c48 * (c0 * p4y - c16 - p3y * ((-c24) * c67 * p3z + c66 * c67 + p3z) + p3z * ((-c5) * c67 * p3y + c63 * c67 + p3y));
-}
-/*Position load[0] and velocity load[1] of the load, (16). */
-void segfmu_crane_load(array_double_1d state, array_double_2d load)
-{
-    double x_t;
-    double y_t;
-    double l;
-    double phi_x;
-    double phi_y;
-    double x_t_rate;
-    double y_t_rate;
-    double l_rate;
-    double phi_x_rate;
-    double phi_y_rate;
-    double c0;
-    double c1;
-    double c2;
-    double c3;
-    double c4;
-    double c5;
-    double c6;
-    double c7;
-    double c8;
-    double c9;
-    x_t = (*cspan_at(&state, INT64_C(0)));
-    y_t = (*cspan_at(&state, INT64_C(1)));
-    l = (*cspan_at(&state, INT64_C(2)));
-    phi_x = (*cspan_at(&state, INT64_C(3)));
-    phi_y = (*cspan_at(&state, INT64_C(4)));
-    x_t_rate = (*cspan_at(&state, INT64_C(5)));
-    y_t_rate = (*cspan_at(&state, INT64_C(6)));
-    l_rate = (*cspan_at(&state, INT64_C(7)));
-    phi_x_rate = (*cspan_at(&state, INT64_C(8)));
-    phi_y_rate = (*cspan_at(&state, INT64_C(9)));
-    c0 = sin(phi_x);
-    c1 = c0 * l;
-    c2 = sin(phi_y);
-    c3 = cos(phi_x);
-    c4 = c3 * l;
-    c5 = c2 * c4;
-    c6 = cos(phi_y);
-    c7 = c4 * c6;
-    c8 = c3 * l_rate;
-    c9 = c1 * phi_x_rate;
-    (*cspan_at(&load, INT64_C(0), INT64_C(0))) = c1 + x_t;
-    (*cspan_at(&load, INT64_C(0), INT64_C(1))) = (-c5) + y_t;
-    (*cspan_at(&load, INT64_C(0), INT64_C(2))) = -c7;
-    (*cspan_at(&load, INT64_C(1), INT64_C(0))) = c0 * l_rate + c4 * phi_x_rate + x_t_rate;
-    (*cspan_at(&load, INT64_C(1), INT64_C(1))) = (-c2) * c8 + c2 * c9 - c7 * phi_y_rate + y_t_rate;
-    (*cspan_at(&load, INT64_C(1), INT64_C(2))) = c5 * phi_y_rate - c6 * c8 + c6 * c9;
-}
-/*Kinetic and potential energy, (17a) and (17b). */
-void segfmu_crane_energy(array_double_1d state, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_1d energy)
-{
-    double l;
-    double phi_x;
-    double phi_y;
-    double x_t_rate;
-    double y_t_rate;
-    double l_rate;
-    double phi_x_rate;
-    double phi_y_rate;
-    double c0;
-    double c1;
-    double c2;
-    double c3;
-    double c4;
-    double c5;
-    double c6;
-    double c7;
-    double c8;
-    double c9;
-    double c10;
-    double c11;
-    double c12;
-    l = (*cspan_at(&state, INT64_C(2)));
-    phi_x = (*cspan_at(&state, INT64_C(3)));
-    phi_y = (*cspan_at(&state, INT64_C(4)));
-    x_t_rate = (*cspan_at(&state, INT64_C(5)));
-    y_t_rate = (*cspan_at(&state, INT64_C(6)));
-    l_rate = (*cspan_at(&state, INT64_C(7)));
-    phi_x_rate = (*cspan_at(&state, INT64_C(8)));
-    phi_y_rate = (*cspan_at(&state, INT64_C(9)));
-    c0 = x_t_rate * x_t_rate;
-    c1 = sin(phi_x);
-    c2 = cos(phi_x);
-    c3 = l * phi_x_rate;
-    c4 = cos(phi_y);
-    c5 = c2 * l_rate;
-    c6 = c1 * c3;
-    c7 = sin(phi_y);
-    c8 = c2 * l;
-    c9 = c8 * phi_y_rate;
-    c10 = c1 * l_rate + c2 * c3 + x_t_rate;
-    c11 = (-c4) * c5 + c4 * c6 + c7 * c9;
-    c12 = (-c4) * c9 - c5 * c7 + c6 * c7 + y_t_rate;
-    (*cspan_at(&energy, INT64_C(0))) = 1.0 / 2.0 * bridge_mass * c0 + 1.0 / 2.0 * payload_mass * (c10 * c10 + c11 * c11 + c12 * c12) + 1.0 / 2.0 * trolley_mass * (c0 + y_t_rate * y_t_rate);
-    (*cspan_at(&energy, INT64_C(1))) = (-c4) * c8 * gravity * payload_mass;
-}
 /*Accelerations (5) by the state (10), generalised forces (5) and load forces (3). */
-static void crane_rhs_partials(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d partials)
+static void crane_rhs_partials(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_2d partials)
 {
     double l;
     double phi_x;
@@ -1747,6 +2404,10 @@ static void crane_rhs_partials(array_double_1d state, array_double_1d generalize
     double l_rate;
     double phi_x_rate;
     double phi_y_rate;
+    double bridge_mass;
+    double trolley_mass;
+    double payload_mass;
+    double gravity;
     double f_x_t;
     double f_y_t;
     double f_l;
@@ -1874,6 +2535,10 @@ static void crane_rhs_partials(array_double_1d state, array_double_1d generalize
     l_rate = (*cspan_at(&state, INT64_C(7)));
     phi_x_rate = (*cspan_at(&state, INT64_C(8)));
     phi_y_rate = (*cspan_at(&state, INT64_C(9)));
+    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
+    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
+    payload_mass = (*cspan_at(&masses, INT64_C(2)));
+    gravity = (*cspan_at(&masses, INT64_C(3)));
     f_x_t = (*cspan_at(&generalized_force, INT64_C(0)));
     f_y_t = (*cspan_at(&generalized_force, INT64_C(1)));
     f_l = (*cspan_at(&generalized_force, INT64_C(2)));
@@ -2088,7 +2753,7 @@ static void crane_rhs_partials(array_double_1d state, array_double_1d generalize
 }
 /*Sway accelerations (2) and forces (3) by the state (10), the accelerations of bridge, trolley*/
 /*    and rope (3), the torques (2) and load forces (3).                                       */
-static void crane_driven_partials(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d partials)
+static void crane_driven_partials(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_2d partials)
 {
     double l;
     double phi_x;
@@ -2096,6 +2761,10 @@ static void crane_driven_partials(array_double_1d state, array_double_1d carriag
     double l_rate;
     double phi_x_rate;
     double phi_y_rate;
+    double bridge_mass;
+    double trolley_mass;
+    double payload_mass;
+    double gravity;
     double a_x;
     double a_y;
     double a_l;
@@ -2273,6 +2942,10 @@ static void crane_driven_partials(array_double_1d state, array_double_1d carriag
     l_rate = (*cspan_at(&state, INT64_C(7)));
     phi_x_rate = (*cspan_at(&state, INT64_C(8)));
     phi_y_rate = (*cspan_at(&state, INT64_C(9)));
+    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
+    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
+    payload_mass = (*cspan_at(&masses, INT64_C(2)));
+    gravity = (*cspan_at(&masses, INT64_C(3)));
     a_x = (*cspan_at(&carriage, INT64_C(0)));
     a_y = (*cspan_at(&carriage, INT64_C(1)));
     a_l = (*cspan_at(&carriage, INT64_C(2)));
@@ -2646,7 +3319,7 @@ void segfmu_crane_load_partials(array_double_1d state, array_double_2d partials)
     (*cspan_at(&partials, INT64_C(5), INT64_C(9))) = c14;
 }
 /*Kinetic and potential energy by the state (10).*/
-void segfmu_crane_energy_partials(array_double_1d state, double bridge_mass, double trolley_mass, double payload_mass, double gravity, array_double_2d partials)
+void segfmu_crane_energy_partials(array_double_1d state, array_double_1d masses, array_double_2d partials)
 {
     double l;
     double phi_x;
@@ -2656,6 +3329,10 @@ void segfmu_crane_energy_partials(array_double_1d state, double bridge_mass, dou
     double l_rate;
     double phi_x_rate;
     double phi_y_rate;
+    double bridge_mass;
+    double trolley_mass;
+    double payload_mass;
+    double gravity;
     double c0;
     double c1;
     double c2;
@@ -2688,6 +3365,10 @@ void segfmu_crane_energy_partials(array_double_1d state, double bridge_mass, dou
     l_rate = (*cspan_at(&state, INT64_C(7)));
     phi_x_rate = (*cspan_at(&state, INT64_C(8)));
     phi_y_rate = (*cspan_at(&state, INT64_C(9)));
+    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
+    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
+    payload_mass = (*cspan_at(&masses, INT64_C(2)));
+    gravity = (*cspan_at(&masses, INT64_C(3)));
     c0 = cos(phi_x);
     c1 = sin(phi_x);
     c2 = c1 * l_rate;
@@ -3109,378 +3790,28 @@ void segfmu_flat_derivatives(array_double_2d flat, int64_t order, array_double_1
     (*cspan_at(&found, INT64_C(0) + INT64_C(1))) = payload_mass * (*cspan_at(&flat, order + INT64_C(2), INT64_C(1))) + trolley_mass * (*cspan_at(&found, INT64_C(13) + INT64_C(1)));
     (*cspan_at(&found, INT64_C(0) + INT64_C(2))) = (-payload_mass) * scale * (*cspan_at(&s3, order));
 }
-/*Velocity setpoints, and forces in place, of bridge, trolley and hoist (3 each).                  */
-/*                                                                                                 */
-/*    velocity and acceleration [m/s], [m/s2] are those that shall happen. A lag v' = (v* - v) / T */
-/*    follows v exactly under v* = v + T v'; friction viscous v + coulomb tanh(v / width) is added */
-/*    to the forces.                                                                               */
-/*                                                                                                 */
-void segfmu_compensate_setpoints(array_double_1d velocity, array_double_1d acceleration, array_double_1d lag, array_double_1d viscous, array_double_1d coulomb, double width, array_double_1d force, array_double_1d setpoint)
-{
-    int64_t i;
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        (*cspan_at(&setpoint, i)) = (*cspan_at(&velocity, i)) + (*cspan_at(&lag, i)) * (*cspan_at(&acceleration, i));
-        (*cspan_at(&force, i)) = (*cspan_at(&force, i)) + (*cspan_at(&viscous, i)) * (*cspan_at(&velocity, i)) + (*cspan_at(&coulomb, i)) * tanh((*cspan_at(&velocity, i)) / width);
-    }
-}
-/*2 pi; C99 has no name for it.*/
-static double full_circle(void)
-{
-    double result;
-    return 6.283185307179586;
-}
-/*A number in the open interval (0, 1).*/
-double segfmu_next_uniform(array_double_1d numbers)
-{
-    double first;
-    double second;
-    double difference;
-    double result;
-    first = 40014.0 * (*cspan_at(&numbers, INT64_C(0)));
-    second = 40692.0 * (*cspan_at(&numbers, INT64_C(1)));
-    (*cspan_at(&numbers, INT64_C(0))) = first - (int64_t)floor(first / 2147483563.0) * 2147483563.0;
-    (*cspan_at(&numbers, INT64_C(1))) = second - (int64_t)floor(second / 2147483399.0) * 2147483399.0;
-    difference = (*cspan_at(&numbers, INT64_C(0))) - (*cspan_at(&numbers, INT64_C(1)));
-    if (difference < 1.0)
-    {
-        difference = difference + 2147483562.0;
-    }
-    return difference / 2147483563.0;
-}
-/*Start the random numbers; seed in 0 .. 2^31 - 1, numbers (2,) is their state.*/
-void segfmu_seed_numbers(int64_t seed, array_double_1d numbers)
-{
-    int64_t other;
-    int64_t Dummy_0000;
-    int64_t Dummy_0001;
-    double Dummy_0002;
-    other = seed * INT64_C(69069) + INT64_C(12345);
-    (*cspan_at(&numbers, INT64_C(0))) = 1.0 + seed - span_floor_div(seed, INT64_C(2147483562)) * INT64_C(2147483562);
-    (*cspan_at(&numbers, INT64_C(1))) = 1.0 + other - span_floor_div(other, INT64_C(2147483398)) * INT64_C(2147483398);
-    /*neighbouring seeds start alike*/
-    for (Dummy_0000 = INT64_C(0); Dummy_0000 < INT64_C(20); Dummy_0000 += INT64_C(1))
-    {
-        Dummy_0002 = segfmu_next_uniform(numbers);
-    }
-}
-/*A number of the standard normal distribution, by Box and Muller. */
-static double next_normal(array_double_1d numbers)
-{
-    double radius;
-    double result;
-    radius = sqrt((-2.0) * log(segfmu_next_uniform(numbers)));
-    result = radius * cos(full_circle() * segfmu_next_uniform(numbers));
-    return result;
-}
-/*Sines that add up to noise whose spectrum is flat up to a bandwidth [Hz] and zero above.           */
+/*Velocity setpoints, and forces in place, of bridge, trolley and hoist (3 each).                    */
 /*                                                                                                   */
-/*    deviation (3,): standard deviations along x, y, z. components (count, 7): angular frequency w, */
-/*    and along each axis the factors of sin(w t) (3) and of cos(w t) (3), a sine with a phase.      */
-/*    Spectral representation of M. Shinozuka and C.-M. Jan, J. Sound Vib. 25 (1972); the frequencies*/
-/*    lie at random in equal bands, so that the noise has no period.                                 */
+/*    velocity and acceleration [m/s], [m/s2] are those that shall happen; known: a `Compensation`. A*/
+/*    lag v' = (v* - v) / T follows v exactly under v* = v + T v'; friction viscous v + coulomb      */
+/*    tanh(v / width) is added to the forces.                                                        */
 /*                                                                                                   */
-void segfmu_noise_components(double bandwidth, array_double_1d deviation, array_double_1d numbers, array_double_2d components)
+void segfmu_compensate_setpoints(array_double_1d velocity, array_double_1d acceleration, array_double_1d known, array_double_1d force, array_double_1d setpoint)
 {
-    int64_t count;
+    double width;
     int64_t i;
-    int64_t axis;
-    double amplitude;
-    double phase;
-    count = components.shape[INT64_C(0)];
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        (*cspan_at(&components, i, INT64_C(0))) = full_circle() * bandwidth * (i + segfmu_next_uniform(numbers)) / count;
-        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-        {
-            amplitude = (*cspan_at(&deviation, axis)) * sqrt(2.0 / count);
-            phase = full_circle() * segfmu_next_uniform(numbers);
-            (*cspan_at(&components, i, INT64_C(1) + axis)) = amplitude * cos(phase);
-            (*cspan_at(&components, i, INT64_C(4) + axis)) = amplitude * sin(phase);
-        }
-    }
-}
-/*Viscous and Coulomb friction against a velocity; the sign change is a tanh.*/
-static double friction_force(array_double_1d parameters, int64_t axis, double velocity)
-{
-    double friction;
-    friction = (*cspan_at(&parameters, INT64_C(14) + axis)) * velocity;
-    if ((*cspan_at(&parameters, INT64_C(17) + axis)) > 0.0)
-    {
-        friction = friction + (*cspan_at(&parameters, INT64_C(17) + axis)) * tanh(velocity / (*cspan_at(&parameters, INT64_C(20))));
-    }
-    return friction;
-}
-/*Course of a gust over its duration: 1 - cosine, or half a sine; both rise to 1.*/
-static double gust_share(double shape, double share)
-{
-    double result;
-    if ((share <= 0.0) || (share >= 1.0))
-    {
-        return 0.0;
-    }
-    if (shape > 0.5)
-    {
-        return sin(0.5 * full_circle() * share);
-    }
-    return 0.5 * (1.0 - cos(full_circle() * share));
-}
-/*Force on the load: the given one, constant wind, gust and noise. */
-static void wind_force(array_double_1d parameters, array_double_2d components, double time, array_double_1d load_force, array_double_1d force)
-{
-    double gust;
-    int64_t i;
-    int64_t k;
-    double sine;
-    double cosine;
-    gust = 0.0;
-    if ((*cspan_at(&parameters, INT64_C(32))) > 0.0)
-    {
-        gust = gust_share((*cspan_at(&parameters, INT64_C(33))), (time - (*cspan_at(&parameters, INT64_C(31)))) / (*cspan_at(&parameters, INT64_C(32))));
-    }
+    double viscous;
+    double coulomb;
+    width = (*cspan_at(&known, INT64_C(9)));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        (*cspan_at(&force, i)) = (*cspan_at(&load_force, i)) + (*cspan_at(&parameters, INT64_C(28) + i)) + gust * (*cspan_at(&parameters, INT64_C(34) + i));
-    }
-    for (k = INT64_C(0); k < components.shape[INT64_C(0)]; k += INT64_C(1))
-    {
-        sine = sin((*cspan_at(&components, k, INT64_C(0))) * time);
-        cosine = cos((*cspan_at(&components, k, INT64_C(0))) * time);
-        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-        {
-            (*cspan_at(&force, i)) = (*cspan_at(&force, i)) + (*cspan_at(&components, k, INT64_C(1) + i)) * sine + (*cspan_at(&components, k, INT64_C(4) + i)) * cosine;
-        }
+        (*cspan_at(&setpoint, i)) = (*cspan_at(&velocity, i)) + (*cspan_at(&known, INT64_C(0) + i)) * (*cspan_at(&acceleration, i));
+        viscous = (*cspan_at(&known, INT64_C(3) + i)) * (*cspan_at(&velocity, i));
+        coulomb = (*cspan_at(&known, INT64_C(6) + i)) * tanh((*cspan_at(&velocity, i)) / width);
+        (*cspan_at(&force, i)) = (*cspan_at(&force, i)) + viscous + coulomb;
     }
 }
-/*Whether a magnitude is above a bound by more than rounding; 0 is no bound. */
-static bool beyond(double value, double bound)
-{
-    bool result;
-    return (bound > 0.0) && (fabs(value) > bound * (1.0 + 1e-12));
-}
-/*A value within plus and minus a bound. */
-static double clamped(double value, double bound)
-{
-    double result;
-    return span_min(span_max(value, -bound), bound);
-}
-/*Derivative of the crane under the force commands of work[14, :3]; see `driven_derivative`. */
-static void forced_derivative(array_double_1d parameters, array_double_1d state, array_double_2d work, array_double_1d derivative)
-{
-    int64_t i;
-    double drive;
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        drive = (*cspan_at(&work, INT64_C(14), i));
-        if (beyond(drive, (*cspan_at(&parameters, INT64_C(8) + i))))
-        {
-            drive = clamped(drive, (*cspan_at(&parameters, INT64_C(8) + i)));
-            (*cspan_at(&work, INT64_C(10), INT64_C(3) + i)) = 1.0;
-        }
-        (*cspan_at(&work, INT64_C(10), i)) = drive;
-        (*cspan_at(&work, INT64_C(9), i)) = drive - (*cspan_at(&work, INT64_C(15), i));
-    }
-    (*cspan_at(&work, INT64_C(10), INT64_C(6))) = (*cspan_at(&work, INT64_C(9), INT64_C(2)));
-    segfmu_crane_rhs(state, span_row(&work, INT64_C(9)), span_row(&work, INT64_C(11)), (*cspan_at(&parameters, INT64_C(0))), (*cspan_at(&parameters, INT64_C(1))), (*cspan_at(&parameters, INT64_C(2))), (*cspan_at(&parameters, INT64_C(3))), derivative);
-}
-/*Derivative and drive forces under the accelerations of work[14, :3]. */
-static void driven_forces(array_double_1d parameters, array_double_1d state, array_double_2d work, array_double_1d derivative)
-{
-    int64_t i;
-    segfmu_crane_driven(state, span_row(&work, INT64_C(14)), span_row(&work, INT64_C(9)), span_row(&work, INT64_C(11)), (*cspan_at(&parameters, INT64_C(0))), (*cspan_at(&parameters, INT64_C(1))), (*cspan_at(&parameters, INT64_C(2))), (*cspan_at(&parameters, INT64_C(3))), derivative, span_row(&work, INT64_C(10)));
-    (*cspan_at(&work, INT64_C(10), INT64_C(6))) = (*cspan_at(&work, INT64_C(10), INT64_C(2)));
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        (*cspan_at(&work, INT64_C(10), i)) = (*cspan_at(&work, INT64_C(10), i)) + (*cspan_at(&work, INT64_C(15), i));
-    }
-}
-/*Mass that a drive moves beside the load. */
-static double carriage_mass(array_double_1d parameters, int64_t axis)
-{
-    double result;
-    if (axis == INT64_C(0))
-    {
-        result = (*cspan_at(&parameters, INT64_C(0))) + (*cspan_at(&parameters, INT64_C(1)));
-        return result;
-    }
-    if (axis == INT64_C(1))
-    {
-        result = (*cspan_at(&parameters, INT64_C(1)));
-        return result;
-    }
-    return 0.0;
-}
-/*At which bound a drive has to be under the changes found so far: -1, 0 or 1. */
-static double limit_side(array_double_1d parameters, int64_t axis, array_double_1d force, array_double_1d scratch)
-{
-    double along;
-    int64_t i;
-    double needed;
-    double result;
-    if ((*cspan_at(&scratch, INT64_C(3) + axis)) != 0.0)
-    {
-        /*it may only lag behind what was demanded of it*/
-        if ((*cspan_at(&scratch, INT64_C(3) + axis)) * (*cspan_at(&scratch, INT64_C(6) + axis)) > 0.0)
-        {
-            return 0.0;
-        }
-        result = (*cspan_at(&scratch, INT64_C(3) + axis));
-        return result;
-    }
-    along = 0.0;
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        along = along + (*cspan_at(&scratch, INT64_C(9) + i)) * (*cspan_at(&scratch, INT64_C(6) + i));
-    }
-    needed = (*cspan_at(&force, axis)) + carriage_mass(parameters, axis) * (*cspan_at(&scratch, INT64_C(6) + axis));
-    needed = needed + (*cspan_at(&parameters, INT64_C(2))) * (*cspan_at(&scratch, INT64_C(9) + axis)) * along;
-    if (!beyond(needed, (*cspan_at(&parameters, INT64_C(8) + axis))))
-    {
-        return 0.0;
-    }
-    if (needed > 0.0)
-    {
-        return 1.0;
-    }
-    return -1.0;
-}
-/*Changes that bring the drives with a side to their bounds and leave the others alone.          */
-/*                                                                                               */
-/*    Forces change by (M + m e e') times the changes: M are the carriages' masses, m the load's,*/
-/*    and e is the rope's direction, as the load resists along the rope alone.                   */
-/*                                                                                               */
-static void change_accelerations(array_double_1d parameters, array_double_1d force, array_double_1d scratch)
-{
-    double payload;
-    double total;
-    double weight;
-    int64_t i;
-    double missing;
-    double mass;
-    double along;
-    double rest;
-    payload = (*cspan_at(&parameters, INT64_C(2)));
-    total = 0.0;
-    weight = 1.0;
-    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
-    {
-        if ((*cspan_at(&scratch, INT64_C(3) + i)) != 0.0)
-        {
-            missing = (*cspan_at(&scratch, INT64_C(3) + i)) * (*cspan_at(&parameters, INT64_C(8) + i)) - (*cspan_at(&force, i));
-            mass = carriage_mass(parameters, i);
-            total = total + (*cspan_at(&scratch, INT64_C(9) + i)) * missing / mass;
-            weight = weight + payload * (*cspan_at(&scratch, INT64_C(9) + i)) * (*cspan_at(&scratch, INT64_C(9) + i)) / mass;
-        }
-    }
-    along = total / weight;
-    if ((*cspan_at(&scratch, INT64_C(5))) != 0.0)
-    {
-        along = ((*cspan_at(&scratch, INT64_C(5))) * (*cspan_at(&parameters, INT64_C(10))) - (*cspan_at(&force, INT64_C(2)))) / payload;
-    }
-    rest = along;
-    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
-    {
-        (*cspan_at(&scratch, INT64_C(6) + i)) = 0.0;
-        if ((*cspan_at(&scratch, INT64_C(3) + i)) != 0.0)
-        {
-            missing = (*cspan_at(&scratch, INT64_C(3) + i)) * (*cspan_at(&parameters, INT64_C(8) + i)) - (*cspan_at(&force, i));
-            missing = missing - payload * (*cspan_at(&scratch, INT64_C(9) + i)) * along;
-            (*cspan_at(&scratch, INT64_C(6) + i)) = missing / carriage_mass(parameters, i);
-        }
-        rest = rest - (*cspan_at(&scratch, INT64_C(9) + i)) * (*cspan_at(&scratch, INT64_C(6) + i));
-    }
-    (*cspan_at(&scratch, INT64_C(8))) = 0.0;
-    if ((*cspan_at(&scratch, INT64_C(5))) != 0.0)
-    {
-        (*cspan_at(&scratch, INT64_C(8))) = rest;
-    }
-}
-/*Reduce accelerations until no drive needs more than its largest force.                             */
-/*                                                                                                   */
-/*    A drive is at its bound and lags behind its demand, or it has its demand: a complementarity    */
-/*    problem in three unknowns with a positive definite matrix, solved by K. G. Murty's least-index */
-/*    pivoting (Linear Algebra and its Applications 7, 1974). force (6): what the demand needs, and  */
-/*    flags that are set where the bound acts. In scratch, 3:6 are the sides (-1, 0, 1), 6:9 the     */
-/*    changes of the accelerations, 9:12 the rope's direction in the drives' coordinates.            */
-/*                                                                                                   */
-static void limit_accelerations(array_double_1d parameters, array_double_1d state, array_double_1d force, array_double_1d acceleration, array_double_1d scratch)
-{
-    int64_t i;
-    int64_t Dummy_0000;
-    int64_t Dummy_0001;
-    bool changed;
-    double side;
-    (*cspan_at(&scratch, INT64_C(9))) = sin((*cspan_at(&state, INT64_C(3))));
-    (*cspan_at(&scratch, INT64_C(10))) = (-cos((*cspan_at(&state, INT64_C(3))))) * sin((*cspan_at(&state, INT64_C(4))));
-    (*cspan_at(&scratch, INT64_C(11))) = 1.0;
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        (*cspan_at(&scratch, INT64_C(3) + i)) = 0.0;
-        (*cspan_at(&scratch, INT64_C(6) + i)) = 0.0;
-    }
-    for (Dummy_0000 = INT64_C(0); Dummy_0000 < INT64_C(16); Dummy_0000 += INT64_C(1))
-    {
-        changed = 0;
-        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-        {
-            if (!changed)
-            {
-                side = limit_side(parameters, i, force, scratch);
-                changed = side != (*cspan_at(&scratch, INT64_C(3) + i));
-                (*cspan_at(&scratch, INT64_C(3) + i)) = side;
-            }
-        }
-        if (!changed)
-        {
-            break;
-        }
-        change_accelerations(parameters, force, scratch);
-    }
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        (*cspan_at(&acceleration, i)) = (*cspan_at(&acceleration, i)) + (*cspan_at(&scratch, INT64_C(6) + i));
-        if ((*cspan_at(&scratch, INT64_C(3) + i)) != 0.0)
-        {
-            (*cspan_at(&force, INT64_C(3) + i)) = 1.0;
-        }
-    }
-}
-/*Derivative of the crane under the velocity commands of work[14, :3].                               */
-/*                                                                                                   */
-/*    Without lag the commands are accelerations. work[9, 3:5]: torques on the sway angles, work[11]:*/
-/*    force on the load, work[15, :3]: friction. Results beside the derivative are work[10]: forces  */
-/*    of the drives (3), whether they are at a bound (3), and the force on the rope.                 */
-/*                                                                                                   */
-static void driven_derivative(array_double_1d parameters, array_double_1d state, array_double_2d work, array_double_1d derivative)
-{
-    int64_t i;
-    double demand;
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        demand = (*cspan_at(&work, INT64_C(14), i));
-        if ((*cspan_at(&parameters, INT64_C(5) + i)) > 0.0)
-        {
-            demand = (demand - (*cspan_at(&state, INT64_C(5) + i))) / (*cspan_at(&parameters, INT64_C(5) + i));
-        }
-        if (beyond(demand, (*cspan_at(&parameters, INT64_C(11) + i))))
-        {
-            demand = clamped(demand, (*cspan_at(&parameters, INT64_C(11) + i)));
-            (*cspan_at(&work, INT64_C(10), INT64_C(3) + i)) = 1.0;
-        }
-        (*cspan_at(&work, INT64_C(14), i)) = demand;
-    }
-    driven_forces(parameters, state, work, derivative);
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        if (beyond((*cspan_at(&work, INT64_C(10), i)), (*cspan_at(&parameters, INT64_C(8) + i))))
-        {
-            limit_accelerations(parameters, state, span_row(&work, INT64_C(10)), span_row(&work, INT64_C(14)), span_row(&work, INT64_C(15)));
-            driven_forces(parameters, state, work, derivative);
-            break;
-        }
-    }
-}
-/*Node c_i of a stage (0 .. 6), as a share of the step.*/
+/*Node c of a stage, as a share of the step. */
 static double stage_node(int64_t stage)
 {
     double result;
@@ -3506,11 +3837,11 @@ static double stage_node(int64_t stage)
     }
     return 1.0;
 }
-/*First components of the state at a stage (1 .. 6): state + h sum a_ij k_j.                         */
-/*                                                                                                   */
-/*    Every sum is written out, so that its terms stay in registers; the state of stage 6 is that at */
-/*    the step's end.                                                                                */
-/*                                                                                                   */
+/*First components of the state at a stage behind the first: state + h sum a_ij k_j.             */
+/*                                                                                               */
+/*    k: a row for each of the `Stages`; trial: the result. Every sum is written out, so that its*/
+/*    terms stay in registers; the state of the last stage is that at the step's end.            */
+/*                                                                                               */
 static void stage_state(int64_t stage, double h, int64_t count, array_double_1d state, array_double_2d k, array_double_1d trial)
 {
     double a0;
@@ -3518,8 +3849,8 @@ static void stage_state(int64_t stage, double h, int64_t count, array_double_1d 
     double a1;
     double a2;
     double a3;
-    double a4;
     double part;
+    double a4;
     double a5;
     if (stage == INT64_C(1))
     {
@@ -3556,7 +3887,8 @@ static void stage_state(int64_t stage, double h, int64_t count, array_double_1d 
         a3 = h * ((-212.0) / 729.0);
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
-            (*cspan_at(&trial, i)) = (*cspan_at(&state, i)) + a0 * (*cspan_at(&k, INT64_C(0), i)) + a1 * (*cspan_at(&k, INT64_C(1), i)) + a2 * (*cspan_at(&k, INT64_C(2), i)) + a3 * (*cspan_at(&k, INT64_C(3), i));
+            part = (*cspan_at(&state, i)) + a0 * (*cspan_at(&k, INT64_C(0), i)) + a1 * (*cspan_at(&k, INT64_C(1), i)) + a2 * (*cspan_at(&k, INT64_C(2), i));
+            (*cspan_at(&trial, i)) = part + a3 * (*cspan_at(&k, INT64_C(3), i));
         }
     }
     else if (stage == INT64_C(5))
@@ -3648,159 +3980,190 @@ static bool all_finite(array_double_1d values, int64_t count)
     }
     return 1;
 }
-/*Derivative of the state at a time that has elapsed since the interval's start. */
-static void plant_derivative(array_double_1d parameters, array_double_2d components, double time, double elapsed, array_double_1d state, array_double_1d command, array_double_1d rate, array_double_1d load_force, array_double_2d work, array_double_1d derivative)
+/*Powers of drives, wind and friction [W]: the derivatives of the works. */
+static void plant_powers(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative)
 {
-    int64_t i;
-    double bend;
+    array_double_1d wind;
     bool calm;
-    wind_force(parameters, components, time + elapsed, load_force, span_row(&work, INT64_C(11)));
+    double squares;
+    int64_t i;
+    double velocity;
+    double drive;
+    double power;
+    double lost;
+    wind = span_row(&work, INT64_C(14));
+    /*without wind, it does no work, whatever the load's velocity is*/
+    calm = ((*cspan_at(&wind, INT64_C(0))) == 0.0) && ((*cspan_at(&wind, INT64_C(1))) == 0.0) && ((*cspan_at(&wind, INT64_C(2))) == 0.0);
+    if (!calm)
+    {
+        segfmu_crane_load(state, span_rows(&work, INT64_C(15), INT64_C(15) + INT64_C(2)));
+    }
+    squares = (*cspan_at(&state, INT64_C(8))) * (*cspan_at(&state, INT64_C(8)));
+    squares = squares + (*cspan_at(&state, INT64_C(8) + INT64_C(1))) * (*cspan_at(&state, INT64_C(8) + INT64_C(1)));
+    (*cspan_at(&derivative, INT64_C(10))) = 0.0;
+    (*cspan_at(&derivative, INT64_C(11))) = 0.0;
+    (*cspan_at(&derivative, INT64_C(12))) = (*cspan_at(&plant, INT64_C(21))) * squares;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        bend = (*cspan_at(&rate, INT64_C(3) + i)) + elapsed * (*cspan_at(&rate, INT64_C(6) + i));
-        (*cspan_at(&work, INT64_C(14), i)) = (*cspan_at(&command, i)) + elapsed * ((*cspan_at(&rate, i)) + elapsed * bend);
-        (*cspan_at(&work, INT64_C(15), i)) = friction_force(parameters, i, (*cspan_at(&state, INT64_C(5) + i)));
-        (*cspan_at(&work, INT64_C(10), INT64_C(3) + i)) = 0.0;
+        velocity = (*cspan_at(&state, INT64_C(5) + i));
+        drive = (*cspan_at(&work, INT64_C(13), INT64_C(0) + i)) * velocity;
+        (*cspan_at(&derivative, INT64_C(10))) = (*cspan_at(&derivative, INT64_C(10))) + drive;
+        if (!calm)
+        {
+            power = (*cspan_at(&wind, i)) * (*cspan_at(&work, INT64_C(15) + INT64_C(1), i));
+            (*cspan_at(&derivative, INT64_C(11))) = (*cspan_at(&derivative, INT64_C(11))) + power;
+        }
+        lost = (*cspan_at(&work, INT64_C(18), i)) * velocity;
+        (*cspan_at(&derivative, INT64_C(12))) = (*cspan_at(&derivative, INT64_C(12))) + lost;
     }
-    (*cspan_at(&work, INT64_C(9), INT64_C(3))) = (-(*cspan_at(&parameters, INT64_C(21)))) * (*cspan_at(&state, INT64_C(8)));
-    (*cspan_at(&work, INT64_C(9), INT64_C(4))) = (-(*cspan_at(&parameters, INT64_C(21)))) * (*cspan_at(&state, INT64_C(9)));
-    if ((*cspan_at(&parameters, INT64_C(4))) > 0.5)
+}
+/*Derivative of the state at a time [s] elapsed since the interval's start, `time` [s].*/
+static void plant_derivative(array_double_1d plant, array_double_2d components, double time, double elapsed, array_double_1d state, array_double_2d work, array_double_1d derivative)
+{
+    array_double_1d rate;
+    int64_t i;
+    double slope;
+    double torque;
+    rate = span_row(&work, INT64_C(1));
+    wind_force(plant, components, time + elapsed, work);
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        driven_derivative(parameters, state, work, derivative);
+        slope = (*cspan_at(&rate, INT64_C(3) + i)) + elapsed * (*cspan_at(&rate, INT64_C(6) + i));
+        slope = (*cspan_at(&rate, INT64_C(0) + i)) + elapsed * slope;
+        (*cspan_at(&work, INT64_C(17), i)) = (*cspan_at(&work, INT64_C(0), i)) + elapsed * slope;
+        (*cspan_at(&work, INT64_C(18), i)) = friction_force(plant, i, (*cspan_at(&state, INT64_C(5) + i)));
+        (*cspan_at(&work, INT64_C(13), INT64_C(3) + i)) = 0.0;
+    }
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        torque = (-(*cspan_at(&plant, INT64_C(21)))) * (*cspan_at(&state, INT64_C(8) + i));
+        (*cspan_at(&work, INT64_C(12), INT64_C(3) + i)) = torque;
+    }
+    if ((int64_t)((*cspan_at(&plant, INT64_C(4)))) == INT64_C(1))
+    {
+        driven_derivative(plant, state, work, derivative);
     }
     else
     {
-        forced_derivative(parameters, state, work, derivative);
+        forced_derivative(plant, state, work, derivative);
     }
-    /*without wind, it does no work, whatever the load's velocity is*/
-    calm = ((*cspan_at(&work, INT64_C(11), INT64_C(0))) == 0.0) && ((*cspan_at(&work, INT64_C(11), INT64_C(1))) == 0.0) && ((*cspan_at(&work, INT64_C(11), INT64_C(2))) == 0.0);
-    if (!calm)
-    {
-        segfmu_crane_load(state, span_rows(&work, INT64_C(12), INT64_C(14)));
-    }
-    (*cspan_at(&derivative, INT64_C(10))) = 0.0;
-    (*cspan_at(&derivative, INT64_C(11))) = 0.0;
-    (*cspan_at(&derivative, INT64_C(12))) = (*cspan_at(&parameters, INT64_C(21))) * ((*cspan_at(&state, INT64_C(8))) * (*cspan_at(&state, INT64_C(8))) + (*cspan_at(&state, INT64_C(9))) * (*cspan_at(&state, INT64_C(9))));
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        (*cspan_at(&derivative, INT64_C(10))) = (*cspan_at(&derivative, INT64_C(10))) + (*cspan_at(&work, INT64_C(10), i)) * (*cspan_at(&state, INT64_C(5) + i));
-        if (!calm)
-        {
-            (*cspan_at(&derivative, INT64_C(11))) = (*cspan_at(&derivative, INT64_C(11))) + (*cspan_at(&work, INT64_C(11), i)) * (*cspan_at(&work, INT64_C(13), i));
-        }
-        (*cspan_at(&derivative, INT64_C(12))) = (*cspan_at(&derivative, INT64_C(12))) + (*cspan_at(&work, INT64_C(15), i)) * (*cspan_at(&state, INT64_C(5) + i));
-    }
+    plant_powers(plant, state, work, derivative);
 }
 /*Take the last stage of a step, at its end, as the first one of the next step.*/
-static void first_stage(array_double_2d work)
+static void reuse_last_stage(array_double_2d work)
 {
+    array_double_1d action;
     int64_t i;
+    action = span_row(&work, INT64_C(13));
     for (i = INT64_C(0); i < INT64_C(13); i += INT64_C(1))
     {
-        (*cspan_at(&work, INT64_C(0), i)) = (*cspan_at(&work, INT64_C(6), i));
+        (*cspan_at(&work, INT64_C(3), i)) = (*cspan_at(&work, INT64_C(3) + INT64_C(6), i));
     }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        (*cspan_at(&work, INT64_C(10), INT64_C(9) + i)) = (*cspan_at(&work, INT64_C(10), INT64_C(3) + i));
+        (*cspan_at(&action, INT64_C(7) + i)) = (*cspan_at(&action, INT64_C(3) + i));
     }
 }
-/*Try a step of length h: the new state goes to work[7, :]; returns the error. */
-/*                                                                             */
-/*    work[0, :] is the derivative at its start.                               */
-/*                                                                             */
-static double plant_attempt(array_double_1d parameters, array_double_2d components, double time, double elapsed, array_double_1d state, array_double_1d command, array_double_1d rate, array_double_1d load_force, double h, array_double_2d work)
+/*Try a step of length h [s] from the derivative of the first stage on; returns the error. */
+/*                                                                                         */
+/*    The new state is the trial state of work.                                            */
+/*                                                                                         */
+static double try_step(array_double_1d plant, array_double_2d components, double time, double elapsed, array_double_1d state, double h, array_double_2d work)
 {
+    array_double_2d stages;
+    array_double_1d trial;
     int64_t stage;
     int64_t count;
     double result;
+    stages = span_rows(&work, INT64_C(3), INT64_C(3) + INT64_C(7));
+    trial = span_row(&work, INT64_C(10));
     for (stage = INT64_C(1); stage < INT64_C(7); stage += INT64_C(1))
     {
-        /*the energies have no part in the derivatives*/
+        /*the works have no part in the derivatives*/
         count = INT64_C(10);
         if (stage == INT64_C(6))
         {
             count = INT64_C(13);
         }
-        stage_state(stage, h, count, state, work, span_row(&work, INT64_C(7)));
+        stage_state(stage, h, count, state, stages, trial);
         /*a stage out of all bounds is a step that was much too long*/
-        if (!all_finite(span_row(&work, INT64_C(7)), count))
+        if (!all_finite(trial, count))
         {
             return 1e+100;
         }
-        plant_derivative(parameters, components, time, elapsed + stage_node(stage) * h, span_row(&work, INT64_C(7)), command, rate, load_force, work, span_row(&work, stage));
+        plant_derivative(plant, components, time, elapsed + stage_node(stage) * h, trial, work, span_row(&work, INT64_C(3) + stage));
     }
-    result = step_error(h, INT64_C(13), state, span_row(&work, INT64_C(7)), work);
+    result = step_error(h, INT64_C(13), state, trial, stages);
     return result;
 }
-/*Whether the crane is within the range of its equations.                                            */
-/*                                                                                                   */
-/*    Returns 0, or 1: an angle came to +-90 degrees, 2: the rope's length came to zero, 5: the rope */
-/*    went slack, 6 + axis: below the least position, 9 + axis: above the greatest.                  */
-/*                                                                                                   */
-static int64_t plant_status(array_double_1d parameters, array_double_1d state, double rope_force)
+/*Whether the crane is within the range of its equations: a `PlantStatus`. */
+static int64_t plant_status(array_double_1d plant, array_double_1d state, double rope_force)
 {
     int64_t i;
     int64_t result;
-    if ((fabs((*cspan_at(&state, INT64_C(3)))) >= 1.57) || (fabs((*cspan_at(&state, INT64_C(4)))) >= 1.57))
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
-        return INT64_C(1);
+        if (fabs((*cspan_at(&state, INT64_C(3) + i))) >= 1.57)
+        {
+            return INT64_C(1);
+        }
     }
-    if ((*cspan_at(&state, INT64_C(2))) <= 0.0)
+    if ((*cspan_at(&state, INT64_C(0) + INT64_C(2))) <= 0.0)
     {
         return INT64_C(2);
     }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         /*resting at the very limit is allowed*/
-        if ((*cspan_at(&state, i)) < (*cspan_at(&parameters, INT64_C(22) + i)) - 1e-09)
+        if ((*cspan_at(&state, INT64_C(0) + i)) < (*cspan_at(&plant, INT64_C(22) + i)) - 1e-09)
         {
             return INT64_C(6) + i;
         }
-        if ((*cspan_at(&state, i)) > (*cspan_at(&parameters, INT64_C(25) + i)) + 1e-09)
+        if ((*cspan_at(&state, INT64_C(0) + i)) > (*cspan_at(&plant, INT64_C(25) + i)) + 1e-09)
         {
             return INT64_C(9) + i;
         }
     }
-    if (rope_force > 1e-09 * (*cspan_at(&parameters, INT64_C(2))) * (*cspan_at(&parameters, INT64_C(3))))
+    if (rope_force > 1e-09 * (*cspan_at(&plant, INT64_C(2))) * (*cspan_at(&plant, INT64_C(3))))
     {
         return INT64_C(5);
     }
     return INT64_C(0);
 }
 /*Take over the state that was tried, and report what acts in it.*/
-static void accept(array_double_1d state, array_double_2d work, double elapsed, array_double_1d report)
+static void accept_step(array_double_1d state, array_double_2d work, double elapsed, array_double_1d report)
 {
+    array_double_1d action;
     int64_t i;
+    double saturated;
+    action = span_row(&work, INT64_C(13));
     for (i = INT64_C(0); i < INT64_C(13); i += INT64_C(1))
     {
-        (*cspan_at(&state, i)) = (*cspan_at(&work, INT64_C(7), i));
+        (*cspan_at(&state, i)) = (*cspan_at(&work, INT64_C(10), i));
     }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        (*cspan_at(&report, i)) = (*cspan_at(&work, INT64_C(10), i));
-        (*cspan_at(&report, INT64_C(3) + i)) = span_max((*cspan_at(&report, INT64_C(3) + i)), span_max((*cspan_at(&work, INT64_C(10), INT64_C(3) + i)), (*cspan_at(&work, INT64_C(10), INT64_C(9) + i))));
+        saturated = span_max((*cspan_at(&action, INT64_C(3) + i)), (*cspan_at(&action, INT64_C(7) + i)));
+        (*cspan_at(&report, INT64_C(0) + i)) = (*cspan_at(&action, INT64_C(0) + i));
+        (*cspan_at(&report, INT64_C(3) + i)) = span_max((*cspan_at(&report, INT64_C(3) + i)), saturated);
     }
-    (*cspan_at(&report, INT64_C(6))) = (*cspan_at(&work, INT64_C(10), INT64_C(6)));
-    (*cspan_at(&report, INT64_C(7))) = (*cspan_at(&work, INT64_C(6), INT64_C(11)));
-    (*cspan_at(&report, INT64_C(8))) = (*cspan_at(&work, INT64_C(6), INT64_C(12)));
+    (*cspan_at(&report, INT64_C(6))) = (*cspan_at(&action, INT64_C(6)));
+    (*cspan_at(&report, INT64_C(7))) = (*cspan_at(&work, INT64_C(3) + INT64_C(6), INT64_C(11)));
+    (*cspan_at(&report, INT64_C(8))) = (*cspan_at(&work, INT64_C(3) + INT64_C(6), INT64_C(12)));
     (*cspan_at(&report, INT64_C(9))) = elapsed;
 }
-/*Advance the state (13), in place, by a duration from a time on.                                      */
+/*Advance the state, in place, by a duration [s] from a time [s] on.                                   */
 /*                                                                                                     */
-/*    components (count, 7): sines of the wind's noise. command (3): forces [N] of bridge, trolley and */
-/*    hoist at the start; or velocities [m/s], or where a drive has no lag accelerations [m/s2]. rate  */
-/*    (9): coefficients of the time elapsed in them, of its square and of its cube. load_force (3): on */
-/*    the load, held [N]. tolerance: relative and absolute error of a step. report (10): forces of the */
-/*    drives (3), whether they were at a bound (3), force on the rope, power of the wind and of        */
-/*    friction [W], time advanced.                                                                     */
+/*    tolerance: relative and absolute error of a step. report: a `Report`; what was at a bound in the */
+/*    communication step is left to the caller.                                                        */
 /*                                                                                                     */
-/*    Returns `plant_status`, or 3: the steps became too small (for stiff friction, too many), 4: a    */
-/*    value is not finite. What has a status is approached until within 0.1 us of it; the state is     */
-/*    the last one without.                                                                            */
+/*    Returns a `PlantStatus`. What has a status is approached until within 0.1 us of it; the state is */
+/*    the last one without. For stiff friction, STEP_TOO_SMALL also stands for too many steps.         */
 /*                                                                                                     */
-int64_t segfmu_plant_advance(array_double_1d parameters, array_double_2d components, double time, array_double_1d state, array_double_1d command, array_double_1d rate, array_double_1d load_force, double duration, double tolerance, array_double_2d work, array_double_1d report)
+int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d components, double time, array_double_1d state, double duration, double tolerance, array_double_2d work, array_double_1d report)
 {
     int64_t i;
+    bool finite;
     double t;
     double planned;
     double h;
@@ -3808,20 +4171,22 @@ int64_t segfmu_plant_advance(array_double_1d parameters, array_double_2d compone
     int64_t Dummy_0001;
     bool last;
     double error;
+    double rope_force;
     int64_t status;
     for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
     {
         (*cspan_at(&report, i)) = 0.0;
     }
-    if ((!all_finite(state, INT64_C(13))) || (!all_finite(command, INT64_C(3))) || (!all_finite(load_force, INT64_C(3))))
+    finite = all_finite(state, INT64_C(13)) && all_finite(span_row(&work, INT64_C(0)), INT64_C(3));
+    if ((!finite) || (!all_finite(span_row(&work, INT64_C(2)), INT64_C(3))))
     {
         return INT64_C(4);
     }
-    plant_derivative(parameters, components, time, 0.0, state, command, rate, load_force, work, span_row(&work, INT64_C(6)));
-    first_stage(work);
+    plant_derivative(plant, components, time, 0.0, state, work, span_row(&work, INT64_C(3) + INT64_C(6)));
+    reuse_last_stage(work);
     t = 0.0;
     /*what a step was before is a better guess than an interval that may hold many*/
-    planned = (*cspan_at(&work, INT64_C(8), INT64_C(7)));
+    planned = (*cspan_at(&work, INT64_C(11), INT64_C(0)));
     if (planned <= 0.0)
     {
         planned = duration;
@@ -3835,7 +4200,7 @@ int64_t segfmu_plant_advance(array_double_1d parameters, array_double_2d compone
             planned = h;
             h = duration - t;
         }
-        error = plant_attempt(parameters, components, time, t, state, command, rate, load_force, h, work);
+        error = try_step(plant, components, time, t, state, h, work);
         if (error > tolerance)
         {
             h = h * next_step(error, tolerance);
@@ -3845,7 +4210,8 @@ int64_t segfmu_plant_advance(array_double_1d parameters, array_double_2d compone
             }
             continue;
         }
-        status = plant_status(parameters, span_row(&work, INT64_C(7)), (*cspan_at(&work, INT64_C(10), INT64_C(6))));
+        rope_force = (*cspan_at(&work, INT64_C(13), INT64_C(6)));
+        status = plant_status(plant, span_row(&work, INT64_C(10)), rope_force);
         if (status != INT64_C(0))
         {
             if (h < 1e-07)
@@ -3857,14 +4223,14 @@ int64_t segfmu_plant_advance(array_double_1d parameters, array_double_2d compone
         }
         t = t + h;
         h = h * next_step(error, tolerance);
-        accept(state, work, t, report);
+        accept_step(state, work, t, report);
         if (last)
         {
             /*cut short by the interval's end, it tells less than the step planned before*/
-            (*cspan_at(&work, INT64_C(8), INT64_C(7))) = span_max(h, planned);
+            (*cspan_at(&work, INT64_C(11), INT64_C(0))) = span_max(h, planned);
             return INT64_C(0);
         }
-        first_stage(work);
+        reuse_last_stage(work);
     }
     return INT64_C(3);
 }
@@ -8138,23 +8504,26 @@ int64_t segfmu_plan_phases(array_double_2d positions, array_double_2d velocities
 /*Rows of memory; samples younger than the dead time, the new one, and one for rounding. */
 static int64_t sensing_rows(double sample_time, double dead_time)
 {
+    int64_t samples;
     int64_t result;
     if (sample_time <= 0.0)
     {
         return INT64_C(4);
     }
-    return INT64_C(4) + span_floor_div(((int64_t)ceil(dead_time / sample_time) + INT64_C(7)), INT64_C(6));
+    samples = (int64_t)ceil(dead_time / sample_time) + INT64_C(2);
+    return INT64_C(4) + span_floor_div((samples + INT64_C(6) - INT64_C(1)), INT64_C(6));
 }
-/*Measured values (5) of the first components of the state: offset, noise, quantisation.           */
-/*                                                                                                 */
-/*    Where there is noise, five random numbers are used, so that the noise of one sensor does not */
-/*    depend on that of the others.                                                                */
-/*                                                                                                 */
+/*Measured coordinates (5) of a state: offset, noise, quantisation.                                  */
+/*                                                                                                   */
+/*    numbers (2): state of the random numbers. Where there is noise, five of them are used, so that */
+/*    the noise of one sensor does not depend on that of the others.                                 */
+/*                                                                                                   */
 void segfmu_measure_state(array_double_1d state, array_double_1d sensors, array_double_1d numbers, array_double_1d measured)
 {
     bool noisy;
     int64_t i;
     double value;
+    double step;
     noisy = 0;
     for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
     {
@@ -8167,10 +8536,11 @@ void segfmu_measure_state(array_double_1d state, array_double_1d sensors, array_
         {
             value = value + (*cspan_at(&sensors, INT64_C(8) + i)) * next_normal(numbers);
         }
-        /*a step below the last digit of the value is none, nor are there integers for it*/
-        if (fabs(value) < 1000000000000000.0 * (*cspan_at(&sensors, INT64_C(13) + i)))
+        step = (*cspan_at(&sensors, INT64_C(13) + i));
+        /*a step that is too small for the digits of the value would not change it*/
+        if (fabs(value) < 1000000000000000.0 * step)
         {
-            value = (int64_t)floor(value / (*cspan_at(&sensors, INT64_C(13) + i)) + 0.5) * (*cspan_at(&sensors, INT64_C(13) + i));
+            value = (int64_t)floor(value / step + 0.5) * step;
         }
         (*cspan_at(&measured, i)) = value;
     }
@@ -8186,27 +8556,38 @@ static double next_sample(array_double_1d sensors, array_double_2d memory)
     result = (*cspan_at(&memory, INT64_C(0), INT64_C(0))) * (*cspan_at(&sensors, INT64_C(0)));
     return result;
 }
-/*Row and column of an entry of the ring.*/
-static int64_t queue_entry(int64_t* result_0_0001, int64_t* result_1_0001, int64_t place, array_double_2d memory)
+/*Number of samples for which the ring has room. */
+static int64_t ring_size(array_double_2d memory)
 {
-    int64_t entry;
-    entry = span_floor_mod(place, (INT64_C(6) * (memory.shape[INT64_C(0)] - INT64_C(4))));
-    (*result_0_0001) = INT64_C(4) + span_floor_div(entry, INT64_C(6));
-    (*result_1_0001) = INT64_C(6) * (span_floor_mod(entry, INT64_C(6)));
+    int64_t result;
+    result = INT64_C(6) * (memory.shape[INT64_C(0)] - INT64_C(4));
+    return result;
+}
+/*Row and first column of a sample of the ring.*/
+static int64_t ring_place(int64_t* result_0, int64_t* result_1_0001, int64_t number, array_double_2d memory)
+{
+    int64_t sample;
+    int64_t row;
+    sample = span_floor_mod(number, ring_size(memory));
+    row = INT64_C(4) + span_floor_div(sample, INT64_C(6));
+    (*result_0) = row;
+    (*result_1_0001) = INT64_C(6) * (span_floor_mod(sample, INT64_C(6)));
     return 0;
 }
-/*Take the samples that are available at a time out of the queue; the first one at once. */
+/*Take the samples that are available at a time out of the ring; the first one at once.*/
 static void deliver_samples(array_double_1d sensors, double time, array_double_2d memory)
 {
+    array_double_1d queue;
     double latest;
     int64_t row;
     int64_t column;
     int64_t i;
+    queue = span_row(&memory, INT64_C(0));
     latest = time + 1e-09 * (*cspan_at(&sensors, INT64_C(0)));
-    while((*cspan_at(&memory, INT64_C(0), INT64_C(2))) > 0.5)
+    while((*cspan_at(&queue, INT64_C(2))) > 0.5)
     {
-        queue_entry(&row, &column, (int64_t)((*cspan_at(&memory, INT64_C(0), INT64_C(1)))), memory);
-        if (((*cspan_at(&memory, INT64_C(0), INT64_C(3))) > 0.5) && ((*cspan_at(&memory, row, column)) > latest))
+        ring_place(&row, &column, (int64_t)((*cspan_at(&queue, INT64_C(1)))), memory);
+        if (((*cspan_at(&queue, INT64_C(3))) > 0.5) && ((*cspan_at(&memory, row, column + INT64_C(0))) > latest))
         {
             return;
         }
@@ -8214,29 +8595,33 @@ static void deliver_samples(array_double_1d sensors, double time, array_double_2
         {
             (*cspan_at(&memory, INT64_C(2), i)) = (*cspan_at(&memory, row, column + INT64_C(1) + i));
         }
-        (*cspan_at(&memory, INT64_C(0), INT64_C(1))) = (double)(span_floor_mod(((int64_t)((*cspan_at(&memory, INT64_C(0), INT64_C(1)))) + INT64_C(1)), (INT64_C(6) * (memory.shape[INT64_C(0)] - INT64_C(4)))));
-        (*cspan_at(&memory, INT64_C(0), INT64_C(2))) = (*cspan_at(&memory, INT64_C(0), INT64_C(2))) - 1.0;
-        (*cspan_at(&memory, INT64_C(0), INT64_C(3))) = 1.0;
+        (*cspan_at(&queue, INT64_C(1))) = (double)(span_floor_mod(((int64_t)((*cspan_at(&queue, INT64_C(1)))) + INT64_C(1)), ring_size(memory)));
+        (*cspan_at(&queue, INT64_C(2))) = (*cspan_at(&queue, INT64_C(2))) - 1.0;
+        (*cspan_at(&queue, INT64_C(3))) = 1.0;
     }
 }
-/*Put the sample that is due into the queue. */
+/*Put the sample that is due into the ring.*/
 static void take_sample(array_double_1d sensors, array_double_1d state, array_double_2d memory)
 {
+    array_double_1d queue;
+    array_double_1d taken;
     double time;
     int64_t row;
     int64_t column;
     int64_t i;
+    queue = span_row(&memory, INT64_C(0));
+    taken = span_row(&memory, INT64_C(3));
     time = next_sample(sensors, memory);
     deliver_samples(sensors, time, memory);
-    segfmu_measure_state(state, sensors, span_row(&memory, INT64_C(1)), span_row(&memory, INT64_C(3)));
-    queue_entry(&row, &column, (int64_t)((*cspan_at(&memory, INT64_C(0), INT64_C(1)))) + (int64_t)((*cspan_at(&memory, INT64_C(0), INT64_C(2)))), memory);
-    (*cspan_at(&memory, row, column)) = time + (*cspan_at(&sensors, INT64_C(1)));
+    segfmu_measure_state(state, sensors, span_row(&memory, INT64_C(1)), taken);
+    ring_place(&row, &column, (int64_t)((*cspan_at(&queue, INT64_C(1)))) + (int64_t)((*cspan_at(&queue, INT64_C(2)))), memory);
+    (*cspan_at(&memory, row, column + INT64_C(0))) = time + (*cspan_at(&sensors, INT64_C(1)));
     for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
     {
-        (*cspan_at(&memory, row, column + INT64_C(1) + i)) = (*cspan_at(&memory, INT64_C(3), i));
+        (*cspan_at(&memory, row, column + INT64_C(1) + i)) = (*cspan_at(&taken, i));
     }
-    (*cspan_at(&memory, INT64_C(0), INT64_C(0))) = (*cspan_at(&memory, INT64_C(0), INT64_C(0))) + 1.0;
-    (*cspan_at(&memory, INT64_C(0), INT64_C(2))) = (*cspan_at(&memory, INT64_C(0), INT64_C(2))) + 1.0;
+    (*cspan_at(&queue, INT64_C(0))) = (*cspan_at(&queue, INT64_C(0))) + 1.0;
+    (*cspan_at(&queue, INT64_C(2))) = (*cspan_at(&queue, INT64_C(2))) + 1.0;
 }
 /*Forget the past and take the first sample. */
 static void start_sensing(array_double_1d sensors, array_double_1d state, array_double_2d memory)
@@ -8267,51 +8652,84 @@ static void sense_signals(array_double_1d sensors, double time, array_double_1d 
         (*cspan_at(&measured, i)) = (*cspan_at(&memory, INT64_C(2), i));
     }
 }
-/*Times that differ by less are the same; sums of steps are rounded. */
-static double instant(array_double_1d loop)
+/*Times [s] that differ by less are the same; sums of steps are rounded. */
+static double time_tolerance(array_double_2d settings)
 {
     double result;
-    result = 1e-09 * (*cspan_at(&loop, INT64_C(1)));
+    result = 1e-09 * (*cspan_at(&settings, INT64_C(0), INT64_C(1)));
     return result;
 }
-/*Time within the step of the next event, or the step's end. */
-static double next_event(array_double_1d loop, array_double_1d sensors, double duration, array_double_2d memory)
+/*Time [s] since the start.*/
+static double present_time(array_double_2d memory)
+{
+    double result;
+    result = (*cspan_at(&memory, INT64_C(6), INT64_C(1))) + (*cspan_at(&memory, INT64_C(6), INT64_C(2)));
+    return result;
+}
+/*Time [s] since the start of the controller's next tick.*/
+static double next_tick(array_double_2d settings, array_double_2d memory)
+{
+    double result;
+    result = (*cspan_at(&memory, INT64_C(6), INT64_C(3))) * (*cspan_at(&settings, INT64_C(0), INT64_C(1)));
+    return result;
+}
+/*Time [s] since the start of the sensors' next sample; 1e300 for continuous signals.*/
+static double next_reading(array_double_2d settings, array_double_2d memory)
+{
+    double result;
+    result = next_sample(span_row(&settings, INT64_C(1)), span_rows(&memory, INT64_C(33), memory.shape[INT64_C(0)]));
+    return result;
+}
+/*Time [s] since the start of the next tick, sample, or change of payload or wind. */
+double segfmu_rig_next_event(array_double_2d settings, array_double_2d memory)
 {
     double time;
+    double result;
+    time = span_min(next_tick(settings, memory), (*cspan_at(&memory, INT64_C(6), INT64_C(4))));
+    result = span_min(time, next_reading(settings, memory));
+    return result;
+}
+/*Time [s] within the step of the next event, or the step's end. */
+static double next_event(array_double_2d settings, double duration, array_double_2d memory)
+{
     double until;
     double result;
-    time = span_min((*cspan_at(&memory, INT64_C(2), INT64_C(3))) * (*cspan_at(&loop, INT64_C(1))), (*cspan_at(&memory, INT64_C(2), INT64_C(4))));
-    time = span_min(time, next_sample(sensors, span_rows(&memory, INT64_C(30), memory.shape[INT64_C(0)])));
-    until = time - (*cspan_at(&memory, INT64_C(2), INT64_C(1)));
-    if (until >= duration - instant(loop))
+    until = segfmu_rig_next_event(settings, memory) - (*cspan_at(&memory, INT64_C(6), INT64_C(1)));
+    if (until >= duration - time_tolerance(settings))
     {
         return duration;
     }
     return until;
 }
-/*Time of the first change of payload or wind after another time; 1e300 if there is none.*/
-static double next_edge(array_double_2d changes, double after, array_double_2d memory)
+/*Time [s] of the first change of payload or wind after another time; 1e300: there is none.*/
+static double next_change(array_double_2d changes, double after, array_double_2d memory)
 {
+    double start;
+    double gust;
+    double duration;
     int64_t i;
     double time;
     double first;
+    start = (*cspan_at(&memory, INT64_C(6), INT64_C(0)));
+    gust = (*cspan_at(&memory, INT64_C(5), INT64_C(31)));
+    duration = (*cspan_at(&memory, INT64_C(5), INT64_C(32)));
     first = 1e+300;
     for (i = INT64_C(0); i < changes.shape[INT64_C(0)]; i += INT64_C(1))
     {
-        time = (*cspan_at(&changes, i, INT64_C(0))) - (*cspan_at(&memory, INT64_C(2), INT64_C(0)));
+        time = (*cspan_at(&changes, i, INT64_C(0))) - start;
         if (time > after)
         {
             first = span_min(first, time);
         }
     }
-    if ((*cspan_at(&memory, INT64_C(1), INT64_C(32))) > 0.0)
+    if (duration > 0.0)
     {
-        time = (*cspan_at(&memory, INT64_C(1), INT64_C(31))) - (*cspan_at(&memory, INT64_C(2), INT64_C(0)));
+        time = gust - start;
         if (time > after)
         {
             first = span_min(first, time);
         }
-        time = (*cspan_at(&memory, INT64_C(1), INT64_C(31))) + (*cspan_at(&memory, INT64_C(1), INT64_C(32))) - (*cspan_at(&memory, INT64_C(2), INT64_C(0)));
+        time = gust + duration - start;
         if (time > after)
         {
             first = span_min(first, time);
@@ -8322,22 +8740,26 @@ static double next_edge(array_double_2d changes, double after, array_double_2d m
 /*Kinetic and potential energy of the crane [J]. */
 static double mechanical_energy(array_double_2d memory)
 {
+    array_double_1d energy;
     double result;
-    segfmu_crane_energy(span_row(&memory, INT64_C(0)), (*cspan_at(&memory, INT64_C(1), INT64_C(0))), (*cspan_at(&memory, INT64_C(1), INT64_C(1))), (*cspan_at(&memory, INT64_C(1), INT64_C(2))), (*cspan_at(&memory, INT64_C(1), INT64_C(3))), span_row(&memory, INT64_C(13)));
-    result = (*cspan_at(&memory, INT64_C(13), INT64_C(0))) + (*cspan_at(&memory, INT64_C(13), INT64_C(1)));
+    energy = span_row(&memory, INT64_C(12));
+    segfmu_crane_energy(span_row(&memory, INT64_C(4)), span_row(&memory, INT64_C(5)), energy);
+    result = (*cspan_at(&energy, INT64_C(0))) + (*cspan_at(&energy, INT64_C(1)));
     return result;
 }
-/*Give the load the mass that it has from a time on. */
-static void change_payload(array_double_1d loop, array_double_2d changes, double time, array_double_2d memory)
+/*Give the load the mass that it has from a time [s] on. */
+static void change_payload(array_double_2d settings, array_double_2d changes, double time, array_double_2d memory)
 {
     int64_t chosen;
     int64_t i;
+    double start;
     chosen = -INT64_C(1);
     for (i = INT64_C(0); i < changes.shape[INT64_C(0)]; i += INT64_C(1))
     {
-        if ((*cspan_at(&changes, i, INT64_C(0))) <= time + instant(loop))
+        start = (*cspan_at(&changes, i, INT64_C(0)));
+        if (start <= time + time_tolerance(settings))
         {
-            if ((chosen < INT64_C(0)) || ((*cspan_at(&changes, i, INT64_C(0))) > (*cspan_at(&changes, chosen, INT64_C(0)))))
+            if ((chosen < INT64_C(0)) || (start > (*cspan_at(&changes, chosen, INT64_C(0)))))
             {
                 chosen = i;
             }
@@ -8345,140 +8767,191 @@ static void change_payload(array_double_1d loop, array_double_2d changes, double
     }
     if (chosen >= INT64_C(0))
     {
-        (*cspan_at(&memory, INT64_C(1), INT64_C(2))) = (*cspan_at(&changes, chosen, INT64_C(1)));
+        (*cspan_at(&memory, INT64_C(5), INT64_C(2))) = (*cspan_at(&changes, chosen, INT64_C(1)));
     }
 }
 /*Take the samples and change the payload if they are due. */
-static void meet_events(array_double_1d loop, array_double_1d sensors, array_double_2d changes, array_double_2d memory)
+static void handle_events(array_double_2d settings, array_double_2d changes, array_double_2d memory)
 {
+    array_double_1d clock;
+    array_double_1d energy;
     double time;
     double latest;
     double before;
-    time = (*cspan_at(&memory, INT64_C(2), INT64_C(1))) + (*cspan_at(&memory, INT64_C(2), INT64_C(2)));
-    latest = time + instant(loop);
-    while(next_sample(sensors, span_rows(&memory, INT64_C(30), memory.shape[INT64_C(0)])) <= latest)
+    double added;
+    clock = span_row(&memory, INT64_C(6));
+    energy = span_row(&memory, INT64_C(12));
+    time = present_time(memory);
+    latest = time + time_tolerance(settings);
+    while(next_reading(settings, memory) <= latest)
     {
-        take_sample(sensors, span_row(&memory, INT64_C(0)), span_rows(&memory, INT64_C(30), memory.shape[INT64_C(0)]));
+        take_sample(span_row(&settings, INT64_C(1)), span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(33), memory.shape[INT64_C(0)]));
     }
-    while((*cspan_at(&memory, INT64_C(2), INT64_C(4))) <= latest)
+    while((*cspan_at(&clock, INT64_C(4))) <= latest)
     {
-        (*cspan_at(&memory, INT64_C(2), INT64_C(4))) = next_edge(changes, (*cspan_at(&memory, INT64_C(2), INT64_C(4))), memory);
+        (*cspan_at(&clock, INT64_C(4))) = next_change(changes, (*cspan_at(&clock, INT64_C(4))), memory);
         before = mechanical_energy(memory);
-        change_payload(loop, changes, (*cspan_at(&memory, INT64_C(2), INT64_C(0))) + time, memory);
-        (*cspan_at(&memory, INT64_C(2), INT64_C(6))) = (*cspan_at(&memory, INT64_C(2), INT64_C(6))) + (mechanical_energy(memory) - before);
+        change_payload(settings, changes, (*cspan_at(&clock, INT64_C(0))) + time, memory);
+        added = mechanical_energy(memory) - before;
+        (*cspan_at(&energy, INT64_C(3))) = (*cspan_at(&energy, INT64_C(3))) + added;
     }
 }
-/*A setpoint at a share of the step. */
-static double course(array_double_1d setpoints, int64_t i, double share, array_double_2d memory)
+/*Signals of the sensors at a time [s] since the start that does not decrease. */
+static void update_signals(array_double_2d settings, double time, array_double_2d memory)
 {
-    double bend;
-    double result;
-    bend = (*cspan_at(&memory, INT64_C(10), INT64_C(10) + i)) + (*cspan_at(&memory, INT64_C(11), INT64_C(10) + i)) * (share + 1.0);
-    result = (*cspan_at(&memory, INT64_C(3), i)) + ((*cspan_at(&setpoints, i)) - (*cspan_at(&memory, INT64_C(3), i)) + bend * (share - 1.0)) * share;
+    sense_signals(span_row(&settings, INT64_C(1)), time, span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(33), memory.shape[INT64_C(0)]), span_row(&memory, INT64_C(0)));
+}
+/*Whether the drives follow velocities.*/
+static bool is_driven(array_double_2d memory)
+{
+    bool result;
+    result = (int64_t)((*cspan_at(&memory, INT64_C(5), INT64_C(4)))) == INT64_C(1);
     return result;
 }
-/*Taylor coefficients of a setpoint at a share of the step, by time: rates[place], every third.*/
-/*                                                                                             */
-static void course_rates(array_double_1d setpoints, int64_t i, double share, double duration, array_double_2d memory, array_double_1d rates, int64_t place)
+/*A setpoint at a share of the step. */
+static double setpoint_at(array_double_1d setpoints, int64_t i, double share, array_double_2d memory)
+{
+    double last;
+    double bend;
+    double result;
+    last = (*cspan_at(&memory, INT64_C(7), i));
+    bend = (*cspan_at(&memory, INT64_C(10), i)) + (*cspan_at(&memory, INT64_C(11), i)) * (share + 1.0);
+    result = last + ((*cspan_at(&setpoints, i)) - last + bend * (share - 1.0)) * share;
+    return result;
+}
+/*Taylor coefficients of a setpoint at a share of the step, by time: slope, square, cube.*/
+static int64_t setpoint_rates(double* result_0_0001, double* result_1, double* result_2_0001, array_double_1d setpoints, int64_t i, double share, double duration, array_double_2d memory)
 {
     double square;
     double cube;
     double slope;
-    square = (*cspan_at(&memory, INT64_C(10), INT64_C(10) + i));
-    cube = (*cspan_at(&memory, INT64_C(11), INT64_C(10) + i));
-    slope = (*cspan_at(&setpoints, i)) - (*cspan_at(&memory, INT64_C(3), i)) - square - cube;
+    double bend;
+    square = (*cspan_at(&memory, INT64_C(10), i));
+    cube = (*cspan_at(&memory, INT64_C(11), i));
+    slope = (*cspan_at(&setpoints, i)) - (*cspan_at(&memory, INT64_C(7), i)) - square - cube;
     slope = slope + (2.0 * square + 3.0 * cube * share) * share;
-    (*cspan_at(&rates, place)) = slope / duration;
-    (*cspan_at(&rates, place + INT64_C(3))) = (square + 3.0 * cube * share) / (duration * duration);
-    (*cspan_at(&rates, place + INT64_C(6))) = cube / (duration * duration * duration);
+    bend = (square + 3.0 * cube * share) / (duration * duration);
+    (*result_0_0001) = slope / duration;
+    (*result_1) = bend;
+    (*result_2_0001) = cube / (duration * duration * duration);
+    return 0;
 }
 /*Whether the controller's next tick has come. */
-static bool controller_due(array_double_1d loop, array_double_2d memory)
+static bool controller_due(array_double_2d settings, array_double_2d memory)
 {
     bool result;
-    result = (*cspan_at(&memory, INT64_C(2), INT64_C(3))) * (*cspan_at(&loop, INT64_C(1))) <= (*cspan_at(&memory, INT64_C(2), INT64_C(1))) + (*cspan_at(&memory, INT64_C(2), INT64_C(2))) + instant(loop);
+    result = next_tick(settings, memory) <= present_time(memory) + time_tolerance(settings);
     return result;
 }
 /*What the controller gets at the tick that is due.*/
-static void prepare_tick(array_double_1d sensors, array_double_1d setpoints, double duration, array_double_2d memory)
+static void prepare_tick(array_double_2d settings, array_double_1d setpoints, double duration, array_double_2d memory)
 {
+    array_double_1d clock;
     double time;
     double share;
     int64_t i;
-    time = (*cspan_at(&memory, INT64_C(2), INT64_C(1))) + (*cspan_at(&memory, INT64_C(2), INT64_C(2)));
-    share = (*cspan_at(&memory, INT64_C(2), INT64_C(2))) / duration;
-    (*cspan_at(&memory, INT64_C(2), INT64_C(3))) = (*cspan_at(&memory, INT64_C(2), INT64_C(3))) + 1.0;
-    (*cspan_at(&memory, INT64_C(2), INT64_C(7))) = (*cspan_at(&memory, INT64_C(2), INT64_C(0))) + time;
-    sense_signals(sensors, time, span_row(&memory, INT64_C(0)), span_rows(&memory, INT64_C(30), memory.shape[INT64_C(0)]), span_row(&memory, INT64_C(5)));
+    double value;
+    double slope;
+    double Dummy_0000;
+    double Dummy_0001;
+    clock = span_row(&memory, INT64_C(6));
+    time = present_time(memory);
+    share = (*cspan_at(&clock, INT64_C(2))) / duration;
+    (*cspan_at(&clock, INT64_C(3))) = (*cspan_at(&clock, INT64_C(3))) + 1.0;
+    (*cspan_at(&clock, INT64_C(5))) = (*cspan_at(&clock, INT64_C(0))) + time;
+    update_signals(settings, time, memory);
     for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
     {
-        (*cspan_at(&memory, INT64_C(6), i)) = course(setpoints, INT64_C(6) + i, share, memory);
+        value = setpoint_at(setpoints, INT64_C(6) + i, share, memory);
+        (*cspan_at(&memory, INT64_C(1), i)) = value;
     }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        if ((*cspan_at(&memory, INT64_C(1), INT64_C(4))) > 0.5)
+        if (is_driven(memory))
         {
-            course_rates(setpoints, INT64_C(3) + i, share, duration, memory, span_row(&memory, INT64_C(11)), i);
-            (*cspan_at(&memory, INT64_C(7), i)) = (*cspan_at(&memory, INT64_C(11), i));
+            setpoint_rates(&slope, &Dummy_0000, &Dummy_0001, setpoints, INT64_C(3) + i, share, duration, memory);
+            (*cspan_at(&memory, INT64_C(2), i)) = slope;
         }
         else
         {
-            (*cspan_at(&memory, INT64_C(7), i)) = course(setpoints, i, share, memory);
+            value = setpoint_at(setpoints, INT64_C(0) + i, share, memory);
+            (*cspan_at(&memory, INT64_C(2), i)) = value;
         }
     }
 }
-/*Let the new correction act or not; what that would make it jump by fades out instead.    */
-/*                                                                                         */
-/*    Callers that correct by themselves call it after they have put theirs into memory[8].*/
-/*                                                                                         */
-void segfmu_switch_correction(array_double_1d loop, array_double_2d memory)
+/*Switch the new correction on or off; the jump of a change fades out.                                 */
+/*                                                                                                     */
+/*    Callers that correct by themselves call it after they have put their correction into the memory. */
+/*                                                                                                     */
+void segfmu_switch_correction(array_double_2d settings, array_double_2d memory)
 {
+    array_double_1d loop;
+    array_double_1d correction;
     double acts;
     double decay;
+    double acted;
     int64_t i;
-    acts = 1.0;
-    if ((*cspan_at(&loop, INT64_C(2))) > 0.5)
+    double fade;
+    double value;
+    double fading;
+    loop = span_row(&settings, INT64_C(0));
+    correction = span_row(&memory, INT64_C(3));
+    acts = 2.0;
+    if ((*cspan_at(&loop, INT64_C(2))) < 0.5)
     {
-        acts = 2.0;
+        acts = 1.0;
     }
     decay = 0.0;
     if ((*cspan_at(&loop, INT64_C(4))) > 0.0)
     {
         decay = exp((-(*cspan_at(&loop, INT64_C(1)))) / (*cspan_at(&loop, INT64_C(4))));
     }
+    acted = (*cspan_at(&correction, INT64_C(6)));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        if (acts < 1.5)
+        if ((*cspan_at(&loop, INT64_C(2))) < 0.5)
         {
-            (*cspan_at(&memory, INT64_C(8), i)) = 0.0;
-            if ((*cspan_at(&memory, INT64_C(1), INT64_C(4))) > 0.5)
+            (*cspan_at(&correction, INT64_C(0) + i)) = 0.0;
+            if (is_driven(memory))
             {
                 /*a velocity that was added must not stay*/
-                (*cspan_at(&memory, INT64_C(8), i)) = (-(*cspan_at(&memory, INT64_C(9), i))) / span_max((*cspan_at(&loop, INT64_C(4))), (*cspan_at(&loop, INT64_C(1))));
+                fade = span_max((*cspan_at(&loop, INT64_C(4))), (*cspan_at(&loop, INT64_C(1))));
+                (*cspan_at(&correction, INT64_C(0) + i)) = (-(*cspan_at(&memory, INT64_C(9), i))) / fade;
             }
         }
-        if (((*cspan_at(&memory, INT64_C(8), INT64_C(6))) > 0.5) && ((*cspan_at(&memory, INT64_C(8), INT64_C(6))) != acts))
+        value = (*cspan_at(&correction, INT64_C(0) + i));
+        fading = (*cspan_at(&correction, INT64_C(3) + i));
+        if ((acted > 0.5) && (acted != acts))
         {
-            (*cspan_at(&memory, INT64_C(8), INT64_C(3) + i)) = (*cspan_at(&memory, INT64_C(8), INT64_C(7) + i)) - (*cspan_at(&memory, INT64_C(8), i));
+            fading = (*cspan_at(&correction, INT64_C(7) + i)) - value;
         }
-        (*cspan_at(&memory, INT64_C(8), INT64_C(3) + i)) = decay * (*cspan_at(&memory, INT64_C(8), INT64_C(3) + i));
-        (*cspan_at(&memory, INT64_C(8), i)) = (*cspan_at(&memory, INT64_C(8), i)) + (*cspan_at(&memory, INT64_C(8), INT64_C(3) + i));
-        (*cspan_at(&memory, INT64_C(8), INT64_C(7) + i)) = (*cspan_at(&memory, INT64_C(8), i));
+        fading = decay * fading;
+        (*cspan_at(&correction, INT64_C(3) + i)) = fading;
+        (*cspan_at(&correction, INT64_C(0) + i)) = value + fading;
+        (*cspan_at(&correction, INT64_C(7) + i)) = value + fading;
     }
-    (*cspan_at(&memory, INT64_C(8), INT64_C(6))) = acts;
+    (*cspan_at(&correction, INT64_C(6))) = acts;
 }
 /*The correction at a tick; the tracking controller's observer goes on when it is off. */
-static void correct_setpoints(array_double_1d loop, array_double_1d tracking, array_double_1d lengths, array_double_3d table, array_double_1d gain_lengths, array_double_3d gains, array_double_2d tracker, array_double_2d memory)
+static void correct_setpoints(array_double_2d settings, array_double_3d table, array_double_3d gains, array_double_2d tracker, array_double_2d memory)
 {
-    if ((*cspan_at(&loop, INT64_C(0))) > 1.5)
+    if ((int64_t)((*cspan_at(&settings, INT64_C(0), INT64_C(0)))) == INT64_C(2))
     {
-        segfmu_track_setpoint(tracking, lengths, table, gain_lengths, gains, span_row(&memory, INT64_C(5)), span_row(&memory, INT64_C(6)), span_row(&memory, INT64_C(7)), tracker, span_row(&memory, INT64_C(8)));
+        segfmu_track_setpoint(span_row(&settings, INT64_C(2)), table, gains, span_rows(&memory, INT64_C(0), INT64_C(4)), tracker);
     }
     else
     {
-        segfmu_feedback_correction(span_row(&memory, INT64_C(0)), span_row(&memory, INT64_C(6)), gain_lengths, gains, span_row(&memory, INT64_C(8)));
+        segfmu_feedback_correction(span_row(&memory, INT64_C(4)), span_row(&memory, INT64_C(1)), gains, span_row(&memory, INT64_C(3)));
     }
-    segfmu_switch_correction(loop, memory);
+    segfmu_switch_correction(settings, memory);
+}
+/*Command of a drive, and the coefficients of the time elapsed in it.*/
+static void set_command(int64_t axis, double value, double slope, double square, double cube, array_double_2d memory)
+{
+    (*cspan_at(&memory, INT64_C(13) + INT64_C(0), axis)) = value;
+    (*cspan_at(&memory, INT64_C(13) + INT64_C(1), INT64_C(0) + axis)) = slope;
+    (*cspan_at(&memory, INT64_C(13) + INT64_C(1), INT64_C(3) + axis)) = square;
+    (*cspan_at(&memory, INT64_C(13) + INT64_C(1), INT64_C(6) + axis)) = cube;
 }
 /*Commands of velocity drives now and their rates until a time; advances what is added.*/
 static void command_velocities(array_double_1d setpoints, double duration, double until, array_double_2d memory)
@@ -8486,334 +8959,447 @@ static void command_velocities(array_double_1d setpoints, double duration, doubl
     double done;
     double length;
     int64_t i;
+    int64_t velocity;
+    double correction;
+    double added;
     double command;
-    double aim;
-    int64_t j;
-    done = (*cspan_at(&memory, INT64_C(2), INT64_C(2)));
+    double slope;
+    double square;
+    double cube;
+    double end;
+    double acceleration;
+    done = (*cspan_at(&memory, INT64_C(6), INT64_C(2)));
     length = until - done;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        command = course(setpoints, INT64_C(3) + i, done / duration, memory) + (*cspan_at(&memory, INT64_C(9), i));
-        course_rates(setpoints, INT64_C(3) + i, done / duration, duration, memory, span_row(&memory, INT64_C(11)), i);
-        (*cspan_at(&memory, INT64_C(11), i)) = (*cspan_at(&memory, INT64_C(11), i)) + (*cspan_at(&memory, INT64_C(8), i));
-        (*cspan_at(&memory, INT64_C(9), i)) = (*cspan_at(&memory, INT64_C(9), i)) + (*cspan_at(&memory, INT64_C(8), i)) * length;
-        if ((*cspan_at(&memory, INT64_C(1), INT64_C(5) + i)) == 0.0)
+        velocity = INT64_C(3) + i;
+        correction = (*cspan_at(&memory, INT64_C(3), INT64_C(0) + i));
+        added = (*cspan_at(&memory, INT64_C(9), i));
+        command = setpoint_at(setpoints, velocity, done / duration, memory) + added;
+        setpoint_rates(&slope, &square, &cube, setpoints, velocity, done / duration, duration, memory);
+        (*cspan_at(&memory, INT64_C(9), i)) = added + correction * length;
+        set_command(i, command, slope + correction, square, cube, memory);
+        if ((*cspan_at(&memory, INT64_C(5), INT64_C(5) + i)) == 0.0)
         {
             /*at the end it has its setpoint, wherever a bound has left it before*/
-            aim = course(setpoints, INT64_C(3) + i, until / duration, memory) + (*cspan_at(&memory, INT64_C(9), i));
-            command = (aim - (*cspan_at(&memory, INT64_C(0), INT64_C(5) + i))) / length;
-            for (j = INT64_C(0); j < INT64_C(3); j += INT64_C(1))
-            {
-                (*cspan_at(&memory, INT64_C(11), INT64_C(3) * j + i)) = 0.0;
-            }
+            end = setpoint_at(setpoints, velocity, until / duration, memory);
+            end = end + (*cspan_at(&memory, INT64_C(9), i));
+            acceleration = (end - (*cspan_at(&memory, INT64_C(4), INT64_C(5) + i))) / length;
+            set_command(i, acceleration, 0.0, 0.0, 0.0, memory);
         }
-        (*cspan_at(&memory, INT64_C(10), i)) = command;
     }
 }
-/*Integrate until a time within the step; returns the status of kernels/crane/plant.py.*/
-static int64_t advance_plant(array_double_1d loop, array_double_2d components, array_double_1d setpoints, double duration, double until, array_double_2d memory)
+/*Commands of force drives now, and their rates. */
+static void command_forces(array_double_1d setpoints, double duration, array_double_2d memory)
 {
+    double share;
+    int64_t i;
+    double force;
+    double slope;
+    double square;
+    double cube;
+    double correction;
+    share = (*cspan_at(&memory, INT64_C(6), INT64_C(2))) / duration;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        force = setpoint_at(setpoints, INT64_C(0) + i, share, memory);
+        setpoint_rates(&slope, &square, &cube, setpoints, INT64_C(0) + i, share, duration, memory);
+        correction = (*cspan_at(&memory, INT64_C(3), INT64_C(0) + i));
+        set_command(i, force + correction, slope, square, cube, memory);
+    }
+}
+/*Integrate until a time [s] within the step; returns a `PlantStatus`. */
+static int64_t advance_plant(array_double_2d settings, array_double_2d components, array_double_1d setpoints, double duration, double until, array_double_2d memory)
+{
+    array_double_1d clock;
+    array_double_1d report;
+    array_double_2d work;
     double time;
     int64_t i;
-    double share;
+    double before;
     int64_t status;
-    time = (*cspan_at(&memory, INT64_C(2), INT64_C(0))) + (*cspan_at(&memory, INT64_C(2), INT64_C(1))) + (*cspan_at(&memory, INT64_C(2), INT64_C(2)));
-    if ((*cspan_at(&memory, INT64_C(1), INT64_C(4))) > 0.5)
+    clock = span_row(&memory, INT64_C(6));
+    report = span_row(&memory, INT64_C(8));
+    work = span_rows(&memory, INT64_C(13), INT64_C(13) + INT64_C(20));
+    time = (*cspan_at(&clock, INT64_C(0))) + (*cspan_at(&clock, INT64_C(1))) + (*cspan_at(&clock, INT64_C(2)));
+    if (is_driven(memory))
     {
         command_velocities(setpoints, duration, until, memory);
     }
     else
     {
-        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-        {
-            share = (*cspan_at(&memory, INT64_C(2), INT64_C(2))) / duration;
-            (*cspan_at(&memory, INT64_C(10), i)) = course(setpoints, i, share, memory) + (*cspan_at(&memory, INT64_C(8), i));
-            course_rates(setpoints, i, share, duration, memory, span_row(&memory, INT64_C(11)), i);
-        }
+        command_forces(setpoints, duration, memory);
     }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        (*cspan_at(&memory, INT64_C(12), i)) = (*cspan_at(&setpoints, INT64_C(16) + i));
+        (*cspan_at(&work, INT64_C(2), i)) = (*cspan_at(&setpoints, INT64_C(16) + i));
     }
-    status = segfmu_plant_advance(span_row(&memory, INT64_C(1)), components, time, span_row(&memory, INT64_C(0)), span_row(&memory, INT64_C(10)), span_row(&memory, INT64_C(11)), span_row(&memory, INT64_C(12)), until - (*cspan_at(&memory, INT64_C(2), INT64_C(2))), (*cspan_at(&loop, INT64_C(3))), span_rows(&memory, INT64_C(14), INT64_C(30)), span_row(&memory, INT64_C(4)));
+    status = segfmu_plant_advance(span_row(&memory, INT64_C(5)), components, time, span_row(&memory, INT64_C(4)), until - (*cspan_at(&clock, INT64_C(2))), (*cspan_at(&settings, INT64_C(0), INT64_C(3))), work, report);
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        (*cspan_at(&memory, INT64_C(4), INT64_C(10) + i)) = span_max((*cspan_at(&memory, INT64_C(4), INT64_C(10) + i)), (*cspan_at(&memory, INT64_C(4), INT64_C(3) + i)));
+        before = (*cspan_at(&report, INT64_C(10) + i));
+        (*cspan_at(&report, INT64_C(10) + i)) = span_max(before, (*cspan_at(&report, INT64_C(3) + i)));
     }
     if (status != INT64_C(0))
     {
-        (*cspan_at(&memory, INT64_C(2), INT64_C(7))) = time + (*cspan_at(&memory, INT64_C(4), INT64_C(9)));
+        (*cspan_at(&clock, INT64_C(5))) = time + (*cspan_at(&report, INT64_C(9)));
     }
     return status;
 }
-/*Time of the next tick, sample, or change of payload or wind. */
-double segfmu_rig_next_event(array_double_1d loop, array_double_1d sensors, array_double_2d memory)
-{
-    double time;
-    double result;
-    time = span_min((*cspan_at(&memory, INT64_C(2), INT64_C(3))) * (*cspan_at(&loop, INT64_C(1))), (*cspan_at(&memory, INT64_C(2), INT64_C(4))));
-    result = span_min(time, next_sample(sensors, span_rows(&memory, INT64_C(30), memory.shape[INT64_C(0)])));
-    return result;
-}
 /*Signals of the sensors at a time that does not decrease. */
-void segfmu_rig_signals(array_double_1d sensors, double time, array_double_2d memory)
+void segfmu_rig_signals(array_double_2d settings, double time, array_double_2d memory)
 {
-    (*cspan_at(&memory, INT64_C(2), INT64_C(1))) = time;
-    (*cspan_at(&memory, INT64_C(2), INT64_C(2))) = 0.0;
-    sense_signals(sensors, time, span_row(&memory, INT64_C(0)), span_rows(&memory, INT64_C(30), memory.shape[INT64_C(0)]), span_row(&memory, INT64_C(5)));
+    (*cspan_at(&memory, INT64_C(6), INT64_C(1))) = time;
+    (*cspan_at(&memory, INT64_C(6), INT64_C(2))) = 0.0;
+    update_signals(settings, time, memory);
+}
+/*Velocity [m/s] that corrections have added to a velocity setpoint at a time. */
+static double added_velocity(int64_t axis, double time, array_double_2d memory)
+{
+    double held;
+    double correction;
+    double result;
+    held = time - (*cspan_at(&memory, INT64_C(6), INT64_C(6)));
+    correction = (*cspan_at(&memory, INT64_C(3), INT64_C(0) + axis));
+    result = (*cspan_at(&memory, INT64_C(9), axis)) + correction * held;
+    return result;
 }
 /*Take samples, change the payload and correct the setpoints where it is due at a time.            */
 /*                                                                                                 */
 /*    What the setpoints' slopes are is not known, so with velocity drives the limits of a tracking*/
 /*    controller count for its correction alone.                                                   */
 /*                                                                                                 */
-void segfmu_rig_event(array_double_1d loop, array_double_1d sensors, array_double_2d changes, array_double_1d tracking, array_double_1d lengths, array_double_3d table, array_double_1d gain_lengths, array_double_3d gains, array_double_2d tracker, array_double_1d setpoints, double time, array_double_2d memory)
+void segfmu_rig_event(array_double_2d settings, array_double_2d changes, array_double_3d table, array_double_3d gains, array_double_2d tracker, array_double_1d setpoints, double time, array_double_2d memory)
 {
+    array_double_1d clock;
     int64_t i;
-    segfmu_rig_signals(sensors, time, memory);
+    clock = span_row(&memory, INT64_C(6));
+    segfmu_rig_signals(settings, time, memory);
     for (i = INT64_C(0); i < INT64_C(19); i += INT64_C(1))
     {
-        (*cspan_at(&memory, INT64_C(3), i)) = (*cspan_at(&setpoints, i));
+        (*cspan_at(&memory, INT64_C(7), i)) = (*cspan_at(&setpoints, i));
     }
-    meet_events(loop, sensors, changes, memory);
-    if (controller_due(loop, memory))
+    handle_events(settings, changes, memory);
+    if (controller_due(settings, memory))
     {
         for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
         {
-            (*cspan_at(&memory, INT64_C(9), i)) = (*cspan_at(&memory, INT64_C(9), i)) + (*cspan_at(&memory, INT64_C(8), i)) * (time - (*cspan_at(&memory, INT64_C(2), INT64_C(8))));
+            (*cspan_at(&memory, INT64_C(9), i)) = added_velocity(i, time, memory);
         }
-        (*cspan_at(&memory, INT64_C(2), INT64_C(8))) = time;
-        prepare_tick(sensors, setpoints, 1.0, memory);
-        correct_setpoints(loop, tracking, lengths, table, gain_lengths, gains, tracker, memory);
+        (*cspan_at(&clock, INT64_C(6))) = time;
+        prepare_tick(settings, setpoints, 1.0, memory);
+        correct_setpoints(settings, table, gains, tracker, memory);
     }
 }
-/*Derivative of the state (13) at a time; the report, memory[4, :9], is that of the plant. */
-/*                                                                                         */
-/*    Returns `plant_status`.                                                              */
-/*                                                                                         */
+/*Derivative of the state (13) at a time; the report of the memory is that of the plant. */
+/*                                                                                       */
+/*    Returns a `PlantStatus`.                                                           */
+/*                                                                                       */
 int64_t segfmu_rig_rates(array_double_2d components, array_double_1d setpoints, double time, array_double_2d memory, array_double_1d derivative)
 {
-    int64_t i;
-    double added;
     array_double_2d work;
+    array_double_1d report;
+    int64_t i;
+    double command;
+    double correction;
     int64_t result;
+    work = span_rows(&memory, INT64_C(13), INT64_C(13) + INT64_C(20));
+    report = span_row(&memory, INT64_C(8));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        (*cspan_at(&memory, INT64_C(10), i)) = (*cspan_at(&setpoints, i)) + (*cspan_at(&memory, INT64_C(8), i));
-        if ((*cspan_at(&memory, INT64_C(1), INT64_C(4))) > 0.5)
+        if (is_driven(memory))
         {
-            added = (*cspan_at(&memory, INT64_C(9), i)) + (*cspan_at(&memory, INT64_C(8), i)) * (time - (*cspan_at(&memory, INT64_C(2), INT64_C(8))));
-            (*cspan_at(&memory, INT64_C(10), i)) = (*cspan_at(&setpoints, INT64_C(3) + i)) + added;
+            command = (*cspan_at(&setpoints, INT64_C(3) + i)) + added_velocity(i, time, memory);
         }
-        (*cspan_at(&memory, INT64_C(11), i)) = 0.0;
-        (*cspan_at(&memory, INT64_C(12), i)) = (*cspan_at(&setpoints, INT64_C(16) + i));
+        else
+        {
+            correction = (*cspan_at(&memory, INT64_C(3), INT64_C(0) + i));
+            command = (*cspan_at(&setpoints, INT64_C(0) + i)) + correction;
+        }
+        set_command(i, command, 0.0, 0.0, 0.0, memory);
+        (*cspan_at(&work, INT64_C(2), i)) = (*cspan_at(&setpoints, INT64_C(16) + i));
     }
-    work = span_rows(&memory, INT64_C(14), INT64_C(30));
-    plant_derivative(span_row(&memory, INT64_C(1)), components, (*cspan_at(&memory, INT64_C(2), INT64_C(0))) + time, 0.0, span_row(&memory, INT64_C(0)), span_row(&memory, INT64_C(10)), span_row(&memory, INT64_C(11)), span_row(&memory, INT64_C(12)), work, derivative);
+    plant_derivative(span_row(&memory, INT64_C(5)), components, (*cspan_at(&memory, INT64_C(6), INT64_C(0))) + time, 0.0, span_row(&memory, INT64_C(4)), work, derivative);
     for (i = INT64_C(0); i < INT64_C(7); i += INT64_C(1))
     {
-        (*cspan_at(&memory, INT64_C(4), i)) = (*cspan_at(&work, INT64_C(10), i));
+        (*cspan_at(&report, i)) = (*cspan_at(&work, INT64_C(13), i));
     }
-    (*cspan_at(&memory, INT64_C(4), INT64_C(7))) = (*cspan_at(&derivative, INT64_C(11)));
-    (*cspan_at(&memory, INT64_C(4), INT64_C(8))) = (*cspan_at(&derivative, INT64_C(12)));
-    result = plant_status(span_row(&memory, INT64_C(1)), span_row(&memory, INT64_C(0)), (*cspan_at(&work, INT64_C(10), INT64_C(6))));
+    (*cspan_at(&report, INT64_C(7))) = (*cspan_at(&derivative, INT64_C(11)));
+    (*cspan_at(&report, INT64_C(8))) = (*cspan_at(&derivative, INT64_C(12)));
+    result = plant_status(span_row(&memory, INT64_C(5)), span_row(&memory, INT64_C(4)), (*cspan_at(&work, INT64_C(13), INT64_C(6))));
     return result;
 }
-/*Derivative of the friction force of an axis by its velocity. */
-static double friction_slope(array_double_1d parameters, int64_t axis, double velocity)
+/*Derivative of the friction force of an axis by its velocity [N s/m]. */
+static double friction_slope(array_double_1d plant, int64_t axis, double velocity)
 {
+    double width;
     double share;
     double slope;
-    slope = (*cspan_at(&parameters, INT64_C(14) + axis));
-    if ((*cspan_at(&parameters, INT64_C(17) + axis)) > 0.0)
+    slope = (*cspan_at(&plant, INT64_C(14) + axis));
+    if ((*cspan_at(&plant, INT64_C(17) + axis)) > 0.0)
     {
-        share = tanh(velocity / (*cspan_at(&parameters, INT64_C(20))));
-        slope = slope + (*cspan_at(&parameters, INT64_C(17) + axis)) * (1.0 - share * share) / (*cspan_at(&parameters, INT64_C(20)));
+        width = (*cspan_at(&plant, INT64_C(20)));
+        share = tanh(velocity / width);
+        slope = slope + (*cspan_at(&plant, INT64_C(17) + axis)) * (1.0 - share * share) / width;
     }
     return slope;
 }
-/*Time derivative of the wind's force on the load along an axis. */
-static double wind_slope(array_double_1d parameters, array_double_2d components, double time, int64_t axis)
+/*Derivative of `gust_factor` by the share of the gust's duration, between its ends. */
+static double gust_rate(double shape, double share)
 {
-    double share;
     double angle;
+    double result;
+    /*both shapes are sines of the share: their rate is the shape a quarter on*/
+    angle = full_circle() * share;
+    if ((int64_t)(shape) == INT64_C(1))
+    {
+        return 0.5 * full_circle() * cos(0.5 * angle);
+    }
+    return 0.5 * full_circle() * cos(angle - 0.25 * full_circle());
+}
+/*Time derivative of the wind's force on the load along an axis [N/s]. */
+static double wind_slope(array_double_1d plant, array_double_2d components, double time, int64_t axis)
+{
+    double duration;
+    double share;
     double rate;
     int64_t k;
+    double frequency;
+    double angle;
     double sines;
     double slope;
     slope = 0.0;
-    if ((*cspan_at(&parameters, INT64_C(32))) > 0.0)
+    duration = (*cspan_at(&plant, INT64_C(32)));
+    if (duration > 0.0)
     {
-        share = (time - (*cspan_at(&parameters, INT64_C(31)))) / (*cspan_at(&parameters, INT64_C(32)));
+        share = (time - (*cspan_at(&plant, INT64_C(31)))) / duration;
         if ((share > 0.0) && (share < 1.0))
         {
-            /*both shapes are sines of the share: their rate is the shape a quarter on*/
-            angle = full_circle() * share;
-            if ((*cspan_at(&parameters, INT64_C(33))) > 0.5)
-            {
-                rate = 0.5 * full_circle() * cos(0.5 * angle);
-            }
-            else
-            {
-                rate = 0.5 * full_circle() * cos(angle - 0.25 * full_circle());
-            }
-            slope = rate / (*cspan_at(&parameters, INT64_C(32))) * (*cspan_at(&parameters, INT64_C(34) + axis));
+            rate = gust_rate((*cspan_at(&plant, INT64_C(33))), share);
+            slope = rate / duration * (*cspan_at(&plant, INT64_C(34) + axis));
         }
     }
     for (k = INT64_C(0); k < components.shape[INT64_C(0)]; k += INT64_C(1))
     {
-        angle = (*cspan_at(&components, k, INT64_C(0))) * time;
-        sines = (*cspan_at(&components, k, INT64_C(1) + axis)) * cos(angle) - (*cspan_at(&components, k, INT64_C(4) + axis)) * sin(angle);
-        slope = slope + (*cspan_at(&components, k, INT64_C(0))) * sines;
+        frequency = (*cspan_at(&components, k, INT64_C(0)));
+        angle = frequency * time;
+        sines = (*cspan_at(&components, k, INT64_C(1) + axis)) * cos(angle);
+        sines = sines - (*cspan_at(&components, k, INT64_C(4) + axis)) * sin(angle);
+        slope = slope + frequency * sines;
     }
     return slope;
 }
-/*Accelerations and forces under force commands; rig is the plant's work space.*/
-static void forced_partials(array_double_1d parameters, array_double_1d state, array_double_2d rig, array_double_2d work, array_double_2d partials)
+/*Add to a row of partial derivatives what the sway damping does by the sway rates.*/
+static void add_damping(array_double_1d plant, array_double_1d by, array_double_1d row)
 {
-    int64_t i;
     int64_t j;
+    double damped;
+    for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
+    {
+        damped = (*cspan_at(&plant, INT64_C(21))) * (*cspan_at(&by, INT64_C(13) + j));
+        (*cspan_at(&row, INT64_C(8) + j)) = (*cspan_at(&row, INT64_C(8) + j)) - damped;
+    }
+}
+/*Accelerations and forces under force commands. */
+static void forced_partials(array_double_1d plant, array_double_1d state, array_double_2d rig, array_double_2d work, array_double_2d partials)
+{
+    array_double_1d saturated;
+    int64_t i;
+    array_double_1d row;
+    int64_t j;
+    double by_force;
     double slope;
-    crane_rhs_partials(state, span_row(&rig, INT64_C(9)), span_row(&rig, INT64_C(11)), (*cspan_at(&parameters, INT64_C(0))), (*cspan_at(&parameters, INT64_C(1))), (*cspan_at(&parameters, INT64_C(2))), (*cspan_at(&parameters, INT64_C(3))), work);
+    array_double_1d rope;
+    int64_t hoist;
+    int64_t velocity;
+    crane_rhs_partials(state, span_row(&rig, INT64_C(12)), span_row(&rig, INT64_C(14)), plant, work);
+    saturated = span_row(&rig, INT64_C(13));
     for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
     {
+        row = span_row(&partials, INT64_C(0) + i);
         for (j = INT64_C(0); j < INT64_C(10); j += INT64_C(1))
         {
-            (*cspan_at(&partials, i, j)) = (*cspan_at(&work, i, j));
+            (*cspan_at(&row, j)) = (*cspan_at(&work, i, j));
         }
         for (j = INT64_C(0); j < INT64_C(3); j += INT64_C(1))
         {
-            slope = friction_slope(parameters, j, (*cspan_at(&state, INT64_C(5) + j)));
-            (*cspan_at(&partials, i, INT64_C(5) + j)) = (*cspan_at(&partials, i, INT64_C(5) + j)) - slope * (*cspan_at(&work, i, INT64_C(10) + j));
-            (*cspan_at(&partials, i, INT64_C(13) + j)) = (*cspan_at(&work, i, INT64_C(15) + j));
-            if ((*cspan_at(&rig, INT64_C(10), INT64_C(3) + j)) < 0.5)
+            by_force = (*cspan_at(&work, i, INT64_C(10) + j));
+            slope = friction_slope(plant, j, (*cspan_at(&state, INT64_C(5) + j)));
+            (*cspan_at(&row, INT64_C(5) + j)) = (*cspan_at(&row, INT64_C(5) + j)) - slope * by_force;
+            (*cspan_at(&row, INT64_C(13) + j)) = (*cspan_at(&work, i, INT64_C(15) + j));
+            if ((*cspan_at(&saturated, INT64_C(3) + j)) < 0.5)
             {
-                (*cspan_at(&partials, i, INT64_C(10) + j)) = (*cspan_at(&work, i, INT64_C(10) + j));
+                (*cspan_at(&row, INT64_C(10) + j)) = by_force;
             }
         }
-        for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
-        {
-            (*cspan_at(&partials, i, INT64_C(8) + j)) = (*cspan_at(&partials, i, INT64_C(8) + j)) - (*cspan_at(&parameters, INT64_C(21))) * (*cspan_at(&work, i, INT64_C(13) + j));
-        }
+        add_damping(plant, span_row(&work, i), row);
     }
     for (j = INT64_C(0); j < INT64_C(3); j += INT64_C(1))
     {
-        if ((*cspan_at(&rig, INT64_C(10), INT64_C(3) + j)) < 0.5)
+        if ((*cspan_at(&saturated, INT64_C(3) + j)) < 0.5)
         {
             (*cspan_at(&partials, INT64_C(5) + j, INT64_C(10) + j)) = 1.0;
         }
     }
-    (*cspan_at(&partials, INT64_C(8), INT64_C(12))) = (*cspan_at(&partials, INT64_C(7), INT64_C(12)));
-    (*cspan_at(&partials, INT64_C(8), INT64_C(7))) = -friction_slope(parameters, INT64_C(2), (*cspan_at(&state, INT64_C(7))));
+    rope = span_row(&partials, INT64_C(8));
+    hoist = INT64_C(10) + INT64_C(2);
+    velocity = INT64_C(5) + INT64_C(2);
+    (*cspan_at(&rope, hoist)) = (*cspan_at(&partials, INT64_C(5) + INT64_C(2), hoist));
+    (*cspan_at(&rope, velocity)) = -friction_slope(plant, INT64_C(2), (*cspan_at(&state, velocity)));
 }
-/*The same under velocity commands; false where a drive is at its largest force. */
-static bool driven_partials(array_double_1d parameters, array_double_1d state, array_double_2d rig, array_double_1d command, array_double_2d work, array_double_2d partials)
+/*Accelerations of the drives under velocity commands; false where one is at its force.*/
+static bool demand_partials(array_double_1d plant, array_double_1d state, array_double_2d rig, array_double_1d command, array_double_2d partials)
 {
+    array_double_1d action;
     int64_t i;
+    double lag;
+    double largest;
     double demand;
-    int64_t row;
-    int64_t j;
-    double slope;
+    bool bounded;
     bool result;
+    action = span_row(&rig, INT64_C(13));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        demand = ((*cspan_at(&command, i)) - (*cspan_at(&state, INT64_C(5) + i))) / (*cspan_at(&parameters, INT64_C(5) + i));
-        if (((*cspan_at(&rig, INT64_C(10), INT64_C(3) + i)) > 0.5) && (!beyond(demand, (*cspan_at(&parameters, INT64_C(11) + i)))))
+        lag = (*cspan_at(&plant, INT64_C(5) + i));
+        largest = (*cspan_at(&plant, INT64_C(8) + i));
+        demand = ((*cspan_at(&command, i)) - (*cspan_at(&state, INT64_C(5) + i))) / lag;
+        bounded = exceeds(demand, (*cspan_at(&plant, INT64_C(11) + i)));
+        if (((*cspan_at(&action, INT64_C(3) + i)) > 0.5) && (!bounded))
         {
             return 0;
         }
-        if (((*cspan_at(&parameters, INT64_C(8) + i)) > 0.0) && (fabs((*cspan_at(&rig, INT64_C(10), i))) >= (*cspan_at(&parameters, INT64_C(8) + i)) * (1.0 - 1e-09)))
+        if ((largest > 0.0) && (fabs((*cspan_at(&action, INT64_C(0) + i))) >= largest * (1.0 - 1e-09)))
         {
             return 0;
         }
-        if (!beyond(demand, (*cspan_at(&parameters, INT64_C(11) + i))))
+        if (!bounded)
         {
-            (*cspan_at(&partials, i, INT64_C(10) + i)) = 1.0 / (*cspan_at(&parameters, INT64_C(5) + i));
-            (*cspan_at(&partials, i, INT64_C(5) + i)) = (-1.0) / (*cspan_at(&parameters, INT64_C(5) + i));
+            (*cspan_at(&partials, i, INT64_C(10) + i)) = 1.0 / lag;
+            (*cspan_at(&partials, i, INT64_C(5) + i)) = (-1.0) / lag;
         }
     }
-    crane_driven_partials(state, span_row(&rig, INT64_C(14)), span_row(&rig, INT64_C(9)), span_row(&rig, INT64_C(11)), (*cspan_at(&parameters, INT64_C(0))), (*cspan_at(&parameters, INT64_C(1))), (*cspan_at(&parameters, INT64_C(2))), (*cspan_at(&parameters, INT64_C(3))), work);
+    return 1;
+}
+/*The same under velocity commands; false where a drive is at its largest force. */
+static bool driven_partials(array_double_1d plant, array_double_1d state, array_double_2d rig, array_double_2d work, array_double_2d partials)
+{
+    int64_t first;
+    int64_t i;
+    array_double_1d row;
+    int64_t j;
+    double by_drive;
+    int64_t velocity;
+    int64_t command;
+    double hoist;
+    double slope;
+    array_double_1d force;
+    bool result;
+    if (!demand_partials(plant, state, rig, span_row(&rig, INT64_C(0)), partials))
+    {
+        return 0;
+    }
+    crane_driven_partials(state, span_row(&rig, INT64_C(17)), span_row(&rig, INT64_C(12)), span_row(&rig, INT64_C(14)), plant, work);
+    /*angles and forces lie side by side in both*/
+    first = INT64_C(0) + INT64_C(3);
     for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
     {
-        row = INT64_C(3) + i;
+        row = span_row(&partials, first + i);
         for (j = INT64_C(0); j < INT64_C(10); j += INT64_C(1))
         {
-            (*cspan_at(&partials, row, j)) = (*cspan_at(&work, i, j));
+            (*cspan_at(&row, j)) = (*cspan_at(&work, i, j));
         }
         for (j = INT64_C(0); j < INT64_C(3); j += INT64_C(1))
         {
             /*through the accelerations of the drives*/
-            (*cspan_at(&partials, row, INT64_C(5) + j)) = (*cspan_at(&partials, row, INT64_C(5) + j)) + (*cspan_at(&work, i, INT64_C(10) + j)) * (*cspan_at(&partials, j, INT64_C(5) + j));
-            (*cspan_at(&partials, row, INT64_C(10) + j)) = (*cspan_at(&work, i, INT64_C(10) + j)) * (*cspan_at(&partials, j, INT64_C(10) + j));
-            (*cspan_at(&partials, row, INT64_C(13) + j)) = (*cspan_at(&work, i, INT64_C(15) + j));
+            by_drive = (*cspan_at(&work, i, INT64_C(10) + j));
+            velocity = INT64_C(5) + j;
+            command = INT64_C(10) + j;
+            (*cspan_at(&row, velocity)) = (*cspan_at(&row, velocity)) + by_drive * (*cspan_at(&partials, j, velocity));
+            (*cspan_at(&row, command)) = by_drive * (*cspan_at(&partials, j, command));
+            (*cspan_at(&row, INT64_C(13) + j)) = (*cspan_at(&work, i, INT64_C(15) + j));
         }
-        for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
-        {
-            (*cspan_at(&partials, row, INT64_C(8) + j)) = (*cspan_at(&partials, row, INT64_C(8) + j)) - (*cspan_at(&parameters, INT64_C(21))) * (*cspan_at(&work, i, INT64_C(13) + j));
-        }
+        add_damping(plant, span_row(&work, i), row);
     }
     for (j = INT64_C(0); j < INT64_C(17); j += INT64_C(1))
     {
-        (*cspan_at(&partials, INT64_C(8), j)) = (*cspan_at(&partials, INT64_C(7), j));
+        hoist = (*cspan_at(&partials, INT64_C(5) + INT64_C(2), j));
+        (*cspan_at(&partials, INT64_C(8), j)) = hoist;
     }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        slope = friction_slope(parameters, i, (*cspan_at(&state, INT64_C(5) + i)));
-        (*cspan_at(&partials, INT64_C(5) + i, INT64_C(5) + i)) = (*cspan_at(&partials, INT64_C(5) + i, INT64_C(5) + i)) + slope;
+        velocity = INT64_C(5) + i;
+        slope = friction_slope(plant, i, (*cspan_at(&state, velocity)));
+        force = span_row(&partials, INT64_C(5) + i);
+        (*cspan_at(&force, velocity)) = (*cspan_at(&force, velocity)) + slope;
     }
     return 1;
 }
 /*Powers of drives, wind and friction. */
-static void power_partials(array_double_1d parameters, array_double_1d state, array_double_2d rig, array_double_2d work, array_double_2d partials)
+static void power_partials(array_double_1d plant, array_double_1d state, array_double_2d rig, array_double_2d work, array_double_2d partials)
 {
+    array_double_1d drive;
+    array_double_1d wind;
+    array_double_1d lost;
     int64_t j;
     int64_t i;
+    int64_t rate;
     double velocity;
+    int64_t by_wind;
     double slope;
+    drive = span_row(&partials, INT64_C(9));
+    wind = span_row(&partials, INT64_C(10));
+    lost = span_row(&partials, INT64_C(11));
     segfmu_crane_load_partials(state, work);
     for (j = INT64_C(0); j < INT64_C(10); j += INT64_C(1))
     {
         for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
         {
-            (*cspan_at(&partials, INT64_C(10), j)) = (*cspan_at(&partials, INT64_C(10), j)) + (*cspan_at(&rig, INT64_C(11), i)) * (*cspan_at(&work, INT64_C(3) + i, j));
+            (*cspan_at(&wind, j)) = (*cspan_at(&wind, j)) + (*cspan_at(&rig, INT64_C(14), i)) * (*cspan_at(&work, INT64_C(3) + i, j));
         }
     }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        velocity = (*cspan_at(&state, INT64_C(5) + i));
+        rate = INT64_C(5) + i;
+        velocity = (*cspan_at(&state, rate));
         for (j = INT64_C(0); j < INT64_C(16); j += INT64_C(1))
         {
-            (*cspan_at(&partials, INT64_C(9), j)) = (*cspan_at(&partials, INT64_C(9), j)) + (*cspan_at(&partials, INT64_C(5) + i, j)) * velocity;
+            (*cspan_at(&drive, j)) = (*cspan_at(&drive, j)) + (*cspan_at(&partials, INT64_C(5) + i, j)) * velocity;
         }
-        (*cspan_at(&partials, INT64_C(9), INT64_C(5) + i)) = (*cspan_at(&partials, INT64_C(9), INT64_C(5) + i)) + (*cspan_at(&rig, INT64_C(10), i));
+        (*cspan_at(&drive, rate)) = (*cspan_at(&drive, rate)) + (*cspan_at(&rig, INT64_C(13), INT64_C(0) + i));
         /*the load's velocity is linear in the rates*/
-        for (j = INT64_C(0); j < INT64_C(5); j += INT64_C(1))
+        by_wind = INT64_C(13) + i;
+        for (j = INT64_C(5); j < INT64_C(10); j += INT64_C(1))
         {
-            (*cspan_at(&partials, INT64_C(10), INT64_C(13) + i)) = (*cspan_at(&partials, INT64_C(10), INT64_C(13) + i)) + (*cspan_at(&work, INT64_C(3) + i, INT64_C(5) + j)) * (*cspan_at(&state, INT64_C(5) + j));
+            (*cspan_at(&wind, by_wind)) = (*cspan_at(&wind, by_wind)) + (*cspan_at(&work, INT64_C(3) + i, j)) * (*cspan_at(&state, j));
         }
-        slope = friction_slope(parameters, i, velocity);
-        (*cspan_at(&partials, INT64_C(11), INT64_C(5) + i)) = slope * velocity + friction_force(parameters, i, velocity);
+        slope = friction_slope(plant, i, velocity);
+        (*cspan_at(&lost, rate)) = slope * velocity + friction_force(plant, i, velocity);
     }
-    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    for (i = INT64_C(8); i < INT64_C(10); i += INT64_C(1))
     {
-        (*cspan_at(&partials, INT64_C(11), INT64_C(8) + i)) = 2.0 * (*cspan_at(&parameters, INT64_C(21))) * (*cspan_at(&state, INT64_C(8) + i));
+        (*cspan_at(&lost, i)) = 2.0 * (*cspan_at(&plant, INT64_C(21))) * (*cspan_at(&state, i));
     }
 }
-/*All partial derivatives at a time [s] since the start; work is (6, 18).                        */
+/*All partial derivatives at a time [s] since the start.                                         */
 /*                                                                                               */
 /*    False where a velocity drive is at its largest force: there they jump with its neighbours'.*/
 /*                                                                                               */
 bool segfmu_rig_partials(array_double_2d components, double time, array_double_2d memory, array_double_2d work, array_double_2d partials)
 {
-    array_double_1d parameters;
+    array_double_1d plant;
     array_double_1d state;
+    array_double_2d rig;
     int64_t i;
     int64_t j;
-    array_double_2d rig;
+    bool driven;
+    array_double_1d row;
     double slope;
+    double added;
+    double correction;
     bool result;
-    parameters = span_row(&memory, INT64_C(1));
-    state = span_row(&memory, INT64_C(0));
+    plant = span_row(&memory, INT64_C(5));
+    state = span_row(&memory, INT64_C(4));
+    rig = span_rows(&memory, INT64_C(13), INT64_C(13) + INT64_C(20));
     for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
     {
         for (j = INT64_C(0); j < INT64_C(17); j += INT64_C(1))
@@ -8828,30 +9414,33 @@ bool segfmu_rig_partials(array_double_2d components, double time, array_double_2
             (*cspan_at(&work, i, j)) = 0.0;
         }
     }
-    rig = span_rows(&memory, INT64_C(14), INT64_C(30));
-    if ((*cspan_at(&parameters, INT64_C(4))) > 0.5)
+    driven = is_driven(memory);
+    if (driven)
     {
-        if (!driven_partials(parameters, state, rig, span_row(&memory, INT64_C(10)), work, partials))
+        if (!driven_partials(plant, state, rig, work, partials))
         {
             return 0;
         }
     }
     else
     {
-        forced_partials(parameters, state, rig, work, partials);
+        forced_partials(plant, state, rig, work, partials);
     }
-    power_partials(parameters, state, rig, work, partials);
+    power_partials(plant, state, rig, work, partials);
     for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
     {
+        row = span_row(&partials, i);
         for (j = INT64_C(0); j < INT64_C(3); j += INT64_C(1))
         {
-            slope = wind_slope(parameters, components, (*cspan_at(&memory, INT64_C(2), INT64_C(0))) + time, j);
-            (*cspan_at(&partials, i, INT64_C(16))) = (*cspan_at(&partials, i, INT64_C(16))) + (*cspan_at(&partials, i, INT64_C(13) + j)) * slope;
-            if ((*cspan_at(&parameters, INT64_C(4))) > 0.5)
+            slope = wind_slope(plant, components, (*cspan_at(&memory, INT64_C(6), INT64_C(0))) + time, j);
+            added = (*cspan_at(&row, INT64_C(16))) + (*cspan_at(&row, INT64_C(13) + j)) * slope;
+            if (driven)
             {
                 /*corrections are integrated into the velocities*/
-                (*cspan_at(&partials, i, INT64_C(16))) = (*cspan_at(&partials, i, INT64_C(16))) + (*cspan_at(&partials, i, INT64_C(10) + j)) * (*cspan_at(&memory, INT64_C(8), j));
+                correction = (*cspan_at(&memory, INT64_C(3), INT64_C(0) + j));
+                added = added + (*cspan_at(&row, INT64_C(10) + j)) * correction;
             }
+            (*cspan_at(&row, INT64_C(16))) = added;
         }
     }
     return 1;
@@ -8860,10 +9449,10 @@ bool segfmu_rig_partials(array_double_2d components, double time, array_double_2
 int64_t segfmu_rig_rows(double sample_time, double dead_time)
 {
     int64_t result;
-    return INT64_C(30) + sensing_rows(sample_time, dead_time);
+    return INT64_C(33) + sensing_rows(sample_time, dead_time);
 }
-/*Put a state (10) and the setpoints at the start into the memory and forget the past. */
-void segfmu_rig_start(array_double_1d loop, array_double_1d sensors, array_double_2d changes, array_double_1d parameters, array_double_1d state, array_double_1d setpoints, double start, array_double_2d memory)
+/*Put a state (10) and the setpoints at the start [s] into the memory and forget the past. */
+void segfmu_rig_start(array_double_2d settings, array_double_2d changes, array_double_1d state, array_double_1d setpoints, double start, array_double_2d memory)
 {
     int64_t row;
     int64_t i;
@@ -8876,109 +9465,115 @@ void segfmu_rig_start(array_double_1d loop, array_double_1d sensors, array_doubl
     }
     for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
     {
-        (*cspan_at(&memory, INT64_C(0), i)) = (*cspan_at(&state, i));
+        (*cspan_at(&memory, INT64_C(4), i)) = (*cspan_at(&state, i));
     }
     for (i = INT64_C(0); i < INT64_C(37); i += INT64_C(1))
     {
-        (*cspan_at(&memory, INT64_C(1), i)) = (*cspan_at(&parameters, i));
+        (*cspan_at(&memory, INT64_C(5), i)) = (*cspan_at(&settings, INT64_C(3), i));
     }
     for (i = INT64_C(0); i < INT64_C(19); i += INT64_C(1))
     {
-        (*cspan_at(&memory, INT64_C(3), i)) = (*cspan_at(&setpoints, i));
+        (*cspan_at(&memory, INT64_C(7), i)) = (*cspan_at(&setpoints, i));
     }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        (*cspan_at(&memory, INT64_C(4), i)) = (*cspan_at(&setpoints, i));
+        (*cspan_at(&memory, INT64_C(8), INT64_C(0) + i)) = (*cspan_at(&setpoints, INT64_C(0) + i));
     }
-    (*cspan_at(&memory, INT64_C(4), INT64_C(6))) = (*cspan_at(&setpoints, INT64_C(2)));
-    (*cspan_at(&memory, INT64_C(2), INT64_C(0))) = start;
-    (*cspan_at(&memory, INT64_C(2), INT64_C(4))) = next_edge(changes, 0.0, memory);
-    change_payload(loop, changes, start, memory);
-    (*cspan_at(&memory, INT64_C(2), INT64_C(5))) = mechanical_energy(memory);
-    start_sensing(sensors, span_row(&memory, INT64_C(0)), span_rows(&memory, INT64_C(30), memory.shape[INT64_C(0)]));
-    sense_signals(sensors, 0.0, span_row(&memory, INT64_C(0)), span_rows(&memory, INT64_C(30), memory.shape[INT64_C(0)]), span_row(&memory, INT64_C(5)));
+    (*cspan_at(&memory, INT64_C(8), INT64_C(6))) = (*cspan_at(&setpoints, INT64_C(0) + INT64_C(2)));
+    (*cspan_at(&memory, INT64_C(6), INT64_C(0))) = start;
+    (*cspan_at(&memory, INT64_C(6), INT64_C(4))) = next_change(changes, 0.0, memory);
+    change_payload(settings, changes, start, memory);
+    (*cspan_at(&memory, INT64_C(12), INT64_C(2))) = mechanical_energy(memory);
+    start_sensing(span_row(&settings, INT64_C(1)), span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(33), memory.shape[INT64_C(0)]));
+    update_signals(settings, 0.0, memory);
 }
 /*Advance by a duration [s] to the given setpoints; returns the status.                              */
 /*                                                                                                   */
-/*    gain_lengths and gains are those of the feedback; tracking, lengths, table and tracker are what*/
-/*    kernels/control/tracking.py calls parameters, lengths, table and memory, and unused without it.*/
+/*    A `PlantStatus`: the state is the last one without, and the step may be tried again. Or        */
+/*    `RigStatus.TICK`, where the caller corrects: the first rows of memory are a `Tick` without its */
+/*    correction; the caller puts that there, calls `switch_correction`, and then `rig_step` again   */
+/*    with the same arguments.                                                                       */
 /*                                                                                                   */
-int64_t segfmu_rig_step(array_double_1d loop, array_double_1d sensors, array_double_2d components, array_double_2d changes, array_double_1d tracking, array_double_1d lengths, array_double_3d table, array_double_1d gain_lengths, array_double_3d gains, array_double_2d tracker, array_double_1d setpoints, double duration, array_double_2d memory)
+int64_t segfmu_rig_step(array_double_2d settings, array_double_2d components, array_double_2d changes, array_double_3d table, array_double_3d gains, array_double_2d tracker, array_double_1d setpoints, double duration, array_double_2d memory)
 {
+    array_double_1d clock;
     int64_t i;
     double until;
     int64_t status;
+    clock = span_row(&memory, INT64_C(6));
     /*before anything that remembers, such as an observer, has seen it*/
     if ((!(fabs(duration) < 1e+100)) || (!all_finite(setpoints, INT64_C(19))))
     {
-        (*cspan_at(&memory, INT64_C(2), INT64_C(7))) = (*cspan_at(&memory, INT64_C(2), INT64_C(0))) + (*cspan_at(&memory, INT64_C(2), INT64_C(1)));
+        (*cspan_at(&clock, INT64_C(5))) = (*cspan_at(&clock, INT64_C(0))) + (*cspan_at(&clock, INT64_C(1)));
         return INT64_C(4);
     }
     status = INT64_C(0);
-    if ((*cspan_at(&memory, INT64_C(2), INT64_C(2))) == 0.0)
+    if ((*cspan_at(&clock, INT64_C(2))) == 0.0)
     {
         for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
         {
-            (*cspan_at(&memory, INT64_C(4), INT64_C(10) + i)) = 0.0;
+            (*cspan_at(&memory, INT64_C(8), INT64_C(10) + i)) = 0.0;
         }
     }
-    while((status == INT64_C(0)) && ((*cspan_at(&memory, INT64_C(2), INT64_C(2))) < duration))
+    while((status == INT64_C(0)) && ((*cspan_at(&clock, INT64_C(2))) < duration))
     {
-        if (controller_due(loop, memory))
+        if (controller_due(settings, memory))
         {
-            prepare_tick(sensors, setpoints, duration, memory);
-            if ((*cspan_at(&loop, INT64_C(0))) < 0.5)
+            prepare_tick(settings, setpoints, duration, memory);
+            if ((int64_t)((*cspan_at(&settings, INT64_C(0), INT64_C(0)))) == INT64_C(0))
             {
                 return -INT64_C(1);
             }
-            correct_setpoints(loop, tracking, lengths, table, gain_lengths, gains, tracker, memory);
+            correct_setpoints(settings, table, gains, tracker, memory);
         }
-        until = next_event(loop, sensors, duration, memory);
-        status = advance_plant(loop, components, setpoints, duration, until, memory);
+        until = next_event(settings, duration, memory);
+        status = advance_plant(settings, components, setpoints, duration, until, memory);
         if (status == INT64_C(0))
         {
-            (*cspan_at(&memory, INT64_C(2), INT64_C(2))) = until;
-            meet_events(loop, sensors, changes, memory);
+            (*cspan_at(&clock, INT64_C(2))) = until;
+            handle_events(settings, changes, memory);
         }
     }
-    (*cspan_at(&memory, INT64_C(2), INT64_C(2))) = 0.0;
+    (*cspan_at(&clock, INT64_C(2))) = 0.0;
     if (status == INT64_C(0))
     {
-        (*cspan_at(&memory, INT64_C(2), INT64_C(1))) = (*cspan_at(&memory, INT64_C(2), INT64_C(1))) + duration;
+        (*cspan_at(&clock, INT64_C(1))) = (*cspan_at(&clock, INT64_C(1))) + duration;
         for (i = INT64_C(0); i < INT64_C(19); i += INT64_C(1))
         {
-            (*cspan_at(&memory, INT64_C(3), i)) = (*cspan_at(&setpoints, i));
-        }
-        for (i = INT64_C(10); i < INT64_C(26); i += INT64_C(1))
-        {
+            (*cspan_at(&memory, INT64_C(7), i)) = (*cspan_at(&setpoints, i));
             (*cspan_at(&memory, INT64_C(10), i)) = 0.0;
             (*cspan_at(&memory, INT64_C(11), i)) = 0.0;
         }
     }
-    sense_signals(sensors, (*cspan_at(&memory, INT64_C(2), INT64_C(1))), span_row(&memory, INT64_C(0)), span_rows(&memory, INT64_C(30), memory.shape[INT64_C(0)]), span_row(&memory, INT64_C(5)));
+    update_signals(settings, (*cspan_at(&clock, INT64_C(1))), memory);
     return status;
 }
-/*Energies [J] (7): kinetic, potential, their sum at the start, work of the drives and of the*/
-/*    wind, energy that payload changes brought, energy dissipated.                          */
+/*Energies [J], a `Balance` (7). */
 void segfmu_rig_balance(array_double_2d memory, array_double_1d balance)
 {
-    segfmu_crane_energy(span_row(&memory, INT64_C(0)), (*cspan_at(&memory, INT64_C(1), INT64_C(0))), (*cspan_at(&memory, INT64_C(1), INT64_C(1))), (*cspan_at(&memory, INT64_C(1), INT64_C(2))), (*cspan_at(&memory, INT64_C(1), INT64_C(3))), span_row(&memory, INT64_C(13)));
-    (*cspan_at(&balance, INT64_C(0))) = (*cspan_at(&memory, INT64_C(13), INT64_C(0)));
-    (*cspan_at(&balance, INT64_C(1))) = (*cspan_at(&memory, INT64_C(13), INT64_C(1)));
-    (*cspan_at(&balance, INT64_C(2))) = (*cspan_at(&memory, INT64_C(2), INT64_C(5)));
-    (*cspan_at(&balance, INT64_C(3))) = (*cspan_at(&memory, INT64_C(0), INT64_C(10)));
-    (*cspan_at(&balance, INT64_C(4))) = (*cspan_at(&memory, INT64_C(0), INT64_C(11)));
-    (*cspan_at(&balance, INT64_C(5))) = (*cspan_at(&memory, INT64_C(2), INT64_C(6)));
-    (*cspan_at(&balance, INT64_C(6))) = (*cspan_at(&memory, INT64_C(0), INT64_C(12)));
+    array_double_1d state;
+    array_double_1d energy;
+    state = span_row(&memory, INT64_C(4));
+    energy = span_row(&memory, INT64_C(12));
+    segfmu_crane_energy(state, span_row(&memory, INT64_C(5)), energy);
+    (*cspan_at(&balance, INT64_C(0))) = (*cspan_at(&energy, INT64_C(0)));
+    (*cspan_at(&balance, INT64_C(1))) = (*cspan_at(&energy, INT64_C(1)));
+    (*cspan_at(&balance, INT64_C(2))) = (*cspan_at(&energy, INT64_C(2)));
+    (*cspan_at(&balance, INT64_C(3))) = (*cspan_at(&state, INT64_C(10)));
+    (*cspan_at(&balance, INT64_C(4))) = (*cspan_at(&state, INT64_C(11)));
+    (*cspan_at(&balance, INT64_C(5))) = (*cspan_at(&energy, INT64_C(3)));
+    (*cspan_at(&balance, INT64_C(6))) = (*cspan_at(&state, INT64_C(12)));
 }
-/*What the balance (7) misses by integration and rounding [J]. */
+/*What the balance misses by integration and rounding [J]. */
 double segfmu_rig_imbalance(array_double_1d balance)
 {
     double gained;
+    double kept;
     double result;
-    gained = (*cspan_at(&balance, INT64_C(3))) + (*cspan_at(&balance, INT64_C(4))) + (*cspan_at(&balance, INT64_C(5))) - (*cspan_at(&balance, INT64_C(6)));
-    result = (*cspan_at(&balance, INT64_C(0))) + (*cspan_at(&balance, INT64_C(1))) - (*cspan_at(&balance, INT64_C(2))) - gained;
-    return result;
+    gained = (*cspan_at(&balance, INT64_C(3))) + (*cspan_at(&balance, INT64_C(4))) + (*cspan_at(&balance, INT64_C(5)));
+    gained = gained - (*cspan_at(&balance, INT64_C(6)));
+    kept = (*cspan_at(&balance, INT64_C(0))) + (*cspan_at(&balance, INT64_C(1))) - (*cspan_at(&balance, INT64_C(2)));
+    return kept - gained;
 }
 /*First time after `time` at which a piece of any axis begins or its last one ends; or 1e300.*/
 /*                                                                                           */

@@ -1,265 +1,6 @@
 /* Generated from the kernels in Python by `python -m segfmu.codegen`; never edited. */
 #include "arguments.h"
 
-static PyObject *call_feedback_correction(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "feedback_correction", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_state;
-    Py_buffer *in_reference;
-    Py_buffer *in_lengths;
-    Py_buffer *in_gains;
-    Py_buffer *in_correction;
-    (void)self;
-    if (take_count(&call, count, 5)
-        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_reference = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_lengths = take_array(&call, 2, 1, 'd', false)) != NULL
-        && (in_gains = take_array(&call, 3, 3, 'd', false)) != NULL
-        && (in_correction = take_array(&call, 4, 1, 'd', true)) != NULL) {
-        segfmu_feedback_correction(
-            (array_double_1d){in_state->buf, {in_state->shape[0]}},
-            (array_double_1d){in_reference->buf, {in_reference->shape[0]}},
-            (array_double_1d){in_lengths->buf, {in_lengths->shape[0]}},
-            (array_double_3d){in_gains->buf, {in_gains->shape[0], in_gains->shape[1], in_gains->shape[2]}},
-            (array_double_1d){in_correction->buf, {in_correction->shape[0]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_feedback_bandwidth(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "feedback_bandwidth", .values = values};
-    PyObject *answer = NULL;
-    double in_ratio;
-    double in_length;
-    double in_gravity;
-    double in_delay;
-    double in_largest;
-    (void)self;
-    if (take_count(&call, count, 5)
-        && take_float(&call, 0, &in_ratio)
-        && take_float(&call, 1, &in_length)
-        && take_float(&call, 2, &in_gravity)
-        && take_float(&call, 3, &in_delay)
-        && take_float(&call, 4, &in_largest)) {
-        answer = PyFloat_FromDouble(segfmu_feedback_bandwidth(
-            in_ratio,
-            in_length,
-            in_gravity,
-            in_delay,
-            in_largest));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_feedback_gains(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "feedback_gains", .values = values};
-    PyObject *answer = NULL;
-    bool in_driven;
-    double in_length;
-    double in_bridge_mass;
-    double in_trolley_mass;
-    double in_payload_mass;
-    double in_gravity;
-    double in_bandwidth;
-    double in_hoist_bandwidth;
-    double in_damping;
-    Py_buffer *in_gains;
-    (void)self;
-    if (take_count(&call, count, 10)
-        && take_bool(&call, 0, &in_driven)
-        && take_float(&call, 1, &in_length)
-        && take_float(&call, 2, &in_bridge_mass)
-        && take_float(&call, 3, &in_trolley_mass)
-        && take_float(&call, 4, &in_payload_mass)
-        && take_float(&call, 5, &in_gravity)
-        && take_float(&call, 6, &in_bandwidth)
-        && take_float(&call, 7, &in_hoist_bandwidth)
-        && take_float(&call, 8, &in_damping)
-        && (in_gains = take_array(&call, 9, 2, 'd', true)) != NULL) {
-        segfmu_feedback_gains(
-            in_driven,
-            in_length,
-            in_bridge_mass,
-            in_trolley_mass,
-            in_payload_mass,
-            in_gravity,
-            in_bandwidth,
-            in_hoist_bandwidth,
-            in_damping,
-            (array_double_2d){in_gains->buf, {in_gains->shape[0], in_gains->shape[1]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_observer_design(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "observer_design", .values = values};
-    PyObject *answer = NULL;
-    bool in_driven;
-    double in_sample_time;
-    double in_length;
-    double in_bridge_mass;
-    double in_trolley_mass;
-    double in_payload_mass;
-    double in_gravity;
-    Py_buffer *in_lag;
-    Py_buffer *in_expected;
-    Py_buffer *in_work;
-    Py_buffer *in_table;
-    (void)self;
-    if (take_count(&call, count, 11)
-        && take_bool(&call, 0, &in_driven)
-        && take_float(&call, 1, &in_sample_time)
-        && take_float(&call, 2, &in_length)
-        && take_float(&call, 3, &in_bridge_mass)
-        && take_float(&call, 4, &in_trolley_mass)
-        && take_float(&call, 5, &in_payload_mass)
-        && take_float(&call, 6, &in_gravity)
-        && (in_lag = take_array(&call, 7, 1, 'd', false)) != NULL
-        && (in_expected = take_array(&call, 8, 1, 'd', false)) != NULL
-        && (in_work = take_array(&call, 9, 2, 'd', true)) != NULL
-        && (in_table = take_array(&call, 10, 2, 'd', true)) != NULL) {
-        segfmu_observer_design(
-            in_driven,
-            in_sample_time,
-            in_length,
-            in_bridge_mass,
-            in_trolley_mass,
-            in_payload_mass,
-            in_gravity,
-            (array_double_1d){in_lag->buf, {in_lag->shape[0]}},
-            (array_double_1d){in_expected->buf, {in_expected->shape[0]}},
-            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
-            (array_double_2d){in_table->buf, {in_table->shape[0], in_table->shape[1]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_observer_predict(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "observer_predict", .values = values};
-    PyObject *answer = NULL;
-    double in_length;
-    Py_buffer *in_lengths;
-    Py_buffer *in_table;
-    Py_buffer *in_command;
-    Py_buffer *in_held;
-    Py_buffer *in_estimate;
-    Py_buffer *in_scratch;
-    (void)self;
-    if (take_count(&call, count, 7)
-        && take_float(&call, 0, &in_length)
-        && (in_lengths = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_table = take_array(&call, 2, 3, 'd', false)) != NULL
-        && (in_command = take_array(&call, 3, 1, 'd', false)) != NULL
-        && (in_held = take_array(&call, 4, 1, 'd', false)) != NULL
-        && (in_estimate = take_array(&call, 5, 2, 'd', true)) != NULL
-        && (in_scratch = take_array(&call, 6, 1, 'd', true)) != NULL) {
-        segfmu_observer_predict(
-            in_length,
-            (array_double_1d){in_lengths->buf, {in_lengths->shape[0]}},
-            (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}},
-            (array_double_1d){in_command->buf, {in_command->shape[0]}},
-            (array_double_1d){in_held->buf, {in_held->shape[0]}},
-            (array_double_2d){in_estimate->buf, {in_estimate->shape[0], in_estimate->shape[1]}},
-            (array_double_1d){in_scratch->buf, {in_scratch->shape[0]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_observer_correct(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "observer_correct", .values = values};
-    PyObject *answer = NULL;
-    double in_length;
-    Py_buffer *in_lengths;
-    Py_buffer *in_table;
-    Py_buffer *in_measured;
-    Py_buffer *in_reference;
-    Py_buffer *in_estimate;
-    (void)self;
-    if (take_count(&call, count, 6)
-        && take_float(&call, 0, &in_length)
-        && (in_lengths = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_table = take_array(&call, 2, 3, 'd', false)) != NULL
-        && (in_measured = take_array(&call, 3, 1, 'd', false)) != NULL
-        && (in_reference = take_array(&call, 4, 1, 'd', false)) != NULL
-        && (in_estimate = take_array(&call, 5, 2, 'd', true)) != NULL) {
-        segfmu_observer_correct(
-            in_length,
-            (array_double_1d){in_lengths->buf, {in_lengths->shape[0]}},
-            (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}},
-            (array_double_1d){in_measured->buf, {in_measured->shape[0]}},
-            (array_double_1d){in_reference->buf, {in_reference->shape[0]}},
-            (array_double_2d){in_estimate->buf, {in_estimate->shape[0], in_estimate->shape[1]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_track_setpoint(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "track_setpoint", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_parameters;
-    Py_buffer *in_lengths;
-    Py_buffer *in_table;
-    Py_buffer *in_gain_lengths;
-    Py_buffer *in_gains;
-    Py_buffer *in_measured;
-    Py_buffer *in_reference;
-    Py_buffer *in_feedforward;
-    Py_buffer *in_memory;
-    Py_buffer *in_correction;
-    (void)self;
-    if (take_count(&call, count, 10)
-        && (in_parameters = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_lengths = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_table = take_array(&call, 2, 3, 'd', false)) != NULL
-        && (in_gain_lengths = take_array(&call, 3, 1, 'd', false)) != NULL
-        && (in_gains = take_array(&call, 4, 3, 'd', false)) != NULL
-        && (in_measured = take_array(&call, 5, 1, 'd', false)) != NULL
-        && (in_reference = take_array(&call, 6, 1, 'd', false)) != NULL
-        && (in_feedforward = take_array(&call, 7, 1, 'd', false)) != NULL
-        && (in_memory = take_array(&call, 8, 2, 'd', true)) != NULL
-        && (in_correction = take_array(&call, 9, 1, 'd', true)) != NULL) {
-        segfmu_track_setpoint(
-            (array_double_1d){in_parameters->buf, {in_parameters->shape[0]}},
-            (array_double_1d){in_lengths->buf, {in_lengths->shape[0]}},
-            (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}},
-            (array_double_1d){in_gain_lengths->buf, {in_gain_lengths->shape[0]}},
-            (array_double_3d){in_gains->buf, {in_gains->shape[0], in_gains->shape[1], in_gains->shape[2]}},
-            (array_double_1d){in_measured->buf, {in_measured->shape[0]}},
-            (array_double_1d){in_reference->buf, {in_reference->shape[0]}},
-            (array_double_1d){in_feedforward->buf, {in_feedforward->shape[0]}},
-            (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}},
-            (array_double_1d){in_correction->buf, {in_correction->shape[0]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
 static PyObject *call_crane_rhs(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -268,29 +9,20 @@ static PyObject *call_crane_rhs(
     Py_buffer *in_state;
     Py_buffer *in_generalized_force;
     Py_buffer *in_load_force;
-    double in_bridge_mass;
-    double in_trolley_mass;
-    double in_payload_mass;
-    double in_gravity;
+    Py_buffer *in_masses;
     Py_buffer *in_derivative;
     (void)self;
-    if (take_count(&call, count, 8)
+    if (take_count(&call, count, 5)
         && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
         && (in_generalized_force = take_array(&call, 1, 1, 'd', false)) != NULL
         && (in_load_force = take_array(&call, 2, 1, 'd', false)) != NULL
-        && take_float(&call, 3, &in_bridge_mass)
-        && take_float(&call, 4, &in_trolley_mass)
-        && take_float(&call, 5, &in_payload_mass)
-        && take_float(&call, 6, &in_gravity)
-        && (in_derivative = take_array(&call, 7, 1, 'd', true)) != NULL) {
+        && (in_masses = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_derivative = take_array(&call, 4, 1, 'd', true)) != NULL) {
         segfmu_crane_rhs(
             (array_double_1d){in_state->buf, {in_state->shape[0]}},
             (array_double_1d){in_generalized_force->buf, {in_generalized_force->shape[0]}},
             (array_double_1d){in_load_force->buf, {in_load_force->shape[0]}},
-            in_bridge_mass,
-            in_trolley_mass,
-            in_payload_mass,
-            in_gravity,
+            (array_double_1d){in_masses->buf, {in_masses->shape[0]}},
             (array_double_1d){in_derivative->buf, {in_derivative->shape[0]}});
         answer = Py_NewRef(Py_None);
     }
@@ -307,33 +39,24 @@ static PyObject *call_crane_driven(
     Py_buffer *in_carriage;
     Py_buffer *in_generalized_force;
     Py_buffer *in_load_force;
-    double in_bridge_mass;
-    double in_trolley_mass;
-    double in_payload_mass;
-    double in_gravity;
+    Py_buffer *in_masses;
     Py_buffer *in_derivative;
     Py_buffer *in_force;
     (void)self;
-    if (take_count(&call, count, 10)
+    if (take_count(&call, count, 7)
         && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
         && (in_carriage = take_array(&call, 1, 1, 'd', false)) != NULL
         && (in_generalized_force = take_array(&call, 2, 1, 'd', false)) != NULL
         && (in_load_force = take_array(&call, 3, 1, 'd', false)) != NULL
-        && take_float(&call, 4, &in_bridge_mass)
-        && take_float(&call, 5, &in_trolley_mass)
-        && take_float(&call, 6, &in_payload_mass)
-        && take_float(&call, 7, &in_gravity)
-        && (in_derivative = take_array(&call, 8, 1, 'd', true)) != NULL
-        && (in_force = take_array(&call, 9, 1, 'd', true)) != NULL) {
+        && (in_masses = take_array(&call, 4, 1, 'd', false)) != NULL
+        && (in_derivative = take_array(&call, 5, 1, 'd', true)) != NULL
+        && (in_force = take_array(&call, 6, 1, 'd', true)) != NULL) {
         segfmu_crane_driven(
             (array_double_1d){in_state->buf, {in_state->shape[0]}},
             (array_double_1d){in_carriage->buf, {in_carriage->shape[0]}},
             (array_double_1d){in_generalized_force->buf, {in_generalized_force->shape[0]}},
             (array_double_1d){in_load_force->buf, {in_load_force->shape[0]}},
-            in_bridge_mass,
-            in_trolley_mass,
-            in_payload_mass,
-            in_gravity,
+            (array_double_1d){in_masses->buf, {in_masses->shape[0]}},
             (array_double_1d){in_derivative->buf, {in_derivative->shape[0]}},
             (array_double_1d){in_force->buf, {in_force->shape[0]}});
         answer = Py_NewRef(Py_None);
@@ -348,29 +71,20 @@ static PyObject *call_crane_flat_inverse(
     arguments call = {.function = "crane_flat_inverse", .values = values};
     PyObject *answer = NULL;
     Py_buffer *in_flat;
-    double in_bridge_mass;
-    double in_trolley_mass;
-    double in_payload_mass;
-    double in_gravity;
+    Py_buffer *in_masses;
     Py_buffer *in_force;
     Py_buffer *in_state;
     Py_buffer *in_acceleration;
     (void)self;
-    if (take_count(&call, count, 8)
+    if (take_count(&call, count, 5)
         && (in_flat = take_array(&call, 0, 2, 'd', false)) != NULL
-        && take_float(&call, 1, &in_bridge_mass)
-        && take_float(&call, 2, &in_trolley_mass)
-        && take_float(&call, 3, &in_payload_mass)
-        && take_float(&call, 4, &in_gravity)
-        && (in_force = take_array(&call, 5, 1, 'd', true)) != NULL
-        && (in_state = take_array(&call, 6, 1, 'd', true)) != NULL
-        && (in_acceleration = take_array(&call, 7, 1, 'd', true)) != NULL) {
+        && (in_masses = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_force = take_array(&call, 2, 1, 'd', true)) != NULL
+        && (in_state = take_array(&call, 3, 1, 'd', true)) != NULL
+        && (in_acceleration = take_array(&call, 4, 1, 'd', true)) != NULL) {
         segfmu_crane_flat_inverse(
             (array_double_2d){in_flat->buf, {in_flat->shape[0], in_flat->shape[1]}},
-            in_bridge_mass,
-            in_trolley_mass,
-            in_payload_mass,
-            in_gravity,
+            (array_double_1d){in_masses->buf, {in_masses->shape[0]}},
             (array_double_1d){in_force->buf, {in_force->shape[0]}},
             (array_double_1d){in_state->buf, {in_state->shape[0]}},
             (array_double_1d){in_acceleration->buf, {in_acceleration->shape[0]}});
@@ -406,151 +120,17 @@ static PyObject *call_crane_energy(
     arguments call = {.function = "crane_energy", .values = values};
     PyObject *answer = NULL;
     Py_buffer *in_state;
-    double in_bridge_mass;
-    double in_trolley_mass;
-    double in_payload_mass;
-    double in_gravity;
+    Py_buffer *in_masses;
     Py_buffer *in_energy;
     (void)self;
-    if (take_count(&call, count, 6)
+    if (take_count(&call, count, 3)
         && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
-        && take_float(&call, 1, &in_bridge_mass)
-        && take_float(&call, 2, &in_trolley_mass)
-        && take_float(&call, 3, &in_payload_mass)
-        && take_float(&call, 4, &in_gravity)
-        && (in_energy = take_array(&call, 5, 1, 'd', true)) != NULL) {
+        && (in_masses = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_energy = take_array(&call, 2, 1, 'd', true)) != NULL) {
         segfmu_crane_energy(
             (array_double_1d){in_state->buf, {in_state->shape[0]}},
-            in_bridge_mass,
-            in_trolley_mass,
-            in_payload_mass,
-            in_gravity,
-            (array_double_1d){in_energy->buf, {in_energy->shape[0]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_crane_load_partials(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "crane_load_partials", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_state;
-    Py_buffer *in_partials;
-    (void)self;
-    if (take_count(&call, count, 2)
-        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_partials = take_array(&call, 1, 2, 'd', true)) != NULL) {
-        segfmu_crane_load_partials(
-            (array_double_1d){in_state->buf, {in_state->shape[0]}},
-            (array_double_2d){in_partials->buf, {in_partials->shape[0], in_partials->shape[1]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_crane_energy_partials(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "crane_energy_partials", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_state;
-    double in_bridge_mass;
-    double in_trolley_mass;
-    double in_payload_mass;
-    double in_gravity;
-    Py_buffer *in_partials;
-    (void)self;
-    if (take_count(&call, count, 6)
-        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
-        && take_float(&call, 1, &in_bridge_mass)
-        && take_float(&call, 2, &in_trolley_mass)
-        && take_float(&call, 3, &in_payload_mass)
-        && take_float(&call, 4, &in_gravity)
-        && (in_partials = take_array(&call, 5, 2, 'd', true)) != NULL) {
-        segfmu_crane_energy_partials(
-            (array_double_1d){in_state->buf, {in_state->shape[0]}},
-            in_bridge_mass,
-            in_trolley_mass,
-            in_payload_mass,
-            in_gravity,
-            (array_double_2d){in_partials->buf, {in_partials->shape[0], in_partials->shape[1]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_flat_derivatives(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "flat_derivatives", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_flat;
-    int64_t in_order;
-    Py_buffer *in_masses;
-    Py_buffer *in_work;
-    Py_buffer *in_found;
-    (void)self;
-    if (take_count(&call, count, 5)
-        && (in_flat = take_array(&call, 0, 2, 'd', false)) != NULL
-        && take_int(&call, 1, &in_order)
-        && (in_masses = take_array(&call, 2, 1, 'd', false)) != NULL
-        && (in_work = take_array(&call, 3, 2, 'd', true)) != NULL
-        && (in_found = take_array(&call, 4, 1, 'd', true)) != NULL
-        && has_at_least(&call, "flat", 0, in_flat->shape[0], in_order + 5)
-        && has_at_least(&call, "flat", 1, in_flat->shape[1], 3)
-        && has_at_least(&call, "masses", 0, in_masses->shape[0], 4)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 18)
-        && has_at_least(&call, "work", 1, in_work->shape[1], in_order + 3)
-        && has_at_least(&call, "found", 0, in_found->shape[0], 18)) {
-        segfmu_flat_derivatives(
-            (array_double_2d){in_flat->buf, {in_flat->shape[0], in_flat->shape[1]}},
-            in_order,
             (array_double_1d){in_masses->buf, {in_masses->shape[0]}},
-            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
-            (array_double_1d){in_found->buf, {in_found->shape[0]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_compensate_setpoints(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "compensate_setpoints", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_velocity;
-    Py_buffer *in_acceleration;
-    Py_buffer *in_lag;
-    Py_buffer *in_viscous;
-    Py_buffer *in_coulomb;
-    double in_width;
-    Py_buffer *in_force;
-    Py_buffer *in_setpoint;
-    (void)self;
-    if (take_count(&call, count, 8)
-        && (in_velocity = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_acceleration = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_lag = take_array(&call, 2, 1, 'd', false)) != NULL
-        && (in_viscous = take_array(&call, 3, 1, 'd', false)) != NULL
-        && (in_coulomb = take_array(&call, 4, 1, 'd', false)) != NULL
-        && take_float(&call, 5, &in_width)
-        && (in_force = take_array(&call, 6, 1, 'd', true)) != NULL
-        && (in_setpoint = take_array(&call, 7, 1, 'd', true)) != NULL) {
-        segfmu_compensate_setpoints(
-            (array_double_1d){in_velocity->buf, {in_velocity->shape[0]}},
-            (array_double_1d){in_acceleration->buf, {in_acceleration->shape[0]}},
-            (array_double_1d){in_lag->buf, {in_lag->shape[0]}},
-            (array_double_1d){in_viscous->buf, {in_viscous->shape[0]}},
-            (array_double_1d){in_coulomb->buf, {in_coulomb->shape[0]}},
-            in_width,
-            (array_double_1d){in_force->buf, {in_force->shape[0]}},
-            (array_double_1d){in_setpoint->buf, {in_setpoint->shape[0]}});
+            (array_double_1d){in_energy->buf, {in_energy->shape[0]}});
         answer = Py_NewRef(Py_None);
     }
     release_arguments(&call);
@@ -619,43 +199,349 @@ static PyObject *call_noise_components(
     return answer;
 }
 
+static PyObject *call_feedback_correction(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "feedback_correction", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_state;
+    Py_buffer *in_reference;
+    Py_buffer *in_gains;
+    Py_buffer *in_correction;
+    (void)self;
+    if (take_count(&call, count, 4)
+        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_reference = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_gains = take_array(&call, 2, 3, 'd', false)) != NULL
+        && (in_correction = take_array(&call, 3, 1, 'd', true)) != NULL) {
+        segfmu_feedback_correction(
+            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+            (array_double_1d){in_reference->buf, {in_reference->shape[0]}},
+            (array_double_3d){in_gains->buf, {in_gains->shape[0], in_gains->shape[1], in_gains->shape[2]}},
+            (array_double_1d){in_correction->buf, {in_correction->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_feedback_bandwidth(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "feedback_bandwidth", .values = values};
+    PyObject *answer = NULL;
+    double in_ratio;
+    double in_length;
+    double in_gravity;
+    double in_delay;
+    double in_largest;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && take_float(&call, 0, &in_ratio)
+        && take_float(&call, 1, &in_length)
+        && take_float(&call, 2, &in_gravity)
+        && take_float(&call, 3, &in_delay)
+        && take_float(&call, 4, &in_largest)) {
+        answer = PyFloat_FromDouble(segfmu_feedback_bandwidth(
+            in_ratio,
+            in_length,
+            in_gravity,
+            in_delay,
+            in_largest));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_feedback_gains(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "feedback_gains", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_plant;
+    double in_length;
+    double in_bandwidth;
+    double in_hoist_bandwidth;
+    double in_damping;
+    Py_buffer *in_gains;
+    (void)self;
+    if (take_count(&call, count, 6)
+        && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
+        && take_float(&call, 1, &in_length)
+        && take_float(&call, 2, &in_bandwidth)
+        && take_float(&call, 3, &in_hoist_bandwidth)
+        && take_float(&call, 4, &in_damping)
+        && (in_gains = take_array(&call, 5, 2, 'd', true)) != NULL) {
+        segfmu_feedback_gains(
+            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
+            in_length,
+            in_bandwidth,
+            in_hoist_bandwidth,
+            in_damping,
+            (array_double_2d){in_gains->buf, {in_gains->shape[0], in_gains->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_observer_design(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "observer_design", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_plant;
+    double in_sample_time;
+    double in_length;
+    Py_buffer *in_expected;
+    Py_buffer *in_work;
+    Py_buffer *in_table;
+    (void)self;
+    if (take_count(&call, count, 6)
+        && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
+        && take_float(&call, 1, &in_sample_time)
+        && take_float(&call, 2, &in_length)
+        && (in_expected = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_work = take_array(&call, 4, 2, 'd', true)) != NULL
+        && (in_table = take_array(&call, 5, 2, 'd', true)) != NULL) {
+        segfmu_observer_design(
+            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
+            in_sample_time,
+            in_length,
+            (array_double_1d){in_expected->buf, {in_expected->shape[0]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_2d){in_table->buf, {in_table->shape[0], in_table->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_observer_predict(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "observer_predict", .values = values};
+    PyObject *answer = NULL;
+    double in_length;
+    Py_buffer *in_table;
+    Py_buffer *in_command;
+    Py_buffer *in_held;
+    Py_buffer *in_estimate;
+    Py_buffer *in_scratch;
+    (void)self;
+    if (take_count(&call, count, 6)
+        && take_float(&call, 0, &in_length)
+        && (in_table = take_array(&call, 1, 3, 'd', false)) != NULL
+        && (in_command = take_array(&call, 2, 1, 'd', false)) != NULL
+        && (in_held = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_estimate = take_array(&call, 4, 2, 'd', true)) != NULL
+        && (in_scratch = take_array(&call, 5, 1, 'd', true)) != NULL) {
+        segfmu_observer_predict(
+            in_length,
+            (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}},
+            (array_double_1d){in_command->buf, {in_command->shape[0]}},
+            (array_double_1d){in_held->buf, {in_held->shape[0]}},
+            (array_double_2d){in_estimate->buf, {in_estimate->shape[0], in_estimate->shape[1]}},
+            (array_double_1d){in_scratch->buf, {in_scratch->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_observer_correct(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "observer_correct", .values = values};
+    PyObject *answer = NULL;
+    double in_length;
+    Py_buffer *in_table;
+    Py_buffer *in_measured;
+    Py_buffer *in_reference;
+    Py_buffer *in_estimate;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && take_float(&call, 0, &in_length)
+        && (in_table = take_array(&call, 1, 3, 'd', false)) != NULL
+        && (in_measured = take_array(&call, 2, 1, 'd', false)) != NULL
+        && (in_reference = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_estimate = take_array(&call, 4, 2, 'd', true)) != NULL) {
+        segfmu_observer_correct(
+            in_length,
+            (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}},
+            (array_double_1d){in_measured->buf, {in_measured->shape[0]}},
+            (array_double_1d){in_reference->buf, {in_reference->shape[0]}},
+            (array_double_2d){in_estimate->buf, {in_estimate->shape[0], in_estimate->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_track_setpoint(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "track_setpoint", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_parameters;
+    Py_buffer *in_table;
+    Py_buffer *in_gains;
+    Py_buffer *in_tick;
+    Py_buffer *in_memory;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && (in_parameters = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_table = take_array(&call, 1, 3, 'd', false)) != NULL
+        && (in_gains = take_array(&call, 2, 3, 'd', false)) != NULL
+        && (in_tick = take_array(&call, 3, 2, 'd', true)) != NULL
+        && (in_memory = take_array(&call, 4, 2, 'd', true)) != NULL) {
+        segfmu_track_setpoint(
+            (array_double_1d){in_parameters->buf, {in_parameters->shape[0]}},
+            (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}},
+            (array_double_3d){in_gains->buf, {in_gains->shape[0], in_gains->shape[1], in_gains->shape[2]}},
+            (array_double_2d){in_tick->buf, {in_tick->shape[0], in_tick->shape[1]}},
+            (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_crane_load_partials(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "crane_load_partials", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_state;
+    Py_buffer *in_partials;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_partials = take_array(&call, 1, 2, 'd', true)) != NULL) {
+        segfmu_crane_load_partials(
+            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+            (array_double_2d){in_partials->buf, {in_partials->shape[0], in_partials->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_crane_energy_partials(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "crane_energy_partials", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_state;
+    Py_buffer *in_masses;
+    Py_buffer *in_partials;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_masses = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_partials = take_array(&call, 2, 2, 'd', true)) != NULL) {
+        segfmu_crane_energy_partials(
+            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+            (array_double_1d){in_masses->buf, {in_masses->shape[0]}},
+            (array_double_2d){in_partials->buf, {in_partials->shape[0], in_partials->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_flat_derivatives(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "flat_derivatives", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_flat;
+    int64_t in_order;
+    Py_buffer *in_masses;
+    Py_buffer *in_work;
+    Py_buffer *in_found;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && (in_flat = take_array(&call, 0, 2, 'd', false)) != NULL
+        && take_int(&call, 1, &in_order)
+        && (in_masses = take_array(&call, 2, 1, 'd', false)) != NULL
+        && (in_work = take_array(&call, 3, 2, 'd', true)) != NULL
+        && (in_found = take_array(&call, 4, 1, 'd', true)) != NULL
+        && has_at_least(&call, "flat", 0, in_flat->shape[0], in_order + 5)
+        && has_at_least(&call, "flat", 1, in_flat->shape[1], 3)
+        && has_at_least(&call, "masses", 0, in_masses->shape[0], 4)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 18)
+        && has_at_least(&call, "work", 1, in_work->shape[1], in_order + 3)
+        && has_at_least(&call, "found", 0, in_found->shape[0], 18)) {
+        segfmu_flat_derivatives(
+            (array_double_2d){in_flat->buf, {in_flat->shape[0], in_flat->shape[1]}},
+            in_order,
+            (array_double_1d){in_masses->buf, {in_masses->shape[0]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_1d){in_found->buf, {in_found->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_compensate_setpoints(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "compensate_setpoints", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_velocity;
+    Py_buffer *in_acceleration;
+    Py_buffer *in_known;
+    Py_buffer *in_force;
+    Py_buffer *in_setpoint;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && (in_velocity = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_acceleration = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_known = take_array(&call, 2, 1, 'd', false)) != NULL
+        && (in_force = take_array(&call, 3, 1, 'd', true)) != NULL
+        && (in_setpoint = take_array(&call, 4, 1, 'd', true)) != NULL) {
+        segfmu_compensate_setpoints(
+            (array_double_1d){in_velocity->buf, {in_velocity->shape[0]}},
+            (array_double_1d){in_acceleration->buf, {in_acceleration->shape[0]}},
+            (array_double_1d){in_known->buf, {in_known->shape[0]}},
+            (array_double_1d){in_force->buf, {in_force->shape[0]}},
+            (array_double_1d){in_setpoint->buf, {in_setpoint->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_plant_advance(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
     arguments call = {.function = "plant_advance", .values = values};
     PyObject *answer = NULL;
-    Py_buffer *in_parameters;
+    Py_buffer *in_plant;
     Py_buffer *in_components;
     double in_time;
     Py_buffer *in_state;
-    Py_buffer *in_command;
-    Py_buffer *in_rate;
-    Py_buffer *in_load_force;
     double in_duration;
     double in_tolerance;
     Py_buffer *in_work;
     Py_buffer *in_report;
     (void)self;
-    if (take_count(&call, count, 11)
-        && (in_parameters = take_array(&call, 0, 1, 'd', false)) != NULL
+    if (take_count(&call, count, 8)
+        && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
         && (in_components = take_array(&call, 1, 2, 'd', false)) != NULL
         && take_float(&call, 2, &in_time)
         && (in_state = take_array(&call, 3, 1, 'd', true)) != NULL
-        && (in_command = take_array(&call, 4, 1, 'd', false)) != NULL
-        && (in_rate = take_array(&call, 5, 1, 'd', false)) != NULL
-        && (in_load_force = take_array(&call, 6, 1, 'd', false)) != NULL
-        && take_float(&call, 7, &in_duration)
-        && take_float(&call, 8, &in_tolerance)
-        && (in_work = take_array(&call, 9, 2, 'd', true)) != NULL
-        && (in_report = take_array(&call, 10, 1, 'd', true)) != NULL) {
+        && take_float(&call, 4, &in_duration)
+        && take_float(&call, 5, &in_tolerance)
+        && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
+        && (in_report = take_array(&call, 7, 1, 'd', true)) != NULL) {
         answer = PyLong_FromLongLong(segfmu_plant_advance(
-            (array_double_1d){in_parameters->buf, {in_parameters->shape[0]}},
+            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
             (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}},
             in_time,
             (array_double_1d){in_state->buf, {in_state->shape[0]}},
-            (array_double_1d){in_command->buf, {in_command->shape[0]}},
-            (array_double_1d){in_rate->buf, {in_rate->shape[0]}},
-            (array_double_1d){in_load_force->buf, {in_load_force->shape[0]}},
             in_duration,
             in_tolerance,
             (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
@@ -1149,43 +1035,40 @@ static PyObject *call_measure_state(
     return answer;
 }
 
-static PyObject *call_switch_correction(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "switch_correction", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_loop;
-    Py_buffer *in_memory;
-    (void)self;
-    if (take_count(&call, count, 2)
-        && (in_loop = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_memory = take_array(&call, 1, 2, 'd', true)) != NULL) {
-        segfmu_switch_correction(
-            (array_double_1d){in_loop->buf, {in_loop->shape[0]}},
-            (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
 static PyObject *call_rig_next_event(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
     arguments call = {.function = "rig_next_event", .values = values};
     PyObject *answer = NULL;
-    Py_buffer *in_loop;
-    Py_buffer *in_sensors;
+    Py_buffer *in_settings;
     Py_buffer *in_memory;
     (void)self;
-    if (take_count(&call, count, 3)
-        && (in_loop = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_sensors = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_memory = take_array(&call, 2, 2, 'd', false)) != NULL) {
+    if (take_count(&call, count, 2)
+        && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_memory = take_array(&call, 1, 2, 'd', false)) != NULL) {
         answer = PyFloat_FromDouble(segfmu_rig_next_event(
-            (array_double_1d){in_loop->buf, {in_loop->shape[0]}},
-            (array_double_1d){in_sensors->buf, {in_sensors->shape[0]}},
+            (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_switch_correction(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "switch_correction", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_settings;
+    Py_buffer *in_memory;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_memory = take_array(&call, 1, 2, 'd', true)) != NULL) {
+        segfmu_switch_correction(
+            (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
+            (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}});
+        answer = Py_NewRef(Py_None);
     }
     release_arguments(&call);
     return answer;
@@ -1196,40 +1079,28 @@ static PyObject *call_rig_event(
 {
     arguments call = {.function = "rig_event", .values = values};
     PyObject *answer = NULL;
-    Py_buffer *in_loop;
-    Py_buffer *in_sensors;
+    Py_buffer *in_settings;
     Py_buffer *in_changes;
-    Py_buffer *in_tracking;
-    Py_buffer *in_lengths;
     Py_buffer *in_table;
-    Py_buffer *in_gain_lengths;
     Py_buffer *in_gains;
     Py_buffer *in_tracker;
     Py_buffer *in_setpoints;
     double in_time;
     Py_buffer *in_memory;
     (void)self;
-    if (take_count(&call, count, 12)
-        && (in_loop = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_sensors = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_changes = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_tracking = take_array(&call, 3, 1, 'd', false)) != NULL
-        && (in_lengths = take_array(&call, 4, 1, 'd', false)) != NULL
-        && (in_table = take_array(&call, 5, 3, 'd', false)) != NULL
-        && (in_gain_lengths = take_array(&call, 6, 1, 'd', false)) != NULL
-        && (in_gains = take_array(&call, 7, 3, 'd', false)) != NULL
-        && (in_tracker = take_array(&call, 8, 2, 'd', true)) != NULL
-        && (in_setpoints = take_array(&call, 9, 1, 'd', false)) != NULL
-        && take_float(&call, 10, &in_time)
-        && (in_memory = take_array(&call, 11, 2, 'd', true)) != NULL) {
+    if (take_count(&call, count, 8)
+        && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_changes = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_table = take_array(&call, 2, 3, 'd', false)) != NULL
+        && (in_gains = take_array(&call, 3, 3, 'd', false)) != NULL
+        && (in_tracker = take_array(&call, 4, 2, 'd', true)) != NULL
+        && (in_setpoints = take_array(&call, 5, 1, 'd', false)) != NULL
+        && take_float(&call, 6, &in_time)
+        && (in_memory = take_array(&call, 7, 2, 'd', true)) != NULL) {
         segfmu_rig_event(
-            (array_double_1d){in_loop->buf, {in_loop->shape[0]}},
-            (array_double_1d){in_sensors->buf, {in_sensors->shape[0]}},
+            (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_changes->buf, {in_changes->shape[0], in_changes->shape[1]}},
-            (array_double_1d){in_tracking->buf, {in_tracking->shape[0]}},
-            (array_double_1d){in_lengths->buf, {in_lengths->shape[0]}},
             (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}},
-            (array_double_1d){in_gain_lengths->buf, {in_gain_lengths->shape[0]}},
             (array_double_3d){in_gains->buf, {in_gains->shape[0], in_gains->shape[1], in_gains->shape[2]}},
             (array_double_2d){in_tracker->buf, {in_tracker->shape[0], in_tracker->shape[1]}},
             (array_double_1d){in_setpoints->buf, {in_setpoints->shape[0]}},
@@ -1246,16 +1117,16 @@ static PyObject *call_rig_signals(
 {
     arguments call = {.function = "rig_signals", .values = values};
     PyObject *answer = NULL;
-    Py_buffer *in_sensors;
+    Py_buffer *in_settings;
     double in_time;
     Py_buffer *in_memory;
     (void)self;
     if (take_count(&call, count, 3)
-        && (in_sensors = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
         && take_float(&call, 1, &in_time)
         && (in_memory = take_array(&call, 2, 2, 'd', true)) != NULL) {
         segfmu_rig_signals(
-            (array_double_1d){in_sensors->buf, {in_sensors->shape[0]}},
+            (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             in_time,
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}});
         answer = Py_NewRef(Py_None);
@@ -1344,29 +1215,23 @@ static PyObject *call_rig_start(
 {
     arguments call = {.function = "rig_start", .values = values};
     PyObject *answer = NULL;
-    Py_buffer *in_loop;
-    Py_buffer *in_sensors;
+    Py_buffer *in_settings;
     Py_buffer *in_changes;
-    Py_buffer *in_parameters;
     Py_buffer *in_state;
     Py_buffer *in_setpoints;
     double in_start;
     Py_buffer *in_memory;
     (void)self;
-    if (take_count(&call, count, 8)
-        && (in_loop = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_sensors = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_changes = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_parameters = take_array(&call, 3, 1, 'd', false)) != NULL
-        && (in_state = take_array(&call, 4, 1, 'd', false)) != NULL
-        && (in_setpoints = take_array(&call, 5, 1, 'd', false)) != NULL
-        && take_float(&call, 6, &in_start)
-        && (in_memory = take_array(&call, 7, 2, 'd', true)) != NULL) {
+    if (take_count(&call, count, 6)
+        && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_changes = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_state = take_array(&call, 2, 1, 'd', false)) != NULL
+        && (in_setpoints = take_array(&call, 3, 1, 'd', false)) != NULL
+        && take_float(&call, 4, &in_start)
+        && (in_memory = take_array(&call, 5, 2, 'd', true)) != NULL) {
         segfmu_rig_start(
-            (array_double_1d){in_loop->buf, {in_loop->shape[0]}},
-            (array_double_1d){in_sensors->buf, {in_sensors->shape[0]}},
+            (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_changes->buf, {in_changes->shape[0], in_changes->shape[1]}},
-            (array_double_1d){in_parameters->buf, {in_parameters->shape[0]}},
             (array_double_1d){in_state->buf, {in_state->shape[0]}},
             (array_double_1d){in_setpoints->buf, {in_setpoints->shape[0]}},
             in_start,
@@ -1382,43 +1247,31 @@ static PyObject *call_rig_step(
 {
     arguments call = {.function = "rig_step", .values = values};
     PyObject *answer = NULL;
-    Py_buffer *in_loop;
-    Py_buffer *in_sensors;
+    Py_buffer *in_settings;
     Py_buffer *in_components;
     Py_buffer *in_changes;
-    Py_buffer *in_tracking;
-    Py_buffer *in_lengths;
     Py_buffer *in_table;
-    Py_buffer *in_gain_lengths;
     Py_buffer *in_gains;
     Py_buffer *in_tracker;
     Py_buffer *in_setpoints;
     double in_duration;
     Py_buffer *in_memory;
     (void)self;
-    if (take_count(&call, count, 13)
-        && (in_loop = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_sensors = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_components = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_changes = take_array(&call, 3, 2, 'd', false)) != NULL
-        && (in_tracking = take_array(&call, 4, 1, 'd', false)) != NULL
-        && (in_lengths = take_array(&call, 5, 1, 'd', false)) != NULL
-        && (in_table = take_array(&call, 6, 3, 'd', false)) != NULL
-        && (in_gain_lengths = take_array(&call, 7, 1, 'd', false)) != NULL
-        && (in_gains = take_array(&call, 8, 3, 'd', false)) != NULL
-        && (in_tracker = take_array(&call, 9, 2, 'd', true)) != NULL
-        && (in_setpoints = take_array(&call, 10, 1, 'd', false)) != NULL
-        && take_float(&call, 11, &in_duration)
-        && (in_memory = take_array(&call, 12, 2, 'd', true)) != NULL) {
+    if (take_count(&call, count, 9)
+        && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_components = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_changes = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_table = take_array(&call, 3, 3, 'd', false)) != NULL
+        && (in_gains = take_array(&call, 4, 3, 'd', false)) != NULL
+        && (in_tracker = take_array(&call, 5, 2, 'd', true)) != NULL
+        && (in_setpoints = take_array(&call, 6, 1, 'd', false)) != NULL
+        && take_float(&call, 7, &in_duration)
+        && (in_memory = take_array(&call, 8, 2, 'd', true)) != NULL) {
         answer = PyLong_FromLongLong(segfmu_rig_step(
-            (array_double_1d){in_loop->buf, {in_loop->shape[0]}},
-            (array_double_1d){in_sensors->buf, {in_sensors->shape[0]}},
+            (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}},
             (array_double_2d){in_changes->buf, {in_changes->shape[0], in_changes->shape[1]}},
-            (array_double_1d){in_tracking->buf, {in_tracking->shape[0]}},
-            (array_double_1d){in_lengths->buf, {in_lengths->shape[0]}},
             (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}},
-            (array_double_1d){in_gain_lengths->buf, {in_gain_lengths->shape[0]}},
             (array_double_3d){in_gains->buf, {in_gains->shape[0], in_gains->shape[1], in_gains->shape[2]}},
             (array_double_2d){in_tracker->buf, {in_tracker->shape[0], in_tracker->shape[1]}},
             (array_double_1d){in_setpoints->buf, {in_setpoints->shape[0]}},
@@ -1621,6 +1474,14 @@ static PyObject *call_expand_plan(
 }
 
 static PyMethodDef methods[] = {
+    {"crane_rhs", (PyCFunction)(void (*)(void))call_crane_rhs, METH_FASTCALL, NULL},
+    {"crane_driven", (PyCFunction)(void (*)(void))call_crane_driven, METH_FASTCALL, NULL},
+    {"crane_flat_inverse", (PyCFunction)(void (*)(void))call_crane_flat_inverse, METH_FASTCALL, NULL},
+    {"crane_load", (PyCFunction)(void (*)(void))call_crane_load, METH_FASTCALL, NULL},
+    {"crane_energy", (PyCFunction)(void (*)(void))call_crane_energy, METH_FASTCALL, NULL},
+    {"seed_numbers", (PyCFunction)(void (*)(void))call_seed_numbers, METH_FASTCALL, NULL},
+    {"next_uniform", (PyCFunction)(void (*)(void))call_next_uniform, METH_FASTCALL, NULL},
+    {"noise_components", (PyCFunction)(void (*)(void))call_noise_components, METH_FASTCALL, NULL},
     {"feedback_correction", (PyCFunction)(void (*)(void))call_feedback_correction, METH_FASTCALL, NULL},
     {"feedback_bandwidth", (PyCFunction)(void (*)(void))call_feedback_bandwidth, METH_FASTCALL, NULL},
     {"feedback_gains", (PyCFunction)(void (*)(void))call_feedback_gains, METH_FASTCALL, NULL},
@@ -1628,18 +1489,10 @@ static PyMethodDef methods[] = {
     {"observer_predict", (PyCFunction)(void (*)(void))call_observer_predict, METH_FASTCALL, NULL},
     {"observer_correct", (PyCFunction)(void (*)(void))call_observer_correct, METH_FASTCALL, NULL},
     {"track_setpoint", (PyCFunction)(void (*)(void))call_track_setpoint, METH_FASTCALL, NULL},
-    {"crane_rhs", (PyCFunction)(void (*)(void))call_crane_rhs, METH_FASTCALL, NULL},
-    {"crane_driven", (PyCFunction)(void (*)(void))call_crane_driven, METH_FASTCALL, NULL},
-    {"crane_flat_inverse", (PyCFunction)(void (*)(void))call_crane_flat_inverse, METH_FASTCALL, NULL},
-    {"crane_load", (PyCFunction)(void (*)(void))call_crane_load, METH_FASTCALL, NULL},
-    {"crane_energy", (PyCFunction)(void (*)(void))call_crane_energy, METH_FASTCALL, NULL},
     {"crane_load_partials", (PyCFunction)(void (*)(void))call_crane_load_partials, METH_FASTCALL, NULL},
     {"crane_energy_partials", (PyCFunction)(void (*)(void))call_crane_energy_partials, METH_FASTCALL, NULL},
     {"flat_derivatives", (PyCFunction)(void (*)(void))call_flat_derivatives, METH_FASTCALL, NULL},
     {"compensate_setpoints", (PyCFunction)(void (*)(void))call_compensate_setpoints, METH_FASTCALL, NULL},
-    {"seed_numbers", (PyCFunction)(void (*)(void))call_seed_numbers, METH_FASTCALL, NULL},
-    {"next_uniform", (PyCFunction)(void (*)(void))call_next_uniform, METH_FASTCALL, NULL},
-    {"noise_components", (PyCFunction)(void (*)(void))call_noise_components, METH_FASTCALL, NULL},
     {"plant_advance", (PyCFunction)(void (*)(void))call_plant_advance, METH_FASTCALL, NULL},
     {"ramp_parameters", (PyCFunction)(void (*)(void))call_ramp_parameters, METH_FASTCALL, NULL},
     {"ramp_duration", (PyCFunction)(void (*)(void))call_ramp_duration, METH_FASTCALL, NULL},
@@ -1653,8 +1506,8 @@ static PyMethodDef methods[] = {
     {"timed_profile", (PyCFunction)(void (*)(void))call_timed_profile, METH_FASTCALL, NULL},
     {"plan_phases", (PyCFunction)(void (*)(void))call_plan_phases, METH_FASTCALL, NULL},
     {"measure_state", (PyCFunction)(void (*)(void))call_measure_state, METH_FASTCALL, NULL},
-    {"switch_correction", (PyCFunction)(void (*)(void))call_switch_correction, METH_FASTCALL, NULL},
     {"rig_next_event", (PyCFunction)(void (*)(void))call_rig_next_event, METH_FASTCALL, NULL},
+    {"switch_correction", (PyCFunction)(void (*)(void))call_switch_correction, METH_FASTCALL, NULL},
     {"rig_event", (PyCFunction)(void (*)(void))call_rig_event, METH_FASTCALL, NULL},
     {"rig_signals", (PyCFunction)(void (*)(void))call_rig_signals, METH_FASTCALL, NULL},
     {"rig_rates", (PyCFunction)(void (*)(void))call_rig_rates, METH_FASTCALL, NULL},

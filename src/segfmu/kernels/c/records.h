@@ -5,6 +5,30 @@
 /* kernels/control/records.py */
 
 enum {
+    ACTING_NO_TICK = 0,
+    ACTING_OFF = 1,
+    ACTING_ON = 2,
+    ACTING_RETUNED = 3
+};
+
+enum {
+    CORRECTION_VALUE = 0,
+    CORRECTION_FADING = 3,
+    CORRECTION_ACTED = 6,
+    CORRECTION_BEFORE = 7,
+    CORRECTION_SIZE = 10
+};
+
+enum {
+    TICK_SIGNALS = 0,
+    TICK_REFERENCE = 1,
+    TICK_ADDED_TO = 2,
+    TICK_CORRECTION = 3,
+    TICK_SIZE = 4,
+    TICK_COLUMNS = 10
+};
+
+enum {
     GAINS_LENGTH = 0,
     GAINS_AXES = 1,
     GAINS_SIZE = 4,
@@ -208,11 +232,12 @@ enum {
     TRACKER_HELD = 4,
     TRACKER_FADING = 5,
     TRACKER_REFERENCE = 6,
-    TRACKER_STATE = 7,
+    TRACKER_DEVIATION = 7,
     TRACKER_TARGET = 8,
-    TRACKER_SIGNALS = 9,
-    TRACKER_OFFSET = 10,
-    TRACKER_SIZE = 24,
+    TRACKER_INPUTS = 9,
+    TRACKER_SIGNALS = 10,
+    TRACKER_OFFSET = 11,
+    TRACKER_SIZE = 25,
     TRACKER_COLUMNS = 10
 };
 
@@ -486,13 +511,6 @@ enum {
 };
 
 enum {
-    ACTING_NO_TICK = 0,
-    ACTING_OFF = 1,
-    ACTING_ON = 2,
-    ACTING_RETUNED = 3
-};
-
-enum {
     RIG_STATUS_TICK = -1
 };
 
@@ -537,23 +555,6 @@ enum {
     SETPOINTS_WIND = 16,
     SETPOINTS_SIZE = 19,
     SETPOINTS_COLUMNS = 10
-};
-
-enum {
-    CORRECTION_VALUE = 0,
-    CORRECTION_FADING = 3,
-    CORRECTION_ACTED = 6,
-    CORRECTION_BEFORE = 7,
-    CORRECTION_SIZE = 10
-};
-
-enum {
-    TICK_SIGNALS = 0,
-    TICK_REFERENCE = 1,
-    TICK_ADDED_TO = 2,
-    TICK_CORRECTION = 3,
-    TICK_SIZE = 4,
-    TICK_COLUMNS = 10
 };
 
 enum {

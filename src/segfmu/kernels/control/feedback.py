@@ -1,41 +1,48 @@
-"""Evaluation of the gain-scheduled sway feedback, and the gains of the flatness-based one."""
+"""Evaluation of the gain-scheduled sway feedback, and the gains of the flatness-based one.
+
+Tables over rope length are blocks, ascending in the rope length that is their first entry.
+"""
 
 from math import sqrt
 
+from segfmu.kernels.control.records import Gains
+from segfmu.kernels.crane.drives import carriage_mass
+from segfmu.kernels.crane.records import Axes, DriveMode, Plant, State
 
-def table_row(value: float, nodes: 'float[:]') -> int:
-    """Row of an ascending table before which or at which a value lies; 0 .. rows - 2."""
+
+def table_row(length: float, table: 'float[:,:,:]') -> int:
+    """Block of a table before which or at which a rope length lies; 0 .. blocks - 2."""
     row = 0
-    while row + 2 < nodes.shape[0] and value > nodes[row + 1]:
+    while row + 2 < table.shape[0] and length > table[row + 1, Gains.LENGTH, 0]:
         row = row + 1
     return row
 
 
-def table_share(value: float, nodes: 'float[:]', row: int) -> float:
-    """Weight of the row after `row` in a linear interpolation; constant outside the table."""
-    if nodes.shape[0] < 2:
+def table_share(length: float, table: 'float[:,:,:]', row: int) -> float:
+    """Weight of the block after `row` in a linear interpolation; constant outside the table."""
+    if table.shape[0] < 2:
         return 0.0
-    return min(max((value - nodes[row]) / (nodes[row + 1] - nodes[row]), 0.0), 1.0)
+    first = table[row, Gains.LENGTH, 0]
+    return min(max((length - first) / (table[row + 1, Gains.LENGTH, 0] - first), 0.0), 1.0)
 
 
 def feedback_correction(
-    state: 'float[:]',
-    reference: 'float[:]',
-    lengths: 'float[:]',
-    gains: 'float[:,:,:]',
-    correction: 'float[:]',
+    state: 'float[:]', reference: 'float[:]', gains: 'float[:,:,:]', correction: 'float[:]'
 ) -> None:
     """-K(l) (x - x*), K interpolated linearly over rope length, constant outside the table.
 
-    state and reference hold 10 numbers, lengths (rows,), gains (rows, 3, 10), correction 3.
+    state and reference (10): a `State`; gains (rows, 4, 10): a `Gains` a rope length; correction
+    (3) [N] or [m/s2].
     """
-    row = table_row(state[2], lengths)
-    share = table_share(state[2], lengths, row)
-    following = min(row + 1, lengths.shape[0] - 1)
+    length = state[State.POSITION + Axes.ROPE]
+    row = table_row(length, gains)
+    share = table_share(length, gains, row)
+    following = min(row + 1, gains.shape[0] - 1)
     for i in range(3):
+        axis = Gains.AXES + i
         total = 0.0
-        for j in range(10):
-            k = (1.0 - share) * gains[row, i, j] + share * gains[following, i, j]
+        for j in range(State.SIZE):
+            k = (1.0 - share) * gains[row, axis, j] + share * gains[following, axis, j]
             total = total + k * (state[j] - reference[j])
         correction[i] = -total
 
@@ -48,49 +55,49 @@ def feedback_bandwidth(
 
 
 def feedback_gains(
-    driven: bool,
+    plant: 'float[:]',
     length: float,
-    bridge_mass: float,
-    trolley_mass: float,
-    payload_mass: float,
-    gravity: float,
     bandwidth: float,
     hoist_bandwidth: float,
     damping: float,
     gains: 'float[:,:]',
 ) -> None:
-    """Gains (3, 10) that give the flat output's error chosen poles; closed form.
+    """Gains (4, 10), a `Gains`, that give the flat output's error chosen poles; closed form.
 
-    About the load hanging at rest, with the sway angle counted such that the load is at
-    p = x_t + l phi: p'' = -g phi and p'''' = (g / l) (g phi + a) under the carriage's
-    acceleration a. The error of p is given the characteristic polynomial
+    plant: masses and drive mode of a `Plant`. About the load hanging at rest, with the sway angle
+    counted such that the load is at p = x_t + l phi: p'' = -g phi and p'''' = (g / l) (g phi + a)
+    under the carriage's acceleration a. The error of p is given the characteristic polynomial
     (s^2 + 2 D w s + w^2)^2, that of the rope s^2 + 2 D w s + w^2, each with its bandwidth w
-    [rad/s], and the damping D. The corrections are accelerations if driven; otherwise forces, which
-    also cancel the rope's pull on the carriage.
+    [rad/s], and the damping D. The corrections are accelerations of velocity drives; otherwise
+    forces, which also cancel the rope's pull on the carriage.
     """
+    driven = int(plant[Plant.MODE]) == DriveMode.VELOCITY
+    gravity = plant[Plant.GRAVITY]
     k0 = bandwidth * bandwidth * bandwidth * bandwidth
     k1 = 4.0 * damping * bandwidth * bandwidth * bandwidth
     k2 = (2.0 + 4.0 * damping * damping) * bandwidth * bandwidth
     k3 = 4.0 * damping * bandwidth
-    for i in range(3):
-        for j in range(10):
+    for i in range(Gains.SIZE):
+        for j in range(State.SIZE):
             gains[i, j] = 0.0
+    gains[Gains.LENGTH, 0] = length
     for i in range(2):
+        axis = gains[Gains.AXES + i, :]
         sign = 1.0 - 2.0 * i
         scale = 1.0
         pull = 0.0
         if not driven:
-            scale = trolley_mass
-            if i == 0:
-                scale = bridge_mass + trolley_mass
-            pull = payload_mass * gravity
+            scale = carriage_mass(plant, i)
+            pull = plant[Plant.PAYLOAD_MASS] * gravity
         ratio = length / gravity
-        gains[i, i] = scale * ratio * k0
-        gains[i, 3 + i] = sign * (scale * (ratio * length * k0 - length * k2 + gravity) + pull)
-        gains[i, 5 + i] = scale * ratio * k1
-        gains[i, 8 + i] = sign * scale * (ratio * length * k1 - length * k3)
+        angle = scale * (ratio * length * k0 - length * k2 + gravity) + pull
+        axis[State.POSITION + i] = scale * ratio * k0
+        axis[State.ANGLE + i] = sign * angle
+        axis[State.VELOCITY + i] = scale * ratio * k1
+        axis[State.RATE + i] = sign * scale * (ratio * length * k1 - length * k3)
     weight = 1.0
     if not driven:
-        weight = payload_mass
-    gains[2, 2] = weight * hoist_bandwidth * hoist_bandwidth
-    gains[2, 7] = weight * 2.0 * damping * hoist_bandwidth
+        weight = plant[Plant.PAYLOAD_MASS]
+    hoist = gains[Gains.AXES + Axes.ROPE, :]
+    hoist[State.POSITION + Axes.ROPE] = weight * hoist_bandwidth * hoist_bandwidth
+    hoist[State.VELOCITY + Axes.ROPE] = weight * 2.0 * damping * hoist_bandwidth

@@ -1,18 +1,29 @@
 """Design of the observer's table, at one rope length: sampled model and steady Kalman gain.
 
-The states of an axis are those of control/observer.py: position, sway angle, their rates, an
-acceleration of the carriage or rope, an acceleration of the load; the last two are random walks.
-The inputs are a velocity command, which the second one makes a ramp, and the correction: a force on
-the carriage, or for velocity drives and the hoist an acceleration.
+The states of an axis are an `Estimate`: position, sway angle, their rates, an acceleration of the
+carriage or rope, an acceleration of the load; the last two are random walks. The inputs are a
+velocity command, which the second one makes a ramp, and the correction: a force on the carriage, or
+for velocity drives and the hoist an acceleration.
 
-`expected` (5): sensor steps of carriages and rope [m] and of angles [rad], whose errors are evenly
-distributed; standard deviations of the walks after one second [m/s2].
+`expected` (5) is an `Expected`; the errors of the sensors are distributed evenly over their steps.
 
 The steady covariance X = A X (1 + G X)^-1 A^T + Q comes by doubling, which squares the error in
 every turn: E. K.-W. Chu, H.-Y. Fan, W.-W. Lin, Int. J. Control 77 (2004). Matrices are blocks of
 eight rows of a work space with 16 columns.
 """
 
+from segfmu.kernels.control.records import (
+    AxisModel,
+    AxisTable,
+    Doubling,
+    Estimate,
+    Expected,
+    Kalman,
+    ModelWork,
+    Observer,
+)
+from segfmu.kernels.crane.drives import carriage_mass
+from segfmu.kernels.crane.records import Axes, DriveMode, Plant
 from segfmu.kernels.numerics.matrices import (
     matrix_add,
     matrix_copy,
@@ -24,36 +35,32 @@ from segfmu.kernels.numerics.matrices import (
 )
 
 
-def kalman_model(
-    axis: int,
-    driven: bool,
-    mass: float,
-    payload: float,
-    gravity: float,
-    length: float,
-    lag: float,
-    model: 'float[:,:]',
-) -> None:
-    """Derivatives (8, 8) of six states and two inputs by themselves."""
-    matrix_set(8, 0.0, model)
-    model[6, 7] = 1.0
-    model[0, 2] = 1.0
-    model[2, 4] = 1.0
+def kalman_model(axis: int, plant: 'float[:]', length: float, model: 'float[:,:]') -> None:
+    """Derivatives (8, 8) of six states and two inputs by themselves; length of the rope [m]."""
+    mass = carriage_mass(plant, axis)
+    gravity = plant[Plant.GRAVITY]
+    lag = plant[Plant.LAG + axis]
+    driven = int(plant[Plant.MODE]) == DriveMode.VELOCITY
+    matrix_set(AxisModel.SIZE, 0.0, model)
+    model[AxisModel.COMMAND, AxisModel.CORRECTION] = 1.0
+    model[AxisModel.POSITION, AxisModel.VELOCITY] = 1.0
+    model[AxisModel.VELOCITY, AxisModel.DRIFT] = 1.0
     if driven and lag > 0.0:
-        model[2, 2] = -1.0 / lag
-        model[2, 6] = 1.0 / lag
-    elif driven or axis == 2:
-        model[2, 7] = 1.0
+        model[AxisModel.VELOCITY, AxisModel.VELOCITY] = -1.0 / lag
+        model[AxisModel.VELOCITY, AxisModel.COMMAND] = 1.0 / lag
+    elif driven or axis == Axes.ROPE:
+        model[AxisModel.VELOCITY, AxisModel.CORRECTION] = 1.0
     else:
-        model[2, 7] = 1.0 / mass
-        model[2, 1] = payload * gravity / mass
-    if axis < 2:
+        model[AxisModel.VELOCITY, AxisModel.CORRECTION] = 1.0 / mass
+        model[AxisModel.VELOCITY, AxisModel.ANGLE] = plant[Plant.PAYLOAD_MASS] * gravity / mass
+    if axis != Axes.ROPE:
+        rate = model[AxisModel.RATE, :]
         # l angle'' = -g angle - carriage acceleration + acceleration of the load
-        model[1, 3] = 1.0
-        for j in range(8):
-            model[3, j] = -model[2, j] / length
-        model[3, 1] = model[3, 1] - gravity / length
-        model[3, 5] = 1.0 / length
+        model[AxisModel.ANGLE, AxisModel.RATE] = 1.0
+        for j in range(AxisModel.SIZE):
+            rate[j] = -model[AxisModel.VELOCITY, j] / length
+        rate[AxisModel.ANGLE] = rate[AxisModel.ANGLE] - gravity / length
+        rate[AxisModel.WIND] = 1.0 / length
 
 
 def kalman_sampled(
@@ -67,12 +74,12 @@ def kalman_sampled(
 ) -> None:
     """Transition (8, 8) over a sample, and what the walks add to the covariance (6, 6).
 
-    Taylor series over a part of the sample that is short, then doubled; work (24, 16).
+    Taylor series over a part of the sample that is short, then doubled; work: a `ModelWork`.
     """
     size = 0.0
-    for i in range(8):
+    for i in range(AxisModel.SIZE):
         total = 0.0
-        for j in range(8):
+        for j in range(AxisModel.SIZE):
             total = total + abs(model[i, j])
         size = max(size, total)
     part = sample_time
@@ -81,12 +88,14 @@ def kalman_sampled(
         part = 0.5 * part
         doublings = doublings + 1
     kalman_series(part, drift, wind, model, transition, covariance, work)
+    term = work[ModelWork.TERM:ModelWork.PRODUCT, :]
+    product = work[ModelWork.PRODUCT:ModelWork.TRANSPOSED, :]
     for _ in range(doublings):
-        matrix_product(6, transition, covariance, work[0:8, :])
-        matrix_product_transposed(6, work[0:8, :], transition, work[8:16, :])
-        matrix_add(6, 1.0, work[8:16, :], covariance)
-        matrix_product(8, transition, transition, work[0:8, :])
-        matrix_copy(8, work[0:8, :], transition)
+        matrix_product(Estimate.SIZE, transition, covariance, term)
+        matrix_product_transposed(Estimate.SIZE, term, transition, product)
+        matrix_add(Estimate.SIZE, 1.0, product, covariance)
+        matrix_product(AxisModel.SIZE, transition, transition, term)
+        matrix_copy(AxisModel.SIZE, term, transition)
 
 
 def kalman_series(
@@ -99,76 +108,86 @@ def kalman_series(
     work: 'float[:,:]',
 ) -> None:
     """exp(M h) = 1 + M h + ..., and the integral W h + (M W + W M^T) h^2 / 2 + ... of the walks."""
-    matrix_set(8, 1.0, transition)
-    matrix_set(8, 1.0, work[0:8, :])
+    term = work[ModelWork.TERM:ModelWork.PRODUCT, :]
+    product = work[ModelWork.PRODUCT:ModelWork.TRANSPOSED, :]
+    transposed = work[ModelWork.TRANSPOSED:ModelWork.SIZE, :]
+    matrix_set(AxisModel.SIZE, 1.0, transition)
+    matrix_set(AxisModel.SIZE, 1.0, term)
     for n in range(1, 17):
-        matrix_product(8, model, work[0:8, :], work[8:16, :])
-        matrix_set(8, 0.0, work[0:8, :])
-        matrix_add(8, part / n, work[8:16, :], work[0:8, :])
-        matrix_add(8, 1.0, work[0:8, :], transition)
-    matrix_set(6, 0.0, covariance)
-    matrix_set(6, 0.0, work[0:8, :])
-    work[4, 4] = drift * drift * part
-    work[5, 5] = wind * wind * part
+        matrix_product(AxisModel.SIZE, model, term, product)
+        matrix_set(AxisModel.SIZE, 0.0, term)
+        matrix_add(AxisModel.SIZE, part / n, product, term)
+        matrix_add(AxisModel.SIZE, 1.0, term, transition)
+    matrix_set(Estimate.SIZE, 0.0, covariance)
+    matrix_set(Estimate.SIZE, 0.0, term)
+    term[Estimate.DRIFT, Estimate.DRIFT] = drift * drift * part
+    term[Estimate.WIND, Estimate.WIND] = wind * wind * part
     for n in range(2, 18):
-        matrix_add(6, 1.0, work[0:8, :], covariance)
-        matrix_product(6, model, work[0:8, :], work[8:16, :])
-        matrix_product_transposed(6, work[0:8, :], model, work[16:24, :])
-        matrix_add(6, 1.0, work[16:24, :], work[8:16, :])
-        matrix_set(6, 0.0, work[0:8, :])
-        matrix_add(6, part / n, work[8:16, :], work[0:8, :])
+        matrix_add(Estimate.SIZE, 1.0, term, covariance)
+        matrix_product(Estimate.SIZE, model, term, product)
+        matrix_product_transposed(Estimate.SIZE, term, model, transposed)
+        matrix_add(Estimate.SIZE, 1.0, transposed, product)
+        matrix_set(Estimate.SIZE, 0.0, term)
+        matrix_add(Estimate.SIZE, part / n, product, term)
 
 
 def kalman_turn(spread: 'float[:,:]', work: 'float[:,:]') -> float:
-    """One doubling of X in `spread` with A^T and G in work[0:8] and work[8:16].
+    """One doubling of X in `spread` with the A^T and G of work, a `Doubling`.
 
-    Returns the largest relative change of a variance; work (56, 16).
+    Returns the largest relative change of a variance.
     """
+    transposed = work[Doubling.TRANSPOSED:Doubling.INFORMATION, :]
+    information = work[Doubling.INFORMATION:Doubling.FACTOR, :]
+    factor = work[Doubling.FACTOR:Doubling.SOLUTION, :]
+    solution = work[Doubling.SOLUTION:Doubling.PRODUCT, :]
+    product = work[Doubling.PRODUCT:Doubling.CHANGE, :]
+    change = work[Doubling.CHANGE:Doubling.SIZE, :]
+    n = Estimate.SIZE
     # one solution for both: (1 + G X)^-1 A^T and (1 + G X)^-1 G
-    matrix_set(6, 1.0, work[16:24, :])
-    matrix_product(6, work[8:16, :], spread, work[24:32, :])
-    matrix_add(6, 1.0, work[24:32, :], work[16:24, :])
-    for i in range(6):
-        for j in range(6):
-            work[24 + i, j] = work[i, j]
-            work[24 + i, 6 + j] = work[8 + i, j]
-    matrix_solve(6, 12, work[16:24, :], work[24:32, :])
-    for i in range(6):
-        for j in range(6):
-            work[32 + i, j] = work[24 + i, 6 + j]
+    matrix_set(n, 1.0, factor)
+    matrix_product(n, information, spread, solution)
+    matrix_add(n, 1.0, solution, factor)
+    for i in range(n):
+        for j in range(n):
+            solution[i, j] = transposed[i, j]
+            solution[i, n + j] = information[i, j]
+    matrix_solve(n, 2 * n, factor, solution)
+    for i in range(n):
+        for j in range(n):
+            product[i, j] = solution[i, n + j]
     # G + A^T (1 + G X)^-1 G A
-    matrix_product(6, work[0:8, :], work[32:40, :], work[16:24, :])
-    matrix_product_transposed(6, work[16:24, :], work[0:8, :], work[32:40, :])
-    matrix_add(6, 1.0, work[32:40, :], work[8:16, :])
+    matrix_product(n, transposed, product, factor)
+    matrix_product_transposed(n, factor, transposed, product)
+    matrix_add(n, 1.0, product, information)
     # X + A X (1 + G X)^-1 A^T
-    matrix_product(6, spread, work[24:32, :], work[16:24, :])
-    matrix_transpose(6, work[0:8, :], work[32:40, :])
-    matrix_product(6, work[32:40, :], work[16:24, :], work[40:48, :])
-    matrix_add(6, 1.0, work[40:48, :], spread)
+    matrix_product(n, spread, solution, factor)
+    matrix_transpose(n, transposed, product)
+    matrix_product(n, product, factor, change)
+    matrix_add(n, 1.0, change, spread)
     # A^T (1 + G X)^-1 A^T
-    matrix_product(6, work[0:8, :], work[24:32, :], work[16:24, :])
-    matrix_copy(6, work[16:24, :], work[0:8, :])
-    change = 0.0
-    for i in range(6):
+    matrix_product(n, transposed, solution, factor)
+    matrix_copy(n, factor, transposed)
+    largest = 0.0
+    for i in range(n):
         if spread[i, i] > 0.0:
-            change = max(change, work[40 + i, i] / spread[i, i])
-    return change
+            largest = max(largest, change[i, i] / spread[i, i])
+    return largest
 
 
 def kalman_gain(
     axis: int, first: float, second: float, spread: 'float[:,:]', table: 'float[:,:]'
 ) -> None:
-    """Columns 8 and 9 of an axis' rows: X C^T (C X C^T + R)^-1, for variances R of the signals."""
+    """Gains of an axis: X C^T (C X C^T + R)^-1, for variances R of position and angle."""
     a = spread[0, 0] + first
     b = 0.5 * (spread[0, 1] + spread[1, 0])
     d = spread[1, 1] + second
-    if axis == 2:
+    if axis == Axes.ROPE:
         b = 0.0
     determinant = a * d - b * b
-    for i in range(6):
-        k = 6 * axis + i
-        table[k, 8] = (d * spread[i, 0] - b * spread[i, 1]) / determinant
-        table[k, 9] = (a * spread[i, 1] - b * spread[i, 0]) / determinant
+    for i in range(Estimate.SIZE):
+        row = table[Observer.BRIDGE + Estimate.SIZE * axis + i, :]
+        row[AxisTable.POSITION_GAIN] = (d * spread[i, 0] - b * spread[i, 1]) / determinant
+        row[AxisTable.ANGLE_GAIN] = (a * spread[i, 1] - b * spread[i, 0]) / determinant
 
 
 def kalman_axis(
@@ -178,60 +197,58 @@ def kalman_axis(
     work: 'float[:,:]',
     table: 'float[:,:]',
 ) -> None:
-    """An axis' rows of the table for the model (8, 8) in work[72:80]; work (80, 16)."""
-    transition = work[56:64, :]
-    spread = work[64:72, :]
-    position = expected[0] * expected[0] / 12.0
-    if axis == 2:
-        position = expected[1] * expected[1] / 12.0
-    angle = expected[2] * expected[2] / 12.0
-    wind = expected[4]
-    if axis == 2:
+    """An axis' rows of the table for the model in work, a `Kalman`."""
+    transition = work[Kalman.TRANSITION:Kalman.SPREAD, :]
+    spread = work[Kalman.SPREAD:Kalman.MODEL, :]
+    transposed = work[Kalman.TRANSPOSED:Kalman.INFORMATION, :]
+    information = work[Kalman.INFORMATION:Kalman.FACTOR, :]
+    step = expected[Expected.POSITION]
+    wind = expected[Expected.WIND]
+    if axis == Axes.ROPE:
+        step = expected[Expected.LENGTH]
         wind = 0.0
+    position = step * step / 12.0
+    angle = expected[Expected.ANGLE] * expected[Expected.ANGLE] / 12.0
     kalman_sampled(
-        sample_time, expected[3], wind, work[72:80, :], transition, spread, work[0:24, :]
+        sample_time, expected[Expected.DRIFT], wind, work[Kalman.MODEL:Kalman.SIZE, :],
+        transition, spread, work[0:ModelWork.SIZE, :],
     )
-    for i in range(6):
-        for j in range(8):
-            table[6 * axis + i, j] = transition[i, j]
-    matrix_transpose(6, transition, work[0:8, :])
-    matrix_set(6, 0.0, work[8:16, :])
-    work[8, 0] = 1.0 / position
-    if axis < 2:
-        work[9, 1] = 1.0 / angle
+    first = Observer.BRIDGE + Estimate.SIZE * axis
+    for i in range(Estimate.SIZE):
+        for j in range(AxisModel.SIZE):
+            table[first + i, j] = transition[i, j]
+    matrix_transpose(Estimate.SIZE, transition, transposed)
+    matrix_set(Estimate.SIZE, 0.0, information)
+    information[Estimate.POSITION, Estimate.POSITION] = 1.0 / position
+    if axis != Axes.ROPE:
+        information[Estimate.ANGLE, Estimate.ANGLE] = 1.0 / angle
     turns = 0
-    while kalman_turn(spread, work[0:56, :]) > 1e-15 and turns < 60:
+    while kalman_turn(spread, work[0:Doubling.SIZE, :]) > 1e-15 and turns < 60:
         turns = turns + 1
     kalman_gain(axis, position, angle, spread, table)
-    if axis == 2:
+    if axis == Axes.ROPE:
         # the hoist has no angle and no load
-        for i in range(1, 6, 2):
-            for j in range(10):
-                table[12 + i, j] = 0.0
+        for i in range(Estimate.ANGLE, Estimate.SIZE, 2):
+            for j in range(AxisTable.SIZE):
+                table[first + i, j] = 0.0
 
 
 def observer_design(
-    driven: bool,
+    plant: 'float[:]',
     sample_time: float,
     length: float,
-    bridge_mass: float,
-    trolley_mass: float,
-    payload_mass: float,
-    gravity: float,
-    lag: 'float[:]',
     expected: 'float[:]',
     work: 'float[:,:]',
     table: 'float[:,:]',
 ) -> None:
-    """One rope length's part (18, 10) of the table of kernels/control/observer.py.
+    """One rope length's part (19, 10) of the observer's table, an `Observer`.
 
-    lag (3) of the velocity drives [s]; work (80, 16).
+    plant: the nominal crane, of whose `Plant` masses, drive mode and lags count; sample_time [s];
+    length [m]; work (72, 16): a `Kalman`.
     """
+    for j in range(AxisTable.SIZE):
+        table[Observer.LENGTH, j] = 0.0
+    table[Observer.LENGTH, 0] = length
     for axis in range(3):
-        mass = trolley_mass
-        if axis == 0:
-            mass = bridge_mass + trolley_mass
-        kalman_model(
-            axis, driven, mass, payload_mass, gravity, length, lag[axis], work[72:80, :]
-        )
+        kalman_model(axis, plant, length, work[Kalman.MODEL:Kalman.SIZE, :])
         kalman_axis(axis, sample_time, expected, work, table)

@@ -1,39 +1,35 @@
 """One tick of the observer: deviations of the crane from its reference, out of measured ones.
 
-estimate[axis] for bridge, trolley and hoist: position, sway angle, their rates, an unknown
-acceleration of the carriage or rope, and an unknown acceleration of the load. The sway angle is
-counted such that the load is at position + l * angle. The hoist has no angle and no load.
-
-A table (rows, 18, 10) over rope length has for each axis six rows: the transition of the
-estimate over a sample (6 columns), the effect of the velocity command and of the correction that
-is held (2), and the gain from the innovation (2).
+estimate (3, 6 or more): an `Estimate` an axis. table (rows, 19, 10): an `Observer` a rope length,
+which has for each axis a row for each entry of the estimate: an `AxisTable`.
 """
 
 from segfmu.kernels.control.feedback import table_row, table_share
+from segfmu.kernels.control.records import AxisModel, AxisTable, Estimate, Observer
+from segfmu.kernels.crane.records import Axes, Coordinates
 
 
 def observer_predict(
     length: float,
-    lengths: 'float[:]',
     table: 'float[:,:,:]',
     command: 'float[:]',
     held: 'float[:]',
     estimate: 'float[:,:]',
     scratch: 'float[:]',
 ) -> None:
-    """Advance the estimate (3, 6 or more) by a sample under command and held correction."""
-    row = table_row(length, lengths)
-    share = table_share(length, lengths, row)
-    following = min(row + 1, lengths.shape[0] - 1)
+    """Advance the estimate by a sample under velocity command (3) and held correction (3)."""
+    row = table_row(length, table)
+    share = table_share(length, table, row)
+    following = min(row + 1, table.shape[0] - 1)
     for axis in range(3):
-        for j in range(6):
+        for j in range(Estimate.SIZE):
             scratch[j] = estimate[axis, j]
-        scratch[6] = command[axis]
-        scratch[7] = held[axis]
-        for i in range(6):
-            k = 6 * axis + i
+        scratch[AxisModel.COMMAND] = command[axis]
+        scratch[AxisModel.CORRECTION] = held[axis]
+        for i in range(Estimate.SIZE):
+            k = Observer.BRIDGE + Estimate.SIZE * axis + i
             total = 0.0
-            for j in range(8):
+            for j in range(AxisModel.SIZE):
                 entry = (1.0 - share) * table[row, k, j] + share * table[following, k, j]
                 total = total + entry * scratch[j]
             estimate[axis, i] = total
@@ -41,24 +37,27 @@ def observer_predict(
 
 def observer_correct(
     length: float,
-    lengths: 'float[:]',
     table: 'float[:,:,:]',
     measured: 'float[:]',
     reference: 'float[:]',
     estimate: 'float[:,:]',
 ) -> None:
-    """Correct the estimate (3, 6 or more) by the five measured signals and their references."""
-    row = table_row(length, lengths)
-    share = table_share(length, lengths, row)
-    following = min(row + 1, lengths.shape[0] - 1)
+    """Correct the estimate by the five measured signals and their references."""
+    row = table_row(length, table)
+    share = table_share(length, table, row)
+    following = min(row + 1, table.shape[0] - 1)
     for axis in range(3):
-        first = measured[axis] - reference[axis] - estimate[axis, 0]
+        first = measured[axis] - reference[axis] - estimate[axis, Estimate.POSITION]
         second = 0.0
-        if axis < 2:
+        if axis != Axes.ROPE:
             sign = 1.0 - 2.0 * axis
-            second = sign * (measured[3 + axis] - reference[3 + axis]) - estimate[axis, 1]
-        for i in range(6):
-            k = 6 * axis + i
-            a = (1.0 - share) * table[row, k, 8] + share * table[following, k, 8]
-            b = (1.0 - share) * table[row, k, 9] + share * table[following, k, 9]
+            angle = Coordinates.ANGLE + axis
+            deviation = sign * (measured[angle] - reference[angle])
+            second = deviation - estimate[axis, Estimate.ANGLE]
+        for i in range(Estimate.SIZE):
+            k = Observer.BRIDGE + Estimate.SIZE * axis + i
+            a = (1.0 - share) * table[row, k, AxisTable.POSITION_GAIN]
+            a = a + share * table[following, k, AxisTable.POSITION_GAIN]
+            b = (1.0 - share) * table[row, k, AxisTable.ANGLE_GAIN]
+            b = b + share * table[following, k, AxisTable.ANGLE_GAIN]
             estimate[axis, i] = estimate[axis, i] + a * first + b * second

@@ -25,28 +25,33 @@ estimate are those of P. C. Young, Recursive Estimation and Time-Series Analysis
 variance by the remaining residuals is that of H. White, Econometrica 48 (1980), for samples whose
 errors differ.
 
-`parameters` are those of kernels/control/tracking.py. `memory` (13, 10):
-
-    0:4   input and the three lags for the measured place (3), direction (3) and the start (1)
-    4:8   the same for the reference
-    8     slow means of residual, factor and instrument for x (3) and y (3); residual at the start
-          (2); whether there was a tick before
-    9     offset and its standard deviation; ticks for which it has been significant; the offset
-          that was last; whether there was one; the offset in use
-    10    sums of z r, z f, z^2 r^2, z^2 r f, z^2 f^2, z^2
-    11:13 signals to be filtered, of the reference and measured; then residual, factor, instrument
-          of x and y
+`parameters` is a `Tracking`, `memory` (15, 10) an `OffsetMemory`.
 """
 
 from math import cos, sin, sqrt
 
+from segfmu.kernels.control.records import (
+    OffsetEquation,
+    OffsetEstimate,
+    OffsetFilter,
+    OffsetMeans,
+    OffsetMemory,
+    OffsetSignals,
+    OffsetSums,
+    Tracking,
+)
+from segfmu.kernels.crane.records import Axes, Coordinates, Vector
+
 
 def offset_filter(first: bool, share: float, signals: 'float[:]', states: 'float[:,:]') -> None:
-    """Three lags (4, 7) of half a sample over their time constant `share`, by Tustin's rule."""
-    for i in range(7):
-        before = states[0, i]
-        states[0, i] = signals[i]
-        for k in range(1, 4):
+    """Three lags of half a sample over their time constant `share`, by Tustin's rule.
+
+    signals (7): `OffsetSignals`; states (4, 7): an `OffsetFilter`.
+    """
+    for i in range(OffsetSignals.SIZE):
+        before = states[OffsetFilter.INPUT, i]
+        states[OffsetFilter.INPUT, i] = signals[i]
+        for k in range(OffsetFilter.FIRST, OffsetFilter.SIZE):
             lagged = states[k, i]
             entering = before + states[k - 1, i]
             states[k, i] = ((1.0 - share) * lagged + share * entering) / (1.0 + share)
@@ -56,15 +61,25 @@ def offset_filter(first: bool, share: float, signals: 'float[:]', states: 'float
 
 
 def offset_signals(measured: 'float[:]', start: float, signals: 'float[:]') -> None:
-    """Place of the load and direction of the rope (3 each) from five measured values."""
-    signals[3] = sin(measured[3])
-    signals[4] = -cos(measured[3]) * sin(measured[4])
-    signals[5] = -cos(measured[3]) * cos(measured[4])
+    """Place of the load and direction of the rope from the coordinates (5)."""
+    phi_x = measured[Coordinates.ANGLE]
+    phi_y = measured[Coordinates.ANGLE + 1]
+    signals[OffsetSignals.DIRECTION + Vector.X] = sin(phi_x)
+    signals[OffsetSignals.DIRECTION + Vector.Y] = -cos(phi_x) * sin(phi_y)
+    signals[OffsetSignals.DIRECTION + Vector.Z] = -cos(phi_x) * cos(phi_y)
+    length = measured[Coordinates.POSITION + Axes.ROPE]
     for i in range(3):
-        signals[i] = measured[2] * signals[3 + i]
+        signals[OffsetSignals.PLACE + i] = length * signals[OffsetSignals.DIRECTION + i]
     for i in range(2):
-        signals[i] = signals[i] + measured[i]
-    signals[6] = start
+        place = signals[OffsetSignals.PLACE + i]
+        signals[OffsetSignals.PLACE + i] = place + measured[Coordinates.POSITION + i]
+    signals[OffsetSignals.START] = start
+
+
+def second_difference(signal: int, states: 'float[:,:]') -> float:
+    """Second derivative of a filtered signal over the square of the filter's bandwidth."""
+    difference = states[OffsetFilter.FIRST, signal] - 2.0 * states[OffsetFilter.SECOND, signal]
+    return difference + states[OffsetFilter.THIRD, signal]
 
 
 def offset_residual(
@@ -74,117 +89,142 @@ def offset_residual(
 
     square: of the filter's bandwidth.
     """
-    place = square * (states[1, axis] - 2.0 * states[2, axis] + states[3, axis])
-    height = square * (states[1, 2] - 2.0 * states[2, 2] + states[3, 2]) + gravity
-    turn = square * (states[1, 3 + axis] - 2.0 * states[2, 3 + axis] + states[3, 3 + axis])
-    drop = square * (states[1, 5] - 2.0 * states[2, 5] + states[3, 5])
-    across = states[3, 3 + axis]
-    down = states[3, 5]
+    sideways = OffsetSignals.DIRECTION + axis
+    upwards = OffsetSignals.DIRECTION + Vector.Z
+    place = square * second_difference(OffsetSignals.PLACE + axis, states)
+    height = square * second_difference(OffsetSignals.PLACE + Vector.Z, states) + gravity
+    turn = square * second_difference(sideways, states)
+    drop = square * second_difference(upwards, states)
+    across = states[OffsetFilter.THIRD, sideways]
+    down = states[OffsetFilter.THIRD, upwards]
     return height * across - place * down, drop * across - turn * down
 
 
 def offset_noise(parameters: 'float[:]', length: float) -> 'tuple[float, float]':
     """Variances of residual and factor by the noise of the sensors, white before the filter."""
-    w = parameters[24]
-    gravity = parameters[6]
-    share = parameters[1] / 16.0
+    w = parameters[Tracking.OFFSET_BANDWIDTH]
+    gravity = parameters[Tracking.GRAVITY]
+    share = parameters[Tracking.PERIOD] / 16.0
     fifth = 3.0 * w * w * w * w * w
     angle = length * length * fifth + gravity * w * (3.0 * gravity - 2.0 * length * w * w)
-    residual = share * (angle * parameters[25] + fifth * parameters[26])
-    return residual, share * fifth * parameters[25]
+    of_angles = angle * parameters[Tracking.ANGLE_VARIANCE]
+    residual = share * (of_angles + fifth * parameters[Tracking.POSITION_VARIANCE])
+    return residual, share * fifth * parameters[Tracking.ANGLE_VARIANCE]
 
 
 def offset_centre(axis: int, share: float, values: 'float[:]', means: 'float[:]') -> None:
     """Take their slow means off an axis' three values; share: of what is new."""
-    for i in range(3):
-        k = 3 * axis + i
+    for i in range(OffsetEquation.SIZE):
+        k = OffsetMeans.AXES + OffsetEquation.SIZE * axis + i
         means[k] = means[k] + share * (values[i] - means[k])
         values[i] = values[i] - means[k]
 
 
 def offset_sum(keep: float, values: 'float[:]', sums: 'float[:]') -> None:
     """Add one axis' residual, factor and instrument to the sums, of which a share is kept."""
-    residual = values[0]
-    factor = values[1]
-    instrument = values[2]
+    residual = values[OffsetEquation.RESIDUAL]
+    factor = values[OffsetEquation.FACTOR]
+    instrument = values[OffsetEquation.INSTRUMENT]
     square = instrument * instrument
-    sums[0] = keep * sums[0] + instrument * residual
-    sums[1] = keep * sums[1] + instrument * factor
-    sums[2] = keep * sums[2] + square * residual * residual
-    sums[3] = keep * sums[3] + square * residual * factor
-    sums[4] = keep * sums[4] + square * factor * factor
-    sums[5] = keep * sums[5] + square
+    sums[OffsetSums.ZR] = keep * sums[OffsetSums.ZR] + instrument * residual
+    sums[OffsetSums.ZF] = keep * sums[OffsetSums.ZF] + instrument * factor
+    sums[OffsetSums.ZZRR] = keep * sums[OffsetSums.ZZRR] + square * residual * residual
+    sums[OffsetSums.ZZRF] = keep * sums[OffsetSums.ZZRF] + square * residual * factor
+    sums[OffsetSums.ZZFF] = keep * sums[OffsetSums.ZZFF] + square * factor * factor
+    sums[OffsetSums.ZZ] = keep * sums[OffsetSums.ZZ] + square
 
 
-def offset_judge(parameters: 'float[:]', length: float, noise: float, memory: 'float[:,:]') -> None:
+def offset_decide(
+    parameters: 'float[:]', length: float, noise: float, sums: 'float[:]', estimate: 'float[:]'
+) -> None:
     """Offset and deviation by the sums; which offset is to be used.
 
     One that has been five deviations for five of the filter's time constants is; it stays until the
-    data speak against it. In less time wind is too often shaped like the plan by chance.
+    data speak against it. In less time wind is too often shaped like the plan by chance. sums: an
+    `OffsetSums`, estimate: an `OffsetEstimate`.
     """
-    samples = 2.0 / (parameters[24] * parameters[1])
-    offset = memory[10, 0] / memory[10, 1]
-    left = memory[10, 2] - 2.0 * offset * memory[10, 3] + offset * offset * memory[10, 4]
+    period = parameters[Tracking.PERIOD]
+    bandwidth = parameters[Tracking.OFFSET_BANDWIDTH]
+    samples = 2.0 / (bandwidth * period)
+    offset = sums[OffsetSums.ZR] / sums[OffsetSums.ZF]
+    left = sums[OffsetSums.ZZRR] - 2.0 * offset * sums[OffsetSums.ZZRF]
+    left = left + offset * offset * sums[OffsetSums.ZZFF]
     # what remains may be little by chance, but not less than the sensors' noise, of which a small
     # part is as slow as the plan
-    least = noise * memory[10, 5] / 16.0
-    deviation = sqrt(samples * (max(left, 0.0) + least)) / memory[10, 1]
-    memory[9, 0] = offset
-    memory[9, 1] = deviation
-    memory[9, 2] = memory[9, 2] + 1.0
-    if abs(offset) < 5.0 * deviation or abs(offset) > 3.0 * parameters[23] * length:
-        memory[9, 2] = 0.0
-    if memory[9, 2] * parameters[1] * parameters[24] > 5.0:
-        memory[9, 3] = offset
-        memory[9, 4] = 1.0
-    elif abs(offset - memory[9, 3]) > 3.0 * deviation:
-        memory[9, 4] = 0.0
+    least = noise * sums[OffsetSums.ZZ] / 16.0
+    deviation = sqrt(samples * (max(left, 0.0) + least)) / sums[OffsetSums.ZF]
+    estimate[OffsetEstimate.FOUND] = offset
+    estimate[OffsetEstimate.DEVIATION] = deviation
+    estimate[OffsetEstimate.TICKS] = estimate[OffsetEstimate.TICKS] + 1.0
+    largest = 3.0 * parameters[Tracking.OFFSET_EXPECTED] * length
+    if abs(offset) < 5.0 * deviation or abs(offset) > largest:
+        estimate[OffsetEstimate.TICKS] = 0.0
+    if estimate[OffsetEstimate.TICKS] * period * bandwidth > 5.0:
+        estimate[OffsetEstimate.LAST] = offset
+        estimate[OffsetEstimate.VALID] = 1.0
+    elif abs(offset - estimate[OffsetEstimate.LAST]) > 3.0 * deviation:
+        estimate[OffsetEstimate.VALID] = 0.0
 
 
 def offset_equations(
     parameters: 'float[:]', measured: 'float[:]', reference: 'float[:]', memory: 'float[:,:]'
 ) -> None:
-    """Put residual, factor and instrument of x and y into the memory's last two rows."""
-    first = memory[8, 8] < 0.5
-    memory[8, 8] = 1.0
+    """Residual, factor and instrument of x and y at the present tick."""
+    means = memory[OffsetMemory.MEANS, :]
+    signals = memory[OffsetMemory.SIGNALS, :]
+    filtered = memory[OffsetMemory.MEASURED:OffsetMemory.PLANNED, :]
+    planned = memory[OffsetMemory.PLANNED:OffsetMemory.MEANS, :]
+    first = means[OffsetMeans.STARTED] < 0.5
+    means[OffsetMeans.STARTED] = 1.0
     start = 0.0
     if first:
         start = 1.0
-    step = parameters[24] * parameters[1]
-    square = parameters[24] * parameters[24]
-    offset_signals(measured, start, memory[12, :])
-    offset_filter(first, 0.5 * step, memory[12, :], memory[0:4, :])
-    offset_signals(reference, start, memory[11, :])
-    offset_filter(first, 0.5 * step, memory[11, :], memory[4:8, :])
+    bandwidth = parameters[Tracking.OFFSET_BANDWIDTH]
+    step = bandwidth * parameters[Tracking.PERIOD]
+    square = bandwidth * bandwidth
+    offset_signals(measured, start, signals)
+    offset_filter(first, 0.5 * step, signals, filtered)
+    offset_signals(reference, start, signals)
+    offset_filter(first, 0.5 * step, signals, planned)
     for axis in range(2):
-        found, factor = offset_residual(axis, parameters[6], square, memory[0:4, :])
-        planned, instrument = offset_residual(axis, parameters[6], square, memory[4:8, :])
-        residual = planned - found
+        gravity = parameters[Tracking.GRAVITY]
+        seen, factor = offset_residual(axis, gravity, square, filtered)
+        expected, instrument = offset_residual(axis, gravity, square, planned)
+        residual = expected - seen
         if first:
-            memory[8, 6 + axis] = residual
+            means[OffsetMeans.START + axis] = residual
         # the filter starts as if all had rested before, which a swaying load did not
-        memory[11 + axis, 0] = residual - memory[8, 6 + axis] * memory[3, 6]
-        memory[11 + axis, 1] = factor
-        memory[11 + axis, 2] = instrument
-        offset_centre(axis, step / 12.0, memory[11 + axis, :], memory[8, :])
+        settling = filtered[OffsetFilter.THIRD, OffsetSignals.START]
+        equation = memory[OffsetMemory.EQUATIONS + axis, :]
+        equation[OffsetEquation.RESIDUAL] = residual - means[OffsetMeans.START + axis] * settling
+        equation[OffsetEquation.FACTOR] = factor
+        equation[OffsetEquation.INSTRUMENT] = instrument
+        offset_centre(axis, step / 12.0, equation, means)
 
 
 def offset_estimate(
     parameters: 'float[:]', measured: 'float[:]', reference: 'float[:]', memory: 'float[:,:]'
 ) -> float:
     """Offset [m] to add to the measured length, from signals and reference of the same time."""
-    if parameters[23] <= 0.0:
+    if parameters[Tracking.OFFSET_EXPECTED] <= 0.0:
         return 0.0
+    sums = memory[OffsetMemory.SUMS, :]
+    estimate = memory[OffsetMemory.ESTIMATE, :]
+    length = measured[Coordinates.POSITION + Axes.ROPE]
     offset_equations(parameters, measured, reference, memory)
-    noise, factor_noise = offset_noise(parameters, measured[2])
-    planned = memory[11, 2] * memory[11, 2] + memory[12, 2] * memory[12, 2]
-    if planned > 9.0 * factor_noise:
+    noise, factor_noise = offset_noise(parameters, length)
+    power = 0.0
+    for axis in range(2):
+        instrument = memory[OffsetMemory.EQUATIONS + axis, OffsetEquation.INSTRUMENT]
+        power = power + instrument * instrument
+    if power > 9.0 * factor_noise:
         # a plan that swings the load less than the sensors' noise teaches nothing
-        keep = 1.0 - parameters[24] * parameters[1] / 60.0
-        offset_sum(keep, memory[11, :], memory[10, :])
-        offset_sum(1.0, memory[12, :], memory[10, :])
-        if memory[10, 1] > 0.0:
-            offset_judge(parameters, measured[2], noise, memory)
-    aim = memory[9, 4] * memory[9, 3]
-    memory[9, 5] = aim + parameters[11] * (memory[9, 5] - aim)
-    return memory[9, 5]
+        step = parameters[Tracking.OFFSET_BANDWIDTH] * parameters[Tracking.PERIOD]
+        offset_sum(1.0 - step / 60.0, memory[OffsetMemory.EQUATIONS, :], sums)
+        offset_sum(1.0, memory[OffsetMemory.EQUATIONS + 1, :], sums)
+        if sums[OffsetSums.ZF] > 0.0:
+            offset_decide(parameters, length, noise, sums, estimate)
+    aim = estimate[OffsetEstimate.VALID] * estimate[OffsetEstimate.LAST]
+    used = estimate[OffsetEstimate.USED]
+    estimate[OffsetEstimate.USED] = aim + parameters[Tracking.DECAY] * (used - aim)
+    return estimate[OffsetEstimate.USED]

@@ -1,9 +1,40 @@
 """Records of the controllers: gains, observer, tracking controller."""
 
-from segfmu.kernels.crane.records import Coordinates, State
-from segfmu.kernels.records import Record, field
+from segfmu.kernels.crane.records import Axes, Coordinates, State
+from segfmu.kernels.records import Codes, Record, field
 
 OBSERVER = "feedback.observer"
+
+
+class Acting(Codes):
+    """Whether corrections acted at the tick before."""
+
+    NO_TICK = 0
+    OFF = 1
+    ON = 2
+    # with other gains
+    RETUNED = 3
+
+
+class Correction(Record):
+    """The correction, and what remains of switching."""
+
+    VALUE = field("correction that acts, N or m/s2", size=3)
+    FADING = field("what remains of a switching step, N or m/s2", size=3)
+    ACTED = field("whether corrections acted at the tick before, see Acting")
+    BEFORE = field("correction of the tick before, N or m/s2", size=3)
+
+
+class Tick(Record):
+    """Rows: what a controller gets at a tick, and its correction."""
+
+    SIGNALS = field("signals of the sensors", of=Coordinates)
+    REFERENCE = field("reference at the tick", of=State)
+    ADDED_TO = field(
+        "what the correction is added to: force setpoints, or slopes of the velocity setpoints",
+        of=Axes,
+    )
+    CORRECTION = field("correction", of=Correction)
 
 
 class Gains(Record):
@@ -222,7 +253,8 @@ class Tracker(Record):
     HELD = field("corrections since the last tick", of=Held)
     FADING = field("what fades out", of=Fading)
     REFERENCE = field("reference at the tick before", of=State)
-    STATE = field("work space: the deviation", of=State)
+    DEVIATION = field("work space: the deviation", of=State)
     TARGET = field("work space: where the disturbances are balanced", of=State)
+    INPUTS = field("work space of the observer", of=AxisModel)
     SIGNALS = field("measured signals without the offset", of=Coordinates)
     OFFSET = field("memory of the offset's estimate", size=OffsetMemory.SIZE, of=OffsetMemory)

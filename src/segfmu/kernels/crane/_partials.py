@@ -9,8 +9,7 @@ from math import cos, sin
 
 def crane_rhs_partials(
     state: 'float[:]', generalized_force: 'float[:]',
-    load_force: 'float[:]', bridge_mass: float, trolley_mass: float, payload_mass: float, gravity: float,
-    partials: 'float[:,:]',
+    load_force: 'float[:]', masses: 'float[:]', partials: 'float[:,:]',
 ) -> None:
     """Accelerations (5) by the state (10), generalised forces (5) and load forces (3)."""
     l = state[2]
@@ -19,6 +18,10 @@ def crane_rhs_partials(
     l_rate = state[7]
     phi_x_rate = state[8]
     phi_y_rate = state[9]
+    bridge_mass = masses[0]
+    trolley_mass = masses[1]
+    payload_mass = masses[2]
+    gravity = masses[3]
     f_x_t = generalized_force[0]
     f_y_t = generalized_force[1]
     f_l = generalized_force[2]
@@ -234,8 +237,7 @@ def crane_rhs_partials(
 
 def crane_driven_partials(
     state: 'float[:]', carriage: 'float[:]', generalized_force: 'float[:]',
-    load_force: 'float[:]', bridge_mass: float, trolley_mass: float, payload_mass: float, gravity: float,
-    partials: 'float[:,:]',
+    load_force: 'float[:]', masses: 'float[:]', partials: 'float[:,:]',
 ) -> None:
     """Sway accelerations (2) and forces (3) by the state (10), the accelerations of bridge, trolley
     and rope (3), the torques (2) and load forces (3)."""
@@ -245,6 +247,10 @@ def crane_driven_partials(
     l_rate = state[7]
     phi_x_rate = state[8]
     phi_y_rate = state[9]
+    bridge_mass = masses[0]
+    trolley_mass = masses[1]
+    payload_mass = masses[2]
+    gravity = masses[3]
     a_x = carriage[0]
     a_y = carriage[1]
     a_l = carriage[2]
@@ -596,8 +602,7 @@ def crane_load_partials(state: 'float[:]', partials: 'float[:,:]') -> None:
 
 
 def crane_energy_partials(
-    state: 'float[:]', bridge_mass: float, trolley_mass: float, payload_mass: float, gravity: float,
-    partials: 'float[:,:]',
+    state: 'float[:]', masses: 'float[:]', partials: 'float[:,:]',
 ) -> None:
     """Kinetic and potential energy by the state (10)."""
     l = state[2]
@@ -608,6 +613,10 @@ def crane_energy_partials(
     l_rate = state[7]
     phi_x_rate = state[8]
     phi_y_rate = state[9]
+    bridge_mass = masses[0]
+    trolley_mass = masses[1]
+    payload_mass = masses[2]
+    gravity = masses[3]
     c0 = cos(phi_x)
     c1 = sin(phi_x)
     c2 = c1*l_rate

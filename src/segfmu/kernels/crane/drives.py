@@ -1,210 +1,232 @@
 """What acts on the crane beside gravity: drives with bounds, friction, wind.
 
-`parameters` is the array that kernels/crane/plant.py describes.
+`plant` is a `Plant`, `work` a `Work`, see crane/records.py.
 """
 
 from math import cos, sin, tanh
 
 from segfmu.kernels.crane._crane import crane_driven, crane_rhs
+from segfmu.kernels.crane.records import (
+    Action,
+    Axes,
+    ForceLimit,
+    GeneralisedForce,
+    GustShape,
+    Plant,
+    State,
+    Work,
+)
 from segfmu.kernels.numerics.noise import full_circle
+from segfmu.kernels.numerics.records import Sinusoid
 
 
-def friction_force(parameters: 'float[:]', axis: int, velocity: float) -> float:
-    """Viscous and Coulomb friction against a velocity; the sign change is a tanh."""
-    friction = parameters[14 + axis] * velocity
-    if parameters[17 + axis] > 0.0:
-        friction = friction + parameters[17 + axis] * tanh(velocity / parameters[20])
+def friction_force(plant: 'float[:]', axis: int, velocity: float) -> float:
+    """Viscous and Coulomb friction [N] against a velocity; the sign change is a tanh."""
+    friction = plant[Plant.VISCOUS + axis] * velocity
+    if plant[Plant.COULOMB + axis] > 0.0:
+        share = tanh(velocity / plant[Plant.FRICTION_WIDTH])
+        friction = friction + plant[Plant.COULOMB + axis] * share
     return friction
 
 
-def gust_share(shape: float, share: float) -> float:
-    """Course of a gust over its duration: 1 - cosine, or half a sine; both rise to 1."""
+def gust_factor(shape: float, share: float) -> float:
+    """Force of a gust over its greatest one, at a share of its duration."""
     if share <= 0.0 or share >= 1.0:
         return 0.0
-    if shape > 0.5:
+    if int(shape) == GustShape.SINE:
         return sin(0.5 * full_circle() * share)
     return 0.5 * (1.0 - cos(full_circle() * share))
 
 
 def wind_force(
-    parameters: 'float[:]',
-    components: 'float[:,:]',
-    time: float,
-    load_force: 'float[:]',
-    force: 'float[:]',
+    plant: 'float[:]', components: 'float[:,:]', time: float, work: 'float[:,:]'
 ) -> None:
-    """Force on the load: the given one, constant wind, gust and noise."""
+    """Force on the load [N]: the given one, constant wind, gust and noise."""
     gust = 0.0
-    if parameters[32] > 0.0:
-        gust = gust_share(parameters[33], (time - parameters[31]) / parameters[32])
+    if plant[Plant.GUST_DURATION] > 0.0:
+        share = (time - plant[Plant.GUST_START]) / plant[Plant.GUST_DURATION]
+        gust = gust_factor(plant[Plant.GUST_SHAPE], share)
+    force = work[Work.WIND, :]
     for i in range(3):
-        force[i] = load_force[i] + parameters[28 + i] + gust * parameters[34 + i]
+        steady = work[Work.LOAD_FORCE, i] + plant[Plant.WIND + i]
+        force[i] = steady + gust * plant[Plant.GUST_FORCE + i]
     for k in range(components.shape[0]):
-        sine = sin(components[k, 0] * time)
-        cosine = cos(components[k, 0] * time)
+        sine = sin(components[k, Sinusoid.FREQUENCY] * time)
+        cosine = cos(components[k, Sinusoid.FREQUENCY] * time)
         for i in range(3):
-            force[i] = force[i] + components[k, 1 + i] * sine + components[k, 4 + i] * cosine
+            added = force[i] + components[k, Sinusoid.SINE + i] * sine
+            force[i] = added + components[k, Sinusoid.COSINE + i] * cosine
 
 
-def beyond(value: float, bound: float) -> bool:
+def exceeds(value: float, bound: float) -> bool:
     """Whether a magnitude is above a bound by more than rounding; 0 is no bound."""
     return bound > 0.0 and abs(value) > bound * (1.0 + 1e-12)
 
 
-def clamped(value: float, bound: float) -> float:
+def limited(value: float, bound: float) -> float:
     """A value within plus and minus a bound."""
     return min(max(value, -bound), bound)
 
 
 def forced_derivative(
-    parameters: 'float[:]', state: 'float[:]', work: 'float[:,:]', derivative: 'float[:]'
+    plant: 'float[:]', state: 'float[:]', work: 'float[:,:]', derivative: 'float[:]'
 ) -> None:
-    """Derivative of the crane under the force commands of work[14, :3]; see `driven_derivative`."""
+    """Derivative of the crane under force demands; see `driven_derivative`."""
+    force = work[Work.GENERALISED, :]
+    action = work[Work.ACTION, :]
     for i in range(3):
-        drive = work[14, i]
-        if beyond(drive, parameters[8 + i]):
-            drive = clamped(drive, parameters[8 + i])
-            work[10, 3 + i] = 1.0
-        work[10, i] = drive
-        work[9, i] = drive - work[15, i]
-    work[10, 6] = work[9, 2]
-    crane_rhs(
-        state, work[9, :], work[11, :], parameters[0], parameters[1], parameters[2],
-        parameters[3], derivative,
-    )
+        drive = work[Work.DEMAND, i]
+        if exceeds(drive, plant[Plant.FORCE_MAX + i]):
+            drive = limited(drive, plant[Plant.FORCE_MAX + i])
+            action[Action.SATURATED + i] = 1.0
+        action[Action.FORCE + i] = drive
+        force[i] = drive - work[Work.FRICTION, i]
+    action[Action.ROPE_FORCE] = force[GeneralisedForce.FORCE + Axes.ROPE]
+    crane_rhs(state, force, work[Work.WIND, :], plant, derivative)
 
 
 def driven_derivative(
-    parameters: 'float[:]', state: 'float[:]', work: 'float[:,:]', derivative: 'float[:]'
+    plant: 'float[:]', state: 'float[:]', work: 'float[:,:]', derivative: 'float[:]'
 ) -> None:
-    """Derivative of the crane under the velocity commands of work[14, :3].
+    """Derivative of the crane under velocity demands, without lag acceleration demands.
 
-    Without lag the commands are accelerations. work[9, 3:5]: torques on the sway angles, work[11]:
-    force on the load, work[15, :3]: friction. Results beside the derivative are work[10]: forces
-    of the drives (3), whether they are at a bound (3), and the force on the rope.
+    work has the demands, the torques on the sway angles, wind and friction; it gets what acts.
     """
+    action = work[Work.ACTION, :]
     for i in range(3):
-        demand = work[14, i]
-        if parameters[5 + i] > 0.0:
-            demand = (demand - state[5 + i]) / parameters[5 + i]
-        if beyond(demand, parameters[11 + i]):
-            demand = clamped(demand, parameters[11 + i])
-            work[10, 3 + i] = 1.0
-        work[14, i] = demand
-    driven_forces(parameters, state, work, derivative)
+        demand = work[Work.DEMAND, i]
+        if plant[Plant.LAG + i] > 0.0:
+            demand = (demand - state[State.VELOCITY + i]) / plant[Plant.LAG + i]
+        if exceeds(demand, plant[Plant.ACCELERATION_MAX + i]):
+            demand = limited(demand, plant[Plant.ACCELERATION_MAX + i])
+            action[Action.SATURATED + i] = 1.0
+        work[Work.DEMAND, i] = demand
+    driven_forces(plant, state, work, derivative)
     for i in range(3):
-        if beyond(work[10, i], parameters[8 + i]):
-            limit_accelerations(parameters, state, work[10, :], work[14, :], work[15, :])
-            driven_forces(parameters, state, work, derivative)
+        if exceeds(action[Action.FORCE + i], plant[Plant.FORCE_MAX + i]):
+            limit_accelerations(
+                plant, state, action, work[Work.DEMAND, :], work[Work.LIMIT, :]
+            )
+            driven_forces(plant, state, work, derivative)
             break
 
 
 def driven_forces(
-    parameters: 'float[:]', state: 'float[:]', work: 'float[:,:]', derivative: 'float[:]'
+    plant: 'float[:]', state: 'float[:]', work: 'float[:,:]', derivative: 'float[:]'
 ) -> None:
-    """Derivative and drive forces under the accelerations of work[14, :3]."""
+    """Derivative and drive forces under the accelerations demanded."""
+    action = work[Work.ACTION, :]
     crane_driven(
-        state, work[14, :], work[9, :], work[11, :], parameters[0], parameters[1], parameters[2],
-        parameters[3], derivative, work[10, :],
+        state, work[Work.DEMAND, :], work[Work.GENERALISED, :], work[Work.WIND, :], plant,
+        derivative, action,
     )
-    work[10, 6] = work[10, 2]
+    action[Action.ROPE_FORCE] = action[Action.FORCE + Axes.ROPE]
     for i in range(3):
-        work[10, i] = work[10, i] + work[15, i]
+        action[Action.FORCE + i] = action[Action.FORCE + i] + work[Work.FRICTION, i]
 
 
 def limit_accelerations(
-    parameters: 'float[:]',
+    plant: 'float[:]',
     state: 'float[:]',
-    force: 'float[:]',
+    action: 'float[:]',
     acceleration: 'float[:]',
-    scratch: 'float[:]',
+    limit: 'float[:]',
 ) -> None:
     """Reduce accelerations until no drive needs more than its largest force.
 
     A drive is at its bound and lags behind its demand, or it has its demand: a complementarity
     problem in three unknowns with a positive definite matrix, solved by K. G. Murty's least-index
-    pivoting (Linear Algebra and its Applications 7, 1974). force (6): what the demand needs, and
-    flags that are set where the bound acts. In scratch, 3:6 are the sides (-1, 0, 1), 6:9 the
-    changes of the accelerations, 9:12 the rope's direction in the drives' coordinates.
+    pivoting (Linear Algebra and its Applications 7, 1974). action: an `Action`, what the demand
+    needs; its flags are set where the bound acts. limit: a `ForceLimit`.
     """
-    scratch[9] = sin(state[3])
-    scratch[10] = -cos(state[3]) * sin(state[4])
-    scratch[11] = 1.0
+    phi_x = state[State.ANGLE]
+    phi_y = state[State.ANGLE + 1]
+    limit[ForceLimit.ROPE] = sin(phi_x)
+    limit[ForceLimit.ROPE + Axes.TROLLEY] = -cos(phi_x) * sin(phi_y)
+    limit[ForceLimit.ROPE + Axes.ROPE] = 1.0
     for i in range(3):
-        scratch[3 + i] = 0.0
-        scratch[6 + i] = 0.0
+        limit[ForceLimit.SIDE + i] = 0.0
+        limit[ForceLimit.CHANGE + i] = 0.0
     for _ in range(16):
         changed = False
         for i in range(3):
             if not changed:
-                side = limit_side(parameters, i, force, scratch)
-                changed = side != scratch[3 + i]
-                scratch[3 + i] = side
+                side = limit_side(plant, i, action, limit)
+                changed = side != limit[ForceLimit.SIDE + i]
+                limit[ForceLimit.SIDE + i] = side
         if not changed:
             break
-        change_accelerations(parameters, force, scratch)
+        change_accelerations(plant, action, limit)
     for i in range(3):
-        acceleration[i] = acceleration[i] + scratch[6 + i]
-        if scratch[3 + i] != 0.0:
-            force[3 + i] = 1.0
+        acceleration[i] = acceleration[i] + limit[ForceLimit.CHANGE + i]
+        if limit[ForceLimit.SIDE + i] != 0.0:
+            action[Action.SATURATED + i] = 1.0
 
 
-def carriage_mass(parameters: 'float[:]', axis: int) -> float:
-    """Mass that a drive moves beside the load."""
-    if axis == 0:
-        return parameters[0] + parameters[1]
-    if axis == 1:
-        return parameters[1]
+def carriage_mass(masses: 'float[:]', axis: int) -> float:
+    """Mass [kg] that a drive moves beside the load."""
+    if axis == Axes.BRIDGE:
+        return masses[Plant.BRIDGE_MASS] + masses[Plant.TROLLEY_MASS]
+    if axis == Axes.TROLLEY:
+        return masses[Plant.TROLLEY_MASS]
     return 0.0
 
 
-def limit_side(parameters: 'float[:]', axis: int, force: 'float[:]', scratch: 'float[:]') -> float:
-    """At which bound a drive has to be under the changes found so far: -1, 0 or 1."""
-    if scratch[3 + axis] != 0.0:
+def limit_side(plant: 'float[:]', axis: int, action: 'float[:]', limit: 'float[:]') -> float:
+    """At which bound a drive has to be under the present changes: -1, 0 or 1."""
+    side = limit[ForceLimit.SIDE + axis]
+    change = limit[ForceLimit.CHANGE + axis]
+    if side != 0.0:
         # it may only lag behind what was demanded of it
-        if scratch[3 + axis] * scratch[6 + axis] > 0.0:
+        if side * change > 0.0:
             return 0.0
-        return scratch[3 + axis]
+        return side
     along = 0.0
     for i in range(3):
-        along = along + scratch[9 + i] * scratch[6 + i]
-    needed = force[axis] + carriage_mass(parameters, axis) * scratch[6 + axis]
-    needed = needed + parameters[2] * scratch[9 + axis] * along
-    if not beyond(needed, parameters[8 + axis]):
+        along = along + limit[ForceLimit.ROPE + i] * limit[ForceLimit.CHANGE + i]
+    needed = action[Action.FORCE + axis] + carriage_mass(plant, axis) * change
+    needed = needed + plant[Plant.PAYLOAD_MASS] * limit[ForceLimit.ROPE + axis] * along
+    if not exceeds(needed, plant[Plant.FORCE_MAX + axis]):
         return 0.0
     if needed > 0.0:
         return 1.0
     return -1.0
 
 
-def change_accelerations(
-    parameters: 'float[:]', force: 'float[:]', scratch: 'float[:]'
-) -> None:
+def missing_force(plant: 'float[:]', axis: int, action: 'float[:]', limit: 'float[:]') -> float:
+    """Force [N] from what a drive's demand needs to the bound on its side."""
+    bound = limit[ForceLimit.SIDE + axis] * plant[Plant.FORCE_MAX + axis]
+    return bound - action[Action.FORCE + axis]
+
+
+def change_accelerations(plant: 'float[:]', action: 'float[:]', limit: 'float[:]') -> None:
     """Changes that bring the drives with a side to their bounds and leave the others alone.
 
     Forces change by (M + m e e') times the changes: M are the carriages' masses, m the load's,
     and e is the rope's direction, as the load resists along the rope alone.
     """
-    payload = parameters[2]
+    payload = plant[Plant.PAYLOAD_MASS]
     total = 0.0
     weight = 1.0
     for i in range(2):
-        if scratch[3 + i] != 0.0:
-            missing = scratch[3 + i] * parameters[8 + i] - force[i]
-            mass = carriage_mass(parameters, i)
-            total = total + scratch[9 + i] * missing / mass
-            weight = weight + payload * scratch[9 + i] * scratch[9 + i] / mass
+        if limit[ForceLimit.SIDE + i] != 0.0:
+            missing = missing_force(plant, i, action, limit)
+            mass = carriage_mass(plant, i)
+            rope = limit[ForceLimit.ROPE + i]
+            total = total + rope * missing / mass
+            weight = weight + payload * rope * rope / mass
     along = total / weight
-    if scratch[5] != 0.0:
-        along = (scratch[5] * parameters[10] - force[2]) / payload
+    hoist_limited = limit[ForceLimit.SIDE + Axes.ROPE] != 0.0
+    if hoist_limited:
+        along = missing_force(plant, Axes.ROPE, action, limit) / payload
     rest = along
     for i in range(2):
-        scratch[6 + i] = 0.0
-        if scratch[3 + i] != 0.0:
-            missing = scratch[3 + i] * parameters[8 + i] - force[i]
-            missing = missing - payload * scratch[9 + i] * along
-            scratch[6 + i] = missing / carriage_mass(parameters, i)
-        rest = rest - scratch[9 + i] * scratch[6 + i]
-    scratch[8] = 0.0
-    if scratch[5] != 0.0:
-        scratch[8] = rest
+        limit[ForceLimit.CHANGE + i] = 0.0
+        if limit[ForceLimit.SIDE + i] != 0.0:
+            missing = missing_force(plant, i, action, limit)
+            missing = missing - payload * limit[ForceLimit.ROPE + i] * along
+            limit[ForceLimit.CHANGE + i] = missing / carriage_mass(plant, i)
+        rest = rest - limit[ForceLimit.ROPE + i] * limit[ForceLimit.CHANGE + i]
+    limit[ForceLimit.CHANGE + Axes.ROPE] = 0.0
+    if hoist_limited:
+        limit[ForceLimit.CHANGE + Axes.ROPE] = rest

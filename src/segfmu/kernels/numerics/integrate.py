@@ -4,18 +4,20 @@ J. R. Dormand, P. J. Prince, A family of embedded Runge-Kutta formulae, J. Compu
 (1980).
 """
 
+from segfmu.kernels.numerics.records import Stages
+
 
 def stage_node(stage: int) -> float:
-    """Node c_i of a stage (0 .. 6), as a share of the step."""
-    if stage == 0:
+    """Node c of a stage, as a share of the step."""
+    if stage == Stages.K1:
         return 0.0
-    if stage == 1:
+    if stage == Stages.K2:
         return 1.0 / 5.0
-    if stage == 2:
+    if stage == Stages.K3:
         return 3.0 / 10.0
-    if stage == 3:
+    if stage == Stages.K4:
         return 4.0 / 5.0
-    if stage == 4:
+    if stage == Stages.K5:
         return 8.0 / 9.0
     return 1.0
 
@@ -23,42 +25,43 @@ def stage_node(stage: int) -> float:
 def stage_state(
     stage: int, h: float, count: int, state: 'float[:]', k: 'float[:,:]', trial: 'float[:]'
 ) -> None:
-    """First components of the state at a stage (1 .. 6): state + h sum a_ij k_j.
+    """First components of the state at a stage behind the first: state + h sum a_ij k_j.
 
-    Every sum is written out, so that its terms stay in registers; the state of stage 6 is that at
-    the step's end.
+    k: a row for each of the `Stages`; trial: the result. Every sum is written out, so that its
+    terms stay in registers; the state of the last stage is that at the step's end.
     """
-    if stage == 1:
+    if stage == Stages.K2:
         a0 = h * (1.0 / 5.0)
         for i in range(count):
-            trial[i] = state[i] + a0 * k[0, i]
-    elif stage == 2:
+            trial[i] = state[i] + a0 * k[Stages.K1, i]
+    elif stage == Stages.K3:
         a0 = h * (3.0 / 40.0)
         a1 = h * (9.0 / 40.0)
         for i in range(count):
-            trial[i] = state[i] + a0 * k[0, i] + a1 * k[1, i]
-    elif stage == 3:
+            trial[i] = state[i] + a0 * k[Stages.K1, i] + a1 * k[Stages.K2, i]
+    elif stage == Stages.K4:
         a0 = h * (44.0 / 45.0)
         a1 = h * (-56.0 / 15.0)
         a2 = h * (32.0 / 9.0)
         for i in range(count):
-            trial[i] = state[i] + a0 * k[0, i] + a1 * k[1, i] + a2 * k[2, i]
-    elif stage == 4:
+            trial[i] = state[i] + a0 * k[Stages.K1, i] + a1 * k[Stages.K2, i] + a2 * k[Stages.K3, i]
+    elif stage == Stages.K5:
         a0 = h * (19372.0 / 6561.0)
         a1 = h * (-25360.0 / 2187.0)
         a2 = h * (64448.0 / 6561.0)
         a3 = h * (-212.0 / 729.0)
         for i in range(count):
-            trial[i] = state[i] + a0 * k[0, i] + a1 * k[1, i] + a2 * k[2, i] + a3 * k[3, i]
-    elif stage == 5:
+            part = state[i] + a0 * k[Stages.K1, i] + a1 * k[Stages.K2, i] + a2 * k[Stages.K3, i]
+            trial[i] = part + a3 * k[Stages.K4, i]
+    elif stage == Stages.K6:
         a0 = h * (9017.0 / 3168.0)
         a1 = h * (-355.0 / 33.0)
         a2 = h * (46732.0 / 5247.0)
         a3 = h * (49.0 / 176.0)
         a4 = h * (-5103.0 / 18656.0)
         for i in range(count):
-            part = state[i] + a0 * k[0, i] + a1 * k[1, i] + a2 * k[2, i]
-            trial[i] = part + a3 * k[3, i] + a4 * k[4, i]
+            part = state[i] + a0 * k[Stages.K1, i] + a1 * k[Stages.K2, i] + a2 * k[Stages.K3, i]
+            trial[i] = part + a3 * k[Stages.K4, i] + a4 * k[Stages.K5, i]
     else:
         a0 = h * (35.0 / 384.0)
         a2 = h * (500.0 / 1113.0)
@@ -66,8 +69,8 @@ def stage_state(
         a4 = h * (-2187.0 / 6784.0)
         a5 = h * (11.0 / 84.0)
         for i in range(count):
-            part = state[i] + a0 * k[0, i] + a2 * k[2, i] + a3 * k[3, i]
-            trial[i] = part + a4 * k[4, i] + a5 * k[5, i]
+            part = state[i] + a0 * k[Stages.K1, i] + a2 * k[Stages.K3, i] + a3 * k[Stages.K4, i]
+            trial[i] = part + a4 * k[Stages.K5, i] + a5 * k[Stages.K6, i]
 
 
 def step_error(
@@ -85,8 +88,8 @@ def step_error(
     e6 = h * (-1.0 / 40.0)
     error = 0.0
     for i in range(count):
-        part = e0 * k[0, i] + e2 * k[2, i] + e3 * k[3, i]
-        difference = part + e4 * k[4, i] + e5 * k[5, i] + e6 * k[6, i]
+        part = e0 * k[Stages.K1, i] + e2 * k[Stages.K3, i] + e3 * k[Stages.K4, i]
+        difference = part + e4 * k[Stages.K5, i] + e5 * k[Stages.K6, i] + e6 * k[Stages.K7, i]
         size = 1.0 + max(abs(start[i]), abs(end[i]))
         error = max(error, abs(difference) / size)
     if not error < 1e100:

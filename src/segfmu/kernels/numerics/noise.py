@@ -7,6 +7,8 @@ that a model's memory is one block of floats; all products are below 2^53 and he
 
 from math import cos, floor, log, sin, sqrt
 
+from segfmu.kernels.numerics.records import RandomState, Sinusoid
+
 
 def full_circle() -> float:
     """2 pi; C99 has no name for it."""
@@ -14,10 +16,10 @@ def full_circle() -> float:
 
 
 def seed_numbers(seed: int, numbers: 'float[:]') -> None:
-    """Start the random numbers; seed in 0 .. 2^31 - 1, numbers (2,) is their state."""
+    """Start the random numbers; seed in 0 .. 2^31 - 1."""
     other = seed * 69069 + 12345
-    numbers[0] = 1.0 + seed - (seed // 2147483562) * 2147483562
-    numbers[1] = 1.0 + other - (other // 2147483398) * 2147483398
+    numbers[RandomState.FIRST] = 1.0 + seed - (seed // 2147483562) * 2147483562
+    numbers[RandomState.SECOND] = 1.0 + other - (other // 2147483398) * 2147483398
     # neighbouring seeds start alike
     for _ in range(20):
         next_uniform(numbers)
@@ -25,11 +27,11 @@ def seed_numbers(seed: int, numbers: 'float[:]') -> None:
 
 def next_uniform(numbers: 'float[:]') -> float:
     """A number in the open interval (0, 1)."""
-    first = 40014.0 * numbers[0]
-    second = 40692.0 * numbers[1]
-    numbers[0] = first - floor(first / 2147483563.0) * 2147483563.0
-    numbers[1] = second - floor(second / 2147483399.0) * 2147483399.0
-    difference = numbers[0] - numbers[1]
+    first = 40014.0 * numbers[RandomState.FIRST]
+    second = 40692.0 * numbers[RandomState.SECOND]
+    numbers[RandomState.FIRST] = first - floor(first / 2147483563.0) * 2147483563.0
+    numbers[RandomState.SECOND] = second - floor(second / 2147483399.0) * 2147483399.0
+    difference = numbers[RandomState.FIRST] - numbers[RandomState.SECOND]
     if difference < 1.0:
         difference = difference + 2147483562.0
     return difference / 2147483563.0
@@ -46,16 +48,17 @@ def noise_components(
 ) -> None:
     """Sines that add up to noise whose spectrum is flat up to a bandwidth [Hz] and zero above.
 
-    deviation (3,): standard deviations along x, y, z. components (count, 7): angular frequency w,
-    and along each axis the factors of sin(w t) (3) and of cos(w t) (3), a sine with a phase.
+    deviation (3,): standard deviations along x, y, z [N]; components (count, 7): a `Sinusoid` a
+    row, a sine with a random phase.
     Spectral representation of M. Shinozuka and C.-M. Jan, J. Sound Vib. 25 (1972); the frequencies
     lie at random in equal bands, so that the noise has no period.
     """
     count = components.shape[0]
     for i in range(count):
-        components[i, 0] = full_circle() * bandwidth * (i + next_uniform(numbers)) / count
+        frequency = full_circle() * bandwidth * (i + next_uniform(numbers)) / count
+        components[i, Sinusoid.FREQUENCY] = frequency
         for axis in range(3):
             amplitude = deviation[axis] * sqrt(2.0 / count)
             phase = full_circle() * next_uniform(numbers)
-            components[i, 1 + axis] = amplitude * cos(phase)
-            components[i, 4 + axis] = amplitude * sin(phase)
+            components[i, Sinusoid.SINE + axis] = amplitude * cos(phase)
+            components[i, Sinusoid.COSINE + axis] = amplitude * sin(phase)

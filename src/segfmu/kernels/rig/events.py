@@ -1,77 +1,123 @@
 """What happens at times of its own: samples, changes of the payload, ends of a gust.
 
-`loop`, `changes` and `memory` are told in kernels/rig/rig.py.
+`settings`, `changes` and `memory` are told in kernels/rig/rig.py.
 """
 
 from segfmu.kernels.crane._crane import crane_energy
-from segfmu.kernels.rig.sensing import next_sample, take_sample
+from segfmu.kernels.crane.records import Plant
+from segfmu.kernels.rig.records import (
+    Clock,
+    Energies,
+    EnergyMemory,
+    Loop,
+    Memory,
+    PayloadChange,
+    Settings,
+)
+from segfmu.kernels.rig.sensing import next_sample, sense_signals, take_sample
 
 
-def instant(loop: 'float[:]') -> float:
-    """Times that differ by less are the same; sums of steps are rounded."""
-    return 1e-9 * loop[1]
+def time_tolerance(settings: 'float[:,:]') -> float:
+    """Times [s] that differ by less are the same; sums of steps are rounded."""
+    return 1e-9 * settings[Settings.LOOP, Loop.PERIOD]
 
 
-def next_event(
-    loop: 'float[:]', sensors: 'float[:]', duration: float, memory: 'float[:,:]'
-) -> float:
-    """Time within the step of the next event, or the step's end."""
-    time = min(memory[2, 3] * loop[1], memory[2, 4])
-    time = min(time, next_sample(sensors, memory[30:memory.shape[0], :]))
-    until = time - memory[2, 1]
-    if until >= duration - instant(loop):
+def present_time(memory: 'float[:,:]') -> float:
+    """Time [s] since the start."""
+    return memory[Memory.CLOCK, Clock.REACHED] + memory[Memory.CLOCK, Clock.DONE]
+
+
+def next_tick(settings: 'float[:,:]', memory: 'float[:,:]') -> float:
+    """Time [s] since the start of the controller's next tick."""
+    return memory[Memory.CLOCK, Clock.TICKS] * settings[Settings.LOOP, Loop.PERIOD]
+
+
+def next_reading(settings: 'float[:,:]', memory: 'float[:,:]') -> float:
+    """Time [s] since the start of the sensors' next sample; 1e300 for continuous signals."""
+    return next_sample(
+        settings[Settings.SENSORS, :], memory[Memory.SENSING:memory.shape[0], :]
+    )
+
+
+def rig_next_event(settings: 'float[:,:]', memory: 'float[:,:]') -> float:
+    """Time [s] since the start of the next tick, sample, or change of payload or wind."""
+    time = min(next_tick(settings, memory), memory[Memory.CLOCK, Clock.NEXT_CHANGE])
+    return min(time, next_reading(settings, memory))
+
+
+def next_event(settings: 'float[:,:]', duration: float, memory: 'float[:,:]') -> float:
+    """Time [s] within the step of the next event, or the step's end."""
+    until = rig_next_event(settings, memory) - memory[Memory.CLOCK, Clock.REACHED]
+    if until >= duration - time_tolerance(settings):
         return duration
     return until
 
 
-def meet_events(
-    loop: 'float[:]', sensors: 'float[:]', changes: 'float[:,:]', memory: 'float[:,:]'
+def handle_events(
+    settings: 'float[:,:]', changes: 'float[:,:]', memory: 'float[:,:]'
 ) -> None:
     """Take the samples and change the payload if they are due."""
-    time = memory[2, 1] + memory[2, 2]
-    latest = time + instant(loop)
-    while next_sample(sensors, memory[30:memory.shape[0], :]) <= latest:
-        take_sample(sensors, memory[0, :], memory[30:memory.shape[0], :])
-    while memory[2, 4] <= latest:
-        memory[2, 4] = next_edge(changes, memory[2, 4], memory)
+    clock = memory[Memory.CLOCK, :]
+    energy = memory[Memory.ENERGY, :]
+    time = present_time(memory)
+    latest = time + time_tolerance(settings)
+    while next_reading(settings, memory) <= latest:
+        take_sample(
+            settings[Settings.SENSORS, :], memory[Memory.STATE, :],
+            memory[Memory.SENSING:memory.shape[0], :],
+        )
+    while clock[Clock.NEXT_CHANGE] <= latest:
+        clock[Clock.NEXT_CHANGE] = next_change(changes, clock[Clock.NEXT_CHANGE], memory)
         before = mechanical_energy(memory)
-        change_payload(loop, changes, memory[2, 0] + time, memory)
-        memory[2, 6] = memory[2, 6] + (mechanical_energy(memory) - before)
+        change_payload(settings, changes, clock[Clock.START] + time, memory)
+        added = mechanical_energy(memory) - before
+        energy[EnergyMemory.PAYLOAD] = energy[EnergyMemory.PAYLOAD] + added
 
 
-def next_edge(changes: 'float[:,:]', after: float, memory: 'float[:,:]') -> float:
-    """Time of the first change of payload or wind after another time; 1e300 if there is none."""
+def next_change(changes: 'float[:,:]', after: float, memory: 'float[:,:]') -> float:
+    """Time [s] of the first change of payload or wind after another time; 1e300: there is none."""
+    start = memory[Memory.CLOCK, Clock.START]
+    gust = memory[Memory.PLANT, Plant.GUST_START]
+    duration = memory[Memory.PLANT, Plant.GUST_DURATION]
     first = 1e300
     for i in range(changes.shape[0]):
-        time = changes[i, 0] - memory[2, 0]
+        time = changes[i, PayloadChange.TIME] - start
         if time > after:
             first = min(first, time)
-    if memory[1, 32] > 0.0:
-        time = memory[1, 31] - memory[2, 0]
+    if duration > 0.0:
+        time = gust - start
         if time > after:
             first = min(first, time)
-        time = memory[1, 31] + memory[1, 32] - memory[2, 0]
+        time = gust + duration - start
         if time > after:
             first = min(first, time)
     return first
 
 
 def change_payload(
-    loop: 'float[:]', changes: 'float[:,:]', time: float, memory: 'float[:,:]'
+    settings: 'float[:,:]', changes: 'float[:,:]', time: float, memory: 'float[:,:]'
 ) -> None:
-    """Give the load the mass that it has from a time on."""
+    """Give the load the mass that it has from a time [s] on."""
     chosen = -1
     for i in range(changes.shape[0]):
-        if changes[i, 0] <= time + instant(loop):
-            if chosen < 0 or changes[i, 0] > changes[chosen, 0]:
+        start = changes[i, PayloadChange.TIME]
+        if start <= time + time_tolerance(settings):
+            if chosen < 0 or start > changes[chosen, PayloadChange.TIME]:
                 chosen = i
     if chosen >= 0:
-        memory[1, 2] = changes[chosen, 1]
+        memory[Memory.PLANT, Plant.PAYLOAD_MASS] = changes[chosen, PayloadChange.MASS]
 
 
 def mechanical_energy(memory: 'float[:,:]') -> float:
     """Kinetic and potential energy of the crane [J]."""
-    crane_energy(
-        memory[0, :], memory[1, 0], memory[1, 1], memory[1, 2], memory[1, 3], memory[13, :]
+    energy = memory[Memory.ENERGY, :]
+    crane_energy(memory[Memory.STATE, :], memory[Memory.PLANT, :], energy)
+    return energy[Energies.KINETIC] + energy[Energies.POTENTIAL]
+
+
+def update_signals(settings: 'float[:,:]', time: float, memory: 'float[:,:]') -> None:
+    """Signals of the sensors at a time [s] since the start that does not decrease."""
+    sense_signals(
+        settings[Settings.SENSORS, :], time, memory[Memory.STATE, :],
+        memory[Memory.SENSING:memory.shape[0], :], memory[Memory.SIGNALS, :],
     )
-    return memory[13, 0] + memory[13, 1]

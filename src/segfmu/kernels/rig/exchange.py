@@ -3,30 +3,28 @@
 The caller sets the state and the setpoints of the present time, in `memory` and `setpoints`, and
 calls `rig_event` at the times that `rig_next_event` names. Between events corrections are held:
 added to the forces, or with velocity drives integrated and added to the velocities. All times are
-seconds since the start. Beside what kernels/rig/rig.py tells, memory[2, 8] is the time of the last
-tick. Velocity drives need a lag: without it, the acceleration is not a function of the setpoints.
+seconds since the start. Velocity drives need a lag: without it, the acceleration is not a function
+of the setpoints.
 """
 
+from segfmu.kernels.control.records import Correction
 from segfmu.kernels.crane.plant import plant_derivative, plant_status
-from segfmu.kernels.rig.events import meet_events
-from segfmu.kernels.rig.loop import controller_due, correct_setpoints, prepare_tick
-from segfmu.kernels.rig.sensing import next_sample, sense_signals
-
-
-def rig_next_event(loop: 'float[:]', sensors: 'float[:]', memory: 'float[:,:]') -> float:
-    """Time of the next tick, sample, or change of payload or wind."""
-    time = min(memory[2, 3] * loop[1], memory[2, 4])
-    return min(time, next_sample(sensors, memory[30:memory.shape[0], :]))
+from segfmu.kernels.crane.records import Action, PlantState, Report, Work
+from segfmu.kernels.rig.events import handle_events, update_signals
+from segfmu.kernels.rig.loop import (
+    controller_due,
+    correct_setpoints,
+    is_driven,
+    prepare_tick,
+    set_command,
+)
+from segfmu.kernels.rig.records import Clock, Memory, Setpoints
 
 
 def rig_event(
-    loop: 'float[:]',
-    sensors: 'float[:]',
+    settings: 'float[:,:]',
     changes: 'float[:,:]',
-    tracking: 'float[:]',
-    lengths: 'float[:]',
     table: 'float[:,:,:]',
-    gain_lengths: 'float[:]',
     gains: 'float[:,:,:]',
     tracker: 'float[:,:]',
     setpoints: 'float[:]',
@@ -38,25 +36,31 @@ def rig_event(
     What the setpoints' slopes are is not known, so with velocity drives the limits of a tracking
     controller count for its correction alone.
     """
-    rig_signals(sensors, time, memory)
-    for i in range(19):
-        memory[3, i] = setpoints[i]
-    meet_events(loop, sensors, changes, memory)
-    if controller_due(loop, memory):
+    clock = memory[Memory.CLOCK, :]
+    rig_signals(settings, time, memory)
+    for i in range(Setpoints.SIZE):
+        memory[Memory.LAST, i] = setpoints[i]
+    handle_events(settings, changes, memory)
+    if controller_due(settings, memory):
         for i in range(3):
-            memory[9, i] = memory[9, i] + memory[8, i] * (time - memory[2, 8])
-        memory[2, 8] = time
-        prepare_tick(sensors, setpoints, 1.0, memory)
-        correct_setpoints(
-            loop, tracking, lengths, table, gain_lengths, gains, tracker, memory
-        )
+            memory[Memory.ADDED, i] = added_velocity(i, time, memory)
+        clock[Clock.LAST_TICK] = time
+        prepare_tick(settings, setpoints, 1.0, memory)
+        correct_setpoints(settings, table, gains, tracker, memory)
 
 
-def rig_signals(sensors: 'float[:]', time: float, memory: 'float[:,:]') -> None:
+def added_velocity(axis: int, time: float, memory: 'float[:,:]') -> float:
+    """Velocity [m/s] that corrections have added to a velocity setpoint at a time."""
+    held = time - memory[Memory.CLOCK, Clock.LAST_TICK]
+    correction = memory[Memory.CORRECTION, Correction.VALUE + axis]
+    return memory[Memory.ADDED, axis] + correction * held
+
+
+def rig_signals(settings: 'float[:,:]', time: float, memory: 'float[:,:]') -> None:
     """Signals of the sensors at a time that does not decrease."""
-    memory[2, 1] = time
-    memory[2, 2] = 0.0
-    sense_signals(sensors, time, memory[0, :], memory[30:memory.shape[0], :], memory[5, :])
+    memory[Memory.CLOCK, Clock.REACHED] = time
+    memory[Memory.CLOCK, Clock.DONE] = 0.0
+    update_signals(settings, time, memory)
 
 
 def rig_rates(
@@ -66,24 +70,28 @@ def rig_rates(
     memory: 'float[:,:]',
     derivative: 'float[:]',
 ) -> int:
-    """Derivative of the state (13) at a time; the report, memory[4, :9], is that of the plant.
+    """Derivative of the state (13) at a time; the report of the memory is that of the plant.
 
-    Returns `plant_status`.
+    Returns a `PlantStatus`.
     """
+    work = memory[Memory.WORK:Memory.WORK + Work.SIZE, :]
+    report = memory[Memory.REPORT, :]
     for i in range(3):
-        memory[10, i] = setpoints[i] + memory[8, i]
-        if memory[1, 4] > 0.5:
-            added = memory[9, i] + memory[8, i] * (time - memory[2, 8])
-            memory[10, i] = setpoints[3 + i] + added
-        memory[11, i] = 0.0
-        memory[12, i] = setpoints[16 + i]
-    work = memory[14:30, :]
+        if is_driven(memory):
+            command = setpoints[Setpoints.VELOCITY + i] + added_velocity(i, time, memory)
+        else:
+            correction = memory[Memory.CORRECTION, Correction.VALUE + i]
+            command = setpoints[Setpoints.FORCE + i] + correction
+        set_command(i, command, 0.0, 0.0, 0.0, memory)
+        work[Work.LOAD_FORCE, i] = setpoints[Setpoints.WIND + i]
     plant_derivative(
-        memory[1, :], components, memory[2, 0] + time, 0.0, memory[0, :], memory[10, :],
-        memory[11, :], memory[12, :], work, derivative,
+        memory[Memory.PLANT, :], components, memory[Memory.CLOCK, Clock.START] + time, 0.0,
+        memory[Memory.STATE, :], work, derivative,
     )
-    for i in range(7):
-        memory[4, i] = work[10, i]
-    memory[4, 7] = derivative[11]
-    memory[4, 8] = derivative[12]
-    return plant_status(memory[1, :], memory[0, :], work[10, 6])
+    for i in range(Action.SIZE):
+        report[i] = work[Work.ACTION, i]
+    report[Report.WIND_POWER] = derivative[PlantState.WIND_WORK]
+    report[Report.FRICTION_POWER] = derivative[PlantState.DISSIPATED]
+    return plant_status(
+        memory[Memory.PLANT, :], memory[Memory.STATE, :], work[Work.ACTION, Action.ROPE_FORCE]
+    )

@@ -1,153 +1,204 @@
 """The sampled controller and the drives' commands between two events.
 
-`loop`, `setpoints` and `memory` are told in kernels/rig/rig.py.
+`settings`, `setpoints` and `memory` are told in kernels/rig/rig.py.
 """
 
 from math import exp
 
 from segfmu.kernels.control.feedback import feedback_correction
+from segfmu.kernels.control.records import Acting, Correction, Tick
 from segfmu.kernels.control.tracking import track_setpoint
 from segfmu.kernels.crane.plant import plant_advance
-from segfmu.kernels.rig.events import instant
-from segfmu.kernels.rig.sensing import sense_signals
+from segfmu.kernels.crane.records import (
+    CommandRates,
+    DriveMode,
+    Plant,
+    PlantStatus,
+    Report,
+    State,
+    Work,
+)
+from segfmu.kernels.rig.events import next_tick, present_time, time_tolerance, update_signals
+from segfmu.kernels.rig.records import Clock, Corrector, Loop, Memory, Setpoints, Settings
 
 
-def course(setpoints: 'float[:]', i: int, share: float, memory: 'float[:,:]') -> float:
+def is_driven(memory: 'float[:,:]') -> bool:
+    """Whether the drives follow velocities."""
+    return int(memory[Memory.PLANT, Plant.MODE]) == DriveMode.VELOCITY
+
+
+def setpoint_at(setpoints: 'float[:]', i: int, share: float, memory: 'float[:,:]') -> float:
     """A setpoint at a share of the step."""
-    bend = memory[10, 10 + i] + memory[11, 10 + i] * (share + 1.0)
-    return memory[3, i] + (setpoints[i] - memory[3, i] + bend * (share - 1.0)) * share
+    last = memory[Memory.LAST, i]
+    bend = memory[Memory.SQUARE, i] + memory[Memory.CUBE, i] * (share + 1.0)
+    return last + (setpoints[i] - last + bend * (share - 1.0)) * share
 
 
-def course_rates(
-    setpoints: 'float[:]', i: int, share: float, duration: float, memory: 'float[:,:]',
-    rates: 'float[:]', place: int,
-) -> None:
-    """Taylor coefficients of a setpoint at a share of the step, by time: rates[place], every third.
-    """
-    square = memory[10, 10 + i]
-    cube = memory[11, 10 + i]
-    slope = setpoints[i] - memory[3, i] - square - cube
+def setpoint_rates(
+    setpoints: 'float[:]', i: int, share: float, duration: float, memory: 'float[:,:]'
+) -> 'tuple[float, float, float]':
+    """Taylor coefficients of a setpoint at a share of the step, by time: slope, square, cube."""
+    square = memory[Memory.SQUARE, i]
+    cube = memory[Memory.CUBE, i]
+    slope = setpoints[i] - memory[Memory.LAST, i] - square - cube
     slope = slope + (2.0 * square + 3.0 * cube * share) * share
-    rates[place] = slope / duration
-    rates[place + 3] = (square + 3.0 * cube * share) / (duration * duration)
-    rates[place + 6] = cube / (duration * duration * duration)
+    bend = (square + 3.0 * cube * share) / (duration * duration)
+    return slope / duration, bend, cube / (duration * duration * duration)
 
 
-def controller_due(loop: 'float[:]', memory: 'float[:,:]') -> bool:
+def controller_due(settings: 'float[:,:]', memory: 'float[:,:]') -> bool:
     """Whether the controller's next tick has come."""
-    return memory[2, 3] * loop[1] <= memory[2, 1] + memory[2, 2] + instant(loop)
+    return next_tick(settings, memory) <= present_time(memory) + time_tolerance(settings)
 
 
 def prepare_tick(
-    sensors: 'float[:]', setpoints: 'float[:]', duration: float, memory: 'float[:,:]'
+    settings: 'float[:,:]', setpoints: 'float[:]', duration: float, memory: 'float[:,:]'
 ) -> None:
     """What the controller gets at the tick that is due."""
-    time = memory[2, 1] + memory[2, 2]
-    share = memory[2, 2] / duration
-    memory[2, 3] = memory[2, 3] + 1.0
-    memory[2, 7] = memory[2, 0] + time
-    sense_signals(sensors, time, memory[0, :], memory[30:memory.shape[0], :], memory[5, :])
-    for i in range(10):
-        memory[6, i] = course(setpoints, 6 + i, share, memory)
+    clock = memory[Memory.CLOCK, :]
+    time = present_time(memory)
+    share = clock[Clock.DONE] / duration
+    clock[Clock.TICKS] = clock[Clock.TICKS] + 1.0
+    clock[Clock.EVENT] = clock[Clock.START] + time
+    update_signals(settings, time, memory)
+    for i in range(State.SIZE):
+        value = setpoint_at(setpoints, Setpoints.REFERENCE + i, share, memory)
+        memory[Memory.REFERENCE, i] = value
     for i in range(3):
-        if memory[1, 4] > 0.5:
-            course_rates(setpoints, 3 + i, share, duration, memory, memory[11, :], i)
-            memory[7, i] = memory[11, i]
+        if is_driven(memory):
+            slope, _, _ = setpoint_rates(
+                setpoints, Setpoints.VELOCITY + i, share, duration, memory
+            )
+            memory[Memory.ADDED_TO, i] = slope
         else:
-            memory[7, i] = course(setpoints, i, share, memory)
+            value = setpoint_at(setpoints, Setpoints.FORCE + i, share, memory)
+            memory[Memory.ADDED_TO, i] = value
 
 
 def correct_setpoints(
-    loop: 'float[:]',
-    tracking: 'float[:]',
-    lengths: 'float[:]',
+    settings: 'float[:,:]',
     table: 'float[:,:,:]',
-    gain_lengths: 'float[:]',
     gains: 'float[:,:,:]',
     tracker: 'float[:,:]',
     memory: 'float[:,:]',
 ) -> None:
     """The correction at a tick; the tracking controller's observer goes on when it is off."""
-    if loop[0] > 1.5:
+    if int(settings[Settings.LOOP, Loop.CORRECTOR]) == Corrector.TRACKING:
         track_setpoint(
-            tracking, lengths, table, gain_lengths, gains, memory[5, :], memory[6, :],
-            memory[7, :], tracker, memory[8, :],
+            settings[Settings.TRACKING, :], table, gains, memory[0:Tick.SIZE, :], tracker
         )
     else:
-        feedback_correction(memory[0, :], memory[6, :], gain_lengths, gains, memory[8, :])
-    switch_correction(loop, memory)
+        feedback_correction(
+            memory[Memory.STATE, :], memory[Memory.REFERENCE, :], gains,
+            memory[Memory.CORRECTION, :],
+        )
+    switch_correction(settings, memory)
 
 
-def switch_correction(loop: 'float[:]', memory: 'float[:,:]') -> None:
-    """Let the new correction act or not; what that would make it jump by fades out instead.
+def switch_correction(settings: 'float[:,:]', memory: 'float[:,:]') -> None:
+    """Switch the new correction on or off; the jump of a change fades out.
 
-    Callers that correct by themselves call it after they have put theirs into memory[8].
+    Callers that correct by themselves call it after they have put their correction into the memory.
     """
-    acts = 1.0
-    if loop[2] > 0.5:
-        acts = 2.0
+    loop = settings[Settings.LOOP, :]
+    correction = memory[Memory.CORRECTION, :]
+    acts = float(Acting.ON)
+    if loop[Loop.ENABLED] < 0.5:
+        acts = float(Acting.OFF)
     decay = 0.0
-    if loop[4] > 0.0:
-        decay = exp(-loop[1] / loop[4])
+    if loop[Loop.FADE] > 0.0:
+        decay = exp(-loop[Loop.PERIOD] / loop[Loop.FADE])
+    acted = correction[Correction.ACTED]
     for i in range(3):
-        if acts < 1.5:
-            memory[8, i] = 0.0
-            if memory[1, 4] > 0.5:
+        if loop[Loop.ENABLED] < 0.5:
+            correction[Correction.VALUE + i] = 0.0
+            if is_driven(memory):
                 # a velocity that was added must not stay
-                memory[8, i] = -memory[9, i] / max(loop[4], loop[1])
-        if memory[8, 6] > 0.5 and memory[8, 6] != acts:
-            memory[8, 3 + i] = memory[8, 7 + i] - memory[8, i]
-        memory[8, 3 + i] = decay * memory[8, 3 + i]
-        memory[8, i] = memory[8, i] + memory[8, 3 + i]
-        memory[8, 7 + i] = memory[8, i]
-    memory[8, 6] = acts
+                fade = max(loop[Loop.FADE], loop[Loop.PERIOD])
+                correction[Correction.VALUE + i] = -memory[Memory.ADDED, i] / fade
+        value = correction[Correction.VALUE + i]
+        fading = correction[Correction.FADING + i]
+        if acted > 0.5 and acted != acts:
+            fading = correction[Correction.BEFORE + i] - value
+        fading = decay * fading
+        correction[Correction.FADING + i] = fading
+        correction[Correction.VALUE + i] = value + fading
+        correction[Correction.BEFORE + i] = value + fading
+    correction[Correction.ACTED] = acts
 
 
 def advance_plant(
-    loop: 'float[:]',
+    settings: 'float[:,:]',
     components: 'float[:,:]',
     setpoints: 'float[:]',
     duration: float,
     until: float,
     memory: 'float[:,:]',
 ) -> int:
-    """Integrate until a time within the step; returns the status of kernels/crane/plant.py."""
-    time = memory[2, 0] + memory[2, 1] + memory[2, 2]
-    if memory[1, 4] > 0.5:
+    """Integrate until a time [s] within the step; returns a `PlantStatus`."""
+    clock = memory[Memory.CLOCK, :]
+    report = memory[Memory.REPORT, :]
+    work = memory[Memory.WORK:Memory.WORK + Work.SIZE, :]
+    time = clock[Clock.START] + clock[Clock.REACHED] + clock[Clock.DONE]
+    if is_driven(memory):
         command_velocities(setpoints, duration, until, memory)
     else:
-        for i in range(3):
-            share = memory[2, 2] / duration
-            memory[10, i] = course(setpoints, i, share, memory) + memory[8, i]
-            course_rates(setpoints, i, share, duration, memory, memory[11, :], i)
+        command_forces(setpoints, duration, memory)
     for i in range(3):
-        memory[12, i] = setpoints[16 + i]
+        work[Work.LOAD_FORCE, i] = setpoints[Setpoints.WIND + i]
     status = plant_advance(
-        memory[1, :], components, time, memory[0, :], memory[10, :], memory[11, :], memory[12, :],
-        until - memory[2, 2], loop[3], memory[14:30, :], memory[4, :],
+        memory[Memory.PLANT, :], components, time, memory[Memory.STATE, :],
+        until - clock[Clock.DONE], settings[Settings.LOOP, Loop.TOLERANCE], work, report,
     )
     for i in range(3):
-        memory[4, 10 + i] = max(memory[4, 10 + i], memory[4, 3 + i])
-    if status != 0:
-        memory[2, 7] = time + memory[4, 9]
+        before = report[Report.STEP_SATURATED + i]
+        report[Report.STEP_SATURATED + i] = max(before, report[Report.SATURATED + i])
+    if status != PlantStatus.DONE:
+        clock[Clock.EVENT] = time + report[Report.ELAPSED]
     return status
+
+
+def command_forces(setpoints: 'float[:]', duration: float, memory: 'float[:,:]') -> None:
+    """Commands of force drives now, and their rates."""
+    share = memory[Memory.CLOCK, Clock.DONE] / duration
+    for i in range(3):
+        force = setpoint_at(setpoints, Setpoints.FORCE + i, share, memory)
+        slope, square, cube = setpoint_rates(
+            setpoints, Setpoints.FORCE + i, share, duration, memory
+        )
+        correction = memory[Memory.CORRECTION, Correction.VALUE + i]
+        set_command(i, force + correction, slope, square, cube, memory)
+
+
+def set_command(
+    axis: int, value: float, slope: float, square: float, cube: float, memory: 'float[:,:]'
+) -> None:
+    """Command of a drive, and the coefficients of the time elapsed in it."""
+    memory[Memory.WORK + Work.COMMAND, axis] = value
+    memory[Memory.WORK + Work.RATES, CommandRates.LINEAR + axis] = slope
+    memory[Memory.WORK + Work.RATES, CommandRates.SQUARE + axis] = square
+    memory[Memory.WORK + Work.RATES, CommandRates.CUBE + axis] = cube
 
 
 def command_velocities(
     setpoints: 'float[:]', duration: float, until: float, memory: 'float[:,:]'
 ) -> None:
     """Commands of velocity drives now and their rates until a time; advances what is added."""
-    done = memory[2, 2]
+    done = memory[Memory.CLOCK, Clock.DONE]
     length = until - done
     for i in range(3):
-        command = course(setpoints, 3 + i, done / duration, memory) + memory[9, i]
-        course_rates(setpoints, 3 + i, done / duration, duration, memory, memory[11, :], i)
-        memory[11, i] = memory[11, i] + memory[8, i]
-        memory[9, i] = memory[9, i] + memory[8, i] * length
-        if memory[1, 5 + i] == 0.0:
+        velocity = Setpoints.VELOCITY + i
+        correction = memory[Memory.CORRECTION, Correction.VALUE + i]
+        added = memory[Memory.ADDED, i]
+        command = setpoint_at(setpoints, velocity, done / duration, memory) + added
+        slope, square, cube = setpoint_rates(
+            setpoints, velocity, done / duration, duration, memory
+        )
+        memory[Memory.ADDED, i] = added + correction * length
+        set_command(i, command, slope + correction, square, cube, memory)
+        if memory[Memory.PLANT, Plant.LAG + i] == 0.0:
             # at the end it has its setpoint, wherever a bound has left it before
-            aim = course(setpoints, 3 + i, until / duration, memory) + memory[9, i]
-            command = (aim - memory[0, 5 + i]) / length
-            for j in range(3):
-                memory[11, 3 * j + i] = 0.0
-        memory[10, i] = command
+            end = setpoint_at(setpoints, velocity, until / duration, memory)
+            end = end + memory[Memory.ADDED, i]
+            acceleration = (end - memory[Memory.STATE, State.VELOCITY + i]) / length
+            set_command(i, acceleration, 0.0, 0.0, 0.0, memory)

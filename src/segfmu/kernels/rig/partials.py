@@ -1,166 +1,227 @@
 """Partial derivatives of the rig between events, for kernels/rig/exchange.py's derivatives.
 
-`partials` (12, 17): rows 0:5 accelerations of bridge, trolley, rope and both angles, 5:8 forces of
-the drives, 8 force on the rope, 9 power of the drives, 10 of the wind, 11 of friction; columns
-0:10 the state, 10:13 commands of the drives (forces or velocities), 13:16 forces on the load, 16
-time. `memory` is that of kernels/rig/rig.py after `rig_rates` for the same time and setpoints.
+`partials` (12, 17): rows are `RigPartials`, columns `RigVariables`. `memory` is that of
+kernels/rig/rig.py after `rig_rates` for the same time and setpoints; `rig` is the `Work` in it.
+`work` (6, 18) has the partial derivatives of the crane's equations, columns `CranePartials`.
 """
 
 from math import cos, sin, tanh
 
+from segfmu.kernels.control.records import Correction
 from segfmu.kernels.crane._partials import (
     crane_driven_partials,
     crane_load_partials,
     crane_rhs_partials,
 )
-from segfmu.kernels.crane.drives import beyond, friction_force
+from segfmu.kernels.crane.drives import exceeds, friction_force
+from segfmu.kernels.crane.records import (
+    Action,
+    Axes,
+    Coordinates,
+    CranePartials,
+    DrivenPartials,
+    GustShape,
+    LoadPartials,
+    Plant,
+    State,
+    Work,
+)
 from segfmu.kernels.numerics.noise import full_circle
+from segfmu.kernels.numerics.records import Sinusoid
+from segfmu.kernels.rig.loop import is_driven
+from segfmu.kernels.rig.records import Clock, Memory, RigPartials, RigVariables
 
 
-def friction_slope(parameters: 'float[:]', axis: int, velocity: float) -> float:
-    """Derivative of the friction force of an axis by its velocity."""
-    slope = parameters[14 + axis]
-    if parameters[17 + axis] > 0.0:
-        share = tanh(velocity / parameters[20])
-        slope = slope + parameters[17 + axis] * (1.0 - share * share) / parameters[20]
+def friction_slope(plant: 'float[:]', axis: int, velocity: float) -> float:
+    """Derivative of the friction force of an axis by its velocity [N s/m]."""
+    slope = plant[Plant.VISCOUS + axis]
+    if plant[Plant.COULOMB + axis] > 0.0:
+        width = plant[Plant.FRICTION_WIDTH]
+        share = tanh(velocity / width)
+        slope = slope + plant[Plant.COULOMB + axis] * (1.0 - share * share) / width
     return slope
 
 
-def wind_slope(parameters: 'float[:]', components: 'float[:,:]', time: float, axis: int) -> float:
-    """Time derivative of the wind's force on the load along an axis."""
+def gust_rate(shape: float, share: float) -> float:
+    """Derivative of `gust_factor` by the share of the gust's duration, between its ends."""
+    # both shapes are sines of the share: their rate is the shape a quarter on
+    angle = full_circle() * share
+    if int(shape) == GustShape.SINE:
+        return 0.5 * full_circle() * cos(0.5 * angle)
+    return 0.5 * full_circle() * cos(angle - 0.25 * full_circle())
+
+
+def wind_slope(plant: 'float[:]', components: 'float[:,:]', time: float, axis: int) -> float:
+    """Time derivative of the wind's force on the load along an axis [N/s]."""
     slope = 0.0
-    if parameters[32] > 0.0:
-        share = (time - parameters[31]) / parameters[32]
+    duration = plant[Plant.GUST_DURATION]
+    if duration > 0.0:
+        share = (time - plant[Plant.GUST_START]) / duration
         if share > 0.0 and share < 1.0:
-            # both shapes are sines of the share: their rate is the shape a quarter on
-            angle = full_circle() * share
-            if parameters[33] > 0.5:
-                rate = 0.5 * full_circle() * cos(0.5 * angle)
-            else:
-                rate = 0.5 * full_circle() * cos(angle - 0.25 * full_circle())
-            slope = rate / parameters[32] * parameters[34 + axis]
+            rate = gust_rate(plant[Plant.GUST_SHAPE], share)
+            slope = rate / duration * plant[Plant.GUST_FORCE + axis]
     for k in range(components.shape[0]):
-        angle = components[k, 0] * time
-        sines = components[k, 1 + axis] * cos(angle) - components[k, 4 + axis] * sin(angle)
-        slope = slope + components[k, 0] * sines
+        frequency = components[k, Sinusoid.FREQUENCY]
+        angle = frequency * time
+        sines = components[k, Sinusoid.SINE + axis] * cos(angle)
+        sines = sines - components[k, Sinusoid.COSINE + axis] * sin(angle)
+        slope = slope + frequency * sines
     return slope
 
 
 def forced_partials(
-    parameters: 'float[:]', state: 'float[:]', rig: 'float[:,:]', work: 'float[:,:]',
+    plant: 'float[:]', state: 'float[:]', rig: 'float[:,:]', work: 'float[:,:]',
     partials: 'float[:,:]',
 ) -> None:
-    """Accelerations and forces under force commands; rig is the plant's work space."""
-    crane_rhs_partials(
-        state, rig[9, :], rig[11, :], parameters[0], parameters[1], parameters[2], parameters[3],
-        work,
-    )
-    for i in range(5):
-        for j in range(10):
-            partials[i, j] = work[i, j]
+    """Accelerations and forces under force commands."""
+    crane_rhs_partials(state, rig[Work.GENERALISED, :], rig[Work.WIND, :], plant, work)
+    saturated = rig[Work.ACTION, :]
+    for i in range(Coordinates.SIZE):
+        row = partials[RigPartials.ACCELERATION + i, :]
+        for j in range(State.SIZE):
+            row[j] = work[i, j]
         for j in range(3):
-            slope = friction_slope(parameters, j, state[5 + j])
-            partials[i, 5 + j] = partials[i, 5 + j] - slope * work[i, 10 + j]
-            partials[i, 13 + j] = work[i, 15 + j]
-            if rig[10, 3 + j] < 0.5:
-                partials[i, 10 + j] = work[i, 10 + j]
-        for j in range(2):
-            partials[i, 8 + j] = partials[i, 8 + j] - parameters[21] * work[i, 13 + j]
+            by_force = work[i, CranePartials.DRIVE + j]
+            slope = friction_slope(plant, j, state[State.VELOCITY + j])
+            row[State.VELOCITY + j] = row[State.VELOCITY + j] - slope * by_force
+            row[RigVariables.WIND + j] = work[i, CranePartials.WIND + j]
+            if saturated[Action.SATURATED + j] < 0.5:
+                row[RigVariables.COMMAND + j] = by_force
+        add_damping(plant, work[i, :], row)
     for j in range(3):
-        if rig[10, 3 + j] < 0.5:
-            partials[5 + j, 10 + j] = 1.0
-    partials[8, 12] = partials[7, 12]
-    partials[8, 7] = -friction_slope(parameters, 2, state[7])
+        if saturated[Action.SATURATED + j] < 0.5:
+            partials[RigPartials.FORCE + j, RigVariables.COMMAND + j] = 1.0
+    rope = partials[RigPartials.ROPE_FORCE, :]
+    hoist = RigVariables.COMMAND + Axes.ROPE
+    velocity = State.VELOCITY + Axes.ROPE
+    rope[hoist] = partials[RigPartials.FORCE + Axes.ROPE, hoist]
+    rope[velocity] = -friction_slope(plant, Axes.ROPE, state[velocity])
+
+
+def add_damping(plant: 'float[:]', by: 'float[:]', row: 'float[:]') -> None:
+    """Add to a row of partial derivatives what the sway damping does by the sway rates."""
+    for j in range(2):
+        damped = plant[Plant.SWAY_DAMPING] * by[CranePartials.TORQUE + j]
+        row[State.RATE + j] = row[State.RATE + j] - damped
+
+
+def demand_partials(
+    plant: 'float[:]', state: 'float[:]', rig: 'float[:,:]', command: 'float[:]',
+    partials: 'float[:,:]',
+) -> bool:
+    """Accelerations of the drives under velocity commands; false where one is at its force."""
+    action = rig[Work.ACTION, :]
+    for i in range(3):
+        lag = plant[Plant.LAG + i]
+        largest = plant[Plant.FORCE_MAX + i]
+        demand = (command[i] - state[State.VELOCITY + i]) / lag
+        bounded = exceeds(demand, plant[Plant.ACCELERATION_MAX + i])
+        if action[Action.SATURATED + i] > 0.5 and not bounded:
+            return False
+        if largest > 0.0 and abs(action[Action.FORCE + i]) >= largest * (1.0 - 1e-9):
+            return False
+        if not bounded:
+            partials[i, RigVariables.COMMAND + i] = 1.0 / lag
+            partials[i, State.VELOCITY + i] = -1.0 / lag
+    return True
 
 
 def driven_partials(
-    parameters: 'float[:]', state: 'float[:]', rig: 'float[:,:]', command: 'float[:]',
-    work: 'float[:,:]', partials: 'float[:,:]',
+    plant: 'float[:]', state: 'float[:]', rig: 'float[:,:]', work: 'float[:,:]',
+    partials: 'float[:,:]',
 ) -> bool:
     """The same under velocity commands; false where a drive is at its largest force."""
-    for i in range(3):
-        demand = (command[i] - state[5 + i]) / parameters[5 + i]
-        if rig[10, 3 + i] > 0.5 and not beyond(demand, parameters[11 + i]):
-            return False
-        if parameters[8 + i] > 0.0 and abs(rig[10, i]) >= parameters[8 + i] * (1.0 - 1e-9):
-            return False
-        if not beyond(demand, parameters[11 + i]):
-            partials[i, 10 + i] = 1.0 / parameters[5 + i]
-            partials[i, 5 + i] = -1.0 / parameters[5 + i]
+    if not demand_partials(plant, state, rig, rig[Work.COMMAND, :], partials):
+        return False
     crane_driven_partials(
-        state, rig[14, :], rig[9, :], rig[11, :], parameters[0], parameters[1], parameters[2],
-        parameters[3], work,
+        state, rig[Work.DEMAND, :], rig[Work.GENERALISED, :], rig[Work.WIND, :], plant, work
     )
-    for i in range(5):
-        row = 3 + i
-        for j in range(10):
-            partials[row, j] = work[i, j]
+    # angles and forces lie side by side in both
+    first = RigPartials.ACCELERATION + Coordinates.ANGLE
+    for i in range(DrivenPartials.SIZE):
+        row = partials[first + i, :]
+        for j in range(State.SIZE):
+            row[j] = work[i, j]
         for j in range(3):
             # through the accelerations of the drives
-            partials[row, 5 + j] = partials[row, 5 + j] + work[i, 10 + j] * partials[j, 5 + j]
-            partials[row, 10 + j] = work[i, 10 + j] * partials[j, 10 + j]
-            partials[row, 13 + j] = work[i, 15 + j]
-        for j in range(2):
-            partials[row, 8 + j] = partials[row, 8 + j] - parameters[21] * work[i, 13 + j]
-    for j in range(17):
-        partials[8, j] = partials[7, j]
+            by_drive = work[i, CranePartials.DRIVE + j]
+            velocity = State.VELOCITY + j
+            command = RigVariables.COMMAND + j
+            row[velocity] = row[velocity] + by_drive * partials[j, velocity]
+            row[command] = by_drive * partials[j, command]
+            row[RigVariables.WIND + j] = work[i, CranePartials.WIND + j]
+        add_damping(plant, work[i, :], row)
+    for j in range(RigVariables.SIZE):
+        hoist = partials[RigPartials.FORCE + Axes.ROPE, j]
+        partials[RigPartials.ROPE_FORCE, j] = hoist
     for i in range(3):
-        slope = friction_slope(parameters, i, state[5 + i])
-        partials[5 + i, 5 + i] = partials[5 + i, 5 + i] + slope
+        velocity = State.VELOCITY + i
+        slope = friction_slope(plant, i, state[velocity])
+        force = partials[RigPartials.FORCE + i, :]
+        force[velocity] = force[velocity] + slope
     return True
 
 
 def power_partials(
-    parameters: 'float[:]', state: 'float[:]', rig: 'float[:,:]', work: 'float[:,:]',
+    plant: 'float[:]', state: 'float[:]', rig: 'float[:,:]', work: 'float[:,:]',
     partials: 'float[:,:]',
 ) -> None:
     """Powers of drives, wind and friction."""
+    drive = partials[RigPartials.DRIVE_POWER, :]
+    wind = partials[RigPartials.WIND_POWER, :]
+    lost = partials[RigPartials.FRICTION_POWER, :]
     crane_load_partials(state, work)
-    for j in range(10):
+    for j in range(State.SIZE):
         for i in range(3):
-            partials[10, j] = partials[10, j] + rig[11, i] * work[3 + i, j]
+            wind[j] = wind[j] + rig[Work.WIND, i] * work[LoadPartials.VELOCITY + i, j]
     for i in range(3):
-        velocity = state[5 + i]
-        for j in range(16):
-            partials[9, j] = partials[9, j] + partials[5 + i, j] * velocity
-        partials[9, 5 + i] = partials[9, 5 + i] + rig[10, i]
+        rate = State.VELOCITY + i
+        velocity = state[rate]
+        for j in range(RigVariables.TIME):
+            drive[j] = drive[j] + partials[RigPartials.FORCE + i, j] * velocity
+        drive[rate] = drive[rate] + rig[Work.ACTION, Action.FORCE + i]
         # the load's velocity is linear in the rates
-        for j in range(5):
-            partials[10, 13 + i] = partials[10, 13 + i] + work[3 + i, 5 + j] * state[5 + j]
-        slope = friction_slope(parameters, i, velocity)
-        partials[11, 5 + i] = slope * velocity + friction_force(parameters, i, velocity)
-    for i in range(2):
-        partials[11, 8 + i] = 2.0 * parameters[21] * state[8 + i]
+        by_wind = RigVariables.WIND + i
+        for j in range(State.VELOCITY, State.SIZE):
+            wind[by_wind] = wind[by_wind] + work[LoadPartials.VELOCITY + i, j] * state[j]
+        slope = friction_slope(plant, i, velocity)
+        lost[rate] = slope * velocity + friction_force(plant, i, velocity)
+    for i in range(State.RATE, State.SIZE):
+        lost[i] = 2.0 * plant[Plant.SWAY_DAMPING] * state[i]
 
 
 def rig_partials(
     components: 'float[:,:]', time: float, memory: 'float[:,:]', work: 'float[:,:]',
     partials: 'float[:,:]',
 ) -> bool:
-    """All partial derivatives at a time [s] since the start; work is (6, 18).
+    """All partial derivatives at a time [s] since the start.
 
     False where a velocity drive is at its largest force: there they jump with its neighbours'.
     """
-    parameters = memory[1, :]
-    state = memory[0, :]
-    for i in range(12):
-        for j in range(17):
+    plant = memory[Memory.PLANT, :]
+    state = memory[Memory.STATE, :]
+    rig = memory[Memory.WORK:Memory.WORK + Work.SIZE, :]
+    for i in range(RigPartials.SIZE):
+        for j in range(RigVariables.SIZE):
             partials[i, j] = 0.0
-    for i in range(6):
-        for j in range(18):
+    for i in range(LoadPartials.SIZE):
+        for j in range(CranePartials.SIZE):
             work[i, j] = 0.0
-    rig = memory[14:30, :]
-    if parameters[4] > 0.5:
-        if not driven_partials(parameters, state, rig, memory[10, :], work, partials):
+    driven = is_driven(memory)
+    if driven:
+        if not driven_partials(plant, state, rig, work, partials):
             return False
     else:
-        forced_partials(parameters, state, rig, work, partials)
-    power_partials(parameters, state, rig, work, partials)
-    for i in range(12):
+        forced_partials(plant, state, rig, work, partials)
+    power_partials(plant, state, rig, work, partials)
+    for i in range(RigPartials.SIZE):
+        row = partials[i, :]
         for j in range(3):
-            slope = wind_slope(parameters, components, memory[2, 0] + time, j)
-            partials[i, 16] = partials[i, 16] + partials[i, 13 + j] * slope
-            if parameters[4] > 0.5:
+            slope = wind_slope(plant, components, memory[Memory.CLOCK, Clock.START] + time, j)
+            added = row[RigVariables.TIME] + row[RigVariables.WIND + j] * slope
+            if driven:
                 # corrections are integrated into the velocities
-                partials[i, 16] = partials[i, 16] + partials[i, 10 + j] * memory[8, j]
+                correction = memory[Memory.CORRECTION, Correction.VALUE + j]
+                added = added + row[RigVariables.COMMAND + j] * correction
+            row[RigVariables.TIME] = added
     return True

@@ -1,6 +1,6 @@
 """Records of the rig: settings, memory, balance of energy, partial derivatives."""
 
-from segfmu.kernels.control.records import Tracking
+from segfmu.kernels.control.records import Tick, Tracking
 from segfmu.kernels.crane.records import (
     DRIVES,
     Axes,
@@ -23,16 +23,6 @@ class Corrector(Codes):
     CALLER = 0
     STATE = 1
     TRACKING = 2
-
-
-class Acting(Codes):
-    """Whether corrections acted at the tick before."""
-
-    NO_TICK = 0
-    OFF = 1
-    ON = 2
-    # with other gains
-    RETUNED = 3
 
 
 class RigStatus(Codes):
@@ -103,27 +93,6 @@ class Setpoints(Record):
         "force on the load beside the rig's wind, held over the step", "N", size=3,
         variables=[f"wind.{a}" for a in "xyz"],
     )
-
-
-class Correction(Record):
-    """The correction, and what remains of switching."""
-
-    VALUE = field("correction that acts, N or m/s2", size=3)
-    FADING = field("what remains of a switching step, N or m/s2", size=3)
-    ACTED = field("whether corrections acted at the tick before, see Acting")
-    BEFORE = field("correction of the tick before, N or m/s2", size=3)
-
-
-class Tick(Record):
-    """Rows: what a controller gets at a tick, and its correction."""
-
-    SIGNALS = field("signals of the sensors", of=Coordinates)
-    REFERENCE = field("reference at the tick", of=State)
-    ADDED_TO = field(
-        "what the correction is added to: force setpoints, or slopes of the velocity setpoints",
-        of=Axes,
-    )
-    CORRECTION = field("correction", of=Correction)
 
 
 class Clock(Record):

@@ -4,57 +4,83 @@
 
 #include "arrays.h"
 #include "model.h"
+#include "records.h"
 
+/* numbers of rows that there is room for, and sizes of the tables' parts for a rope length */
 enum {
-    LOOP = 5, STATE = 10, SETPOINTS = 19, PARAMETERS = 37, SENSORS = 18, COLUMNS = 40, GAINS = 3 * STATE,
-    PARTIAL_ROWS = 12, PARTIAL_COLUMNS = 17, TRACKING = 27, BLOCK = 18 * STATE, MEMORY = 22,
-    COMPONENTS = 32, CHANGES = 4, MOST_LENGTHS = MODEL_ROWS, MOST_SAMPLES = 100000
-};
-
-/* rows of the memory, see kernels/rig/rig.py */
-enum {
-    ROW_STATE, ROW_PARAMETERS, ROW_CLOCK, ROW_LAST, ROW_REPORT, ROW_SIGNALS, ROW_CORRECTION = 8,
-    ROW_SQUARES = 10, ROW_CUBES, ROW_DERIVATIVE = 20, ROW_QUEUE = 30, FIRST_BEND = 10
+    COMPONENTS = 32, CHANGES = 4, MOST_LENGTHS = MODEL_ROWS, MOST_SAMPLES = 100000,
+    GAINS_BLOCK = GAINS_SIZE * GAINS_COLUMNS, OBSERVER_BLOCK = OBSERVER_SIZE * OBSERVER_COLUMNS
 };
 
 typedef struct {
     model base;
-    double loop[LOOP], sensors[SENSORS], parameters[PARAMETERS], setpoints[SETPOINTS];
-    double changes[CHANGES * 2], components[COMPONENTS * 7];
-    double lengths[MOST_LENGTHS], gains[MOST_LENGTHS * GAINS];
+    double settings[SETTINGS_SIZE * SETTINGS_COLUMNS], setpoints[SETPOINTS_SIZE];
+    double changes[CHANGES * PAYLOAD_CHANGE_SIZE], components[COMPONENTS * SINUSOID_SIZE];
+    double gains[MOST_LENGTHS * GAINS_BLOCK];
     /* of source measured: the observer's table, and what the controller remembers */
-    double tracking[TRACKING], nodes[MOST_LENGTHS], observer[MOST_LENGTHS * BLOCK];
-    double tracker[MEMORY * STATE];
+    double observer[MOST_LENGTHS * OBSERVER_BLOCK];
+    double tracker[TRACKER_SIZE * TRACKER_COLUMNS];
     double derivative[MODEL_STATES];
     /* co-simulation: inputs at the end of the last step, and their slopes in it */
     double input[MODEL_INPUTS], slope[MODEL_INPUTS];
     /* by state, commands, wind and time, see kernels/rig/partials.py; of load and energies by state */
-    double partials[PARTIAL_ROWS * PARTIAL_COLUMNS], load_partials[6 * STATE];
-    double energy_partials[2 * STATE];
+    double partials[RIG_PARTIALS_SIZE * RIG_VARIABLES_SIZE];
+    double load_partials[LOAD_PARTIALS_SIZE * STATE_SIZE], energy_partials[ENERGIES_SIZE * STATE_SIZE];
     int64_t differentiated;  /* 1: partials are those of the present time, -1: there are none */
-    int64_t count_changes, count_components, count_lengths, count_nodes;
+    int64_t count_changes, count_components, count_lengths, count_observer;
     int64_t rows;       /* of the memory; 0: not initialised */
     double memory[];
 } crane;
 
 static inline array_double_2d memory_of(crane *m)
 {
-    return matrix(m->memory, m->rows, COLUMNS);
+    return matrix(m->memory, m->rows, MEMORY_COLUMNS);
+}
+
+static inline array_double_2d settings_of(crane *m)
+{
+    return matrix(m->settings, SETTINGS_SIZE, SETTINGS_COLUMNS);
+}
+
+static inline array_double_2d components_of(crane *m)
+{
+    return matrix(m->components, m->count_components, SINUSOID_SIZE);
+}
+
+static inline array_double_2d changes_of(crane *m)
+{
+    return matrix(m->changes, m->count_changes, PAYLOAD_CHANGE_SIZE);
+}
+
+static inline array_double_2d tracker_of(crane *m)
+{
+    return matrix(m->tracker, TRACKER_SIZE, TRACKER_COLUMNS);
 }
 
 static inline array_double_3d gains_of(crane *m)
 {
-    return cuboid(m->gains, m->count_lengths, 3, STATE);
+    return cuboid(m->gains, m->count_lengths, GAINS_SIZE, GAINS_COLUMNS);
 }
 
 static inline array_double_3d observer_of(crane *m)
 {
-    return cuboid(m->observer, m->count_nodes, 18, STATE);
+    return cuboid(m->observer, m->count_observer, OBSERVER_SIZE, OBSERVER_COLUMNS);
 }
 
 static inline double *row(crane *m, int place)
 {
-    return m->memory + place * COLUMNS;
+    return m->memory + place * MEMORY_COLUMNS;
+}
+
+/* A row of the settings. */
+static inline double *setting(crane *m, int place)
+{
+    return m->settings + place * SETTINGS_COLUMNS;
+}
+
+static inline double *tracked(crane *m, int place)
+{
+    return m->tracker + place * TRACKER_COLUMNS;
 }
 
 static inline bool driven(const crane *m)
@@ -75,6 +101,9 @@ bool crane_rope_range(const crane *m, double range[2], char message[MESSAGE]);
 
 /* A rope length of their tables, in equal ratios. */
 double crane_node(const double range[2], int64_t row);
+
+/* The `Plant` with the load that feedback and observer are for. */
+void crane_nominal(crane *m, double plant[PLANT_SIZE]);
 
 /* The observer and the controller on measured signals, from the start. */
 bool crane_set_tracking(crane *m, char message[MESSAGE]);

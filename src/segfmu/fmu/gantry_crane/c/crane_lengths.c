@@ -1,5 +1,6 @@
-/* GantryCrane: rope lengths of the tables of gains and of the observer. */
+/* GantryCrane: crane and rope lengths that the tables of gains and of the observer are for. */
 #include <math.h>
+#include <string.h>
 
 #include "crane.h"
 #include "say.h"
@@ -19,4 +20,10 @@ double crane_node(const double range[2], int64_t row)
 {
     double share = (double)row / (MOST_LENGTHS - 1);
     return row == MOST_LENGTHS - 1 ? range[1] : range[0] * pow(range[1] / range[0], share);
+}
+
+void crane_nominal(crane *m, double plant[PLANT_SIZE])
+{
+    memcpy(plant, setting(m, SETTINGS_PLANT), PLANT_SIZE * sizeof *plant);
+    plant[PLANT_PAYLOAD_MASS] = nominal_payload(m);
 }

@@ -4,7 +4,7 @@
 
 #include "crane.h"
 
-enum { ENERGIES = 3, COMMAND = 10, WIND = 13, TIME = 16 };
+enum { WORKS = PLANT_STATE_SIZE - STATE_SIZE };
 
 /* A variable by which is differentiated: a column of the kernel's, a state that is an energy, or a
    component of the load's reference; -1 where it is none. */
@@ -25,16 +25,16 @@ static bool find_known(const crane *m, const variable *v, known_place *k)
     if (v->kind != KIND_REAL) {
         return false;
     }
-    if (at(v, V_BRIDGE_POSITION, STATE, &place)) {
+    if (at(v, V_BRIDGE_POSITION, STATE_SIZE, &place)) {
         k->column = place;
     } else if (at(v, V_FORCE_BRIDGE, 3, &place)) {
-        k->column = driven(m) ? -1 : COMMAND + place;
+        k->column = driven(m) ? -1 : RIG_VARIABLES_COMMAND + place;
     } else if (at(v, V_VELOCITY_BRIDGE, 3, &place)) {
-        k->column = driven(m) ? COMMAND + place : -1;
+        k->column = driven(m) ? RIG_VARIABLES_COMMAND + place : -1;
     } else if (at(v, V_WIND_X, 3, &place)) {
-        k->column = WIND + place;
+        k->column = RIG_VARIABLES_WIND + place;
     } else if (v->offset == V_TIME) {
-        k->column = TIME;
+        k->column = RIG_VARIABLES_TIME;
     } else if (at(v, V_REFERENCE_LOAD_POSITION_X, 3, &place)) {
         k->reference = place;
     } else if (v->offset == V_ENERGY_DRIVES || v->offset == V_ENERGY_WIND
@@ -49,16 +49,16 @@ static bool find_known(const crane *m, const variable *v, known_place *k)
 
 static bool differentiate(crane *m)
 {
-    double work[6 * 18];
+    double work[LOAD_PARTIALS_SIZE * CRANE_PARTIALS_SIZE];
     if (m->differentiated == 0) {
-        double *state = m->memory, *p = m->memory + ROW_PARAMETERS * COLUMNS;
+        array_double_1d state = vector(row(m, MEMORY_STATE), STATE_SIZE);
         m->differentiated = segfmu_rig_partials(
-            matrix(m->components, m->count_components, 7), crane_elapsed(m),
-            matrix(m->memory, m->rows, COLUMNS), matrix(work, 6, 18),
-            matrix(m->partials, PARTIAL_ROWS, PARTIAL_COLUMNS)) ? 1 : -1;
-        segfmu_crane_load_partials(vector(state, STATE), matrix(m->load_partials, 6, STATE));
-        segfmu_crane_energy_partials(vector(state, STATE), p[0], p[1], p[2], p[3],
-                                     matrix(m->energy_partials, 2, STATE));
+            components_of(m), crane_elapsed(m), memory_of(m),
+            matrix(work, LOAD_PARTIALS_SIZE, CRANE_PARTIALS_SIZE),
+            matrix(m->partials, RIG_PARTIALS_SIZE, RIG_VARIABLES_SIZE)) ? 1 : -1;
+        segfmu_crane_load_partials(state, matrix(m->load_partials, LOAD_PARTIALS_SIZE, STATE_SIZE));
+        segfmu_crane_energy_partials(state, vector(row(m, MEMORY_PLANT), MASSES_SIZE),
+                                     matrix(m->energy_partials, ENERGIES_SIZE, STATE_SIZE));
     }
     return m->differentiated > 0;
 }
@@ -66,13 +66,13 @@ static bool differentiate(crane *m)
 /* Of a result of the kernel: a row of its matrix. */
 static double of_rig(const crane *m, int row, const known_place *k)
 {
-    return k->column < 0 ? 0.0 : m->partials[row * PARTIAL_COLUMNS + k->column];
+    return k->column < 0 ? 0.0 : m->partials[row * RIG_VARIABLES_SIZE + k->column];
 }
 
 /* Of the load's position and velocity, or of kinetic and potential energy. */
 static double of_state(const double *partials, int row, const known_place *k)
 {
-    return k->column < 0 || k->column >= STATE ? 0.0 : partials[row * STATE + k->column];
+    return k->column < 0 || k->column >= STATE_SIZE ? 0.0 : partials[row * STATE_SIZE + k->column];
 }
 
 static double of_error(const crane *m, int axis, const known_place *k)
@@ -92,16 +92,17 @@ static double of_norm(const crane *m, const known_place *k)
 
 static double of_energy(const crane *m, int offset, const known_place *k)
 {
-    static const double gained[ENERGIES] = {1.0, 1.0, -1.0};
+    static const double gained[WORKS] = {1.0, 1.0, -1.0};
     switch (offset) {
-    case V_ENERGY_KINETIC: return of_state(m->energy_partials, 0, k);
-    case V_ENERGY_POTENTIAL: return of_state(m->energy_partials, 1, k);
+    case V_ENERGY_KINETIC: return of_state(m->energy_partials, ENERGIES_KINETIC, k);
+    case V_ENERGY_POTENTIAL: return of_state(m->energy_partials, ENERGIES_POTENTIAL, k);
     case V_ENERGY_WORK: return k->energy == 0 || k->energy == 1 ? 1.0 : 0.0;
     case V_ENERGY_DRIVES: return k->energy == 0;
     case V_ENERGY_WIND: return k->energy == 1;
     case V_ENERGY_DISSIPATED: return k->energy == 2;
     case V_ENERGY_IMBALANCE:
-        return of_state(m->energy_partials, 0, k) + of_state(m->energy_partials, 1, k)
+        return of_state(m->energy_partials, ENERGIES_KINETIC, k)
+            + of_state(m->energy_partials, ENERGIES_POTENTIAL, k)
             - (k->energy < 0 ? 0.0 : gained[k->energy]);
     default: return 0.0;
     }
@@ -110,7 +111,9 @@ static double of_energy(const crane *m, int offset, const known_place *k)
 /* A signal follows the state where its sensor is continuous and has no steps. */
 static double of_signal(const crane *m, int sensor, const known_place *k)
 {
-    bool follows = m->sensors[0] <= 0.0 && m->sensors[13 + sensor] <= 0.0;
+    const double *sensors = setting((crane *)m, SETTINGS_SENSORS);
+    bool follows = sensors[SENSORS_SAMPLE_TIME] <= 0.0
+        && sensors[SENSORS_RESOLUTION + sensor] <= 0.0;
     return follows && k->column == sensor ? 1.0 : 0.0;
 }
 
@@ -118,12 +121,12 @@ static double of_drive(const crane *m, int place, const known_place *k)
 {
     const double *real = m->base.real;
     int drive = place / 2;
-    double force = of_rig(m, 5 + drive, k);
+    double force = of_rig(m, RIG_PARTIALS_FORCE + drive, k);
     if (place % 2 == 0) {
         return force;
     }
     return force * real[V_BRIDGE_VELOCITY + drive]
-        + (k->column == 5 + drive ? real[V_DRIVE_BRIDGE_FORCE + place - 1] : 0.0);
+        + (k->column == STATE_VELOCITY + drive ? real[V_DRIVE_BRIDGE_FORCE + place - 1] : 0.0);
 }
 
 /* Of an output or state derivative by one variable; `rig`: it follows from forces. */
@@ -131,13 +134,13 @@ static double of_unknown(const crane *m, const variable *unknown, const known_pl
 {
     int place, offset = unknown->offset;
     *rig = false;
-    if (at(unknown, V_BRIDGE_POSITION, STATE, &place)) {
+    if (at(unknown, V_BRIDGE_POSITION, STATE_SIZE, &place)) {
         return k->column == place;
     }
-    if (at(unknown, V_MEASURED_BRIDGE_POSITION, 5, &place)) {
+    if (at(unknown, V_MEASURED_BRIDGE_POSITION, COORDINATES_SIZE, &place)) {
         return of_signal(m, place, k);
     }
-    if (at(unknown, V_LOAD_POSITION_X, 6, &place)) {
+    if (at(unknown, V_LOAD_POSITION_X, LOAD_PARTIALS_SIZE, &place)) {
         return of_state(m->load_partials, place, k);
     }
     if (at(unknown, V_ERROR_LOAD_X, 3, &place)) {
@@ -147,17 +150,19 @@ static double of_unknown(const crane *m, const variable *unknown, const known_pl
         return of_norm(m, k);
     }
     *rig = true;
-    if (at(unknown, V_BRIDGE_ACCELERATION, 5, &place)) {
+    if (at(unknown, V_BRIDGE_ACCELERATION, COORDINATES_SIZE, &place)) {
         return of_rig(m, place, k);
     }
     if (at(unknown, V_DRIVE_BRIDGE_FORCE, 6, &place)) {
         return of_drive(m, place, k);
     }
     if (offset == V_ROPE_FORCE) {
-        return of_rig(m, 8, k);
+        return of_rig(m, RIG_PARTIALS_ROPE_FORCE, k);
     }
     if (offset == V_POWER_DRIVES || offset == V_POWER_WIND || offset == V_POWER_FRICTION) {
-        return of_rig(m, offset == V_POWER_DRIVES ? 9 : offset == V_POWER_WIND ? 10 : 11, k);
+        return of_rig(m, offset == V_POWER_DRIVES ? RIG_PARTIALS_DRIVE_POWER
+                      : offset == V_POWER_WIND ? RIG_PARTIALS_WIND_POWER
+                      : RIG_PARTIALS_FRICTION_POWER, k);
     }
     *rig = false;
     return of_energy(m, offset, k);
@@ -179,14 +184,14 @@ bool model_partial(model *base, const variable *unknown, const variable *known, 
 /* Make the kernel's work space that of the present time; the step's report stays. */
 static void settle(crane *m)
 {
-    double report[COLUMNS], *now = m->memory + ROW_REPORT * COLUMNS;
+    double report[REPORT_SIZE], *now = row(m, MEMORY_REPORT);
     if (m->differentiated != 0 || !crane_follows(m)) {
         return;
     }
     memcpy(report, now, sizeof report);
-    memcpy(m->setpoints, m->input, 16 * sizeof *m->setpoints);
+    memcpy(m->setpoints, m->input, SETPOINTS_WIND * sizeof *m->setpoints);
     /* corrections are in the velocities already */
-    m->memory[ROW_CLOCK * COLUMNS + 8] = crane_elapsed(m);
+    row(m, MEMORY_CLOCK)[CLOCK_LAST_TICK] = crane_elapsed(m);
     crane_rates(m);
     memcpy(now, report, sizeof report);
 }
@@ -201,24 +206,24 @@ bool model_output_derivative(model *base, const variable *output, int64_t order,
     settle(m);
     smooth = differentiate(m) && crane_follows(m);
     const double *commands = m->slope
-        + (m->parameters[4] > 0.5 ? V_VELOCITY_BRIDGE : V_FORCE_BRIDGE);
+        + (driven(m) ? V_VELOCITY_BRIDGE : V_FORCE_BRIDGE);
     known_place k = {-1, -1, -1};
     *value = of_unknown(m, output, &k, &rig);
     if (rig && !smooth) {
         return false;
     }
     double sum = 0.0;
-    for (k.column = 0; k.column < STATE; k.column++) {
+    for (k.column = 0; k.column < STATE_SIZE; k.column++) {
         sum += of_unknown(m, output, &k, &rig) * m->derivative[k.column];
     }
-    for (k.column = COMMAND; k.column < WIND; k.column++) {
-        sum += of_unknown(m, output, &k, &rig) * commands[k.column - COMMAND];
+    for (k.column = RIG_VARIABLES_COMMAND; k.column < RIG_VARIABLES_WIND; k.column++) {
+        sum += of_unknown(m, output, &k, &rig) * commands[k.column - RIG_VARIABLES_COMMAND];
     }
-    k.column = TIME;
+    k.column = RIG_VARIABLES_TIME;
     sum += of_unknown(m, output, &k, &rig);
     k.column = -1;
-    for (k.energy = 0; k.energy < ENERGIES; k.energy++) {
-        sum += of_unknown(m, output, &k, &rig) * m->derivative[STATE + k.energy];
+    for (k.energy = 0; k.energy < WORKS; k.energy++) {
+        sum += of_unknown(m, output, &k, &rig) * m->derivative[STATE_SIZE + k.energy];
     }
     k.energy = -1;
     for (k.reference = 0; k.reference < 3; k.reference++) {

@@ -17,22 +17,20 @@ static const double UNLIMITED = 1e99;
 static bool design_observer(crane *m, const double range[2], char message[MESSAGE])
 {
     const double *real = m->base.real;
-    double work[80 * 16], expected[5], lag[3], gravity = real[V_CRANE_GRAVITY];
+    enum { COLUMNS = 2 * AXIS_MODEL_SIZE };
+    double work[KALMAN_SIZE * COLUMNS], expected[EXPECTED_SIZE], plant[PLANT_SIZE];
     memcpy(expected, &real[V_FEEDBACK_OBSERVER_POSITION], sizeof expected);
-    expected[3] *= gravity;
-    expected[4] *= gravity;
-    for (int i = 0; i < 3; i++) {
-        lag[i] = real[V_DRIVE_BRIDGE_LAG + 3 * i];
-    }
-    m->count_nodes = range[1] > range[0] ? MOST_LENGTHS : 1;
-    for (int64_t row = 0; row < m->count_nodes; row++) {
-        m->nodes[row] = crane_node(range, row);
+    expected[EXPECTED_DRIFT] *= real[V_CRANE_GRAVITY];
+    expected[EXPECTED_WIND] *= real[V_CRANE_GRAVITY];
+    crane_nominal(m, plant);
+    m->count_observer = range[1] > range[0] ? MOST_LENGTHS : 1;
+    for (int64_t row = 0; row < m->count_observer; row++) {
         segfmu_observer_design(
-            driven(m), real[V_FEEDBACK_SAMPLE_TIME], m->nodes[row], real[V_CRANE_BRIDGE_MASS],
-            real[V_CRANE_TROLLEY_MASS], nominal_payload(m), gravity, vector(lag, 3),
-            vector(expected, 5), matrix(work, 80, 16), matrix(m->observer + row * BLOCK, 18, STATE));
+            vector(plant, PLANT_SIZE), real[V_FEEDBACK_SAMPLE_TIME], crane_node(range, row),
+            vector(expected, EXPECTED_SIZE), matrix(work, KALMAN_SIZE, COLUMNS),
+            matrix(m->observer + row * OBSERVER_BLOCK, OBSERVER_SIZE, OBSERVER_COLUMNS));
     }
-    for (int64_t i = 0; i < m->count_nodes * BLOCK; i++) {
+    for (int64_t i = 0; i < m->count_observer * OBSERVER_BLOCK; i++) {
         if (!isfinite(m->observer[i])) {
             return say(message, "the observer has no finite gains between %g and %g m of rope; check "
                        "masses, lags and feedback.observer", range[0], range[1]);
@@ -45,79 +43,83 @@ static bool design_observer(crane *m, const double range[2], char message[MESSAG
 static void set_offset(crane *m, double longest)
 {
     const double *real = m->base.real;
-    double *p = m->tracking + 23, gravity = real[V_CRANE_GRAVITY];
+    double *p = setting(m, SETTINGS_TRACKING), gravity = real[V_CRANE_GRAVITY];
     double angle = real[V_FEEDBACK_OBSERVER_ANGLE];
     double place = fmax(real[V_FEEDBACK_OBSERVER_POSITION], real[V_FEEDBACK_OBSERVER_LENGTH]);
-    p[0] = real[V_FEEDBACK_OBSERVER_OFFSET];
-    p[1] = fmin(OFFSET_RATIO * sqrt(gravity / longest),
+    p[TRACKING_OFFSET_EXPECTED] = real[V_FEEDBACK_OBSERVER_OFFSET];
+    p[TRACKING_OFFSET_BANDWIDTH] = fmin(OFFSET_RATIO * sqrt(gravity / longest),
                 LARGEST_OFFSET_ANGLE / real[V_FEEDBACK_SAMPLE_TIME]);
-    p[2] = angle * angle / 12.0;
-    p[3] = place * place / 12.0;
+    p[TRACKING_ANGLE_VARIANCE] = angle * angle / 12.0;
+    p[TRACKING_POSITION_VARIANCE] = place * place / 12.0;
 }
 
 bool crane_set_tracking(crane *m, char message[MESSAGE])
 {
     const double *real = m->base.real;
-    double *p = m->tracking, period = real[V_FEEDBACK_SAMPLE_TIME], range[2];
-    memset(p, 0, sizeof m->tracking);
+    double *p = setting(m, SETTINGS_TRACKING), period = real[V_FEEDBACK_SAMPLE_TIME], range[2];
+    memset(p, 0, TRACKING_SIZE * sizeof *p);
     memset(m->tracker, 0, sizeof m->tracker);
-    m->count_nodes = 1;
-    p[5] = nominal_payload(m);
+    m->count_observer = 1;
+    p[TRACKING_MASSES + AXES_ROPE] = nominal_payload(m);
     if (m->base.integer[V_FEEDBACK_SOURCE] != 2) {
         return true;
     }
     if (!crane_rope_range(m, range, message) || !design_observer(m, range, message)) {
         return false;
     }
-    p[0] = driven(m);
-    p[1] = period;
-    p[2] = real[V_SENSOR_DEAD_TIME] >= 0.5 * period;
-    p[3] = real[V_CRANE_BRIDGE_MASS] + real[V_CRANE_TROLLEY_MASS];
-    p[4] = real[V_CRANE_TROLLEY_MASS];
-    p[6] = real[V_CRANE_GRAVITY];
+    p[TRACKING_MODE] = driven(m) ? DRIVE_MODE_VELOCITY : DRIVE_MODE_FORCE;
+    p[TRACKING_PERIOD] = period;
+    p[TRACKING_DELAYED] = real[V_SENSOR_DEAD_TIME] >= 0.5 * period;
+    p[TRACKING_MASSES + AXES_BRIDGE] = real[V_CRANE_BRIDGE_MASS] + real[V_CRANE_TROLLEY_MASS];
+    p[TRACKING_MASSES + AXES_TROLLEY] = real[V_CRANE_TROLLEY_MASS];
+    p[TRACKING_GRAVITY] = real[V_CRANE_GRAVITY];
     for (int i = 0; i < 3; i++) {
         double most = real[V_DRIVE_BRIDGE_LAG + 3 * i + (driven(m) ? 2 : 1)];
-        p[15 + i] = most > 0.0 ? most : UNLIMITED;
-        p[12 + i] = -p[15 + i];
+        p[TRACKING_GREATEST + i] = most > 0.0 ? most : UNLIMITED;
+        p[TRACKING_LEAST + i] = -p[TRACKING_GREATEST + i];
     }
-    p[19] = period / real[V_FEEDBACK_PAYLOAD_TIME];
-    p[20] = real[V_FEEDBACK_OBSERVER_WAKE] * real[V_FEEDBACK_OBSERVER_POSITION];
-    p[21] = real[V_FEEDBACK_OBSERVER_WAKE] * real[V_FEEDBACK_OBSERVER_LENGTH];
-    p[22] = real[V_FEEDBACK_OBSERVER_WAKE] * real[V_FEEDBACK_OBSERVER_ANGLE];
+    p[TRACKING_PAYLOAD_SHARE] = period / real[V_FEEDBACK_PAYLOAD_TIME];
+    p[TRACKING_WAKE_POSITION] = real[V_FEEDBACK_OBSERVER_WAKE] * real[V_FEEDBACK_OBSERVER_POSITION];
+    p[TRACKING_WAKE_LENGTH] = real[V_FEEDBACK_OBSERVER_WAKE] * real[V_FEEDBACK_OBSERVER_LENGTH];
+    p[TRACKING_WAKE_ANGLE] = real[V_FEEDBACK_OBSERVER_WAKE] * real[V_FEEDBACK_OBSERVER_ANGLE];
     set_offset(m, range[1]);
     crane_tune_tracking(m, false);
-    m->tracker[3 * STATE + 4] = 0.0;
+    tracked(m, TRACKER_COMMAND)[VELOCITY_COMMAND_SWITCHED] = 0.0;
     return true;
 }
 
 void crane_tune_tracking(crane *m, bool switched)
 {
     const double *real = m->base.real;
-    double *p = m->tracking, fade = real[V_FEEDBACK_FADE], before[3];
-    memcpy(before, p + 7, sizeof before);
-    p[7] = real[V_FEEDBACK_REJECTION_CARRIAGE];
-    p[8] = real[V_FEEDBACK_REJECTION_LOAD];
-    p[9] = (double)m->base.integer[V_FEEDBACK_ENABLED];
-    p[10] = fade;
-    p[11] = fade > 0.0 ? exp(-real[V_FEEDBACK_SAMPLE_TIME] / fade) : 0.0;
-    p[18] = m->base.integer[V_FEEDBACK_DESIGN] == 2 ? nominal_payload(m)
+    double *p = setting(m, SETTINGS_TRACKING), fade = real[V_FEEDBACK_FADE];
+    /* both shares that are rejected, and whether corrections are made */
+    double *switches = p + TRACKING_REJECTED_DRIFT, before[3];
+    memcpy(before, switches, sizeof before);
+    p[TRACKING_REJECTED_DRIFT] = real[V_FEEDBACK_REJECTION_CARRIAGE];
+    p[TRACKING_REJECTED_WIND] = real[V_FEEDBACK_REJECTION_LOAD];
+    p[TRACKING_ENABLED] = (double)m->base.integer[V_FEEDBACK_ENABLED];
+    p[TRACKING_FADE] = fade;
+    p[TRACKING_DECAY] = fade > 0.0 ? exp(-real[V_FEEDBACK_SAMPLE_TIME] / fade) : 0.0;
+    p[TRACKING_GAINS_PAYLOAD] = m->base.integer[V_FEEDBACK_DESIGN] == 2 ? nominal_payload(m)
                                                     : real[V_FEEDBACK_TABLE_PAYLOAD_MASS];
     /* the controller is switched off by itself, without a bump */
-    m->loop[2] = 1.0;
-    if (switched || memcmp(before, p + 7, sizeof before) != 0) {
-        m->tracker[3 * STATE + 4] = 1.0;
+    setting(m, SETTINGS_LOOP)[LOOP_ENABLED] = 1.0;
+    if (switched || memcmp(before, switches, sizeof before) != 0) {
+        tracked(m, TRACKER_COMMAND)[VELOCITY_COMMAND_SWITCHED] = 1.0;
     }
 }
 
 void crane_show_estimates(crane *m)
 {
     double *real = m->base.real;
-    real[V_ESTIMATE_PAYLOAD_MASS] = m->tracking[5] * (1.0 + m->tracker[5 * STATE + 3]);
+    real[V_ESTIMATE_PAYLOAD_MASS] = setting(m, SETTINGS_TRACKING)[TRACKING_MASSES + AXES_ROPE]
+        * (1.0 + tracked(m, TRACKER_FADING)[FADING_PAYLOAD]);
     for (int i = 0; i < 3; i++) {
-        real[V_ESTIMATE_DISTURBANCE_BRIDGE + i] = m->tracker[i * STATE + 4];
+        real[V_ESTIMATE_DISTURBANCE_BRIDGE + i] = tracked(m, TRACKER_ESTIMATE + i)[ESTIMATE_DRIFT];
     }
     for (int i = 0; i < 2; i++) {
-        real[V_ESTIMATE_DISTURBANCE_LOAD_X + i] = m->tracker[i * STATE + 5];
+        real[V_ESTIMATE_DISTURBANCE_LOAD_X + i] = tracked(m, TRACKER_ESTIMATE + i)[ESTIMATE_WIND];
     }
-    real[V_ESTIMATE_ROPE_OFFSET] = m->tracker[18 * STATE + 5];
+    real[V_ESTIMATE_ROPE_OFFSET] = tracked(m, TRACKER_OFFSET + OFFSET_MEMORY_ESTIMATE)
+        [OFFSET_ESTIMATE_USED];
 }

@@ -6,7 +6,7 @@
 #include "crane.h"
 #include "say.h"
 
-enum { EXCHANGE = 0, ENERGIES = 7 };
+enum { EXCHANGE = 0 };
 
 /* s by which an event may be met late: importers with fixed steps cannot do better */
 static const double LATEST_EVENT = 1.0;
@@ -24,7 +24,7 @@ static size_t size_for(double sample_time, double dead_time)
 {
     bool sampled = sample_time > 0.0 && dead_time >= 0.0 && dead_time <= MOST_SAMPLES * sample_time;
     int64_t rows = sampled ? segfmu_rig_rows(sample_time, dead_time) : segfmu_rig_rows(0.0, 0.0);
-    return sizeof(crane) + (size_t)rows * COLUMNS * sizeof(double);
+    return sizeof(crane) + (size_t)rows * MEMORY_COLUMNS * sizeof(double);
 }
 
 size_t model_least(void)
@@ -40,7 +40,8 @@ size_t model_size(const model *base)
 size_t model_used(const model *base)
 {
     const crane *m = (const crane *)base;
-    return m->rows == 0 ? model_least() : sizeof(crane) + (size_t)m->rows * COLUMNS * sizeof(double);
+    return m->rows == 0 ? model_least()
+                        : sizeof(crane) + (size_t)m->rows * MEMORY_COLUMNS * sizeof(double);
 }
 
 /* A whole number from 0 to below a bound, as the kernels keep it. */
@@ -57,33 +58,42 @@ static bool near(double due, double now, double period)
 }
 
 /* Whether the clock and the queue of the samples are what a simulation leaves. */
-static bool sound_memory(const crane *m)
+static bool sound_memory(crane *m)
 {
-    const double *clock = m->memory + ROW_CLOCK * COLUMNS, *queue = m->memory + ROW_QUEUE * COLUMNS;
-    const double now = clock[1], places = 6.0 * (double)(m->rows - ROW_QUEUE - 4);
-    for (int64_t i = 0; i < m->rows * COLUMNS; i++) {
+    const double period = setting(m, SETTINGS_LOOP)[LOOP_PERIOD];
+    const double sample_time = setting(m, SETTINGS_SENSORS)[SENSORS_SAMPLE_TIME];
+    const double *clock = row(m, MEMORY_CLOCK), *queue = row(m, MEMORY_SENSING + SENSING_QUEUE);
+    const double now = clock[CLOCK_REACHED];
+    const double places = RING_SAMPLES_A_ROW * (double)(m->rows - MEMORY_SENSING - SENSING_RING);
+    for (int64_t i = 0; i < m->rows * MEMORY_COLUMNS; i++) {
         if (!isfinite(m->memory[i])) {
             return false;
         }
     }
-    return fabs(now) <= LATEST && clock[2] == 0.0 && near(clock[3] * m->loop[1], now, m->loop[1])
-        && (m->sensors[0] <= 0.0
-            || (near(queue[0] * m->sensors[0], now, m->sensors[0])
-                && counts(queue[1], places) && counts(queue[2], places + 1.0)));
+    return fabs(now) <= LATEST && clock[CLOCK_DONE] == 0.0
+        && near(clock[CLOCK_TICKS] * period, now, period)
+        && (sample_time <= 0.0
+            || (near(queue[QUEUE_TAKEN] * sample_time, now, sample_time)
+                && counts(queue[QUEUE_OLDEST], places)
+                && counts(queue[QUEUE_WAITING], places + 1.0)));
 }
 
 bool model_sound(const model *base, size_t size)
 {
-    const crane *m = (const crane *)base;
+    crane *m = (crane *)base;
+    const double *sensors = setting(m, SETTINGS_SENSORS);
+    const double corrector = setting(m, SETTINGS_LOOP)[LOOP_CORRECTOR];
     bool sized = size == model_used(base)
-        && (m->rows == 0 || size == size_for(m->sensors[0], m->sensors[1]));
+        && (m->rows == 0
+            || size == size_for(sensors[SENSORS_SAMPLE_TIME], sensors[SENSORS_DEAD_TIME]));
     return sized && (m->rows > 0 || !base->initialised) && m->count_changes >= 0
         && m->count_changes <= CHANGES && (m->count_components == 0
                                            || m->count_components == COMPONENTS)
-        && m->count_lengths >= 0 && m->count_lengths <= MOST_LENGTHS && m->count_nodes >= 0
-        && m->count_nodes <= MOST_LENGTHS
-        && (m->rows == 0 || (m->count_lengths > 0 && m->count_nodes > 0
-                             && (m->loop[0] == 1.0 || m->loop[0] == 2.0) && sound_memory(m)));
+        && m->count_lengths >= 0 && m->count_lengths <= MOST_LENGTHS && m->count_observer >= 0
+        && m->count_observer <= MOST_LENGTHS
+        && (m->rows == 0 || (m->count_lengths > 0 && m->count_observer > 0
+                             && (corrector == CORRECTOR_STATE || corrector == CORRECTOR_TRACKING)
+                             && sound_memory(m)));
 }
 
 int64_t model_rows(const model *base)
@@ -98,13 +108,13 @@ static bool in_exchange(const crane *m)
 
 double crane_elapsed(const crane *m)
 {
-    return m->base.real[V_TIME] - m->memory[ROW_CLOCK * COLUMNS];
+    return m->base.real[V_TIME] - m->memory[MEMORY_CLOCK * MEMORY_COLUMNS + CLOCK_START];
 }
 
 int64_t crane_rates(crane *m)
 {
-    return segfmu_rig_rates(matrix(m->components, m->count_components, 7),
-                            vector(m->setpoints, SETPOINTS), crane_elapsed(m), memory_of(m),
+    return segfmu_rig_rates(components_of(m), vector(m->setpoints, SETPOINTS_SIZE),
+                            crane_elapsed(m), memory_of(m),
                             vector(m->derivative, MODEL_STATES));
 }
 
@@ -117,19 +127,19 @@ static int64_t find_rates(crane *m)
 
 bool crane_follows(const crane *m)
 {
-    const double *lag = m->parameters + 5;
-    return m->parameters[4] < 0.5 || (lag[0] > 0.0 && lag[1] > 0.0 && lag[2] > 0.0);
+    const double *lag = setting((crane *)m, SETTINGS_PLANT) + PLANT_LAG;
+    return !driven(m) || (lag[0] > 0.0 && lag[1] > 0.0 && lag[2] > 0.0);
 }
 
 /* The first derivatives; the report stays that of a start. */
 static void start_rates(crane *m)
 {
-    double report[COLUMNS];
+    double report[REPORT_SIZE];
     memset(m->derivative, 0, sizeof m->derivative);
     if (crane_follows(m)) {
-        memcpy(report, row(m, ROW_REPORT), sizeof report);
+        memcpy(report, row(m, MEMORY_REPORT), sizeof report);
         find_rates(m);
-        memcpy(row(m, ROW_REPORT), report, sizeof report);
+        memcpy(row(m, MEMORY_REPORT), report, sizeof report);
     }
 }
 
@@ -140,12 +150,12 @@ bool model_initialise(model *base, char message[MESSAGE])
     if (!crane_set_up(m, message)) {
         return false;
     }
-    m->rows = segfmu_rig_rows(m->sensors[0], m->sensors[1]);
+    const double *sensors = setting(m, SETTINGS_SENSORS);
+    m->rows = segfmu_rig_rows(sensors[SENSORS_SAMPLE_TIME], sensors[SENSORS_DEAD_TIME]);
     crane_read_inputs(m);
     segfmu_rig_start(
-        vector(m->loop, LOOP), vector(m->sensors, SENSORS), matrix(m->changes, m->count_changes, 2),
-        vector(m->parameters, PARAMETERS), vector(&base->real[V_BRIDGE_POSITION], STATE),
-        vector(m->setpoints, SETPOINTS), base->real[V_TIME], memory_of(m));
+        settings_of(m), changes_of(m), vector(&base->real[V_BRIDGE_POSITION], STATE_SIZE),
+        vector(m->setpoints, SETPOINTS_SIZE), base->real[V_TIME], memory_of(m));
     for (int i = 0; i < 3; i++) {
         base->integer[V_DRIVE_BRIDGE_SATURATED + i] = 0;
     }
@@ -165,21 +175,18 @@ bool model_advance(model *base, double time, char message[MESSAGE])
     }
     crane_follow_inputs(m, time);
     int64_t status = segfmu_rig_step(
-        vector(m->loop, LOOP), vector(m->sensors, SENSORS),
-        matrix(m->components, m->count_components, 7), matrix(m->changes, m->count_changes, 2),
-        vector(m->tracking, TRACKING), vector(m->nodes, m->count_nodes), observer_of(m),
-        vector(m->lengths, m->count_lengths), gains_of(m), matrix(m->tracker, MEMORY, STATE),
-        vector(m->setpoints, SETPOINTS),
-        time - base->real[V_TIME], memory_of(m));
-    memcpy(m->derivative, row(m, ROW_DERIVATIVE), sizeof m->derivative);
+        settings_of(m), components_of(m), changes_of(m), observer_of(m), gains_of(m), tracker_of(m),
+        vector(m->setpoints, SETPOINTS_SIZE), time - base->real[V_TIME], memory_of(m));
+    memcpy(m->derivative, row(m, MEMORY_WORK + WORK_STAGES + STAGES_K7), sizeof m->derivative);
+    const double *saturated = row(m, MEMORY_REPORT) + REPORT_STEP_SATURATED;
     for (int i = 0; i < 3; i++) {
-        base->integer[V_DRIVE_BRIDGE_SATURATED + i] = row(m, ROW_REPORT)[10 + i] > 0.0;
+        base->integer[V_DRIVE_BRIDGE_SATURATED + i] = saturated[i] > 0.0;
     }
     if (time >= base->step_end && base->sloped) {
         memset(base->slope, 0, sizeof base->slope);
         base->sloped = 0;
     }
-    return status == 0 || crane_failed(m, status, row(m, ROW_CLOCK)[7], message);
+    return status == 0 || crane_failed(m, status, row(m, MEMORY_CLOCK)[CLOCK_EVENT], message);
 }
 
 /* ---- events: of model exchange, as co-simulation meets them within its steps ---- */
@@ -190,9 +197,8 @@ double model_next_event(const model *base)
     if (!in_exchange(m)) {
         return INFINITY;
     }
-    double since = segfmu_rig_next_event(vector(m->loop, LOOP), vector(m->sensors, SENSORS),
-                                         memory_of(m));
-    return since < 1e299 ? row(m, ROW_CLOCK)[0] + since : INFINITY;
+    double since = segfmu_rig_next_event(settings_of(m), memory_of(m));
+    return since < 1e299 ? row(m, MEMORY_CLOCK)[CLOCK_START] + since : INFINITY;
 }
 
 bool model_event(model *base, char message[MESSAGE])
@@ -204,22 +210,17 @@ bool model_event(model *base, char message[MESSAGE])
     if (!in_exchange(m)) {
         return true;
     }
-    double late = crane_elapsed(m) - segfmu_rig_next_event(
-        vector(m->loop, LOOP), vector(m->sensors, SENSORS), memory_of(m));
+    double late = crane_elapsed(m) - segfmu_rig_next_event(settings_of(m), memory_of(m));
     if (late > LATEST_EVENT) {
         return say(message, "the time event at %.9g s was missed by %g s; an importer has to stop at "
                    "the times that the FMU names", base->real[V_TIME] - late, late);
     }
     crane_read_inputs(m);
-    segfmu_rig_event(vector(m->loop, LOOP), vector(m->sensors, SENSORS),
-                     matrix(m->changes, m->count_changes, 2), vector(m->tracking, TRACKING),
-                     vector(m->nodes, m->count_nodes), observer_of(m),
-                     vector(m->lengths, m->count_lengths), gains_of(m),
-                     matrix(m->tracker, MEMORY, STATE), vector(m->setpoints, SETPOINTS),
-                     crane_elapsed(m), memory_of(m));
+    segfmu_rig_event(settings_of(m), changes_of(m), observer_of(m), gains_of(m), tracker_of(m),
+                     vector(m->setpoints, SETPOINTS_SIZE), crane_elapsed(m), memory_of(m));
     find_rates(m);
     for (int i = 0; i < 3; i++) {
-        base->integer[V_DRIVE_BRIDGE_SATURATED + i] = row(m, ROW_REPORT)[3 + i] > 0.0;
+        base->integer[V_DRIVE_BRIDGE_SATURATED + i] = row(m, MEMORY_REPORT)[REPORT_SATURATED + i] > 0.0;
     }
     return true;
 }
@@ -229,7 +230,7 @@ bool model_event(model *base, char message[MESSAGE])
 static void show_load(crane *m)
 {
     double *real = m->base.real, *load = &real[V_LOAD_POSITION_X], square = 0.0;
-    segfmu_crane_load(vector(row(m, ROW_STATE), STATE), matrix(load, 2, 3));
+    segfmu_crane_load(vector(row(m, MEMORY_STATE), STATE_SIZE), matrix(load, LOAD_SIZE, LOAD_COLUMNS));
     for (int i = 0; i < 3; i++) {
         double error = load[i] - real[V_REFERENCE_LOAD_POSITION_X + i];
         real[V_ERROR_LOAD_X + i] = error;
@@ -240,16 +241,16 @@ static void show_load(crane *m)
 
 static void show_energies(crane *m)
 {
-    double *real = m->base.real, balance[ENERGIES];
-    segfmu_rig_balance(memory_of(m), vector(balance, ENERGIES));
-    real[V_ENERGY_KINETIC] = balance[0];
-    real[V_ENERGY_POTENTIAL] = balance[1];
-    real[V_ENERGY_DRIVES] = balance[3];
-    real[V_ENERGY_WIND] = balance[4];
-    real[V_ENERGY_WORK] = balance[3] + balance[4];
-    real[V_ENERGY_PAYLOAD] = balance[5];
-    real[V_ENERGY_DISSIPATED] = balance[6];
-    real[V_ENERGY_IMBALANCE] = segfmu_rig_imbalance(vector(balance, ENERGIES));
+    double *real = m->base.real, balance[BALANCE_SIZE];
+    segfmu_rig_balance(memory_of(m), vector(balance, BALANCE_SIZE));
+    real[V_ENERGY_KINETIC] = balance[BALANCE_KINETIC];
+    real[V_ENERGY_POTENTIAL] = balance[BALANCE_POTENTIAL];
+    real[V_ENERGY_DRIVES] = balance[BALANCE_DRIVES];
+    real[V_ENERGY_WIND] = balance[BALANCE_WIND];
+    real[V_ENERGY_WORK] = balance[BALANCE_DRIVES] + balance[BALANCE_WIND];
+    real[V_ENERGY_PAYLOAD] = balance[BALANCE_PAYLOAD];
+    real[V_ENERGY_DISSIPATED] = balance[BALANCE_DISSIPATED];
+    real[V_ENERGY_IMBALANCE] = segfmu_rig_imbalance(vector(balance, BALANCE_SIZE));
 }
 
 bool model_evaluate(model *base, char message[MESSAGE])
@@ -260,27 +261,28 @@ bool model_evaluate(model *base, char message[MESSAGE])
     m->differentiated = 0;
     if (in_exchange(m)) {
         find_rates(m);
-        if (m->sensors[0] <= 0.0) {
-            segfmu_rig_signals(vector(m->sensors, SENSORS), crane_elapsed(m), memory_of(m));
+        if (setting(m, SETTINGS_SENSORS)[SENSORS_SAMPLE_TIME] <= 0.0) {
+            segfmu_rig_signals(settings_of(m), crane_elapsed(m), memory_of(m));
         }
     }
-    const double *state = row(m, ROW_STATE), *report = row(m, ROW_REPORT);
-    memcpy(&real[V_BRIDGE_POSITION], state, STATE * sizeof *real);
-    memcpy(&real[V_MEASURED_BRIDGE_POSITION], row(m, ROW_SIGNALS), 5 * sizeof *real);
-    memcpy(&real[V_BRIDGE_ACCELERATION], m->derivative + 5, 5 * sizeof *real);
+    const double *state = row(m, MEMORY_STATE), *report = row(m, MEMORY_REPORT);
+    memcpy(&real[V_BRIDGE_POSITION], state, STATE_SIZE * sizeof *real);
+    memcpy(&real[V_MEASURED_BRIDGE_POSITION], row(m, MEMORY_SIGNALS), COORDINATES_SIZE * sizeof *real);
+    memcpy(&real[V_BRIDGE_ACCELERATION], m->derivative + STATE_VELOCITY,
+           COORDINATES_SIZE * sizeof *real);
     show_load(m);
     show_energies(m);
     crane_show_estimates(m);
     real[V_POWER_DRIVES] = 0.0;
     for (int i = 0; i < 3; i++) {
-        real[V_DRIVE_BRIDGE_FORCE + 2 * i] = report[i];
-        real[V_DRIVE_BRIDGE_POWER + 2 * i] = report[i] * state[5 + i];
-        real[V_POWER_DRIVES] += report[i] * state[5 + i];
+        real[V_DRIVE_BRIDGE_FORCE + 2 * i] = report[REPORT_FORCE + i];
+        real[V_DRIVE_BRIDGE_POWER + 2 * i] = report[REPORT_FORCE + i] * state[STATE_VELOCITY + i];
+        real[V_POWER_DRIVES] += report[REPORT_FORCE + i] * state[STATE_VELOCITY + i];
     }
-    real[V_ROPE_FORCE] = report[6];
-    real[V_POWER_WIND] = report[7];
-    real[V_POWER_FRICTION] = report[8];
-    real[V_PAYLOAD_MASS] = row(m, ROW_PARAMETERS)[2];
+    real[V_ROPE_FORCE] = report[REPORT_ROPE_FORCE];
+    real[V_POWER_WIND] = report[REPORT_WIND_POWER];
+    real[V_POWER_FRICTION] = report[REPORT_FRICTION_POWER];
+    real[V_PAYLOAD_MASS] = row(m, MEMORY_PLANT)[PLANT_PAYLOAD_MASS];
     return true;
 }
 
@@ -288,12 +290,12 @@ bool model_evaluate(model *base, char message[MESSAGE])
 
 void model_get_states(const model *base, double states[])
 {
-    memcpy(states, row((crane *)base, ROW_STATE), MODEL_STATES * sizeof *states);
+    memcpy(states, row((crane *)base, MEMORY_STATE), MODEL_STATES * sizeof *states);
 }
 
 void model_set_states(model *base, const double states[])
 {
-    memcpy(row((crane *)base, ROW_STATE), states, MODEL_STATES * sizeof *states);
+    memcpy(row((crane *)base, MEMORY_STATE), states, MODEL_STATES * sizeof *states);
 }
 
 bool model_derivatives(model *base, double derivatives[], char message[MESSAGE])
@@ -302,7 +304,7 @@ bool model_derivatives(model *base, double derivatives[], char message[MESSAGE])
     memcpy(derivatives, m->derivative, sizeof m->derivative);
     for (int i = 0; i < MODEL_STATES; i++) {
         if (!isfinite(derivatives[i])) {
-            return crane_failed(m, 4, base->real[V_TIME], message);
+            return crane_failed(m, PLANT_STATUS_NOT_FINITE, base->real[V_TIME], message);
         }
     }
     return true;
@@ -313,6 +315,6 @@ bool model_accept(model *base, char message[MESSAGE])
     crane *m = (crane *)base;
     int64_t status = find_rates(m);
     base->evaluated = 0;
-    segfmu_rig_signals(vector(m->sensors, SENSORS), crane_elapsed(m), memory_of(m));
+    segfmu_rig_signals(settings_of(m), crane_elapsed(m), memory_of(m));
     return status == 0 || crane_failed(m, status, base->real[V_TIME], message);
 }

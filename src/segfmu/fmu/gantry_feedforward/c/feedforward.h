@@ -7,7 +7,7 @@
 #include "records.h"
 #include "segfmu.h"
 
-enum { AXES = 3, ORDERS = 5, RESULTS = 18, MOST_POINTS = MODEL_ROWS };
+enum { AXES = 3, ORDERS = 5, RESULTS = FLAT_INVERSE_SIZE, MOST_POINTS = MODEL_ROWS };
 
 typedef struct {
     model base;

@@ -16,7 +16,8 @@ static const uint16_t RESULT_OFFSETS[RESULTS - 2] = {
     V_REFERENCE_BRIDGE_ACCELERATION, V_REFERENCE_TROLLEY_ACCELERATION,
     V_REFERENCE_ROPE_ACCELERATION
 };
-enum { RATES = 8 };  /* first of the three velocities among the results */
+/* first of the three velocities among the results */
+enum { RATES = FLAT_INVERSE_STATE + STATE_VELOCITY };
 
 /* What is read or written as one array lies side by side. */
 #define SIDE_BY_SIDE(first, last, count) \
@@ -164,15 +165,15 @@ bool model_evaluate(model *base, char message[MESSAGE])
 {
     feedforward *m = (feedforward *)base;
     double *real = base->real, *load = &real[V_REFERENCE_LOAD_POSITION_X];
-    const double *crane = &real[V_CRANE_BRIDGE_MASS];
     const segfmu_trajectory trajectory = feedforward_trajectory(m);
     double results[RESULTS];
     (void)message;
     memset(m->derived, 0, sizeof m->derived);
     evaluate(&trajectory, base->real[V_TIME] - base->real[V_PLANNER_START_TIME], ORDERS, load);
     segfmu_crane_flat_inverse(
-        matrix(load, ORDERS, AXES), crane[0], crane[1], crane[2], crane[3], vector(results, 3),
-        vector(results + 3, 10), vector(results + 13, 5));
+        matrix(load, ORDERS, AXES), vector(&real[V_CRANE_BRIDGE_MASS], MASSES_SIZE),
+        vector(results, AXES_SIZE), vector(results + FLAT_INVERSE_STATE, STATE_SIZE),
+        vector(results + FLAT_INVERSE_ACCELERATION, COORDINATES_SIZE));
     for (int i = 0; i < RESULTS - 2; i++) {
         real[RESULT_OFFSETS[i]] = results[i];
     }
