@@ -11,9 +11,10 @@ from segfmu.crane.flat_feedback import design_flat
 from segfmu.crane.inverse import FlatInverse
 from segfmu.crane.observer import Observer, Uncertainty, design_observer
 from segfmu.crane.parameters import Crane
-from segfmu.crane.plant import Plant, Setpoints
+from segfmu.crane.plant import Plant
 from segfmu.crane.rig import Rig
 from segfmu.crane.sensors import Sensors
+from segfmu.crane.setpoints import Setpoints
 from segfmu.crane.shaping import Shaped, Shaper, Trapezoid, zv, zvd
 from segfmu.crane.stability import largest_eigenvalue, stability_map
 from segfmu.crane.tracking import TrackingController

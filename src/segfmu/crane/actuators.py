@@ -26,6 +26,8 @@ from segfmu.planning.waypoint import Waypoint
 DRIVES = ("bridge", "trolley", "hoist")
 QUANTITIES = ("force", "velocity", "acceleration", "sway_angle")
 UNITS = ("N", "m/s", "m/s2", "rad")
+# place of the first sway angle among the bounds
+ANGLES = 3 * len(DRIVES)
 SAMPLES = 1501
 SLOWEST = 1e-3
 RESOLUTION = 1e-4
@@ -216,8 +218,9 @@ def _peaks(inverse: FlatInverse, bounds: FloatArray) -> tuple[FloatArray, FloatA
 
 
 def _name(index: int) -> str:
-    if index >= 9:
-        return f"sway angle {'xy'[index - 9]}"
+    angle = index - ANGLES
+    if angle >= 0:
+        return f"sway angle {'xy'[angle]}"
     return f"{DRIVES[index % 3]} {QUANTITIES[index // 3]}"
 
 

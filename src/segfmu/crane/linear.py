@@ -11,6 +11,7 @@ from scipy.linalg import expm
 
 from segfmu.crane.parameters import Crane
 from segfmu.errors import InputError
+from segfmu.kernels.crane.records import Axes, State
 from segfmu.planning.arrays import FloatArray
 
 Masses = tuple[float, float, float, float]
@@ -40,24 +41,24 @@ def matrices(masses: Masses, length: float, driven: bool) -> tuple[FloatArray, F
     """`linearised` for masses that no `Crane` has; a load of 0 kg has no hoist to speak of."""
     payload, gravity = masses[2:]
     moved = moved_masses(masses)
-    a = np.zeros((10, 10))
-    a[:5, 5:] = np.eye(5)
-    b = np.zeros((10, 3))
+    a = np.zeros((State.SIZE, State.SIZE))
+    a[: State.VELOCITY, State.VELOCITY :] = np.eye(State.VELOCITY)
+    b = np.zeros((State.SIZE, Axes.SIZE))
     for axis, sign in enumerate(SIGNS):
-        angle = 3 + axis
+        angle, velocity, rate = State.ANGLE + axis, State.VELOCITY + axis, State.RATE + axis
         if driven:
-            b[5 + axis, axis] = 1.0
+            b[velocity, axis] = 1.0
         else:
-            a[5 + axis, angle] = sign * payload * gravity / moved[axis]
-            b[5 + axis, axis] = 1.0 / moved[axis]
+            a[velocity, angle] = sign * payload * gravity / moved[axis]
+            b[velocity, axis] = 1.0 / moved[axis]
         # l phi'' = -g phi - sign * carriage acceleration
-        a[5 + angle] = -sign * a[5 + axis] / length
-        a[5 + angle, angle] -= gravity / length
-        b[5 + angle] = -sign * b[5 + axis] / length
+        a[rate] = -sign * a[velocity] / length
+        a[rate, angle] -= gravity / length
+        b[rate] = -sign * b[velocity] / length
     if driven:
-        b[7, 2] = 1.0
+        b[State.VELOCITY + Axes.ROPE, Axes.ROPE] = 1.0
     elif payload > 0.0:
-        b[7, 2] = 1.0 / payload
+        b[State.VELOCITY + Axes.ROPE, Axes.ROPE] = 1.0 / payload
     return a, b
 
 
@@ -78,14 +79,15 @@ def lagged(
     A command's rate is the acceleration asked for; the drive follows it with its lag [s], (3,):
     v' = (command - v) / lag. Without lag, or in force mode, a command has no effect and stays 0.
     """
-    extended, inputs = np.zeros((13, 13)), np.zeros((13, 3))
-    extended[:10, :10], inputs[:10] = a, b
+    own, size = State.SIZE, State.SIZE + Axes.SIZE
+    extended, inputs = np.zeros((size, size)), np.zeros((size, Axes.SIZE))
+    extended[:own, :own], inputs[:own] = a, b
     for axis in np.flatnonzero(np.asarray(lag) > 0.0) if driven else ():
         # what the carriage's acceleration did, the drive's now does
-        extended[:10, 10 + axis] = b[:, axis] / lag[axis]
-        extended[:10, 5 + axis] -= b[:, axis] / lag[axis]
-        inputs[:10, axis] = 0.0
-        inputs[10 + axis, axis] = 1.0
+        extended[:own, own + axis] = b[:, axis] / lag[axis]
+        extended[:own, State.VELOCITY + axis] -= b[:, axis] / lag[axis]
+        inputs[:own, axis] = 0.0
+        inputs[own + axis, axis] = 1.0
     return extended, inputs
 
 

@@ -8,8 +8,6 @@ so that nothing depends on the steps. All of it is kernels/rig/rig.py; here are 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -20,6 +18,7 @@ from segfmu.crane.failures import failure
 from segfmu.crane.feedback import SwayFeedback
 from segfmu.crane.parameters import Crane
 from segfmu.crane.rig import Rig
+from segfmu.crane.setpoints import Setpoints
 from segfmu.crane.tracking import FADE, TrackingController
 from segfmu.errors import InputError, SimulationError
 from segfmu.kernels import backend
@@ -51,32 +50,6 @@ TOLERANCE = 1e-10
 NO_OBSERVER = np.zeros((1, Observer.SIZE, Observer.COLUMNS))
 NO_GAINS = np.zeros((1, Gains.SIZE, Gains.COLUMNS))
 NO_TRACKER = np.zeros((Tracker.SIZE, Tracker.COLUMNS))
-
-
-@dataclass(frozen=True, eq=False)
-class Setpoints:
-    """What the crane follows at one time.
-
-    Attributes
-    ----------
-    force, velocity : ndarray, shape (3,)
-        Setpoints of bridge, trolley and hoist [N], [m/s].
-    reference : ndarray, shape (10,)
-        Reference state.
-    wind : ndarray, shape (3,)
-        Force on the load [N] beside the wind of the rig, held over the step.
-    """
-
-    force: FloatArray = field(default_factory=lambda: np.zeros(3))
-    velocity: FloatArray = field(default_factory=lambda: np.zeros(3))
-    reference: FloatArray = field(default_factory=lambda: np.zeros(10))
-    wind: FloatArray = field(default_factory=lambda: np.zeros(3))
-
-    @property
-    def vector(self) -> FloatArray:
-        """The kernels' `Setpoints`, shape (19,)."""
-        parts = (self.force, self.velocity, self.reference, self.wind)
-        return np.concatenate(parts, dtype=np.float64)
 
 
 class Plant:

@@ -12,7 +12,8 @@ import numpy as np
 from segfmu.crane import Crane
 from segfmu.crane.feedback import SwayFeedback, design
 from segfmu.crane.flat_feedback import design_flat
-from segfmu.crane.plant import Plant, Setpoints
+from segfmu.crane.plant import Plant
+from segfmu.crane.setpoints import Setpoints
 from segfmu.crane.tracking import TrackingController
 from segfmu.errors import InputError
 from segfmu.fmu.gantry import crane_from

@@ -1,0 +1,35 @@
+"""What a crane follows."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from segfmu.planning.arrays import FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class Setpoints:
+    """What the crane follows at one time.
+
+    Attributes
+    ----------
+    force, velocity : ndarray, shape (3,)
+        Setpoints of bridge, trolley and hoist [N], [m/s].
+    reference : ndarray, shape (10,)
+        Reference state.
+    wind : ndarray, shape (3,)
+        Force on the load [N] beside the wind of the rig, held over the step.
+    """
+
+    force: FloatArray = field(default_factory=lambda: np.zeros(3))
+    velocity: FloatArray = field(default_factory=lambda: np.zeros(3))
+    reference: FloatArray = field(default_factory=lambda: np.zeros(10))
+    wind: FloatArray = field(default_factory=lambda: np.zeros(3))
+
+    @property
+    def vector(self) -> FloatArray:
+        """The kernels' `Setpoints`, shape (19,)."""
+        parts = (self.force, self.velocity, self.reference, self.wind)
+        return np.concatenate(parts, dtype=np.float64)
