@@ -329,3 +329,16 @@ def test_environment_chooses(value: str, expected: str) -> None:
         capture_output=True, text=True, check=True,
     )
     assert done.stdout.strip() == expected
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        (np.zeros(10), np.zeros(5), np.zeros(3), np.zeros(4), np.zeros(9)),
+        (np.zeros(10), np.zeros(5), np.zeros(3), np.zeros(3), np.zeros(10)),
+        (np.zeros(9), np.zeros(5), np.zeros(3), np.zeros(4), np.zeros(10)),
+    ],
+)
+def test_arrays_that_are_too_short_are_refused(arguments) -> None:
+    with pytest.raises(IndexError, match="must be at least"):
+        compiled.crane_rhs(*arguments)

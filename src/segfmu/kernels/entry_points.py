@@ -11,7 +11,52 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from segfmu.kernels.crane.records import FlatInverse, FlatSeries, Masses, RopeBounds, RopeWork
+from segfmu.kernels.control.records import (
+    AxisModel,
+    Estimate,
+    Expected,
+    Gains,
+    Kalman,
+    Observer,
+    Tick,
+    Tracker,
+    Tracking,
+)
+from segfmu.kernels.crane.records import (
+    Axes,
+    Compensation,
+    Coordinates,
+    CranePartials,
+    FlatInverse,
+    FlatSeries,
+    GeneralisedForce,
+    Load,
+    LoadPartials,
+    Masses,
+    Plant,
+    PlantState,
+    Report,
+    RopeBounds,
+    RopeWork,
+    State,
+    Vector,
+    Work,
+)
+from segfmu.kernels.numerics.records import (
+    RandomState,
+    Sinusoid,
+)
+from segfmu.kernels.rig.records import (
+    Balance,
+    Energies,
+    Memory,
+    PayloadChange,
+    RigPartials,
+    RigVariables,
+    Sensors,
+    Setpoints,
+    Settings,
+)
 
 Extent = int | str
 
@@ -52,39 +97,118 @@ ENTRY_POINTS = (
     entry("trajectory.breaks", "next_plan_event"),
     entry("trajectory.breaks", "right_of_break"),
     entry("trajectory.breaks", "same_break"),
-    entry("control.feedback", "feedback_correction"),
+    entry(
+        "control.feedback", "feedback_correction", state=State.SIZE, reference=State.SIZE,
+        gains=("lengths", Gains.SIZE, Gains.COLUMNS), correction=Axes.SIZE,
+    ),
     entry("control.feedback", "feedback_bandwidth"),
-    entry("control.feedback", "feedback_gains"),
-    entry("control.kalman", "observer_design"),
-    entry("control.observer", "observer_predict"),
-    entry("control.observer", "observer_correct"),
-    entry("control.tracking", "track_setpoint"),
-    entry("crane.compensation", "compensate_setpoints"),
-    entry("crane._crane", "crane_rhs"),
-    entry("crane._crane", "crane_driven"),
-    entry("crane._crane", "crane_flat_inverse"),
+    entry("control.feedback", "feedback_gains", plant=Plant.LAG, gains=(Gains.SIZE, Gains.COLUMNS)),
+    entry(
+        "control.kalman", "observer_design", plant=Plant.FORCE_MAX, expected=Expected.SIZE,
+        work=(Kalman.SIZE, 2 * AxisModel.SIZE), table=(Observer.SIZE, Observer.COLUMNS),
+    ),
+    entry(
+        "control.observer", "observer_predict", table=("nodes", Observer.SIZE, Observer.COLUMNS),
+        command=Axes.SIZE, held=Axes.SIZE, estimate=(Axes.SIZE, Estimate.SIZE),
+        scratch=AxisModel.SIZE,
+    ),
+    entry(
+        "control.observer", "observer_correct", table=("nodes", Observer.SIZE, Observer.COLUMNS),
+        measured=Coordinates.SIZE, reference=Coordinates.SIZE, estimate=(Axes.SIZE, Estimate.SIZE),
+    ),
+    entry(
+        "control.tracking", "track_setpoint", parameters=Tracking.SIZE,
+        table=("nodes", Observer.SIZE, Observer.COLUMNS),
+        gains=("lengths", Gains.SIZE, Gains.COLUMNS), tick=(Tick.SIZE, Tick.COLUMNS),
+        memory=(Tracker.SIZE, Tracker.COLUMNS),
+    ),
+    entry(
+        "crane.compensation", "compensate_setpoints", velocity=Axes.SIZE, acceleration=Axes.SIZE,
+        known=Compensation.SIZE, force=Axes.SIZE, setpoint=Axes.SIZE,
+    ),
+    entry(
+        "crane._crane", "crane_rhs", state=State.SIZE, generalized_force=GeneralisedForce.SIZE,
+        load_force=Vector.SIZE, masses=Masses.SIZE, derivative=State.SIZE,
+    ),
+    entry(
+        "crane._crane", "crane_driven", state=State.SIZE, carriage=Axes.SIZE,
+        generalized_force=GeneralisedForce.SIZE, load_force=Vector.SIZE, masses=Masses.SIZE,
+        derivative=State.SIZE, force=Axes.SIZE,
+    ),
+    entry(
+        "crane._crane", "crane_flat_inverse", flat=(5, Vector.SIZE), masses=Masses.SIZE,
+        force=Axes.SIZE, state=State.SIZE, acceleration=Coordinates.SIZE,
+    ),
     entry(
         "crane._series", "flat_derivatives", flat=("order + 5", 3), masses=Masses.SIZE,
         work=(FlatSeries.SIZE, "order + 3"), found=FlatInverse.SIZE,
     ),
-    entry("crane._crane", "crane_load"),
-    entry("crane._crane", "crane_energy"),
-    entry("crane.plant", "plant_advance"),
-    entry("numerics.noise", "seed_numbers"),
-    entry("numerics.noise", "next_uniform"),
-    entry("numerics.noise", "noise_components"),
-    entry("rig.sensing", "measure_state"),
-    entry("rig.loop", "switch_correction"),
+    entry("crane._crane", "crane_load", state=State.SIZE, load=(Load.SIZE, Load.COLUMNS)),
+    entry(
+        "crane._crane", "crane_energy", state=State.SIZE, masses=Masses.SIZE, energy=Energies.SIZE,
+    ),
+    entry(
+        "crane.plant", "plant_advance", plant=Plant.SIZE, components=("sines", Sinusoid.SIZE),
+        state=PlantState.SIZE, work=(Work.SIZE, Work.COLUMNS), report=Report.SIZE,
+    ),
+    entry("numerics.noise", "seed_numbers", numbers=RandomState.SIZE),
+    entry("numerics.noise", "next_uniform", numbers=RandomState.SIZE),
+    entry(
+        "numerics.noise", "noise_components", deviation=Vector.SIZE, numbers=RandomState.SIZE,
+        components=("sines", Sinusoid.SIZE),
+    ),
+    entry(
+        "rig.sensing", "measure_state", state=Coordinates.SIZE, sensors=Sensors.SIZE,
+        numbers=RandomState.SIZE, measured=Coordinates.SIZE,
+    ),
+    entry(
+        "rig.loop", "switch_correction", settings=(Settings.SIZE, Settings.COLUMNS),
+        memory=(Memory.SIZE, Memory.COLUMNS),
+    ),
     entry("rig.rig", "rig_rows"),
-    entry("rig.rig", "rig_start"),
-    entry("rig.rig", "rig_step"),
-    entry("rig.rig", "rig_balance"),
-    entry("rig.rig", "rig_imbalance"),
-    entry("rig.events", "rig_next_event"),
-    entry("rig.exchange", "rig_event"),
-    entry("rig.exchange", "rig_signals"),
-    entry("rig.exchange", "rig_rates"),
-    entry("rig.partials", "rig_partials"),
-    entry("crane._partials", "crane_load_partials"),
-    entry("crane._partials", "crane_energy_partials"),
+    entry(
+        "rig.rig", "rig_start", settings=(Settings.SIZE, Settings.COLUMNS),
+        changes=("changes", PayloadChange.SIZE), state=State.SIZE, setpoints=Setpoints.SIZE,
+        memory=(Memory.SIZE, Memory.COLUMNS),
+    ),
+    entry(
+        "rig.rig", "rig_step", settings=(Settings.SIZE, Settings.COLUMNS),
+        components=("sines", Sinusoid.SIZE), changes=("changes", PayloadChange.SIZE),
+        table=("nodes", Observer.SIZE, Observer.COLUMNS),
+        gains=("lengths", Gains.SIZE, Gains.COLUMNS), tracker=(Tracker.SIZE, Tracker.COLUMNS),
+        setpoints=Setpoints.SIZE, memory=(Memory.SIZE, Memory.COLUMNS),
+    ),
+    entry("rig.rig", "rig_balance", memory=(Memory.SIZE, Memory.COLUMNS), balance=Balance.SIZE),
+    entry("rig.rig", "rig_imbalance", balance=Balance.SIZE),
+    entry(
+        "rig.events", "rig_next_event", settings=(Settings.SIZE, Settings.COLUMNS),
+        memory=(Memory.SIZE, Memory.COLUMNS),
+    ),
+    entry(
+        "rig.exchange", "rig_event", settings=(Settings.SIZE, Settings.COLUMNS),
+        changes=("changes", PayloadChange.SIZE), table=("nodes", Observer.SIZE, Observer.COLUMNS),
+        gains=("lengths", Gains.SIZE, Gains.COLUMNS), tracker=(Tracker.SIZE, Tracker.COLUMNS),
+        setpoints=Setpoints.SIZE, memory=(Memory.SIZE, Memory.COLUMNS),
+    ),
+    entry(
+        "rig.exchange", "rig_signals", settings=(Settings.SIZE, Settings.COLUMNS),
+        memory=(Memory.SIZE, Memory.COLUMNS),
+    ),
+    entry(
+        "rig.exchange", "rig_rates", components=("sines", Sinusoid.SIZE), setpoints=Setpoints.SIZE,
+        memory=(Memory.SIZE, Memory.COLUMNS), derivative=PlantState.SIZE,
+    ),
+    entry(
+        "rig.partials", "rig_partials", components=("sines", Sinusoid.SIZE),
+        memory=(Memory.SIZE, Memory.COLUMNS), work=(LoadPartials.SIZE, CranePartials.SIZE),
+        partials=(RigPartials.SIZE, RigVariables.SIZE),
+    ),
+    entry(
+        "crane._partials", "crane_load_partials", state=State.SIZE,
+        partials=(LoadPartials.SIZE, State.SIZE),
+    ),
+    entry(
+        "crane._partials", "crane_energy_partials", state=State.SIZE, masses=Masses.SIZE,
+        partials=(Energies.SIZE, State.SIZE),
+    ),
 )

@@ -17,7 +17,12 @@ static PyObject *call_crane_rhs(
         && (in_generalized_force = take_array(&call, 1, 1, 'd', false)) != NULL
         && (in_load_force = take_array(&call, 2, 1, 'd', false)) != NULL
         && (in_masses = take_array(&call, 3, 1, 'd', false)) != NULL
-        && (in_derivative = take_array(&call, 4, 1, 'd', true)) != NULL) {
+        && (in_derivative = take_array(&call, 4, 1, 'd', true)) != NULL
+        && has_at_least(&call, "state", 0, in_state->shape[0], 10)
+        && has_at_least(&call, "generalized_force", 0, in_generalized_force->shape[0], 5)
+        && has_at_least(&call, "load_force", 0, in_load_force->shape[0], 3)
+        && has_at_least(&call, "masses", 0, in_masses->shape[0], 4)
+        && has_at_least(&call, "derivative", 0, in_derivative->shape[0], 10)) {
         segfmu_crane_rhs(
             (array_double_1d){in_state->buf, {in_state->shape[0]}},
             (array_double_1d){in_generalized_force->buf, {in_generalized_force->shape[0]}},
@@ -50,7 +55,14 @@ static PyObject *call_crane_driven(
         && (in_load_force = take_array(&call, 3, 1, 'd', false)) != NULL
         && (in_masses = take_array(&call, 4, 1, 'd', false)) != NULL
         && (in_derivative = take_array(&call, 5, 1, 'd', true)) != NULL
-        && (in_force = take_array(&call, 6, 1, 'd', true)) != NULL) {
+        && (in_force = take_array(&call, 6, 1, 'd', true)) != NULL
+        && has_at_least(&call, "state", 0, in_state->shape[0], 10)
+        && has_at_least(&call, "carriage", 0, in_carriage->shape[0], 3)
+        && has_at_least(&call, "generalized_force", 0, in_generalized_force->shape[0], 5)
+        && has_at_least(&call, "load_force", 0, in_load_force->shape[0], 3)
+        && has_at_least(&call, "masses", 0, in_masses->shape[0], 4)
+        && has_at_least(&call, "derivative", 0, in_derivative->shape[0], 10)
+        && has_at_least(&call, "force", 0, in_force->shape[0], 3)) {
         segfmu_crane_driven(
             (array_double_1d){in_state->buf, {in_state->shape[0]}},
             (array_double_1d){in_carriage->buf, {in_carriage->shape[0]}},
@@ -81,7 +93,13 @@ static PyObject *call_crane_flat_inverse(
         && (in_masses = take_array(&call, 1, 1, 'd', false)) != NULL
         && (in_force = take_array(&call, 2, 1, 'd', true)) != NULL
         && (in_state = take_array(&call, 3, 1, 'd', true)) != NULL
-        && (in_acceleration = take_array(&call, 4, 1, 'd', true)) != NULL) {
+        && (in_acceleration = take_array(&call, 4, 1, 'd', true)) != NULL
+        && has_at_least(&call, "flat", 0, in_flat->shape[0], 5)
+        && has_at_least(&call, "flat", 1, in_flat->shape[1], 3)
+        && has_at_least(&call, "masses", 0, in_masses->shape[0], 4)
+        && has_at_least(&call, "force", 0, in_force->shape[0], 3)
+        && has_at_least(&call, "state", 0, in_state->shape[0], 10)
+        && has_at_least(&call, "acceleration", 0, in_acceleration->shape[0], 5)) {
         segfmu_crane_flat_inverse(
             (array_double_2d){in_flat->buf, {in_flat->shape[0], in_flat->shape[1]}},
             (array_double_1d){in_masses->buf, {in_masses->shape[0]}},
@@ -104,7 +122,10 @@ static PyObject *call_crane_load(
     (void)self;
     if (take_count(&call, count, 2)
         && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_load = take_array(&call, 1, 2, 'd', true)) != NULL) {
+        && (in_load = take_array(&call, 1, 2, 'd', true)) != NULL
+        && has_at_least(&call, "state", 0, in_state->shape[0], 10)
+        && has_at_least(&call, "load", 0, in_load->shape[0], 2)
+        && has_at_least(&call, "load", 1, in_load->shape[1], 3)) {
         segfmu_crane_load(
             (array_double_1d){in_state->buf, {in_state->shape[0]}},
             (array_double_2d){in_load->buf, {in_load->shape[0], in_load->shape[1]}});
@@ -126,7 +147,10 @@ static PyObject *call_crane_energy(
     if (take_count(&call, count, 3)
         && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
         && (in_masses = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_energy = take_array(&call, 2, 1, 'd', true)) != NULL) {
+        && (in_energy = take_array(&call, 2, 1, 'd', true)) != NULL
+        && has_at_least(&call, "state", 0, in_state->shape[0], 10)
+        && has_at_least(&call, "masses", 0, in_masses->shape[0], 4)
+        && has_at_least(&call, "energy", 0, in_energy->shape[0], 2)) {
         segfmu_crane_energy(
             (array_double_1d){in_state->buf, {in_state->shape[0]}},
             (array_double_1d){in_masses->buf, {in_masses->shape[0]}},
@@ -147,7 +171,8 @@ static PyObject *call_seed_numbers(
     (void)self;
     if (take_count(&call, count, 2)
         && take_int(&call, 0, &in_seed)
-        && (in_numbers = take_array(&call, 1, 1, 'd', true)) != NULL) {
+        && (in_numbers = take_array(&call, 1, 1, 'd', true)) != NULL
+        && has_at_least(&call, "numbers", 0, in_numbers->shape[0], 2)) {
         segfmu_seed_numbers(
             in_seed,
             (array_double_1d){in_numbers->buf, {in_numbers->shape[0]}});
@@ -165,7 +190,8 @@ static PyObject *call_next_uniform(
     Py_buffer *in_numbers;
     (void)self;
     if (take_count(&call, count, 1)
-        && (in_numbers = take_array(&call, 0, 1, 'd', true)) != NULL) {
+        && (in_numbers = take_array(&call, 0, 1, 'd', true)) != NULL
+        && has_at_least(&call, "numbers", 0, in_numbers->shape[0], 2)) {
         answer = PyFloat_FromDouble(segfmu_next_uniform(
             (array_double_1d){in_numbers->buf, {in_numbers->shape[0]}}));
     }
@@ -187,7 +213,10 @@ static PyObject *call_noise_components(
         && take_float(&call, 0, &in_bandwidth)
         && (in_deviation = take_array(&call, 1, 1, 'd', false)) != NULL
         && (in_numbers = take_array(&call, 2, 1, 'd', true)) != NULL
-        && (in_components = take_array(&call, 3, 2, 'd', true)) != NULL) {
+        && (in_components = take_array(&call, 3, 2, 'd', true)) != NULL
+        && has_at_least(&call, "deviation", 0, in_deviation->shape[0], 3)
+        && has_at_least(&call, "numbers", 0, in_numbers->shape[0], 2)
+        && has_at_least(&call, "components", 1, in_components->shape[1], 7)) {
         segfmu_noise_components(
             in_bandwidth,
             (array_double_1d){in_deviation->buf, {in_deviation->shape[0]}},
@@ -213,7 +242,12 @@ static PyObject *call_feedback_correction(
         && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
         && (in_reference = take_array(&call, 1, 1, 'd', false)) != NULL
         && (in_gains = take_array(&call, 2, 3, 'd', false)) != NULL
-        && (in_correction = take_array(&call, 3, 1, 'd', true)) != NULL) {
+        && (in_correction = take_array(&call, 3, 1, 'd', true)) != NULL
+        && has_at_least(&call, "state", 0, in_state->shape[0], 10)
+        && has_at_least(&call, "reference", 0, in_reference->shape[0], 10)
+        && has_at_least(&call, "gains", 1, in_gains->shape[1], 4)
+        && has_at_least(&call, "gains", 2, in_gains->shape[2], 10)
+        && has_at_least(&call, "correction", 0, in_correction->shape[0], 3)) {
         segfmu_feedback_correction(
             (array_double_1d){in_state->buf, {in_state->shape[0]}},
             (array_double_1d){in_reference->buf, {in_reference->shape[0]}},
@@ -271,7 +305,10 @@ static PyObject *call_feedback_gains(
         && take_float(&call, 2, &in_bandwidth)
         && take_float(&call, 3, &in_hoist_bandwidth)
         && take_float(&call, 4, &in_damping)
-        && (in_gains = take_array(&call, 5, 2, 'd', true)) != NULL) {
+        && (in_gains = take_array(&call, 5, 2, 'd', true)) != NULL
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 5)
+        && has_at_least(&call, "gains", 0, in_gains->shape[0], 4)
+        && has_at_least(&call, "gains", 1, in_gains->shape[1], 10)) {
         segfmu_feedback_gains(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
             in_length,
@@ -303,7 +340,13 @@ static PyObject *call_observer_design(
         && take_float(&call, 2, &in_length)
         && (in_expected = take_array(&call, 3, 1, 'd', false)) != NULL
         && (in_work = take_array(&call, 4, 2, 'd', true)) != NULL
-        && (in_table = take_array(&call, 5, 2, 'd', true)) != NULL) {
+        && (in_table = take_array(&call, 5, 2, 'd', true)) != NULL
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 8)
+        && has_at_least(&call, "expected", 0, in_expected->shape[0], 5)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 72)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 16)
+        && has_at_least(&call, "table", 0, in_table->shape[0], 19)
+        && has_at_least(&call, "table", 1, in_table->shape[1], 10)) {
         segfmu_observer_design(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
             in_sample_time,
@@ -335,7 +378,14 @@ static PyObject *call_observer_predict(
         && (in_command = take_array(&call, 2, 1, 'd', false)) != NULL
         && (in_held = take_array(&call, 3, 1, 'd', false)) != NULL
         && (in_estimate = take_array(&call, 4, 2, 'd', true)) != NULL
-        && (in_scratch = take_array(&call, 5, 1, 'd', true)) != NULL) {
+        && (in_scratch = take_array(&call, 5, 1, 'd', true)) != NULL
+        && has_at_least(&call, "table", 1, in_table->shape[1], 19)
+        && has_at_least(&call, "table", 2, in_table->shape[2], 10)
+        && has_at_least(&call, "command", 0, in_command->shape[0], 3)
+        && has_at_least(&call, "held", 0, in_held->shape[0], 3)
+        && has_at_least(&call, "estimate", 0, in_estimate->shape[0], 3)
+        && has_at_least(&call, "estimate", 1, in_estimate->shape[1], 6)
+        && has_at_least(&call, "scratch", 0, in_scratch->shape[0], 8)) {
         segfmu_observer_predict(
             in_length,
             (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}},
@@ -365,7 +415,13 @@ static PyObject *call_observer_correct(
         && (in_table = take_array(&call, 1, 3, 'd', false)) != NULL
         && (in_measured = take_array(&call, 2, 1, 'd', false)) != NULL
         && (in_reference = take_array(&call, 3, 1, 'd', false)) != NULL
-        && (in_estimate = take_array(&call, 4, 2, 'd', true)) != NULL) {
+        && (in_estimate = take_array(&call, 4, 2, 'd', true)) != NULL
+        && has_at_least(&call, "table", 1, in_table->shape[1], 19)
+        && has_at_least(&call, "table", 2, in_table->shape[2], 10)
+        && has_at_least(&call, "measured", 0, in_measured->shape[0], 5)
+        && has_at_least(&call, "reference", 0, in_reference->shape[0], 5)
+        && has_at_least(&call, "estimate", 0, in_estimate->shape[0], 3)
+        && has_at_least(&call, "estimate", 1, in_estimate->shape[1], 6)) {
         segfmu_observer_correct(
             in_length,
             (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}},
@@ -394,7 +450,16 @@ static PyObject *call_track_setpoint(
         && (in_table = take_array(&call, 1, 3, 'd', false)) != NULL
         && (in_gains = take_array(&call, 2, 3, 'd', false)) != NULL
         && (in_tick = take_array(&call, 3, 2, 'd', true)) != NULL
-        && (in_memory = take_array(&call, 4, 2, 'd', true)) != NULL) {
+        && (in_memory = take_array(&call, 4, 2, 'd', true)) != NULL
+        && has_at_least(&call, "parameters", 0, in_parameters->shape[0], 27)
+        && has_at_least(&call, "table", 1, in_table->shape[1], 19)
+        && has_at_least(&call, "table", 2, in_table->shape[2], 10)
+        && has_at_least(&call, "gains", 1, in_gains->shape[1], 4)
+        && has_at_least(&call, "gains", 2, in_gains->shape[2], 10)
+        && has_at_least(&call, "tick", 0, in_tick->shape[0], 4)
+        && has_at_least(&call, "tick", 1, in_tick->shape[1], 10)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], 25)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 10)) {
         segfmu_track_setpoint(
             (array_double_1d){in_parameters->buf, {in_parameters->shape[0]}},
             (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}},
@@ -417,7 +482,10 @@ static PyObject *call_crane_load_partials(
     (void)self;
     if (take_count(&call, count, 2)
         && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_partials = take_array(&call, 1, 2, 'd', true)) != NULL) {
+        && (in_partials = take_array(&call, 1, 2, 'd', true)) != NULL
+        && has_at_least(&call, "state", 0, in_state->shape[0], 10)
+        && has_at_least(&call, "partials", 0, in_partials->shape[0], 6)
+        && has_at_least(&call, "partials", 1, in_partials->shape[1], 10)) {
         segfmu_crane_load_partials(
             (array_double_1d){in_state->buf, {in_state->shape[0]}},
             (array_double_2d){in_partials->buf, {in_partials->shape[0], in_partials->shape[1]}});
@@ -439,7 +507,11 @@ static PyObject *call_crane_energy_partials(
     if (take_count(&call, count, 3)
         && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
         && (in_masses = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_partials = take_array(&call, 2, 2, 'd', true)) != NULL) {
+        && (in_partials = take_array(&call, 2, 2, 'd', true)) != NULL
+        && has_at_least(&call, "state", 0, in_state->shape[0], 10)
+        && has_at_least(&call, "masses", 0, in_masses->shape[0], 4)
+        && has_at_least(&call, "partials", 0, in_partials->shape[0], 2)
+        && has_at_least(&call, "partials", 1, in_partials->shape[1], 10)) {
         segfmu_crane_energy_partials(
             (array_double_1d){in_state->buf, {in_state->shape[0]}},
             (array_double_1d){in_masses->buf, {in_masses->shape[0]}},
@@ -501,7 +573,12 @@ static PyObject *call_compensate_setpoints(
         && (in_acceleration = take_array(&call, 1, 1, 'd', false)) != NULL
         && (in_known = take_array(&call, 2, 1, 'd', false)) != NULL
         && (in_force = take_array(&call, 3, 1, 'd', true)) != NULL
-        && (in_setpoint = take_array(&call, 4, 1, 'd', true)) != NULL) {
+        && (in_setpoint = take_array(&call, 4, 1, 'd', true)) != NULL
+        && has_at_least(&call, "velocity", 0, in_velocity->shape[0], 3)
+        && has_at_least(&call, "acceleration", 0, in_acceleration->shape[0], 3)
+        && has_at_least(&call, "known", 0, in_known->shape[0], 10)
+        && has_at_least(&call, "force", 0, in_force->shape[0], 3)
+        && has_at_least(&call, "setpoint", 0, in_setpoint->shape[0], 3)) {
         segfmu_compensate_setpoints(
             (array_double_1d){in_velocity->buf, {in_velocity->shape[0]}},
             (array_double_1d){in_acceleration->buf, {in_acceleration->shape[0]}},
@@ -536,7 +613,13 @@ static PyObject *call_plant_advance(
         && take_float(&call, 4, &in_duration)
         && take_float(&call, 5, &in_tolerance)
         && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
-        && (in_report = take_array(&call, 7, 1, 'd', true)) != NULL) {
+        && (in_report = take_array(&call, 7, 1, 'd', true)) != NULL
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 37)
+        && has_at_least(&call, "components", 1, in_components->shape[1], 7)
+        && has_at_least(&call, "state", 0, in_state->shape[0], 13)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 20)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 13)
+        && has_at_least(&call, "report", 0, in_report->shape[0], 13)) {
         answer = PyLong_FromLongLong(segfmu_plant_advance(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
             (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}},
@@ -1023,7 +1106,11 @@ static PyObject *call_measure_state(
         && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
         && (in_sensors = take_array(&call, 1, 1, 'd', false)) != NULL
         && (in_numbers = take_array(&call, 2, 1, 'd', true)) != NULL
-        && (in_measured = take_array(&call, 3, 1, 'd', true)) != NULL) {
+        && (in_measured = take_array(&call, 3, 1, 'd', true)) != NULL
+        && has_at_least(&call, "state", 0, in_state->shape[0], 5)
+        && has_at_least(&call, "sensors", 0, in_sensors->shape[0], 18)
+        && has_at_least(&call, "numbers", 0, in_numbers->shape[0], 2)
+        && has_at_least(&call, "measured", 0, in_measured->shape[0], 5)) {
         segfmu_measure_state(
             (array_double_1d){in_state->buf, {in_state->shape[0]}},
             (array_double_1d){in_sensors->buf, {in_sensors->shape[0]}},
@@ -1045,7 +1132,11 @@ static PyObject *call_rig_next_event(
     (void)self;
     if (take_count(&call, count, 2)
         && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
-        && (in_memory = take_array(&call, 1, 2, 'd', false)) != NULL) {
+        && (in_memory = take_array(&call, 1, 2, 'd', false)) != NULL
+        && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 37)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)) {
         answer = PyFloat_FromDouble(segfmu_rig_next_event(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}}));
@@ -1064,7 +1155,11 @@ static PyObject *call_switch_correction(
     (void)self;
     if (take_count(&call, count, 2)
         && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
-        && (in_memory = take_array(&call, 1, 2, 'd', true)) != NULL) {
+        && (in_memory = take_array(&call, 1, 2, 'd', true)) != NULL
+        && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 37)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)) {
         segfmu_switch_correction(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}});
@@ -1096,7 +1191,19 @@ static PyObject *call_rig_event(
         && (in_tracker = take_array(&call, 4, 2, 'd', true)) != NULL
         && (in_setpoints = take_array(&call, 5, 1, 'd', false)) != NULL
         && take_float(&call, 6, &in_time)
-        && (in_memory = take_array(&call, 7, 2, 'd', true)) != NULL) {
+        && (in_memory = take_array(&call, 7, 2, 'd', true)) != NULL
+        && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 37)
+        && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
+        && has_at_least(&call, "table", 1, in_table->shape[1], 19)
+        && has_at_least(&call, "table", 2, in_table->shape[2], 10)
+        && has_at_least(&call, "gains", 1, in_gains->shape[1], 4)
+        && has_at_least(&call, "gains", 2, in_gains->shape[2], 10)
+        && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 25)
+        && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 10)
+        && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)) {
         segfmu_rig_event(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_changes->buf, {in_changes->shape[0], in_changes->shape[1]}},
@@ -1124,7 +1231,11 @@ static PyObject *call_rig_signals(
     if (take_count(&call, count, 3)
         && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
         && take_float(&call, 1, &in_time)
-        && (in_memory = take_array(&call, 2, 2, 'd', true)) != NULL) {
+        && (in_memory = take_array(&call, 2, 2, 'd', true)) != NULL
+        && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 37)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)) {
         segfmu_rig_signals(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             in_time,
@@ -1151,7 +1262,12 @@ static PyObject *call_rig_rates(
         && (in_setpoints = take_array(&call, 1, 1, 'd', false)) != NULL
         && take_float(&call, 2, &in_time)
         && (in_memory = take_array(&call, 3, 2, 'd', true)) != NULL
-        && (in_derivative = take_array(&call, 4, 1, 'd', true)) != NULL) {
+        && (in_derivative = take_array(&call, 4, 1, 'd', true)) != NULL
+        && has_at_least(&call, "components", 1, in_components->shape[1], 7)
+        && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)
+        && has_at_least(&call, "derivative", 0, in_derivative->shape[0], 13)) {
         answer = PyLong_FromLongLong(segfmu_rig_rates(
             (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}},
             (array_double_1d){in_setpoints->buf, {in_setpoints->shape[0]}},
@@ -1179,7 +1295,14 @@ static PyObject *call_rig_partials(
         && take_float(&call, 1, &in_time)
         && (in_memory = take_array(&call, 2, 2, 'd', false)) != NULL
         && (in_work = take_array(&call, 3, 2, 'd', true)) != NULL
-        && (in_partials = take_array(&call, 4, 2, 'd', true)) != NULL) {
+        && (in_partials = take_array(&call, 4, 2, 'd', true)) != NULL
+        && has_at_least(&call, "components", 1, in_components->shape[1], 7)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 6)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 18)
+        && has_at_least(&call, "partials", 0, in_partials->shape[0], 12)
+        && has_at_least(&call, "partials", 1, in_partials->shape[1], 17)) {
         answer = PyBool_FromLong(segfmu_rig_partials(
             (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}},
             in_time,
@@ -1228,7 +1351,14 @@ static PyObject *call_rig_start(
         && (in_state = take_array(&call, 2, 1, 'd', false)) != NULL
         && (in_setpoints = take_array(&call, 3, 1, 'd', false)) != NULL
         && take_float(&call, 4, &in_start)
-        && (in_memory = take_array(&call, 5, 2, 'd', true)) != NULL) {
+        && (in_memory = take_array(&call, 5, 2, 'd', true)) != NULL
+        && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 37)
+        && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
+        && has_at_least(&call, "state", 0, in_state->shape[0], 10)
+        && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)) {
         segfmu_rig_start(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_changes->buf, {in_changes->shape[0], in_changes->shape[1]}},
@@ -1266,7 +1396,20 @@ static PyObject *call_rig_step(
         && (in_tracker = take_array(&call, 5, 2, 'd', true)) != NULL
         && (in_setpoints = take_array(&call, 6, 1, 'd', false)) != NULL
         && take_float(&call, 7, &in_duration)
-        && (in_memory = take_array(&call, 8, 2, 'd', true)) != NULL) {
+        && (in_memory = take_array(&call, 8, 2, 'd', true)) != NULL
+        && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 37)
+        && has_at_least(&call, "components", 1, in_components->shape[1], 7)
+        && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
+        && has_at_least(&call, "table", 1, in_table->shape[1], 19)
+        && has_at_least(&call, "table", 2, in_table->shape[2], 10)
+        && has_at_least(&call, "gains", 1, in_gains->shape[1], 4)
+        && has_at_least(&call, "gains", 2, in_gains->shape[2], 10)
+        && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 25)
+        && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 10)
+        && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)) {
         answer = PyLong_FromLongLong(segfmu_rig_step(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}},
@@ -1292,7 +1435,10 @@ static PyObject *call_rig_balance(
     (void)self;
     if (take_count(&call, count, 2)
         && (in_memory = take_array(&call, 0, 2, 'd', true)) != NULL
-        && (in_balance = take_array(&call, 1, 1, 'd', true)) != NULL) {
+        && (in_balance = take_array(&call, 1, 1, 'd', true)) != NULL
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)
+        && has_at_least(&call, "balance", 0, in_balance->shape[0], 7)) {
         segfmu_rig_balance(
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}},
             (array_double_1d){in_balance->buf, {in_balance->shape[0]}});
@@ -1310,7 +1456,8 @@ static PyObject *call_rig_imbalance(
     Py_buffer *in_balance;
     (void)self;
     if (take_count(&call, count, 1)
-        && (in_balance = take_array(&call, 0, 1, 'd', false)) != NULL) {
+        && (in_balance = take_array(&call, 0, 1, 'd', false)) != NULL
+        && has_at_least(&call, "balance", 0, in_balance->shape[0], 7)) {
         answer = PyFloat_FromDouble(segfmu_rig_imbalance(
             (array_double_1d){in_balance->buf, {in_balance->shape[0]}}));
     }

@@ -1,6 +1,6 @@
 """What happens at times of its own: samples, changes of the payload, ends of a gust.
 
-`settings`, `changes` and `memory` are told in kernels/rig/rig.py.
+`settings`, `changes` and `memory` are described in kernels/rig/rig.py.
 """
 
 from segfmu.kernels.crane._crane import crane_energy

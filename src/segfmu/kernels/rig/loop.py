@@ -1,6 +1,6 @@
 """The sampled controller and the drives' commands between two events.
 
-`settings`, `setpoints` and `memory` are told in kernels/rig/rig.py.
+`settings`, `setpoints` and `memory` are described in kernels/rig/rig.py.
 """
 
 from math import exp
