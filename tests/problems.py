@@ -7,10 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 from hypothesis import strategies as st
 
+from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters
 from segfmu.kernels.planner.phases import measure_phases
 from segfmu.kernels.planner.profile import shortest_profile
 from segfmu.kernels.planner.records import Axis, Cell, PlanWork, Problem
-from segfmu.kernels.planner.transition import axis_limits, ramp_parameters
 
 
 def work_space() -> np.ndarray:

@@ -22,8 +22,8 @@ from segfmu.kernels.control import feedback, observer, tracking
 from segfmu.kernels.crane import _crane, compensation, plant, rope
 from segfmu.kernels.crane.records import RopeWork
 from segfmu.kernels.numerics import noise
+from segfmu.kernels.planner import parameters, profile, synchronize
 from segfmu.kernels.planner import plan as plan_kernel
-from segfmu.kernels.planner import profile, synchronize, transition
 from segfmu.kernels.planner.records import Axis, Cell, Phase, PlanWork, Problem
 from segfmu.kernels.rig import rig
 from segfmu.kernels.trajectory import evaluate, expand
@@ -36,7 +36,7 @@ compiled = pytest.importorskip(
     "segfmu.kernels._compiled", reason="the kernels were installed without a C compiler"
 )
 INTERPRETED = SimpleNamespace(
-    axis_limits=transition.axis_limits, ramp_parameters=transition.ramp_parameters,
+    axis_limits=parameters.axis_limits, ramp_parameters=parameters.ramp_parameters,
     shortest_profile=profile.shortest_profile, timed_profile=synchronize.timed_profile,
 )
 MASSES = (2.2, 1.155, 1.0, 9.81)

@@ -43,9 +43,9 @@ def entry(module: str, name: str, /, **extents: Extent | tuple[Extent, ...]) -> 
 
 
 ENTRY_POINTS = (
-    entry("planner.transition", "axis_limits", limits="smoothness + 1", axis=Axis.SIZE),
-    entry("planner.transition", "ramp_parameters", axis=Axis.SIZE, work=(2, 12)),
-    entry("planner.transition", "ramp_duration", axis=Axis.SIZE),
+    entry("planner.parameters", "axis_limits", limits="smoothness + 1", axis=Axis.SIZE),
+    entry("planner.parameters", "ramp_parameters", axis=Axis.SIZE, work=(2, 12)),
+    entry("planner.ramp", "ramp_duration", axis=Axis.SIZE),
     entry("planner.phases", "measure_phases", phases=("count", Phase.SIZE), axis=Axis.SIZE),
     entry(
         "planner.profile", "shortest_profile", problem=Problem.SIZE, axis=Axis.SIZE,
@@ -66,7 +66,7 @@ ENTRY_POINTS = (
         cells=("cells", Cell.SIZE, Cell.COLUMNS),
     ),
     entry(
-        "trajectory.expand", "expand_phases", phases=("count", Phase.SIZE), axis=Axis.SIZE,
+        "trajectory.pieces", "expand_phases", phases=("count", Phase.SIZE), axis=Axis.SIZE,
         timing=("rows", Timing.SIZE), coefficients=("rows", 4),
         work=(Expansion.SIZE, Expansion.COLUMNS),
     ),

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from hypothesis import example, given, settings
 
-from segfmu.kernels.planner.transition import ramp_duration
-from segfmu.kernels.trajectory.expand import expand_phases
+from segfmu.kernels.planner.ramp import ramp_duration
+from segfmu.kernels.trajectory.pieces import expand_phases
 from segfmu.kernels.trajectory.records import Expansion, PieceState
 from tests.problems import AxisProblem, axis_problems
 

@@ -9,17 +9,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters
+from segfmu.kernels.planner.ramp import ramp_change, ramp_distance, ramp_duration
+from segfmu.kernels.planner.ramp_peak import ramp_extreme_velocity
 from segfmu.kernels.planner.records import Axis
-from segfmu.kernels.planner.transition import (
-    axis_limits,
-    ramp_change,
-    ramp_distance,
-    ramp_duration,
-    ramp_extreme_velocity,
-    ramp_parameters,
-    transition_coefficients,
-    transition_peaks,
-)
+from segfmu.kernels.planner.transition import transition_coefficients, transition_peaks
 from tests.problems import packed_axis, work_space
 
 

@@ -8,7 +8,7 @@ import pytest
 from segfmu import Limits, Waypoint, plan
 from segfmu.kernels.planner.records import Axis
 from segfmu.kernels.trajectory.evaluate import evaluate, evaluate_orders, find_piece
-from segfmu.kernels.trajectory.expand import expand_phases
+from segfmu.kernels.trajectory.pieces import expand_phases
 from segfmu.kernels.trajectory.records import Expansion, PieceState
 
 

@@ -92,12 +92,6 @@ static double first_negative(int64_t count, double length, array_double_2d work)
 static double value_at(int64_t demand, double local, double gravity, int64_t width, array_double_2d work);
 static double worst_value(int64_t demand, double first, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work);
 static double root_share(double a, double b, double c, double f_a, double f_b, double f_c);
-static void transition_coefficients(int64_t order, array_double_1d coefficients);
-static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s);
-static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks);
-static void plateau_curve(double share, array_double_1d axis, array_double_1d psi, array_double_1d peaks);
-static bool plateau_parameters(double share, array_double_1d axis, array_double_1d psi, array_double_1d peaks);
-static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, array_double_1d peaks);
 static int64_t slowest_root(double* result_0, double* result_1_0001, double change, int64_t first, array_double_1d axis);
 static double ramp_rise(double duration, array_double_1d axis);
 static int64_t fastest_power(double* result_0, double* result_1_0001, double duration, int64_t first, array_double_1d axis);
@@ -184,6 +178,12 @@ static double first_feasible(double outside, double inside, array_double_2d cell
 static double next_feasible(double start, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static double round_up(double duration, double sample_time);
 static double common_duration(double start, double sample_time, int64_t first, int64_t last, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static void transition_coefficients(int64_t order, array_double_1d coefficients);
+static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s);
+static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks);
+static void plateau_curve(double share, array_double_1d axis, array_double_1d psi, array_double_1d peaks);
+static bool plateau_parameters(double share, array_double_1d axis, array_double_1d psi, array_double_1d peaks);
+static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, array_double_1d peaks);
 static int64_t check_waypoints(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_1d report);
 static bool distribute(int64_t first, int64_t last, double target, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static bool rewrite_intervals(int64_t first, int64_t last, array_double_2d axes, array_double_3d cells, array_double_2d work);
@@ -4561,255 +4561,6 @@ static double root_share(double a, double b, double c, double f_a, double f_b, d
     least = 2e-16 * span_max(fabs(a), fabs(b)) / fabs(b - a);
     return span_max(span_min(share, 1.0 - least), least);
 }
-/*Coefficients of Psi(s, 1) of (12) in ascending powers of s; 2 order + 2 of them. */
-static void transition_coefficients(int64_t order, array_double_1d coefficients)
-{
-    int64_t i;
-    double scale;
-    double binomial;
-    for (i = INT64_C(0); i < INT64_C(2) * order + INT64_C(2); i += INT64_C(1))
-    {
-        (*cspan_at(&coefficients, i)) = 0.0;
-    }
-    /*Psi' is (2k+1)!/(k!)^2 s^k (1-s)^k; expanding the binomial gives the sum in (12).*/
-    scale = 1.0;
-    for (i = INT64_C(1); i < order + INT64_C(1); i += INT64_C(1))
-    {
-        scale = scale * (order + INT64_C(1) + i) / i;
-    }
-    scale = scale * (order + INT64_C(1));
-    binomial = 1.0;
-    for (i = INT64_C(0); i < order + INT64_C(1); i += INT64_C(1))
-    {
-        (*cspan_at(&coefficients, order + INT64_C(1) + i)) = scale * binomial / (order + INT64_C(1) + i);
-        binomial = (-binomial) * (order - i) / (i + INT64_C(1));
-    }
-}
-/*Value at s of a derivative of the polynomial with `count` ascending coefficients.*/
-static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s)
-{
-    int64_t j;
-    int64_t i;
-    double factor;
-    int64_t m;
-    double value;
-    value = 0.0;
-    for (j = INT64_C(0); j < count - times; j += INT64_C(1))
-    {
-        i = count - INT64_C(1) - j;
-        factor = 1.0;
-        for (m = INT64_C(0); m < times; m += INT64_C(1))
-        {
-            factor = factor * (i - m);
-        }
-        value = value * s + factor * (*cspan_at(&coefficients, i));
-    }
-    return value;
-}
-/*M_j of errata E3: peaks[j] = max over [0, 1] of |d^j Psi / ds^j|, j = 1 .. order + 1.          */
-/*                                                                                               */
-/*    `coefficients` is work space for 2 order + 2 numbers. All extrema of these derivatives of  */
-/*    s^k (1-s)^k lie in [0, 1]; the largest is the first one, next to s = 0, or the end itself. */
-/*                                                                                               */
-static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks)
-{
-    int64_t count;
-    int64_t samples;
-    int64_t j;
-    double best;
-    int64_t at;
-    int64_t i;
-    double value;
-    double lower;
-    double upper;
-    double left;
-    double middle;
-    double slope;
-    count = INT64_C(2) * order + INT64_C(2);
-    transition_coefficients(order, coefficients);
-    (*cspan_at(&peaks, INT64_C(0))) = 1.0;
-    samples = INT64_C(64) * (order + INT64_C(1));
-    for (j = INT64_C(1); j < order + INT64_C(2); j += INT64_C(1))
-    {
-        best = 0.0;
-        at = INT64_C(0);
-        for (i = INT64_C(0); i < samples + INT64_C(1); i += INT64_C(1))
-        {
-            value = fabs(polynomial_derivative(coefficients, count, j, i / (2.0 * samples)));
-            if (value > best)
-            {
-                best = value;
-                at = i;
-            }
-        }
-        lower = (at - INT64_C(1)) / (2.0 * samples);
-        upper = (at + INT64_C(1)) / (2.0 * samples);
-        if (at == INT64_C(0))
-        {
-            lower = 0.0;
-        }
-        /*bisect the next derivative, which changes sign at an interior extremum*/
-        left = polynomial_derivative(coefficients, count, j + INT64_C(1), lower);
-        for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
-        {
-            middle = 0.5 * (lower + upper);
-            slope = polynomial_derivative(coefficients, count, j + INT64_C(1), middle);
-            if (slope * left > 0.0)
-            {
-                lower = middle;
-            }
-            else
-            {
-                upper = middle;
-            }
-        }
-        value = fabs(polynomial_derivative(coefficients, count, j, 0.5 * (lower + upper)));
-        if (value > best)
-        {
-            best = value;
-        }
-        (*cspan_at(&peaks, j)) = best;
-    }
-}
-/*Set smoothness, shape and limits of an axis (Axis): limits[i] is c_{i+1}, 0 where absent.*/
-void segfmu_axis_limits(int64_t smoothness, int64_t shape, array_double_1d limits, array_double_1d axis)
-{
-    int64_t i;
-    for (i = INT64_C(0); i < INT64_C(38); i += INT64_C(1))
-    {
-        (*cspan_at(&axis, i)) = 0.0;
-    }
-    (*cspan_at(&axis, INT64_C(0))) = smoothness;
-    (*cspan_at(&axis, INT64_C(1))) = shape;
-    for (i = INT64_C(0); i < smoothness + INT64_C(1); i += INT64_C(1))
-    {
-        (*cspan_at(&axis, INT64_C(2) + i)) = (*cspan_at(&limits, i));
-    }
-}
-/*Set the curved part of a ramp with a plateau and its variance; M_j of its rise in `peaks`. */
-static void plateau_curve(double share, array_double_1d axis, array_double_1d psi, array_double_1d peaks)
-{
-    int64_t k;
-    bool steep;
-    int64_t j;
-    double flat;
-    k = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
-    steep = (k > INT64_C(1)) && ((*cspan_at(&axis, INT64_C(4) + INT64_C(1))) > 0.0);
-    for (j = INT64_C(2); j < k + INT64_C(1); j += INT64_C(1))
-    {
-        if ((*cspan_at(&axis, INT64_C(4) + j)) > 0.0)
-        {
-            steep = 0;
-        }
-    }
-    if (steep)
-    {
-        transition_coefficients(k - INT64_C(2), psi);
-        (*cspan_at(&peaks, INT64_C(1))) = 1.0 / (1.0 - share);
-        flat = 1.0 - share;
-        (*cspan_at(&axis, INT64_C(17))) = flat * flat / 12.0 + share * share / (4.0 * (INT64_C(2) * k - INT64_C(1)));
-        (*cspan_at(&axis, INT64_C(27))) = 2.0 * k - 2.0;
-        (*cspan_at(&axis, INT64_C(26))) = share;
-        for (j = INT64_C(0); j < INT64_C(2) * k - INT64_C(2); j += INT64_C(1))
-        {
-            (*cspan_at(&axis, INT64_C(28) + j)) = (*cspan_at(&psi, j));
-        }
-    }
-    else
-    {
-        transition_peaks(k - INT64_C(1), psi, peaks);
-        (*cspan_at(&axis, INT64_C(17))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(1)));
-        (*cspan_at(&axis, INT64_C(27))) = 2.0 * k + 1.0;
-        for (j = INT64_C(0); j < INT64_C(2) * k; j += INT64_C(1))
-        {
-            (*cspan_at(&axis, INT64_C(28) + INT64_C(1) + j)) = (*cspan_at(&psi, j)) / (j + 1.0);
-        }
-    }
-}
-/*`ramp_parameters` where the jerk has a plateau.*/
-static bool plateau_parameters(double share, array_double_1d axis, array_double_1d psi, array_double_1d peaks)
-{
-    int64_t k;
-    double jerk;
-    double rise;
-    int64_t j;
-    double limit;
-    double power;
-    bool bounded;
-    k = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
-    jerk = (*cspan_at(&axis, INT64_C(4)));
-    (*cspan_at(&axis, INT64_C(10))) = 1.0;
-    (*cspan_at(&axis, INT64_C(16))) = 1.0 / 12.0;
-    plateau_curve(share, axis, psi, peaks);
-    bounded = 0;
-    rise = 0.0;
-    for (j = INT64_C(1); j < k + INT64_C(1); j += INT64_C(1))
-    {
-        limit = (*cspan_at(&axis, INT64_C(4) + j));
-        if (limit > 0.0)
-        {
-            power = (*cspan_at(&peaks, j)) / limit;
-            (*cspan_at(&axis, INT64_C(18) + j)) = power;
-            rise = span_max(rise, pow((jerk * power), (1.0 / j)));
-            bounded = 1;
-        }
-    }
-    if ((jerk > 0.0) && (!bounded))
-    {
-        (*cspan_at(&axis, INT64_C(12))) = share;
-        bounded = 1;
-    }
-    (*cspan_at(&axis, INT64_C(11))) = rise;
-    if (jerk > 0.0)
-    {
-        (*cspan_at(&axis, INT64_C(13))) = jerk * rise;
-        (*cspan_at(&axis, INT64_C(14))) = 1.0 / (jerk * (1.0 - (*cspan_at(&axis, INT64_C(12)))));
-        (*cspan_at(&axis, INT64_C(15))) = rise;
-    }
-    return bounded;
-}
-/*`ramp_parameters` of the polynomial of order k = n - 2.*/
-static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, array_double_1d peaks)
-{
-    int64_t k;
-    int64_t j;
-    double limit;
-    double slope;
-    int64_t e;
-    double change;
-    bool bounded;
-    k = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
-    bounded = 0;
-    transition_peaks(k, psi, peaks);
-    (*cspan_at(&axis, INT64_C(27))) = 2.0 * k + 2.0;
-    for (j = INT64_C(0); j < INT64_C(2) * k + INT64_C(2); j += INT64_C(1))
-    {
-        (*cspan_at(&axis, INT64_C(28) + j)) = (*cspan_at(&psi, j));
-    }
-    (*cspan_at(&axis, INT64_C(16))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(3)));
-    for (j = INT64_C(1); j < k + INT64_C(2); j += INT64_C(1))
-    {
-        limit = (*cspan_at(&axis, INT64_C(4) + j - INT64_C(1)));
-        if (limit > 0.0)
-        {
-            (*cspan_at(&axis, INT64_C(18) + j - INT64_C(1))) = (*cspan_at(&peaks, j)) / limit;
-            bounded = 1;
-        }
-    }
-    slope = (*cspan_at(&axis, INT64_C(18)));
-    if (slope > 0.0)
-    {
-        (*cspan_at(&axis, INT64_C(13))) = 0.0;
-        (*cspan_at(&axis, INT64_C(14))) = slope;
-        for (e = INT64_C(2); e < k + INT64_C(2); e += INT64_C(1))
-        {
-            /*where the root of the order e is no longer than the linear duration*/
-            change = pow(((*cspan_at(&axis, INT64_C(18) + e - INT64_C(1))) / pow(slope, (double)(e))), (1.0 / (e - INT64_C(1))));
-            (*cspan_at(&axis, INT64_C(13))) = span_max((*cspan_at(&axis, INT64_C(13))), change);
-        }
-    }
-    return bounded;
-}
 /*max over e >= first of (q_e change)^(1/e), and its derivative with the change. */
 static int64_t slowest_root(double* result_0, double* result_1_0001, double change, int64_t first, array_double_1d axis)
 {
@@ -4884,44 +4635,6 @@ int64_t segfmu_ramp_duration(double* result_0_0001, double* result_1, double* re
     (*result_1) = root;
     (*result_2) = 2.0 * slope;
     return 0;
-}
-/*Set the ramp parameters of an axis whose limits are set (Axis).                                      */
-/*                                                                                                     */
-/*    share is that of a plateau which each of its rises takes when no limit bounds that rise: the     */
-/*    smaller, the faster, and the larger the derivatives that are not bounded. `work` has two rows of */
-/*    2 smoothness numbers or more. Returns False where no limit bounds the ramp.                      */
-/*                                                                                                     */
-bool segfmu_ramp_parameters(double share, array_double_1d axis, array_double_2d work)
-{
-    int64_t smoothness;
-    int64_t shape;
-    int64_t i;
-    double duration;
-    double rise;
-    double slope;
-    bool bounded;
-    smoothness = (int64_t)((*cspan_at(&axis, INT64_C(0))));
-    shape = (int64_t)((*cspan_at(&axis, INT64_C(1))));
-    for (i = INT64_C(9); i < INT64_C(38); i += INT64_C(1))
-    {
-        (*cspan_at(&axis, i)) = 0.0;
-    }
-    (*cspan_at(&axis, INT64_C(13))) = -1.0;
-    bounded = 0;
-    if ((shape == INT64_C(1)) && (smoothness > INT64_C(2)))
-    {
-        bounded = plateau_parameters(share, axis, span_row(&work, INT64_C(0)), span_row(&work, INT64_C(1)));
-    }
-    else
-    {
-        bounded = smoothstep_parameters(axis, span_row(&work, INT64_C(0)), span_row(&work, INT64_C(1)));
-    }
-    if (bounded)
-    {
-        segfmu_ramp_duration(&duration, &rise, &slope, (*cspan_at(&axis, INT64_C(3))), axis);
-        (*cspan_at(&axis, INT64_C(9))) = duration;
-    }
-    return bounded;
 }
 /*Duration of the jerk rise of the ramp that lasts `duration`. */
 static double ramp_rise(double duration, array_double_1d axis)
@@ -8089,6 +7802,293 @@ static double common_duration(double start, double sample_time, int64_t first, i
         }
     }
     return -1.0;
+}
+/*Coefficients of Psi(s, 1) of (12) in ascending powers of s; 2 order + 2 of them. */
+static void transition_coefficients(int64_t order, array_double_1d coefficients)
+{
+    int64_t i;
+    double scale;
+    double binomial;
+    for (i = INT64_C(0); i < INT64_C(2) * order + INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&coefficients, i)) = 0.0;
+    }
+    /*Psi' is (2k+1)!/(k!)^2 s^k (1-s)^k; expanding the binomial gives the sum in (12).*/
+    scale = 1.0;
+    for (i = INT64_C(1); i < order + INT64_C(1); i += INT64_C(1))
+    {
+        scale = scale * (order + INT64_C(1) + i) / i;
+    }
+    scale = scale * (order + INT64_C(1));
+    binomial = 1.0;
+    for (i = INT64_C(0); i < order + INT64_C(1); i += INT64_C(1))
+    {
+        (*cspan_at(&coefficients, order + INT64_C(1) + i)) = scale * binomial / (order + INT64_C(1) + i);
+        binomial = (-binomial) * (order - i) / (i + INT64_C(1));
+    }
+}
+/*Value at s of a derivative of the polynomial with `count` ascending coefficients.*/
+static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s)
+{
+    int64_t j;
+    int64_t i;
+    double factor;
+    int64_t m;
+    double value;
+    value = 0.0;
+    for (j = INT64_C(0); j < count - times; j += INT64_C(1))
+    {
+        i = count - INT64_C(1) - j;
+        factor = 1.0;
+        for (m = INT64_C(0); m < times; m += INT64_C(1))
+        {
+            factor = factor * (i - m);
+        }
+        value = value * s + factor * (*cspan_at(&coefficients, i));
+    }
+    return value;
+}
+/*M_j of errata E3: peaks[j] = max over [0, 1] of |d^j Psi / ds^j|, j = 1 .. order + 1.          */
+/*                                                                                               */
+/*    `coefficients` is work space for 2 order + 2 numbers. All extrema of these derivatives of  */
+/*    s^k (1-s)^k lie in [0, 1]; the largest is the first one, next to s = 0, or the end itself. */
+/*                                                                                               */
+static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks)
+{
+    int64_t count;
+    int64_t samples;
+    int64_t j;
+    double best;
+    int64_t at;
+    int64_t i;
+    double value;
+    double lower;
+    double upper;
+    double left;
+    double middle;
+    double slope;
+    count = INT64_C(2) * order + INT64_C(2);
+    transition_coefficients(order, coefficients);
+    (*cspan_at(&peaks, INT64_C(0))) = 1.0;
+    samples = INT64_C(64) * (order + INT64_C(1));
+    for (j = INT64_C(1); j < order + INT64_C(2); j += INT64_C(1))
+    {
+        best = 0.0;
+        at = INT64_C(0);
+        for (i = INT64_C(0); i < samples + INT64_C(1); i += INT64_C(1))
+        {
+            value = fabs(polynomial_derivative(coefficients, count, j, i / (2.0 * samples)));
+            if (value > best)
+            {
+                best = value;
+                at = i;
+            }
+        }
+        lower = (at - INT64_C(1)) / (2.0 * samples);
+        upper = (at + INT64_C(1)) / (2.0 * samples);
+        if (at == INT64_C(0))
+        {
+            lower = 0.0;
+        }
+        /*bisect the next derivative, which changes sign at an interior extremum*/
+        left = polynomial_derivative(coefficients, count, j + INT64_C(1), lower);
+        for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+        {
+            middle = 0.5 * (lower + upper);
+            slope = polynomial_derivative(coefficients, count, j + INT64_C(1), middle);
+            if (slope * left > 0.0)
+            {
+                lower = middle;
+            }
+            else
+            {
+                upper = middle;
+            }
+        }
+        value = fabs(polynomial_derivative(coefficients, count, j, 0.5 * (lower + upper)));
+        if (value > best)
+        {
+            best = value;
+        }
+        (*cspan_at(&peaks, j)) = best;
+    }
+}
+/*Set smoothness, shape and limits of an axis (Axis): limits[i] is c_{i+1}, 0 where absent.*/
+void segfmu_axis_limits(int64_t smoothness, int64_t shape, array_double_1d limits, array_double_1d axis)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < INT64_C(38); i += INT64_C(1))
+    {
+        (*cspan_at(&axis, i)) = 0.0;
+    }
+    (*cspan_at(&axis, INT64_C(0))) = smoothness;
+    (*cspan_at(&axis, INT64_C(1))) = shape;
+    for (i = INT64_C(0); i < smoothness + INT64_C(1); i += INT64_C(1))
+    {
+        (*cspan_at(&axis, INT64_C(2) + i)) = (*cspan_at(&limits, i));
+    }
+}
+/*Set the curved part of a ramp with a plateau and its variance; M_j of its rise in `peaks`. */
+static void plateau_curve(double share, array_double_1d axis, array_double_1d psi, array_double_1d peaks)
+{
+    int64_t k;
+    bool steep;
+    int64_t j;
+    double flat;
+    k = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
+    steep = (k > INT64_C(1)) && ((*cspan_at(&axis, INT64_C(4) + INT64_C(1))) > 0.0);
+    for (j = INT64_C(2); j < k + INT64_C(1); j += INT64_C(1))
+    {
+        if ((*cspan_at(&axis, INT64_C(4) + j)) > 0.0)
+        {
+            steep = 0;
+        }
+    }
+    if (steep)
+    {
+        transition_coefficients(k - INT64_C(2), psi);
+        (*cspan_at(&peaks, INT64_C(1))) = 1.0 / (1.0 - share);
+        flat = 1.0 - share;
+        (*cspan_at(&axis, INT64_C(17))) = flat * flat / 12.0 + share * share / (4.0 * (INT64_C(2) * k - INT64_C(1)));
+        (*cspan_at(&axis, INT64_C(27))) = 2.0 * k - 2.0;
+        (*cspan_at(&axis, INT64_C(26))) = share;
+        for (j = INT64_C(0); j < INT64_C(2) * k - INT64_C(2); j += INT64_C(1))
+        {
+            (*cspan_at(&axis, INT64_C(28) + j)) = (*cspan_at(&psi, j));
+        }
+    }
+    else
+    {
+        transition_peaks(k - INT64_C(1), psi, peaks);
+        (*cspan_at(&axis, INT64_C(17))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(1)));
+        (*cspan_at(&axis, INT64_C(27))) = 2.0 * k + 1.0;
+        for (j = INT64_C(0); j < INT64_C(2) * k; j += INT64_C(1))
+        {
+            (*cspan_at(&axis, INT64_C(28) + INT64_C(1) + j)) = (*cspan_at(&psi, j)) / (j + 1.0);
+        }
+    }
+}
+/*`ramp_parameters` where the jerk has a plateau.*/
+static bool plateau_parameters(double share, array_double_1d axis, array_double_1d psi, array_double_1d peaks)
+{
+    int64_t k;
+    double jerk;
+    double rise;
+    int64_t j;
+    double limit;
+    double power;
+    bool bounded;
+    k = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
+    jerk = (*cspan_at(&axis, INT64_C(4)));
+    (*cspan_at(&axis, INT64_C(10))) = 1.0;
+    (*cspan_at(&axis, INT64_C(16))) = 1.0 / 12.0;
+    plateau_curve(share, axis, psi, peaks);
+    bounded = 0;
+    rise = 0.0;
+    for (j = INT64_C(1); j < k + INT64_C(1); j += INT64_C(1))
+    {
+        limit = (*cspan_at(&axis, INT64_C(4) + j));
+        if (limit > 0.0)
+        {
+            power = (*cspan_at(&peaks, j)) / limit;
+            (*cspan_at(&axis, INT64_C(18) + j)) = power;
+            rise = span_max(rise, pow((jerk * power), (1.0 / j)));
+            bounded = 1;
+        }
+    }
+    if ((jerk > 0.0) && (!bounded))
+    {
+        (*cspan_at(&axis, INT64_C(12))) = share;
+        bounded = 1;
+    }
+    (*cspan_at(&axis, INT64_C(11))) = rise;
+    if (jerk > 0.0)
+    {
+        (*cspan_at(&axis, INT64_C(13))) = jerk * rise;
+        (*cspan_at(&axis, INT64_C(14))) = 1.0 / (jerk * (1.0 - (*cspan_at(&axis, INT64_C(12)))));
+        (*cspan_at(&axis, INT64_C(15))) = rise;
+    }
+    return bounded;
+}
+/*`ramp_parameters` of the polynomial of order k = n - 2.*/
+static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, array_double_1d peaks)
+{
+    int64_t k;
+    int64_t j;
+    double limit;
+    double slope;
+    int64_t e;
+    double change;
+    bool bounded;
+    k = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
+    bounded = 0;
+    transition_peaks(k, psi, peaks);
+    (*cspan_at(&axis, INT64_C(27))) = 2.0 * k + 2.0;
+    for (j = INT64_C(0); j < INT64_C(2) * k + INT64_C(2); j += INT64_C(1))
+    {
+        (*cspan_at(&axis, INT64_C(28) + j)) = (*cspan_at(&psi, j));
+    }
+    (*cspan_at(&axis, INT64_C(16))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(3)));
+    for (j = INT64_C(1); j < k + INT64_C(2); j += INT64_C(1))
+    {
+        limit = (*cspan_at(&axis, INT64_C(4) + j - INT64_C(1)));
+        if (limit > 0.0)
+        {
+            (*cspan_at(&axis, INT64_C(18) + j - INT64_C(1))) = (*cspan_at(&peaks, j)) / limit;
+            bounded = 1;
+        }
+    }
+    slope = (*cspan_at(&axis, INT64_C(18)));
+    if (slope > 0.0)
+    {
+        (*cspan_at(&axis, INT64_C(13))) = 0.0;
+        (*cspan_at(&axis, INT64_C(14))) = slope;
+        for (e = INT64_C(2); e < k + INT64_C(2); e += INT64_C(1))
+        {
+            /*where the root of the order e is no longer than the linear duration*/
+            change = pow(((*cspan_at(&axis, INT64_C(18) + e - INT64_C(1))) / pow(slope, (double)(e))), (1.0 / (e - INT64_C(1))));
+            (*cspan_at(&axis, INT64_C(13))) = span_max((*cspan_at(&axis, INT64_C(13))), change);
+        }
+    }
+    return bounded;
+}
+/*Set the ramp parameters of an axis whose limits are set (Axis).                                      */
+/*                                                                                                     */
+/*    share is that of a plateau which each of its rises takes when no limit bounds that rise: the     */
+/*    smaller, the faster, and the larger the derivatives that are not bounded. `work` has two rows of */
+/*    2 smoothness numbers or more. Returns False where no limit bounds the ramp.                      */
+/*                                                                                                     */
+bool segfmu_ramp_parameters(double share, array_double_1d axis, array_double_2d work)
+{
+    int64_t smoothness;
+    int64_t shape;
+    int64_t i;
+    double duration;
+    double rise;
+    double slope;
+    bool bounded;
+    smoothness = (int64_t)((*cspan_at(&axis, INT64_C(0))));
+    shape = (int64_t)((*cspan_at(&axis, INT64_C(1))));
+    for (i = INT64_C(9); i < INT64_C(38); i += INT64_C(1))
+    {
+        (*cspan_at(&axis, i)) = 0.0;
+    }
+    (*cspan_at(&axis, INT64_C(13))) = -1.0;
+    bounded = 0;
+    if ((shape == INT64_C(1)) && (smoothness > INT64_C(2)))
+    {
+        bounded = plateau_parameters(share, axis, span_row(&work, INT64_C(0)), span_row(&work, INT64_C(1)));
+    }
+    else
+    {
+        bounded = smoothstep_parameters(axis, span_row(&work, INT64_C(0)), span_row(&work, INT64_C(1)));
+    }
+    if (bounded)
+    {
+        segfmu_ramp_duration(&duration, &rise, &slope, (*cspan_at(&axis, INT64_C(3))), axis);
+        (*cspan_at(&axis, INT64_C(9))) = duration;
+    }
+    return bounded;
 }
 /*PlanStatus when a waypoint breaks a limit or dwells while moving.*/
 static int64_t check_waypoints(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_1d report)

@@ -7,8 +7,9 @@ comes after the acceleration is zero can always be planned (docs/planner.md).
 """
 
 from segfmu.kernels.planner.phases import append_change, copy_phases, measure_phases, reverse_phases
+from segfmu.kernels.planner.ramp import ramp_duration
+from segfmu.kernels.planner.ramp_peak import ramp_extreme_velocity
 from segfmu.kernels.planner.records import Axis, Braking, Phase, Problem
-from segfmu.kernels.planner.transition import ramp_duration, ramp_extreme_velocity
 
 
 def peak_past_zero(v: float, a: float, level: float, axis: 'float[:]') -> float:

@@ -14,8 +14,8 @@ from segfmu.kernels.planner.phases import (
     measure_phases,
     reverse_phases,
 )
+from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.records import Axis, Problem
-from segfmu.kernels.planner.transition import ramp_duration
 
 
 def append_velocity_change(

@@ -11,8 +11,8 @@ monotone there because ramps never take longer in proportion to a larger change.
 
 from math import sqrt
 
+from segfmu.kernels.planner.ramp import ramp_change, ramp_distance, ramp_duration, ramp_rise
 from segfmu.kernels.planner.records import Axis, Family
-from segfmu.kernels.planner.transition import ramp_change, ramp_distance, ramp_duration, ramp_rise
 
 
 def solve_level(

@@ -14,9 +14,9 @@ from segfmu.kernels.planner.phases import (
     mirror_phases,
     reverse_phases,
 )
+from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.records import Axis, Family, Phase, Problem
 from segfmu.kernels.planner.search import canonical_search, member_search
-from segfmu.kernels.planner.transition import ramp_duration
 
 
 def set_family(

@@ -1,13 +1,8 @@
 """Lists of phases: rows of the record `Phase`."""
 
+from segfmu.kernels.planner.ramp import ramp_change, ramp_distance, ramp_duration, ramp_rise
+from segfmu.kernels.planner.ramp_peak import ramp_extreme_velocity
 from segfmu.kernels.planner.records import Axis, Phase, Problem
-from segfmu.kernels.planner.transition import (
-    ramp_change,
-    ramp_distance,
-    ramp_duration,
-    ramp_extreme_velocity,
-    ramp_rise,
-)
 
 
 def without_dust(value: float, scale: float) -> float:

@@ -4,6 +4,7 @@
 """
 
 from segfmu.kernels.planner.intervals import common_duration, set_duration, set_shortest
+from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters
 from segfmu.kernels.planner.records import (
     Axis,
     Cell,
@@ -16,7 +17,6 @@ from segfmu.kernels.planner.records import (
     Synchronization,
     WaypointState,
 )
-from segfmu.kernels.planner.transition import axis_limits, ramp_parameters
 
 
 def check_waypoints(

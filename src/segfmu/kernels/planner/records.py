@@ -4,7 +4,7 @@ from segfmu.kernels.records import Codes, Record, field
 
 
 class Shape(Codes):
-    """Shapes of an acceleration ramp (transition.py)."""
+    """Shapes of an acceleration ramp (parameters.py)."""
 
     SMOOTHSTEP = 0
     PLATEAU = 1
@@ -75,7 +75,7 @@ class WaypointState(Record):
 
 
 class Axis(Record):
-    """Limits of one axis, and the parameters of its ramps (transition.py)."""
+    """Limits of one axis, and the parameters of its ramps (parameters.py)."""
 
     SMOOTHNESS = field("n, 2 to 6")
     SHAPE = field("of the ramps, see Shape")

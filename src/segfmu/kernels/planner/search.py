@@ -5,8 +5,8 @@ A family (Family) says which of the two is searched for, BY_TIME, and its TARGET
 
 from segfmu.kernels.numerics.roots import root_share
 from segfmu.kernels.planner.levels import canonical_member
+from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.records import Axis, Family
-from segfmu.kernels.planner.transition import ramp_duration
 
 
 def window_edge(
