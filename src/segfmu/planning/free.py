@@ -56,8 +56,8 @@ def _fastest(resting: Problem, free: FloatArray) -> FloatArray:
 
 def _duration(problem: Problem) -> float:
     """Duration of the plan exactly as asked for, infinite where there is none."""
-    found = plan_phases(problem)
-    return float(found.durations.sum(axis=0).max()) if found.feasible else float("inf")
+    phases = plan_phases(problem)
+    return float(phases.durations.sum(axis=0).max()) if phases.feasible else float("inf")
 
 
 def _guess(resting: Problem, free: FloatArray) -> FloatArray:
@@ -86,9 +86,9 @@ class _Search:
         self.free = free
         self.dwells = problem.dwells
         self.limits = problem.limits
-        meet = problem.options.synchronize == "waypoints"
+        meeting = problem.options.synchronize == "waypoints"
         self.options = replace(
-            problem.options, synchronize="waypoints" if meet else "none", sample_time=0.0,
+            problem.options, synchronize="waypoints" if meeting else "none", sample_time=0.0,
             duration=0.0,
         )
         self.apart = replace(self.options, synchronize="none")
@@ -140,11 +140,11 @@ class _Search:
 
         A common duration can lie beyond a gap, which is far more work to find.
         """
-        found = plan_phases(Problem(window, dwells, self.limits, self.apart))
-        if not found.feasible:
+        phases = plan_phases(Problem(window, dwells, self.limits, self.apart))
+        if not phases.feasible:
             return float("inf")
         if self.options.synchronize == "none":
-            return float(found.durations.sum())
-        if not found.durations.max(axis=1).sum() < best * (1.0 - 1e-9):
+            return float(phases.durations.sum())
+        if not phases.durations.max(axis=1).sum() < best * (1.0 - 1e-9):
             return float("inf")
         return total_duration(Problem(window, dwells, self.limits, self.options))

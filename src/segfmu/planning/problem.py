@@ -13,12 +13,13 @@ from segfmu.kernels.planner.records import (
     Interval,
     PlanStatus,
     PlanWork,
+    Shape,
     Synchronization,
 )
 from segfmu.planning.arrays import FloatArray
 
-SHAPES = ("smoothstep", "plateau")
-SYNCHRONIZATIONS = ("none", "waypoints", "total")
+SHAPES = tuple(name.lower() for name in Shape.items())
+SYNCHRONIZATIONS = tuple(name.lower() for name in Synchronization.items())
 
 
 @dataclass(frozen=True)
@@ -110,8 +111,8 @@ def plan_phases(problem: Problem) -> Phases:
 
 def total_duration(problem: Problem) -> float:
     """Sum of all intervals' durations [s], over all axes unless they meet; infinite: no plan."""
-    found = plan_phases(problem)
-    if not found.feasible:
+    phases = plan_phases(problem)
+    if not phases.feasible:
         return float("inf")
-    meet = problem.options.synchronize == SYNCHRONIZATIONS[Synchronization.WAYPOINTS]
-    return float(found.durations[:, 0].sum() if meet else found.durations.sum())
+    meeting = problem.options.synchronize == "waypoints"
+    return float(phases.durations[:, 0].sum() if meeting else phases.durations.sum())

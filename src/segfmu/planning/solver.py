@@ -23,24 +23,24 @@ def solve(request: Request) -> tuple[Trajectory, bool]:
         When the limits do not admit the plan.
     """
     problem = request.problem
-    found = plan_phases(problem)
-    if not found.feasible:
+    phases = plan_phases(problem)
+    if not phases.feasible:
         raise infeasible(
-            found.status, found.refusal, request.waypoints, problem.limits, request.axis_names
+            phases.status, phases.refusal, request.waypoints, problem.limits, request.axis_names
         )
-    return _expand(request, found)
+    return _expand(request, phases)
 
 
-def _expand(request: Request, found: Phases) -> tuple[Trajectory, bool]:
+def _expand(request: Request, phases: Phases) -> tuple[Trajectory, bool]:
     problem = request.problem
     points, axes = problem.states.shape[:2]
-    rows = backend.count_pieces(found.axes, found.cells)
+    rows = backend.count_pieces(phases.axes, phases.cells)
     timing = np.empty((rows, Timing.SIZE))
     coefficients = np.empty((rows, 2 * problem.options.smoothness))
     offsets = np.zeros(axes + 1, dtype=np.int64)
     times = np.zeros((points + 1, axes))
     used = backend.expand_plan(
-        problem.states, problem.dwells, found.axes, found.cells, timing, coefficients, offsets,
+        problem.states, problem.dwells, phases.axes, phases.cells, timing, coefficients, offsets,
         times, np.empty((Expansion.SIZE, Expansion.COLUMNS)),
     )
     wrong = backend.check_plan(

@@ -91,7 +91,7 @@ static int64_t rope_demand(int64_t demand, array_double_1d bounds, int64_t width
 static double first_negative(int64_t count, double length, array_double_2d work);
 static double value_at(int64_t demand, double local, double gravity, int64_t width, array_double_2d work);
 static double worst_value(int64_t demand, double first, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work);
-static double root_share(double a, double b, double c, double f_a, double f_b, double f_c);
+static double root_share(double newest, double other, double before, double e_newest, double e_other, double e_before);
 static int64_t slowest_root(double* result_0, double* result_1_0001, double change, int64_t first, array_double_1d axis);
 static double ramp_rise(double duration, array_double_1d axis);
 static int64_t fastest_power(double* result_0, double* result_1_0001, double duration, int64_t first, array_double_1d axis);
@@ -102,8 +102,8 @@ static int64_t curved_part(double* result_0, double* result_1, double* result_2,
 static double invert_curved_part(double value, double upper, array_double_1d axis);
 static double ramp_extreme_velocity_first_half(double v, double a, double b, double duration, double rise, array_double_1d axis);
 static double ramp_extreme_velocity(double v, double a, double b, double duration, double rise, array_double_1d axis);
-static double without_dust(double value, double scale);
-static double without_excess(double value, double limit);
+static double flush_tiny(double value, double scale);
+static double boundary_value(double value, double limit);
 static int64_t append_ramp(array_double_2d phases, int64_t count, double a, double b, double duration, array_double_1d axis);
 static int64_t append_change(array_double_2d phases, int64_t count, double a, double b, array_double_1d axis);
 static int64_t append_hold(array_double_2d phases, int64_t count, double a, double duration);
@@ -4537,28 +4537,37 @@ int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, 
     (*cspan_at(&report, INT64_C(2))) = demand_bound(failed, bounds);
     return failed;
 }
-/*Share of the way from a to b at which to evaluate next, inside (0, 1). */
-static double root_share(double a, double b, double c, double f_a, double f_b, double f_c)
+/*Share of the way from the newest to the other point at which to evaluate next, in (0, 1).    */
+/*                                                                                             */
+/*    e_newest, e_other and e_before are the errors at the points, 0 where they are not known. */
+/*                                                                                             */
+static double root_share(double newest, double other, double before, double e_newest, double e_other, double e_before)
 {
     double place;
     double height;
     double share;
+    double rest;
     double least;
     double result;
-    if ((f_a * f_b * f_c == 0.0) || (f_c == f_a) || (f_c == f_b) || (c == b))
+    if (e_newest * e_other * e_before == 0.0)
     {
         return 0.5;
     }
-    place = (a - b) / (c - b);
-    height = (f_a - f_b) / (f_c - f_b);
+    if ((e_before == e_newest) || (e_before == e_other) || (before == other))
+    {
+        return 0.5;
+    }
+    place = (newest - other) / (before - other);
+    height = (e_newest - e_other) / (e_before - e_other);
     if ((height * height >= place) || ((1.0 - height) * (1.0 - height) >= 1.0 - place))
     {
         return 0.5;
     }
-    share = f_a / (f_b - f_a) * f_c / (f_b - f_c);
-    share = share + (c - a) / (b - a) * f_a / (f_c - f_a) * f_b / (f_c - f_b);
+    share = e_newest / (e_other - e_newest) * e_before / (e_other - e_before);
+    rest = (before - newest) / (other - newest);
+    share = share + rest * e_newest / (e_before - e_newest) * e_other / (e_before - e_other);
     /*the point must differ from both ends*/
-    least = 2e-16 * span_max(fabs(a), fabs(b)) / fabs(b - a);
+    least = 2e-16 * span_max(fabs(newest), fabs(other)) / fabs(other - newest);
     return span_max(span_min(share, 1.0 - least), least);
 }
 /*max over e >= first of (q_e change)^(1/e), and its derivative with the change. */
@@ -4902,7 +4911,7 @@ static double ramp_extreme_velocity(double v, double a, double b, double duratio
     return result;
 }
 /*The value, or 0 where it is so small against its scale that its powers would underflow.*/
-static double without_dust(double value, double scale)
+static double flush_tiny(double value, double scale)
 {
     double result;
     if (fabs(value) <= 1e-30 * scale)
@@ -4911,11 +4920,11 @@ static double without_dust(double value, double scale)
     }
     return value;
 }
-/*A boundary value without dust, and clamped where it passes its limit by rounding.*/
-static double without_excess(double value, double limit)
+/*A boundary value, zero where it is tiny, clamped where it passes its limit by rounding.*/
+static double boundary_value(double value, double limit)
 {
     double result;
-    return span_min(span_max(without_dust(value, limit), -limit), limit);
+    return span_min(span_max(flush_tiny(value, limit), -limit), limit);
 }
 /*Append the ramp from a to b whose duration was solved for; nothing if it has none.             */
 /*                                                                                               */
@@ -5058,11 +5067,11 @@ static void boundary_problem(array_double_1d problem, array_double_1d axis, arra
     double acceleration;
     velocity = (*cspan_at(&axis, INT64_C(2)));
     acceleration = (*cspan_at(&axis, INT64_C(3)));
-    (*cspan_at(&cleaned, INT64_C(0))) = without_excess((*cspan_at(&problem, INT64_C(0))), velocity);
-    (*cspan_at(&cleaned, INT64_C(1))) = without_excess((*cspan_at(&problem, INT64_C(1))), acceleration);
-    (*cspan_at(&cleaned, INT64_C(2))) = without_excess((*cspan_at(&problem, INT64_C(2))), velocity);
-    (*cspan_at(&cleaned, INT64_C(3))) = without_excess((*cspan_at(&problem, INT64_C(3))), acceleration);
-    (*cspan_at(&cleaned, INT64_C(4))) = without_dust((*cspan_at(&problem, INT64_C(4))), velocity * velocity / acceleration);
+    (*cspan_at(&cleaned, INT64_C(0))) = boundary_value((*cspan_at(&problem, INT64_C(0))), velocity);
+    (*cspan_at(&cleaned, INT64_C(1))) = boundary_value((*cspan_at(&problem, INT64_C(1))), acceleration);
+    (*cspan_at(&cleaned, INT64_C(2))) = boundary_value((*cspan_at(&problem, INT64_C(2))), velocity);
+    (*cspan_at(&cleaned, INT64_C(3))) = boundary_value((*cspan_at(&problem, INT64_C(3))), acceleration);
+    (*cspan_at(&cleaned, INT64_C(4))) = flush_tiny((*cspan_at(&problem, INT64_C(4))), velocity * velocity / acceleration);
     (*cspan_at(&cleaned, INT64_C(5))) = (*cspan_at(&problem, INT64_C(5)));
 }
 /*Duration, distance, end velocity, lowest and highest velocity of a list of phases.                 */
@@ -6410,7 +6419,7 @@ static int64_t level_within(double* result_0, double* result_1_0001, double* res
     double v;
     double rounding;
     double margin;
-    double without;
+    double too_low;
     double inside;
     int64_t i;
     int64_t count;
@@ -6425,8 +6434,8 @@ static int64_t level_within(double* result_0, double* result_1_0001, double* res
     v = (*cspan_at(&family, INT64_C(6)));
     rounding = 1e-12 * velocity_limit;
     margin = 1e-09 * velocity_limit;
-    without = span_max((*cspan_at(&family, INT64_C(1))), span_max((*cspan_at(&family, INT64_C(3))), 0.001 * (*cspan_at(&axis, INT64_C(3)))));
-    inside = without;
+    too_low = span_max((*cspan_at(&family, INT64_C(1))), span_max((*cspan_at(&family, INT64_C(3))), 0.001 * (*cspan_at(&axis, INT64_C(3)))));
+    inside = too_low;
     for (i = INT64_C(0); i < INT64_C(24); i += INT64_C(1))
     {
         count = merged_form(phases, inside, family, axis);
@@ -6440,7 +6449,7 @@ static int64_t level_within(double* result_0, double* result_1_0001, double* res
         }
         if ((count <= INT64_C(0)) || (other > velocity_limit + rounding))
         {
-            without = inside;
+            too_low = inside;
         }
         else if (peak > velocity_limit + rounding)
         {
@@ -6455,11 +6464,11 @@ static int64_t level_within(double* result_0, double* result_1_0001, double* res
             (*result_3_0001) = e_outside;
             return 0;
         }
-        if (without == outside)
+        if (too_low == outside)
         {
             break;
         }
-        inside = 0.5 * (without + outside);
+        inside = 0.5 * (too_low + outside);
     }
     (*result_0) = -1.0;
     (*result_1_0001) = outside;
@@ -7118,10 +7127,10 @@ static double cruise_range(array_double_2d phases, double middle, double y, arra
 {
     double distance;
     double outside;
-    double trial;
+    double cruise;
     int64_t i;
     int64_t count;
-    double y_trial;
+    double y_cruise;
     double hold;
     double inside;
     distance = (*cspan_at(&problem, INT64_C(4)));
@@ -7131,24 +7140,24 @@ static double cruise_range(array_double_2d phases, double middle, double y, arra
         outside = -outside;
     }
     inside = middle;
-    trial = outside;
+    cruise = outside;
     for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
     {
-        timed_cruise(&count, &y_trial, &hold, phases, trial, problem, axis);
+        timed_cruise(&count, &y_cruise, &hold, phases, cruise, problem, axis);
         if ((count >= INT64_C(0)) && (hold >= 0.0))
         {
-            inside = trial;
-            if ((i == INT64_C(0)) || ((y_trial - distance) * (y - distance) <= 0.0))
+            inside = cruise;
+            if ((i == INT64_C(0)) || ((y_cruise - distance) * (y - distance) <= 0.0))
             {
                 break;
             }
         }
         else
         {
-            outside = trial;
+            outside = cruise;
         }
-        trial = 0.5 * (inside + outside);
-        if ((trial == inside) || (trial == outside))
+        cruise = 0.5 * (inside + outside);
+        if ((cruise == inside) || (cruise == outside))
         {
             break;
         }
@@ -7296,22 +7305,22 @@ static void between_cruises(double lower, double upper, double e_lower, double e
 static double cruise_edge(double inside, double outside, array_double_2d phases, array_double_1d problem, array_double_1d axis)
 {
     int64_t i;
-    double trial;
+    double cruise;
     int64_t count;
     double y;
     double hold;
     double result;
     for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
     {
-        trial = 0.5 * (inside + outside);
-        timed_cruise(&count, &y, &hold, phases, trial, problem, axis);
+        cruise = 0.5 * (inside + outside);
+        timed_cruise(&count, &y, &hold, phases, cruise, problem, axis);
         if ((count >= INT64_C(0)) && (hold >= 0.0))
         {
-            inside = trial;
+            inside = cruise;
         }
         else
         {
-            outside = trial;
+            outside = cruise;
         }
     }
     return inside;
@@ -7592,12 +7601,12 @@ static bool is_resting(array_double_1d problem, array_double_1d axis)
     double acceleration;
     bool result;
     speed = fabs((*cspan_at(&problem, INT64_C(0)))) + fabs((*cspan_at(&problem, INT64_C(2))));
-    if (without_dust(speed, (*cspan_at(&axis, INT64_C(2)))) != 0.0)
+    if (flush_tiny(speed, (*cspan_at(&axis, INT64_C(2)))) != 0.0)
     {
         return 0;
     }
     acceleration = fabs((*cspan_at(&problem, INT64_C(1)))) + fabs((*cspan_at(&problem, INT64_C(3))));
-    result = without_dust(acceleration, (*cspan_at(&axis, INT64_C(3)))) == 0.0;
+    result = flush_tiny(acceleration, (*cspan_at(&axis, INT64_C(3)))) == 0.0;
     return result;
 }
 /*Write the shortest profile, stretched from rest to rest to the target duration [s].*/

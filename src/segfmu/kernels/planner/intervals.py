@@ -8,7 +8,7 @@ short; the weight is the share of the second one.
 from math import ceil
 
 from segfmu.kernels.planner.gaps import gap_ends
-from segfmu.kernels.planner.phases import append_hold, measure_phases, without_dust
+from segfmu.kernels.planner.phases import append_hold, flush_tiny, measure_phases
 from segfmu.kernels.planner.profile import shortest_profile
 from segfmu.kernels.planner.records import Axis, Cell, Interval, Nearest, Phase, PlanWork, Problem
 from segfmu.kernels.planner.synchronize import stretch_phases, timed_profile
@@ -35,10 +35,10 @@ def set_shortest(
 def is_resting(problem: 'float[:]', axis: 'float[:]') -> bool:
     """Whether both boundary states are at rest."""
     speed = abs(problem[Problem.V]) + abs(problem[Problem.W])
-    if without_dust(speed, axis[Axis.VELOCITY]) != 0.0:
+    if flush_tiny(speed, axis[Axis.VELOCITY]) != 0.0:
         return False
     acceleration = abs(problem[Problem.A]) + abs(problem[Problem.B])
-    return without_dust(acceleration, axis[Axis.ACCELERATION]) == 0.0
+    return flush_tiny(acceleration, axis[Axis.ACCELERATION]) == 0.0
 
 
 def set_stretched(

@@ -133,8 +133,8 @@ def level_within(
     v = family[Family.START_VELOCITY]
     rounding = 1e-12 * velocity_limit
     margin = 1e-9 * velocity_limit
-    without = max(family[Family.A], max(family[Family.B], 0.001 * axis[Axis.ACCELERATION]))
-    inside = without
+    too_low = max(family[Family.A], max(family[Family.B], 0.001 * axis[Axis.ACCELERATION]))
+    inside = too_low
     for i in range(24):
         count = merged_form(phases, inside, family, axis)
         duration, y, end, lowest, highest = measure_phases(phases, max(count, 0), v, 0.0, axis)
@@ -144,15 +144,15 @@ def level_within(
             peak = -lowest
             other = highest
         if count <= 0 or other > velocity_limit + rounding:
-            without = inside
+            too_low = inside
         elif peak > velocity_limit + rounding:
             outside = inside
             e_outside = peak - velocity_limit + margin
         else:
             return inside, outside, max(peak, other) - velocity_limit + margin, e_outside
-        if without == outside:
+        if too_low == outside:
             break
-        inside = 0.5 * (without + outside)
+        inside = 0.5 * (too_low + outside)
     return -1.0, outside, 0.0, e_outside
 
 

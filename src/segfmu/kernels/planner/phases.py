@@ -5,16 +5,16 @@ from segfmu.kernels.planner.ramp_peak import ramp_extreme_velocity
 from segfmu.kernels.planner.records import Axis, Phase, Problem
 
 
-def without_dust(value: float, scale: float) -> float:
+def flush_tiny(value: float, scale: float) -> float:
     """The value, or 0 where it is so small against its scale that its powers would underflow."""
     if abs(value) <= 1e-30 * scale:
         return 0.0
     return value
 
 
-def without_excess(value: float, limit: float) -> float:
-    """A boundary value without dust, and clamped where it passes its limit by rounding."""
-    return min(max(without_dust(value, limit), -limit), limit)
+def boundary_value(value: float, limit: float) -> float:
+    """A boundary value, zero where it is tiny, clamped where it passes its limit by rounding."""
+    return min(max(flush_tiny(value, limit), -limit), limit)
 
 
 def append_ramp(
@@ -115,11 +115,11 @@ def boundary_problem(problem: 'float[:]', axis: 'float[:]', cleaned: 'float[:]')
     """Copy a boundary problem (Problem) without what rounding leaves of zeros and of limits."""
     velocity = axis[Axis.VELOCITY]
     acceleration = axis[Axis.ACCELERATION]
-    cleaned[Problem.V] = without_excess(problem[Problem.V], velocity)
-    cleaned[Problem.A] = without_excess(problem[Problem.A], acceleration)
-    cleaned[Problem.W] = without_excess(problem[Problem.W], velocity)
-    cleaned[Problem.B] = without_excess(problem[Problem.B], acceleration)
-    cleaned[Problem.DISTANCE] = without_dust(
+    cleaned[Problem.V] = boundary_value(problem[Problem.V], velocity)
+    cleaned[Problem.A] = boundary_value(problem[Problem.A], acceleration)
+    cleaned[Problem.W] = boundary_value(problem[Problem.W], velocity)
+    cleaned[Problem.B] = boundary_value(problem[Problem.B], acceleration)
+    cleaned[Problem.DISTANCE] = flush_tiny(
         problem[Problem.DISTANCE], velocity * velocity / acceleration
     )
     cleaned[Problem.DURATION] = problem[Problem.DURATION]

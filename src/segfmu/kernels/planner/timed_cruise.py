@@ -40,17 +40,17 @@ def cruise_range(
     if y > distance:
         outside = -outside
     inside = middle
-    trial = outside
+    cruise = outside
     for i in range(30):
-        count, y_trial, hold = timed_cruise(phases, trial, problem, axis)
+        count, y_cruise, hold = timed_cruise(phases, cruise, problem, axis)
         if count >= 0 and hold >= 0.0:
-            inside = trial
-            if i == 0 or (y_trial - distance) * (y - distance) <= 0.0:
+            inside = cruise
+            if i == 0 or (y_cruise - distance) * (y - distance) <= 0.0:
                 break
         else:
-            outside = trial
-        trial = 0.5 * (inside + outside)
-        if trial == inside or trial == outside:
+            outside = cruise
+        cruise = 0.5 * (inside + outside)
+        if cruise == inside or cruise == outside:
             break
     return inside
 
@@ -161,12 +161,12 @@ def cruise_edge(
 ) -> float:
     """Bisect between a velocity that leaves a cruise and one that does not."""
     for i in range(30):
-        trial = 0.5 * (inside + outside)
-        count, y, hold = timed_cruise(phases, trial, problem, axis)
+        cruise = 0.5 * (inside + outside)
+        count, y, hold = timed_cruise(phases, cruise, problem, axis)
         if count >= 0 and hold >= 0.0:
-            inside = trial
+            inside = cruise
         else:
-            outside = trial
+            outside = cruise
     return inside
 
 
