@@ -17,7 +17,7 @@ from segfmu.planning.limits import Limits
 from segfmu.planning.request import checked_request, position_bounds
 from segfmu.planning.solver import solve
 from segfmu.planning.trajectory import Trajectory
-from segfmu.planning.verify import require
+from segfmu.planning.verify import TOLERANCE, require
 from segfmu.planning.waypoint import Waypoint
 
 
@@ -74,7 +74,7 @@ def plan(
         )
     )
     request.require_different()
-    trajectory, proved = solve(request)
+    trajectory, proved = solve(request, TOLERANCE)
     if not proved:
         require(trajectory)
     _check_positions(trajectory, position_min, position_max)

@@ -11,11 +11,9 @@ from segfmu.planning.problem import Phases, plan_phases
 from segfmu.planning.request import Request
 from segfmu.planning.trajectory import Trajectory
 
-TOLERANCE = 1e-9
 
-
-def solve(request: Request) -> tuple[Trajectory, bool]:
-    """Plan and expand a trajectory; True where the kernels prove it within 1e-9.
+def solve(request: Request, tolerance: float) -> tuple[Trajectory, bool]:
+    """Plan and expand a trajectory; True where the kernels prove it within the tolerance.
 
     Raises
     ------
@@ -28,10 +26,12 @@ def solve(request: Request) -> tuple[Trajectory, bool]:
         raise infeasible(
             phases.status, phases.refusal, request.waypoints, problem.limits, request.axis_names
         )
-    return _expand(request, phases)
+    return _expand(request, phases, tolerance)
 
 
-def _expand(request: Request, phases: Phases) -> tuple[Trajectory, bool]:
+def _expand(
+    request: Request, phases: Phases, tolerance: float
+) -> tuple[Trajectory, bool]:
     problem = request.problem
     points, axes = problem.states.shape[:2]
     rows = backend.count_pieces(phases.axes, phases.cells)
@@ -44,7 +44,7 @@ def _expand(request: Request, phases: Phases) -> tuple[Trajectory, bool]:
         times, np.empty((Expansion.SIZE, Expansion.COLUMNS)),
     )
     wrong = backend.check_plan(
-        problem.states, times, timing, coefficients, offsets, problem.limits, TOLERANCE,
+        problem.states, times, timing, coefficients, offsets, problem.limits, tolerance,
         np.empty((Check.SIZE, Check.COLUMNS)),
     )
     for array in (timing, coefficients, offsets, times):
