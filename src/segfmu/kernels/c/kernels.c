@@ -185,6 +185,7 @@ static void plateau_curve(double share, array_double_1d axis, array_double_1d ps
 static bool plateau_parameters(double share, array_double_1d axis, array_double_1d psi, array_double_1d peaks);
 static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, array_double_1d peaks);
 static int64_t check_waypoints(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_1d report);
+static int64_t time_left(double* result_0, double* result_1, int64_t* result_2, int64_t first, int64_t step, double target, array_double_3d cells);
 static bool distribute(int64_t first, int64_t last, double target, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static bool rewrite_intervals(int64_t first, int64_t last, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static void set_problems(array_double_3d states, array_double_3d cells);
@@ -8137,6 +8138,33 @@ static int64_t check_waypoints(array_double_3d states, array_double_1d dwells, a
     }
     return INT64_C(0);
 }
+/*What the intervals of one axis leave of the target duration [s].           */
+/*                                                                           */
+/*    Also returns the sum [s] and the number of those that can be prolonged.*/
+/*                                                                           */
+static int64_t time_left(double* result_0, double* result_1, int64_t* result_2, int64_t first, int64_t step, double target, array_double_3d cells)
+{
+    double rest;
+    double base;
+    int64_t count;
+    int64_t j;
+    rest = target;
+    base = 0.0;
+    count = INT64_C(0);
+    for (j = first; (step > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += step)
+    {
+        rest = rest - (*cspan_at(&cells, j, INT64_C(27), INT64_C(1)));
+        if ((*cspan_at(&cells, j, INT64_C(27), INT64_C(7))) > 0.5)
+        {
+            base = base + (*cspan_at(&cells, j, INT64_C(27), INT64_C(1)));
+            count = count + INT64_C(1);
+        }
+    }
+    (*result_0) = rest;
+    (*result_1) = base;
+    (*result_2) = count;
+    return 0;
+}
 /*Prolong the intervals of the axes first .. last - 1, in proportion, to `target` [s] in sum.          */
 /*                                                                                                     */
 /*    Intervals that take no time share it equally. An interval whose share lies in a gap jumps to the */
@@ -8148,9 +8176,9 @@ static bool distribute(int64_t first, int64_t last, double target, array_double_
     int64_t step;
     int64_t j;
     int64_t sweep;
+    double rest;
     double base;
     int64_t count;
-    double rest;
     double factor;
     double extra;
     double present;
@@ -8165,18 +8193,7 @@ static bool distribute(int64_t first, int64_t last, double target, array_double_
     }
     for (sweep = INT64_C(0); sweep < INT64_C(50); sweep += INT64_C(1))
     {
-        base = 0.0;
-        count = INT64_C(0);
-        rest = target;
-        for (j = first; (step > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += step)
-        {
-            rest = rest - (*cspan_at(&cells, j, INT64_C(27), INT64_C(1)));
-            if ((*cspan_at(&cells, j, INT64_C(27), INT64_C(7))) > 0.5)
-            {
-                base = base + (*cspan_at(&cells, j, INT64_C(27), INT64_C(1)));
-                count = count + INT64_C(1);
-            }
-        }
+        time_left(&rest, &base, &count, first, step, target, cells);
         if (rest <= 1e-13 * target)
         {
             return 1;

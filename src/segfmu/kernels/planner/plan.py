@@ -43,6 +43,24 @@ def check_waypoints(
     return PlanStatus.PLANNED
 
 
+def time_left(
+    first: int, step: int, target: float, cells: 'float[:,:,:]'
+) -> 'tuple[float, float, int]':
+    """What the intervals of one axis leave of the target duration [s].
+
+    Also returns the sum [s] and the number of those that can be prolonged.
+    """
+    rest = target
+    base = 0.0
+    count = 0
+    for j in range(first, cells.shape[0], step):
+        rest = rest - cells[j, Cell.RESULT, Interval.DURATION]
+        if cells[j, Cell.RESULT, Interval.PROLONGED] > 0.5:
+            base = base + cells[j, Cell.RESULT, Interval.DURATION]
+            count = count + 1
+    return rest, base, count
+
+
 def distribute(
     first: int,
     last: int,
@@ -61,14 +79,7 @@ def distribute(
     for j in range(first, cells.shape[0], step):
         cells[j, Cell.RESULT, Interval.PROLONGED] = 1.0
     for sweep in range(50):
-        base = 0.0
-        count = 0
-        rest = target
-        for j in range(first, cells.shape[0], step):
-            rest = rest - cells[j, Cell.RESULT, Interval.DURATION]
-            if cells[j, Cell.RESULT, Interval.PROLONGED] > 0.5:
-                base = base + cells[j, Cell.RESULT, Interval.DURATION]
-                count = count + 1
+        rest, base, count = time_left(first, step, target, cells)
         if rest <= 1e-13 * target:
             return True
         if count == 0:
