@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from segfmu import Limits, Waypoint, plan
@@ -81,14 +81,17 @@ def test_a_tighter_limit_is_found(order: int) -> None:
     st.lists(st.floats(-3.0, 3.0), min_size=4, max_size=12), st.floats(0.1, 3.0),
     st.integers(0, 2), st.floats(-0.2, 0.2),
 )
+@example([0.0, 0.0, 0.0, 0.0], 1.0, 0, -0.125)
 def test_verdict_is_that_of_the_roots(values, length: float, derivative: int, margin) -> None:
     coefficients = np.array([values])
     hull = np.zeros((40, Hull.SIZE))
     count = bernstein_coefficients(coefficients, 0, len(values), derivative, length, hull)
     polynomial = np.polynomial.Polynomial(values).deriv(derivative)
     low, high = piece_extrema(polynomial.coef, length)
-    peak = max(-low, high, 1e-9)
+    largest = max(-low, high)
+    peak = max(largest, 1e-9)
     assert hull[0, 0] == pytest.approx(polynomial(0.0), abs=1e-9 * peak)
     assert hull[0, count - 1] == pytest.approx(polynomial(length), abs=1e-9 * peak)
     if abs(margin) > 1e-6:
-        assert within(hull, count, peak * (1.0 + margin)) == (margin > 0.0)
+        bound = peak * (1.0 + margin)
+        assert within(hull, count, bound) == (largest <= bound)
