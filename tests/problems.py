@@ -7,7 +7,23 @@ from dataclasses import dataclass
 import numpy as np
 from hypothesis import strategies as st
 
-from segfmu.kernels.planner.transition import ramp_parameters
+from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters
+from segfmu.kernels.planner.phases import measure_phases
+from segfmu.kernels.planner.profile import shortest_profile
+from segfmu.kernels.planner.records import Axis, Cell, PlanWork, Problem
+
+
+def work_space() -> np.ndarray:
+    """The planner's work space."""
+    return np.zeros((PlanWork.SIZE, PlanWork.COLUMNS))
+
+
+def packed_axis(smoothness: int, shape: int, limits: tuple[float, ...] | list[float]) -> np.ndarray:
+    """Limits and ramp parameters of an axis (Axis)."""
+    axis = np.zeros(Axis.SIZE)
+    axis_limits(smoothness, shape, np.array(limits), axis)
+    assert ramp_parameters(0.1, axis, work_space())
+    return axis
 
 
 @dataclass(frozen=True)
@@ -23,15 +39,27 @@ class AxisProblem:
     b: float
     distance: float
 
-    def ramp(self) -> np.ndarray:
-        """The packed ramp parameters."""
-        n = self.smoothness
-        ramp = np.zeros(48)
-        status = ramp_parameters(
-            n, self.shape, 0.1, np.array(self.limits), np.zeros(2 * n + 2), np.zeros(n + 2), ramp
-        )
-        assert status == 0
-        return ramp
+    def axis(self) -> np.ndarray:
+        """Limits and ramp parameters (Axis)."""
+        return packed_axis(self.smoothness, self.shape, self.limits)
+
+    def boundary(self) -> np.ndarray:
+        """The boundary problem (Problem)."""
+        problem = np.zeros(Problem.SIZE)
+        problem[Problem.V], problem[Problem.A] = self.v, self.a
+        problem[Problem.W], problem[Problem.B] = self.w, self.b
+        problem[Problem.DISTANCE] = self.distance
+        return problem
+
+    def shortest(self) -> tuple[int, np.ndarray]:
+        """Number of phases, or the status, of the shortest profile, and its phases."""
+        phases = np.zeros((Cell.ABOVE, 4))
+        count = shortest_profile(self.boundary(), self.axis(), phases, work_space())
+        return count, phases[: max(count, 0)]
+
+    def measured(self, phases: np.ndarray) -> tuple[float, float, float, float, float]:
+        """Duration, distance, end velocity, lowest and highest velocity of phases."""
+        return measure_phases(phases, len(phases), self.v, 0.0, self.axis())
 
 
 def degenerate_share(draw: st.DrawFn) -> float:

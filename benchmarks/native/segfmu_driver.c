@@ -7,9 +7,8 @@
 
 #include "batch.h"
 #include "kernels.h"
+#include "records.h"
 #include "segfmu.h"
-
-enum { RAMP = 48, ROWS = 24, COLUMNS = 4, WORK = 32 };
 
 typedef double solver(const batch *b, int64_t i, double *space);
 
@@ -24,22 +23,28 @@ static double now(void)
 static double solve_profile(const batch *b, int64_t i, double *space)
 {
     const int64_t n = b->smoothness;
-    double *limits = (double *)b->limits + i * (n + 1);
     const double *y = b->positions + 2 * i, *v = b->velocities + 2 * i;
     const double *a = b->accelerations + 2 * i;
-    array_double_1d table = {limits, {n + 1}}, ramp = {space, {RAMP}};
-    array_double_1d work = {space + RAMP, {WORK}}, peaks = {space + RAMP + WORK, {WORK}};
-    double *rows = space + RAMP + 2 * WORK;
-    array_double_2d phases = {rows, {ROWS, COLUMNS}};
-    array_double_2d trial = {rows + ROWS * COLUMNS, {ROWS, COLUMNS}};
-    if (segfmu_ramp_parameters(n, b->shape, 0.1, table, work, peaks, ramp) > 0) {
+    array_double_1d limits = {(double *)b->limits + i * (n + 1), {n + 1}};
+    array_double_1d axis = {space, {AXIS_SIZE}}, problem = {axis.data + AXIS_SIZE, {PROBLEM_SIZE}};
+    array_double_2d phases = {problem.data + PROBLEM_SIZE, {CELL_ABOVE, CELL_COLUMNS}};
+    array_double_2d work = {
+        phases.data + CELL_ABOVE * CELL_COLUMNS, {PLAN_WORK_SIZE, PLAN_WORK_COLUMNS}
+    };
+    problem.data[PROBLEM_V] = v[0];
+    problem.data[PROBLEM_A] = a[0];
+    problem.data[PROBLEM_W] = v[1];
+    problem.data[PROBLEM_B] = a[1];
+    problem.data[PROBLEM_DISTANCE] = y[1] - y[0];
+    problem.data[PROBLEM_DURATION] = 0.0;
+    segfmu_axis_limits(n, b->shape, limits, axis);
+    if (!segfmu_ramp_parameters(0.1, axis, work)) {
         return NAN;
     }
-    int64_t count = segfmu_shortest_profile(
-        v[0], a[0], v[1], a[1], y[1] - y[0], limits[0], limits[1], ramp, phases, trial);
+    int64_t count = segfmu_shortest_profile(problem, axis, phases, work);
     double duration = count < 0 ? NAN : 0.0;
     for (int64_t row = 0; row < count; row++) {
-        duration += phases.data[row * COLUMNS];
+        duration += phases.data[row * CELL_COLUMNS + PHASE_DURATION];
     }
     return duration;
 }
@@ -77,7 +82,8 @@ static double run(const batch *b, solver *solve, size_t size)
 
 double run_profile(const batch *b)
 {
-    return run(b, solve_profile, RAMP + 2 * WORK + 2 * ROWS * COLUMNS);
+    return run(b, solve_profile, AXIS_SIZE + PROBLEM_SIZE + CELL_ABOVE * CELL_COLUMNS
+        + PLAN_WORK_SIZE * PLAN_WORK_COLUMNS);
 }
 
 double run_plan(const batch *b)

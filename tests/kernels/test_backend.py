@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -30,19 +31,22 @@ from segfmu.kernels.crane import _crane, compensation, plant, rope
 from segfmu.kernels.crane.records import CommandRates, Compensation, Report, RopeWork, Work
 from segfmu.kernels.numerics import noise
 from segfmu.kernels.numerics.records import RandomState, Sinusoid
+from segfmu.kernels.planner import parameters, profile, synchronize
 from segfmu.kernels.planner import plan as plan_kernel
-from segfmu.kernels.planner.profile import shortest_profile
-from segfmu.kernels.planner.synchronize import timed_profile
-from segfmu.kernels.planner.transition import ramp_parameters
+from segfmu.kernels.planner.records import Axis, Cell, Phase, PlanWork, Problem
 from segfmu.kernels.rig import rig
 from segfmu.kernels.trajectory import evaluate, expand
 from tests.kernels.rigs import CONTROLLERS, HANGING, LAB, everything
-from tests.problems import AxisProblem, axis_problems
+from tests.problems import AxisProblem, axis_problems, work_space
 
 pytestmark = pytest.mark.interpreted
 
 compiled = pytest.importorskip(
     "segfmu.kernels._compiled", reason="the kernels were installed without a C compiler"
+)
+INTERPRETED = SimpleNamespace(
+    axis_limits=parameters.axis_limits, ramp_parameters=parameters.ramp_parameters,
+    shortest_profile=profile.shortest_profile, timed_profile=synchronize.timed_profile,
 )
 MASSES = (2.2, 1.155, 1.0, 9.81)
 
@@ -55,21 +59,13 @@ def close(a, b) -> bool:
 @given(axis_problems())
 def test_shortest_profiles_agree(problem: AxisProblem) -> None:
     results = []
-    for shortest, parameters in (
-        (shortest_profile, ramp_parameters),
-        (compiled.shortest_profile, compiled.ramp_parameters),
-    ):
-        n = problem.smoothness
-        ramp, phases = np.zeros(48), np.zeros((13, 4))
-        parameters(
-            n, problem.shape, 0.1, np.array(problem.limits), np.zeros(2 * n + 2),
-            np.zeros(n + 2), ramp,
-        )
-        count = shortest(
-            problem.v, problem.a, problem.w, problem.b, problem.distance, problem.limits[0],
-            problem.limits[1], ramp, phases, np.zeros((26, 4)),
-        )
-        results.append((count, ramp, phases[: max(count, 0)]))
+    for module in (INTERPRETED, compiled):
+        axis, phases = np.zeros(Axis.SIZE), np.zeros((Cell.ABOVE, Phase.SIZE))
+        work = work_space()
+        module.axis_limits(problem.smoothness, problem.shape, np.array(problem.limits), axis)
+        assert module.ramp_parameters(0.1, axis, work)
+        count = module.shortest_profile(problem.boundary(), axis, phases, work)
+        results.append((count, axis, phases[: max(count, 0)]))
     assert results[0][0] == results[1][0]
     assert close(results[0][1], results[1][1])
     assert close(results[0][2], results[1][2])
@@ -78,20 +74,16 @@ def test_shortest_profiles_agree(problem: AxisProblem) -> None:
 @settings(max_examples=40, deadline=None)
 @given(axis_problems(smoothness=4), st.floats(1.0, 4.0))
 def test_timed_profiles_agree(problem: AxisProblem, factor: float) -> None:
-    ramp, phases = problem.ramp(), np.zeros((13, 4))
-    state = problem.v, problem.a, problem.w, problem.b, problem.distance
-    limits = problem.limits[:2]
-    count = compiled.shortest_profile(*state, *limits, ramp, phases, np.zeros((26, 4)))
-    target = factor * phases[: max(count, 0), 0].sum()
+    _, phases = problem.shortest()
+    target = factor * float(phases[:, Phase.DURATION].sum())
     if target <= 0.0:
         return
     results = []
-    for timed in (timed_profile, compiled.timed_profile):
-        found, below, above = np.zeros(4), np.zeros((13, 4)), np.zeros((13, 4))
-        weight = timed(
-            target, *state, *limits, ramp, found, below, above, np.zeros((13, 4))
-        )
-        results.append(np.concatenate([[weight], found, below.ravel(), above.ravel()]))
+    for module in (INTERPRETED, compiled):
+        cell, work = np.zeros((Cell.SIZE, Cell.COLUMNS)), work_space()
+        cell[Cell.PROBLEM, : Problem.SIZE] = problem.boundary()
+        weight = module.timed_profile(target, problem.axis(), cell, work)
+        results.append(np.concatenate([[weight], work[PlanWork.NEAREST], cell.ravel()]))
     assert close(*results)
 
 

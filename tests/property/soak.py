@@ -13,15 +13,15 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from segfmu.kernels.backend import COMPILED
+from segfmu.kernels.backend import (
+    axis_limits,
+    expand_phases,
+    ramp_parameters,
+    shortest_profile,
+)
+from segfmu.kernels.planner.records import Axis, Cell, PlanStatus, PlanWork, Problem
+from segfmu.kernels.trajectory.records import Expansion, PieceState, Timing
 from segfmu.planning.polynomials import derivative_pieces, hulls, piece_extrema
-
-if COMPILED:
-    from segfmu.kernels._compiled import expand_phases, ramp_parameters, shortest_profile
-else:
-    from segfmu.kernels.planner.profile import shortest_profile
-    from segfmu.kernels.planner.transition import ramp_parameters
-    from segfmu.kernels.trajectory.evaluate import expand_phases
 
 TOLERANCE = 1e-9
 BATCH = 2000
@@ -83,17 +83,18 @@ def soak(smoothness: int, shape: int, count: int, seed: int) -> Tally:
 
 
 def _batch(n: int, shape: int, limits: np.ndarray, state: np.ndarray, tally: Tally) -> None:
-    ramp, phases, trial = np.zeros(48), np.zeros((13, 4)), np.zeros((26, 4))
-    work = np.zeros((2, 2 * n + 2))
-    timing, pieces = np.zeros((90, 2)), np.zeros((90, 2 * n))
+    axis, phases = np.zeros(Axis.SIZE), np.zeros((Cell.ABOVE, 4))
+    problem, work = np.zeros(Problem.SIZE), np.zeros((PlanWork.SIZE, PlanWork.COLUMNS))
+    expansion = np.zeros((Expansion.SIZE, Expansion.COLUMNS))
+    timing, pieces = np.zeros((90, Timing.SIZE)), np.zeros((90, 2 * n))
     rows, lengths, owners, ends = [], [], [], []
     for i in range(len(state)):
-        assert ramp_parameters(n, shape, 0.1, limits[i], work[0], work[1], ramp) == 0
+        axis_limits(n, shape, limits[i], axis)
+        assert ramp_parameters(0.1, axis, work)
         v, a, w, b, distance = (float(x) for x in state[i])
-        count = shortest_profile(
-            v, a, w, b, distance, float(limits[i, 0]), float(limits[i, 1]), ramp, phases, trial
-        )
-        if count in (-1, -2):
+        problem[: Problem.DURATION] = state[i]
+        count = shortest_profile(problem, axis, phases, work)
+        if count in (PlanStatus.START_BRAKING, PlanStatus.END_BRAKING):
             if not brakes_too_late(v, a, w, b, limits[i], count, n, shape):
                 tally.invalid.append(f"refused {describe(n, shape, limits[i], state[i])}")
             tally.refused += 1
@@ -102,12 +103,12 @@ def _batch(n: int, shape: int, limits: np.ndarray, state: np.ndarray, tally: Tal
             tally.invalid.append(f"status {count} {describe(n, shape, limits[i], state[i])}")
             continue
         tally.planned += 1
-        at = np.array([0.0, v, a, 0.0, 0.0])
-        used = expand_phases(
-            phases, count, n, shape, float(ramp[40]), work[0], at, timing, pieces, 0
-        )
+        at = expansion[Expansion.STATE]
+        at[:] = 0.0
+        at[PieceState.VELOCITY], at[PieceState.ACCELERATION] = v, a
+        used = expand_phases(phases, count, axis, timing, pieces, 0, expansion)
         rows.append(pieces[:used].copy())
-        lengths.append(timing[:used, 1].copy())
+        lengths.append(timing[:used, Timing.LENGTH].copy())
         owners.append(np.full(used, i))
         missed = np.abs(at[:3] - [distance, w, b])
         missed /= [max(abs(distance), 1.0), limits[i, 0], limits[i, 1]]
@@ -156,7 +157,9 @@ def brakes_too_late(v, a, w, b, limits: np.ndarray, status: int, n: int, shape: 
     Judged only where c_3 alone bounds the ramp: the velocity then changes by a^2 / (2 c_3) times
     the factor by which the ramp is longer than one at full jerk, or by a little less past zero.
     """
-    velocity, acceleration = (v, a) if status == -1 else (w, -b)
+    velocity, acceleration = (v, a)
+    if status == PlanStatus.END_BRAKING:
+        velocity, acceleration = w, -b
     if limits[3:].max(initial=0.0) > 0.0 or limits[2] == 0.0:
         return acceleration != 0.0
     factor = PEAKS[n] if shape == 0 else 1.0 / (1.0 - 0.1 * (n > 2))

@@ -12,14 +12,10 @@ import time
 import numpy as np
 
 from segfmu import InfeasibleError, Limits, Trajectory, Waypoint, plan, verify
-from segfmu.kernels.backend import COMPILED
-from segfmu.planning.solver import Options, plan_phases, states
+from segfmu.kernels.backend import timed_profile
+from segfmu.kernels.planner.records import PlanWork
+from segfmu.planning.problem import Options, Phases, Problem, plan_phases
 from tests.property.soak import shares
-
-if COMPILED:
-    from segfmu.kernels._compiled import timed_profile
-else:
-    from segfmu.kernels.planner.synchronize import timed_profile
 
 GRID = 60
 
@@ -50,7 +46,10 @@ def earlier(trajectory: Trajectory) -> str | None:
     table = trajectory.limits.table(axes, n)
     dwells = np.array([p.dwell for p in trajectory.waypoints])
     options = Options(n, trajectory.shape, "waypoints", 0.0, 0.0)
-    ramps = plan_phases(states(trajectory.waypoints), dwells, table, options).ramps
+    states = np.stack(
+        [np.column_stack([p.position, p.velocity, p.acceleration]) for p in trajectory.waypoints]
+    )
+    phases = plan_phases(Problem(states, dwells, table, options))
     alone = plan(
         trajectory.waypoints, trajectory.limits, smoothness=n, shape=trajectory.shape,
         synchronize="none",
@@ -63,20 +62,20 @@ def earlier(trajectory: Trajectory) -> str | None:
         if high <= low * (1.0 + 1e-9):
             continue
         for target in np.linspace(low, high * (1.0 - 1e-6), GRID)[1:]:
-            if all(feasible(trajectory, j, i, float(target), table, ramps) for i in range(axes)):
+            if all(feasible(trajectory, phases, j * axes + i, float(target)) for i in range(axes)):
                 return f"interval {j + 1}: {target} s would do, {high} s was found"
     return None
 
 
-def feasible(trajectory: Trajectory, j: int, axis: int, target: float, table, ramps) -> bool:
-    """Whether one axis has a profile of the given duration in interval j."""
-    a, b = trajectory.waypoints[j], trajectory.waypoints[j + 1]
-    resting = not any(p.velocity[axis] or p.acceleration[axis] for p in (a, b))
-    profiles = np.zeros((3, 13, 4))
+def feasible(trajectory: Trajectory, phases: Phases, cell: int, target: float) -> bool:
+    """Whether the axis of a cell has a profile of the given duration in its interval."""
+    j, axis = divmod(cell, trajectory.axes)
+    resting = not any(
+        p.velocity[axis] or p.acceleration[axis] for p in trajectory.waypoints[j : j + 2]
+    )
+    work = np.zeros((PlanWork.SIZE, PlanWork.COLUMNS))
     return resting or timed_profile(
-        target, a.velocity[axis], a.acceleration[axis], b.velocity[axis], b.acceleration[axis],
-        b.position[axis] - a.position[axis], table[axis, 0], table[axis, 1], ramps[axis],
-        np.zeros(4), *profiles,
+        target, phases.axes[axis], phases.cells[cell].copy(), work
     ) >= 0.0
 
 

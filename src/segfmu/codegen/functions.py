@@ -61,7 +61,9 @@ def _written(node: ast.FunctionDef, known: dict[str, Function]) -> Iterator[str]
         if isinstance(part, ast.Assign):
             target = part.targets[0]
             if isinstance(target, ast.Name) and isinstance(part.value, ast.Subscript):
-                views[target.id] = _base(part.value)
+                base = _base(part.value)
+                # a view of a view is one of the array
+                views[target.id] = views.get(base, base)
     for part in ast.walk(node):
         if isinstance(part, ast.Assign) and isinstance(part.targets[0], ast.Subscript):
             name = _base(part.targets[0])

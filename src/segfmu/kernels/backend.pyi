@@ -178,37 +178,6 @@ def plant_advance(
     /,
 ) -> int: ...
 
-def ramp_parameters(
-    smoothness: int,
-    shape: int,
-    share: float,
-    limits: Floats,
-    work: Floats,
-    peaks: Floats,
-    ramp: Floats,
-    /,
-) -> int: ...
-
-def ramp_duration(
-    change: float,
-    ramp: Floats,
-    /,
-) -> tuple[float, float, float]: ...
-
-def expand_phases(
-    phases: Floats,
-    count: int,
-    smoothness: int,
-    shape: int,
-    share: float,
-    psi: Floats,
-    state: Floats,
-    timing: Floats,
-    coefficients: Floats,
-    row: int,
-    /,
-) -> int: ...
-
 def evaluate(
     times: Floats,
     timing: Floats,
@@ -231,14 +200,11 @@ def evaluate_orders(
 ) -> None: ...
 
 def check_plan(
-    positions: Floats,
-    velocities: Floats,
-    accelerations: Floats,
+    states: Floats,
     times: Floats,
     timing: Floats,
     coefficients: Floats,
     offsets: Integers,
-    ends: Floats,
     limits: Floats,
     tolerance: float,
     work: Floats,
@@ -255,24 +221,24 @@ def check_rope(
     /,
 ) -> int: ...
 
+def ramp_duration(
+    change: float,
+    axis: Floats,
+    /,
+) -> tuple[float, float, float]: ...
+
 def measure_phases(
     phases: Floats,
     count: int,
     v: float,
     within: float,
-    ramp: Floats,
+    axis: Floats,
     /,
 ) -> tuple[float, float, float, float, float]: ...
 
 def shortest_profile(
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    distance: float,
-    velocity_limit: float,
-    top: float,
-    ramp: Floats,
+    problem: Floats,
+    axis: Floats,
     phases: Floats,
     work: Floats,
     /,
@@ -280,41 +246,35 @@ def shortest_profile(
 
 def timed_profile(
     target: float,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    distance: float,
-    velocity_limit: float,
-    top: float,
-    ramp: Floats,
-    found: Floats,
-    below: Floats,
-    above: Floats,
-    trial: Floats,
+    axis: Floats,
+    cell: Floats,
+    work: Floats,
     /,
 ) -> float: ...
 
-def plan_phases(
-    positions: Floats,
-    velocities: Floats,
-    accelerations: Floats,
-    dwells: Floats,
-    limits: Floats,
+def axis_limits(
     smoothness: int,
     shape: int,
-    synchronization: int,
-    sample_time: float,
-    duration: float,
-    ramps: Floats,
-    phases: Floats,
-    counts: Integers,
-    weights: Floats,
-    shortest: Floats,
-    durations: Floats,
-    active: Integers,
+    limits: Floats,
+    axis: Floats,
+    /,
+) -> None: ...
+
+def ramp_parameters(
+    share: float,
+    axis: Floats,
     work: Floats,
-    report: Floats,
+    /,
+) -> bool: ...
+
+def plan_phases(
+    states: Floats,
+    dwells: Floats,
+    limits: Floats,
+    options: Floats,
+    axes: Floats,
+    cells: Floats,
+    work: Floats,
     /,
 ) -> int: ...
 
@@ -439,28 +399,32 @@ def right_of_break(
     /,
 ) -> float: ...
 
+def expand_phases(
+    phases: Floats,
+    count: int,
+    axis: Floats,
+    timing: Floats,
+    coefficients: Floats,
+    row: int,
+    work: Floats,
+    /,
+) -> int: ...
+
 def count_pieces(
-    counts: Integers,
-    cells: int,
+    axes: Floats,
+    cells: Floats,
     /,
 ) -> int: ...
 
 def expand_plan(
-    positions: Floats,
-    velocities: Floats,
+    states: Floats,
     dwells: Floats,
-    smoothness: int,
-    shape: int,
-    phases: Floats,
-    counts: Integers,
-    weights: Floats,
-    durations: Floats,
-    ramps: Floats,
-    scratch_timing: Floats,
-    scratch: Floats,
+    axes: Floats,
+    cells: Floats,
     timing: Floats,
     coefficients: Floats,
     offsets: Integers,
     times: Floats,
+    work: Floats,
     /,
 ) -> int: ...

@@ -46,6 +46,15 @@ from segfmu.kernels.numerics.records import (
     RandomState,
     Sinusoid,
 )
+from segfmu.kernels.planner.records import (
+    Axis,
+    Cell,
+    Phase,
+    PlanOptions,
+    PlanWork,
+    Problem,
+    WaypointState,
+)
 from segfmu.kernels.rig.records import (
     Balance,
     Energies,
@@ -57,6 +66,7 @@ from segfmu.kernels.rig.records import (
     Setpoints,
     Settings,
 )
+from segfmu.kernels.trajectory.records import Check, Expansion, Timing
 
 Extent = int | str
 
@@ -78,16 +88,45 @@ def entry(module: str, name: str, /, **extents: Extent | tuple[Extent, ...]) -> 
 
 
 ENTRY_POINTS = (
-    entry("planner.transition", "ramp_parameters"),
-    entry("planner.transition", "ramp_duration"),
-    entry("planner.phases", "measure_phases"),
-    entry("planner.profile", "shortest_profile"),
-    entry("planner.synchronize", "timed_profile"),
-    entry("planner.plan", "plan_phases"),
-    entry("trajectory.expand", "count_pieces"),
-    entry("trajectory.evaluate", "expand_phases"),
-    entry("trajectory.expand", "expand_plan"),
-    entry("trajectory.check", "check_plan"),
+    entry("planner.parameters", "axis_limits", limits="smoothness + 1", axis=Axis.SIZE),
+    entry("planner.parameters", "ramp_parameters", axis=Axis.SIZE, work=(2, 12)),
+    entry("planner.ramp", "ramp_duration", axis=Axis.SIZE),
+    entry("planner.phases", "measure_phases", phases=("count", Phase.SIZE), axis=Axis.SIZE),
+    entry(
+        "planner.profile", "shortest_profile", problem=Problem.SIZE, axis=Axis.SIZE,
+        phases=(Cell.ABOVE, Phase.SIZE), work=(PlanWork.SIZE, PlanWork.COLUMNS),
+    ),
+    entry(
+        "planner.synchronize", "timed_profile", axis=Axis.SIZE, cell=(Cell.SIZE, Cell.COLUMNS),
+        work=(PlanWork.SIZE, PlanWork.COLUMNS),
+    ),
+    entry(
+        "planner.plan", "plan_phases", states=("points", "axes", WaypointState.SIZE),
+        dwells="points", limits=("axes", 3), options=PlanOptions.SIZE, axes=("axes", Axis.SIZE),
+        cells=("(points - 1) * axes", Cell.SIZE, Cell.COLUMNS),
+        work=(PlanWork.SIZE, PlanWork.COLUMNS),
+    ),
+    entry(
+        "trajectory.expand", "count_pieces", axes=("axes", Axis.SIZE),
+        cells=("cells", Cell.SIZE, Cell.COLUMNS),
+    ),
+    entry(
+        "trajectory.pieces", "expand_phases", phases=("count", Phase.SIZE), axis=Axis.SIZE,
+        timing=("rows", Timing.SIZE), coefficients=("rows", 4),
+        work=(Expansion.SIZE, Expansion.COLUMNS),
+    ),
+    entry(
+        "trajectory.expand", "expand_plan", states=("points", "axes", WaypointState.SIZE),
+        dwells="points", axes=("axes", Axis.SIZE),
+        cells=("(points - 1) * axes", Cell.SIZE, Cell.COLUMNS), timing=("rows", Timing.SIZE),
+        coefficients=("rows", 4), offsets="axes + 1", times=("points + 1", "axes"),
+        work=(Expansion.SIZE, Expansion.COLUMNS),
+    ),
+    entry(
+        "trajectory.check", "check_plan", states=("points", "axes", WaypointState.SIZE),
+        times=("points + 1", "axes"), timing=("rows", Timing.SIZE), coefficients=("rows", 4),
+        offsets="axes + 1", limits=("axes", 3), work=(Check.SIZE, Check.COLUMNS),
+    ),
     entry(
         "crane.rope", "check_rope", timing=("pieces", 2), coefficients=("pieces", "width"),
         offsets=4, bounds=RopeBounds.SIZE, work=(RopeWork.SIZE, "4 * width - 5"), report=3,

@@ -12,9 +12,10 @@ from dataclasses import replace
 
 import numpy as np
 
+from segfmu.kernels.planner.records import WaypointState
 from segfmu.planning.arrays import FloatArray
-from segfmu.planning.limits import Limits
-from segfmu.planning.solver import Options, plan_phases, states, total_duration
+from segfmu.planning.problem import Problem, plan_phases, total_duration
+from segfmu.planning.request import Request
 from segfmu.planning.waypoint import Waypoint
 
 SWEEPS = 4
@@ -22,126 +23,128 @@ SWEEPS = 4
 STEPS = (0.3, 0.1, 0.03, 0.01, 0.003, 0.001)
 
 
-def choose_states(
-    points: tuple[Waypoint, ...], limits: Limits, options: Options
-) -> tuple[Waypoint, ...]:
-    """Waypoints whose free velocities and accelerations (NaN) have become numbers.
+def choose_states(request: Request) -> Request:
+    """A request whose free velocities and accelerations (NaN) have become numbers.
 
     The first and the last waypoint, and those with a dwell, rest where they are free.
     """
-    state = states(points)
-    free = np.isnan(state)
+    problem = request.problem
+    free = np.isnan(problem.states)
     if not free.any():
-        return points
-    state[free] = 0.0
-    resting = [0, len(points) - 1, *(i for i, p in enumerate(points) if p.dwell > 0.0)]
-    free[:, resting] = False
-    if not free.any():
-        return _with_states(points, state)
-    table = limits.table(state.shape[2], options.smoothness)
-    dwells = np.array([p.dwell for p in points])
-    meet = options.synchronize == "waypoints"
-    local = replace(
-        options, synchronize="waypoints" if meet else "none", sample_time=0.0, duration=0.0
+        return request
+    states = np.where(free, 0.0, problem.states)
+    free[[0, -1]] = False
+    free[problem.dwells > 0.0] = False
+    if free.any():
+        states = _fastest(replace(problem, states=states), free)
+    waypoints = tuple(
+        Waypoint(state[:, WaypointState.POSITION], state[:, WaypointState.VELOCITY],
+                 state[:, WaypointState.ACCELERATION], point.dwell)
+        for point, state in zip(request.waypoints, states, strict=True)
     )
-    search = _Search(free, dwells, table, local)
-    candidates = [state, search.improve(_guess(state, free, table))]
-    if np.isfinite(search.total(state)):
-        candidates.append(search.improve(state))
-    return _with_states(points, min(candidates, key=lambda s: _duration(s, dwells, table, options)))
+    return replace(request, waypoints=waypoints, problem=replace(problem, states=states))
 
 
-def _with_states(points: tuple[Waypoint, ...], state: FloatArray) -> tuple[Waypoint, ...]:
-    return tuple(
-        Waypoint(p.position, state[1, i], state[2, i], p.dwell) for i, p in enumerate(points)
-    )
+def _fastest(resting: Problem, free: FloatArray) -> FloatArray:
+    """The states of the fastest plan that the search finds; `resting` is where it begins."""
+    search = _Search(free, resting)
+    candidates = [resting.states, search.improve(_guess(resting, free))]
+    if np.isfinite(search.total(resting.states)):
+        candidates.append(search.improve(resting.states))
+    return min(candidates, key=lambda states: _duration(replace(resting, states=states)))
 
 
-def _duration(state: FloatArray, dwells: FloatArray, table: FloatArray, options: Options) -> float:
+def _duration(problem: Problem) -> float:
     """Duration of the plan exactly as asked for, infinite where there is none."""
-    found = plan_phases(state, dwells, table, options)
-    return float("inf") if found.status < 0 else float(found.durations.sum(axis=0).max())
+    phases = plan_phases(problem)
+    return float(phases.durations.sum(axis=0).max()) if phases.feasible else float("inf")
 
 
-def _guess(state: FloatArray, free: FloatArray, table: FloatArray) -> FloatArray:
+def _guess(resting: Problem, free: FloatArray) -> FloatArray:
     """Velocities along the chords, at most what half of the shorter chord admits."""
-    guess = state.copy()
-    chords = np.diff(state[0], axis=0)
-    for i in range(1, state.shape[1] - 1):
+    guess = resting.states.copy()
+    velocity_limit, acceleration_limit = resting.limits[:, 0], resting.limits[:, 1]
+    chords = np.diff(guess[:, :, WaypointState.POSITION], axis=0)
+    for i in range(1, len(guess) - 1):
         before, after = chords[i - 1], chords[i]
         shorter = np.minimum(np.abs(before), np.abs(after))
-        speed = np.minimum(0.9 * table[:, 0], np.sqrt(table[:, 1] * shorter))
+        speed = np.minimum(0.9 * velocity_limit, np.sqrt(acceleration_limit * shorter))
         # the axes share the time of the slowest one, so their speeds are in proportion
         slowest = float(np.max(shorter / np.maximum(speed, 1e-12)))
         share = shorter / max(slowest, 1e-12)
         passing = before * after > 0.0
         chosen = np.where(passing, np.sign(after) * np.minimum(speed, share), 0.0)
-        guess[1, i] = np.where(free[1, i], chosen, state[1, i])
+        velocity = guess[i, :, WaypointState.VELOCITY]
+        velocity[:] = np.where(free[i, :, WaypointState.VELOCITY], chosen, velocity)
     return guess
 
 
 class _Search:
     """Compass search over the free states of one waypoint after the other."""
 
-    def __init__(
-        self, free: FloatArray, dwells: FloatArray, table: FloatArray, options: Options
-    ) -> None:
+    def __init__(self, free: FloatArray, problem: Problem) -> None:
         self.free = free
-        self.dwells = dwells
-        self.table = table
-        self.options = options
+        self.dwells = problem.dwells
+        self.limits = problem.limits
+        meeting = problem.options.synchronize == "waypoints"
+        self.options = replace(
+            problem.options, synchronize="waypoints" if meeting else "none", sample_time=0.0,
+            duration=0.0,
+        )
+        self.apart = replace(self.options, synchronize="none")
 
-    def total(self, state: FloatArray) -> float:
+    def total(self, states: FloatArray) -> float:
         """Duration of all intervals."""
-        return total_duration(state, self.dwells, self.table, self.options)
+        return total_duration(Problem(states, self.dwells, self.limits, self.options))
 
-    def improve(self, state: FloatArray) -> FloatArray:
+    def improve(self, states: FloatArray) -> FloatArray:
         """Sweep until nothing gets shorter; infeasible guesses are drawn towards rest first."""
-        state = state.copy()
+        states = states.copy()
         for _ in range(8):
-            if np.isfinite(self.total(state)):
+            if np.isfinite(self.total(states)):
                 break
-            state[1:][self.free[1:]] *= 0.5
+            states[self.free] *= 0.5
         for sweep in range(SWEEPS):
-            before = self.total(state)
-            for point in range(1, state.shape[1] - 1):
-                for order, axis in np.argwhere(self.free[:, point]):
-                    self._line(state, int(order), point, int(axis), STEPS[sweep:])
-            if not self.total(state) < before * (1.0 - 1e-4):
+            before = self.total(states)
+            for point in range(1, len(states) - 1):
+                for field, axis in np.argwhere(self.free[point].T):
+                    self._line(states, point, int(axis), int(field), STEPS[sweep:])
+            if not self.total(states) < before * (1.0 - 1e-4):
                 break
-        return state
+        return states
 
     def _line(
-        self, state: FloatArray, order: int, point: int, axis: int, steps: tuple[float, ...]
+        self, states: FloatArray, point: int, axis: int, field: int, steps: tuple[float, ...]
     ) -> None:
         """Move one state up or down, in place, while the two intervals next to it get shorter."""
         rows = slice(point - 1, point + 2)
-        window = np.ascontiguousarray(state[:, rows])
+        window = states[rows].copy()
         dwells = self.dwells[rows].copy()
-        bound = float(self.table[axis, order - 1])
+        bound = float(self.limits[axis, field - WaypointState.VELOCITY])
         best = self._window(window, dwells, float("inf"))
         for step in steps:
             for sign in (1.0, -1.0):
                 while True:
-                    kept = window[order, 1, axis]
+                    kept = window[1, axis, field]
                     moved = min(max(kept + sign * step * bound, -bound), bound)
-                    window[order, 1, axis] = moved
-                    found = self._window(window, dwells, best)
-                    if not found < best * (1.0 - 1e-9):
-                        window[order, 1, axis] = kept
+                    window[1, axis, field] = moved
+                    reached = self._window(window, dwells, best)
+                    if not reached < best * (1.0 - 1e-9):
+                        window[1, axis, field] = kept
                         break
-                    best = found
-        state[order, point, axis] = window[order, 1, axis]
+                    best = reached
+        states[point, axis, field] = window[1, axis, field]
 
     def _window(self, window: FloatArray, dwells: FloatArray, best: float) -> float:
         """Duration of two intervals, infinite where the axes apart already take `best`.
 
         A common duration can lie beyond a gap, which is far more work to find.
         """
-        apart = replace(self.options, synchronize="none")
-        found = plan_phases(window, dwells, self.table, apart)
-        if found.status < 0 or self.options.synchronize == "none":
-            return float("inf") if found.status < 0 else float(found.durations.sum())
-        if not found.durations.max(axis=1).sum() < best * (1.0 - 1e-9):
+        phases = plan_phases(Problem(window, dwells, self.limits, self.apart))
+        if not phases.feasible:
             return float("inf")
-        return total_duration(window, dwells, self.table, self.options)
+        if self.options.synchronize == "none":
+            return float(phases.durations.sum())
+        if not phases.durations.max(axis=1).sum() < best * (1.0 - 1e-9):
+            return float("inf")
+        return total_duration(Problem(window, dwells, self.limits, self.options))

@@ -105,11 +105,11 @@ class Trajectory:
     def extrema(self, derivative: int) -> tuple[FloatArray, FloatArray]:
         """Exact minimum and maximum of a derivative, each of shape (axes,)."""
         _require_derivative(derivative)
-        found = np.empty((self.axes, 2))
+        bounds = np.empty((self.axes, 2))
         for axis in range(self.axes):
             _, lengths, coefficients = self.pieces(axis)
-            found[axis] = extrema(coefficients, lengths, derivative)
-        return found[:, 0], found[:, 1]
+            bounds[axis] = extrema(coefficients, lengths, derivative)
+        return bounds[:, 0], bounds[:, 1]
 
     @property
     def events(self) -> FloatArray:
@@ -119,10 +119,10 @@ class Trajectory:
         polynomial pieces, where derivatives of the crane's forces jump: the first one at
         smoothness 4.
         """
-        found = [self.next_event(-1.0)]
-        while found[-1] < np.inf:
-            found.append(self.next_event(found[-1]))
-        return np.array(found[:-1])
+        times = [self.next_event(-1.0)]
+        while times[-1] < np.inf:
+            times.append(self.next_event(times[-1]))
+        return np.array(times[:-1])
 
     def next_event(self, t: float) -> float:
         """First of the `events` after a time t [s], infinite after the last one."""

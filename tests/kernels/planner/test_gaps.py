@@ -8,7 +8,8 @@ from scipy.optimize import linprog
 
 from segfmu import Limits, Trajectory, Waypoint, plan
 from segfmu.kernels.planner.gaps import gap_ends, insert_end
-from tests.problems import AxisProblem
+from segfmu.kernels.planner.records import PlanWork
+from tests.problems import AxisProblem, work_space
 from tests.property.soak_axes import earlier
 
 CELLS = 160
@@ -73,13 +74,11 @@ def test_a_common_duration_in_a_gap_goes_to_its_end(problem: AxisProblem, inside
 
 def test_ends_rise_and_come_after_the_given_duration() -> None:
     problem = AxisProblem(4, 1, (2.0, 0.6, 3.0, 20.0, 0.0), 1.36, -0.11, 1.7, 0.38, 1.9)
-    ends = np.zeros((16, 8))
-    count = gap_ends(
-        1.3, problem.v, problem.a, problem.w, problem.b, problem.distance, problem.limits[0],
-        problem.limits[1], problem.ramp(), np.zeros((13, 4)), ends,
-    )
+    work = work_space()
+    count = gap_ends(1.3, problem.boundary(), problem.axis(), work)
+    ends = work[PlanWork.GAP_ENDS :, 0]
     assert count >= 2
-    assert (np.diff(ends[:count, 0]) > 0.0).all() and ends[0, 0] > 1.3
+    assert (np.diff(ends[:count]) > 0.0).all() and ends[0] > 1.3
 
 
 def test_insertion_keeps_the_earliest() -> None:

@@ -11,7 +11,7 @@ import pytest
 
 from segfmu import Limits, Waypoint, plan
 from segfmu.codegen.native import TARGET
-from segfmu.planning.solver import SHAPES, SYNCHRONIZATIONS
+from segfmu.planning.problem import SHAPES, SYNCHRONIZATIONS
 
 COMPILER = shutil.which("cc")
 POINTS = [

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from hypothesis import example, given, settings
 
-from segfmu.kernels.planner.profile import shortest_profile
-from segfmu.kernels.planner.transition import ramp_duration
-from segfmu.kernels.trajectory.evaluate import expand_phases
+from segfmu.kernels.planner.ramp import ramp_duration
+from segfmu.kernels.trajectory.pieces import expand_phases
+from segfmu.kernels.trajectory.records import Expansion, PieceState
 from tests.problems import AxisProblem, axis_problems
 
 PROBLEMS = json.loads(
@@ -19,25 +19,16 @@ PROBLEMS = json.loads(
 )
 
 
-def solve(problem: AxisProblem) -> tuple[int, np.ndarray]:
-    phases = np.zeros((13, 4))
-    count = shortest_profile(
-        problem.v, problem.a, problem.w, problem.b, problem.distance, problem.limits[0],
-        problem.limits[1], problem.ramp(), phases, np.zeros((26, 4)),
-    )
-    return count, phases[: max(count, 0)]
-
-
 def sampled(problem: AxisProblem, phases: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """End state (position, velocity, acceleration) and peaks of derivatives 1 .. n + 1."""
     n = problem.smoothness
     rows = 7 * len(phases)
     timing, coefficients = np.zeros((rows, 2)), np.zeros((rows, 2 * n))
-    state = np.array([0.0, problem.v, problem.a, 0.0, 0.0])
-    used = expand_phases(
-        phases, len(phases), n, problem.shape, float(problem.ramp()[40]), np.zeros(2 * n + 2),
-        state, timing, coefficients, 0,
-    )
+    work = np.zeros((Expansion.SIZE, Expansion.COLUMNS))
+    state = work[Expansion.STATE]
+    state[PieceState.VELOCITY] = problem.v
+    state[PieceState.ACCELERATION] = problem.a
+    used = expand_phases(phases, len(phases), problem.axis(), timing, coefficients, 0, work)
     peaks = np.zeros(n + 1)
     for length, row in zip(timing[:used, 1], coefficients[:used], strict=True):
         piece = np.polynomial.Polynomial(row)
@@ -55,7 +46,7 @@ def sampled(problem: AxisProblem, phases: np.ndarray) -> tuple[np.ndarray, np.nd
 def test_boundary_is_met_within_every_limit_or_braking_is_impossible(
     problem: AxisProblem,
 ) -> None:
-    count, phases = solve(problem)
+    count, phases = problem.shortest()
     assert count != -3
     if count < 0:
         assert braking_passes_the_limit(problem)
@@ -72,9 +63,9 @@ def test_boundary_is_met_within_every_limit_or_braking_is_impossible(
 
 def braking_passes_the_limit(problem: AxisProblem) -> bool:
     """Whether the fastest ramp to zero acceleration leaves the velocity range at either end."""
-    ramp = problem.ramp()
-    first = problem.v + 0.5 * problem.a * ramp_duration(abs(problem.a), ramp)[0]
-    last = problem.w - 0.5 * problem.b * ramp_duration(abs(problem.b), ramp)[0]
+    axis = problem.axis()
+    first = problem.v + 0.5 * problem.a * ramp_duration(abs(problem.a), axis)[0]
+    last = problem.w - 0.5 * problem.b * ramp_duration(abs(problem.b), axis)[0]
     return max(abs(first), abs(last)) > problem.limits[0]
 
 
@@ -82,9 +73,8 @@ def ratios(shape: int) -> np.ndarray:
     found = []
     for item in PROBLEMS:
         (start, v, a), (end, w, b) = item["start"], item["end"]
-        count, phases = solve(
-            AxisProblem(4, shape, (*item["limits"], 0.0), v, a, w, b, end - start)
-        )
+        problem = AxisProblem(4, shape, (*item["limits"], 0.0), v, a, w, b, end - start)
+        count, phases = problem.shortest()
         assert count > 0, item
         found.append(phases[:, 0].sum() / item["optimal_duration"])
     return np.array(found)
@@ -111,7 +101,7 @@ def test_reference_problems_with_smoothstep() -> None:
 @pytest.mark.parametrize("sign", [1.0, -1.0])
 def test_classic_jerk_limited_profile_in_closed_form(sign: float) -> None:
     problem = AxisProblem(2, 1, (2.0, 1.0, 2.0), 0.0, 0.0, 0.0, 0.0, sign * 10.0)
-    count, phases = solve(problem)
+    count, phases = problem.shortest()
     # v / a + a / j for each velocity change and the rest at full speed
     assert phases[:, 0].sum() == pytest.approx(10.0 / 2.0 + 2.0 / 1.0 + 1.0 / 2.0, rel=1e-14)
     assert count == 7
@@ -124,7 +114,7 @@ def test_one_ramp_of_the_paper_is_found_as_one_phase() -> None:
         limits = (1.0, 1.0, 1.875 * acceleration / time, 0.0, 0.0)
         distance = acceleration * time**2 / 7.0
         problem = AxisProblem(4, 0, limits, 0.0, 0.0, velocity, acceleration, distance)
-        count, phases = solve(problem)
+        count, phases = problem.shortest()
         assert count == 1
         assert phases[0] == pytest.approx([time, 0.0, 0.0, acceleration], rel=1e-12)
 
@@ -134,7 +124,7 @@ def test_both_accelerations_are_braked_back_and_forth() -> None:
     limits = (0.1870842899176974, 0.5081218743726612, 0.836288400992345, 1.552457181243767)
     v, a = -0.1336826104365626, limits[1]
     problem = AxisProblem(3, 0, limits, v, a, v, -a, 0.02)
-    count, phases = solve(problem)
+    count, phases = problem.shortest()
     assert count >= 11
     end, peaks = sampled(problem, phases)
     np.testing.assert_allclose(end, [0.02, v, -a], atol=1e-12)

@@ -7,34 +7,26 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from segfmu.kernels.planner.phases import measure_phases
-from segfmu.kernels.planner.profile import shortest_profile
+from segfmu.kernels.planner.records import Cell, Nearest, Phase, PlanWork, Problem
 from segfmu.kernels.planner.synchronize import stretch_phases, timed_profile
-from tests.problems import AxisProblem, axis_problems
+from tests.problems import AxisProblem, axis_problems, work_space
 
 
 def timed(problem: AxisProblem, target: float):
     """Weight of the mean (-1: infeasible), and duration, distance and velocities of both parts."""
-    ramp = problem.ramp()
-    found, below, above = np.zeros(4), np.zeros((13, 4)), np.zeros((13, 4))
-    weight = timed_profile(
-        target, problem.v, problem.a, problem.w, problem.b, problem.distance, problem.limits[0],
-        problem.limits[1], ramp, found, below, above, np.zeros((13, 4)),
-    )
+    cell, work = np.zeros((Cell.SIZE, Cell.COLUMNS)), work_space()
+    cell[Cell.PROBLEM, : Problem.SIZE] = problem.boundary()
+    weight = timed_profile(target, problem.axis(), cell, work)
+    below, above = work[PlanWork.NEAREST, [Nearest.BELOW_COUNT, Nearest.ABOVE_COUNT]].astype(int)
     parts = [
-        measure_phases(rows, int(count), problem.v, 0.0, ramp)
-        for rows, count in ((below, found[0]), (above, found[2]))
+        problem.measured(cell[Cell.BELOW :][:below]), problem.measured(cell[Cell.ABOVE :][:above])
     ]
     return weight, parts
 
 
 def shortest(problem: AxisProblem) -> float:
-    phases, ramp = np.zeros((13, 4)), problem.ramp()
-    count = shortest_profile(
-        problem.v, problem.a, problem.w, problem.b, problem.distance, problem.limits[0],
-        problem.limits[1], ramp, phases, np.zeros((26, 4)),
-    )
-    return -1.0 if count < 0 else float(phases[:count, 0].sum())
+    count, phases = problem.shortest()
+    return -1.0 if count < 0 else float(phases[:, Phase.DURATION].sum())
 
 
 @settings(max_examples=60, deadline=None)
@@ -80,13 +72,10 @@ def test_gap_of_errata_e10() -> None:
 
 def test_stretching_keeps_the_distance() -> None:
     problem = AxisProblem(5, 1, (1.0, 1.0, 2.0, 10.0, 90.0, 0.0), 0.0, 0.0, 0.0, 0.0, 0.7)
-    phases, ramp = np.zeros((13, 4)), problem.ramp()
-    count = shortest_profile(
-        0.0, 0.0, 0.0, 0.0, 0.7, 1.0, 1.0, ramp, phases, np.zeros((26, 4))
-    )
-    before = measure_phases(phases, count, 0.0, 0.0, ramp)
+    count, phases = problem.shortest()
+    before = problem.measured(phases)
     stretch_phases(phases, count, 2.5)
-    after = measure_phases(phases, count, 0.0, 0.0, ramp)
+    after = problem.measured(phases)
     assert after[0] == pytest.approx(2.5 * before[0])
     assert after[1] == pytest.approx(0.7)
     assert after[4] == pytest.approx(before[4] / 2.5)

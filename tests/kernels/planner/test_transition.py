@@ -9,15 +9,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from segfmu.kernels.planner.transition import (
-    ramp_change,
-    ramp_distance,
-    ramp_duration,
-    ramp_extreme_velocity,
-    ramp_parameters,
-    transition_coefficients,
-    transition_peaks,
-)
+from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters
+from segfmu.kernels.planner.ramp import ramp_change, ramp_distance, ramp_duration
+from segfmu.kernels.planner.ramp_peak import ramp_extreme_velocity
+from segfmu.kernels.planner.records import Axis
+from segfmu.kernels.planner.transition import transition_coefficients, transition_peaks
+from tests.problems import packed_axis, work_space
 
 
 def coefficients(order: int) -> np.ndarray:
@@ -62,16 +59,6 @@ def test_peaks_bound_every_derivative_and_are_reached(order: int) -> None:
         assert np.abs(values).max() >= peaks[j] * (1.0 - 1e-6)
 
 
-def packed(smoothness: int, shape: int, limits: list[float]) -> np.ndarray:
-    ramp = np.zeros(48)
-    n = smoothness
-    status = ramp_parameters(
-        n, shape, 0.1, np.array(limits), np.zeros(2 * n + 2), np.zeros(n + 2), ramp
-    )
-    assert status == 0
-    return ramp
-
-
 def psi_curve(order: int, s: float) -> float:
     """The transition polynomial, from its definition as a normalised integral."""
     s = min(max(s, 0.0), 1.0)
@@ -91,7 +78,7 @@ def snap_plateau(order: int, share: float):
 
 
 def jerk_profile(smoothness: int, shape: int, duration: float, rise: float, share: float = 0.0):
-    """Jerk of a ramp of unit peak, written down from the definition of the two shapes."""
+    """Jerk of a axis of unit peak, written down from the definition of the two shapes."""
     k = smoothness - 2
     if share > 0.0:
         curve = snap_plateau(k - 2, share)
@@ -114,16 +101,16 @@ def test_distance_and_velocity_match_integrated_jerk(
 ) -> None:
     limits = [1.0, 1.0, 1.3, 4.0, 20.0, 90.0, 0.0][: smoothness + 1]
     limits[highest:] = [0.0] * len(limits[highest:])
-    ramp = packed(smoothness, shape, limits)
-    duration, rise, _ = ramp_duration(change, ramp)
-    jerk = jerk_profile(smoothness, shape, duration, rise, float(ramp[40]))
+    axis = packed_axis(smoothness, shape, limits)
+    duration, rise, _ = ramp_duration(change, axis)
+    jerk = jerk_profile(smoothness, shape, duration, rise, float(axis[Axis.SNAP_SHARE]))
     times = np.linspace(0.0, duration, 40001)
     values = np.array([jerk(t) for t in times])
     total = np.trapezoid(values, times)
     moment = np.trapezoid(0.5 * (duration - times) ** 2 * values, times)
     v, a = 0.4, -0.7
     expected = v * duration + 0.5 * a * duration**2 + change * moment / total
-    found = ramp_distance(v, a, a + change, duration, rise, ramp)
+    found = ramp_distance(v, a, a + change, duration, rise, axis)
     assert found == pytest.approx(expected, abs=1e-7 * change * duration**2)
 
 
@@ -134,10 +121,10 @@ def test_distance_and_velocity_match_integrated_jerk(
 )
 def test_change_inverts_duration(smoothness: int, shape: int, exponent: float) -> None:
     limits = [1.0, 1.0, 1.3, 4.0, 20.0, 90.0, 0.0][: smoothness + 1]
-    ramp = packed(smoothness, shape, limits)
+    axis = packed_axis(smoothness, shape, limits)
     change = 10.0**exponent
-    duration, _, slope = ramp_duration(change, ramp)
-    back, growth = ramp_change(duration, ramp)
+    duration, _, slope = ramp_duration(change, axis)
+    back, growth = ramp_change(duration, axis)
     assert back == pytest.approx(change, rel=1e-12)
     assert growth * slope == pytest.approx(1.0, rel=1e-9)
 
@@ -153,9 +140,9 @@ def test_extreme_velocity_is_where_the_acceleration_vanishes(
 ) -> None:
     limits = [1.0, 1.0, 1.3, 4.0, 20.0, 90.0, 0.0][: smoothness + 1]
     limits[highest:] = [0.0] * len(limits[highest:])
-    ramp = packed(smoothness, shape, limits)
-    duration, rise, _ = ramp_duration(abs(b - a), ramp)
-    jerk = jerk_profile(smoothness, shape, duration, rise, float(ramp[40]))
+    axis = packed_axis(smoothness, shape, limits)
+    duration, rise, _ = ramp_duration(abs(b - a), axis)
+    jerk = jerk_profile(smoothness, shape, duration, rise, float(axis[Axis.SNAP_SHARE]))
     times = np.linspace(0.0, duration, 20001)
     values = np.array([jerk(t) for t in times])
     step = times[1] - times[0]
@@ -165,12 +152,12 @@ def test_extreme_velocity_is_where_the_acceleration_vanishes(
         [[0.0], np.cumsum(0.5 * (acceleration[1:] + acceleration[:-1]) * step)]
     )
     expected = velocity.max() if a > 0.0 else velocity.min()
-    found = ramp_extreme_velocity(0.0, a, b, duration, rise, ramp)
+    found = ramp_extreme_velocity(0.0, a, b, duration, rise, axis)
     assert found == pytest.approx(expected, abs=1e-7)
 
 
 def test_no_limit_on_the_ramp_is_reported() -> None:
-    ramp = np.zeros(48)
-    limits = np.array([1.0, 1.0, 0.0, 0.0, 0.0])
+    axis = np.zeros(Axis.SIZE)
     for shape in (0, 1):
-        assert ramp_parameters(4, shape, 0.1, limits, np.zeros(10), np.zeros(6), ramp) == 1
+        axis_limits(4, shape, np.array([1.0, 1.0, 0.0, 0.0, 0.0]), axis)
+        assert not ramp_parameters(0.1, axis, work_space())

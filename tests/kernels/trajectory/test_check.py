@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from segfmu import Limits, Waypoint, plan
+from segfmu.kernels.planner.records import WaypointState
 from segfmu.kernels.trajectory.check import bernstein_coefficients, check_plan, within
+from segfmu.kernels.trajectory.records import Check, Hull
 from segfmu.planning.polynomials import piece_extrema
 
 LIMITS = Limits([1.0, 0.4], [1.0, 0.5], [1.0, 0.5], [10.0, 5.0])
@@ -21,19 +23,18 @@ POINTS = [
 def judged(change=lambda arrays: None, limits: Limits = LIMITS) -> int:
     trajectory = plan(POINTS, LIMITS)
     arrays = {
-        "positions": np.array([p.position for p in POINTS]),
-        "velocities": np.array([p.velocity for p in POINTS]),
-        "accelerations": np.array([p.acceleration for p in POINTS]),
-        "times": trajectory.axis_waypoint_times.copy(),
+        "states": np.stack(
+            [np.column_stack([p.position, p.velocity, p.acceleration]) for p in POINTS]
+        ),
+        "times": np.vstack([trajectory.axis_waypoint_times, trajectory.axis_durations]),
         "timing": trajectory.timing.copy(),
         "coefficients": trajectory.coefficients.copy(),
         "offsets": trajectory.offsets.copy(),
-        "ends": trajectory.axis_durations.copy(),
         "limits": limits.table(2, 4),
     }
     change(arrays)
     with np.errstate(all="ignore"):
-        return check_plan(*arrays.values(), 1e-9, np.zeros((43, 14)))
+        return check_plan(*arrays.values(), 1e-9, np.zeros((Check.SIZE, Check.COLUMNS)))
 
 
 def test_a_plan_passes() -> None:
@@ -52,11 +53,11 @@ def test_a_changed_coefficient_is_found(row: int, column: int, change: float) ->
     assert judged(add) == (2 if row == -1 else 1)
 
 
-@pytest.mark.parametrize("name", ["positions", "velocities", "accelerations"])
+@pytest.mark.parametrize("derivative", range(WaypointState.SIZE))
 @pytest.mark.parametrize("point", [0, 1, 2])
-def test_a_missed_waypoint_is_found(name: str, point: int) -> None:
+def test_a_missed_waypoint_is_found(derivative: int, point: int) -> None:
     def move(arrays) -> None:
-        arrays[name][point, 1] += 1e-7
+        arrays["states"][point, 1, derivative] += 1e-7
 
     assert judged(move) == 2
 
@@ -80,14 +81,17 @@ def test_a_tighter_limit_is_found(order: int) -> None:
     st.lists(st.floats(-3.0, 3.0), min_size=4, max_size=12), st.floats(0.1, 3.0),
     st.integers(0, 2), st.floats(-0.2, 0.2),
 )
+@example([0.0, 0.0, 0.0, 0.0], 1.0, 0, -0.125)
 def test_verdict_is_that_of_the_roots(values, length: float, derivative: int, margin) -> None:
     coefficients = np.array([values])
-    hull = np.zeros((40, 14))
+    hull = np.zeros((40, Hull.SIZE))
     count = bernstein_coefficients(coefficients, 0, len(values), derivative, length, hull)
     polynomial = np.polynomial.Polynomial(values).deriv(derivative)
     low, high = piece_extrema(polynomial.coef, length)
-    peak = max(-low, high, 1e-9)
+    largest = max(-low, high)
+    peak = max(largest, 1e-9)
     assert hull[0, 0] == pytest.approx(polynomial(0.0), abs=1e-9 * peak)
     assert hull[0, count - 1] == pytest.approx(polynomial(length), abs=1e-9 * peak)
     if abs(margin) > 1e-6:
-        assert within(hull, count, peak * (1.0 + margin)) == (margin > 0.0)
+        bound = peak * (1.0 + margin)
+        assert within(hull, count, bound) == (largest <= bound)

@@ -6,7 +6,10 @@ import numpy as np
 import pytest
 
 from segfmu import Limits, Waypoint, plan
-from segfmu.kernels.trajectory.evaluate import evaluate, evaluate_orders, expand_phases, find_piece
+from segfmu.kernels.planner.records import Axis
+from segfmu.kernels.trajectory.evaluate import evaluate, evaluate_orders, find_piece
+from segfmu.kernels.trajectory.pieces import expand_phases
+from segfmu.kernels.trajectory.records import Expansion, PieceState
 
 
 @pytest.mark.parametrize(
@@ -19,12 +22,16 @@ def test_pieces_join_and_integrate(smoothness: int, shape: int, share: float) ->
         [[0.5, 0.1, 0.0, 0.8], [0.3, 0.0, 0.8, 0.0], [0.7, 0.35, 0.8, -1.1], [0.2, 0.0, -0.3, 0.0]]
     )
     timing, coefficients = np.zeros((28, 2)), np.zeros((28, 2 * smoothness))
-    state = np.array([1.0, -0.2, 0.0, 0.0, 2.0])
-    rows = expand_phases(
-        phases, 4, smoothness, shape, share, np.zeros(2 * smoothness), state, timing,
-        coefficients, 0,
-    )
-    end = state[4]
+    axis = np.zeros(Axis.SIZE)
+    axis[Axis.SMOOTHNESS] = smoothness
+    axis[Axis.PLATEAU] = shape == 1 and smoothness > 2
+    axis[Axis.SNAP_SHARE] = share
+    work = np.zeros((Expansion.SIZE, Expansion.COLUMNS))
+    state = work[Expansion.STATE]
+    state[PieceState.POSITION], state[PieceState.VELOCITY] = 1.0, -0.2
+    state[PieceState.TIME] = 2.0
+    rows = expand_phases(phases, 4, axis, timing, coefficients, 0, work)
+    end = state[PieceState.TIME]
     assert end == pytest.approx(3.7)
     times = np.linspace(2.0, end, 40001)
     values = {d: np.zeros((times.size, 1)) for d in range(smoothness + 1)}

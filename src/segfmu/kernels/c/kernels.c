@@ -83,30 +83,14 @@ static void reuse_last_stage(array_double_2d work);
 static double try_step(array_double_1d plant, array_double_2d components, double time, double elapsed, array_double_1d state, double h, array_double_2d work);
 static int64_t plant_status(array_double_1d plant, array_double_1d state, double rope_force);
 static void accept_step(array_double_1d state, array_double_2d work, double elapsed, array_double_1d report);
-static void transition_coefficients(int64_t order, array_double_1d coefficients);
-static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s);
-static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks);
-static int64_t slowest_root(double* result_0, double* result_1_0001, double change, int64_t first, array_double_1d ramp);
-static double ramp_rise(double duration, array_double_1d ramp);
-static int64_t fastest_power(double* result_0, double* result_1_0001, double duration, int64_t first, array_double_1d ramp);
-static int64_t ramp_change(double* result_0, double* result_1, double duration, array_double_1d ramp);
-static double ramp_distance(double v, double a, double b, double duration, double rise, array_double_1d ramp);
-static int64_t snap_plateau_half(double* result_0_0001, double* result_1_0001, double* result_2_0001, double s, array_double_1d ramp);
-static int64_t curved_part(double* result_0, double* result_1, double* result_2, double s, array_double_1d ramp);
-static double invert_curved_part(double value, double upper, array_double_1d ramp);
-static double ramp_extreme_velocity_first_half(double v, double a, double b, double duration, double rise, array_double_1d ramp);
-static double ramp_extreme_velocity(double v, double a, double b, double duration, double rise, array_double_1d ramp);
-static double evaluate_piece(array_double_2d coefficients, int64_t row, int64_t width, double t, int64_t derivative);
-static int64_t append_piece(double duration, array_double_2d timing, array_double_2d coefficients, int64_t row, int64_t width, array_double_1d state);
-static void clear_piece(array_double_2d coefficients, int64_t row);
-static void add_rise(double jerk, double rise, int64_t order, array_double_1d psi, array_double_2d coefficients, int64_t row);
-static void add_snap(double snap, double rise, int64_t order, array_double_1d psi, array_double_2d coefficients, int64_t row);
-static int64_t expand_jerk_change(double jerk, double rise, double share, int64_t order, array_double_1d psi, array_double_1d state, array_double_2d timing, array_double_2d coefficients, int64_t row, int64_t width);
 static int64_t find_piece(double time, array_double_2d timing, int64_t first, int64_t last);
+static double evaluate_piece(array_double_2d coefficients, int64_t row, int64_t width, double t, int64_t derivative);
+static double local_time(double time, array_double_2d timing, int64_t row);
 static int64_t bernstein_coefficients(array_double_2d coefficients, int64_t row, int64_t width, int64_t derivative, double length, array_double_2d hull);
 static void split_hull(array_double_2d hull, int64_t row, int64_t count);
 static bool within(array_double_2d hull, int64_t count, double limit);
-static bool check_axis(int64_t axis, array_double_2d timing, array_double_2d coefficients, int64_t first, int64_t last, array_double_2d limits, double tolerance, array_double_2d work);
+static bool check_piece(int64_t row, bool joined, double length, array_double_2d coefficients, array_double_1d limits, double tolerance, array_double_2d work);
+static bool check_axis(int64_t first, int64_t last, array_double_2d timing, array_double_2d coefficients, array_double_1d limits, double tolerance, array_double_2d work);
 static double interval_end(double time, array_double_2d timing, array_int64_t_1d offsets);
 static void interval_pieces(double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work);
 static double demand_bound(int64_t demand, array_double_1d bounds);
@@ -114,72 +98,107 @@ static int64_t rope_demand(int64_t demand, array_double_1d bounds, int64_t width
 static double first_negative(int64_t count, double length, array_double_2d work);
 static double value_at(int64_t demand, double local, double gravity, int64_t width, array_double_2d work);
 static double worst_value(int64_t demand, double first, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work);
-static double root_share(double a, double b, double c, double f_a, double f_b, double f_c);
-static double without_dust(double value, double scale);
-static double without_excess(double value, double limit);
-static int64_t append_ramp(array_double_2d phases, int64_t count, double a, double b, double duration, array_double_1d ramp);
-static int64_t append_change(array_double_2d phases, int64_t count, double a, double b, array_double_1d ramp);
+static double root_share(double newest, double other, double before, double e_newest, double e_other, double e_before);
+static int64_t slowest_root(double* result_0, double* result_1_0001, double change, int64_t first, array_double_1d axis);
+static double ramp_rise(double duration, array_double_1d axis);
+static int64_t fastest_power(double* result_0, double* result_1_0001, double duration, int64_t first, array_double_1d axis);
+static int64_t ramp_change(double* result_0, double* result_1, double duration, array_double_1d axis);
+static double ramp_distance(double v, double a, double b, double duration, double rise, array_double_1d axis);
+static int64_t snap_plateau_half(double* result_0_0001, double* result_1_0001, double* result_2_0001, double s, array_double_1d axis);
+static int64_t curved_part(double* result_0, double* result_1, double* result_2, double s, array_double_1d axis);
+static double invert_curved_part(double value, double upper, array_double_1d axis);
+static double ramp_extreme_velocity_first_half(double v, double a, double b, double duration, double rise, array_double_1d axis);
+static double ramp_extreme_velocity(double v, double a, double b, double duration, double rise, array_double_1d axis);
+static double flush_tiny(double value, double scale);
+static double boundary_value(double value, double limit);
+static int64_t append_ramp(array_double_2d phases, int64_t count, double a, double b, double duration, array_double_1d axis);
+static int64_t append_change(array_double_2d phases, int64_t count, double a, double b, array_double_1d axis);
 static int64_t append_hold(array_double_2d phases, int64_t count, double a, double duration);
 static int64_t insert_hold(array_double_2d phases, int64_t count, int64_t row, double a, double duration);
 static void copy_phases(array_double_2d source, array_double_2d target, int64_t count);
 static void mirror_phases(array_double_2d phases, int64_t count);
 static void swap_entries(array_double_2d phases, int64_t i, int64_t j, int64_t column);
 static void reverse_phases(array_double_2d phases, int64_t first, int64_t count);
-static double peak_past_zero(double v, double a, double level, array_double_1d ramp);
-static double level_past_zero(double v, double a, double velocity_limit, double top, array_double_1d ramp);
-static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases);
-static int64_t braked(int64_t* result_0_0001, double* result_1, double* result_2_0001, double* result_3_0001, double* result_4_0001, double* result_5_0001, double* result_6_0001, int64_t variant, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d trial);
-static int64_t surround(array_double_2d phases, int64_t count, bool brake_start, double v, double a, bool brake_end, double w, double b, double velocity_limit, double top, array_double_1d ramp, array_double_2d trial);
-static double linear_level(double gain, double a, double b, array_double_1d ramp);
-static int64_t root_level(double* result_0, double* result_1, double gain, double a, double b, double lower, double upper, double share, array_double_1d ramp);
-static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, array_double_1d ramp);
-static int64_t levels_distance(double* result_0_0001, double* result_1, double v, double a, double t1, double hold1, double level1, double hold2, double level2, double t3, double b, array_double_1d ramp);
-static int64_t canonical_point(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, double* result_6, double* result_7, double p, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
-static int64_t append_velocity_change(array_double_2d phases, int64_t count, double v, double a, double w, double top, array_double_1d ramp);
-static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_2, double* result_3, array_double_2d phases, double cruise, double v, double a, double w, double b, double top, array_double_1d ramp);
-static int64_t with_cruise(array_double_2d phases, double cruise, double v, double a, double w, double b, double distance, double top, array_double_1d ramp);
-static int64_t slower_cruise(array_double_2d phases, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
-static int64_t direct_form(array_double_2d phases, bool from_start, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
-static double window_edge(int64_t halvings, double inside, double outside, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
-static int64_t canonical_value(double* result_0_0001, double* result_1, double p, bool by_time, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
-static double bracketed_root(double lower, double upper, double f_lower, double f_upper, double target, bool by_time, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
-static int64_t first_window(double* result_0, double* result_1_0001, double target, double f_start, double v, double a, double w, double b, double high, double top, double t_top, double t_zero, array_double_1d ramp);
-static double dip(double target, double f_start, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
-static double canonical_search(double target, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
-static double member_search(int64_t which, bool by_time, double scale, double target, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp);
-static int64_t merged_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double high, double top, array_double_1d ramp);
-static double velocity_excess(array_double_2d phases, int64_t count, double v, double within_0001, double limit, array_double_1d ramp);
-static int64_t level_within(double* result_0, double* result_1_0001, double* result_2_0001, double* result_3_0001, double outside, double e_outside, array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
-static double highest_within(double inside, double outside, double e_inside, double e_outside, array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
-static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
-static double meets(array_double_2d phases, int64_t count, double v, double w, double distance, double limit, array_double_1d ramp);
-static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_double_2d trial, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
+static void boundary_problem(array_double_1d problem, array_double_1d axis, array_double_1d cleaned);
+static double peak_past_zero(double v, double a, double level, array_double_1d axis);
+static double level_past_zero(double v, double a, array_double_1d axis);
+static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, array_double_1d axis, array_double_2d phases);
+static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d trial, array_double_1d rest);
+static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d trial);
+static double linear_level(double gain, double a, double b, array_double_1d axis);
+static int64_t root_level(double* result_0, double* result_1, double gain, double a, double b, double lower, double upper, double share, array_double_1d axis);
+static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, array_double_1d axis);
+static int64_t member_distance(double* result_0_0001, double* result_1, array_double_1d family, array_double_1d axis);
+static int64_t canonical_member(double* result_0, double* result_1, double p, array_double_1d family, array_double_1d axis);
+static int64_t append_velocity_change(array_double_2d phases, int64_t count, double v, double a, double w, array_double_1d axis);
+static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_2, double* result_3, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis);
+static int64_t with_cruise(array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis);
+static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, array_double_1d axis);
+static int64_t direct_form(array_double_2d phases, bool from_start, array_double_1d problem, array_double_1d axis);
+static double window_edge(int64_t halvings, double inside, double outside, array_double_1d family, array_double_1d axis);
+static int64_t canonical_value(double* result_0_0001, double* result_1, double p, array_double_1d family, array_double_1d axis);
+static double bracketed_root(double lower, double upper, double f_lower, double f_upper, array_double_1d family, array_double_1d axis);
+static int64_t first_window(double* result_0, double* result_1_0001, double f_start, double t_zero, array_double_1d family, array_double_1d axis);
+static double shorter_member(double f_start, array_double_1d family, array_double_1d axis);
+static double second_window(double t_zero, array_double_1d family, array_double_1d axis);
+static double farther_member(double lower, double f_lower, array_double_1d family, array_double_1d axis);
+static double canonical_search(array_double_1d family, array_double_1d axis);
+static double member_search(array_double_1d family, array_double_1d axis);
+static void set_family(int64_t branch, array_double_1d problem, array_double_1d axis, array_double_1d family);
+static void set_member(int64_t member, double time, bool by_time, array_double_1d family);
+static int64_t merged_form(array_double_2d phases, double highest, array_double_1d family, array_double_1d axis);
+static double velocity_excess(array_double_2d phases, int64_t count, double v, double limit_kept, array_double_1d axis);
+static int64_t level_within(double* result_0, double* result_1_0001, double* result_2_0001, double* result_3_0001, double outside, double e_outside, array_double_2d phases, array_double_1d family, array_double_1d axis);
+static double highest_within(double inside, double outside, double e_inside, double e_outside, array_double_2d phases, array_double_1d family, array_double_1d axis);
+static int64_t tempered_form(array_double_2d phases, array_double_1d family, array_double_1d axis);
+static double valid_duration(array_double_2d phases, int64_t count, array_double_1d problem, array_double_1d axis);
+static double usual_duration(array_double_1d problem, array_double_1d axis);
+static int64_t fastest_between(array_double_2d phases, array_double_1d problem, array_double_1d axis);
+static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static bool is_done(array_double_1d problem);
+static int64_t shortest_braked(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends);
-static double cruise_time(double cruise, bool covering, double v, double a, double w, double b, double distance, double top, array_double_1d ramp, array_double_2d phases);
-static double turning_time(double lower, double upper, bool covering, double v, double a, double w, double b, double distance, double top, array_double_1d ramp, array_double_2d phases);
-static int64_t turning_ends(bool covering, double spent, double after, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, int64_t count, array_double_2d ends);
-static int64_t covering_ends(double spent, double after, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, int64_t found, array_double_2d ends);
-static int64_t gap_ends(double after, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, array_double_2d ends);
-static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, double target, double v, double a, double w, double b, double top, array_double_1d ramp);
-static double cruise_range(array_double_2d phases, double middle, double y, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp);
-static void keep_nearest(array_double_2d trial, int64_t count, double target, double v, double w, double distance, double velocity_limit, array_double_1d found, array_double_2d below, array_double_2d above, array_double_1d ramp);
-static void between_cruises(double lower, double y_lower, double upper, double y_upper, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial);
-static double cruise_edge(double inside, double outside, array_double_2d phases, double target, double v, double a, double w, double b, double top, array_double_1d ramp);
-static void scan_cruises(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial);
+static double cruise_time(double cruise, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases);
+static double turning_time(double lower, double upper, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases);
+static int64_t turning_ends(bool covering, double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
+static int64_t covering_ends(double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
+static int64_t gap_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis);
+static double cruise_range(array_double_2d phases, double middle, double y, array_double_1d problem, array_double_1d axis);
+static void keep_nearest(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static bool is_enclosed(array_double_2d work);
+static double keep_cruise(double cruise, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static void between_cruises(double lower, double upper, double e_lower, double e_upper, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static double cruise_edge(double inside, double outside, array_double_2d phases, array_double_1d problem, array_double_1d axis);
+static void scan_cruises(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static void stretch_phases(array_double_2d phases, int64_t count, double factor);
 static void fit_duration(array_double_2d phases, int64_t count, double target);
-static void timed_between(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial);
-static int64_t set_shortest(int64_t* result_0, double* result_1, int64_t interval, int64_t axis, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d trial);
-static bool set_duration(int64_t interval, int64_t axis, double target, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial);
-static double first_feasible(double outside, double inside, int64_t interval, int64_t axis, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial);
-static double next_feasible(int64_t interval, int64_t axis, double start, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial);
+static void timed_merged(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static void timed_between(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static double nearest_weight(array_double_1d problem, array_double_1d axis, array_double_1d nearest);
+static void surround_nearest(int64_t variant, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static int64_t set_shortest(int64_t* result_0, double* result_1, array_double_2d cell, array_double_1d axis, array_double_2d work);
+static bool is_resting(array_double_1d problem, array_double_1d axis);
+static void set_stretched(double target, bool resting, array_double_2d cell, array_double_1d axis, array_double_2d work);
+static bool set_duration(double target, array_double_2d cell, array_double_1d axis, array_double_2d work);
+static double first_feasible(double outside, double inside, array_double_2d cell, array_double_1d axis, array_double_2d work);
+static double next_feasible(double start, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static double round_up(double duration, double sample_time);
-static double common_duration(int64_t interval, int64_t first, int64_t last, double start, double sample_time, array_double_2d shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial);
-static int64_t check_waypoints(array_double_2d velocities, array_double_2d accelerations, array_double_1d dwells, array_double_2d limits, array_double_1d report);
-static bool distribute(int64_t first, int64_t last, double target, array_double_2d shortest, array_double_2d durations, array_int64_t_1d active, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial);
-static bool rewrite_intervals(int64_t first, int64_t last, array_double_2d shortest, array_double_2d durations, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial);
-static int64_t plan_axis(int64_t axis, double share, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, int64_t smoothness, int64_t shape, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d shortest, array_double_2d work, array_double_1d report);
-static int64_t synchronize_plan(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d dwells, array_double_2d limits, int64_t synchronization, double sample_time, double duration, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d shortest, array_double_2d durations, array_int64_t_1d active, array_double_2d work, array_double_1d report);
+static double common_duration(double start, double sample_time, int64_t first, int64_t last, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static void transition_coefficients(int64_t order, array_double_1d coefficients);
+static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s);
+static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks);
+static void plateau_curve(double share, array_double_1d axis, array_double_1d psi, array_double_1d peaks);
+static bool plateau_parameters(double share, array_double_1d axis, array_double_1d psi, array_double_1d peaks);
+static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, array_double_1d peaks);
+static int64_t check_waypoints(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_1d report);
+static int64_t time_left(double* result_0, double* result_1, int64_t* result_2, int64_t first, int64_t step, double target, array_double_3d cells);
+static bool distribute(int64_t first, int64_t last, double target, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static bool rewrite_intervals(int64_t first, int64_t last, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static void set_problems(array_double_3d states, array_double_3d cells);
+static int64_t plan_axis(int64_t axis, double share, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static double meet_intervals(int64_t first, int64_t last, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static int64_t synchronize_plan(array_double_1d dwells, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static int64_t sensing_rows(double sample_time, double dead_time);
 static double next_sample(array_double_1d sensors, array_double_2d memory);
 static int64_t ring_size(array_double_2d memory);
@@ -218,9 +237,17 @@ static bool demand_partials(array_double_1d plant, array_double_1d state, array_
 static bool driven_partials(array_double_1d plant, array_double_1d state, array_double_2d rig, array_double_2d work, array_double_2d partials);
 static void power_partials(array_double_1d plant, array_double_1d state, array_double_2d rig, array_double_2d work, array_double_2d partials);
 static double next_break(double time, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends);
-static void shift_piece(array_double_2d coefficients, int64_t source, int64_t width, double t, double weight, array_double_2d target, int64_t row);
-static int64_t merge_pieces(double weight, double now, int64_t first_a, int64_t last_a, int64_t last_b, array_double_2d scratch_timing, array_double_2d scratch, array_double_2d timing, array_double_2d coefficients, int64_t row);
-static int64_t expand_interval(int64_t interval, int64_t axis, int64_t axes, double now, array_double_2d positions, array_double_2d velocities, int64_t smoothness, int64_t shape, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d ramps, array_double_2d scratch_timing, array_double_2d scratch, array_double_2d timing, array_double_2d coefficients, int64_t row);
+static int64_t append_piece(double duration, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_1d state);
+static void clear_piece(array_double_2d coefficients, int64_t row);
+static void add_rise(double jerk, double rise, int64_t order, array_double_1d psi, array_double_2d coefficients, int64_t row);
+static void add_snap(double snap, double rise, int64_t order, array_double_1d psi, array_double_2d coefficients, int64_t row);
+static int64_t ramp_order(array_double_1d axis);
+static int64_t expand_jerk_change(double jerk, double rise, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work);
+static int64_t expand_plateau(array_double_1d phase, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work);
+static void shift_piece(array_double_2d coefficients, int64_t source, double t, double weight, int64_t target);
+static int64_t merge_pieces(double weight, double now, int64_t middle, int64_t last, array_double_2d timing, array_double_2d coefficients, int64_t row);
+static int64_t expand_profile(array_double_2d cell, bool second, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work);
+static int64_t expand_cell(array_double_2d cell, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work);
 
 
 /*Right-hand side of (1): derivative of the state under forces on every coordinate.*/
@@ -4234,758 +4261,6 @@ int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d components, 
     }
     return INT64_C(3);
 }
-/*Coefficients of Psi(s, 1) of (12) in ascending powers of s; 2 order + 2 of them. */
-static void transition_coefficients(int64_t order, array_double_1d coefficients)
-{
-    int64_t i;
-    double scale;
-    double binomial;
-    for (i = INT64_C(0); i < INT64_C(2) * order + INT64_C(2); i += INT64_C(1))
-    {
-        (*cspan_at(&coefficients, i)) = 0.0;
-    }
-    /*Psi' is (2k+1)!/(k!)^2 s^k (1-s)^k; expanding the binomial gives the sum in (12).*/
-    scale = 1.0;
-    for (i = INT64_C(1); i < order + INT64_C(1); i += INT64_C(1))
-    {
-        scale = scale * (order + INT64_C(1) + i) / i;
-    }
-    scale = scale * (order + INT64_C(1));
-    binomial = 1.0;
-    for (i = INT64_C(0); i < order + INT64_C(1); i += INT64_C(1))
-    {
-        (*cspan_at(&coefficients, order + INT64_C(1) + i)) = scale * binomial / (order + INT64_C(1) + i);
-        binomial = (-binomial) * (order - i) / (i + INT64_C(1));
-    }
-}
-/*Value at s of a derivative of the polynomial with `count` ascending coefficients.*/
-static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s)
-{
-    int64_t j;
-    int64_t i;
-    double factor;
-    int64_t m;
-    double value;
-    value = 0.0;
-    for (j = INT64_C(0); j < count - times; j += INT64_C(1))
-    {
-        i = count - INT64_C(1) - j;
-        factor = 1.0;
-        for (m = INT64_C(0); m < times; m += INT64_C(1))
-        {
-            factor = factor * (i - m);
-        }
-        value = value * s + factor * (*cspan_at(&coefficients, i));
-    }
-    return value;
-}
-/*M_j of errata E3: peaks[j] = max over [0, 1] of |d^j Psi / ds^j|, j = 1 .. order + 1.          */
-/*                                                                                               */
-/*    `coefficients` is work space for 2 order + 2 numbers. All extrema of these derivatives of  */
-/*    s^k (1-s)^k lie in [0, 1]; the largest is the first one, next to s = 0, or the end itself. */
-/*                                                                                               */
-static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks)
-{
-    int64_t count;
-    int64_t samples;
-    int64_t j;
-    double best;
-    int64_t at;
-    int64_t i;
-    double value;
-    double lower;
-    double upper;
-    double left;
-    double middle;
-    double slope;
-    count = INT64_C(2) * order + INT64_C(2);
-    transition_coefficients(order, coefficients);
-    (*cspan_at(&peaks, INT64_C(0))) = 1.0;
-    samples = INT64_C(64) * (order + INT64_C(1));
-    for (j = INT64_C(1); j < order + INT64_C(2); j += INT64_C(1))
-    {
-        best = 0.0;
-        at = INT64_C(0);
-        for (i = INT64_C(0); i < samples + INT64_C(1); i += INT64_C(1))
-        {
-            value = fabs(polynomial_derivative(coefficients, count, j, i / (2.0 * samples)));
-            if (value > best)
-            {
-                best = value;
-                at = i;
-            }
-        }
-        lower = (at - INT64_C(1)) / (2.0 * samples);
-        upper = (at + INT64_C(1)) / (2.0 * samples);
-        if (at == INT64_C(0))
-        {
-            lower = 0.0;
-        }
-        /*bisect the next derivative, which changes sign at an interior extremum*/
-        left = polynomial_derivative(coefficients, count, j + INT64_C(1), lower);
-        for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
-        {
-            middle = 0.5 * (lower + upper);
-            slope = polynomial_derivative(coefficients, count, j + INT64_C(1), middle);
-            if (slope * left > 0.0)
-            {
-                lower = middle;
-            }
-            else
-            {
-                upper = middle;
-            }
-        }
-        value = fabs(polynomial_derivative(coefficients, count, j, 0.5 * (lower + upper)));
-        if (value > best)
-        {
-            best = value;
-        }
-        (*cspan_at(&peaks, j)) = best;
-    }
-}
-/*Pack the ramp parameters of one axis into `ramp` (48 numbers).                                     */
-/*                                                                                                   */
-/*    share is that of a plateau which each of its rises takes when no limit bounds that rise: the   */
-/*    smaller, the faster, and the larger the derivatives that are not bounded. limits[i] is c_{i+1},*/
-/*    i = 0 .. smoothness, and 0 where it is absent. `work` holds                                    */
-/*    2 smoothness numbers, `peaks` smoothness + 1. Returns 0, or 1 when no limit bounds the ramp.   */
-/*                                                                                                   */
-int64_t segfmu_ramp_parameters(int64_t smoothness, int64_t shape, double share, array_double_1d limits, array_double_1d work, array_double_1d peaks, array_double_1d ramp)
-{
-    int64_t k;
-    int64_t i;
-    bool plateau;
-    bool bounded;
-    int64_t j;
-    int64_t e;
-    double change;
-    bool steep;
-    double rise;
-    int64_t result;
-    k = smoothness - INT64_C(2);
-    for (i = INT64_C(0); i < INT64_C(48); i += INT64_C(1))
-    {
-        (*cspan_at(&ramp, i)) = 0.0;
-    }
-    plateau = (shape == INT64_C(1)) && (k > INT64_C(0));
-    bounded = 0;
-    if (!plateau)
-    {
-        transition_peaks(k, work, peaks);
-        (*cspan_at(&ramp, INT64_C(7))) = 2.0 * k + 2.0;
-        for (j = INT64_C(0); j < INT64_C(2) * k + INT64_C(2); j += INT64_C(1))
-        {
-            (*cspan_at(&ramp, INT64_C(16) + j)) = (*cspan_at(&work, j));
-        }
-        (*cspan_at(&ramp, INT64_C(4))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(3)));
-        for (j = INT64_C(1); j < k + INT64_C(2); j += INT64_C(1))
-        {
-            if ((*cspan_at(&limits, j + INT64_C(1))) > 0.0)
-            {
-                (*cspan_at(&ramp, INT64_C(7) + j)) = (*cspan_at(&peaks, j)) / (*cspan_at(&limits, j + INT64_C(1)));
-                bounded = 1;
-            }
-        }
-        (*cspan_at(&ramp, INT64_C(3))) = -1.0;
-        if ((*cspan_at(&ramp, INT64_C(8))) > 0.0)
-        {
-            (*cspan_at(&ramp, INT64_C(3))) = 0.0;
-            (*cspan_at(&ramp, INT64_C(41))) = (*cspan_at(&ramp, INT64_C(8)));
-            for (e = INT64_C(2); e < k + INT64_C(2); e += INT64_C(1))
-            {
-                change = pow(((*cspan_at(&ramp, INT64_C(7) + e)) / pow((*cspan_at(&ramp, INT64_C(8))), (double)(e))), (1.0 / (e - INT64_C(1))));
-                (*cspan_at(&ramp, INT64_C(3))) = span_max((*cspan_at(&ramp, INT64_C(3))), change);
-            }
-        }
-    }
-    else
-    {
-        /*where the root of the order e is no longer than the linear duration*/
-        (*cspan_at(&ramp, INT64_C(0))) = 1.0;
-        (*cspan_at(&ramp, INT64_C(1))) = (*cspan_at(&limits, INT64_C(2)));
-        (*cspan_at(&ramp, INT64_C(4))) = 1.0 / 12.0;
-        (*cspan_at(&ramp, INT64_C(5))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(1)));
-        steep = (k > INT64_C(1)) && ((*cspan_at(&limits, INT64_C(3))) > 0.0);
-        for (j = INT64_C(4); j < k + INT64_C(3); j += INT64_C(1))
-        {
-            if ((*cspan_at(&limits, j)) > 0.0)
-            {
-                steep = 0;
-            }
-        }
-        if (steep)
-        {
-            transition_coefficients(k - INT64_C(2), work);
-            (*cspan_at(&peaks, INT64_C(1))) = 1.0 / (1.0 - share);
-            (*cspan_at(&ramp, INT64_C(5))) = (1.0 - share) * (1.0 - share) / 12.0 + share * share / (4.0 * (INT64_C(2) * k - INT64_C(1)));
-            (*cspan_at(&ramp, INT64_C(7))) = 2.0 * k - 2.0;
-            (*cspan_at(&ramp, INT64_C(40))) = share;
-            for (j = INT64_C(0); j < INT64_C(2) * k - INT64_C(2); j += INT64_C(1))
-            {
-                (*cspan_at(&ramp, INT64_C(16) + j)) = (*cspan_at(&work, j));
-            }
-        }
-        else
-        {
-            transition_peaks(k - INT64_C(1), work, peaks);
-            (*cspan_at(&ramp, INT64_C(7))) = 2.0 * k + 1.0;
-            for (j = INT64_C(0); j < INT64_C(2) * k; j += INT64_C(1))
-            {
-                (*cspan_at(&ramp, INT64_C(17) + j)) = (*cspan_at(&work, j)) / (j + 1.0);
-            }
-        }
-        rise = 0.0;
-        for (j = INT64_C(1); j < k + INT64_C(1); j += INT64_C(1))
-        {
-            if ((*cspan_at(&limits, j + INT64_C(2))) > 0.0)
-            {
-                (*cspan_at(&ramp, INT64_C(8) + j)) = (*cspan_at(&peaks, j)) / (*cspan_at(&limits, j + INT64_C(2)));
-                rise = span_max(rise, pow(((*cspan_at(&limits, INT64_C(2))) * (*cspan_at(&ramp, INT64_C(8) + j))), (1.0 / j)));
-                bounded = 1;
-            }
-        }
-        if (((*cspan_at(&limits, INT64_C(2))) > 0.0) && (!bounded))
-        {
-            (*cspan_at(&ramp, INT64_C(6))) = share;
-            bounded = 1;
-        }
-        (*cspan_at(&ramp, INT64_C(2))) = rise;
-        (*cspan_at(&ramp, INT64_C(3))) = -1.0;
-        if ((*cspan_at(&limits, INT64_C(2))) > 0.0)
-        {
-            (*cspan_at(&ramp, INT64_C(3))) = (*cspan_at(&limits, INT64_C(2))) * rise;
-            (*cspan_at(&ramp, INT64_C(41))) = 1.0 / ((*cspan_at(&limits, INT64_C(2))) * (1.0 - (*cspan_at(&ramp, INT64_C(6)))));
-            (*cspan_at(&ramp, INT64_C(42))) = rise;
-        }
-    }
-    if (bounded)
-    {
-        return INT64_C(0);
-    }
-    return INT64_C(1);
-}
-/*max over e >= first of (q_e change)^(1/e), and its derivative with the change. */
-static int64_t slowest_root(double* result_0, double* result_1_0001, double change, int64_t first, array_double_1d ramp)
-{
-    double slowest;
-    int64_t exponent;
-    double root;
-    int64_t e;
-    slowest = 0.0;
-    exponent = INT64_C(1);
-    if ((first <= INT64_C(1)) && ((*cspan_at(&ramp, INT64_C(8))) > 0.0))
-    {
-        slowest = (*cspan_at(&ramp, INT64_C(8))) * change;
-    }
-    if ((*cspan_at(&ramp, INT64_C(9))) > 0.0)
-    {
-        root = sqrt((*cspan_at(&ramp, INT64_C(9))) * change);
-        if (root > slowest)
-        {
-            slowest = root;
-            exponent = INT64_C(2);
-        }
-    }
-    for (e = INT64_C(3); e < INT64_C(9); e += INT64_C(1))
-    {
-        if ((*cspan_at(&ramp, INT64_C(7) + e)) > 0.0)
-        {
-            root = pow(((*cspan_at(&ramp, INT64_C(7) + e)) * change), (1.0 / e));
-            if (root > slowest)
-            {
-                slowest = root;
-                exponent = e;
-            }
-        }
-    }
-    (*result_0) = slowest;
-    (*result_1_0001) = slowest / (exponent * change);
-    return 0;
-}
-/*Duration of the ramp for an acceleration change >= 0, that of its jerk rise [s], and the */
-/*    derivative of the duration with the change (0 for no change, where it is not finite).*/
-int64_t segfmu_ramp_duration(double* result_0_0001, double* result_1, double* result_2, double change, array_double_1d ramp)
-{
-    double duration;
-    double root;
-    double slope;
-    if (change <= 0.0)
-    {
-        (*result_0_0001) = 0.0;
-        (*result_1) = 0.0;
-        (*result_2) = 0.0;
-        return 0;
-    }
-    if (((*cspan_at(&ramp, INT64_C(3))) >= 0.0) && (change >= (*cspan_at(&ramp, INT64_C(3)))))
-    {
-        duration = change * (*cspan_at(&ramp, INT64_C(41))) + (*cspan_at(&ramp, INT64_C(42)));
-        (*result_0_0001) = duration;
-        (*result_1) = (*cspan_at(&ramp, INT64_C(2))) + (*cspan_at(&ramp, INT64_C(6))) * duration;
-        (*result_2) = (*cspan_at(&ramp, INT64_C(41)));
-        return 0;
-    }
-    if ((*cspan_at(&ramp, INT64_C(0))) < 0.5)
-    {
-        slowest_root(&root, &slope, change, INT64_C(1), ramp);
-        (*result_0_0001) = root;
-        (*result_1) = 0.0;
-        (*result_2) = slope;
-        return 0;
-    }
-    slowest_root(&root, &slope, change, INT64_C(2), ramp);
-    (*result_0_0001) = 2.0 * root;
-    (*result_1) = root;
-    (*result_2) = 2.0 * slope;
-    return 0;
-}
-/*Duration of the jerk rise of the ramp that lasts `duration`. */
-static double ramp_rise(double duration, array_double_1d ramp)
-{
-    double result;
-    if ((*cspan_at(&ramp, INT64_C(0))) < 0.5)
-    {
-        return 0.0;
-    }
-    if (((*cspan_at(&ramp, INT64_C(3))) >= 0.0) && (duration >= 2.0 * (*cspan_at(&ramp, INT64_C(2)))))
-    {
-        result = (*cspan_at(&ramp, INT64_C(2))) + (*cspan_at(&ramp, INT64_C(6))) * duration;
-        return result;
-    }
-    return 0.5 * duration;
-}
-/*Inverse of `slowest_root`: min over e >= first of duration^e / q_e, and its derivative.*/
-static int64_t fastest_power(double* result_0, double* result_1_0001, double duration, int64_t first, array_double_1d ramp)
-{
-    double fastest;
-    int64_t exponent;
-    double power;
-    int64_t e;
-    double change;
-    fastest = -1.0;
-    exponent = INT64_C(1);
-    power = 1.0;
-    for (e = INT64_C(1); e < INT64_C(9); e += INT64_C(1))
-    {
-        power = power * duration;
-        if ((e >= first) && ((*cspan_at(&ramp, INT64_C(7) + e)) > 0.0))
-        {
-            change = power / (*cspan_at(&ramp, INT64_C(7) + e));
-            if ((fastest < 0.0) || (change < fastest))
-            {
-                fastest = change;
-                exponent = e;
-            }
-        }
-    }
-    (*result_0) = fastest;
-    (*result_1_0001) = exponent * fastest / duration;
-    return 0;
-}
-/*Inverse of `ramp_duration`: the acceleration change of a ramp, and its derivative with */
-/*    the duration. Small ramps are solved for in their duration, which loses no digits. */
-static int64_t ramp_change(double* result_0, double* result_1, double duration, array_double_1d ramp)
-{
-    double change;
-    double slope;
-    if (duration <= 0.0)
-    {
-        (*result_0) = 0.0;
-        (*result_1) = 0.0;
-        return 0;
-    }
-    if (((*cspan_at(&ramp, INT64_C(3))) >= 0.0) && (duration >= (*cspan_at(&ramp, INT64_C(3))) * (*cspan_at(&ramp, INT64_C(41))) + (*cspan_at(&ramp, INT64_C(42)))))
-    {
-        (*result_0) = (duration - (*cspan_at(&ramp, INT64_C(42)))) / (*cspan_at(&ramp, INT64_C(41)));
-        (*result_1) = 1.0 / (*cspan_at(&ramp, INT64_C(41)));
-        return 0;
-    }
-    if ((*cspan_at(&ramp, INT64_C(0))) < 0.5)
-    {
-        fastest_power(result_0, result_1, duration, INT64_C(1), ramp);
-        return 0;
-    }
-    fastest_power(&change, &slope, 0.5 * duration, INT64_C(2), ramp);
-    (*result_0) = change;
-    (*result_1) = 0.5 * slope;
-    return 0;
-}
-/*Distance covered by the ramp from acceleration a to b that starts with velocity v. */
-static double ramp_distance(double v, double a, double b, double duration, double rise, array_double_1d ramp)
-{
-    double flat;
-    double variance;
-    double result;
-    flat = duration - rise;
-    variance = (*cspan_at(&ramp, INT64_C(4))) * flat * flat + (*cspan_at(&ramp, INT64_C(5))) * rise * rise;
-    return v * duration + 0.5 * a * duration * duration + (b - a) * (0.125 * duration * duration + 0.5 * variance);
-}
-/*`curved_part` for s <= 1/2 of a jerk rise whose snap has a plateau.*/
-static int64_t snap_plateau_half(double* result_0_0001, double* result_1_0001, double* result_2_0001, double s, array_double_1d ramp)
-{
-    double share;
-    int64_t count;
-    double peak;
-    double u;
-    double first;
-    double second;
-    double third;
-    int64_t j;
-    int64_t i;
-    double rest;
-    share = (*cspan_at(&ramp, INT64_C(40)));
-    count = (int64_t)((*cspan_at(&ramp, INT64_C(7))));
-    peak = 1.0 / (1.0 - share);
-    u = span_min(s / share, 1.0);
-    first = 0.0;
-    second = 0.0;
-    third = 0.0;
-    for (j = INT64_C(0); j < count; j += INT64_C(1))
-    {
-        i = count - INT64_C(1) - j;
-        first = first * u + (*cspan_at(&ramp, INT64_C(16) + i)) / (i + 1.0);
-        second = second * u + (*cspan_at(&ramp, INT64_C(16) + i)) / ((i + 1.0) * (i + 2.0));
-        third = third * u + (*cspan_at(&ramp, INT64_C(16) + i)) / ((i + 1.0) * (i + 2.0) * (i + 3.0));
-    }
-    first = peak * share * u * first;
-    second = peak * share * share * u * u * second;
-    third = peak * share * share * share * u * u * u * third;
-    rest = span_max(s - share, 0.0);
-    (*result_0_0001) = second + first * rest + 0.5 * peak * rest * rest;
-    (*result_1_0001) = first + peak * rest;
-    (*result_2_0001) = third + second * rest + 0.5 * first * rest * rest + peak * rest * rest * rest / 6.0;
-    return 0;
-}
-/*Polynomial of the curved part at s, its derivative and its integral from 0.*/
-static int64_t curved_part(double* result_0, double* result_1, double* result_2, double s, array_double_1d ramp)
-{
-    double value;
-    double slope;
-    double integral;
-    double middle;
-    double rate;
-    double half;
-    double whole;
-    int64_t count;
-    int64_t j;
-    int64_t i;
-    if ((*cspan_at(&ramp, INT64_C(40))) > 0.0)
-    {
-        if (s > 0.5)
-        {
-            /*the rise is symmetric: what is gained from s on follows from what is gained to 1 - s*/
-            snap_plateau_half(&value, &slope, &integral, 1.0 - s, ramp);
-            snap_plateau_half(&middle, &rate, &half, 0.5, ramp);
-            whole = 2.0 * half + 0.125;
-            (*result_0) = s - 0.5 + value;
-            (*result_1) = 1.0 - slope;
-            (*result_2) = whole - 0.5 * s * (1.0 - s) - integral;
-            return 0;
-        }
-        snap_plateau_half(result_0, result_1, result_2, s, ramp);
-        return 0;
-    }
-    count = (int64_t)((*cspan_at(&ramp, INT64_C(7))));
-    value = 0.0;
-    slope = 0.0;
-    integral = 0.0;
-    for (j = INT64_C(0); j < count; j += INT64_C(1))
-    {
-        i = count - INT64_C(1) - j;
-        value = value * s + (*cspan_at(&ramp, INT64_C(16) + i));
-        integral = integral * s + (*cspan_at(&ramp, INT64_C(16) + i)) / (i + 1.0);
-        if (i > INT64_C(0))
-        {
-            slope = slope * s + i * (*cspan_at(&ramp, INT64_C(16) + i));
-        }
-    }
-    (*result_0) = value;
-    (*result_1) = slope;
-    (*result_2) = integral * s;
-    return 0;
-}
-/*The s in [0, upper] at which the increasing curved part, 1/2 at `upper`, has the given value.    */
-/*                                                                                                 */
-/*    Close enough for an extremum, of which an error in s has only its square. The curved part is */
-/*    nearly a square at its upper end.                                                            */
-/*                                                                                                 */
-static double invert_curved_part(double value, double upper, array_double_1d ramp)
-{
-    double low;
-    double high;
-    int64_t i;
-    double at;
-    double slope;
-    double integral;
-    double step;
-    double newton;
-    double s;
-    low = 0.0;
-    high = upper;
-    s = upper * sqrt(span_min(span_max(2.0 * value, 0.0), 1.0));
-    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
-    {
-        curved_part(&at, &slope, &integral, s, ramp);
-        if (at > value)
-        {
-            high = s;
-        }
-        else
-        {
-            low = s;
-        }
-        step = 0.5 * (low + high) - s;
-        if (slope > 0.0)
-        {
-            newton = (value - at) / slope;
-            if ((s + newton > low) && (s + newton < high))
-            {
-                step = newton;
-            }
-        }
-        s = s + step;
-        if (fabs(step) <= 1e-09)
-        {
-            return s;
-        }
-    }
-    return s;
-}
-/*`ramp_extreme_velocity` for |a| <= |b|.*/
-static double ramp_extreme_velocity_first_half(double v, double a, double b, double duration, double rise, array_double_1d ramp)
-{
-    double s;
-    double value;
-    double slope;
-    double integral;
-    double jerk;
-    double start;
-    double result;
-    if ((*cspan_at(&ramp, INT64_C(0))) < 0.5)
-    {
-        if ((*cspan_at(&ramp, INT64_C(7))) == 2.0)
-        {
-            return v - 0.5 * a * a * duration / (b - a);
-        }
-        s = invert_curved_part(a / (a - b), 0.5, ramp);
-        curved_part(&value, &slope, &integral, s, ramp);
-        return v + duration * (a * s + (b - a) * integral);
-    }
-    jerk = (b - a) / (duration - rise);
-    if (fabs(a) <= 0.5 * fabs(jerk) * rise)
-    {
-        s = invert_curved_part((-a) / (jerk * rise), 1.0, ramp);
-        curved_part(&value, &slope, &integral, s, ramp);
-        return v + rise * (a * s + jerk * rise * integral);
-    }
-    curved_part(&value, &slope, &integral, 1.0, ramp);
-    start = a + 0.5 * jerk * rise;
-    return v + rise * (a + jerk * rise * integral) - 0.5 * start * start / jerk;
-}
-/*Velocity where the acceleration of a ramp from a to b, of opposite signs, is zero. */
-static double ramp_extreme_velocity(double v, double a, double b, double duration, double rise, array_double_1d ramp)
-{
-    double result;
-    if (fabs(a) > fabs(b))
-    {
-        /*the symmetric ramp, run backwards from its end, crosses zero in its first half*/
-        result = ramp_extreme_velocity_first_half(v + 0.5 * (a + b) * duration, -b, -a, duration, rise, ramp);
-        return result;
-    }
-    result = ramp_extreme_velocity_first_half(v, a, b, duration, rise, ramp);
-    return result;
-}
-/*Value of a derivative of one piece at local time t.*/
-static double evaluate_piece(array_double_2d coefficients, int64_t row, int64_t width, double t, int64_t derivative)
-{
-    int64_t j;
-    int64_t i;
-    double factor;
-    int64_t m;
-    double value;
-    value = 0.0;
-    for (j = INT64_C(0); j < width - derivative; j += INT64_C(1))
-    {
-        i = width - INT64_C(1) - j;
-        factor = 1.0;
-        for (m = INT64_C(0); m < derivative; m += INT64_C(1))
-        {
-            factor = factor * (i - m);
-        }
-        value = value * t + factor * (*cspan_at(&coefficients, row, i));
-    }
-    return value;
-}
-/*Close the piece in `row`: add position to jerk from `state`, which is advanced.                */
-/*                                                                                               */
-/*    state = position, velocity, acceleration, jerk and time at the start of the piece. Returns */
-/*    row + 1.                                                                                   */
-/*                                                                                               */
-static int64_t append_piece(double duration, array_double_2d timing, array_double_2d coefficients, int64_t row, int64_t width, array_double_1d state)
-{
-    double y;
-    double v;
-    int64_t j;
-    int64_t i;
-    int64_t result;
-    (*cspan_at(&coefficients, row, INT64_C(0))) = (*cspan_at(&state, INT64_C(0)));
-    (*cspan_at(&coefficients, row, INT64_C(1))) = (*cspan_at(&state, INT64_C(1)));
-    (*cspan_at(&coefficients, row, INT64_C(2))) = 0.5 * (*cspan_at(&state, INT64_C(2)));
-    (*cspan_at(&coefficients, row, INT64_C(3))) = (*cspan_at(&coefficients, row, INT64_C(3))) + (*cspan_at(&state, INT64_C(3))) / 6.0;
-    (*cspan_at(&timing, row, INT64_C(0))) = (*cspan_at(&state, INT64_C(4)));
-    (*cspan_at(&timing, row, INT64_C(1))) = duration;
-    y = 0.0;
-    v = 0.0;
-    for (j = INT64_C(0); j < width; j += INT64_C(1))
-    {
-        i = width - INT64_C(1) - j;
-        y = y * duration + (*cspan_at(&coefficients, row, i));
-        if (i > INT64_C(0))
-        {
-            v = v * duration + i * (*cspan_at(&coefficients, row, i));
-        }
-    }
-    (*cspan_at(&state, INT64_C(0))) = y;
-    (*cspan_at(&state, INT64_C(1))) = v;
-    (*cspan_at(&state, INT64_C(2))) = evaluate_piece(coefficients, row, width, duration, INT64_C(2));
-    (*cspan_at(&state, INT64_C(3))) = evaluate_piece(coefficients, row, width, duration, INT64_C(3));
-    (*cspan_at(&state, INT64_C(4))) = (*cspan_at(&state, INT64_C(4))) + duration;
-    return row + INT64_C(1);
-}
-/*Set every coefficient of a piece to zero.*/
-static void clear_piece(array_double_2d coefficients, int64_t row)
-{
-    int64_t i;
-    for (i = INT64_C(0); i < coefficients.shape[INT64_C(1)]; i += INT64_C(1))
-    {
-        (*cspan_at(&coefficients, row, i)) = 0.0;
-    }
-}
-/*Add to a piece the triple integral of jerk * Psi(t, rise) with Psi of the given order. */
-static void add_rise(double jerk, double rise, int64_t order, array_double_1d psi, array_double_2d coefficients, int64_t row)
-{
-    int64_t i;
-    double scale;
-    for (i = order + INT64_C(1); i < INT64_C(2) * order + INT64_C(2); i += INT64_C(1))
-    {
-        scale = jerk * (*cspan_at(&psi, i)) / ((i + 1.0) * (i + 2.0) * (i + 3.0));
-        (*cspan_at(&coefficients, row, i + INT64_C(3))) = (*cspan_at(&coefficients, row, i + INT64_C(3))) + scale / pow(rise, (double)(i));
-    }
-}
-/*Add to a piece the fourfold integral of snap * Psi(t, rise) with Psi of the given order. */
-static void add_snap(double snap, double rise, int64_t order, array_double_1d psi, array_double_2d coefficients, int64_t row)
-{
-    int64_t i;
-    double scale;
-    for (i = order + INT64_C(1); i < INT64_C(2) * order + INT64_C(2); i += INT64_C(1))
-    {
-        scale = snap * (*cspan_at(&psi, i)) / ((i + 1.0) * (i + 2.0) * (i + 3.0) * (i + 4.0));
-        (*cspan_at(&coefficients, row, i + INT64_C(4))) = (*cspan_at(&coefficients, row, i + INT64_C(4))) + scale / pow(rise, (double)(i));
-    }
-}
-/*Pieces in which the jerk changes by `jerk` within `rise`; returns the row after them.*/
-static int64_t expand_jerk_change(double jerk, double rise, double share, int64_t order, array_double_1d psi, array_double_1d state, array_double_2d timing, array_double_2d coefficients, int64_t row, int64_t width)
-{
-    double snap;
-    double edge;
-    int64_t result;
-    clear_piece(coefficients, row);
-    if (share <= 0.0)
-    {
-        add_rise(jerk, rise, order, psi, coefficients, row);
-        result = append_piece(rise, timing, coefficients, row, width, state);
-        return result;
-    }
-    snap = jerk / (rise * (1.0 - share));
-    edge = share * rise;
-    add_snap(snap, edge, order, psi, coefficients, row);
-    row = append_piece(edge, timing, coefficients, row, width, state);
-    clear_piece(coefficients, row);
-    (*cspan_at(&coefficients, row, INT64_C(4))) = snap / 24.0;
-    row = append_piece(rise - 2.0 * edge, timing, coefficients, row, width, state);
-    clear_piece(coefficients, row);
-    (*cspan_at(&coefficients, row, INT64_C(4))) = snap / 24.0;
-    add_snap(-snap, edge, order, psi, coefficients, row);
-    result = append_piece(edge, timing, coefficients, row, width, state);
-    return result;
-}
-/*Expand `count` phases into pieces from `row` on; returns the row after the last one.             */
-/*                                                                                                 */
-/*    state holds position and velocity, and in state[4] the time, at the start, and is advanced   */
-/*    to the end; psi is work space for 2 n numbers; share is the one of the snap's rise in that of*/
-/*    the jerk, 0 where the snap has no plateau.                                                   */
-/*                                                                                                 */
-int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, int64_t smoothness, int64_t shape, double share, array_double_1d psi, array_double_1d state, array_double_2d timing, array_double_2d coefficients, int64_t row)
-{
-    int64_t width;
-    int64_t k;
-    bool plateau;
-    int64_t order;
-    int64_t i;
-    double duration;
-    double rise;
-    double a;
-    double change;
-    int64_t j;
-    double scale;
-    double jerk;
-    double flat;
-    int64_t result;
-    width = INT64_C(2) * smoothness;
-    k = smoothness - INT64_C(2);
-    plateau = (shape == INT64_C(1)) && (k > INT64_C(0));
-    order = k;
-    if (plateau)
-    {
-        order = k - INT64_C(1);
-        if (share > 0.0)
-        {
-            order = k - INT64_C(2);
-        }
-    }
-    transition_coefficients(order, psi);
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        duration = (*cspan_at(&phases, i, INT64_C(0)));
-        rise = (*cspan_at(&phases, i, INT64_C(1)));
-        a = (*cspan_at(&phases, i, INT64_C(2)));
-        change = (*cspan_at(&phases, i, INT64_C(3)));
-        (*cspan_at(&state, INT64_C(2))) = a;
-        (*cspan_at(&state, INT64_C(3))) = 0.0;
-        clear_piece(coefficients, row);
-        if ((change == 0.0) || (!plateau))
-        {
-            if (change != 0.0)
-            {
-                for (j = order + INT64_C(1); j < INT64_C(2) * order + INT64_C(2); j += INT64_C(1))
-                {
-                    scale = change * (*cspan_at(&psi, j)) / ((j + 1.0) * (j + 2.0));
-                    (*cspan_at(&coefficients, row, j + INT64_C(2))) = scale / pow(duration, (double)(j));
-                }
-            }
-            row = append_piece(duration, timing, coefficients, row, width, state);
-        }
-        else
-        {
-            jerk = change / (duration - rise);
-            flat = duration - 2.0 * rise;
-            row = expand_jerk_change(jerk, rise, share, order, psi, state, timing, coefficients, row, width);
-            (*cspan_at(&state, INT64_C(2))) = a + 0.5 * jerk * rise;
-            (*cspan_at(&state, INT64_C(3))) = jerk;
-            if (flat > 0.0)
-            {
-                clear_piece(coefficients, row);
-                row = append_piece(flat, timing, coefficients, row, width, state);
-                (*cspan_at(&state, INT64_C(2))) = a + change - 0.5 * jerk * rise;
-                (*cspan_at(&state, INT64_C(3))) = jerk;
-            }
-            row = expand_jerk_change(-jerk, rise, share, order, psi, state, timing, coefficients, row, width);
-        }
-        (*cspan_at(&state, INT64_C(2))) = a + change;
-        (*cspan_at(&state, INT64_C(3))) = 0.0;
-    }
-    return row;
-}
 /*The row of first .. last - 1 whose piece holds `time`, by bisection. */
 static int64_t find_piece(double time, array_double_2d timing, int64_t first, int64_t last)
 {
@@ -5008,11 +4283,41 @@ static int64_t find_piece(double time, array_double_2d timing, int64_t first, in
     }
     return lower;
 }
-/*One derivative of every axis at many times: values[time, axis].                                  */
-/*                                                                                                 */
-/*    The pieces of axis i are the rows offsets[i] .. offsets[i + 1] - 1; ends[i] is its duration. */
-/*    Before its start and after its end an axis stays in its end position, all derivatives zero.  */
-/*                                                                                                 */
+/*Value of a derivative of one piece at local time t.*/
+static double evaluate_piece(array_double_2d coefficients, int64_t row, int64_t width, double t, int64_t derivative)
+{
+    int64_t j;
+    int64_t i;
+    double factor;
+    int64_t m;
+    double value;
+    value = 0.0;
+    for (j = INT64_C(0); j < width - derivative; j += INT64_C(1))
+    {
+        i = width - INT64_C(1) - j;
+        factor = 1.0;
+        for (m = INT64_C(0); m < derivative; m += INT64_C(1))
+        {
+            factor = factor * (i - m);
+        }
+        value = value * t + factor * (*cspan_at(&coefficients, row, i));
+    }
+    return value;
+}
+/*Time since the start of a piece, at most its length.                           */
+/*                                                                               */
+/*    Where the clock is coarser than a piece is long, the piece must not go on. */
+/*                                                                               */
+static double local_time(double time, array_double_2d timing, int64_t row)
+{
+    double result;
+    result = span_min(time - (*cspan_at(&timing, row, INT64_C(0))), (*cspan_at(&timing, row, INT64_C(1))));
+    return result;
+}
+/*One derivative of every axis at many times: values[time, axis].                                */
+/*                                                                                               */
+/*    Before its start and after its end an axis stays in its end position, all derivatives zero.*/
+/*                                                                                               */
 void segfmu_evaluate(array_double_1d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, int64_t derivative, array_double_2d values)
 {
     int64_t width;
@@ -5022,6 +4327,7 @@ void segfmu_evaluate(array_double_1d times, array_double_2d timing, array_double
     int64_t row;
     int64_t i;
     double t;
+    bool behind;
     double local;
     width = coefficients.shape[INT64_C(1)];
     for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
@@ -5032,7 +4338,8 @@ void segfmu_evaluate(array_double_1d times, array_double_2d timing, array_double
         for (i = INT64_C(0); i < times.shape[INT64_C(0)]; i += INT64_C(1))
         {
             t = span_min(span_max((*cspan_at(&times, i)), (*cspan_at(&timing, first, INT64_C(0)))), (*cspan_at(&ends, axis)));
-            if ((t < (*cspan_at(&timing, row, INT64_C(0)))) || ((row + INT64_C(1) < last) && (t >= (*cspan_at(&timing, row + INT64_C(1), INT64_C(0))))))
+            behind = (row + INT64_C(1) < last) && (t >= (*cspan_at(&timing, row + INT64_C(1), INT64_C(0))));
+            if ((t < (*cspan_at(&timing, row, INT64_C(0)))) || behind)
             {
                 row = find_piece(t, timing, first, last);
             }
@@ -5042,8 +4349,7 @@ void segfmu_evaluate(array_double_1d times, array_double_2d timing, array_double
             }
             else
             {
-                /*where the clock is coarser than a piece is long, the piece must not go on*/
-                local = span_min(t - (*cspan_at(&timing, row, INT64_C(0))), (*cspan_at(&timing, row, INT64_C(1))));
+                local = local_time(t, timing, row);
                 (*cspan_at(&values, i, axis)) = evaluate_piece(coefficients, row, width, local, derivative);
             }
         }
@@ -5063,7 +4369,7 @@ void segfmu_evaluate_orders(double time, array_double_2d timing, array_double_2d
     {
         t = span_min(span_max(time, (*cspan_at(&timing, (*cspan_at(&offsets, axis)), INT64_C(0)))), (*cspan_at(&ends, axis)));
         row = find_piece(t, timing, (*cspan_at(&offsets, axis)), (*cspan_at(&offsets, axis + INT64_C(1))));
-        local = span_min(t - (*cspan_at(&timing, row, INT64_C(0))), (*cspan_at(&timing, row, INT64_C(1))));
+        local = local_time(t, timing, row);
         for (derivative = INT64_C(0); derivative < values.shape[INT64_C(0)]; derivative += INT64_C(1))
         {
             if ((derivative > INT64_C(0)) && (t != time))
@@ -5136,7 +4442,7 @@ static void split_hull(array_double_2d hull, int64_t row, int64_t count)
 }
 /*Whether a polynomial given by the Bernstein coefficients hull[0, :] keeps a limit. */
 /*                                                                                   */
-/*    hull (40, 14) is work space.                                                   */
+/*    hull is work space with rows of `Hull`, 40 of them.                            */
 /*                                                                                   */
 static bool within(array_double_2d hull, int64_t count, double limit)
 {
@@ -5179,25 +4485,72 @@ static bool within(array_double_2d hull, int64_t count, double limit)
     }
     return 1;
 }
-/*Whether the pieces first .. last - 1 of one axis keep its limits and join smoothly.                */
-/*                                                                                                   */
-/*    work[41, d] becomes the peak of the d-th derivative, or for the position its range, at least 1.*/
-/*                                                                                                   */
-static bool check_axis(int64_t axis, array_double_2d timing, array_double_2d coefficients, int64_t first, int64_t last, array_double_2d limits, double tolerance, array_double_2d work)
+/*Whether a piece keeps the limits of its axis; notes peaks and, if it is joined, jumps. */
+static bool check_piece(int64_t row, bool joined, double length, array_double_2d coefficients, array_double_1d limits, double tolerance, array_double_2d work)
 {
     int64_t order;
     array_double_2d hull;
+    int64_t degree;
+    int64_t d;
+    int64_t count;
+    int64_t i;
+    double jump;
+    bool result;
+    order = limits.shape[INT64_C(0)];
+    hull = span_rows(&work, INT64_C(0), INT64_C(40));
+    degree = coefficients.shape[INT64_C(1)] - INT64_C(1);
+    while((degree > INT64_C(0)) && ((*cspan_at(&coefficients, row, degree)) == 0.0))
+    {
+        degree = degree - INT64_C(1);
+    }
+    for (d = INT64_C(0); d < order + INT64_C(1); d += INT64_C(1))
+    {
+        (*cspan_at(&hull, INT64_C(0), INT64_C(0))) = 0.0;
+        count = INT64_C(1);
+        if (d <= degree)
+        {
+            count = bernstein_coefficients(coefficients, row, degree + INT64_C(1), d, length, hull);
+        }
+        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        {
+            (*cspan_at(&work, INT64_C(41), d)) = span_max((*cspan_at(&work, INT64_C(41), d)), fabs((*cspan_at(&hull, INT64_C(0), i))));
+        }
+        if (joined)
+        {
+            jump = fabs((*cspan_at(&hull, INT64_C(0), INT64_C(0))) - (*cspan_at(&work, INT64_C(40), d)));
+            (*cspan_at(&work, INT64_C(42), d)) = span_max((*cspan_at(&work, INT64_C(42), d)), jump);
+        }
+        /*not max(), which a value that is no number would leave as it is*/
+        if (!(fabs((*cspan_at(&hull, INT64_C(0), INT64_C(0)))) < 1e+300))
+        {
+            return 0;
+        }
+        (*cspan_at(&work, INT64_C(40), d)) = (*cspan_at(&hull, INT64_C(0), count - INT64_C(1)));
+        if ((d > INT64_C(0)) && ((*cspan_at(&limits, d - INT64_C(1))) > 0.0))
+        {
+            if (!within(hull, count, (*cspan_at(&limits, d - INT64_C(1))) * (1.0 + tolerance)))
+            {
+                return 0;
+            }
+        }
+    }
+    return 1;
+}
+/*Whether the pieces first .. last - 1 of one axis keep its limits c_1 .. and join smoothly. */
+/*                                                                                           */
+/*    The row PEAKS of `work` (Check) becomes the peaks of the derivatives.                  */
+/*                                                                                           */
+static bool check_axis(int64_t first, int64_t last, array_double_2d timing, array_double_2d coefficients, array_double_1d limits, double tolerance, array_double_2d work)
+{
+    int64_t order;
     int64_t i;
     double low;
     double high;
     int64_t row;
     double length;
-    int64_t degree;
     int64_t d;
-    int64_t count;
     bool result;
-    order = limits.shape[INT64_C(1)];
-    hull = span_rows(&work, INT64_C(0), INT64_C(40));
+    order = limits.shape[INT64_C(0)];
     for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
     {
         (*cspan_at(&work, INT64_C(41), i)) = 0.0;
@@ -5207,43 +4560,12 @@ static bool check_axis(int64_t axis, array_double_2d timing, array_double_2d coe
     high = low;
     for (row = first; row < last; row += INT64_C(1))
     {
-        length = (*cspan_at(&timing, row, INT64_C(1)));
         low = span_min(low, (*cspan_at(&coefficients, row, INT64_C(0))));
         high = span_max(high, (*cspan_at(&coefficients, row, INT64_C(0))));
-        degree = coefficients.shape[INT64_C(1)] - INT64_C(1);
-        while((degree > INT64_C(0)) && ((*cspan_at(&coefficients, row, degree)) == 0.0))
+        length = (*cspan_at(&timing, row, INT64_C(1)));
+        if (!check_piece(row, row > first, length, coefficients, limits, tolerance, work))
         {
-            degree = degree - INT64_C(1);
-        }
-        for (d = INT64_C(0); d < order + INT64_C(1); d += INT64_C(1))
-        {
-            (*cspan_at(&hull, INT64_C(0), INT64_C(0))) = 0.0;
-            count = INT64_C(1);
-            if (d <= degree)
-            {
-                count = bernstein_coefficients(coefficients, row, degree + INT64_C(1), d, length, hull);
-            }
-            for (i = INT64_C(0); i < count; i += INT64_C(1))
-            {
-                (*cspan_at(&work, INT64_C(41), d)) = span_max((*cspan_at(&work, INT64_C(41), d)), fabs((*cspan_at(&hull, INT64_C(0), i))));
-            }
-            if (row > first)
-            {
-                (*cspan_at(&work, INT64_C(42), d)) = span_max((*cspan_at(&work, INT64_C(42), d)), fabs((*cspan_at(&hull, INT64_C(0), INT64_C(0))) - (*cspan_at(&work, INT64_C(40), d))));
-            }
-            /*not max(), which a value that is no number would leave as it is*/
-            if (!(fabs((*cspan_at(&hull, INT64_C(0), INT64_C(0)))) < 1e+300))
-            {
-                return 0;
-            }
-            (*cspan_at(&work, INT64_C(40), d)) = (*cspan_at(&hull, INT64_C(0), count - INT64_C(1)));
-            if ((d > INT64_C(0)) && ((*cspan_at(&limits, axis, d - INT64_C(1))) > 0.0))
-            {
-                if (!within(hull, count, (*cspan_at(&limits, axis, d - INT64_C(1))) * (1.0 + tolerance)))
-                {
-                    return 0;
-                }
-            }
+            return 0;
         }
     }
     (*cspan_at(&work, INT64_C(41), INT64_C(0))) = span_max(1.0, high - low);
@@ -5261,9 +4583,10 @@ static bool check_axis(int64_t axis, array_double_2d timing, array_double_2d coe
 /*                                                                                                 */
 /*    Limits hold up to the relative tolerance, the derivatives 0 .. n are continuous up to it (in */
 /*    units of the range of the position, at least 1 m, and of the peaks of the others), and the   */
-/*    waypoints are met up to it. Arrays as in `expand_plan`; work is (43, 14).                    */
+/*    waypoints are met up to it. Arrays as in `expand_plan`; limits[axis, i] is c_{i+1}, 0 where  */
+/*    absent; work (Check rows, Check columns).                                                    */
 /*                                                                                                 */
-int64_t segfmu_check_plan(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d limits, double tolerance, array_double_2d work)
+int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, double tolerance, array_double_2d work)
 {
     int64_t width;
     int64_t points;
@@ -5272,20 +4595,19 @@ int64_t segfmu_check_plan(array_double_2d positions, array_double_2d velocities,
     int64_t last;
     int64_t j;
     int64_t point;
-    double time;
     int64_t row;
     double local;
-    double y;
-    double v;
-    double a;
+    int64_t d;
+    double value;
+    double scale;
     int64_t result;
     width = coefficients.shape[INT64_C(1)];
-    points = positions.shape[INT64_C(0)];
+    points = states.shape[INT64_C(0)];
     for (axis = INT64_C(0); axis < limits.shape[INT64_C(0)]; axis += INT64_C(1))
     {
         first = (*cspan_at(&offsets, axis));
         last = (*cspan_at(&offsets, axis + INT64_C(1)));
-        if (!check_axis(axis, timing, coefficients, first, last, limits, tolerance, work))
+        if (!check_axis(first, last, timing, coefficients, span_row(&limits, axis), tolerance, work))
         {
             return INT64_C(1) + axis;
         }
@@ -5293,27 +4615,20 @@ int64_t segfmu_check_plan(array_double_2d positions, array_double_2d velocities,
         {
             /*the last waypoint is met on arrival and, after its dwell, at the end*/
             point = span_min_int(j, points - INT64_C(1));
-            time = (*cspan_at(&times, point, axis));
-            if (j == points)
+            row = find_piece((*cspan_at(&times, j, axis)), timing, first, last);
+            local = local_time((*cspan_at(&times, j, axis)), timing, row);
+            for (d = INT64_C(0); d < states.shape[INT64_C(2)]; d += INT64_C(1))
             {
-                time = (*cspan_at(&ends, axis));
-            }
-            row = find_piece(time, timing, first, last);
-            local = span_min(time - (*cspan_at(&timing, row, INT64_C(0))), (*cspan_at(&timing, row, INT64_C(1))));
-            y = evaluate_piece(coefficients, row, width, local, INT64_C(0));
-            v = evaluate_piece(coefficients, row, width, local, INT64_C(1));
-            a = evaluate_piece(coefficients, row, width, local, INT64_C(2));
-            if (!(fabs(y - (*cspan_at(&positions, point, axis))) <= tolerance * (*cspan_at(&work, INT64_C(41), INT64_C(0)))))
-            {
-                return INT64_C(1) + axis;
-            }
-            if (!(fabs(v - (*cspan_at(&velocities, point, axis))) <= tolerance * (*cspan_at(&limits, axis, INT64_C(0)))))
-            {
-                return INT64_C(1) + axis;
-            }
-            if (!(fabs(a - (*cspan_at(&accelerations, point, axis))) <= tolerance * (*cspan_at(&limits, axis, INT64_C(1)))))
-            {
-                return INT64_C(1) + axis;
+                value = evaluate_piece(coefficients, row, width, local, d);
+                scale = (*cspan_at(&work, INT64_C(41), INT64_C(0)));
+                if (d > INT64_C(0))
+                {
+                    scale = (*cspan_at(&limits, axis, d - INT64_C(1)));
+                }
+                if (!(fabs(value - (*cspan_at(&states, point, axis, d))) <= tolerance * scale))
+                {
+                    return INT64_C(1) + axis;
+                }
             }
         }
     }
@@ -5589,32 +4904,381 @@ int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, 
     (*cspan_at(&report, INT64_C(2))) = demand_bound(failed, bounds);
     return failed;
 }
-/*Share of the way from a to b at which to evaluate next, inside (0, 1). */
-static double root_share(double a, double b, double c, double f_a, double f_b, double f_c)
+/*Share of the way from the newest to the other point at which to evaluate next, in (0, 1).    */
+/*                                                                                             */
+/*    e_newest, e_other and e_before are the errors at the points, 0 where they are not known. */
+/*                                                                                             */
+static double root_share(double newest, double other, double before, double e_newest, double e_other, double e_before)
 {
     double place;
     double height;
     double share;
+    double rest;
     double least;
     double result;
-    if ((f_a * f_b * f_c == 0.0) || (f_c == f_a) || (f_c == f_b) || (c == b))
+    if (e_newest * e_other * e_before == 0.0)
     {
         return 0.5;
     }
-    place = (a - b) / (c - b);
-    height = (f_a - f_b) / (f_c - f_b);
+    if ((e_before == e_newest) || (e_before == e_other) || (before == other))
+    {
+        return 0.5;
+    }
+    place = (newest - other) / (before - other);
+    height = (e_newest - e_other) / (e_before - e_other);
     if ((height * height >= place) || ((1.0 - height) * (1.0 - height) >= 1.0 - place))
     {
         return 0.5;
     }
-    share = f_a / (f_b - f_a) * f_c / (f_b - f_c);
-    share = share + (c - a) / (b - a) * f_a / (f_c - f_a) * f_b / (f_c - f_b);
+    share = e_newest / (e_other - e_newest) * e_before / (e_other - e_before);
+    rest = (before - newest) / (other - newest);
+    share = share + rest * e_newest / (e_before - e_newest) * e_other / (e_before - e_other);
     /*the point must differ from both ends*/
-    least = 2e-16 * span_max(fabs(a), fabs(b)) / fabs(b - a);
+    least = 2e-16 * span_max(fabs(newest), fabs(other)) / fabs(other - newest);
     return span_max(span_min(share, 1.0 - least), least);
 }
+/*max over e >= first of (q_e change)^(1/e), and its derivative with the change. */
+static int64_t slowest_root(double* result_0, double* result_1_0001, double change, int64_t first, array_double_1d axis)
+{
+    double slowest;
+    int64_t exponent;
+    double root;
+    int64_t e;
+    slowest = 0.0;
+    exponent = INT64_C(1);
+    if ((first <= INT64_C(1)) && ((*cspan_at(&axis, INT64_C(18))) > 0.0))
+    {
+        slowest = (*cspan_at(&axis, INT64_C(18))) * change;
+    }
+    if ((*cspan_at(&axis, INT64_C(18) + INT64_C(1))) > 0.0)
+    {
+        root = sqrt((*cspan_at(&axis, INT64_C(18) + INT64_C(1))) * change);
+        if (root > slowest)
+        {
+            slowest = root;
+            exponent = INT64_C(2);
+        }
+    }
+    for (e = INT64_C(3); e < INT64_C(9); e += INT64_C(1))
+    {
+        if ((*cspan_at(&axis, INT64_C(18) + e - INT64_C(1))) > 0.0)
+        {
+            root = pow(((*cspan_at(&axis, INT64_C(18) + e - INT64_C(1))) * change), (1.0 / e));
+            if (root > slowest)
+            {
+                slowest = root;
+                exponent = e;
+            }
+        }
+    }
+    (*result_0) = slowest;
+    (*result_1_0001) = slowest / (exponent * change);
+    return 0;
+}
+/*Duration of the ramp for an acceleration change >= 0, that of its jerk rise [s], and the */
+/*    derivative of the duration with the change (0 for no change, where it is not finite).*/
+int64_t segfmu_ramp_duration(double* result_0_0001, double* result_1, double* result_2, double change, array_double_1d axis)
+{
+    double slope;
+    double duration;
+    double root;
+    if (change <= 0.0)
+    {
+        (*result_0_0001) = 0.0;
+        (*result_1) = 0.0;
+        (*result_2) = 0.0;
+        return 0;
+    }
+    if (((*cspan_at(&axis, INT64_C(13))) >= 0.0) && (change >= (*cspan_at(&axis, INT64_C(13)))))
+    {
+        slope = (*cspan_at(&axis, INT64_C(14)));
+        duration = change * slope + (*cspan_at(&axis, INT64_C(15)));
+        (*result_0_0001) = duration;
+        (*result_1) = (*cspan_at(&axis, INT64_C(11))) + (*cspan_at(&axis, INT64_C(12))) * duration;
+        (*result_2) = slope;
+        return 0;
+    }
+    if ((*cspan_at(&axis, INT64_C(10))) < 0.5)
+    {
+        slowest_root(&root, &slope, change, INT64_C(1), axis);
+        (*result_0_0001) = root;
+        (*result_1) = 0.0;
+        (*result_2) = slope;
+        return 0;
+    }
+    slowest_root(&root, &slope, change, INT64_C(2), axis);
+    (*result_0_0001) = 2.0 * root;
+    (*result_1) = root;
+    (*result_2) = 2.0 * slope;
+    return 0;
+}
+/*Duration of the jerk rise of the ramp that lasts `duration`. */
+static double ramp_rise(double duration, array_double_1d axis)
+{
+    double result;
+    if ((*cspan_at(&axis, INT64_C(10))) < 0.5)
+    {
+        return 0.0;
+    }
+    if (((*cspan_at(&axis, INT64_C(13))) >= 0.0) && (duration >= 2.0 * (*cspan_at(&axis, INT64_C(11)))))
+    {
+        result = (*cspan_at(&axis, INT64_C(11))) + (*cspan_at(&axis, INT64_C(12))) * duration;
+        return result;
+    }
+    return 0.5 * duration;
+}
+/*Inverse of `slowest_root`: min over e >= first of duration^e / q_e, and its derivative.*/
+static int64_t fastest_power(double* result_0, double* result_1_0001, double duration, int64_t first, array_double_1d axis)
+{
+    double fastest;
+    int64_t exponent;
+    double power;
+    int64_t e;
+    double change;
+    fastest = -1.0;
+    exponent = INT64_C(1);
+    power = 1.0;
+    for (e = INT64_C(1); e < INT64_C(9); e += INT64_C(1))
+    {
+        power = power * duration;
+        if ((e >= first) && ((*cspan_at(&axis, INT64_C(18) + e - INT64_C(1))) > 0.0))
+        {
+            change = power / (*cspan_at(&axis, INT64_C(18) + e - INT64_C(1)));
+            if ((fastest < 0.0) || (change < fastest))
+            {
+                fastest = change;
+                exponent = e;
+            }
+        }
+    }
+    (*result_0) = fastest;
+    (*result_1_0001) = exponent * fastest / duration;
+    return 0;
+}
+/*Inverse of `ramp_duration`: the acceleration change of a ramp, and its derivative with */
+/*    the duration. Small ramps are solved for in their duration, which loses no digits. */
+static int64_t ramp_change(double* result_0, double* result_1, double duration, array_double_1d axis)
+{
+    double start;
+    double slope;
+    double constant;
+    double change;
+    double growth;
+    if (duration <= 0.0)
+    {
+        (*result_0) = 0.0;
+        (*result_1) = 0.0;
+        return 0;
+    }
+    start = (*cspan_at(&axis, INT64_C(13)));
+    if (start >= 0.0)
+    {
+        slope = (*cspan_at(&axis, INT64_C(14)));
+        constant = (*cspan_at(&axis, INT64_C(15)));
+        if (duration >= start * slope + constant)
+        {
+            (*result_0) = (duration - constant) / slope;
+            (*result_1) = 1.0 / slope;
+            return 0;
+        }
+    }
+    if ((*cspan_at(&axis, INT64_C(10))) < 0.5)
+    {
+        fastest_power(result_0, result_1, duration, INT64_C(1), axis);
+        return 0;
+    }
+    fastest_power(&change, &growth, 0.5 * duration, INT64_C(2), axis);
+    (*result_0) = change;
+    (*result_1) = 0.5 * growth;
+    return 0;
+}
+/*Distance covered by the ramp from acceleration a to b that starts with velocity v. */
+static double ramp_distance(double v, double a, double b, double duration, double rise, array_double_1d axis)
+{
+    double flat;
+    double variance;
+    double result;
+    flat = duration - rise;
+    variance = (*cspan_at(&axis, INT64_C(16))) * flat * flat + (*cspan_at(&axis, INT64_C(17))) * rise * rise;
+    return v * duration + 0.5 * a * duration * duration + (b - a) * (0.125 * duration * duration + 0.5 * variance);
+}
+/*`curved_part` for s <= 1/2 of a jerk rise whose snap has a plateau.*/
+static int64_t snap_plateau_half(double* result_0_0001, double* result_1_0001, double* result_2_0001, double s, array_double_1d axis)
+{
+    double share;
+    int64_t count;
+    double peak;
+    double u;
+    double first;
+    double second;
+    double third;
+    int64_t j;
+    int64_t i;
+    double rest;
+    share = (*cspan_at(&axis, INT64_C(26)));
+    count = (int64_t)((*cspan_at(&axis, INT64_C(27))));
+    peak = 1.0 / (1.0 - share);
+    u = span_min(s / share, 1.0);
+    first = 0.0;
+    second = 0.0;
+    third = 0.0;
+    for (j = INT64_C(0); j < count; j += INT64_C(1))
+    {
+        i = count - INT64_C(1) - j;
+        first = first * u + (*cspan_at(&axis, INT64_C(28) + i)) / (i + 1.0);
+        second = second * u + (*cspan_at(&axis, INT64_C(28) + i)) / ((i + 1.0) * (i + 2.0));
+        third = third * u + (*cspan_at(&axis, INT64_C(28) + i)) / ((i + 1.0) * (i + 2.0) * (i + 3.0));
+    }
+    first = peak * share * u * first;
+    second = peak * share * share * u * u * second;
+    third = peak * share * share * share * u * u * u * third;
+    rest = span_max(s - share, 0.0);
+    (*result_0_0001) = second + first * rest + 0.5 * peak * rest * rest;
+    (*result_1_0001) = first + peak * rest;
+    (*result_2_0001) = third + second * rest + 0.5 * first * rest * rest + peak * rest * rest * rest / 6.0;
+    return 0;
+}
+/*Polynomial of the curved part at s, its derivative and its integral from 0.*/
+static int64_t curved_part(double* result_0, double* result_1, double* result_2, double s, array_double_1d axis)
+{
+    double value;
+    double slope;
+    double integral;
+    double middle;
+    double rate;
+    double half;
+    double whole;
+    int64_t count;
+    int64_t j;
+    int64_t i;
+    if ((*cspan_at(&axis, INT64_C(26))) > 0.0)
+    {
+        if (s > 0.5)
+        {
+            /*the rise is symmetric: what is gained from s on follows from what is gained to 1 - s*/
+            snap_plateau_half(&value, &slope, &integral, 1.0 - s, axis);
+            snap_plateau_half(&middle, &rate, &half, 0.5, axis);
+            whole = 2.0 * half + 0.125;
+            (*result_0) = s - 0.5 + value;
+            (*result_1) = 1.0 - slope;
+            (*result_2) = whole - 0.5 * s * (1.0 - s) - integral;
+            return 0;
+        }
+        snap_plateau_half(result_0, result_1, result_2, s, axis);
+        return 0;
+    }
+    count = (int64_t)((*cspan_at(&axis, INT64_C(27))));
+    value = 0.0;
+    slope = 0.0;
+    integral = 0.0;
+    for (j = INT64_C(0); j < count; j += INT64_C(1))
+    {
+        i = count - INT64_C(1) - j;
+        value = value * s + (*cspan_at(&axis, INT64_C(28) + i));
+        integral = integral * s + (*cspan_at(&axis, INT64_C(28) + i)) / (i + 1.0);
+        if (i > INT64_C(0))
+        {
+            slope = slope * s + i * (*cspan_at(&axis, INT64_C(28) + i));
+        }
+    }
+    (*result_0) = value;
+    (*result_1) = slope;
+    (*result_2) = integral * s;
+    return 0;
+}
+/*The s in [0, upper] at which the increasing curved part, 1/2 at `upper`, has the given value.    */
+/*                                                                                                 */
+/*    Close enough for an extremum, of which an error in s has only its square. The curved part is */
+/*    nearly a square at its upper end.                                                            */
+/*                                                                                                 */
+static double invert_curved_part(double value, double upper, array_double_1d axis)
+{
+    double low;
+    double high;
+    int64_t i;
+    double at;
+    double slope;
+    double integral;
+    double step;
+    double newton;
+    double s;
+    low = 0.0;
+    high = upper;
+    s = upper * sqrt(span_min(span_max(2.0 * value, 0.0), 1.0));
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
+    {
+        curved_part(&at, &slope, &integral, s, axis);
+        if (at > value)
+        {
+            high = s;
+        }
+        else
+        {
+            low = s;
+        }
+        step = 0.5 * (low + high) - s;
+        if (slope > 0.0)
+        {
+            newton = (value - at) / slope;
+            if ((s + newton > low) && (s + newton < high))
+            {
+                step = newton;
+            }
+        }
+        s = s + step;
+        if (fabs(step) <= 1e-09)
+        {
+            return s;
+        }
+    }
+    return s;
+}
+/*`ramp_extreme_velocity` for |a| <= |b|.*/
+static double ramp_extreme_velocity_first_half(double v, double a, double b, double duration, double rise, array_double_1d axis)
+{
+    double s;
+    double value;
+    double slope;
+    double integral;
+    double jerk;
+    double start;
+    double result;
+    if ((*cspan_at(&axis, INT64_C(10))) < 0.5)
+    {
+        if ((*cspan_at(&axis, INT64_C(27))) == 2.0)
+        {
+            return v - 0.5 * a * a * duration / (b - a);
+        }
+        s = invert_curved_part(a / (a - b), 0.5, axis);
+        curved_part(&value, &slope, &integral, s, axis);
+        return v + duration * (a * s + (b - a) * integral);
+    }
+    jerk = (b - a) / (duration - rise);
+    if (fabs(a) <= 0.5 * fabs(jerk) * rise)
+    {
+        s = invert_curved_part((-a) / (jerk * rise), 1.0, axis);
+        curved_part(&value, &slope, &integral, s, axis);
+        return v + rise * (a * s + jerk * rise * integral);
+    }
+    curved_part(&value, &slope, &integral, 1.0, axis);
+    start = a + 0.5 * jerk * rise;
+    return v + rise * (a + jerk * rise * integral) - 0.5 * start * start / jerk;
+}
+/*Velocity where the acceleration of a ramp from a to b, of opposite signs, is zero. */
+static double ramp_extreme_velocity(double v, double a, double b, double duration, double rise, array_double_1d axis)
+{
+    double result;
+    if (fabs(a) > fabs(b))
+    {
+        /*the symmetric ramp, run backwards from its end, crosses zero in its first half*/
+        result = ramp_extreme_velocity_first_half(v + 0.5 * (a + b) * duration, -b, -a, duration, rise, axis);
+        return result;
+    }
+    result = ramp_extreme_velocity_first_half(v, a, b, duration, rise, axis);
+    return result;
+}
 /*The value, or 0 where it is so small against its scale that its powers would underflow.*/
-static double without_dust(double value, double scale)
+static double flush_tiny(double value, double scale)
 {
     double result;
     if (fabs(value) <= 1e-30 * scale)
@@ -5623,18 +5287,18 @@ static double without_dust(double value, double scale)
     }
     return value;
 }
-/*A boundary value without dust, and clamped where it passes its limit by rounding.*/
-static double without_excess(double value, double limit)
+/*A boundary value, zero where it is tiny, clamped where it passes its limit by rounding.*/
+static double boundary_value(double value, double limit)
 {
     double result;
-    return span_min(span_max(without_dust(value, limit), -limit), limit);
+    return span_min(span_max(flush_tiny(value, limit), -limit), limit);
 }
 /*Append the ramp from a to b whose duration was solved for; nothing if it has none.             */
 /*                                                                                               */
 /*    The change follows from the duration, not from b - a: the rounding error of that difference*/
 /*    would be large against a small change, and break the limits of the ramp.                   */
 /*                                                                                               */
-static int64_t append_ramp(array_double_2d phases, int64_t count, double a, double b, double duration, array_double_1d ramp)
+static int64_t append_ramp(array_double_2d phases, int64_t count, double a, double b, double duration, array_double_1d axis)
 {
     double change;
     double slope;
@@ -5643,25 +5307,25 @@ static int64_t append_ramp(array_double_2d phases, int64_t count, double a, doub
     {
         return count;
     }
-    ramp_change(&change, &slope, duration, ramp);
+    ramp_change(&change, &slope, duration, axis);
     if (b < a)
     {
         change = -change;
     }
     (*cspan_at(&phases, count, INT64_C(0))) = duration;
-    (*cspan_at(&phases, count, INT64_C(1))) = ramp_rise(duration, ramp);
+    (*cspan_at(&phases, count, INT64_C(1))) = ramp_rise(duration, axis);
     (*cspan_at(&phases, count, INT64_C(2))) = a;
     (*cspan_at(&phases, count, INT64_C(3))) = change;
     return count + INT64_C(1);
 }
 /*Append the fastest ramp from a to b; nothing if they are equal.*/
-static int64_t append_change(array_double_2d phases, int64_t count, double a, double b, array_double_1d ramp)
+static int64_t append_change(array_double_2d phases, int64_t count, double a, double b, array_double_1d axis)
 {
     double duration;
     double rise;
     double slope;
     int64_t result;
-    segfmu_ramp_duration(&duration, &rise, &slope, fabs(b - a), ramp);
+    segfmu_ramp_duration(&duration, &rise, &slope, fabs(b - a), axis);
     if (duration <= 0.0)
     {
         return count;
@@ -5748,6 +5412,7 @@ static void reverse_phases(array_double_2d phases, int64_t first, int64_t count)
 {
     int64_t i;
     int64_t column;
+    double end;
     for (i = INT64_C(0); i < span_floor_div((count - first), INT64_C(2)); i += INT64_C(1))
     {
         for (column = INT64_C(0); column < INT64_C(4); column += INT64_C(1))
@@ -5758,14 +5423,30 @@ static void reverse_phases(array_double_2d phases, int64_t first, int64_t count)
     for (i = first; i < count; i += INT64_C(1))
     {
         /*a ramp from a to a + d, run backwards with the sign changed, goes from -(a + d) to -a*/
-        (*cspan_at(&phases, i, INT64_C(2))) = -((*cspan_at(&phases, i, INT64_C(2))) + (*cspan_at(&phases, i, INT64_C(3))));
+        end = (*cspan_at(&phases, i, INT64_C(2))) + (*cspan_at(&phases, i, INT64_C(3)));
+        (*cspan_at(&phases, i, INT64_C(2))) = -end;
     }
 }
-/*Duration, distance, end velocity, lowest and highest velocity of a list of phases. */
-/*                                                                                   */
-/*    Peaks inside of ramps are left out where they are surely within +-`within`.    */
-/*                                                                                   */
-int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result_2_0001, double* result_3, double* result_4, array_double_2d phases, int64_t count, double v, double within_0001, array_double_1d ramp)
+/*Copy a boundary problem (Problem) without what rounding leaves of zeros and of limits. */
+static void boundary_problem(array_double_1d problem, array_double_1d axis, array_double_1d cleaned)
+{
+    double velocity;
+    double acceleration;
+    velocity = (*cspan_at(&axis, INT64_C(2)));
+    acceleration = (*cspan_at(&axis, INT64_C(3)));
+    (*cspan_at(&cleaned, INT64_C(0))) = boundary_value((*cspan_at(&problem, INT64_C(0))), velocity);
+    (*cspan_at(&cleaned, INT64_C(1))) = boundary_value((*cspan_at(&problem, INT64_C(1))), acceleration);
+    (*cspan_at(&cleaned, INT64_C(2))) = boundary_value((*cspan_at(&problem, INT64_C(2))), velocity);
+    (*cspan_at(&cleaned, INT64_C(3))) = boundary_value((*cspan_at(&problem, INT64_C(3))), acceleration);
+    (*cspan_at(&cleaned, INT64_C(4))) = flush_tiny((*cspan_at(&problem, INT64_C(4))), velocity * velocity / acceleration);
+    (*cspan_at(&cleaned, INT64_C(5))) = (*cspan_at(&problem, INT64_C(5)));
+}
+/*Duration, distance, end velocity, lowest and highest velocity of a list of phases.                 */
+/*                                                                                                   */
+/*    v is the velocity at the start. Peaks inside of ramps are left out where they are surely within*/
+/*    +-`within`.                                                                                    */
+/*                                                                                                   */
+int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result_2_0001, double* result_3, double* result_4, array_double_2d phases, int64_t count, double v, double within_0001, array_double_1d axis)
 {
     double total;
     double y;
@@ -5773,6 +5454,7 @@ int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result
     double highest;
     int64_t i;
     double duration;
+    double rise;
     double a;
     double b;
     double bound;
@@ -5784,6 +5466,7 @@ int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         duration = (*cspan_at(&phases, i, INT64_C(0)));
+        rise = (*cspan_at(&phases, i, INT64_C(1)));
         a = (*cspan_at(&phases, i, INT64_C(2)));
         b = a + (*cspan_at(&phases, i, INT64_C(3)));
         if (a * b < 0.0)
@@ -5793,12 +5476,12 @@ int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result
             bound = v + 0.5 * a * duration;
             if ((bound > span_max(highest, within_0001)) || (bound < span_min(lowest, -within_0001)))
             {
-                extreme = ramp_extreme_velocity(v, a, b, duration, (*cspan_at(&phases, i, INT64_C(1))), ramp);
+                extreme = ramp_extreme_velocity(v, a, b, duration, rise, axis);
                 lowest = span_min(lowest, extreme);
                 highest = span_max(highest, extreme);
             }
         }
-        y = y + ramp_distance(v, a, b, duration, (*cspan_at(&phases, i, INT64_C(1))), ramp);
+        y = y + ramp_distance(v, a, b, duration, rise, axis);
         v = v + 0.5 * (a + b) * duration;
         lowest = span_min(lowest, v);
         highest = span_max(highest, v);
@@ -5812,23 +5495,28 @@ int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result
     return 0;
 }
 /*Extreme velocity of the ramp from a > 0 to a level <= 0 that starts with velocity v. */
-static double peak_past_zero(double v, double a, double level, array_double_1d ramp)
+static double peak_past_zero(double v, double a, double level, array_double_1d axis)
 {
     double duration;
     double rise;
     double slope;
     double result;
-    segfmu_ramp_duration(&duration, &rise, &slope, a - level, ramp);
+    segfmu_ramp_duration(&duration, &rise, &slope, a - level, axis);
     if (level >= 0.0)
     {
         return v + 0.5 * a * duration;
     }
-    result = ramp_extreme_velocity(v, a, level, duration, rise, ramp);
+    result = ramp_extreme_velocity(v, a, level, duration, rise, axis);
     return result;
 }
-/*The level next to zero past which a ramp from a > 0 keeps the limit; 1 if there is none. */
-static double level_past_zero(double v, double a, double velocity_limit, double top, array_double_1d ramp)
+/*The level next to zero past which a ramp from a > 0 keeps the velocity limit [m/s2]. */
+/*                                                                                     */
+/*    v is the velocity at its start. Returns 1 if there is no such level.             */
+/*                                                                                     */
+static double level_past_zero(double v, double a, array_double_1d axis)
 {
+    double velocity_limit;
+    double top;
     double shrink;
     double lower;
     double upper;
@@ -5839,6 +5527,8 @@ static double level_past_zero(double v, double a, double velocity_limit, double 
     double outside;
     double level;
     double inside;
+    velocity_limit = (*cspan_at(&axis, INT64_C(2)));
+    top = (*cspan_at(&axis, INT64_C(3)));
     shrink = 0.6180339887498949;
     lower = -top;
     upper = 0.0;
@@ -5847,7 +5537,7 @@ static double level_past_zero(double v, double a, double velocity_limit, double 
     {
         inner = upper - shrink * (upper - lower);
         outer = lower + shrink * (upper - lower);
-        if (peak_past_zero(v, a, inner, ramp) < peak_past_zero(v, a, outer, ramp))
+        if (peak_past_zero(v, a, inner, axis) < peak_past_zero(v, a, outer, axis))
         {
             upper = outer;
         }
@@ -5857,11 +5547,11 @@ static double level_past_zero(double v, double a, double velocity_limit, double 
         }
     }
     deepest = 0.5 * (lower + upper);
-    if (peak_past_zero(v, a, -top, ramp) < peak_past_zero(v, a, deepest, ramp))
+    if (peak_past_zero(v, a, -top, axis) < peak_past_zero(v, a, deepest, axis))
     {
         deepest = -top;
     }
-    if (peak_past_zero(v, a, deepest, ramp) > velocity_limit)
+    if (peak_past_zero(v, a, deepest, axis) > velocity_limit)
     {
         return 1.0;
     }
@@ -5870,7 +5560,7 @@ static double level_past_zero(double v, double a, double velocity_limit, double 
     for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
     {
         level = 0.5 * (inside + outside);
-        if (peak_past_zero(v, a, level, ramp) <= velocity_limit)
+        if (peak_past_zero(v, a, level, axis) <= velocity_limit)
         {
             inside = level;
         }
@@ -5886,8 +5576,9 @@ static double level_past_zero(double v, double a, double velocity_limit, double 
 /*    Also returns duration, distance and end velocity. Where the way back from a level past zero*/
 /*    passes the limit on the other side, it is braked in turn.                                  */
 /*                                                                                               */
-static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases)
+static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, array_double_1d axis, array_double_2d phases)
 {
+    double velocity_limit;
     int64_t count;
     double level;
     double reached;
@@ -5899,13 +5590,14 @@ static int64_t brake(int64_t* result_0, double* result_1, double* result_2, doub
     double highest;
     double sign;
     double past;
+    velocity_limit = (*cspan_at(&axis, INT64_C(2)));
     count = INT64_C(0);
     level = a;
     reached = v;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        count = append_change(phases, count, level, 0.0, ramp);
-        segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, 1e+300, ramp);
+        count = append_change(phases, count, level, 0.0, axis);
+        segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, 1e+300, axis);
         if (fabs(end) <= velocity_limit * (1.0 + 1e-12))
         {
             (*result_0) = count;
@@ -5920,13 +5612,13 @@ static int64_t brake(int64_t* result_0, double* result_1, double* result_2, doub
         {
             sign = -1.0;
         }
-        past = sign * level_past_zero(sign * reached, sign * level, velocity_limit, top, ramp);
+        past = sign * level_past_zero(sign * reached, sign * level, axis);
         if (past * sign > 0.0)
         {
             break;
         }
-        count = append_change(phases, count, level, past, ramp);
-        segfmu_measure_phases(&duration, &y, &reached, &lowest, &highest, phases, count, v, 1e+300, ramp);
+        count = append_change(phases, count, level, past, axis);
+        segfmu_measure_phases(&duration, &y, &reached, &lowest, &highest, phases, count, v, 1e+300, axis);
         level = past;
     }
     (*result_0) = -INT64_C(1);
@@ -5935,80 +5627,75 @@ static int64_t brake(int64_t* result_0, double* result_1, double* result_2, doub
     (*result_3) = 0.0;
     return 0;
 }
-/*The problem that braking leaves: none (0), the first (1), the last (2), both (3).                */
-/*                                                                                                 */
-/*    Returns the number of phases that braking takes, their duration, and distance, v, a, w, b of */
-/*    what is left. The number is -1, -2 where the limit does not admit braking the first, the last*/
-/*    acceleration, and -3 where one that shall be braked is zero.                                 */
-/*                                                                                                 */
-static int64_t braked(int64_t* result_0_0001, double* result_1, double* result_2_0001, double* result_3_0001, double* result_4_0001, double* result_5_0001, double* result_6_0001, int64_t variant, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d trial)
+/*Write the problem that braking leaves: of none (0), the first (1), the last (2), both (3).   */
+/*                                                                                             */
+/*    Returns the number of phases that braking takes and their duration. The number is one of */
+/*    `Braking` where there is no such problem. `trial` is work space.                         */
+/*                                                                                             */
+static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d trial, array_double_1d rest)
 {
     int64_t first;
     int64_t last;
-    double time;
+    double spent;
+    double v;
+    double a;
+    double w;
+    double b;
+    double distance;
     double duration;
     double y;
     first = INT64_C(0);
     last = INT64_C(0);
-    time = 0.0;
+    spent = 0.0;
+    v = (*cspan_at(&problem, INT64_C(0)));
+    a = (*cspan_at(&problem, INT64_C(1)));
+    w = (*cspan_at(&problem, INT64_C(2)));
+    b = (*cspan_at(&problem, INT64_C(3)));
+    distance = (*cspan_at(&problem, INT64_C(4)));
     if (((span_floor_mod(variant, INT64_C(2)) == INT64_C(1)) && (a == 0.0)) || ((variant >= INT64_C(2)) && (b == 0.0)))
     {
         (*result_0_0001) = -INT64_C(3);
         (*result_1) = 0.0;
-        (*result_2_0001) = distance;
-        (*result_3_0001) = v;
-        (*result_4_0001) = a;
-        (*result_5_0001) = w;
-        (*result_6_0001) = b;
         return 0;
     }
     if (span_floor_mod(variant, INT64_C(2)) == INT64_C(1))
     {
-        brake(&first, &duration, &y, &v, v, a, velocity_limit, top, ramp, trial);
+        brake(&first, &duration, &y, &v, v, a, axis, trial);
         if (first < INT64_C(0))
         {
             (*result_0_0001) = -INT64_C(1);
             (*result_1) = 0.0;
-            (*result_2_0001) = distance;
-            (*result_3_0001) = v;
-            (*result_4_0001) = a;
-            (*result_5_0001) = w;
-            (*result_6_0001) = b;
             return 0;
         }
-        time = duration;
+        spent = duration;
         distance = distance - y;
         a = 0.0;
     }
     if (variant >= INT64_C(2))
     {
-        brake(&last, &duration, &y, &w, w, -b, velocity_limit, top, ramp, trial);
+        brake(&last, &duration, &y, &w, w, -b, axis, trial);
         if (last < INT64_C(0))
         {
             (*result_0_0001) = -INT64_C(2);
             (*result_1) = 0.0;
-            (*result_2_0001) = distance;
-            (*result_3_0001) = v;
-            (*result_4_0001) = a;
-            (*result_5_0001) = w;
-            (*result_6_0001) = b;
             return 0;
         }
-        time = time + duration;
+        spent = spent + duration;
         distance = distance - y;
         b = 0.0;
     }
+    (*cspan_at(&rest, INT64_C(0))) = v;
+    (*cspan_at(&rest, INT64_C(1))) = a;
+    (*cspan_at(&rest, INT64_C(2))) = w;
+    (*cspan_at(&rest, INT64_C(3))) = b;
+    (*cspan_at(&rest, INT64_C(4))) = distance;
+    (*cspan_at(&rest, INT64_C(5))) = (*cspan_at(&problem, INT64_C(5))) - spent;
     (*result_0_0001) = first + last;
-    (*result_1) = time;
-    (*result_2_0001) = distance;
-    (*result_3_0001) = v;
-    (*result_4_0001) = a;
-    (*result_5_0001) = w;
-    (*result_6_0001) = b;
+    (*result_1) = spent;
     return 0;
 }
-/*Put the braking of the initial and the build-up of the final acceleration around phases. */
-static int64_t surround(array_double_2d phases, int64_t count, bool brake_start, double v, double a, bool brake_end, double w, double b, double velocity_limit, double top, array_double_1d ramp, array_double_2d trial)
+/*Put what a variant brakes around the phases of the rest; returns the number of phases. */
+static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d trial)
 {
     int64_t first;
     double duration;
@@ -6019,9 +5706,9 @@ static int64_t surround(array_double_2d phases, int64_t count, bool brake_start,
     int64_t column;
     int64_t last;
     int64_t result;
-    if (brake_start)
+    if (span_floor_mod(variant, INT64_C(2)) == INT64_C(1))
     {
-        brake(&first, &duration, &y, &end, v, a, velocity_limit, top, ramp, trial);
+        brake(&first, &duration, &y, &end, (*cspan_at(&problem, INT64_C(0))), (*cspan_at(&problem, INT64_C(1))), axis, trial);
         for (j = INT64_C(0); j < count; j += INT64_C(1))
         {
             i = count - INT64_C(1) - j;
@@ -6033,9 +5720,9 @@ static int64_t surround(array_double_2d phases, int64_t count, bool brake_start,
         copy_phases(trial, phases, first);
         count = first + count;
     }
-    if (brake_end)
+    if (variant >= INT64_C(2))
     {
-        brake(&last, &duration, &y, &end, w, -b, velocity_limit, top, ramp, trial);
+        brake(&last, &duration, &y, &end, (*cspan_at(&problem, INT64_C(2))), -(*cspan_at(&problem, INT64_C(3))), axis, trial);
         reverse_phases(trial, INT64_C(0), last);
         for (i = INT64_C(0); i < last; i += INT64_C(1))
         {
@@ -6053,15 +5740,15 @@ static int64_t surround(array_double_2d phases, int64_t count, bool brake_start,
 /*    slope level^2 + constant level = gain + slope (a^2 + b^2) / 2 - constant (a + b) / 2; -1 where */
 /*    that has no root.                                                                              */
 /*                                                                                                   */
-static double linear_level(double gain, double a, double b, array_double_1d ramp)
+static double linear_level(double gain, double a, double b, array_double_1d axis)
 {
     double slope;
     double half;
     double rest;
     double square;
     double result;
-    slope = (*cspan_at(&ramp, INT64_C(41)));
-    half = 0.5 * (*cspan_at(&ramp, INT64_C(42)));
+    slope = (*cspan_at(&axis, INT64_C(14)));
+    half = 0.5 * (*cspan_at(&axis, INT64_C(15)));
     rest = gain + 0.5 * slope * (a * a + b * b) - half * (a + b);
     square = half * half + slope * rest;
     if (square <= 0.0)
@@ -6076,7 +5763,7 @@ static double linear_level(double gain, double a, double b, array_double_1d ramp
 /*    share is where the gain lies between those of the two durations; the gain is nearly quadratic*/
 /*    in the duration.                                                                             */
 /*                                                                                                 */
-static int64_t root_level(double* result_0, double* result_1, double gain, double a, double b, double lower, double upper, double share, array_double_1d ramp)
+static int64_t root_level(double* result_0, double* result_1, double gain, double a, double b, double lower, double upper, double share, array_double_1d axis)
 {
     double t;
     double level;
@@ -6092,14 +5779,14 @@ static int64_t root_level(double* result_0, double* result_1, double gain, doubl
     double rate;
     double following;
     double newton;
-    double found;
+    double reached;
     t = lower + (upper - lower) * sqrt(share);
     level = a;
     for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
     {
-        ramp_change(&change, &growth, t, ramp);
+        ramp_change(&change, &growth, t, axis);
         level = a + change;
-        segfmu_ramp_duration(&t_end, &rise, &slope, level - b, ramp);
+        segfmu_ramp_duration(&t_end, &rise, &slope, level - b, axis);
         first = 0.5 * (a + level) * t;
         second = 0.5 * (level + b) * t_end;
         error = first + second - gain;
@@ -6129,11 +5816,11 @@ static int64_t root_level(double* result_0, double* result_1, double gain, doubl
                 (*result_1) = level;
                 return 0;
             }
-            found = first + second;
+            reached = first + second;
             /*far from the root, Newton's method on logarithms, as the gain is nearly a power*/
-            if ((found > 0.0) && (gain > 0.0) && ((found > 2.0 * gain) || (gain > 2.0 * found)))
+            if ((reached > 0.0) && (gain > 0.0) && ((reached > 2.0 * gain) || (gain > 2.0 * reached)))
             {
-                newton = t * pow((gain / found), (found / (t * rate)));
+                newton = t * pow((gain / reached), (reached / (t * rate)));
             }
             if ((newton > lower) && (newton < upper))
             {
@@ -6148,7 +5835,7 @@ static int64_t root_level(double* result_0, double* result_1, double gain, doubl
         }
         t = following;
     }
-    ramp_change(&change, &growth, t, ramp);
+    ramp_change(&change, &growth, t, axis);
     (*result_0) = t;
     (*result_1) = a + change;
     return 0;
@@ -6159,9 +5846,11 @@ static int64_t root_level(double* result_0, double* result_1, double gain, doubl
 /*    ramp, the hold (above zero only at `high`), and -1 in place of the hold when even the lowest */
 /*    level gains too much; last the level.                                                        */
 /*                                                                                                 */
-static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, array_double_1d ramp)
+static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, array_double_1d axis)
 {
+    double linear_from;
     double level;
+    double t;
     double t_low;
     double rise;
     double slope;
@@ -6170,20 +5859,21 @@ static int64_t solve_level(double* result_0_0001, double* result_1_0001, double*
     double t_high;
     double most;
     double share;
-    double t;
-    if ((*cspan_at(&ramp, INT64_C(3))) >= 0.0)
+    linear_from = (*cspan_at(&axis, INT64_C(13)));
+    if (linear_from >= 0.0)
     {
-        level = linear_level(gain, a, b, ramp);
-        if ((level >= span_max(a, b) + (*cspan_at(&ramp, INT64_C(3)))) && (level >= low) && (level <= high))
+        level = linear_level(gain, a, b, axis);
+        if ((level >= span_max(a, b) + linear_from) && (level >= low) && (level <= high))
         {
-            (*result_0_0001) = (level - a) * (*cspan_at(&ramp, INT64_C(41))) + (*cspan_at(&ramp, INT64_C(42)));
+            t = (level - a) * (*cspan_at(&axis, INT64_C(14))) + (*cspan_at(&axis, INT64_C(15)));
+            (*result_0_0001) = t;
             (*result_1_0001) = 0.0;
             (*result_2_0001) = level;
             return 0;
         }
     }
-    segfmu_ramp_duration(&t_low, &rise, &slope, low - a, ramp);
-    segfmu_ramp_duration(&t_end, &rise, &slope, low - b, ramp);
+    segfmu_ramp_duration(&t_low, &rise, &slope, low - a, axis);
+    segfmu_ramp_duration(&t_end, &rise, &slope, low - b, axis);
     least = 0.5 * (a + low) * t_low + 0.5 * (low + b) * t_end;
     if (gain <= least)
     {
@@ -6200,8 +5890,8 @@ static int64_t solve_level(double* result_0_0001, double* result_1_0001, double*
         (*result_2_0001) = low;
         return 0;
     }
-    segfmu_ramp_duration(&t_high, &rise, &slope, high - a, ramp);
-    segfmu_ramp_duration(&t_end, &rise, &slope, high - b, ramp);
+    segfmu_ramp_duration(&t_high, &rise, &slope, high - a, axis);
+    segfmu_ramp_duration(&t_end, &rise, &slope, high - b, axis);
     most = 0.5 * (a + high) * t_high + 0.5 * (high + b) * t_end;
     if (gain >= most)
     {
@@ -6211,48 +5901,69 @@ static int64_t solve_level(double* result_0_0001, double* result_1_0001, double*
         return 0;
     }
     share = (gain - least) / (most - least);
-    root_level(&t, &level, gain, a, b, t_low, t_high, share, ramp);
+    root_level(&t, &level, gain, a, b, t_low, t_high, share, axis);
     (*result_0_0001) = t;
     (*result_1_0001) = 0.0;
     (*result_2_0001) = level;
     return 0;
 }
-/*Duration and distance of: ramp, hold, ramp, hold, ramp (merged form).*/
-static int64_t levels_distance(double* result_0_0001, double* result_1, double v, double a, double t1, double hold1, double level1, double hold2, double level2, double t3, double b, array_double_1d ramp)
+/*Duration [s] and distance [m] of the member: ramp, hold, ramp, hold, ramp. */
+static int64_t member_distance(double* result_0_0001, double* result_1, array_double_1d family, array_double_1d axis)
 {
+    double v;
+    double a;
+    double b;
+    double t1;
+    double hold1;
+    double level1;
+    double hold2;
+    double level2;
+    double t3;
     double t2;
     double rise;
     double slope;
     double y;
-    segfmu_ramp_duration(&t2, &rise, &slope, fabs(level2 - level1), ramp);
-    y = ramp_distance(v, a, level1, t1, ramp_rise(t1, ramp), ramp);
+    v = (*cspan_at(&family, INT64_C(0)));
+    a = (*cspan_at(&family, INT64_C(1)));
+    b = (*cspan_at(&family, INT64_C(3)));
+    t1 = (*cspan_at(&family, INT64_C(13)));
+    hold1 = (*cspan_at(&family, INT64_C(14)));
+    level1 = (*cspan_at(&family, INT64_C(15)));
+    hold2 = (*cspan_at(&family, INT64_C(16)));
+    level2 = (*cspan_at(&family, INT64_C(17)));
+    t3 = (*cspan_at(&family, INT64_C(18)));
+    segfmu_ramp_duration(&t2, &rise, &slope, fabs(level2 - level1), axis);
+    y = ramp_distance(v, a, level1, t1, ramp_rise(t1, axis), axis);
     v = v + 0.5 * (a + level1) * t1;
     if (hold1 > 0.0)
     {
         y = y + (v + 0.5 * level1 * hold1) * hold1;
         v = v + level1 * hold1;
     }
-    y = y + ramp_distance(v, level1, level2, t2, rise, ramp);
+    y = y + ramp_distance(v, level1, level2, t2, rise, axis);
     v = v + 0.5 * (level1 + level2) * t2;
     if (hold2 > 0.0)
     {
         y = y + (v + 0.5 * level2 * hold2) * hold2;
         v = v + level2 * hold2;
     }
-    y = y + ramp_distance(v, level2, b, t3, ramp_rise(t3, ramp), ramp);
+    y = y + ramp_distance(v, level2, b, t3, ramp_rise(t3, axis), axis);
     (*result_0_0001) = t1 + hold1 + t2 + hold2 + t3;
     (*result_1) = y;
     return 0;
 }
-/*One member of the canonical family from (v, a) to (w, b).                                          */
+/*Write one member of the canonical family (Family) from (V, A) to (W, B).                           */
 /*                                                                                                   */
-/*    p is the duration of the last ramp, from the second level up to b; beyond t_top, where that    */
-/*    level is -top, it goes on as the hold there. The first level is at most `high`: `top`, or less */
-/*    to keep the velocity down between the levels, but not less than a and b. Returns duration      */
-/*    (-1: no such member), distance, t1, hold1, level1, hold2, level2, t3.                          */
+/*    p is the duration of the last ramp, from the second level up to B; beyond LAST_RAMP, where that*/
+/*    level is the negative acceleration limit, it goes on as the hold there. The first level is at  */
+/*    most HIGHEST: the acceleration limit, or less to keep the velocity down between the levels, but*/
+/*    not less than A and B. Returns duration [s] (-1: no such member) and distance [m].             */
 /*                                                                                                   */
-static int64_t canonical_point(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, double* result_6, double* result_7, double p, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
+static int64_t canonical_member(double* result_0, double* result_1, double p, array_double_1d family, array_double_1d axis)
 {
+    double a;
+    double b;
+    double last_ramp;
     double hold2;
     double t3;
     double level2;
@@ -6263,69 +5974,64 @@ static int64_t canonical_point(double* result_0, double* result_1, double* resul
     double t1;
     double hold1;
     double level1;
-    double duration;
-    double y;
+    a = (*cspan_at(&family, INT64_C(1)));
+    b = (*cspan_at(&family, INT64_C(3)));
+    last_ramp = (*cspan_at(&family, INT64_C(5)));
     hold2 = 0.0;
     t3 = p;
-    if (p >= t_top)
+    if (p >= last_ramp)
     {
-        t3 = t_top;
-        hold2 = p - t_top;
-        level2 = -top;
+        t3 = last_ramp;
+        hold2 = p - last_ramp;
+        level2 = -(*cspan_at(&axis, INT64_C(3)));
     }
     else
     {
-        ramp_change(&change, &slope, p, ramp);
+        ramp_change(&change, &slope, p, axis);
         level2 = b - change;
     }
-    gain = w - v - 0.5 * (level2 + b) * t3 - level2 * hold2;
+    gain = (*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))) - 0.5 * (level2 + b) * t3 - level2 * hold2;
     low = span_max(0.0, span_max(a, level2));
-    solve_level(&t1, &hold1, &level1, gain, a, level2, low, high, ramp);
+    solve_level(&t1, &hold1, &level1, gain, a, level2, low, (*cspan_at(&family, INT64_C(4))), axis);
     if (hold1 < 0.0)
     {
         (*result_0) = -1.0;
         (*result_1) = 0.0;
-        (*result_2) = 0.0;
-        (*result_3) = 0.0;
-        (*result_4) = 0.0;
-        (*result_5) = 0.0;
-        (*result_6) = 0.0;
-        (*result_7) = 0.0;
         return 0;
     }
-    levels_distance(&duration, &y, v, a, t1, hold1, level1, hold2, level2, t3, b, ramp);
-    (*result_0) = duration;
-    (*result_1) = y;
-    (*result_2) = t1;
-    (*result_3) = hold1;
-    (*result_4) = level1;
-    (*result_5) = hold2;
-    (*result_6) = level2;
-    (*result_7) = t3;
+    (*cspan_at(&family, INT64_C(13))) = t1;
+    (*cspan_at(&family, INT64_C(14))) = hold1;
+    (*cspan_at(&family, INT64_C(15))) = level1;
+    (*cspan_at(&family, INT64_C(16))) = hold2;
+    (*cspan_at(&family, INT64_C(17))) = level2;
+    (*cspan_at(&family, INT64_C(18))) = t3;
+    member_distance(result_0, result_1, family, axis);
     return 0;
 }
 /*Append the fastest change from (v, a) to (w, 0) over one level; -1 if there is none. */
-static int64_t append_velocity_change(array_double_2d phases, int64_t count, double v, double a, double w, double top, array_double_1d ramp)
+static int64_t append_velocity_change(array_double_2d phases, int64_t count, double v, double a, double w, array_double_1d axis)
 {
+    double top;
     double sign;
     double t1;
     double hold;
     double level;
     int64_t result;
+    top = (*cspan_at(&axis, INT64_C(3)));
     sign = 1.0;
-    solve_level(&t1, &hold, &level, w - v, a, 0.0, span_max(0.0, a), top, ramp);
+    solve_level(&t1, &hold, &level, w - v, a, 0.0, span_max(0.0, a), top, axis);
     if (hold < 0.0)
     {
         sign = -1.0;
-        solve_level(&t1, &hold, &level, v - w, -a, 0.0, span_max(0.0, -a), top, ramp);
+        solve_level(&t1, &hold, &level, v - w, -a, 0.0, span_max(0.0, -a), top, axis);
         if (hold < 0.0)
         {
             return -INT64_C(1);
         }
     }
-    count = append_ramp(phases, count, a, sign * level, t1, ramp);
+    count = append_ramp(phases, count, a, sign * level, t1, axis);
     count = append_hold(phases, count, sign * level, hold);
-    result = append_change(phases, count, sign * level, 0.0, ramp);
+    result = append_change(phases, count, sign * level, 0.0, axis);
     return result;
 }
 /*The paper's form with a given cruise velocity, the cruise itself left out.                   */
@@ -6333,16 +6039,19 @@ static int64_t append_velocity_change(array_double_2d phases, int64_t count, dou
 /*    Returns the number of phases (-1: a velocity change does not exist), the row before which*/
 /*    the cruise belongs, duration and distance.                                               */
 /*                                                                                             */
-static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_2, double* result_3, array_double_2d phases, double cruise, double v, double a, double w, double b, double top, array_double_1d ramp)
+static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_2, double* result_3, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis)
 {
+    double v;
     int64_t row;
+    double w;
     int64_t count;
     double duration;
     double y;
     double end;
     double lowest;
     double highest;
-    row = append_velocity_change(phases, INT64_C(0), v, a, cruise, top, ramp);
+    v = (*cspan_at(&problem, INT64_C(0)));
+    row = append_velocity_change(phases, INT64_C(0), v, (*cspan_at(&problem, INT64_C(1))), cruise, axis);
     if (row < INT64_C(0))
     {
         (*result_0) = -INT64_C(1);
@@ -6352,7 +6061,8 @@ static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_
         return 0;
     }
     /*the second part is the first part of the reversed problem*/
-    count = append_velocity_change(phases, row, w, -b, cruise, top, ramp);
+    w = (*cspan_at(&problem, INT64_C(2)));
+    count = append_velocity_change(phases, row, w, -(*cspan_at(&problem, INT64_C(3))), cruise, axis);
     if (count < INT64_C(0))
     {
         (*result_0) = -INT64_C(1);
@@ -6362,7 +6072,7 @@ static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_
         return 0;
     }
     reverse_phases(phases, row, count);
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, 1e+300, ramp);
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, 1e+300, axis);
     (*result_0) = count;
     (*result_1) = row;
     (*result_2) = duration;
@@ -6370,15 +6080,17 @@ static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_
     return 0;
 }
 /*The paper's form with the cruise that covers the distance; 0 if it is overshot.*/
-static int64_t with_cruise(array_double_2d phases, double cruise, double v, double a, double w, double b, double distance, double top, array_double_1d ramp)
+static int64_t with_cruise(array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis)
 {
+    double distance;
     int64_t count;
     int64_t row;
     double duration;
     double y;
     double hold;
     int64_t result;
-    cruise_form(&count, &row, &duration, &y, phases, cruise, v, a, w, b, top, ramp);
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    cruise_form(&count, &row, &duration, &y, phases, cruise, problem, axis);
     if ((count < INT64_C(0)) || (cruise == 0.0))
     {
         return span_max_int(count, INT64_C(0));
@@ -6397,8 +6109,9 @@ static int64_t with_cruise(array_double_2d phases, double cruise, double v, doub
 /*    Searched between the two limits, of which one falls short of the distance and the other one*/
 /*    is too far; by bisection where the form does not exist.                                    */
 /*                                                                                               */
-static int64_t slower_cruise(array_double_2d phases, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
+static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, array_double_1d axis)
 {
+    double distance;
     double newest;
     double other;
     double before;
@@ -6419,16 +6132,17 @@ static int64_t slower_cruise(array_double_2d phases, double v, double a, double 
     double upper;
     double cruise;
     int64_t result;
-    newest = -velocity_limit;
-    other = velocity_limit;
-    before = velocity_limit;
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    newest = -(*cspan_at(&axis, INT64_C(2)));
+    other = (*cspan_at(&axis, INT64_C(2)));
+    before = other;
     e_newest = 0.0;
     e_other = 0.0;
     e_before = 0.0;
     falls_short = 1;
     for (i = INT64_C(0); i < INT64_C(120); i += INT64_C(1))
     {
-        middle = span_max(v, w);
+        middle = span_max((*cspan_at(&problem, INT64_C(0))), (*cspan_at(&problem, INT64_C(2))));
         if (i > INT64_C(0))
         {
             share = root_share(newest, other, before, e_newest, e_other, e_before);
@@ -6442,7 +6156,7 @@ static int64_t slower_cruise(array_double_2d phases, double v, double a, double 
             }
             middle = 0.0;
         }
-        cruise_form(&count, &row, &duration, &y, phases, middle, v, a, w, b, top, ramp);
+        cruise_form(&count, &row, &duration, &y, phases, middle, problem, axis);
         error = y - distance;
         short_0001 = (count < INT64_C(0)) || (error < 0.0);
         if (count < INT64_C(0))
@@ -6480,7 +6194,7 @@ static int64_t slower_cruise(array_double_2d phases, double v, double a, double 
     {
         cruise = upper;
     }
-    result = with_cruise(phases, cruise, v, a, w, b, distance, top, ramp);
+    result = with_cruise(phases, cruise, problem, axis);
     return result;
 }
 /*The paper's form around the velocity that one ramp to zero reaches from one end, or 0.         */
@@ -6488,8 +6202,13 @@ static int64_t slower_cruise(array_double_2d phases, double v, double a, double 
 /*    The distance has a kink there, which can be the only member that covers it: a state on the */
 /*    way of another profile leads to such problems.                                             */
 /*                                                                                               */
-static int64_t direct_form(array_double_2d phases, bool from_start, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
+static int64_t direct_form(array_double_2d phases, bool from_start, array_double_1d problem, array_double_1d axis)
 {
+    double v;
+    double a;
+    double w;
+    double b;
+    double distance;
     double end;
     double cruise;
     double t;
@@ -6500,6 +6219,11 @@ static int64_t direct_form(array_double_2d phases, bool from_start, double v, do
     double duration;
     double y;
     int64_t result;
+    v = (*cspan_at(&problem, INT64_C(0)));
+    a = (*cspan_at(&problem, INT64_C(1)));
+    w = (*cspan_at(&problem, INT64_C(2)));
+    b = (*cspan_at(&problem, INT64_C(3)));
+    distance = (*cspan_at(&problem, INT64_C(4)));
     end = fabs(b);
     cruise = w;
     if (from_start)
@@ -6511,7 +6235,7 @@ static int64_t direct_form(array_double_2d phases, bool from_start, double v, do
     {
         return INT64_C(0);
     }
-    segfmu_ramp_duration(&t, &rise, &slope, end, ramp);
+    segfmu_ramp_duration(&t, &rise, &slope, end, axis);
     if (from_start)
     {
         cruise = v + 0.5 * a * t;
@@ -6520,11 +6244,11 @@ static int64_t direct_form(array_double_2d phases, bool from_start, double v, do
     {
         cruise = w - 0.5 * b * t;
     }
-    if (fabs(cruise) > velocity_limit)
+    if (fabs(cruise) > (*cspan_at(&axis, INT64_C(2))))
     {
         return INT64_C(0);
     }
-    cruise_form(&count, &row, &duration, &y, phases, cruise, v, a, w, b, top, ramp);
+    cruise_form(&count, &row, &duration, &y, phases, cruise, problem, axis);
     if (fabs(y - distance) > 1e-14 * (fabs(distance) + (fabs(v) + fabs(w)) * duration))
     {
         return INT64_C(0);
@@ -6532,18 +6256,12 @@ static int64_t direct_form(array_double_2d phases, bool from_start, double v, do
     return span_max_int(count, INT64_C(0));
 }
 /*Bisect between a parameter that has a canonical member and one that has none.*/
-static double window_edge(int64_t halvings, double inside, double outside, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
+static double window_edge(int64_t halvings, double inside, double outside, array_double_1d family, array_double_1d axis)
 {
     int64_t i;
     double middle;
     double duration;
     double y;
-    double t1;
-    double hold1;
-    double level1;
-    double hold2;
-    double level2;
-    double t3;
     double result;
     for (i = INT64_C(0); i < halvings; i += INT64_C(1))
     {
@@ -6552,7 +6270,7 @@ static double window_edge(int64_t halvings, double inside, double outside, doubl
         {
             break;
         }
-        canonical_point(&duration, &y, &t1, &hold1, &level1, &hold2, &level2, &t3, middle, v, a, w, b, high, top, t_top, ramp);
+        canonical_member(&duration, &y, middle, family, axis);
         if (duration >= 0.0)
         {
             inside = middle;
@@ -6565,18 +6283,12 @@ static double window_edge(int64_t halvings, double inside, double outside, doubl
     return inside;
 }
 /*The searched quantity (duration or distance) of a member, and its duration or -1.*/
-static int64_t canonical_value(double* result_0_0001, double* result_1, double p, bool by_time, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
+static int64_t canonical_value(double* result_0_0001, double* result_1, double p, array_double_1d family, array_double_1d axis)
 {
     double duration;
     double y;
-    double t1;
-    double hold1;
-    double level1;
-    double hold2;
-    double level2;
-    double t3;
-    canonical_point(&duration, &y, &t1, &hold1, &level1, &hold2, &level2, &t3, p, v, a, w, b, high, top, t_top, ramp);
-    if (by_time)
+    canonical_member(&duration, &y, p, family, axis);
+    if ((*cspan_at(&family, INT64_C(9))) > 0.5)
     {
         (*result_0_0001) = duration;
         (*result_1) = duration;
@@ -6586,76 +6298,82 @@ static int64_t canonical_value(double* result_0_0001, double* result_1, double p
     (*result_1) = duration;
     return 0;
 }
-/*Bracketed root on the canonical family; f_lower < target <= f_upper.     */
-/*                                                                         */
-/*    `lower` and `upper` name the values, not the order of the parameters.*/
-/*                                                                         */
-static double bracketed_root(double lower, double upper, double f_lower, double f_upper, double target, bool by_time, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
+/*Parameter of the member with the target value; f_lower < target <= f_upper.*/
+/*                                                                           */
+/*    `lower` and `upper` name the values, not the order of the parameters.  */
+/*                                                                           */
+static double bracketed_root(double lower, double upper, double f_lower, double f_upper, array_double_1d family, array_double_1d axis)
 {
-    double a_p;
-    double a_error;
-    double b_p;
-    double b_error;
-    double c_p;
-    double c_error;
+    double target;
+    double newest;
+    double e_newest;
+    double other;
+    double e_other;
+    double before;
+    double e_before;
     double speed;
     int64_t i;
+    double share;
     double p;
     double value;
     double duration;
     double error;
     double result;
-    a_p = upper;
-    a_error = f_upper - target;
-    b_p = lower;
-    b_error = f_lower - target;
-    c_p = lower;
-    c_error = b_error;
-    speed = fabs(v) + fabs(w);
-    if (by_time)
+    target = (*cspan_at(&family, INT64_C(10)));
+    newest = upper;
+    e_newest = f_upper - target;
+    other = lower;
+    e_other = f_lower - target;
+    before = lower;
+    e_before = e_other;
+    speed = fabs((*cspan_at(&family, INT64_C(0)))) + fabs((*cspan_at(&family, INT64_C(2))));
+    if ((*cspan_at(&family, INT64_C(9))) > 0.5)
     {
         speed = 0.0;
     }
     for (i = INT64_C(0); i < INT64_C(120); i += INT64_C(1))
     {
-        if ((a_error == 0.0) || (fabs(a_p - b_p) <= 2e-16 * fabs(a_p)))
+        if ((e_newest == 0.0) || (fabs(newest - other) <= 2e-16 * fabs(newest)))
         {
             break;
         }
-        p = a_p + root_share(a_p, b_p, c_p, a_error, b_error, c_error) * (b_p - a_p);
-        canonical_value(&value, &duration, p, by_time, v, a, w, b, high, top, t_top, ramp);
+        share = root_share(newest, other, before, e_newest, e_other, e_before);
+        p = newest + share * (other - newest);
+        canonical_value(&value, &duration, p, family, axis);
         error = value - target;
-        c_p = a_p;
-        c_error = a_error;
-        if (error * a_error < 0.0)
+        before = newest;
+        e_before = e_newest;
+        if (error * e_newest < 0.0)
         {
-            c_p = b_p;
-            c_error = b_error;
-            b_p = a_p;
-            b_error = a_error;
+            before = other;
+            e_before = e_other;
+            other = newest;
+            e_other = e_newest;
         }
-        a_p = p;
-        a_error = error;
+        newest = p;
+        e_newest = error;
         /*what rounding leaves of a sum whose terms may cancel*/
         if (fabs(error) <= 2e-15 * (fabs(target) + speed * duration))
         {
             break;
         }
     }
-    if (fabs(b_error) < fabs(a_error))
+    if (fabs(e_other) < fabs(e_newest))
     {
-        return b_p;
+        return other;
     }
-    return a_p;
+    return newest;
 }
-/*Search the members whose second level lies between the end acceleration and zero.                */
-/*                                                                                                 */
-/*    Returns the parameter or -1, and t_zero if the family goes on there, else -1: a positive     */
-/*    second level gains velocity, which can leave no room for the first one. Where the motion     */
-/*    starts backwards the distance can rise and fall again, so the members between are looked at. */
-/*                                                                                                 */
-static int64_t first_window(double* result_0, double* result_1_0001, double target, double f_start, double v, double a, double w, double b, double high, double top, double t_top, double t_zero, array_double_1d ramp)
+/*Search the members whose second level lies between the end acceleration and zero.                    */
+/*                                                                                                     */
+/*    f_start is the value of the first member, t_zero the parameter of the second level zero. Returns */
+/*    the parameter or -1, and t_zero if the family goes on there, else -1: a positive second level    */
+/*    gains velocity, which can leave no room for the first one. Where the motion starts backwards the */
+/*    distance can rise and fall again, so the members between are looked at.                          */
+/*                                                                                                     */
+static int64_t first_window(double* result_0, double* result_1_0001, double f_start, double t_zero, array_double_1d family, array_double_1d axis)
 {
+    double target;
     int64_t samples;
     double lower;
     double f_lower;
@@ -6665,7 +6383,8 @@ static int64_t first_window(double* result_0, double* result_1_0001, double targ
     double duration;
     double end;
     double going_on;
-    if (v < 0.0)
+    target = (*cspan_at(&family, INT64_C(10)));
+    if ((*cspan_at(&family, INT64_C(0))) < 0.0)
     {
         samples = INT64_C(8);
         lower = 0.0;
@@ -6673,14 +6392,14 @@ static int64_t first_window(double* result_0, double* result_1_0001, double targ
         for (i = INT64_C(1); i < samples; i += INT64_C(1))
         {
             p = t_zero * i / samples;
-            canonical_value(&value, &duration, p, 0, v, a, w, b, high, top, t_top, ramp);
+            canonical_value(&value, &duration, p, family, axis);
             if (duration < 0.0)
             {
                 break;
             }
             if ((value >= target) && (value > f_lower))
             {
-                (*result_0) = bracketed_root(lower, p, f_lower, value, target, 0, v, a, w, b, high, top, t_top, ramp);
+                (*result_0) = bracketed_root(lower, p, f_lower, value, family, axis);
                 (*result_1_0001) = t_zero;
                 return 0;
             }
@@ -6688,12 +6407,12 @@ static int64_t first_window(double* result_0, double* result_1_0001, double targ
             f_lower = value;
         }
     }
-    canonical_value(&value, &duration, t_zero, 0, v, a, w, b, high, top, t_top, ramp);
+    canonical_value(&value, &duration, t_zero, family, axis);
     end = t_zero;
     if (duration < 0.0)
     {
-        end = window_edge(INT64_C(80), 0.0, t_zero, v, a, w, b, high, top, t_top, ramp);
-        canonical_value(&value, &duration, end, 0, v, a, w, b, high, top, t_top, ramp);
+        end = window_edge(INT64_C(80), 0.0, t_zero, family, axis);
+        canonical_value(&value, &duration, end, family, axis);
     }
     going_on = -1.0;
     if (end == t_zero)
@@ -6702,7 +6421,7 @@ static int64_t first_window(double* result_0, double* result_1_0001, double targ
     }
     if ((value >= target) && (value > f_start))
     {
-        p = bracketed_root(0.0, end, f_start, value, target, 0, v, a, w, b, high, top, t_top, ramp);
+        p = bracketed_root(0.0, end, f_start, value, family, axis);
         (*result_0) = p;
         (*result_1_0001) = going_on;
         return 0;
@@ -6711,55 +6430,105 @@ static int64_t first_window(double* result_0, double* result_1_0001, double targ
     (*result_1_0001) = going_on;
     return 0;
 }
-/*Parameter of a member that covers less than the first one, and just the target; or -1. */
-/*                                                                                       */
-/*    Going on for longer covers less distance while the velocity in between is negative.*/
-/*                                                                                       */
-static double dip(double target, double f_start, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
+/*Parameter of a member that covers less than the first one, f_start, and just the target.           */
+/*                                                                                                   */
+/*    -1 if there is none. Going on for longer covers less distance while the velocity in between is */
+/*    negative.                                                                                      */
+/*                                                                                                   */
+static double shorter_member(double f_start, array_double_1d family, array_double_1d axis)
 {
     int64_t samples;
     double span;
-    double rise;
-    double slope;
     int64_t i;
     double p;
     double value;
     double duration;
     double result;
     samples = INT64_C(12);
-    segfmu_ramp_duration(&span, &rise, &slope, top, ramp);
+    span = span_max((*cspan_at(&family, INT64_C(5))), (*cspan_at(&axis, INT64_C(9))));
     for (i = INT64_C(1); i < samples + INT64_C(1); i += INT64_C(1))
     {
-        p = span_max(t_top, span) * i * i / (samples * samples);
-        canonical_value(&value, &duration, p, 0, v, a, w, b, high, top, t_top, ramp);
+        p = span * i * i / (samples * samples);
+        canonical_value(&value, &duration, p, family, axis);
         if (duration < 0.0)
         {
             return -1.0;
         }
-        if (value <= target)
+        if (value <= (*cspan_at(&family, INT64_C(10))))
         {
-            result = bracketed_root(p, 0.0, value, f_start, target, 0, v, a, w, b, high, top, t_top, ramp);
+            result = bracketed_root(p, 0.0, value, f_start, family, axis);
             return result;
         }
     }
     return -1.0;
 }
-/*Parameter of the first canonical member that covers the target distance, or -1.*/
-static double canonical_search(double target, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
+/*First parameter beyond t_zero that has a member, where t_zero has none.*/
+static double second_window(double t_zero, array_double_1d family, array_double_1d axis)
 {
+    double upper;
+    double value;
+    double duration;
+    int64_t i;
+    double result;
+    upper = (*cspan_at(&family, INT64_C(5)));
+    canonical_value(&value, &duration, upper, family, axis);
+    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    {
+        if (duration >= 0.0)
+        {
+            break;
+        }
+        upper = 2.0 * upper;
+        canonical_value(&value, &duration, upper, family, axis);
+    }
+    result = window_edge(INT64_C(80), upper, t_zero, family, axis);
+    return result;
+}
+/*Parameter beyond `lower`, whose member covers f_lower, that covers the target, or -1.*/
+static double farther_member(double lower, double f_lower, array_double_1d family, array_double_1d axis)
+{
+    double upper;
+    int64_t i;
+    double f_upper;
+    double duration;
+    double result;
+    /*where the last acceleration is at its limit, the last ramp is no scale of the family*/
+    upper = span_max((*cspan_at(&family, INT64_C(5))), (*cspan_at(&axis, INT64_C(9))));
+    if (upper <= lower)
+    {
+        upper = 2.0 * lower;
+    }
+    for (i = INT64_C(0); i < INT64_C(200); i += INT64_C(1))
+    {
+        canonical_value(&f_upper, &duration, upper, family, axis);
+        if (f_upper >= (*cspan_at(&family, INT64_C(10))))
+        {
+            result = bracketed_root(lower, upper, f_lower, f_upper, family, axis);
+            return result;
+        }
+        lower = upper;
+        f_lower = f_upper;
+        upper = 2.0 * upper;
+    }
+    return -1.0;
+}
+/*Parameter of the first canonical member that covers the target distance, or -1.*/
+static double canonical_search(array_double_1d family, array_double_1d axis)
+{
+    double target;
+    double v;
+    double w;
     double f_lower;
     double duration;
     double lower;
     double t_zero;
     double rise;
     double slope;
-    double upper;
-    double value;
-    int64_t i;
-    double span;
-    double f_upper;
     double p;
-    canonical_value(&f_lower, &duration, 0.0, 0, v, a, w, b, high, top, t_top, ramp);
+    target = (*cspan_at(&family, INT64_C(10)));
+    v = (*cspan_at(&family, INT64_C(0)));
+    w = (*cspan_at(&family, INT64_C(2)));
+    canonical_value(&f_lower, &duration, 0.0, family, axis);
     if (duration < 0.0)
     {
         return -1.0;
@@ -6775,69 +6544,42 @@ static double canonical_search(double target, double v, double a, double w, doub
         {
             return -1.0;
         }
-        p = dip(target, f_lower, v, a, w, b, high, top, t_top, ramp);
+        p = shorter_member(f_lower, family, axis);
         return p;
     }
     lower = 0.0;
-    if (b > 0.0)
+    if ((*cspan_at(&family, INT64_C(3))) > 0.0)
     {
-        segfmu_ramp_duration(&t_zero, &rise, &slope, b, ramp);
-        first_window(&p, &lower, target, f_lower, v, a, w, b, high, top, t_top, t_zero, ramp);
+        segfmu_ramp_duration(&t_zero, &rise, &slope, (*cspan_at(&family, INT64_C(3))), axis);
+        first_window(&p, &lower, f_lower, t_zero, family, axis);
         if (p >= 0.0)
         {
             return p;
         }
         if (lower < 0.0)
         {
-            upper = t_top;
-            canonical_value(&value, &duration, upper, 0, v, a, w, b, high, top, t_top, ramp);
-            for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
-            {
-                if (duration >= 0.0)
-                {
-                    break;
-                }
-                upper = 2.0 * upper;
-                canonical_value(&value, &duration, upper, 0, v, a, w, b, high, top, t_top, ramp);
-            }
-            lower = window_edge(INT64_C(80), upper, t_zero, v, a, w, b, high, top, t_top, ramp);
+            lower = second_window(t_zero, family, axis);
         }
-        canonical_value(&f_lower, &duration, lower, 0, v, a, w, b, high, top, t_top, ramp);
+        canonical_value(&f_lower, &duration, lower, family, axis);
         if (f_lower > target)
         {
             return -1.0;
         }
     }
-    /*where the last acceleration is at its limit, t_top is no scale of the family*/
-    segfmu_ramp_duration(&span, &rise, &slope, top, ramp);
-    upper = span_max(t_top, span);
-    if (upper <= lower)
-    {
-        upper = 2.0 * lower;
-    }
-    for (i = INT64_C(0); i < INT64_C(200); i += INT64_C(1))
-    {
-        canonical_value(&f_upper, &duration, upper, 0, v, a, w, b, high, top, t_top, ramp);
-        if (f_upper >= target)
-        {
-            p = bracketed_root(lower, upper, f_lower, f_upper, target, 0, v, a, w, b, high, top, t_top, ramp);
-            return p;
-        }
-        lower = upper;
-        f_lower = f_upper;
-        upper = 2.0 * upper;
-    }
-    return -1.0;
+    p = farther_member(lower, f_lower, family, axis);
+    return p;
 }
-/*Parameter of the which-th canonical member (from 0) of a duration or distance, or -1.              */
+/*Parameter of the canonical member number MEMBER of the target value, or -1.                        */
 /*                                                                                                   */
-/*    Neither is monotone along the family: the duration falls and rises again where a first level   */
-/*    that takes long to come back from is traded for a shorter one, the distance while the velocity */
-/*    in between is negative. So the members are looked at one by one, up to nine times `scale`.     */
+/*    Neither duration nor distance is monotone along the family: the duration falls and rises again */
+/*    where a first level that takes long to come back from is traded for a shorter one, the distance*/
+/*    while the velocity in between is negative. So the members are looked at one by one, up to nine */
+/*    times SCALE.                                                                                   */
 /*                                                                                                   */
-static double member_search(int64_t which, bool by_time, double scale, double target, double v, double a, double w, double b, double high, double top, double t_top, array_double_1d ramp)
+static double member_search(array_double_1d family, array_double_1d axis)
 {
-    int64_t found;
+    double target;
+    int64_t passed;
     double previous;
     double lower;
     double f_lower;
@@ -6848,40 +6590,41 @@ static double member_search(int64_t which, bool by_time, double scale, double ta
     double upper;
     bool inside;
     double result;
-    found = INT64_C(0);
+    target = (*cspan_at(&family, INT64_C(10)));
+    passed = INT64_C(0);
     previous = 0.0;
     lower = -1.0;
     f_lower = 0.0;
     p = 0.0;
     for (i = INT64_C(0); i < INT64_C(36); i += INT64_C(1))
     {
-        p = scale * i * i / 144.0;
-        canonical_value(&value, &duration, p, by_time, v, a, w, b, high, top, t_top, ramp);
+        p = (*cspan_at(&family, INT64_C(12))) * i * i / 144.0;
+        canonical_value(&value, &duration, p, family, axis);
         upper = p;
         inside = duration >= 0.0;
         if (inside && (lower < 0.0) && (i > INT64_C(0)))
         {
-            lower = window_edge(INT64_C(24), p, previous, v, a, w, b, high, top, t_top, ramp);
-            canonical_value(&f_lower, &duration, lower, by_time, v, a, w, b, high, top, t_top, ramp);
+            lower = window_edge(INT64_C(24), p, previous, family, axis);
+            canonical_value(&f_lower, &duration, lower, family, axis);
         }
         if ((!inside) && (lower >= 0.0))
         {
-            upper = window_edge(INT64_C(24), lower, p, v, a, w, b, high, top, t_top, ramp);
-            canonical_value(&value, &duration, upper, by_time, v, a, w, b, high, top, t_top, ramp);
+            upper = window_edge(INT64_C(24), lower, p, family, axis);
+            canonical_value(&value, &duration, upper, family, axis);
         }
         if ((lower >= 0.0) && ((f_lower - target) * (value - target) <= 0.0) && (value != f_lower))
         {
-            if ((found == which) && (value > f_lower))
+            if (passed == (int64_t)((*cspan_at(&family, INT64_C(11)))))
             {
-                result = bracketed_root(lower, upper, f_lower, value, target, by_time, v, a, w, b, high, top, t_top, ramp);
+                if (value > f_lower)
+                {
+                    result = bracketed_root(lower, upper, f_lower, value, family, axis);
+                    return result;
+                }
+                result = bracketed_root(upper, lower, value, f_lower, family, axis);
                 return result;
             }
-            if (found == which)
-            {
-                result = bracketed_root(upper, lower, value, f_lower, target, by_time, v, a, w, b, high, top, t_top, ramp);
-                return result;
-            }
-            found = found + INT64_C(1);
+            passed = passed + INT64_C(1);
         }
         lower = -1.0;
         if (inside)
@@ -6897,94 +6640,130 @@ static double member_search(int64_t which, bool by_time, double scale, double ta
     }
     return -1.0;
 }
-/*The merged form on one of its four branches; the number of phases, -1 if it has none.              */
+/*Set the canonical family (Family) of a problem on a branch 0 .. 3, by the distance.                */
 /*                                                                                                   */
-/*    which < 0 takes the first member that covers the distance, which >= 0 the which-th one that    */
-/*    lasts `time` or, not by time but with it as the scale, covers the distance. Reversal exchanges */
-/*    the boundary states, mirroring their signs; together they reduce every branch to the canonical */
-/*    one, whose first level is at most `high`.                                                      */
+/*    Reversal (1, 2) exchanges the boundary states, mirroring (2, 3) their signs; together they     */
+/*    reduce every branch to the canonical one. The first member that covers the distance is searched*/
+/*    for, see `set_member`.                                                                         */
 /*                                                                                                   */
-static int64_t merged_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double high, double top, array_double_1d ramp)
+static void set_family(int64_t branch, array_double_1d problem, array_double_1d axis, array_double_1d family)
 {
-    double v1;
-    double a1;
-    double v2;
-    double a2;
-    double t_top;
+    bool reverse;
+    bool mirror;
+    double v;
+    double a;
+    double w;
+    double b;
+    double distance;
+    double last_ramp;
     double rise;
     double slope;
-    double p;
-    double target;
-    double scale;
-    double duration;
-    double y;
-    double t1;
-    double hold1;
-    double level1;
-    double hold2;
-    double level2;
-    double t3;
-    int64_t count;
-    v1 = v;
-    a1 = a;
-    v2 = w;
-    a2 = b;
+    reverse = (branch == INT64_C(1)) || (branch == INT64_C(2));
+    mirror = branch >= INT64_C(2);
+    v = (*cspan_at(&problem, INT64_C(0)));
+    a = (*cspan_at(&problem, INT64_C(1)));
+    w = (*cspan_at(&problem, INT64_C(2)));
+    b = (*cspan_at(&problem, INT64_C(3)));
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    (*cspan_at(&family, INT64_C(6))) = v;
     if (reverse)
     {
-        v1 = w;
-        a1 = -b;
-        v2 = v;
-        a2 = -a;
+        v = (*cspan_at(&problem, INT64_C(2)));
+        a = -(*cspan_at(&problem, INT64_C(3)));
+        w = (*cspan_at(&problem, INT64_C(0)));
+        b = -(*cspan_at(&problem, INT64_C(1)));
     }
     if (mirror)
     {
-        v1 = -v1;
-        a1 = -a1;
-        v2 = -v2;
-        a2 = -a2;
+        v = -v;
+        a = -a;
+        w = -w;
+        b = -b;
         distance = -distance;
     }
-    segfmu_ramp_duration(&t_top, &rise, &slope, a2 + top, ramp);
-    if (which < INT64_C(0))
+    segfmu_ramp_duration(&last_ramp, &rise, &slope, b + (*cspan_at(&axis, INT64_C(3))), axis);
+    (*cspan_at(&family, INT64_C(0))) = v;
+    (*cspan_at(&family, INT64_C(1))) = a;
+    (*cspan_at(&family, INT64_C(2))) = w;
+    (*cspan_at(&family, INT64_C(3))) = b;
+    (*cspan_at(&family, INT64_C(5))) = last_ramp;
+    (*cspan_at(&family, INT64_C(7))) = reverse;
+    (*cspan_at(&family, INT64_C(8))) = mirror;
+    (*cspan_at(&family, INT64_C(9))) = 0.0;
+    (*cspan_at(&family, INT64_C(10))) = distance;
+    (*cspan_at(&family, INT64_C(11))) = -1.0;
+    (*cspan_at(&family, INT64_C(12))) = last_ramp;
+}
+/*Search a family for one member of several: from 0 the number of it.                          */
+/*                                                                                             */
+/*    `by_time` it lasts `time` [s]; else it covers the distance, and `time` scales the search.*/
+/*                                                                                             */
+static void set_member(int64_t member, double time, bool by_time, array_double_1d family)
+{
+    (*cspan_at(&family, INT64_C(11))) = member;
+    (*cspan_at(&family, INT64_C(12))) = span_max((*cspan_at(&family, INT64_C(5))), 0.1 * time);
+    if (by_time)
     {
-        p = canonical_search(distance, v1, a1, v2, a2, high, top, t_top, ramp);
+        (*cspan_at(&family, INT64_C(9))) = 1.0;
+        (*cspan_at(&family, INT64_C(10))) = time;
+    }
+}
+/*Write the member that a family is searched for; the number of phases, -1 if there is none. */
+/*                                                                                           */
+/*    highest [m/s2] bounds the first level.                                                 */
+/*                                                                                           */
+static int64_t merged_form(array_double_2d phases, double highest, array_double_1d family, array_double_1d axis)
+{
+    double p;
+    double duration;
+    double y;
+    double a;
+    double b;
+    double level1;
+    double level2;
+    int64_t count;
+    (*cspan_at(&family, INT64_C(4))) = highest;
+    if ((*cspan_at(&family, INT64_C(11))) < 0.0)
+    {
+        p = canonical_search(family, axis);
     }
     else
     {
-        target = distance;
-        if (by_time)
-        {
-            target = time;
-        }
-        scale = span_max(t_top, 0.1 * time);
-        p = member_search(which, by_time, scale, target, v1, a1, v2, a2, high, top, t_top, ramp);
+        p = member_search(family, axis);
     }
     if (p < 0.0)
     {
         return -INT64_C(1);
     }
-    canonical_point(&duration, &y, &t1, &hold1, &level1, &hold2, &level2, &t3, p, v1, a1, v2, a2, high, top, t_top, ramp);
+    canonical_member(&duration, &y, p, family, axis);
     if (duration < 0.0)
     {
         return -INT64_C(1);
     }
-    count = append_ramp(phases, INT64_C(0), a1, level1, t1, ramp);
-    count = append_hold(phases, count, level1, hold1);
-    count = append_change(phases, count, level1, level2, ramp);
-    count = append_hold(phases, count, level2, hold2);
-    count = append_ramp(phases, count, level2, a2, t3, ramp);
-    if (reverse)
+    a = (*cspan_at(&family, INT64_C(1)));
+    b = (*cspan_at(&family, INT64_C(3)));
+    level1 = (*cspan_at(&family, INT64_C(15)));
+    level2 = (*cspan_at(&family, INT64_C(17)));
+    count = append_ramp(phases, INT64_C(0), a, level1, (*cspan_at(&family, INT64_C(13))), axis);
+    count = append_hold(phases, count, level1, (*cspan_at(&family, INT64_C(14))));
+    count = append_change(phases, count, level1, level2, axis);
+    count = append_hold(phases, count, level2, (*cspan_at(&family, INT64_C(16))));
+    count = append_ramp(phases, count, level2, b, (*cspan_at(&family, INT64_C(18))), axis);
+    if ((*cspan_at(&family, INT64_C(7))) > 0.5)
     {
         reverse_phases(phases, INT64_C(0), count);
     }
-    if (mirror)
+    if ((*cspan_at(&family, INT64_C(8))) > 0.5)
     {
         mirror_phases(phases, count);
     }
     return count;
 }
-/*By how much the phases that start with velocity v pass the velocity limit, or less than 0. */
-static double velocity_excess(array_double_2d phases, int64_t count, double v, double within_0001, double limit, array_double_1d ramp)
+/*By how much phases that start with velocity v pass the velocity limit [m/s]; below 0: not. */
+/*                                                                                           */
+/*    Peaks within +-limit_kept inside of ramps may be left out.                             */
+/*                                                                                           */
+static double velocity_excess(array_double_2d phases, int64_t count, double v, double limit_kept, array_double_1d axis)
 {
     double duration;
     double y;
@@ -6992,20 +6771,22 @@ static double velocity_excess(array_double_2d phases, int64_t count, double v, d
     double lowest;
     double highest;
     double result;
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, within_0001, ramp);
-    return span_max(highest, -lowest) - limit;
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, limit_kept, axis);
+    result = span_max(highest, -lowest) - (*cspan_at(&axis, INT64_C(2)));
+    return result;
 }
 /*A first level whose member keeps the velocity limit, and one above it that does not.             */
 /*                                                                                                 */
 /*    Returns both and by how much they pass the limit less a billionth; -1 first if there is none.*/
 /*    Below some level there may be no member, or one that passes the limit on the other side.     */
 /*                                                                                                 */
-static int64_t level_within(double* result_0, double* result_1_0001, double* result_2_0001, double* result_3_0001, double outside, double e_outside, array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
+static int64_t level_within(double* result_0, double* result_1_0001, double* result_2_0001, double* result_3_0001, double outside, double e_outside, array_double_2d phases, array_double_1d family, array_double_1d axis)
 {
+    double velocity_limit;
+    double v;
     double rounding;
     double margin;
-    double sign;
-    double without;
+    double too_low;
     double inside;
     int64_t i;
     int64_t count;
@@ -7016,29 +6797,26 @@ static int64_t level_within(double* result_0, double* result_1_0001, double* res
     double highest;
     double peak;
     double other;
+    velocity_limit = (*cspan_at(&axis, INT64_C(2)));
+    v = (*cspan_at(&family, INT64_C(6)));
     rounding = 1e-12 * velocity_limit;
     margin = 1e-09 * velocity_limit;
-    sign = 1.0;
-    if (reverse != mirror)
-    {
-        sign = -1.0;
-    }
-    without = span_max(sign * a, span_max(sign * b, 0.001 * top));
-    inside = without;
+    too_low = span_max((*cspan_at(&family, INT64_C(1))), span_max((*cspan_at(&family, INT64_C(3))), 0.001 * (*cspan_at(&axis, INT64_C(3)))));
+    inside = too_low;
     for (i = INT64_C(0); i < INT64_C(24); i += INT64_C(1))
     {
-        count = merged_form(phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, inside, top, ramp);
-        segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, span_max_int(count, INT64_C(0)), v, 0.0, ramp);
+        count = merged_form(phases, inside, family, axis);
+        segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, span_max_int(count, INT64_C(0)), v, 0.0, axis);
         peak = highest;
         other = -lowest;
-        if (mirror)
+        if ((*cspan_at(&family, INT64_C(8))) > 0.5)
         {
             peak = -lowest;
             other = highest;
         }
         if ((count <= INT64_C(0)) || (other > velocity_limit + rounding))
         {
-            without = inside;
+            too_low = inside;
         }
         else if (peak > velocity_limit + rounding)
         {
@@ -7053,11 +6831,11 @@ static int64_t level_within(double* result_0, double* result_1_0001, double* res
             (*result_3_0001) = e_outside;
             return 0;
         }
-        if (without == outside)
+        if (too_low == outside)
         {
             break;
         }
-        inside = 0.5 * (without + outside);
+        inside = 0.5 * (too_low + outside);
     }
     (*result_0) = -1.0;
     (*result_1_0001) = outside;
@@ -7066,7 +6844,7 @@ static int64_t level_within(double* result_0, double* result_1_0001, double* res
     return 0;
 }
 /*The highest first level that keeps the velocity limit less a billionth: a bracketed root.*/
-static double highest_within(double inside, double outside, double e_inside, double e_outside, array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
+static double highest_within(double inside, double outside, double e_inside, double e_outside, array_double_2d phases, array_double_1d family, array_double_1d axis)
 {
     double margin;
     double before;
@@ -7076,11 +6854,12 @@ static double highest_within(double inside, double outside, double e_inside, dou
     bool probing;
     int64_t steps;
     double share;
-    double high;
+    double level;
     int64_t count;
     double error;
+    double v;
     double result;
-    margin = 1e-09 * velocity_limit;
+    margin = 1e-09 * (*cspan_at(&axis, INT64_C(2)));
     before = outside;
     e_before = e_outside;
     newest_inside = 1;
@@ -7117,12 +6896,13 @@ static double highest_within(double inside, double outside, double e_inside, dou
         {
             share = 0.001;
         }
-        high = inside + share * (outside - inside);
-        count = merged_form(phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, high, top, ramp);
+        level = inside + share * (outside - inside);
+        count = merged_form(phases, level, family, axis);
         error = 0.0;
         if (count > INT64_C(0))
         {
-            error = velocity_excess(phases, count, v, 0.0, velocity_limit, ramp) + margin;
+            v = (*cspan_at(&family, INT64_C(6)));
+            error = velocity_excess(phases, count, v, 0.0, axis) + margin;
         }
         if ((count > INT64_C(0)) && (error <= margin))
         {
@@ -7133,7 +6913,7 @@ static double highest_within(double inside, double outside, double e_inside, dou
                 before = inside;
                 e_before = e_inside;
             }
-            inside = high;
+            inside = level;
             e_inside = error;
             newest_inside = 1;
             constant = constant || probing;
@@ -7151,7 +6931,7 @@ static double highest_within(double inside, double outside, double e_inside, dou
                 before = outside;
                 e_before = e_outside;
             }
-            outside = high;
+            outside = level;
             e_outside = error;
             newest_inside = 0;
         }
@@ -7165,10 +6945,12 @@ static double highest_within(double inside, double outside, double e_inside, dou
 /*    Between its levels the velocity has a peak. Where that passes the limit, the first level is*/
 /*    lowered, and held, until the peak is at the limit less a billionth.                        */
 /*                                                                                               */
-static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, int64_t which, bool by_time, double time, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
+static int64_t tempered_form(array_double_2d phases, array_double_1d family, array_double_1d axis)
 {
+    double velocity_limit;
     double rounding;
     double margin;
+    double v;
     double e_outside;
     double outside;
     int64_t i;
@@ -7176,14 +6958,16 @@ static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, 
     double inside;
     double e_inside;
     int64_t count;
-    count = merged_form(phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, top, top, ramp);
+    velocity_limit = (*cspan_at(&axis, INT64_C(2)));
+    count = merged_form(phases, (*cspan_at(&axis, INT64_C(3))), family, axis);
     rounding = 1e-12 * velocity_limit;
     margin = 1e-09 * velocity_limit;
     if (count <= INT64_C(0))
     {
         return count;
     }
-    e_outside = velocity_excess(phases, count, v, velocity_limit, velocity_limit, ramp) + margin;
+    v = (*cspan_at(&family, INT64_C(6)));
+    e_outside = velocity_excess(phases, count, v, velocity_limit, axis) + margin;
     if (e_outside <= margin + rounding)
     {
         return count;
@@ -7192,37 +6976,41 @@ static int64_t tempered_form(array_double_2d phases, bool reverse, bool mirror, 
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         level = (*cspan_at(&phases, i, INT64_C(2)));
-        if (reverse != mirror)
+        if ((*cspan_at(&family, INT64_C(7))) != (*cspan_at(&family, INT64_C(8))))
         {
             level = -level;
         }
         outside = span_max(outside, level);
     }
-    level_within(&inside, &outside, &e_inside, &e_outside, outside, e_outside, phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, velocity_limit, top, ramp);
+    level_within(&inside, &outside, &e_inside, &e_outside, outside, e_outside, phases, family, axis);
     if (inside < 0.0)
     {
         return INT64_C(0);
     }
-    inside = highest_within(inside, outside, e_inside, e_outside, phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, velocity_limit, top, ramp);
-    count = merged_form(phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, inside, top, ramp);
+    inside = highest_within(inside, outside, e_inside, e_outside, phases, family, axis);
+    count = merged_form(phases, inside, family, axis);
     return count;
 }
-/*Duration of the phases if they meet the boundary within the velocity limit, else -1. */
-static double meets(array_double_2d phases, int64_t count, double v, double w, double distance, double limit, array_double_1d ramp)
+/*Duration [s] of phases that meet the boundary within the velocity limit; -1: they do not.*/
+static double valid_duration(array_double_2d phases, int64_t count, array_double_1d problem, array_double_1d axis)
 {
+    double limit;
+    double distance;
     double most;
     double y;
     double end;
     double lowest;
     double highest;
     double duration;
+    limit = (*cspan_at(&axis, INT64_C(2)));
+    distance = (*cspan_at(&problem, INT64_C(4)));
     most = limit * (1.0 + 1e-12);
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, most, ramp);
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, (*cspan_at(&problem, INT64_C(0))), most, axis);
     if ((lowest < -most) || (highest > most))
     {
         return -1.0;
     }
-    if (fabs(end - w) > 1e-12 * limit)
+    if (fabs(end - (*cspan_at(&problem, INT64_C(2)))) > 1e-12 * limit)
     {
         return -1.0;
     }
@@ -7232,69 +7020,110 @@ static double meets(array_double_2d phases, int64_t count, double v, double w, d
     }
     return duration;
 }
-/*The shortest candidate between two boundary states taken as they are; 0 if none holds.       */
-/*                                                                                             */
-/*    The first attempt (0) is for the forms that nothing is shorter than; the second one takes*/
-/*    those that keep the velocity limit at some price.                                        */
-/*                                                                                             */
-static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_double_2d trial, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
+/*Longer than the paper's form with cruise needs for velocity changes and distance [s].*/
+static double usual_duration(array_double_1d problem, array_double_1d axis)
 {
-    int64_t count;
+    double limit;
+    double change;
+    double result;
+    limit = (*cspan_at(&axis, INT64_C(2)));
+    change = limit / (*cspan_at(&axis, INT64_C(3))) + (*cspan_at(&axis, INT64_C(9)));
+    result = 4.0 * change + fabs((*cspan_at(&problem, INT64_C(4)))) / limit;
+    return result;
+}
+/*The forms that nothing is shorter than, one ramp or cruise at the limit; 0 if none holds.*/
+static int64_t fastest_between(array_double_2d phases, array_double_1d problem, array_double_1d axis)
+{
+    double v;
+    double a;
+    double w;
+    double b;
+    double velocity_limit;
+    double end;
     int64_t side;
     double cruise;
-    int64_t best;
-    double shortest;
-    int64_t branch;
-    bool reverse;
-    bool mirror;
-    double duration;
-    int64_t result;
-    if (attempt == INT64_C(0))
+    int64_t count;
+    v = (*cspan_at(&problem, INT64_C(0)));
+    a = (*cspan_at(&problem, INT64_C(1)));
+    w = (*cspan_at(&problem, INT64_C(2)));
+    b = (*cspan_at(&problem, INT64_C(3)));
+    velocity_limit = (*cspan_at(&axis, INT64_C(2)));
+    /*nothing is faster than one ramp: phase I.1 alone, where the points are consistent*/
+    count = append_change(phases, INT64_C(0), a, b, axis);
+    if (count > INT64_C(0))
     {
-        /*nothing is faster than one ramp: phase I.1 alone, where the points are consistent*/
-        count = append_change(phases, INT64_C(0), a, b, ramp);
-        if ((count > INT64_C(0)) && (fabs(v + 0.5 * (a + b) * (*cspan_at(&phases, INT64_C(0), INT64_C(0))) - w) <= 1e-13 * velocity_limit))
+        end = v + 0.5 * (a + b) * (*cspan_at(&phases, INT64_C(0), INT64_C(0)));
+        if (fabs(end - w) <= 1e-13 * velocity_limit)
         {
-            if (meets(phases, count, v, w, distance, velocity_limit, ramp) >= 0.0)
+            if (valid_duration(phases, count, problem, axis) >= 0.0)
             {
                 return count;
             }
         }
-        for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
+    }
+    for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
+    {
+        cruise = velocity_limit * (INT64_C(1) - INT64_C(2) * side);
+        count = with_cruise(phases, cruise, problem, axis);
+        if ((count > INT64_C(0)) && (valid_duration(phases, count, problem, axis) >= 0.0))
         {
-            cruise = velocity_limit * (INT64_C(1) - INT64_C(2) * side);
-            count = with_cruise(phases, cruise, v, a, w, b, distance, top, ramp);
-            if ((count > INT64_C(0)) && (meets(phases, count, v, w, distance, velocity_limit, ramp) >= 0.0))
-            {
-                return count;
-            }
+            return count;
+        }
+    }
+    return INT64_C(0);
+}
+/*The shortest candidate between two boundary states taken as they are; 0 if none holds.       */
+/*                                                                                             */
+/*    The first attempt (0) is for the forms that nothing is shorter than; the second one takes*/
+/*    those that keep the velocity limit at some price. Returns the number of phases.          */
+/*                                                                                             */
+static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_2d trial;
+    array_double_1d family;
+    int64_t count;
+    int64_t best;
+    double shortest;
+    int64_t branch;
+    double duration;
+    int64_t result;
+    trial = span_rows(&work, INT64_C(0), INT64_C(13));
+    family = span_row(&work, INT64_C(45));
+    if (attempt == INT64_C(0))
+    {
+        count = fastest_between(phases, problem, axis);
+        if (count > INT64_C(0))
+        {
+            return count;
         }
     }
     best = INT64_C(0);
     shortest = 0.0;
     for (branch = INT64_C(0); branch < INT64_C(6) - attempt; branch += INT64_C(1))
     {
-        reverse = (branch == INT64_C(1)) || (branch == INT64_C(2));
-        mirror = branch >= INT64_C(2);
         if ((branch == INT64_C(4)) && (attempt == INT64_C(1)))
         {
-            count = slower_cruise(trial, v, a, w, b, distance, velocity_limit, top, ramp);
+            count = slower_cruise(trial, problem, axis);
         }
         else if (branch >= INT64_C(4))
         {
-            count = direct_form(trial, branch == INT64_C(4), v, a, w, b, distance, velocity_limit, top, ramp);
-        }
-        else if (attempt == INT64_C(0))
-        {
-            count = merged_form(trial, reverse, mirror, -INT64_C(1), 0, 0.0, v, a, w, b, distance, top, top, ramp);
+            count = direct_form(trial, branch == INT64_C(4), problem, axis);
         }
         else
         {
-            count = tempered_form(trial, reverse, mirror, -INT64_C(1), 0, 0.0, v, a, w, b, distance, velocity_limit, top, ramp);
+            set_family(branch, problem, axis, family);
+            if (attempt == INT64_C(0))
+            {
+                count = merged_form(trial, (*cspan_at(&axis, INT64_C(3))), family, axis);
+            }
+            else
+            {
+                count = tempered_form(trial, family, axis);
+            }
         }
         if (count > INT64_C(0))
         {
-            duration = meets(trial, count, v, w, distance, velocity_limit, ramp);
+            duration = valid_duration(trial, count, problem, axis);
             if ((duration >= 0.0) && ((best == INT64_C(0)) || (duration < shortest)))
             {
                 copy_phases(trial, phases, count);
@@ -7305,54 +7134,38 @@ static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_d
     }
     return best;
 }
-/*Phases of the shortest profile from (v, a) over a distance to (w, b).                          */
-/*                                                                                               */
-/*    top is the acceleration limit; `phases` has 13 rows and `work` 26. Returns the number of   */
-/*    phases (0 when there is nothing to do), or -1 when bringing the first acceleration to zero */
-/*    passes the velocity limit, -2 when building up the last one does, -3 otherwise.            */
-/*                                                                                               */
-int64_t segfmu_shortest_profile(double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, array_double_2d work)
+/*Whether the state at the start is that at the end. */
+static bool is_done(array_double_1d problem)
+{
+    bool result;
+    if (((*cspan_at(&problem, INT64_C(4))) != 0.0) || ((*cspan_at(&problem, INT64_C(0))) != (*cspan_at(&problem, INT64_C(2)))))
+    {
+        return 0;
+    }
+    result = (*cspan_at(&problem, INT64_C(1))) == (*cspan_at(&problem, INT64_C(3)));
+    return result;
+}
+/*`shortest_profile` where boundary accelerations are braked, or the limit has its price.*/
+static int64_t shortest_braked(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
 {
     array_double_2d trial;
-    array_double_2d found;
-    int64_t count;
+    array_double_2d candidate;
+    array_double_1d rest;
     int64_t best;
     double shortest;
-    double t_top;
-    double rise;
-    double slope;
     double usual;
     int64_t variant;
     int64_t taken;
-    double time;
-    double rest;
-    double v1;
-    double a1;
-    double w1;
-    double b1;
+    double spent;
+    int64_t count;
     double duration;
     int64_t result;
-    v = without_excess(v, velocity_limit);
-    w = without_excess(w, velocity_limit);
-    a = without_excess(a, top);
-    b = without_excess(b, top);
-    distance = without_dust(distance, velocity_limit * velocity_limit / top);
-    if ((distance == 0.0) && (v == w) && (a == b))
-    {
-        return INT64_C(0);
-    }
     trial = span_rows(&work, INT64_C(0), INT64_C(13));
-    found = span_rows(&work, INT64_C(13), INT64_C(26));
-    count = shortest_between(INT64_C(0), phases, trial, v, a, w, b, distance, velocity_limit, top, ramp);
-    if (count > INT64_C(0))
-    {
-        return count;
-    }
+    candidate = span_rows(&work, INT64_C(13), INT64_C(26));
+    rest = span_row(&work, INT64_C(44));
     best = INT64_C(0);
     shortest = 0.0;
-    /*longer than a paper's form with cruise needs for the velocity changes and the distance*/
-    segfmu_ramp_duration(&t_top, &rise, &slope, top, ramp);
-    usual = 4.0 * (velocity_limit / top + t_top) + fabs(distance) / velocity_limit;
+    usual = usual_duration(problem, axis);
     for (variant = INT64_C(1); variant < INT64_C(8); variant += INT64_C(1))
     {
         /*variants 0 to 3: braking none, the first, the last or both of the accelerations to zero;*/
@@ -7361,7 +7174,7 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
         {
             break;
         }
-        braked(&taken, &time, &rest, &v1, &a1, &w1, &b1, span_floor_mod(variant, INT64_C(4)), v, a, w, b, distance, velocity_limit, top, ramp, trial);
+        braked(&taken, &spent, span_floor_mod(variant, INT64_C(4)), problem, axis, trial, rest);
         if (taken == -INT64_C(3))
         {
             continue;
@@ -7370,16 +7183,16 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
         {
             return taken;
         }
-        count = shortest_between(span_floor_div(variant, INT64_C(4)), found, trial, v1, a1, w1, b1, rest, velocity_limit, top, ramp);
-        if ((count == INT64_C(0)) && (!((rest == 0.0) && (v1 == w1) && (a1 == 0.0) && (b1 == 0.0))))
+        count = shortest_between(span_floor_div(variant, INT64_C(4)), candidate, rest, axis, work);
+        if ((count == INT64_C(0)) && (!(is_done(rest) && ((*cspan_at(&rest, INT64_C(1))) == 0.0))))
         {
             continue;
         }
-        count = surround(found, count, span_floor_mod(variant, INT64_C(2)) == INT64_C(1), v, a, span_floor_mod(variant, INT64_C(4)) >= INT64_C(2), w, b, velocity_limit, top, ramp, trial);
-        duration = meets(found, count, v, w, distance, velocity_limit, ramp);
+        count = surround(candidate, count, span_floor_mod(variant, INT64_C(4)), problem, axis, trial);
+        duration = valid_duration(candidate, count, problem, axis);
         if ((duration >= 0.0) && ((best == INT64_C(0)) || (duration < shortest)))
         {
-            copy_phases(found, phases, count);
+            copy_phases(candidate, phases, count);
             best = count;
             shortest = duration;
         }
@@ -7389,6 +7202,29 @@ int64_t segfmu_shortest_profile(double v, double a, double w, double b, double d
         return -INT64_C(3);
     }
     return best;
+}
+/*Phases of the shortest profile of a boundary problem (Problem) of one axis (Axis).                 */
+/*                                                                                                   */
+/*    `phases` has 13 rows, `work` those of `PlanWork`. Returns the number of phases (0 when there is*/
+/*    nothing to do), or the status START_BRAKING, END_BRAKING or NO_PROFILE (PlanStatus).           */
+/*                                                                                                   */
+int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
+{
+    array_double_1d asked;
+    int64_t count;
+    asked = span_row(&work, INT64_C(43));
+    boundary_problem(problem, axis, asked);
+    if (is_done(asked))
+    {
+        return INT64_C(0);
+    }
+    count = shortest_between(INT64_C(0), phases, asked, axis, work);
+    if (count > INT64_C(0))
+    {
+        return count;
+    }
+    count = shortest_braked(asked, axis, phases, work);
+    return count;
 }
 /*Sort a duration later than `after` into the first column of ends; the latest falls out.*/
 static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends)
@@ -7426,25 +7262,27 @@ static int64_t insert_end(double duration, double after, int64_t count, array_do
 /*                                                                                           */
 /*    1e300 where there is no such form.                                                     */
 /*                                                                                           */
-static double cruise_time(double cruise, bool covering, double v, double a, double w, double b, double distance, double top, array_double_1d ramp, array_double_2d phases)
+static double cruise_time(double cruise, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases)
 {
     int64_t count;
     int64_t row;
     double y;
+    double rest;
     double duration;
-    cruise_form(&count, &row, &duration, &y, phases, cruise, v, a, w, b, top, ramp);
-    if ((count < INT64_C(0)) || (covering && ((distance - y) * cruise <= 0.0)))
+    cruise_form(&count, &row, &duration, &y, phases, cruise, problem, axis);
+    rest = (*cspan_at(&problem, INT64_C(4))) - y;
+    if ((count < INT64_C(0)) || (covering && (rest * cruise <= 0.0)))
     {
         return 1e+300;
     }
     if (covering)
     {
-        duration = duration + (distance - y) / cruise;
+        duration = duration + rest / cruise;
     }
     return duration;
 }
 /*The least `cruise_time` between two cruise velocities, by golden section.*/
-static double turning_time(double lower, double upper, bool covering, double v, double a, double w, double b, double distance, double top, array_double_1d ramp, array_double_2d phases)
+static double turning_time(double lower, double upper, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases)
 {
     double shrink;
     double p;
@@ -7456,8 +7294,8 @@ static double turning_time(double lower, double upper, bool covering, double v, 
     shrink = 0.6180339887498949;
     p = upper - shrink * (upper - lower);
     q = lower + shrink * (upper - lower);
-    t_p = cruise_time(p, covering, v, a, w, b, distance, top, ramp, phases);
-    t_q = cruise_time(q, covering, v, a, w, b, distance, top, ramp, phases);
+    t_p = cruise_time(p, covering, problem, axis, phases);
+    t_q = cruise_time(q, covering, problem, axis, phases);
     for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
     {
         if (t_p <= t_q)
@@ -7466,7 +7304,7 @@ static double turning_time(double lower, double upper, bool covering, double v, 
             q = p;
             t_q = t_p;
             p = upper - shrink * (upper - lower);
-            t_p = cruise_time(p, covering, v, a, w, b, distance, top, ramp, phases);
+            t_p = cruise_time(p, covering, problem, axis, phases);
         }
         else
         {
@@ -7474,14 +7312,20 @@ static double turning_time(double lower, double upper, bool covering, double v, 
             p = q;
             t_p = t_q;
             q = lower + shrink * (upper - lower);
-            t_q = cruise_time(q, covering, v, a, w, b, distance, top, ramp, phases);
+            t_q = cruise_time(q, covering, problem, axis, phases);
         }
     }
     return span_min(t_p, t_q);
 }
-/*Insert the durations at which the paper's form turns, over all cruise velocities.*/
-static int64_t turning_ends(bool covering, double spent, double after, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, int64_t count, array_double_2d ends)
+/*Insert the durations at which the paper's form turns, over all cruise velocities.        */
+/*                                                                                         */
+/*    `spent` is what braking takes, `count` the number of durations; returns the new one. */
+/*                                                                                         */
+static int64_t turning_ends(bool covering, double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count)
 {
+    array_double_2d phases;
+    array_double_2d ends;
+    double velocity_limit;
     int64_t samples;
     double first;
     double second;
@@ -7492,6 +7336,9 @@ static int64_t turning_ends(bool covering, double spent, double after, double v,
     double upper;
     double turn;
     int64_t result;
+    phases = span_rows(&work, INT64_C(0), INT64_C(13));
+    ends = span_rows(&work, INT64_C(26), INT64_C(42));
+    velocity_limit = (*cspan_at(&axis, INT64_C(2)));
     samples = INT64_C(24);
     first = 1e+300;
     second = 1e+300;
@@ -7501,13 +7348,13 @@ static int64_t turning_ends(bool covering, double spent, double after, double v,
         if (i <= samples)
         {
             cruise = velocity_limit * (2.0 * i / samples - 1.0);
-            third = cruise_time(cruise, covering, v, a, w, b, distance, top, ramp, phases);
+            third = cruise_time(cruise, covering, problem, axis, phases);
         }
         if ((second < 1e+300) && (first >= second) && (third >= second))
         {
             lower = velocity_limit * span_max(2.0 * (i - INT64_C(2)) / samples - 1.0, -1.0);
             upper = velocity_limit * span_min(2.0 * i / samples - 1.0, 1.0);
-            turn = turning_time(lower, upper, covering, v, a, w, b, distance, top, ramp, phases);
+            turn = turning_time(lower, upper, covering, problem, axis, phases);
             count = insert_end(spent + span_min(turn, second), after, count, ends);
         }
         first = second;
@@ -7515,22 +7362,27 @@ static int64_t turning_ends(bool covering, double spent, double after, double v,
     }
     return count;
 }
-/*Insert the durations of all candidates of the shortest profile that cover the distance.*/
-static int64_t covering_ends(double spent, double after, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, int64_t found, array_double_2d ends)
+/*Insert the durations of all candidates of the shortest profile that cover the distance.  */
+/*                                                                                         */
+/*    `spent` is what braking takes, `count` the number of durations; returns the new one. */
+/*                                                                                         */
+static int64_t covering_ends(double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count)
 {
-    double t_top;
-    double rise;
-    double slope;
+    array_double_2d phases;
+    array_double_2d ends;
+    array_double_1d family;
     double usual;
     int64_t skipped;
     int64_t form;
     int64_t branch;
-    int64_t count;
+    int64_t taken;
     double cruise;
     double duration;
     int64_t result;
-    segfmu_ramp_duration(&t_top, &rise, &slope, top, ramp);
-    usual = 4.0 * (velocity_limit / top + t_top) + fabs(distance) / velocity_limit;
+    phases = span_rows(&work, INT64_C(0), INT64_C(13));
+    ends = span_rows(&work, INT64_C(26), INT64_C(42));
+    family = span_row(&work, INT64_C(45));
+    usual = usual_duration(problem, axis);
     skipped = -INT64_C(1);
     for (form = INT64_C(0); form < INT64_C(21); form += INT64_C(1))
     {
@@ -7541,81 +7393,83 @@ static int64_t covering_ends(double spent, double after, double v, double a, dou
         }
         if (form == INT64_C(0))
         {
-            count = slower_cruise(phases, v, a, w, b, distance, velocity_limit, top, ramp);
+            taken = slower_cruise(phases, problem, axis);
         }
         else if (form < INT64_C(3))
         {
-            cruise = velocity_limit * (INT64_C(3) - INT64_C(2) * form);
-            count = with_cruise(phases, cruise, v, a, w, b, distance, top, ramp);
+            cruise = (*cspan_at(&axis, INT64_C(2))) * (INT64_C(3) - INT64_C(2) * form);
+            taken = with_cruise(phases, cruise, problem, axis);
         }
         else if (form < INT64_C(5))
         {
-            count = direct_form(phases, form == INT64_C(3), v, a, w, b, distance, velocity_limit, top, ramp);
+            taken = direct_form(phases, form == INT64_C(3), problem, axis);
         }
         else
         {
-            count = tempered_form(phases, (branch == INT64_C(1)) || (branch == INT64_C(2)), branch >= INT64_C(2), span_floor_mod((form - INT64_C(5)), INT64_C(4)), 0, usual, v, a, w, b, distance, velocity_limit, top, ramp);
-            if (count < INT64_C(0))
+            set_family(branch, problem, axis, family);
+            set_member(span_floor_mod((form - INT64_C(5)), INT64_C(4)), usual, 0, family);
+            taken = tempered_form(phases, family, axis);
+            if (taken < INT64_C(0))
             {
                 skipped = branch;
             }
         }
-        if (count > INT64_C(0))
+        if (taken > INT64_C(0))
         {
-            duration = meets(phases, count, v, w, distance, velocity_limit, ramp);
+            duration = valid_duration(phases, taken, problem, axis);
             if (duration >= 0.0)
             {
-                found = insert_end(spent + duration, after, found, ends);
+                count = insert_end(spent + duration, after, count, ends);
             }
-        }
-    }
-    return found;
-}
-/*Write the earliest durations after a given one at which a gap can end; their number.     */
-/*                                                                                         */
-/*    They come in rising order, in the first column of `ends`, as many as it has rows for.*/
-/*                                                                                         */
-static int64_t gap_ends(double after, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_2d phases, array_double_2d ends)
-{
-    int64_t variant;
-    int64_t taken;
-    double spent;
-    double rest;
-    double v1;
-    double a1;
-    double w1;
-    double b1;
-    int64_t kind;
-    int64_t count;
-    count = INT64_C(0);
-    for (variant = INT64_C(0); variant < INT64_C(4); variant += INT64_C(1))
-    {
-        braked(&taken, &spent, &rest, &v1, &a1, &w1, &b1, variant, v, a, w, b, distance, velocity_limit, top, ramp, phases);
-        if (taken < INT64_C(0))
-        {
-            continue;
-        }
-        count = covering_ends(spent, after, v1, a1, w1, b1, rest, velocity_limit, top, ramp, phases, count, ends);
-        for (kind = INT64_C(0); kind < INT64_C(2); kind += INT64_C(1))
-        {
-            count = turning_ends(kind == INT64_C(1), spent, after, v1, a1, w1, b1, rest, velocity_limit, top, ramp, phases, count, ends);
         }
     }
     return count;
 }
-/*The paper's form with the cruise that makes it last `target`.                            */
+/*Write the earliest durations after a given one at which a gap can end; their number.               */
+/*                                                                                                   */
+/*    They come in rising order, in the first column of the rows GAP_ENDS of `work`, as many as there*/
+/*    are rows.                                                                                      */
+/*                                                                                                   */
+static int64_t gap_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_2d trial;
+    array_double_1d rest;
+    int64_t variant;
+    int64_t taken;
+    double spent;
+    int64_t kind;
+    int64_t count;
+    trial = span_rows(&work, INT64_C(0), INT64_C(13));
+    rest = span_row(&work, INT64_C(44));
+    count = INT64_C(0);
+    for (variant = INT64_C(0); variant < INT64_C(4); variant += INT64_C(1))
+    {
+        braked(&taken, &spent, variant, problem, axis, trial, rest);
+        if (taken < INT64_C(0))
+        {
+            continue;
+        }
+        count = covering_ends(spent, after, rest, axis, work, count);
+        for (kind = INT64_C(0); kind < INT64_C(2); kind += INT64_C(1))
+        {
+            count = turning_ends(kind == INT64_C(1), spent, after, rest, axis, work, count);
+        }
+    }
+    return count;
+}
+/*The paper's form with the cruise that makes it last the problem's duration.              */
 /*                                                                                         */
 /*    Returns the number of phases, the distance, and the duration of the cruise, which is */
 /*    negative where the form takes longer; the number is -1 where it does not exist.      */
 /*                                                                                         */
-static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, double target, double v, double a, double w, double b, double top, array_double_1d ramp)
+static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis)
 {
     int64_t count;
     int64_t row;
     double duration;
     double y;
     double hold;
-    cruise_form(&count, &row, &duration, &y, phases, cruise, v, a, w, b, top, ramp);
+    cruise_form(&count, &row, &duration, &y, phases, cruise, problem, axis);
     if (count < INT64_C(0))
     {
         (*result_0) = -INT64_C(1);
@@ -7623,7 +7477,7 @@ static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* re
         (*result_2) = -1.0;
         return 0;
     }
-    hold = target - duration;
+    hold = (*cspan_at(&problem, INT64_C(5))) - duration;
     count = insert_hold(phases, count, row, 0.0, hold);
     (*result_0) = count;
     (*result_1_0001) = y + cruise * hold;
@@ -7636,108 +7490,154 @@ static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* re
 /*    velocity limit on the side of the distance. Without such a velocity, the last one that leaves a*/
 /*    cruise is returned.                                                                            */
 /*                                                                                                   */
-static double cruise_range(array_double_2d phases, double middle, double y, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp)
+static double cruise_range(array_double_2d phases, double middle, double y, array_double_1d problem, array_double_1d axis)
 {
+    double distance;
     double outside;
-    double trial;
+    double cruise;
     int64_t i;
     int64_t count;
-    double y_trial;
+    double y_cruise;
     double hold;
     double inside;
-    outside = velocity_limit;
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    outside = (*cspan_at(&axis, INT64_C(2)));
     if (y > distance)
     {
-        outside = -velocity_limit;
+        outside = -outside;
     }
     inside = middle;
-    trial = outside;
+    cruise = outside;
     for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
     {
-        timed_cruise(&count, &y_trial, &hold, phases, trial, target, v, a, w, b, top, ramp);
+        timed_cruise(&count, &y_cruise, &hold, phases, cruise, problem, axis);
         if ((count >= INT64_C(0)) && (hold >= 0.0))
         {
-            inside = trial;
-            if ((i == INT64_C(0)) || ((y_trial - distance) * (y - distance) <= 0.0))
+            inside = cruise;
+            if ((i == INT64_C(0)) || ((y_cruise - distance) * (y - distance) <= 0.0))
             {
                 break;
             }
         }
         else
         {
-            outside = trial;
+            outside = cruise;
         }
-        trial = 0.5 * (inside + outside);
-        if ((trial == inside) || (trial == outside))
+        cruise = 0.5 * (inside + outside);
+        if ((cruise == inside) || (cruise == outside))
         {
             break;
         }
     }
     return inside;
 }
-/*Keep a profile that lasts `target` if it is the nearest one below or above the distance. */
-/*                                                                                         */
-/*    found = number of phases below, their distance, number above, their distance.        */
-/*                                                                                         */
-static void keep_nearest(array_double_2d trial, int64_t count, double target, double v, double w, double distance, double velocity_limit, array_double_1d found, array_double_2d below, array_double_2d above, array_double_1d ramp)
+/*Keep the trial profile if it is the nearest one below or above the distance.                       */
+/*                                                                                                   */
+/*    It has to last the problem's duration. The phases go to the cell, what is known of them to the */
+/*    row NEAREST of `work`.                                                                         */
+/*                                                                                                   */
+static void keep_nearest(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
+    array_double_2d trial;
+    array_double_1d nearest;
+    double distance;
+    double target;
+    double velocity_limit;
     double most;
     double duration;
     double y;
     double end;
     double lowest;
     double highest;
+    bool below;
+    bool above;
     if (count <= INT64_C(0))
     {
         return;
     }
+    trial = span_rows(&work, INT64_C(0), INT64_C(13));
+    nearest = span_row(&work, INT64_C(42));
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    target = (*cspan_at(&problem, INT64_C(5)));
+    velocity_limit = (*cspan_at(&axis, INT64_C(2)));
     most = velocity_limit * (1.0 + 1e-12);
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, trial, count, v, most, ramp);
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, trial, count, (*cspan_at(&problem, INT64_C(0))), most, axis);
     if ((lowest < -most) || (highest > most))
     {
         return;
     }
-    if ((fabs(duration - target) > 3e-11 * target) || (fabs(end - w) > 1e-11 * velocity_limit))
+    if (fabs(duration - target) > 3e-11 * target)
     {
         return;
     }
-    if ((y <= distance) && (((*cspan_at(&found, INT64_C(0))) == 0.0) || (y > (*cspan_at(&found, INT64_C(1))))))
+    if (fabs(end - (*cspan_at(&problem, INT64_C(2)))) > 1e-11 * velocity_limit)
     {
-        copy_phases(trial, below, count);
-        (*cspan_at(&found, INT64_C(0))) = count;
-        (*cspan_at(&found, INT64_C(1))) = y;
+        return;
     }
-    if ((y >= distance) && (((*cspan_at(&found, INT64_C(2))) == 0.0) || (y < (*cspan_at(&found, INT64_C(3))))))
+    below = (*cspan_at(&nearest, INT64_C(0))) > 0.0;
+    if ((y <= distance) && ((!below) || (y > (*cspan_at(&nearest, INT64_C(1))))))
     {
-        copy_phases(trial, above, count);
-        (*cspan_at(&found, INT64_C(2))) = count;
-        (*cspan_at(&found, INT64_C(3))) = y;
+        copy_phases(trial, span_rows(&cell, INT64_C(0), INT64_C(13)), count);
+        (*cspan_at(&nearest, INT64_C(0))) = count;
+        (*cspan_at(&nearest, INT64_C(1))) = y;
+    }
+    above = (*cspan_at(&nearest, INT64_C(2))) > 0.0;
+    if ((y >= distance) && ((!above) || (y < (*cspan_at(&nearest, INT64_C(3))))))
+    {
+        copy_phases(trial, span_rows(&cell, INT64_C(13), INT64_C(26)), count);
+        (*cspan_at(&nearest, INT64_C(2))) = count;
+        (*cspan_at(&nearest, INT64_C(3))) = y;
     }
 }
-/*Close in on the cruise velocity that covers the distance.*/
-static void between_cruises(double lower, double y_lower, double upper, double y_upper, double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial)
+/*Whether profiles on both sides of the distance are kept. */
+static bool is_enclosed(array_double_2d work)
 {
+    array_double_1d nearest;
+    bool result;
+    nearest = span_row(&work, INT64_C(42));
+    result = ((*cspan_at(&nearest, INT64_C(0))) > 0.0) && ((*cspan_at(&nearest, INT64_C(2))) > 0.0);
+    return result;
+}
+/*Try a cruise velocity and keep its profile if it is the nearest one; returns its distance. */
+static double keep_cruise(double cruise, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_2d trial;
+    int64_t count;
+    double hold;
+    double y;
+    trial = span_rows(&work, INT64_C(0), INT64_C(13));
+    timed_cruise(&count, &y, &hold, trial, cruise, problem, axis);
+    keep_nearest(count, problem, axis, cell, work);
+    return y;
+}
+/*Close in on the cruise velocity that covers the distance.                        */
+/*                                                                                 */
+/*    e_lower and e_upper are by how much the two velocities pass the distance [m].*/
+/*                                                                                 */
+static void between_cruises(double lower, double upper, double e_lower, double e_upper, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    double distance;
     double newest;
     double other;
     double before;
     double e_newest;
     double e_other;
     double e_before;
+    double speed;
     double rounding;
     int64_t i;
     double share;
     double cruise;
-    int64_t count;
-    double y;
-    double hold;
     double error;
+    distance = (*cspan_at(&problem, INT64_C(4)));
     newest = upper;
     other = lower;
     before = lower;
-    e_newest = y_upper - distance;
-    e_other = y_lower - distance;
+    e_newest = e_upper;
+    e_other = e_lower;
     e_before = e_other;
-    rounding = 2e-15 * (fabs(distance) + (fabs(v) + fabs(w)) * target);
+    speed = fabs((*cspan_at(&problem, INT64_C(0)))) + fabs((*cspan_at(&problem, INT64_C(2))));
+    rounding = 2e-15 * (fabs(distance) + speed * (*cspan_at(&problem, INT64_C(5))));
     for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
     {
         if ((e_newest == 0.0) || (e_other == 0.0))
@@ -7750,9 +7650,7 @@ static void between_cruises(double lower, double y_lower, double upper, double y
         {
             return;
         }
-        timed_cruise(&count, &y, &hold, trial, cruise, target, v, a, w, b, top, ramp);
-        keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
-        error = y - distance;
+        error = keep_cruise(cruise, problem, axis, cell, work) - distance;
         if (fabs(error) <= rounding)
         {
             return;
@@ -7771,25 +7669,25 @@ static void between_cruises(double lower, double y_lower, double upper, double y
     }
 }
 /*Bisect between a velocity that leaves a cruise and one that does not.*/
-static double cruise_edge(double inside, double outside, array_double_2d phases, double target, double v, double a, double w, double b, double top, array_double_1d ramp)
+static double cruise_edge(double inside, double outside, array_double_2d phases, array_double_1d problem, array_double_1d axis)
 {
     int64_t i;
-    double trial;
+    double cruise;
     int64_t count;
     double y;
     double hold;
     double result;
     for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
     {
-        trial = 0.5 * (inside + outside);
-        timed_cruise(&count, &y, &hold, phases, trial, target, v, a, w, b, top, ramp);
+        cruise = 0.5 * (inside + outside);
+        timed_cruise(&count, &y, &hold, phases, cruise, problem, axis);
         if ((count >= INT64_C(0)) && (hold >= 0.0))
         {
-            inside = trial;
+            inside = cruise;
         }
         else
         {
-            outside = trial;
+            outside = cruise;
         }
     }
     return inside;
@@ -7798,8 +7696,10 @@ static double cruise_edge(double inside, double outside, array_double_2d phases,
 /*                                                                       */
 /*    Those that leave a cruise can form several windows.                */
 /*                                                                       */
-static void scan_cruises(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial)
+static void scan_cruises(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
+    array_double_2d trial;
+    double distance;
     int64_t samples;
     bool inside;
     double before;
@@ -7811,15 +7711,17 @@ static void scan_cruises(double target, double v, double a, double w, double b, 
     bool fits;
     double lower;
     double upper;
-    double y_lower;
-    double y_upper;
+    double e_lower;
+    double e_upper;
+    trial = span_rows(&work, INT64_C(0), INT64_C(13));
+    distance = (*cspan_at(&problem, INT64_C(4)));
     samples = INT64_C(24);
     inside = 0;
     before = 0.0;
     for (i = INT64_C(0); i < samples + INT64_C(1); i += INT64_C(1))
     {
-        cruise = velocity_limit * (2.0 * i / samples - 1.0);
-        timed_cruise(&count, &y, &hold, trial, cruise, target, v, a, w, b, top, ramp);
+        cruise = (*cspan_at(&axis, INT64_C(2))) * (2.0 * i / samples - 1.0);
+        timed_cruise(&count, &y, &hold, trial, cruise, problem, axis);
         fits = (count >= INT64_C(0)) && (hold >= 0.0);
         if ((i > INT64_C(0)) && (inside || fits))
         {
@@ -7827,21 +7729,19 @@ static void scan_cruises(double target, double v, double a, double w, double b, 
             upper = cruise;
             if (!inside)
             {
-                lower = cruise_edge(cruise, before, trial, target, v, a, w, b, top, ramp);
+                lower = cruise_edge(cruise, before, trial, problem, axis);
             }
             if (!fits)
             {
-                upper = cruise_edge(before, cruise, trial, target, v, a, w, b, top, ramp);
+                upper = cruise_edge(before, cruise, trial, problem, axis);
             }
-            timed_cruise(&count, &y_lower, &hold, trial, lower, target, v, a, w, b, top, ramp);
-            keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
-            timed_cruise(&count, &y_upper, &hold, trial, upper, target, v, a, w, b, top, ramp);
-            keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
-            if ((y_lower - distance) * (y_upper - distance) <= 0.0)
+            e_lower = keep_cruise(lower, problem, axis, cell, work) - distance;
+            e_upper = keep_cruise(upper, problem, axis, cell, work) - distance;
+            if (e_lower * e_upper <= 0.0)
             {
-                between_cruises(lower, y_lower, upper, y_upper, target, v, a, w, b, distance, velocity_limit, top, ramp, found, below, above, trial);
+                between_cruises(lower, upper, e_lower, e_upper, problem, axis, cell, work);
             }
-            if (((*cspan_at(&found, INT64_C(0))) > 0.0) && ((*cspan_at(&found, INT64_C(2))) > 0.0))
+            if (is_enclosed(work))
             {
                 return;
             }
@@ -7878,82 +7778,137 @@ static void fit_duration(array_double_2d phases, int64_t count, double target)
         (*cspan_at(&phases, i, INT64_C(1))) = (*cspan_at(&phases, i, INT64_C(1))) * (target / total);
     }
 }
-/*Nearest profiles below and above the distance, from boundary states taken as they are. */
-static void timed_between(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial)
+/*Nearest profiles of the merged form, on all of its branches. */
+static void timed_merged(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
+    array_double_2d trial;
+    array_double_1d family;
+    int64_t branch;
+    int64_t member;
+    int64_t count;
+    trial = span_rows(&work, INT64_C(0), INT64_C(13));
+    family = span_row(&work, INT64_C(45));
+    for (branch = INT64_C(0); branch < INT64_C(4); branch += INT64_C(1))
+    {
+        set_family(branch, problem, axis, family);
+        for (member = INT64_C(0); member < INT64_C(2); member += INT64_C(1))
+        {
+            set_member(member, (*cspan_at(&problem, INT64_C(5))), 1, family);
+            count = tempered_form(trial, family, axis);
+            if (count < INT64_C(0))
+            {
+                break;
+            }
+            keep_nearest(count, problem, axis, cell, work);
+        }
+    }
+}
+/*Nearest profiles below and above the distance, from boundary states taken as they are. */
+static void timed_between(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_2d trial;
+    double v;
+    double w;
+    double distance;
     double middle;
     int64_t count;
     double y;
     double hold;
     double edge;
     double y_edge;
-    int64_t branch;
-    bool reverse;
-    bool mirror;
-    int64_t which;
-    middle = span_min(span_max(distance / target, span_min(v, w)), span_max(v, w));
-    timed_cruise(&count, &y, &hold, trial, middle, target, v, a, w, b, top, ramp);
+    trial = span_rows(&work, INT64_C(0), INT64_C(13));
+    v = (*cspan_at(&problem, INT64_C(0)));
+    w = (*cspan_at(&problem, INT64_C(2)));
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    middle = span_min(span_max(distance / (*cspan_at(&problem, INT64_C(5))), span_min(v, w)), span_max(v, w));
+    timed_cruise(&count, &y, &hold, trial, middle, problem, axis);
     if ((count >= INT64_C(0)) && (hold >= 0.0))
     {
-        keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
-        edge = cruise_range(trial, middle, y, target, v, a, w, b, distance, velocity_limit, top, ramp);
-        timed_cruise(&count, &y_edge, &hold, trial, edge, target, v, a, w, b, top, ramp);
-        keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
-        if (((*cspan_at(&found, INT64_C(0))) > 0.0) && ((*cspan_at(&found, INT64_C(2))) > 0.0))
+        keep_nearest(count, problem, axis, cell, work);
+        edge = cruise_range(trial, middle, y, problem, axis);
+        y_edge = keep_cruise(edge, problem, axis, cell, work);
+        if (is_enclosed(work))
         {
-            between_cruises(middle, y, edge, y_edge, target, v, a, w, b, distance, velocity_limit, top, ramp, found, below, above, trial);
+            between_cruises(middle, edge, y - distance, y_edge - distance, problem, axis, cell, work);
             return;
         }
     }
-    scan_cruises(target, v, a, w, b, distance, velocity_limit, top, ramp, found, below, above, trial);
-    if (((*cspan_at(&found, INT64_C(0))) > 0.0) && ((*cspan_at(&found, INT64_C(2))) > 0.0))
+    scan_cruises(problem, axis, cell, work);
+    if (!is_enclosed(work))
     {
-        return;
-    }
-    for (branch = INT64_C(0); branch < INT64_C(4); branch += INT64_C(1))
-    {
-        reverse = (branch == INT64_C(1)) || (branch == INT64_C(2));
-        mirror = branch >= INT64_C(2);
-        for (which = INT64_C(0); which < INT64_C(2); which += INT64_C(1))
-        {
-            count = tempered_form(trial, reverse, mirror, which, 1, target, v, a, w, b, distance, velocity_limit, top, ramp);
-            if (count < INT64_C(0))
-            {
-                break;
-            }
-            keep_nearest(trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp);
-        }
+        timed_merged(problem, axis, cell, work);
     }
 }
-/*Profiles that last `target`; returns the weight of `above`, or -1 if none is feasible.         */
-/*                                                                                               */
-/*    The motion is (1 - weight) * below + weight * above; found[0] and found[2] are the numbers */
-/*    of phases of the two (13 rows each).                                                       */
-/*                                                                                               */
-double segfmu_timed_profile(double target, double v, double a, double w, double b, double distance, double velocity_limit, double top, array_double_1d ramp, array_double_1d found, array_double_2d below, array_double_2d above, array_double_2d trial)
+/*Share of the profile above in the weighted mean that covers the distance.*/
+static double nearest_weight(array_double_1d problem, array_double_1d axis, array_double_1d nearest)
 {
+    double distance;
+    double below;
+    double above;
+    double tiny;
+    double result;
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    below = (*cspan_at(&nearest, INT64_C(1)));
+    above = (*cspan_at(&nearest, INT64_C(3)));
+    /*one profile is enough when it misses the distance by no more than rounding*/
+    tiny = 1e-14 * (fabs(distance) + (*cspan_at(&axis, INT64_C(2))) * (*cspan_at(&problem, INT64_C(5))));
+    if (above - distance <= tiny)
+    {
+        return 1.0;
+    }
+    if (distance - below > tiny)
+    {
+        return (distance - below) / (above - below);
+    }
+    return 0.0;
+}
+/*Put what a variant brakes around both profiles, and give them the duration exactly.*/
+static void surround_nearest(int64_t variant, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_2d trial;
+    array_double_1d problem;
+    array_double_1d nearest;
+    array_double_2d below;
+    array_double_2d above;
+    int64_t count;
+    trial = span_rows(&work, INT64_C(0), INT64_C(13));
+    problem = span_row(&work, INT64_C(43));
+    nearest = span_row(&work, INT64_C(42));
+    below = span_rows(&cell, INT64_C(0), INT64_C(13));
+    above = span_rows(&cell, INT64_C(13), INT64_C(26));
+    count = (int64_t)((*cspan_at(&nearest, INT64_C(0))));
+    count = surround(below, count, variant, problem, axis, trial);
+    fit_duration(below, count, (*cspan_at(&problem, INT64_C(5))));
+    (*cspan_at(&nearest, INT64_C(0))) = count;
+    count = (int64_t)((*cspan_at(&nearest, INT64_C(2))));
+    count = surround(above, count, variant, problem, axis, trial);
+    fit_duration(above, count, (*cspan_at(&problem, INT64_C(5))));
+    (*cspan_at(&nearest, INT64_C(2))) = count;
+}
+/*Two profiles of a cell's problem (Cell) that last `target` [s] and enclose the distance.           */
+/*                                                                                                   */
+/*    Returns the weight of the second one, or -1 where that duration is not feasible. The motion is */
+/*    (1 - weight) * BELOW + weight * ABOVE; the counts of phases are in the row NEAREST of `work`.  */
+/*                                                                                                   */
+double segfmu_timed_profile(double target, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_2d trial;
+    array_double_1d problem;
+    array_double_1d rest;
+    array_double_1d nearest;
     int64_t variant;
     int64_t taken;
     double spent;
-    double rest;
-    double v1;
-    double a1;
-    double w1;
-    double b1;
-    double time;
-    bool brake_start;
-    bool brake_end;
-    double span;
-    double tiny;
     double weight;
-    v = without_excess(v, velocity_limit);
-    w = without_excess(w, velocity_limit);
-    a = without_excess(a, top);
-    b = without_excess(b, top);
-    distance = without_dust(distance, velocity_limit * velocity_limit / top);
+    trial = span_rows(&work, INT64_C(0), INT64_C(13));
+    problem = span_row(&work, INT64_C(43));
+    rest = span_row(&work, INT64_C(44));
+    nearest = span_row(&work, INT64_C(42));
+    boundary_problem(span_row(&cell, INT64_C(26)), axis, problem);
+    (*cspan_at(&problem, INT64_C(5))) = target;
     for (variant = INT64_C(0); variant < INT64_C(4); variant += INT64_C(1))
     {
-        braked(&taken, &spent, &rest, &v1, &a1, &w1, &b1, variant, v, a, w, b, distance, velocity_limit, top, ramp, trial);
+        braked(&taken, &spent, variant, problem, axis, trial, rest);
         if (taken == -INT64_C(3))
         {
             continue;
@@ -7962,134 +7917,129 @@ double segfmu_timed_profile(double target, double v, double a, double w, double 
         {
             return -1.0;
         }
-        time = target - spent;
-        if (time <= 0.0)
+        if ((*cspan_at(&rest, INT64_C(5))) <= 0.0)
         {
             continue;
         }
-        brake_start = span_floor_mod(variant, INT64_C(2)) == INT64_C(1);
-        brake_end = variant >= INT64_C(2);
-        (*cspan_at(&found, INT64_C(0))) = 0.0;
-        (*cspan_at(&found, INT64_C(2))) = 0.0;
-        timed_between(time, v1, a1, w1, b1, rest, velocity_limit, top, ramp, found, below, above, trial);
-        if (((*cspan_at(&found, INT64_C(0))) > 0.0) && ((*cspan_at(&found, INT64_C(2))) > 0.0))
+        (*cspan_at(&nearest, INT64_C(0))) = 0.0;
+        (*cspan_at(&nearest, INT64_C(2))) = 0.0;
+        timed_between(rest, axis, cell, work);
+        if (is_enclosed(work))
         {
-            span = (*cspan_at(&found, INT64_C(3))) - (*cspan_at(&found, INT64_C(1)));
-            weight = 0.0;
-            /*one profile is enough when it misses the distance by no more than rounding*/
-            tiny = 1e-14 * (fabs(rest) + velocity_limit * time);
-            if ((*cspan_at(&found, INT64_C(3))) - rest <= tiny)
-            {
-                weight = 1.0;
-            }
-            if ((rest - (*cspan_at(&found, INT64_C(1))) > tiny) && (weight < 1.0))
-            {
-                weight = (rest - (*cspan_at(&found, INT64_C(1)))) / span;
-            }
-            (*cspan_at(&found, INT64_C(0))) = surround(below, (int64_t)((*cspan_at(&found, INT64_C(0)))), brake_start, v, a, brake_end, w, b, velocity_limit, top, ramp, trial);
-            (*cspan_at(&found, INT64_C(2))) = surround(above, (int64_t)((*cspan_at(&found, INT64_C(2)))), brake_start, v, a, brake_end, w, b, velocity_limit, top, ramp, trial);
-            fit_duration(below, (int64_t)((*cspan_at(&found, INT64_C(0)))), target);
-            fit_duration(above, (int64_t)((*cspan_at(&found, INT64_C(2)))), target);
+            weight = nearest_weight(rest, axis, nearest);
+            surround_nearest(variant, axis, cell, work);
             return weight;
         }
     }
     return -1.0;
 }
-/*Write the shortest profile of one axis in one interval; returns status and duration. */
-static int64_t set_shortest(int64_t* result_0, double* result_1, int64_t interval, int64_t axis, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d trial)
+/*Write the shortest profile of a cell; returns its status (PlanStatus) and duration [s].*/
+static int64_t set_shortest(int64_t* result_0, double* result_1, array_double_2d cell, array_double_1d axis, array_double_2d work)
 {
-    int64_t cell;
-    double v;
-    double distance;
+    array_double_1d problem;
+    array_double_2d phases;
     int64_t count;
     double duration;
     double y;
     double end;
     double lowest;
     double highest;
-    cell = interval * limits.shape[INT64_C(0)] + axis;
-    v = (*cspan_at(&velocities, interval, axis));
-    distance = (*cspan_at(&positions, interval + INT64_C(1), axis)) - (*cspan_at(&positions, interval, axis));
-    count = segfmu_shortest_profile(v, (*cspan_at(&accelerations, interval, axis)), (*cspan_at(&velocities, interval + INT64_C(1), axis)), (*cspan_at(&accelerations, interval + INT64_C(1), axis)), distance, (*cspan_at(&limits, axis, INT64_C(0))), (*cspan_at(&limits, axis, INT64_C(1))), span_row(&ramps, axis), span_matrix(&phases, INT64_C(2) * cell), trial);
-    (*cspan_at(&counts, INT64_C(2) * cell)) = span_max_int(count, INT64_C(0));
-    (*cspan_at(&counts, INT64_C(2) * cell + INT64_C(1))) = INT64_C(0);
-    (*cspan_at(&weights, cell)) = 0.0;
+    problem = span_row(&cell, INT64_C(26));
+    phases = span_rows(&cell, INT64_C(0), INT64_C(13));
+    count = segfmu_shortest_profile(problem, axis, phases, work);
+    (*cspan_at(&cell, INT64_C(27), INT64_C(3))) = span_max_int(count, INT64_C(0));
+    (*cspan_at(&cell, INT64_C(27), INT64_C(4))) = 0.0;
+    (*cspan_at(&cell, INT64_C(27), INT64_C(2))) = 0.0;
     if (count < INT64_C(0))
     {
         (*result_0) = count;
         (*result_1) = 0.0;
         return 0;
     }
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, span_matrix(&phases, INT64_C(2) * cell), count, v, 1e+300, span_row(&ramps, axis));
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, (*cspan_at(&problem, INT64_C(0))), 1e+300, axis);
     (*result_0) = INT64_C(0);
     (*result_1) = duration;
     return 0;
 }
-/*Write a profile of the given duration; False when that duration is not feasible. */
-static bool set_duration(int64_t interval, int64_t axis, double target, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial)
+/*Whether both boundary states are at rest.*/
+static bool is_resting(array_double_1d problem, array_double_1d axis)
 {
-    int64_t cell;
-    double v;
-    double a;
-    double w;
-    double b;
-    double distance;
     double speed;
-    bool resting;
+    double acceleration;
+    bool result;
+    speed = fabs((*cspan_at(&problem, INT64_C(0)))) + fabs((*cspan_at(&problem, INT64_C(2))));
+    if (flush_tiny(speed, (*cspan_at(&axis, INT64_C(2)))) != 0.0)
+    {
+        return 0;
+    }
+    acceleration = fabs((*cspan_at(&problem, INT64_C(1)))) + fabs((*cspan_at(&problem, INT64_C(3))));
+    result = flush_tiny(acceleration, (*cspan_at(&axis, INT64_C(3)))) == 0.0;
+    return result;
+}
+/*Write the shortest profile, stretched from rest to rest to the target duration [s].*/
+static void set_stretched(double target, bool resting, array_double_2d cell, array_double_1d axis, array_double_2d work)
+{
+    array_double_2d phases;
+    double shortest;
     double duration;
     int64_t i;
     int64_t status;
+    int64_t count;
+    phases = span_rows(&cell, INT64_C(0), INT64_C(13));
+    shortest = (*cspan_at(&cell, INT64_C(27), INT64_C(0)));
+    /*the shortest profile may still be there, from the first step of planning*/
+    duration = 0.0;
+    if ((*cspan_at(&cell, INT64_C(27), INT64_C(4))) == 0.0)
+    {
+        for (i = INT64_C(0); i < (int64_t)((*cspan_at(&cell, INT64_C(27), INT64_C(3)))); i += INT64_C(1))
+        {
+            duration = duration + (*cspan_at(&phases, i, INT64_C(0)));
+        }
+    }
+    if ((duration == 0.0) || (fabs(duration - shortest) > 1e-13 * shortest))
+    {
+        set_shortest(&status, &duration, cell, axis, work);
+    }
+    count = (int64_t)((*cspan_at(&cell, INT64_C(27), INT64_C(3))));
+    if (resting && (count == INT64_C(0)))
+    {
+        (*cspan_at(&cell, INT64_C(27), INT64_C(3))) = append_hold(phases, INT64_C(0), 0.0, target);
+    }
+    else if (resting)
+    {
+        stretch_phases(phases, count, target / duration);
+    }
+}
+/*Write a profile of the given duration [s]; False when that duration is not feasible. */
+static bool set_duration(double target, array_double_2d cell, array_double_1d axis, array_double_2d work)
+{
+    double shortest;
+    bool resting;
     double weight;
     bool result;
-    cell = interval * limits.shape[INT64_C(0)] + axis;
-    v = (*cspan_at(&velocities, interval, axis));
-    a = (*cspan_at(&accelerations, interval, axis));
-    w = (*cspan_at(&velocities, interval + INT64_C(1), axis));
-    b = (*cspan_at(&accelerations, interval + INT64_C(1), axis));
-    distance = (*cspan_at(&positions, interval + INT64_C(1), axis)) - (*cspan_at(&positions, interval, axis));
+    shortest = (*cspan_at(&cell, INT64_C(27), INT64_C(0)));
     if (target < shortest * (1.0 - 1e-13))
     {
         return 0;
     }
-    speed = without_dust(fabs(v) + fabs(w), (*cspan_at(&limits, axis, INT64_C(0))));
-    resting = (speed == 0.0) && (without_dust(fabs(a) + fabs(b), (*cspan_at(&limits, axis, INT64_C(1)))) == 0.0);
+    resting = is_resting(span_row(&cell, INT64_C(26)), axis);
     if (resting || (target <= shortest * (1.0 + 1e-13)))
     {
-        /*the shortest profile may still be there, from the first step of planning*/
-        duration = 0.0;
-        if ((*cspan_at(&counts, INT64_C(2) * cell + INT64_C(1))) == INT64_C(0))
-        {
-            for (i = INT64_C(0); i < (*cspan_at(&counts, INT64_C(2) * cell)); i += INT64_C(1))
-            {
-                duration = duration + (*cspan_at(&phases, INT64_C(2) * cell, i, INT64_C(0)));
-            }
-        }
-        if ((duration == 0.0) || (fabs(duration - shortest) > 1e-13 * shortest))
-        {
-            set_shortest(&status, &duration, interval, axis, positions, velocities, accelerations, limits, ramps, phases, counts, weights, trial);
-        }
-        if (resting && ((*cspan_at(&counts, INT64_C(2) * cell)) == INT64_C(0)))
-        {
-            (*cspan_at(&counts, INT64_C(2) * cell)) = append_hold(span_matrix(&phases, INT64_C(2) * cell), INT64_C(0), 0.0, target);
-        }
-        else if (resting)
-        {
-            stretch_phases(span_matrix(&phases, INT64_C(2) * cell), (*cspan_at(&counts, INT64_C(2) * cell)), target / duration);
-        }
+        set_stretched(target, resting, cell, axis, work);
         return 1;
     }
-    weight = segfmu_timed_profile(target, v, a, w, b, distance, (*cspan_at(&limits, axis, INT64_C(0))), (*cspan_at(&limits, axis, INT64_C(1))), span_row(&ramps, axis), found, span_matrix(&phases, INT64_C(2) * cell), span_matrix(&phases, INT64_C(2) * cell + INT64_C(1)), trial);
+    weight = segfmu_timed_profile(target, axis, cell, work);
     if (weight < 0.0)
     {
         return 0;
     }
-    (*cspan_at(&weights, cell)) = weight;
-    (*cspan_at(&counts, INT64_C(2) * cell)) = (int64_t)((*cspan_at(&found, INT64_C(0))));
-    (*cspan_at(&counts, INT64_C(2) * cell + INT64_C(1))) = (int64_t)((*cspan_at(&found, INT64_C(2))));
+    (*cspan_at(&cell, INT64_C(27), INT64_C(2))) = weight;
+    (*cspan_at(&cell, INT64_C(27), INT64_C(3))) = (*cspan_at(&work, INT64_C(42), INT64_C(0)));
+    (*cspan_at(&cell, INT64_C(27), INT64_C(4))) = (*cspan_at(&work, INT64_C(42), INT64_C(2)));
     return 1;
 }
 /*The first feasible duration between an infeasible and a feasible one, to 4e-9 of it. */
-static double first_feasible(double outside, double inside, int64_t interval, int64_t axis, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial)
+static double first_feasible(double outside, double inside, array_double_2d cell, array_double_1d axis, array_double_2d work)
 {
     double duration;
     int64_t i;
@@ -8101,7 +8051,7 @@ static double first_feasible(double outside, double inside, int64_t interval, in
         {
             break;
         }
-        if (set_duration(interval, axis, duration, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial))
+        if (set_duration(duration, cell, axis, work))
         {
             inside = duration;
         }
@@ -8113,15 +8063,14 @@ static double first_feasible(double outside, double inside, int64_t interval, in
     }
     return inside;
 }
-/*The end of the gap that holds the infeasible duration `start`; -1 if none is found.                  */
+/*The end of the gap that holds the infeasible duration `start` [s]; -1 if none is found.              */
 /*                                                                                                     */
 /*    The durations at which gaps can end are tried one after the other. Should a duration just before */
 /*    one of them be feasible as well, or none of them, the end is searched for.                       */
 /*                                                                                                     */
-static double next_feasible(int64_t interval, int64_t axis, double start, double shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial)
+static double next_feasible(double start, array_double_2d cell, array_double_1d axis, array_double_2d work)
 {
     double after;
-    array_double_2d ends;
     int64_t sweep;
     int64_t count;
     int64_t i;
@@ -8129,21 +8078,20 @@ static double next_feasible(int64_t interval, int64_t axis, double start, double
     double growth;
     double result;
     after = start;
-    ends = span_rows(&trial, INT64_C(26), INT64_C(42));
     for (sweep = INT64_C(0); sweep < INT64_C(8); sweep += INT64_C(1))
     {
-        count = gap_ends(after, (*cspan_at(&velocities, interval, axis)), (*cspan_at(&accelerations, interval, axis)), (*cspan_at(&velocities, interval + INT64_C(1), axis)), (*cspan_at(&accelerations, interval + INT64_C(1), axis)), (*cspan_at(&positions, interval + INT64_C(1), axis)) - (*cspan_at(&positions, interval, axis)), (*cspan_at(&limits, axis, INT64_C(0))), (*cspan_at(&limits, axis, INT64_C(1))), span_row(&ramps, axis), trial, ends);
+        count = gap_ends(after, span_row(&cell, INT64_C(26)), axis, work);
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
-            duration = (*cspan_at(&ends, i, INT64_C(0))) * (1.0 + 1e-09);
-            if (set_duration(interval, axis, duration, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial))
+            duration = (*cspan_at(&work, INT64_C(26) + i, INT64_C(0))) * (1.0 + 1e-09);
+            if (set_duration(duration, cell, axis, work))
             {
-                result = first_feasible(after, duration, interval, axis, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial);
+                result = first_feasible(after, duration, cell, axis, work);
                 return result;
             }
             after = duration;
         }
-        if (count < INT64_C(16))
+        if (count < INT64_C(42) - INT64_C(26))
         {
             break;
         }
@@ -8152,9 +8100,9 @@ static double next_feasible(int64_t interval, int64_t axis, double start, double
     for (i = INT64_C(0); i < INT64_C(600); i += INT64_C(1))
     {
         duration = after * growth;
-        if (set_duration(interval, axis, duration, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial))
+        if (set_duration(duration, cell, axis, work))
         {
-            result = first_feasible(after, duration, interval, axis, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial);
+            result = first_feasible(after, duration, cell, axis, work);
             return result;
         }
         after = duration;
@@ -8179,23 +8127,26 @@ static double round_up(double duration, double sample_time)
     }
     return (int64_t)ceil(duration / sample_time - 1e-09) * sample_time;
 }
-/*The shortest duration >= start that the axes first .. last - 1 all meet; -1 if none. */
-/*                                                                                     */
-/*    Their profiles of that duration are written.                                     */
-/*                                                                                     */
-static double common_duration(int64_t interval, int64_t first, int64_t last, double start, double sample_time, array_double_2d shortest, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial)
+/*The shortest duration >= start [s] that the cells first .. last - 1 all meet; -1 if none.*/
+/*                                                                                         */
+/*    They belong to one interval. Their profiles of that duration are written.            */
+/*                                                                                         */
+static double common_duration(double start, double sample_time, int64_t first, int64_t last, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
-    int64_t axis;
-    int64_t agreed;
     int64_t i;
+    int64_t place;
+    int64_t agreed;
+    array_double_2d cell;
+    int64_t row;
+    array_double_1d axis;
     double duration;
     duration = start;
-    for (axis = first; axis < last; axis += INT64_C(1))
+    for (i = first; i < last; i += INT64_C(1))
     {
-        duration = span_max(duration, (*cspan_at(&shortest, interval, axis)));
+        duration = span_max(duration, (*cspan_at(&cells, i, INT64_C(27), INT64_C(0))));
     }
     duration = round_up(duration, sample_time);
-    axis = first;
+    place = first;
     agreed = INT64_C(0);
     for (i = INT64_C(0); i < INT64_C(100000); i += INT64_C(1))
     {
@@ -8203,13 +8154,16 @@ static double common_duration(int64_t interval, int64_t first, int64_t last, dou
         {
             return duration;
         }
-        if (set_duration(interval, axis, duration, (*cspan_at(&shortest, interval, axis)), positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial))
+        cell = span_matrix(&cells, place);
+        row = span_floor_mod(place, axes.shape[INT64_C(0)]);
+        axis = span_row(&axes, row);
+        if (set_duration(duration, cell, axis, work))
         {
             agreed = agreed + INT64_C(1);
         }
         else
         {
-            duration = next_feasible(interval, axis, duration, (*cspan_at(&shortest, interval, axis)), positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial);
+            duration = next_feasible(duration, cell, axis, work);
             if (duration < 0.0)
             {
                 return -1.0;
@@ -8217,41 +8171,332 @@ static double common_duration(int64_t interval, int64_t first, int64_t last, dou
             duration = round_up(duration, sample_time);
             agreed = INT64_C(0);
         }
-        axis = axis + INT64_C(1);
-        if (axis == last)
+        place = place + INT64_C(1);
+        if (place == last)
         {
-            axis = first;
+            place = first;
         }
     }
     return -1.0;
 }
-/*Status 7, 8 or 10 (negative) when a waypoint breaks a limit or dwells while moving.*/
-static int64_t check_waypoints(array_double_2d velocities, array_double_2d accelerations, array_double_1d dwells, array_double_2d limits, array_double_1d report)
+/*Coefficients of Psi(s, 1) of (12) in ascending powers of s; 2 order + 2 of them. */
+static void transition_coefficients(int64_t order, array_double_1d coefficients)
+{
+    int64_t i;
+    double scale;
+    double binomial;
+    for (i = INT64_C(0); i < INT64_C(2) * order + INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&coefficients, i)) = 0.0;
+    }
+    /*Psi' is (2k+1)!/(k!)^2 s^k (1-s)^k; expanding the binomial gives the sum in (12).*/
+    scale = 1.0;
+    for (i = INT64_C(1); i < order + INT64_C(1); i += INT64_C(1))
+    {
+        scale = scale * (order + INT64_C(1) + i) / i;
+    }
+    scale = scale * (order + INT64_C(1));
+    binomial = 1.0;
+    for (i = INT64_C(0); i < order + INT64_C(1); i += INT64_C(1))
+    {
+        (*cspan_at(&coefficients, order + INT64_C(1) + i)) = scale * binomial / (order + INT64_C(1) + i);
+        binomial = (-binomial) * (order - i) / (i + INT64_C(1));
+    }
+}
+/*Value at s of a derivative of the polynomial with `count` ascending coefficients.*/
+static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s)
 {
     int64_t j;
-    int64_t axis;
+    int64_t i;
+    double factor;
+    int64_t m;
+    double value;
+    value = 0.0;
+    for (j = INT64_C(0); j < count - times; j += INT64_C(1))
+    {
+        i = count - INT64_C(1) - j;
+        factor = 1.0;
+        for (m = INT64_C(0); m < times; m += INT64_C(1))
+        {
+            factor = factor * (i - m);
+        }
+        value = value * s + factor * (*cspan_at(&coefficients, i));
+    }
+    return value;
+}
+/*M_j of errata E3: peaks[j] = max over [0, 1] of |d^j Psi / ds^j|, j = 1 .. order + 1.          */
+/*                                                                                               */
+/*    `coefficients` is work space for 2 order + 2 numbers. All extrema of these derivatives of  */
+/*    s^k (1-s)^k lie in [0, 1]; the largest is the first one, next to s = 0, or the end itself. */
+/*                                                                                               */
+static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks)
+{
+    int64_t count;
+    int64_t samples;
+    int64_t j;
+    double best;
+    int64_t at;
+    int64_t i;
+    double value;
+    double lower;
+    double upper;
+    double left;
+    double middle;
+    double slope;
+    count = INT64_C(2) * order + INT64_C(2);
+    transition_coefficients(order, coefficients);
+    (*cspan_at(&peaks, INT64_C(0))) = 1.0;
+    samples = INT64_C(64) * (order + INT64_C(1));
+    for (j = INT64_C(1); j < order + INT64_C(2); j += INT64_C(1))
+    {
+        best = 0.0;
+        at = INT64_C(0);
+        for (i = INT64_C(0); i < samples + INT64_C(1); i += INT64_C(1))
+        {
+            value = fabs(polynomial_derivative(coefficients, count, j, i / (2.0 * samples)));
+            if (value > best)
+            {
+                best = value;
+                at = i;
+            }
+        }
+        lower = (at - INT64_C(1)) / (2.0 * samples);
+        upper = (at + INT64_C(1)) / (2.0 * samples);
+        if (at == INT64_C(0))
+        {
+            lower = 0.0;
+        }
+        /*bisect the next derivative, which changes sign at an interior extremum*/
+        left = polynomial_derivative(coefficients, count, j + INT64_C(1), lower);
+        for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+        {
+            middle = 0.5 * (lower + upper);
+            slope = polynomial_derivative(coefficients, count, j + INT64_C(1), middle);
+            if (slope * left > 0.0)
+            {
+                lower = middle;
+            }
+            else
+            {
+                upper = middle;
+            }
+        }
+        value = fabs(polynomial_derivative(coefficients, count, j, 0.5 * (lower + upper)));
+        if (value > best)
+        {
+            best = value;
+        }
+        (*cspan_at(&peaks, j)) = best;
+    }
+}
+/*Set smoothness, shape and limits of an axis (Axis): limits[i] is c_{i+1}, 0 where absent.*/
+void segfmu_axis_limits(int64_t smoothness, int64_t shape, array_double_1d limits, array_double_1d axis)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < INT64_C(38); i += INT64_C(1))
+    {
+        (*cspan_at(&axis, i)) = 0.0;
+    }
+    (*cspan_at(&axis, INT64_C(0))) = smoothness;
+    (*cspan_at(&axis, INT64_C(1))) = shape;
+    for (i = INT64_C(0); i < smoothness + INT64_C(1); i += INT64_C(1))
+    {
+        (*cspan_at(&axis, INT64_C(2) + i)) = (*cspan_at(&limits, i));
+    }
+}
+/*Set the curved part of a ramp with a plateau and its variance; M_j of its rise in `peaks`. */
+static void plateau_curve(double share, array_double_1d axis, array_double_1d psi, array_double_1d peaks)
+{
+    int64_t k;
+    bool steep;
+    int64_t j;
+    double flat;
+    k = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
+    steep = (k > INT64_C(1)) && ((*cspan_at(&axis, INT64_C(4) + INT64_C(1))) > 0.0);
+    for (j = INT64_C(2); j < k + INT64_C(1); j += INT64_C(1))
+    {
+        if ((*cspan_at(&axis, INT64_C(4) + j)) > 0.0)
+        {
+            steep = 0;
+        }
+    }
+    if (steep)
+    {
+        transition_coefficients(k - INT64_C(2), psi);
+        (*cspan_at(&peaks, INT64_C(1))) = 1.0 / (1.0 - share);
+        flat = 1.0 - share;
+        (*cspan_at(&axis, INT64_C(17))) = flat * flat / 12.0 + share * share / (4.0 * (INT64_C(2) * k - INT64_C(1)));
+        (*cspan_at(&axis, INT64_C(27))) = 2.0 * k - 2.0;
+        (*cspan_at(&axis, INT64_C(26))) = share;
+        for (j = INT64_C(0); j < INT64_C(2) * k - INT64_C(2); j += INT64_C(1))
+        {
+            (*cspan_at(&axis, INT64_C(28) + j)) = (*cspan_at(&psi, j));
+        }
+    }
+    else
+    {
+        transition_peaks(k - INT64_C(1), psi, peaks);
+        (*cspan_at(&axis, INT64_C(17))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(1)));
+        (*cspan_at(&axis, INT64_C(27))) = 2.0 * k + 1.0;
+        for (j = INT64_C(0); j < INT64_C(2) * k; j += INT64_C(1))
+        {
+            (*cspan_at(&axis, INT64_C(28) + INT64_C(1) + j)) = (*cspan_at(&psi, j)) / (j + 1.0);
+        }
+    }
+}
+/*`ramp_parameters` where the jerk has a plateau.*/
+static bool plateau_parameters(double share, array_double_1d axis, array_double_1d psi, array_double_1d peaks)
+{
+    int64_t k;
+    double jerk;
+    double rise;
+    int64_t j;
+    double limit;
+    double power;
+    bool bounded;
+    k = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
+    jerk = (*cspan_at(&axis, INT64_C(4)));
+    (*cspan_at(&axis, INT64_C(10))) = 1.0;
+    (*cspan_at(&axis, INT64_C(16))) = 1.0 / 12.0;
+    plateau_curve(share, axis, psi, peaks);
+    bounded = 0;
+    rise = 0.0;
+    for (j = INT64_C(1); j < k + INT64_C(1); j += INT64_C(1))
+    {
+        limit = (*cspan_at(&axis, INT64_C(4) + j));
+        if (limit > 0.0)
+        {
+            power = (*cspan_at(&peaks, j)) / limit;
+            (*cspan_at(&axis, INT64_C(18) + j)) = power;
+            rise = span_max(rise, pow((jerk * power), (1.0 / j)));
+            bounded = 1;
+        }
+    }
+    if ((jerk > 0.0) && (!bounded))
+    {
+        (*cspan_at(&axis, INT64_C(12))) = share;
+        bounded = 1;
+    }
+    (*cspan_at(&axis, INT64_C(11))) = rise;
+    if (jerk > 0.0)
+    {
+        (*cspan_at(&axis, INT64_C(13))) = jerk * rise;
+        (*cspan_at(&axis, INT64_C(14))) = 1.0 / (jerk * (1.0 - (*cspan_at(&axis, INT64_C(12)))));
+        (*cspan_at(&axis, INT64_C(15))) = rise;
+    }
+    return bounded;
+}
+/*`ramp_parameters` of the polynomial of order k = n - 2.*/
+static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, array_double_1d peaks)
+{
+    int64_t k;
+    int64_t j;
+    double limit;
+    double slope;
+    int64_t e;
+    double change;
+    bool bounded;
+    k = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
+    bounded = 0;
+    transition_peaks(k, psi, peaks);
+    (*cspan_at(&axis, INT64_C(27))) = 2.0 * k + 2.0;
+    for (j = INT64_C(0); j < INT64_C(2) * k + INT64_C(2); j += INT64_C(1))
+    {
+        (*cspan_at(&axis, INT64_C(28) + j)) = (*cspan_at(&psi, j));
+    }
+    (*cspan_at(&axis, INT64_C(16))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(3)));
+    for (j = INT64_C(1); j < k + INT64_C(2); j += INT64_C(1))
+    {
+        limit = (*cspan_at(&axis, INT64_C(4) + j - INT64_C(1)));
+        if (limit > 0.0)
+        {
+            (*cspan_at(&axis, INT64_C(18) + j - INT64_C(1))) = (*cspan_at(&peaks, j)) / limit;
+            bounded = 1;
+        }
+    }
+    slope = (*cspan_at(&axis, INT64_C(18)));
+    if (slope > 0.0)
+    {
+        (*cspan_at(&axis, INT64_C(13))) = 0.0;
+        (*cspan_at(&axis, INT64_C(14))) = slope;
+        for (e = INT64_C(2); e < k + INT64_C(2); e += INT64_C(1))
+        {
+            /*where the root of the order e is no longer than the linear duration*/
+            change = pow(((*cspan_at(&axis, INT64_C(18) + e - INT64_C(1))) / pow(slope, (double)(e))), (1.0 / (e - INT64_C(1))));
+            (*cspan_at(&axis, INT64_C(13))) = span_max((*cspan_at(&axis, INT64_C(13))), change);
+        }
+    }
+    return bounded;
+}
+/*Set the ramp parameters of an axis whose limits are set (Axis).                                      */
+/*                                                                                                     */
+/*    share is that of a plateau which each of its rises takes when no limit bounds that rise: the     */
+/*    smaller, the faster, and the larger the derivatives that are not bounded. `work` has two rows of */
+/*    2 smoothness numbers or more. Returns False where no limit bounds the ramp.                      */
+/*                                                                                                     */
+bool segfmu_ramp_parameters(double share, array_double_1d axis, array_double_2d work)
+{
+    int64_t smoothness;
+    int64_t shape;
+    int64_t i;
+    double duration;
+    double rise;
+    double slope;
+    bool bounded;
+    smoothness = (int64_t)((*cspan_at(&axis, INT64_C(0))));
+    shape = (int64_t)((*cspan_at(&axis, INT64_C(1))));
+    for (i = INT64_C(9); i < INT64_C(38); i += INT64_C(1))
+    {
+        (*cspan_at(&axis, i)) = 0.0;
+    }
+    (*cspan_at(&axis, INT64_C(13))) = -1.0;
+    bounded = 0;
+    if ((shape == INT64_C(1)) && (smoothness > INT64_C(2)))
+    {
+        bounded = plateau_parameters(share, axis, span_row(&work, INT64_C(0)), span_row(&work, INT64_C(1)));
+    }
+    else
+    {
+        bounded = smoothstep_parameters(axis, span_row(&work, INT64_C(0)), span_row(&work, INT64_C(1)));
+    }
+    if (bounded)
+    {
+        segfmu_ramp_duration(&duration, &rise, &slope, (*cspan_at(&axis, INT64_C(3))), axis);
+        (*cspan_at(&axis, INT64_C(9))) = duration;
+    }
+    return bounded;
+}
+/*PlanStatus when a waypoint breaks a limit or dwells while moving.*/
+static int64_t check_waypoints(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_1d report)
+{
+    int64_t j;
+    int64_t i;
+    double velocity;
+    double acceleration;
     bool moving;
     int64_t result;
-    for (j = INT64_C(0); j < velocities.shape[INT64_C(0)]; j += INT64_C(1))
+    for (j = INT64_C(0); j < states.shape[INT64_C(0)]; j += INT64_C(1))
     {
-        for (axis = INT64_C(0); axis < limits.shape[INT64_C(0)]; axis += INT64_C(1))
+        for (i = INT64_C(0); i < axes.shape[INT64_C(0)]; i += INT64_C(1))
         {
-            (*cspan_at(&report, INT64_C(0))) = axis;
+            velocity = (*cspan_at(&states, j, i, INT64_C(1)));
+            acceleration = (*cspan_at(&states, j, i, INT64_C(2)));
+            (*cspan_at(&report, INT64_C(0))) = i;
             (*cspan_at(&report, INT64_C(1))) = j;
-            (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&velocities, j, axis));
-            (*cspan_at(&report, INT64_C(3))) = (*cspan_at(&limits, axis, INT64_C(0)));
-            if (fabs((*cspan_at(&velocities, j, axis))) > (*cspan_at(&limits, axis, INT64_C(0))) * (1.0 + 1e-12))
+            (*cspan_at(&report, INT64_C(2))) = velocity;
+            (*cspan_at(&report, INT64_C(3))) = (*cspan_at(&axes, i, INT64_C(2)));
+            if (fabs(velocity) > (*cspan_at(&axes, i, INT64_C(2))) * (1.0 + 1e-12))
             {
                 return -INT64_C(7);
             }
-            moving = ((*cspan_at(&velocities, j, axis)) != 0.0) || ((*cspan_at(&accelerations, j, axis)) != 0.0);
+            moving = (velocity != 0.0) || (acceleration != 0.0);
             if (((*cspan_at(&dwells, j)) > 0.0) && moving)
             {
                 return -INT64_C(10);
             }
-            (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&accelerations, j, axis));
-            (*cspan_at(&report, INT64_C(3))) = (*cspan_at(&limits, axis, INT64_C(1)));
-            if (fabs((*cspan_at(&accelerations, j, axis))) > (*cspan_at(&limits, axis, INT64_C(1))) * (1.0 + 1e-12))
+            (*cspan_at(&report, INT64_C(2))) = acceleration;
+            (*cspan_at(&report, INT64_C(3))) = (*cspan_at(&axes, i, INT64_C(3)));
+            if (fabs(acceleration) > (*cspan_at(&axes, i, INT64_C(3))) * (1.0 + 1e-12))
             {
                 return -INT64_C(8);
             }
@@ -8259,76 +8504,94 @@ static int64_t check_waypoints(array_double_2d velocities, array_double_2d accel
     }
     return INT64_C(0);
 }
-/*Prolong the intervals of some axes, in proportion, until their sum is `target`.                      */
+/*What the intervals of one axis leave of the target duration [s].           */
+/*                                                                           */
+/*    Also returns the sum [s] and the number of those that can be prolonged.*/
+/*                                                                           */
+static int64_t time_left(double* result_0, double* result_1, int64_t* result_2, int64_t first, int64_t step, double target, array_double_3d cells)
+{
+    double rest;
+    double base;
+    int64_t count;
+    int64_t j;
+    rest = target;
+    base = 0.0;
+    count = INT64_C(0);
+    for (j = first; (step > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += step)
+    {
+        rest = rest - (*cspan_at(&cells, j, INT64_C(27), INT64_C(1)));
+        if ((*cspan_at(&cells, j, INT64_C(27), INT64_C(7))) > 0.5)
+        {
+            base = base + (*cspan_at(&cells, j, INT64_C(27), INT64_C(1)));
+            count = count + INT64_C(1);
+        }
+    }
+    (*result_0) = rest;
+    (*result_1) = base;
+    (*result_2) = count;
+    return 0;
+}
+/*Prolong the intervals of the axes first .. last - 1, in proportion, to `target` [s] in sum.          */
 /*                                                                                                     */
 /*    Intervals that take no time share it equally. An interval whose share lies in a gap jumps to the */
 /*    end of the gap when there is time for it, and else keeps its duration. False when time is left   */
 /*    that no interval takes.                                                                          */
 /*                                                                                                     */
-static bool distribute(int64_t first, int64_t last, double target, array_double_2d shortest, array_double_2d durations, array_int64_t_1d active, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial)
+static bool distribute(int64_t first, int64_t last, double target, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
-    int64_t intervals;
+    int64_t step;
     int64_t j;
     int64_t sweep;
-    double base;
-    int64_t open_intervals;
     double rest;
+    double base;
+    int64_t count;
     double factor;
     double extra;
-    double wished;
+    double present;
+    int64_t end;
     double reached;
-    int64_t axis;
+    int64_t i;
     bool result;
-    intervals = durations.shape[INT64_C(0)];
-    for (j = INT64_C(0); j < intervals; j += INT64_C(1))
+    step = axes.shape[INT64_C(0)];
+    for (j = first; (step > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += step)
     {
-        (*cspan_at(&active, j)) = INT64_C(1);
+        (*cspan_at(&cells, j, INT64_C(27), INT64_C(7))) = 1.0;
     }
     for (sweep = INT64_C(0); sweep < INT64_C(50); sweep += INT64_C(1))
     {
-        base = 0.0;
-        open_intervals = INT64_C(0);
-        rest = target;
-        for (j = INT64_C(0); j < intervals; j += INT64_C(1))
-        {
-            rest = rest - (*cspan_at(&durations, j, first));
-            if ((*cspan_at(&active, j)) == INT64_C(1))
-            {
-                base = base + (*cspan_at(&durations, j, first));
-                open_intervals = open_intervals + INT64_C(1);
-            }
-        }
+        time_left(&rest, &base, &count, first, step, target, cells);
         if (rest <= 1e-13 * target)
         {
             return 1;
         }
-        if (open_intervals == INT64_C(0))
+        if (count == INT64_C(0))
         {
             return 0;
         }
         factor = 1.0;
-        extra = rest / open_intervals;
+        extra = rest / count;
         if (base > 0.0)
         {
             factor = 1.0 + rest / base;
             extra = 0.0;
         }
-        for (j = INT64_C(0); j < intervals; j += INT64_C(1))
+        for (j = first; (step > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += step)
         {
-            if ((*cspan_at(&active, j)) == INT64_C(1))
+            if ((*cspan_at(&cells, j, INT64_C(27), INT64_C(7))) > 0.5)
             {
-                wished = (*cspan_at(&durations, j, first)) * factor + extra;
-                reached = common_duration(j, first, last, wished, 0.0, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial);
-                if ((reached < 0.0) || (reached - (*cspan_at(&durations, j, first)) > rest * (1.0 + 1e-13)))
+                present = (*cspan_at(&cells, j, INT64_C(27), INT64_C(1)));
+                end = j + last - first;
+                reached = common_duration(present * factor + extra, 0.0, j, end, axes, cells, work);
+                if ((reached < 0.0) || (reached - present > rest * (1.0 + 1e-13)))
                 {
-                    (*cspan_at(&active, j)) = INT64_C(0);
+                    (*cspan_at(&cells, j, INT64_C(27), INT64_C(7))) = 0.0;
                 }
                 else
                 {
-                    rest = rest - (reached - (*cspan_at(&durations, j, first)));
-                    for (axis = first; axis < last; axis += INT64_C(1))
+                    rest = rest - (reached - present);
+                    for (i = j; i < end; i += INT64_C(1))
                     {
-                        (*cspan_at(&durations, j, axis)) = reached;
+                        (*cspan_at(&cells, i, INT64_C(27), INT64_C(1))) = reached;
                     }
                 }
             }
@@ -8337,16 +8600,18 @@ static bool distribute(int64_t first, int64_t last, double target, array_double_
     return 0;
 }
 /*Write the profiles of the durations that were settled on; False if one is infeasible.*/
-static bool rewrite_intervals(int64_t first, int64_t last, array_double_2d shortest, array_double_2d durations, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_1d found, array_double_2d trial)
+static bool rewrite_intervals(int64_t first, int64_t last, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
     int64_t j;
-    int64_t axis;
+    int64_t i;
+    double duration;
     bool result;
-    for (j = INT64_C(0); j < durations.shape[INT64_C(0)]; j += INT64_C(1))
+    for (j = INT64_C(0); (axes.shape[INT64_C(0)] > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += axes.shape[INT64_C(0)])
     {
-        for (axis = first; axis < last; axis += INT64_C(1))
+        for (i = first; i < last; i += INT64_C(1))
         {
-            if (!set_duration(j, axis, (*cspan_at(&durations, j, axis)), (*cspan_at(&shortest, j, axis)), positions, velocities, accelerations, limits, ramps, phases, counts, weights, found, trial))
+            duration = (*cspan_at(&cells, j + i, INT64_C(27), INT64_C(1)));
+            if (!set_duration(duration, span_matrix(&cells, j + i), span_row(&axes, i), work))
             {
                 return 0;
             }
@@ -8354,78 +8619,125 @@ static bool rewrite_intervals(int64_t first, int64_t last, array_double_2d short
     }
     return 1;
 }
-/*Ramp parameters and shortest profiles of one axis; status as in `plan_phases`. */
-static int64_t plan_axis(int64_t axis, double share, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_2d limits, int64_t smoothness, int64_t shape, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d shortest, array_double_2d work, array_double_1d report)
+/*Write the boundary problems of all axes in all intervals.*/
+static void set_problems(array_double_3d states, array_double_3d cells)
 {
+    int64_t axes;
+    int64_t j;
+    int64_t i;
+    array_double_2d cell;
+    axes = states.shape[INT64_C(1)];
+    for (j = INT64_C(0); j < states.shape[INT64_C(0)] - INT64_C(1); j += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < axes; i += INT64_C(1))
+        {
+            cell = span_matrix(&cells, j * axes + i);
+            (*cspan_at(&cell, INT64_C(26), INT64_C(0))) = (*cspan_at(&states, j, i, INT64_C(1)));
+            (*cspan_at(&cell, INT64_C(26), INT64_C(1))) = (*cspan_at(&states, j, i, INT64_C(2)));
+            (*cspan_at(&cell, INT64_C(26), INT64_C(2))) = (*cspan_at(&states, j + INT64_C(1), i, INT64_C(1)));
+            (*cspan_at(&cell, INT64_C(26), INT64_C(3))) = (*cspan_at(&states, j + INT64_C(1), i, INT64_C(2)));
+            (*cspan_at(&cell, INT64_C(26), INT64_C(4))) = (*cspan_at(&states, j + INT64_C(1), i, INT64_C(0))) - (*cspan_at(&states, j, i, INT64_C(0)));
+            (*cspan_at(&cell, INT64_C(26), INT64_C(5))) = 0.0;
+        }
+    }
+}
+/*Ramp parameters and shortest profiles of one axis; status as in `plan_phases`. */
+static int64_t plan_axis(int64_t axis, double share, array_double_2d axes, array_double_3d cells, array_double_2d work)
+{
+    array_double_1d report;
     int64_t j;
     double time;
     int64_t status;
+    report = span_row(&work, INT64_C(46));
     (*cspan_at(&report, INT64_C(0))) = axis;
-    status = segfmu_ramp_parameters(smoothness, shape, share, span_row(&limits, axis), span_row(&work, INT64_C(0)), span_row(&work, INT64_C(1)), span_row(&ramps, axis));
-    if (status > INT64_C(0))
+    if (!segfmu_ramp_parameters(share, span_row(&axes, axis), work))
     {
         return -INT64_C(9);
     }
-    for (j = INT64_C(0); j < positions.shape[INT64_C(0)] - INT64_C(1); j += INT64_C(1))
+    for (j = axis; (axes.shape[INT64_C(0)] > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += axes.shape[INT64_C(0)])
     {
-        (*cspan_at(&report, INT64_C(1))) = j;
-        set_shortest(&status, &time, j, axis, positions, velocities, accelerations, limits, ramps, phases, counts, weights, work);
+        (*cspan_at(&report, INT64_C(1))) = span_floor_div(j, axes.shape[INT64_C(0)]);
+        set_shortest(&status, &time, span_matrix(&cells, j), span_row(&axes, axis), work);
         if (status < INT64_C(0))
         {
             return status;
         }
-        (*cspan_at(&shortest, j, axis)) = time;
+        (*cspan_at(&cells, j, INT64_C(27), INT64_C(0))) = time;
+        (*cspan_at(&cells, j, INT64_C(27), INT64_C(1))) = time;
     }
     return INT64_C(0);
 }
-/*Bring the shortest profiles to common durations; status as in `plan_phases`. */
-static int64_t synchronize_plan(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d dwells, array_double_2d limits, int64_t synchronization, double sample_time, double duration, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d shortest, array_double_2d durations, array_int64_t_1d active, array_double_2d work, array_double_1d report)
+/*Bring the axes first .. last - 1 to common durations in every interval, where they shall.  */
+/*                                                                                           */
+/*    Returns the sum of all intervals' durations [s]; -1 where there is no common duration. */
+/*                                                                                           */
+static double meet_intervals(int64_t first, int64_t last, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
-    int64_t axes;
-    int64_t intervals;
+    double sample_time;
+    bool meeting;
+    int64_t j;
+    int64_t end;
+    double time;
+    int64_t i;
+    double total;
+    sample_time = (*cspan_at(&options, INT64_C(3)));
+    meeting = (int64_t)((*cspan_at(&options, INT64_C(2)))) == INT64_C(1);
+    total = 0.0;
+    for (j = first; (axes.shape[INT64_C(0)] > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += axes.shape[INT64_C(0)])
+    {
+        if (meeting || (sample_time > 0.0))
+        {
+            end = j + last - first;
+            time = common_duration(0.0, sample_time, j, end, axes, cells, work);
+            (*cspan_at(&work, INT64_C(46), INT64_C(0))) = first;
+            (*cspan_at(&work, INT64_C(46), INT64_C(1))) = span_floor_div(j, axes.shape[INT64_C(0)]);
+            if (time < 0.0)
+            {
+                return -1.0;
+            }
+            for (i = j; i < end; i += INT64_C(1))
+            {
+                (*cspan_at(&cells, i, INT64_C(27), INT64_C(1))) = time;
+            }
+        }
+        total = total + (*cspan_at(&cells, j, INT64_C(27), INT64_C(1)));
+    }
+    return total;
+}
+/*Bring the shortest profiles to common durations; status as in `plan_phases`. */
+static int64_t synchronize_plan(array_double_1d dwells, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work)
+{
+    array_double_1d report;
+    int64_t synchronization;
+    double duration;
     int64_t group;
     double resting;
     int64_t j;
     double longest;
     int64_t axis;
     double total;
-    double time;
-    int64_t i;
     double target;
     int64_t result;
-    axes = limits.shape[INT64_C(0)];
-    intervals = positions.shape[INT64_C(0)] - INT64_C(1);
+    report = span_row(&work, INT64_C(46));
+    synchronization = (int64_t)((*cspan_at(&options, INT64_C(2))));
+    duration = (*cspan_at(&options, INT64_C(4)));
     group = INT64_C(1);
     if (synchronization == INT64_C(1))
     {
-        group = axes;
+        group = axes.shape[INT64_C(0)];
     }
     resting = 0.0;
-    for (j = INT64_C(0); j < intervals + INT64_C(1); j += INT64_C(1))
+    for (j = INT64_C(0); j < dwells.shape[INT64_C(0)]; j += INT64_C(1))
     {
         resting = resting + (*cspan_at(&dwells, j));
     }
     longest = 0.0;
-    for (axis = INT64_C(0); (group > 0) ? (axis < axes) : (axis > axes); axis += group)
+    for (axis = INT64_C(0); (group > 0) ? (axis < axes.shape[INT64_C(0)]) : (axis > axes.shape[INT64_C(0)]); axis += group)
     {
-        total = 0.0;
-        for (j = INT64_C(0); j < intervals; j += INT64_C(1))
+        total = meet_intervals(axis, axis + group, options, axes, cells, work);
+        if (total < 0.0)
         {
-            if ((synchronization == INT64_C(1)) || (sample_time > 0.0))
-            {
-                time = common_duration(j, axis, axis + group, 0.0, sample_time, shortest, positions, velocities, accelerations, limits, ramps, phases, counts, weights, span_row(&work, INT64_C(42)), span_rows(&work, INT64_C(0), INT64_C(42)));
-                (*cspan_at(&report, INT64_C(0))) = axis;
-                (*cspan_at(&report, INT64_C(1))) = j;
-                if (time < 0.0)
-                {
-                    return -INT64_C(4);
-                }
-                for (i = axis; i < axis + group; i += INT64_C(1))
-                {
-                    (*cspan_at(&durations, j, i)) = time;
-                }
-            }
-            total = total + (*cspan_at(&durations, j, axis));
+            return -INT64_C(4);
         }
         longest = span_max(longest, total);
     }
@@ -8440,65 +8752,66 @@ static int64_t synchronize_plan(array_double_2d positions, array_double_2d veloc
             return -INT64_C(5);
         }
     }
-    if ((synchronization < INT64_C(2)) && (duration <= 0.0))
+    if ((synchronization != INT64_C(2)) && (duration <= 0.0))
     {
         return INT64_C(0);
     }
     (*cspan_at(&report, INT64_C(2))) = target + resting;
-    for (axis = INT64_C(0); (group > 0) ? (axis < axes) : (axis > axes); axis += group)
+    for (axis = INT64_C(0); (group > 0) ? (axis < axes.shape[INT64_C(0)]) : (axis > axes.shape[INT64_C(0)]); axis += group)
     {
         (*cspan_at(&report, INT64_C(0))) = axis;
-        if (!distribute(axis, axis + group, target, shortest, durations, active, positions, velocities, accelerations, limits, ramps, phases, counts, weights, span_row(&work, INT64_C(42)), span_rows(&work, INT64_C(0), INT64_C(42))))
+        if (!distribute(axis, axis + group, target, axes, cells, work))
         {
             return -INT64_C(6);
         }
-        if (!rewrite_intervals(axis, axis + group, shortest, durations, positions, velocities, accelerations, limits, ramps, phases, counts, weights, span_row(&work, INT64_C(42)), span_rows(&work, INT64_C(0), INT64_C(42))))
+        if (!rewrite_intervals(axis, axis + group, axes, cells, work))
         {
             return -INT64_C(6);
         }
     }
     return INT64_C(0);
 }
-/*Plan all intervals. Returns 0 or a negative status, with the details in `report`.            */
-/*                                                                                             */
-/*    m waypoints, k axes: positions, velocities, accelerations (m, k), dwells (m,), limits    */
-/*    (k, smoothness + 1) with 0 for absent, ramps (k, 48), phases (2 (m - 1) k, 13, 4), counts*/
-/*    (2 (m - 1) k,), weights ((m - 1) k,), shortest and durations (m - 1, k), active (m - 1,),*/
-/*    work (43, 4 + 2 smoothness), report (4,). synchronization: 0 none, 1 waypoints, 2 total; */
-/*    sample_time and duration: 0 for none.                                                    */
-/*                                                                                             */
-int64_t segfmu_plan_phases(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d dwells, array_double_2d limits, int64_t smoothness, int64_t shape, int64_t synchronization, double sample_time, double duration, array_double_2d ramps, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d shortest, array_double_2d durations, array_int64_t_1d active, array_double_2d work, array_double_1d report)
+/*Plan all intervals. Returns PLANNED or why it is refused (PlanStatus).                             */
+/*                                                                                                   */
+/*    m waypoints, k axes: states (m, k, WaypointState), dwells (m,) [s], limits (k, smoothness + 1) */
+/*    with 0 for absent, options (PlanOptions,). Written: axes (k, Axis), and cells ((m - 1) k, Cell */
+/*    rows, Cell columns), axis after axis in interval after interval; and of a refusal the row      */
+/*    REFUSAL of `work` (PlanWork rows, PlanWork columns).                                           */
+/*                                                                                                   */
+int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
-    int64_t axes;
-    int64_t intervals;
+    array_double_1d report;
+    int64_t smoothness;
+    int64_t shape;
     int64_t axis;
-    int64_t j;
     int64_t status;
-    axes = limits.shape[INT64_C(0)];
-    intervals = positions.shape[INT64_C(0)] - INT64_C(1);
-    status = check_waypoints(velocities, accelerations, dwells, limits, report);
+    report = span_row(&work, INT64_C(46));
+    smoothness = (int64_t)((*cspan_at(&options, INT64_C(0))));
+    shape = (int64_t)((*cspan_at(&options, INT64_C(1))));
+    for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        segfmu_axis_limits(smoothness, shape, span_row(&limits, axis), span_row(&axes, axis));
+    }
+    status = check_waypoints(states, dwells, axes, report);
     if (status < INT64_C(0))
     {
         return status;
     }
-    for (axis = INT64_C(0); axis < axes; axis += INT64_C(1))
+    set_problems(states, cells);
+    for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
     {
-        status = plan_axis(axis, 0.1, positions, velocities, accelerations, limits, smoothness, shape, ramps, phases, counts, weights, shortest, work, report);
+        status = plan_axis(axis, 0.1, axes, cells, work);
         if ((status == -INT64_C(1)) || (status == -INT64_C(2)))
         {
             /*braking just fails: the steepest ramps decide whether the limits admit it*/
-            status = plan_axis(axis, 0.004, positions, velocities, accelerations, limits, smoothness, shape, ramps, phases, counts, weights, shortest, work, report);
+            status = plan_axis(axis, 0.004, axes, cells, work);
         }
         if (status < INT64_C(0))
         {
             return status;
         }
-        for (j = INT64_C(0); j < intervals; j += INT64_C(1))
-        {
-            (*cspan_at(&durations, j, axis)) = (*cspan_at(&shortest, j, axis));
-        }
     }
-    status = synchronize_plan(positions, velocities, accelerations, dwells, limits, synchronization, sample_time, duration, ramps, phases, counts, weights, shortest, durations, active, work, report);
+    status = synchronize_plan(dwells, options, axes, cells, work);
     return status;
 }
 /*Rows of memory; samples younger than the dead time, the new one, and one for rounding. */
@@ -9575,38 +9888,40 @@ double segfmu_rig_imbalance(array_double_1d balance)
     kept = (*cspan_at(&balance, INT64_C(0))) + (*cspan_at(&balance, INT64_C(1))) - (*cspan_at(&balance, INT64_C(2)));
     return kept - gained;
 }
-/*First time after `time` at which a piece of any axis begins or its last one ends; or 1e300.*/
-/*                                                                                           */
+/*First time after `time` [s] at which a piece of any axis begins or its last one ends.*/
+/*                                                                                     */
+/*    1e300 if there is none.                                                          */
+/*                                                                                     */
 static double next_break(double time, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends)
 {
     int64_t axis;
     int64_t first;
     int64_t last;
     int64_t row;
-    double found;
-    found = 1e+300;
+    double following;
+    following = 1e+300;
     for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
     {
         first = (*cspan_at(&offsets, axis));
         last = (*cspan_at(&offsets, axis + INT64_C(1)));
         if (time < (*cspan_at(&timing, first, INT64_C(0))))
         {
-            found = span_min(found, (*cspan_at(&timing, first, INT64_C(0))));
+            following = span_min(following, (*cspan_at(&timing, first, INT64_C(0))));
         }
         else
         {
             row = find_piece(time, timing, first, last) + INT64_C(1);
             if (row < last)
             {
-                found = span_min(found, (*cspan_at(&timing, row, INT64_C(0))));
+                following = span_min(following, (*cspan_at(&timing, row, INT64_C(0))));
             }
             else if (time < (*cspan_at(&ends, axis)))
             {
-                found = span_min(found, (*cspan_at(&ends, axis)));
+                following = span_min(following, (*cspan_at(&ends, axis)));
             }
         }
     }
-    return found;
+    return following;
 }
 /*Events that differ by less [s] are the same; clocks are coarser late.*/
 double segfmu_same_break(double time)
@@ -9625,7 +9940,7 @@ double segfmu_next_plan_event(double time, double start, array_double_2d timing,
     int64_t waypoint;
     double arrival;
     int64_t axis;
-    double found;
+    double piece_end;
     double result;
     event = 1e+300;
     for (waypoint = INT64_C(1); waypoint < times.shape[INT64_C(0)] + INT64_C(1); waypoint += INT64_C(1))
@@ -9647,17 +9962,17 @@ double segfmu_next_plan_event(double time, double start, array_double_2d timing,
             event = span_min(event, start + arrival);
         }
     }
-    found = next_break(time + segfmu_same_break(time) - start, timing, offsets, ends);
-    if (found < 1e+300)
+    piece_end = next_break(time + segfmu_same_break(time) - start, timing, offsets, ends);
+    if (piece_end < 1e+300)
     {
-        found = start + found;
+        piece_end = start + piece_end;
     }
     /*of a start that is far away the clock may be too coarse to tell a break from the present*/
-    if ((event <= found + segfmu_same_break(time)) || (found <= time))
+    if ((event <= piece_end + segfmu_same_break(time)) || (piece_end <= time))
     {
         return event;
     }
-    return found;
+    return piece_end;
 }
 /*Time since `start`, just behind the break where it is at one: all axes on the next piece.*/
 double segfmu_right_of_break(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends)
@@ -9674,24 +9989,235 @@ double segfmu_right_of_break(double time, double start, array_double_2d timing, 
     }
     return local;
 }
-/*An upper bound of the number of pieces: seven a phase, and one a dwell.*/
-int64_t segfmu_count_pieces(array_int64_t_1d counts, int64_t cells)
+/*Close the piece in `row`: add position to jerk from `state`, which is advanced.*/
+/*                                                                               */
+/*    state (PieceState) is that at the start of the piece. Returns row + 1.     */
+/*                                                                               */
+static int64_t append_piece(double duration, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_1d state)
+{
+    int64_t width;
+    double jerk;
+    double y;
+    double v;
+    int64_t j;
+    int64_t i;
+    int64_t result;
+    width = coefficients.shape[INT64_C(1)];
+    (*cspan_at(&coefficients, row, INT64_C(0))) = (*cspan_at(&state, INT64_C(0)));
+    (*cspan_at(&coefficients, row, INT64_C(1))) = (*cspan_at(&state, INT64_C(1)));
+    (*cspan_at(&coefficients, row, INT64_C(2))) = 0.5 * (*cspan_at(&state, INT64_C(2)));
+    jerk = (*cspan_at(&coefficients, row, INT64_C(3))) + (*cspan_at(&state, INT64_C(3))) / 6.0;
+    (*cspan_at(&coefficients, row, INT64_C(3))) = jerk;
+    (*cspan_at(&timing, row, INT64_C(0))) = (*cspan_at(&state, INT64_C(4)));
+    (*cspan_at(&timing, row, INT64_C(1))) = duration;
+    y = 0.0;
+    v = 0.0;
+    for (j = INT64_C(0); j < width; j += INT64_C(1))
+    {
+        i = width - INT64_C(1) - j;
+        y = y * duration + (*cspan_at(&coefficients, row, i));
+        if (i > INT64_C(0))
+        {
+            v = v * duration + i * (*cspan_at(&coefficients, row, i));
+        }
+    }
+    (*cspan_at(&state, INT64_C(0))) = y;
+    (*cspan_at(&state, INT64_C(1))) = v;
+    (*cspan_at(&state, INT64_C(2))) = evaluate_piece(coefficients, row, width, duration, INT64_C(2));
+    (*cspan_at(&state, INT64_C(3))) = evaluate_piece(coefficients, row, width, duration, INT64_C(3));
+    (*cspan_at(&state, INT64_C(4))) = (*cspan_at(&state, INT64_C(4))) + duration;
+    return row + INT64_C(1);
+}
+/*Set every coefficient of a piece to zero.*/
+static void clear_piece(array_double_2d coefficients, int64_t row)
 {
     int64_t i;
-    int64_t total;
-    total = cells + INT64_C(1);
-    for (i = INT64_C(0); i < INT64_C(2) * cells; i += INT64_C(1))
+    for (i = INT64_C(0); i < coefficients.shape[INT64_C(1)]; i += INT64_C(1))
     {
-        total = total + INT64_C(7) * (*cspan_at(&counts, i));
+        (*cspan_at(&coefficients, row, i)) = 0.0;
+    }
+}
+/*Add to a piece the triple integral of jerk * Psi(t, rise) with Psi of the given order. */
+static void add_rise(double jerk, double rise, int64_t order, array_double_1d psi, array_double_2d coefficients, int64_t row)
+{
+    int64_t i;
+    double scale;
+    double coefficient;
+    for (i = order + INT64_C(1); i < INT64_C(2) * order + INT64_C(2); i += INT64_C(1))
+    {
+        scale = jerk * (*cspan_at(&psi, i)) / ((i + 1.0) * (i + 2.0) * (i + 3.0));
+        coefficient = (*cspan_at(&coefficients, row, INT64_C(3) + i)) + scale / pow(rise, (double)(i));
+        (*cspan_at(&coefficients, row, INT64_C(3) + i)) = coefficient;
+    }
+}
+/*Add to a piece the fourfold integral of snap * Psi(t, rise) with Psi of the given order. */
+static void add_snap(double snap, double rise, int64_t order, array_double_1d psi, array_double_2d coefficients, int64_t row)
+{
+    int64_t i;
+    double scale;
+    double coefficient;
+    for (i = order + INT64_C(1); i < INT64_C(2) * order + INT64_C(2); i += INT64_C(1))
+    {
+        scale = snap * (*cspan_at(&psi, i)) / ((i + 1.0) * (i + 2.0) * (i + 3.0) * (i + 4.0));
+        coefficient = (*cspan_at(&coefficients, row, INT64_C(4) + i)) + scale / pow(rise, (double)(i));
+        (*cspan_at(&coefficients, row, INT64_C(4) + i)) = coefficient;
+    }
+}
+/*Order of the transition polynomial in the curved part of the ramps of an axis. */
+static int64_t ramp_order(array_double_1d axis)
+{
+    int64_t order;
+    order = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
+    if ((*cspan_at(&axis, INT64_C(10))) > 0.5)
+    {
+        order = order - INT64_C(1);
+        if ((*cspan_at(&axis, INT64_C(26))) > 0.0)
+        {
+            order = order - INT64_C(1);
+        }
+    }
+    return order;
+}
+/*Pieces in which the jerk changes by `jerk` within `rise` [s]; returns the row after them.*/
+static int64_t expand_jerk_change(double jerk, double rise, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work)
+{
+    int64_t order;
+    double share;
+    array_double_1d psi;
+    array_double_1d state;
+    double snap;
+    double edge;
+    int64_t result;
+    order = ramp_order(axis);
+    share = (*cspan_at(&axis, INT64_C(26)));
+    psi = span_row(&work, INT64_C(0));
+    state = span_row(&work, INT64_C(1));
+    clear_piece(coefficients, row);
+    if (share <= 0.0)
+    {
+        add_rise(jerk, rise, order, psi, coefficients, row);
+        result = append_piece(rise, timing, coefficients, row, state);
+        return result;
+    }
+    snap = jerk / (rise * (1.0 - share));
+    edge = share * rise;
+    add_snap(snap, edge, order, psi, coefficients, row);
+    row = append_piece(edge, timing, coefficients, row, state);
+    clear_piece(coefficients, row);
+    (*cspan_at(&coefficients, row, INT64_C(4))) = snap / 24.0;
+    row = append_piece(rise - 2.0 * edge, timing, coefficients, row, state);
+    clear_piece(coefficients, row);
+    (*cspan_at(&coefficients, row, INT64_C(4))) = snap / 24.0;
+    add_snap(-snap, edge, order, psi, coefficients, row);
+    result = append_piece(edge, timing, coefficients, row, state);
+    return result;
+}
+/*Pieces of a ramp whose jerk has a plateau; returns the row after them. */
+static int64_t expand_plateau(array_double_1d phase, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work)
+{
+    array_double_1d state;
+    double duration;
+    double rise;
+    double a;
+    double change;
+    double jerk;
+    double flat;
+    int64_t result;
+    state = span_row(&work, INT64_C(1));
+    duration = (*cspan_at(&phase, INT64_C(0)));
+    rise = (*cspan_at(&phase, INT64_C(1)));
+    a = (*cspan_at(&phase, INT64_C(2)));
+    change = (*cspan_at(&phase, INT64_C(3)));
+    jerk = change / (duration - rise);
+    flat = duration - 2.0 * rise;
+    row = expand_jerk_change(jerk, rise, axis, timing, coefficients, row, work);
+    (*cspan_at(&state, INT64_C(2))) = a + 0.5 * jerk * rise;
+    (*cspan_at(&state, INT64_C(3))) = jerk;
+    if (flat > 0.0)
+    {
+        clear_piece(coefficients, row);
+        row = append_piece(flat, timing, coefficients, row, state);
+        (*cspan_at(&state, INT64_C(2))) = a + change - 0.5 * jerk * rise;
+        (*cspan_at(&state, INT64_C(3))) = jerk;
+    }
+    result = expand_jerk_change(-jerk, rise, axis, timing, coefficients, row, work);
+    return result;
+}
+/*Expand `count` phases into pieces from `row` on; returns the row after the last one.           */
+/*                                                                                               */
+/*    The row STATE of `work` (Expansion) holds position, velocity and time at the start, and is */
+/*    advanced to the end.                                                                       */
+/*                                                                                               */
+int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work)
+{
+    array_double_1d psi;
+    array_double_1d state;
+    int64_t order;
+    bool plateau;
+    int64_t i;
+    double a;
+    double change;
+    double duration;
+    int64_t j;
+    double scale;
+    int64_t result;
+    psi = span_row(&work, INT64_C(0));
+    state = span_row(&work, INT64_C(1));
+    order = ramp_order(axis);
+    plateau = (*cspan_at(&axis, INT64_C(10))) > 0.5;
+    transition_coefficients(order, psi);
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        a = (*cspan_at(&phases, i, INT64_C(2)));
+        change = (*cspan_at(&phases, i, INT64_C(3)));
+        (*cspan_at(&state, INT64_C(2))) = a;
+        (*cspan_at(&state, INT64_C(3))) = 0.0;
+        if (plateau && (change != 0.0))
+        {
+            row = expand_plateau(span_row(&phases, i), axis, timing, coefficients, row, work);
+        }
+        else
+        {
+            duration = (*cspan_at(&phases, i, INT64_C(0)));
+            clear_piece(coefficients, row);
+            if (change != 0.0)
+            {
+                for (j = order + INT64_C(1); j < INT64_C(2) * order + INT64_C(2); j += INT64_C(1))
+                {
+                    scale = change * (*cspan_at(&psi, j)) / ((j + 1.0) * (j + 2.0));
+                    (*cspan_at(&coefficients, row, INT64_C(2) + j)) = scale / pow(duration, (double)(j));
+                }
+            }
+            row = append_piece(duration, timing, coefficients, row, state);
+        }
+        (*cspan_at(&state, INT64_C(2))) = a + change;
+        (*cspan_at(&state, INT64_C(3))) = 0.0;
+    }
+    return row;
+}
+/*Rows that `expand_plan` needs: seven a phase, one a dwell, and the spare ones. */
+int64_t segfmu_count_pieces(array_double_2d axes, array_double_3d cells)
+{
+    int64_t i;
+    double phases;
+    int64_t total;
+    total = INT64_C(200) + axes.shape[INT64_C(0)] + cells.shape[INT64_C(0)];
+    for (i = INT64_C(0); i < cells.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        phases = (*cspan_at(&cells, i, INT64_C(27), INT64_C(3)));
+        phases = phases + (*cspan_at(&cells, i, INT64_C(27), INT64_C(4)));
+        total = total + INT64_C(7) * (int64_t)(phases);
     }
     return total;
 }
-/*Add weight times a piece, taken from its local time t on, to another piece.*/
-static void shift_piece(array_double_2d coefficients, int64_t source, int64_t width, double t, double weight, array_double_2d target, int64_t row)
+/*Add weight times the piece in row `source`, from its local time t on, to row `target`. */
+static void shift_piece(array_double_2d coefficients, int64_t source, double t, double weight, int64_t target)
 {
+    int64_t width;
     double factorial;
     int64_t i;
     double value;
+    width = coefficients.shape[INT64_C(1)];
     factorial = 1.0;
     for (i = INT64_C(0); i < width; i += INT64_C(1))
     {
@@ -9700,39 +10226,36 @@ static void shift_piece(array_double_2d coefficients, int64_t source, int64_t wi
             factorial = factorial * i;
         }
         value = evaluate_piece(coefficients, source, width, t, i) / factorial;
-        (*cspan_at(&target, row, i)) = (*cspan_at(&target, row, i)) + weight * value;
+        (*cspan_at(&coefficients, target, i)) = (*cspan_at(&coefficients, target, i)) + weight * value;
     }
 }
-/*(1 - weight) * pieces first_a .. last_a - 1 + weight * pieces last_a .. last_b - 1.*/
-static int64_t merge_pieces(double weight, double now, int64_t first_a, int64_t last_a, int64_t last_b, array_double_2d scratch_timing, array_double_2d scratch, array_double_2d timing, array_double_2d coefficients, int64_t row)
+/*Average the pieces in the spare rows, from the time `now` [s]; returns the row after them.         */
+/*                                                                                                   */
+/*    They are (1 - weight) * those up to the row `middle` + weight * those from there up to `last`. */
+/*                                                                                                   */
+static int64_t merge_pieces(double weight, double now, int64_t middle, int64_t last, array_double_2d timing, array_double_2d coefficients, int64_t row)
 {
-    int64_t width;
     int64_t a;
     int64_t b;
     double t;
     double t_a;
     double t_b;
-    int64_t i;
     double rest_a;
     double rest_b;
     double step;
     int64_t result;
-    width = coefficients.shape[INT64_C(1)];
-    a = first_a;
-    b = last_a;
+    a = timing.shape[INT64_C(0)] - INT64_C(200);
+    b = middle;
     t = now;
     t_a = 0.0;
     t_b = 0.0;
-    while((a < last_a) && (b < last_b))
+    while((a < middle) && (b < last))
     {
-        for (i = INT64_C(0); i < width; i += INT64_C(1))
-        {
-            (*cspan_at(&coefficients, row, i)) = 0.0;
-        }
-        shift_piece(scratch, a, width, t_a, 1.0 - weight, coefficients, row);
-        shift_piece(scratch, b, width, t_b, weight, coefficients, row);
-        rest_a = (*cspan_at(&scratch_timing, a, INT64_C(1))) - t_a;
-        rest_b = (*cspan_at(&scratch_timing, b, INT64_C(1))) - t_b;
+        clear_piece(coefficients, row);
+        shift_piece(coefficients, a, t_a, 1.0 - weight, row);
+        shift_piece(coefficients, b, t_b, weight, row);
+        rest_a = (*cspan_at(&timing, a, INT64_C(1))) - t_a;
+        rest_b = (*cspan_at(&timing, b, INT64_C(1))) - t_b;
         step = span_min(rest_a, rest_b);
         (*cspan_at(&timing, row, INT64_C(0))) = t;
         (*cspan_at(&timing, row, INT64_C(1))) = step;
@@ -9753,87 +10276,94 @@ static int64_t merge_pieces(double weight, double now, int64_t first_a, int64_t 
     }
     return row;
 }
-/*Expand one interval of one axis from `row` on; returns the row after its last piece. */
-static int64_t expand_interval(int64_t interval, int64_t axis, int64_t axes, double now, array_double_2d positions, array_double_2d velocities, int64_t smoothness, int64_t shape, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d ramps, array_double_2d scratch_timing, array_double_2d scratch, array_double_2d timing, array_double_2d coefficients, int64_t row)
+/*Expand the first or the second profile of a cell; returns the row after its last piece.*/
+static int64_t expand_profile(array_double_2d cell, bool second, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work)
 {
-    int64_t cell;
-    double weight;
     array_double_1d state;
-    array_double_1d psi;
-    int64_t which;
-    int64_t middle;
-    int64_t last;
+    int64_t count;
     int64_t result;
-    cell = interval * axes + axis;
-    weight = (*cspan_at(&weights, cell));
-    state = span_row(&scratch, INT64_C(199));
-    psi = span_row(&scratch, INT64_C(198));
-    (*cspan_at(&state, INT64_C(0))) = (*cspan_at(&positions, interval, axis));
-    (*cspan_at(&state, INT64_C(1))) = (*cspan_at(&velocities, interval, axis));
-    (*cspan_at(&state, INT64_C(4))) = now;
-    if ((weight <= 0.0) || (weight >= 1.0))
+    state = span_row(&work, INT64_C(1));
+    (*cspan_at(&state, INT64_C(0))) = (*cspan_at(&cell, INT64_C(27), INT64_C(5)));
+    (*cspan_at(&state, INT64_C(1))) = (*cspan_at(&cell, INT64_C(26), INT64_C(0)));
+    (*cspan_at(&state, INT64_C(4))) = (*cspan_at(&cell, INT64_C(27), INT64_C(6)));
+    if (second)
     {
-        which = INT64_C(2) * cell;
-        if (weight >= 1.0)
-        {
-            which = which + INT64_C(1);
-        }
-        result = segfmu_expand_phases(span_matrix(&phases, which), (*cspan_at(&counts, which)), smoothness, shape, (*cspan_at(&ramps, axis, INT64_C(40))), psi, state, timing, coefficients, row);
+        count = (int64_t)((*cspan_at(&cell, INT64_C(27), INT64_C(4))));
+        result = segfmu_expand_phases(span_rows(&cell, INT64_C(13), INT64_C(26)), count, axis, timing, coefficients, row, work);
         return result;
     }
-    middle = segfmu_expand_phases(span_matrix(&phases, INT64_C(2) * cell), (*cspan_at(&counts, INT64_C(2) * cell)), smoothness, shape, (*cspan_at(&ramps, axis, INT64_C(40))), psi, state, scratch_timing, scratch, INT64_C(0));
-    (*cspan_at(&state, INT64_C(0))) = (*cspan_at(&positions, interval, axis));
-    (*cspan_at(&state, INT64_C(1))) = (*cspan_at(&velocities, interval, axis));
-    (*cspan_at(&state, INT64_C(4))) = now;
-    last = segfmu_expand_phases(span_matrix(&phases, INT64_C(2) * cell + INT64_C(1)), (*cspan_at(&counts, INT64_C(2) * cell + INT64_C(1))), smoothness, shape, (*cspan_at(&ramps, axis, INT64_C(40))), psi, state, scratch_timing, scratch, middle);
-    result = merge_pieces(weight, now, INT64_C(0), middle, last, scratch_timing, scratch, timing, coefficients, row);
+    count = (int64_t)((*cspan_at(&cell, INT64_C(27), INT64_C(3))));
+    result = segfmu_expand_phases(span_rows(&cell, INT64_C(0), INT64_C(13)), count, axis, timing, coefficients, row, work);
     return result;
 }
-/*Expand a plan into the pieces of every axis; returns the number of pieces.                         */
-/*                                                                                                   */
-/*    times[j, axis] becomes the arrival at waypoint j; offsets (axes + 1,); timing and              */
-/*    coefficients (.., 2 smoothness) hold at least count_pieces rows, the scratch arrays (200,) and */
-/*    (200, 16), of which the last two rows serve as work space.                                     */
-/*                                                                                                   */
-int64_t segfmu_expand_plan(array_double_2d positions, array_double_2d velocities, array_double_1d dwells, int64_t smoothness, int64_t shape, array_double_3d phases, array_int64_t_1d counts, array_double_1d weights, array_double_2d durations, array_double_2d ramps, array_double_2d scratch_timing, array_double_2d scratch, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times)
+/*Expand one interval of one axis from `row` on; returns the row after its last piece. */
+static int64_t expand_cell(array_double_2d cell, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work)
 {
-    int64_t intervals;
-    int64_t axes;
+    double weight;
+    int64_t spare;
+    int64_t middle;
+    int64_t last;
+    double now;
+    int64_t result;
+    weight = (*cspan_at(&cell, INT64_C(27), INT64_C(2)));
+    if ((weight <= 0.0) || (weight >= 1.0))
+    {
+        result = expand_profile(cell, weight >= 1.0, axis, timing, coefficients, row, work);
+        return result;
+    }
+    spare = timing.shape[INT64_C(0)] - INT64_C(200);
+    middle = expand_profile(cell, 0, axis, timing, coefficients, spare, work);
+    last = expand_profile(cell, 1, axis, timing, coefficients, middle, work);
+    now = (*cspan_at(&cell, INT64_C(27), INT64_C(6)));
+    result = merge_pieces(weight, now, middle, last, timing, coefficients, row);
+    return result;
+}
+/*Expand a plan into the pieces of every axis; returns the number of pieces.                           */
+/*                                                                                                     */
+/*    The first four arrays are those of `plan_phases`. Written: timing (.., Timing) and coefficients  */
+/*    (.., 2 smoothness), which hold at least count_pieces rows; offsets (axes + 1,), the first piece  */
+/*    of each axis; times (waypoints + 1, axes), the arrival of each axis at each waypoint and, in the */
+/*    last row, the end of its motion [s]. work (Expansion rows, Expansion columns).                   */
+/*                                                                                                     */
+int64_t segfmu_expand_plan(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d work)
+{
+    int64_t points;
+    int64_t count;
     int64_t axis;
     double now;
     int64_t j;
-    int64_t i;
+    array_double_2d cell;
     int64_t row;
-    intervals = durations.shape[INT64_C(0)];
-    axes = durations.shape[INT64_C(1)];
+    points = states.shape[INT64_C(0)];
+    count = axes.shape[INT64_C(0)];
     row = INT64_C(0);
-    for (axis = INT64_C(0); axis < axes; axis += INT64_C(1))
+    for (axis = INT64_C(0); axis < count; axis += INT64_C(1))
     {
         (*cspan_at(&offsets, axis)) = row;
         now = 0.0;
-        (*cspan_at(&times, INT64_C(0), axis)) = 0.0;
-        for (j = INT64_C(0); j < intervals + INT64_C(1); j += INT64_C(1))
+        for (j = INT64_C(0); j < points; j += INT64_C(1))
         {
             (*cspan_at(&times, j, axis)) = now;
-            if (((*cspan_at(&dwells, j)) > 0.0) || ((j == intervals) && (row == (*cspan_at(&offsets, axis)))))
+            if (((*cspan_at(&dwells, j)) > 0.0) || ((j == points - INT64_C(1)) && (row == (*cspan_at(&offsets, axis)))))
             {
-                for (i = INT64_C(0); i < INT64_C(2) * smoothness; i += INT64_C(1))
-                {
-                    (*cspan_at(&coefficients, row, i)) = 0.0;
-                }
-                (*cspan_at(&coefficients, row, INT64_C(0))) = (*cspan_at(&positions, j, axis));
+                clear_piece(coefficients, row);
+                (*cspan_at(&coefficients, row, INT64_C(0))) = (*cspan_at(&states, j, axis, INT64_C(0)));
                 (*cspan_at(&timing, row, INT64_C(0))) = now;
                 (*cspan_at(&timing, row, INT64_C(1))) = (*cspan_at(&dwells, j));
                 now = now + (*cspan_at(&dwells, j));
                 row = row + INT64_C(1);
             }
-            if (j < intervals)
+            if (j < points - INT64_C(1))
             {
-                row = expand_interval(j, axis, axes, now, positions, velocities, smoothness, shape, phases, counts, weights, ramps, scratch_timing, scratch, timing, coefficients, row);
-                now = now + (*cspan_at(&durations, j, axis));
+                cell = span_matrix(&cells, j * count + axis);
+                (*cspan_at(&cell, INT64_C(27), INT64_C(5))) = (*cspan_at(&states, j, axis, INT64_C(0)));
+                (*cspan_at(&cell, INT64_C(27), INT64_C(6))) = now;
+                row = expand_cell(cell, span_row(&axes, axis), timing, coefficients, row, work);
+                now = now + (*cspan_at(&cell, INT64_C(27), INT64_C(1)));
             }
         }
+        (*cspan_at(&times, points, axis)) = now;
     }
-    (*cspan_at(&offsets, axes)) = row;
+    (*cspan_at(&offsets, count)) = row;
     return row;
 }

@@ -634,109 +634,6 @@ static PyObject *call_plant_advance(
     return answer;
 }
 
-static PyObject *call_ramp_parameters(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "ramp_parameters", .values = values};
-    PyObject *answer = NULL;
-    int64_t in_smoothness;
-    int64_t in_shape;
-    double in_share;
-    Py_buffer *in_limits;
-    Py_buffer *in_work;
-    Py_buffer *in_peaks;
-    Py_buffer *in_ramp;
-    (void)self;
-    if (take_count(&call, count, 7)
-        && take_int(&call, 0, &in_smoothness)
-        && take_int(&call, 1, &in_shape)
-        && take_float(&call, 2, &in_share)
-        && (in_limits = take_array(&call, 3, 1, 'd', false)) != NULL
-        && (in_work = take_array(&call, 4, 1, 'd', true)) != NULL
-        && (in_peaks = take_array(&call, 5, 1, 'd', true)) != NULL
-        && (in_ramp = take_array(&call, 6, 1, 'd', true)) != NULL) {
-        answer = PyLong_FromLongLong(segfmu_ramp_parameters(
-            in_smoothness,
-            in_shape,
-            in_share,
-            (array_double_1d){in_limits->buf, {in_limits->shape[0]}},
-            (array_double_1d){in_work->buf, {in_work->shape[0]}},
-            (array_double_1d){in_peaks->buf, {in_peaks->shape[0]}},
-            (array_double_1d){in_ramp->buf, {in_ramp->shape[0]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_ramp_duration(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "ramp_duration", .values = values};
-    PyObject *answer = NULL;
-    double in_change;
-    Py_buffer *in_ramp;
-    (void)self;
-    if (take_count(&call, count, 2)
-        && take_float(&call, 0, &in_change)
-        && (in_ramp = take_array(&call, 1, 1, 'd', false)) != NULL) {
-        double result_0;
-        double result_1;
-        double result_2;
-        segfmu_ramp_duration(
-            &result_0,
-            &result_1,
-            &result_2,
-            in_change,
-            (array_double_1d){in_ramp->buf, {in_ramp->shape[0]}});
-        answer = Py_BuildValue("(ddd)", result_0, result_1, result_2);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_expand_phases(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "expand_phases", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_phases;
-    int64_t in_count;
-    int64_t in_smoothness;
-    int64_t in_shape;
-    double in_share;
-    Py_buffer *in_psi;
-    Py_buffer *in_state;
-    Py_buffer *in_timing;
-    Py_buffer *in_coefficients;
-    int64_t in_row;
-    (void)self;
-    if (take_count(&call, count, 10)
-        && (in_phases = take_array(&call, 0, 2, 'd', false)) != NULL
-        && take_int(&call, 1, &in_count)
-        && take_int(&call, 2, &in_smoothness)
-        && take_int(&call, 3, &in_shape)
-        && take_float(&call, 4, &in_share)
-        && (in_psi = take_array(&call, 5, 1, 'd', true)) != NULL
-        && (in_state = take_array(&call, 6, 1, 'd', true)) != NULL
-        && (in_timing = take_array(&call, 7, 2, 'd', true)) != NULL
-        && (in_coefficients = take_array(&call, 8, 2, 'd', true)) != NULL
-        && take_int(&call, 9, &in_row)) {
-        answer = PyLong_FromLongLong(segfmu_expand_phases(
-            (array_double_2d){in_phases->buf, {in_phases->shape[0], in_phases->shape[1]}},
-            in_count,
-            in_smoothness,
-            in_shape,
-            in_share,
-            (array_double_1d){in_psi->buf, {in_psi->shape[0]}},
-            (array_double_1d){in_state->buf, {in_state->shape[0]}},
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
-            in_row));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
 static PyObject *call_evaluate(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -809,39 +706,41 @@ static PyObject *call_check_plan(
 {
     arguments call = {.function = "check_plan", .values = values};
     PyObject *answer = NULL;
-    Py_buffer *in_positions;
-    Py_buffer *in_velocities;
-    Py_buffer *in_accelerations;
+    Py_buffer *in_states;
     Py_buffer *in_times;
     Py_buffer *in_timing;
     Py_buffer *in_coefficients;
     Py_buffer *in_offsets;
-    Py_buffer *in_ends;
     Py_buffer *in_limits;
     double in_tolerance;
     Py_buffer *in_work;
     (void)self;
-    if (take_count(&call, count, 11)
-        && (in_positions = take_array(&call, 0, 2, 'd', false)) != NULL
-        && (in_velocities = take_array(&call, 1, 2, 'd', false)) != NULL
-        && (in_accelerations = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_times = take_array(&call, 3, 2, 'd', false)) != NULL
-        && (in_timing = take_array(&call, 4, 2, 'd', false)) != NULL
-        && (in_coefficients = take_array(&call, 5, 2, 'd', false)) != NULL
-        && (in_offsets = take_array(&call, 6, 1, 'l', false)) != NULL
-        && (in_ends = take_array(&call, 7, 1, 'd', false)) != NULL
-        && (in_limits = take_array(&call, 8, 2, 'd', false)) != NULL
-        && take_float(&call, 9, &in_tolerance)
-        && (in_work = take_array(&call, 10, 2, 'd', true)) != NULL) {
+    if (take_count(&call, count, 8)
+        && (in_states = take_array(&call, 0, 3, 'd', false)) != NULL
+        && (in_times = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_timing = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 3, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 4, 1, 'l', false)) != NULL
+        && (in_limits = take_array(&call, 5, 2, 'd', false)) != NULL
+        && take_float(&call, 6, &in_tolerance)
+        && (in_work = take_array(&call, 7, 2, 'd', true)) != NULL
+        && has_extent(&call, "times", 1, in_times->shape[1], in_states->shape[1])
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_extent(&call, "limits", 0, in_limits->shape[0], in_states->shape[1])
+        && has_at_least(&call, "states", 2, in_states->shape[2], 3)
+        && has_at_least(&call, "times", 0, in_times->shape[0], in_states->shape[0] + 1)
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 4)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], in_states->shape[1] + 1)
+        && has_at_least(&call, "limits", 1, in_limits->shape[1], 3)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 43)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 14)) {
         answer = PyLong_FromLongLong(segfmu_check_plan(
-            (array_double_2d){in_positions->buf, {in_positions->shape[0], in_positions->shape[1]}},
-            (array_double_2d){in_velocities->buf, {in_velocities->shape[0], in_velocities->shape[1]}},
-            (array_double_2d){in_accelerations->buf, {in_accelerations->shape[0], in_accelerations->shape[1]}},
+            (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
             (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}},
             (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
             (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
             (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
-            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
             (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
             in_tolerance,
             (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
@@ -888,6 +787,33 @@ static PyObject *call_check_rope(
     return answer;
 }
 
+static PyObject *call_ramp_duration(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "ramp_duration", .values = values};
+    PyObject *answer = NULL;
+    double in_change;
+    Py_buffer *in_axis;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && take_float(&call, 0, &in_change)
+        && (in_axis = take_array(&call, 1, 1, 'd', false)) != NULL
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 38)) {
+        double result_0;
+        double result_1;
+        double result_2;
+        segfmu_ramp_duration(
+            &result_0,
+            &result_1,
+            &result_2,
+            in_change,
+            (array_double_1d){in_axis->buf, {in_axis->shape[0]}});
+        answer = Py_BuildValue("(ddd)", result_0, result_1, result_2);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_measure_phases(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -897,14 +823,17 @@ static PyObject *call_measure_phases(
     int64_t in_count;
     double in_v;
     double in_within;
-    Py_buffer *in_ramp;
+    Py_buffer *in_axis;
     (void)self;
     if (take_count(&call, count, 5)
         && (in_phases = take_array(&call, 0, 2, 'd', false)) != NULL
         && take_int(&call, 1, &in_count)
         && take_float(&call, 2, &in_v)
         && take_float(&call, 3, &in_within)
-        && (in_ramp = take_array(&call, 4, 1, 'd', false)) != NULL) {
+        && (in_axis = take_array(&call, 4, 1, 'd', false)) != NULL
+        && has_at_least(&call, "phases", 0, in_phases->shape[0], in_count)
+        && has_at_least(&call, "phases", 1, in_phases->shape[1], 4)
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 38)) {
         double result_0;
         double result_1;
         double result_2;
@@ -920,7 +849,7 @@ static PyObject *call_measure_phases(
             in_count,
             in_v,
             in_within,
-            (array_double_1d){in_ramp->buf, {in_ramp->shape[0]}});
+            (array_double_1d){in_axis->buf, {in_axis->shape[0]}});
         answer = Py_BuildValue("(ddddd)", result_0, result_1, result_2, result_3, result_4);
     }
     release_arguments(&call);
@@ -932,37 +861,25 @@ static PyObject *call_shortest_profile(
 {
     arguments call = {.function = "shortest_profile", .values = values};
     PyObject *answer = NULL;
-    double in_v;
-    double in_a;
-    double in_w;
-    double in_b;
-    double in_distance;
-    double in_velocity_limit;
-    double in_top;
-    Py_buffer *in_ramp;
+    Py_buffer *in_problem;
+    Py_buffer *in_axis;
     Py_buffer *in_phases;
     Py_buffer *in_work;
     (void)self;
-    if (take_count(&call, count, 10)
-        && take_float(&call, 0, &in_v)
-        && take_float(&call, 1, &in_a)
-        && take_float(&call, 2, &in_w)
-        && take_float(&call, 3, &in_b)
-        && take_float(&call, 4, &in_distance)
-        && take_float(&call, 5, &in_velocity_limit)
-        && take_float(&call, 6, &in_top)
-        && (in_ramp = take_array(&call, 7, 1, 'd', false)) != NULL
-        && (in_phases = take_array(&call, 8, 2, 'd', true)) != NULL
-        && (in_work = take_array(&call, 9, 2, 'd', true)) != NULL) {
+    if (take_count(&call, count, 4)
+        && (in_problem = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_axis = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_phases = take_array(&call, 2, 2, 'd', true)) != NULL
+        && (in_work = take_array(&call, 3, 2, 'd', true)) != NULL
+        && has_at_least(&call, "problem", 0, in_problem->shape[0], 6)
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 38)
+        && has_at_least(&call, "phases", 0, in_phases->shape[0], 13)
+        && has_at_least(&call, "phases", 1, in_phases->shape[1], 4)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 47)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 19)) {
         answer = PyLong_FromLongLong(segfmu_shortest_profile(
-            in_v,
-            in_a,
-            in_w,
-            in_b,
-            in_distance,
-            in_velocity_limit,
-            in_top,
-            (array_double_1d){in_ramp->buf, {in_ramp->shape[0]}},
+            (array_double_1d){in_problem->buf, {in_problem->shape[0]}},
+            (array_double_1d){in_axis->buf, {in_axis->shape[0]}},
             (array_double_2d){in_phases->buf, {in_phases->shape[0], in_phases->shape[1]}},
             (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
     }
@@ -976,47 +893,78 @@ static PyObject *call_timed_profile(
     arguments call = {.function = "timed_profile", .values = values};
     PyObject *answer = NULL;
     double in_target;
-    double in_v;
-    double in_a;
-    double in_w;
-    double in_b;
-    double in_distance;
-    double in_velocity_limit;
-    double in_top;
-    Py_buffer *in_ramp;
-    Py_buffer *in_found;
-    Py_buffer *in_below;
-    Py_buffer *in_above;
-    Py_buffer *in_trial;
+    Py_buffer *in_axis;
+    Py_buffer *in_cell;
+    Py_buffer *in_work;
     (void)self;
-    if (take_count(&call, count, 13)
+    if (take_count(&call, count, 4)
         && take_float(&call, 0, &in_target)
-        && take_float(&call, 1, &in_v)
-        && take_float(&call, 2, &in_a)
-        && take_float(&call, 3, &in_w)
-        && take_float(&call, 4, &in_b)
-        && take_float(&call, 5, &in_distance)
-        && take_float(&call, 6, &in_velocity_limit)
-        && take_float(&call, 7, &in_top)
-        && (in_ramp = take_array(&call, 8, 1, 'd', false)) != NULL
-        && (in_found = take_array(&call, 9, 1, 'd', true)) != NULL
-        && (in_below = take_array(&call, 10, 2, 'd', true)) != NULL
-        && (in_above = take_array(&call, 11, 2, 'd', true)) != NULL
-        && (in_trial = take_array(&call, 12, 2, 'd', true)) != NULL) {
+        && (in_axis = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_cell = take_array(&call, 2, 2, 'd', true)) != NULL
+        && (in_work = take_array(&call, 3, 2, 'd', true)) != NULL
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 38)
+        && has_at_least(&call, "cell", 0, in_cell->shape[0], 28)
+        && has_at_least(&call, "cell", 1, in_cell->shape[1], 8)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 47)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 19)) {
         answer = PyFloat_FromDouble(segfmu_timed_profile(
             in_target,
-            in_v,
-            in_a,
-            in_w,
-            in_b,
-            in_distance,
-            in_velocity_limit,
-            in_top,
-            (array_double_1d){in_ramp->buf, {in_ramp->shape[0]}},
-            (array_double_1d){in_found->buf, {in_found->shape[0]}},
-            (array_double_2d){in_below->buf, {in_below->shape[0], in_below->shape[1]}},
-            (array_double_2d){in_above->buf, {in_above->shape[0], in_above->shape[1]}},
-            (array_double_2d){in_trial->buf, {in_trial->shape[0], in_trial->shape[1]}}));
+            (array_double_1d){in_axis->buf, {in_axis->shape[0]}},
+            (array_double_2d){in_cell->buf, {in_cell->shape[0], in_cell->shape[1]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_axis_limits(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "axis_limits", .values = values};
+    PyObject *answer = NULL;
+    int64_t in_smoothness;
+    int64_t in_shape;
+    Py_buffer *in_limits;
+    Py_buffer *in_axis;
+    (void)self;
+    if (take_count(&call, count, 4)
+        && take_int(&call, 0, &in_smoothness)
+        && take_int(&call, 1, &in_shape)
+        && (in_limits = take_array(&call, 2, 1, 'd', false)) != NULL
+        && (in_axis = take_array(&call, 3, 1, 'd', true)) != NULL
+        && has_at_least(&call, "limits", 0, in_limits->shape[0], in_smoothness + 1)
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 38)) {
+        segfmu_axis_limits(
+            in_smoothness,
+            in_shape,
+            (array_double_1d){in_limits->buf, {in_limits->shape[0]}},
+            (array_double_1d){in_axis->buf, {in_axis->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_ramp_parameters(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "ramp_parameters", .values = values};
+    PyObject *answer = NULL;
+    double in_share;
+    Py_buffer *in_axis;
+    Py_buffer *in_work;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && take_float(&call, 0, &in_share)
+        && (in_axis = take_array(&call, 1, 1, 'd', true)) != NULL
+        && (in_work = take_array(&call, 2, 2, 'd', true)) != NULL
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 38)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 2)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 12)) {
+        answer = PyBool_FromLong(segfmu_ramp_parameters(
+            in_share,
+            (array_double_1d){in_axis->buf, {in_axis->shape[0]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
     }
     release_arguments(&call);
     return answer;
@@ -1027,66 +975,42 @@ static PyObject *call_plan_phases(
 {
     arguments call = {.function = "plan_phases", .values = values};
     PyObject *answer = NULL;
-    Py_buffer *in_positions;
-    Py_buffer *in_velocities;
-    Py_buffer *in_accelerations;
+    Py_buffer *in_states;
     Py_buffer *in_dwells;
     Py_buffer *in_limits;
-    int64_t in_smoothness;
-    int64_t in_shape;
-    int64_t in_synchronization;
-    double in_sample_time;
-    double in_duration;
-    Py_buffer *in_ramps;
-    Py_buffer *in_phases;
-    Py_buffer *in_counts;
-    Py_buffer *in_weights;
-    Py_buffer *in_shortest;
-    Py_buffer *in_durations;
-    Py_buffer *in_active;
+    Py_buffer *in_options;
+    Py_buffer *in_axes;
+    Py_buffer *in_cells;
     Py_buffer *in_work;
-    Py_buffer *in_report;
     (void)self;
-    if (take_count(&call, count, 19)
-        && (in_positions = take_array(&call, 0, 2, 'd', false)) != NULL
-        && (in_velocities = take_array(&call, 1, 2, 'd', false)) != NULL
-        && (in_accelerations = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_dwells = take_array(&call, 3, 1, 'd', false)) != NULL
-        && (in_limits = take_array(&call, 4, 2, 'd', false)) != NULL
-        && take_int(&call, 5, &in_smoothness)
-        && take_int(&call, 6, &in_shape)
-        && take_int(&call, 7, &in_synchronization)
-        && take_float(&call, 8, &in_sample_time)
-        && take_float(&call, 9, &in_duration)
-        && (in_ramps = take_array(&call, 10, 2, 'd', true)) != NULL
-        && (in_phases = take_array(&call, 11, 3, 'd', true)) != NULL
-        && (in_counts = take_array(&call, 12, 1, 'l', true)) != NULL
-        && (in_weights = take_array(&call, 13, 1, 'd', true)) != NULL
-        && (in_shortest = take_array(&call, 14, 2, 'd', true)) != NULL
-        && (in_durations = take_array(&call, 15, 2, 'd', true)) != NULL
-        && (in_active = take_array(&call, 16, 1, 'l', true)) != NULL
-        && (in_work = take_array(&call, 17, 2, 'd', true)) != NULL
-        && (in_report = take_array(&call, 18, 1, 'd', true)) != NULL) {
+    if (take_count(&call, count, 7)
+        && (in_states = take_array(&call, 0, 3, 'd', false)) != NULL
+        && (in_dwells = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_limits = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_options = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_axes = take_array(&call, 4, 2, 'd', true)) != NULL
+        && (in_cells = take_array(&call, 5, 3, 'd', true)) != NULL
+        && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
+        && has_extent(&call, "dwells", 0, in_dwells->shape[0], in_states->shape[0])
+        && has_extent(&call, "limits", 0, in_limits->shape[0], in_states->shape[1])
+        && has_extent(&call, "axes", 0, in_axes->shape[0], in_states->shape[1])
+        && has_at_least(&call, "states", 2, in_states->shape[2], 3)
+        && has_at_least(&call, "limits", 1, in_limits->shape[1], 3)
+        && has_at_least(&call, "options", 0, in_options->shape[0], 5)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 38)
+        && has_at_least(&call, "cells", 0, in_cells->shape[0], (in_states->shape[0] - 1) * in_states->shape[1])
+        && has_at_least(&call, "cells", 1, in_cells->shape[1], 28)
+        && has_at_least(&call, "cells", 2, in_cells->shape[2], 8)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 47)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 19)) {
         answer = PyLong_FromLongLong(segfmu_plan_phases(
-            (array_double_2d){in_positions->buf, {in_positions->shape[0], in_positions->shape[1]}},
-            (array_double_2d){in_velocities->buf, {in_velocities->shape[0], in_velocities->shape[1]}},
-            (array_double_2d){in_accelerations->buf, {in_accelerations->shape[0], in_accelerations->shape[1]}},
+            (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
             (array_double_1d){in_dwells->buf, {in_dwells->shape[0]}},
             (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
-            in_smoothness,
-            in_shape,
-            in_synchronization,
-            in_sample_time,
-            in_duration,
-            (array_double_2d){in_ramps->buf, {in_ramps->shape[0], in_ramps->shape[1]}},
-            (array_double_3d){in_phases->buf, {in_phases->shape[0], in_phases->shape[1], in_phases->shape[2]}},
-            (array_int64_t_1d){in_counts->buf, {in_counts->shape[0]}},
-            (array_double_1d){in_weights->buf, {in_weights->shape[0]}},
-            (array_double_2d){in_shortest->buf, {in_shortest->shape[0], in_shortest->shape[1]}},
-            (array_double_2d){in_durations->buf, {in_durations->shape[0], in_durations->shape[1]}},
-            (array_int64_t_1d){in_active->buf, {in_active->shape[0]}},
-            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
-            (array_double_1d){in_report->buf, {in_report->shape[0]}}));
+            (array_double_1d){in_options->buf, {in_options->shape[0]}},
+            (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
+            (array_double_3d){in_cells->buf, {in_cells->shape[0], in_cells->shape[1], in_cells->shape[2]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
     }
     release_arguments(&call);
     return answer;
@@ -1540,20 +1464,65 @@ static PyObject *call_right_of_break(
     return answer;
 }
 
+static PyObject *call_expand_phases(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "expand_phases", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_phases;
+    int64_t in_count;
+    Py_buffer *in_axis;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    int64_t in_row;
+    Py_buffer *in_work;
+    (void)self;
+    if (take_count(&call, count, 7)
+        && (in_phases = take_array(&call, 0, 2, 'd', false)) != NULL
+        && take_int(&call, 1, &in_count)
+        && (in_axis = take_array(&call, 2, 1, 'd', false)) != NULL
+        && (in_timing = take_array(&call, 3, 2, 'd', true)) != NULL
+        && (in_coefficients = take_array(&call, 4, 2, 'd', true)) != NULL
+        && take_int(&call, 5, &in_row)
+        && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_at_least(&call, "phases", 0, in_phases->shape[0], in_count)
+        && has_at_least(&call, "phases", 1, in_phases->shape[1], 4)
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 38)
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 4)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 2)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 12)) {
+        answer = PyLong_FromLongLong(segfmu_expand_phases(
+            (array_double_2d){in_phases->buf, {in_phases->shape[0], in_phases->shape[1]}},
+            in_count,
+            (array_double_1d){in_axis->buf, {in_axis->shape[0]}},
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            in_row,
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_count_pieces(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
     arguments call = {.function = "count_pieces", .values = values};
     PyObject *answer = NULL;
-    Py_buffer *in_counts;
-    int64_t in_cells;
+    Py_buffer *in_axes;
+    Py_buffer *in_cells;
     (void)self;
     if (take_count(&call, count, 2)
-        && (in_counts = take_array(&call, 0, 1, 'l', false)) != NULL
-        && take_int(&call, 1, &in_cells)) {
+        && (in_axes = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_cells = take_array(&call, 1, 3, 'd', false)) != NULL
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 38)
+        && has_at_least(&call, "cells", 1, in_cells->shape[1], 28)
+        && has_at_least(&call, "cells", 2, in_cells->shape[2], 8)) {
         answer = PyLong_FromLongLong(segfmu_count_pieces(
-            (array_int64_t_1d){in_counts->buf, {in_counts->shape[0]}},
-            in_cells));
+            (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
+            (array_double_3d){in_cells->buf, {in_cells->shape[0], in_cells->shape[1], in_cells->shape[2]}}));
     }
     release_arguments(&call);
     return answer;
@@ -1564,57 +1533,51 @@ static PyObject *call_expand_plan(
 {
     arguments call = {.function = "expand_plan", .values = values};
     PyObject *answer = NULL;
-    Py_buffer *in_positions;
-    Py_buffer *in_velocities;
+    Py_buffer *in_states;
     Py_buffer *in_dwells;
-    int64_t in_smoothness;
-    int64_t in_shape;
-    Py_buffer *in_phases;
-    Py_buffer *in_counts;
-    Py_buffer *in_weights;
-    Py_buffer *in_durations;
-    Py_buffer *in_ramps;
-    Py_buffer *in_scratch_timing;
-    Py_buffer *in_scratch;
+    Py_buffer *in_axes;
+    Py_buffer *in_cells;
     Py_buffer *in_timing;
     Py_buffer *in_coefficients;
     Py_buffer *in_offsets;
     Py_buffer *in_times;
+    Py_buffer *in_work;
     (void)self;
-    if (take_count(&call, count, 16)
-        && (in_positions = take_array(&call, 0, 2, 'd', false)) != NULL
-        && (in_velocities = take_array(&call, 1, 2, 'd', false)) != NULL
-        && (in_dwells = take_array(&call, 2, 1, 'd', false)) != NULL
-        && take_int(&call, 3, &in_smoothness)
-        && take_int(&call, 4, &in_shape)
-        && (in_phases = take_array(&call, 5, 3, 'd', false)) != NULL
-        && (in_counts = take_array(&call, 6, 1, 'l', false)) != NULL
-        && (in_weights = take_array(&call, 7, 1, 'd', false)) != NULL
-        && (in_durations = take_array(&call, 8, 2, 'd', false)) != NULL
-        && (in_ramps = take_array(&call, 9, 2, 'd', false)) != NULL
-        && (in_scratch_timing = take_array(&call, 10, 2, 'd', true)) != NULL
-        && (in_scratch = take_array(&call, 11, 2, 'd', true)) != NULL
-        && (in_timing = take_array(&call, 12, 2, 'd', true)) != NULL
-        && (in_coefficients = take_array(&call, 13, 2, 'd', true)) != NULL
-        && (in_offsets = take_array(&call, 14, 1, 'l', true)) != NULL
-        && (in_times = take_array(&call, 15, 2, 'd', true)) != NULL) {
+    if (take_count(&call, count, 9)
+        && (in_states = take_array(&call, 0, 3, 'd', false)) != NULL
+        && (in_dwells = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_axes = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_cells = take_array(&call, 3, 3, 'd', true)) != NULL
+        && (in_timing = take_array(&call, 4, 2, 'd', true)) != NULL
+        && (in_coefficients = take_array(&call, 5, 2, 'd', true)) != NULL
+        && (in_offsets = take_array(&call, 6, 1, 'l', true)) != NULL
+        && (in_times = take_array(&call, 7, 2, 'd', true)) != NULL
+        && (in_work = take_array(&call, 8, 2, 'd', true)) != NULL
+        && has_extent(&call, "dwells", 0, in_dwells->shape[0], in_states->shape[0])
+        && has_extent(&call, "axes", 0, in_axes->shape[0], in_states->shape[1])
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_extent(&call, "times", 1, in_times->shape[1], in_states->shape[1])
+        && has_at_least(&call, "states", 2, in_states->shape[2], 3)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 38)
+        && has_at_least(&call, "cells", 0, in_cells->shape[0], (in_states->shape[0] - 1) * in_states->shape[1])
+        && has_at_least(&call, "cells", 1, in_cells->shape[1], 28)
+        && has_at_least(&call, "cells", 2, in_cells->shape[2], 8)
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 4)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], in_states->shape[1] + 1)
+        && has_at_least(&call, "times", 0, in_times->shape[0], in_states->shape[0] + 1)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 2)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 12)) {
         answer = PyLong_FromLongLong(segfmu_expand_plan(
-            (array_double_2d){in_positions->buf, {in_positions->shape[0], in_positions->shape[1]}},
-            (array_double_2d){in_velocities->buf, {in_velocities->shape[0], in_velocities->shape[1]}},
+            (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
             (array_double_1d){in_dwells->buf, {in_dwells->shape[0]}},
-            in_smoothness,
-            in_shape,
-            (array_double_3d){in_phases->buf, {in_phases->shape[0], in_phases->shape[1], in_phases->shape[2]}},
-            (array_int64_t_1d){in_counts->buf, {in_counts->shape[0]}},
-            (array_double_1d){in_weights->buf, {in_weights->shape[0]}},
-            (array_double_2d){in_durations->buf, {in_durations->shape[0], in_durations->shape[1]}},
-            (array_double_2d){in_ramps->buf, {in_ramps->shape[0], in_ramps->shape[1]}},
-            (array_double_2d){in_scratch_timing->buf, {in_scratch_timing->shape[0], in_scratch_timing->shape[1]}},
-            (array_double_2d){in_scratch->buf, {in_scratch->shape[0], in_scratch->shape[1]}},
+            (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
+            (array_double_3d){in_cells->buf, {in_cells->shape[0], in_cells->shape[1], in_cells->shape[2]}},
             (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
             (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
             (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
-            (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}}));
+            (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
     }
     release_arguments(&call);
     return answer;
@@ -1641,16 +1604,16 @@ static PyMethodDef methods[] = {
     {"flat_derivatives", (PyCFunction)(void (*)(void))call_flat_derivatives, METH_FASTCALL, NULL},
     {"compensate_setpoints", (PyCFunction)(void (*)(void))call_compensate_setpoints, METH_FASTCALL, NULL},
     {"plant_advance", (PyCFunction)(void (*)(void))call_plant_advance, METH_FASTCALL, NULL},
-    {"ramp_parameters", (PyCFunction)(void (*)(void))call_ramp_parameters, METH_FASTCALL, NULL},
-    {"ramp_duration", (PyCFunction)(void (*)(void))call_ramp_duration, METH_FASTCALL, NULL},
-    {"expand_phases", (PyCFunction)(void (*)(void))call_expand_phases, METH_FASTCALL, NULL},
     {"evaluate", (PyCFunction)(void (*)(void))call_evaluate, METH_FASTCALL, NULL},
     {"evaluate_orders", (PyCFunction)(void (*)(void))call_evaluate_orders, METH_FASTCALL, NULL},
     {"check_plan", (PyCFunction)(void (*)(void))call_check_plan, METH_FASTCALL, NULL},
     {"check_rope", (PyCFunction)(void (*)(void))call_check_rope, METH_FASTCALL, NULL},
+    {"ramp_duration", (PyCFunction)(void (*)(void))call_ramp_duration, METH_FASTCALL, NULL},
     {"measure_phases", (PyCFunction)(void (*)(void))call_measure_phases, METH_FASTCALL, NULL},
     {"shortest_profile", (PyCFunction)(void (*)(void))call_shortest_profile, METH_FASTCALL, NULL},
     {"timed_profile", (PyCFunction)(void (*)(void))call_timed_profile, METH_FASTCALL, NULL},
+    {"axis_limits", (PyCFunction)(void (*)(void))call_axis_limits, METH_FASTCALL, NULL},
+    {"ramp_parameters", (PyCFunction)(void (*)(void))call_ramp_parameters, METH_FASTCALL, NULL},
     {"plan_phases", (PyCFunction)(void (*)(void))call_plan_phases, METH_FASTCALL, NULL},
     {"measure_state", (PyCFunction)(void (*)(void))call_measure_state, METH_FASTCALL, NULL},
     {"rig_next_event", (PyCFunction)(void (*)(void))call_rig_next_event, METH_FASTCALL, NULL},
@@ -1667,6 +1630,7 @@ static PyMethodDef methods[] = {
     {"same_break", (PyCFunction)(void (*)(void))call_same_break, METH_FASTCALL, NULL},
     {"next_plan_event", (PyCFunction)(void (*)(void))call_next_plan_event, METH_FASTCALL, NULL},
     {"right_of_break", (PyCFunction)(void (*)(void))call_right_of_break, METH_FASTCALL, NULL},
+    {"expand_phases", (PyCFunction)(void (*)(void))call_expand_phases, METH_FASTCALL, NULL},
     {"count_pieces", (PyCFunction)(void (*)(void))call_count_pieces, METH_FASTCALL, NULL},
     {"expand_plan", (PyCFunction)(void (*)(void))call_expand_plan, METH_FASTCALL, NULL},
     {NULL, NULL, 0, NULL},

@@ -2,10 +2,11 @@
 #include "segfmu.h"
 
 #include "kernels.h"
+#include "records.h"
 
 /* most polynomial pieces of an interval of one axis: two profiles of 13 phases, 7 pieces each,
    cut at all their switching times; and a dwell */
-enum { PIECES = 2 * 13 * 7 + 1, RAMP = 48, ROWS = 13, COLUMNS = 4, WORK = 43 };
+enum { PIECES = 2 * (CELL_ABOVE - CELL_BELOW) * 7 + 1 };
 
 static double *take(double **space, int64_t count)
 {
@@ -40,68 +41,71 @@ static array_int64_t_1d integers(double *data, int64_t n)
 
 static int64_t most_pieces(int64_t points, int64_t axes)
 {
-    return ((points - 1) * PIECES + 2) * axes;
+    return ((points - 1) * PIECES + 2) * axes + SPARE_ROWS;
 }
 
 size_t segfmu_plan_size(int64_t points, int64_t axes, int64_t smoothness)
 {
-    int64_t cells = (points - 1) * axes;
-    int64_t planned = axes * RAMP + 2 * cells * ROWS * COLUMNS + 2 * cells + 3 * cells
-        + (points - 1) + WORK * (4 + 2 * smoothness);
-    int64_t expanded = most_pieces(points, axes) * (2 + 2 * smoothness) + (axes + 1)
-        + points * axes + axes + 200 * 2 + 200 * 16 + 43 * 14;
+    int64_t planned = points * axes * WAYPOINT_STATE_SIZE + PLAN_OPTIONS_SIZE + axes * AXIS_SIZE
+        + (points - 1) * axes * CELL_SIZE * CELL_COLUMNS + PLAN_WORK_SIZE * PLAN_WORK_COLUMNS;
+    int64_t expanded = most_pieces(points, axes) * (TIMING_SIZE + 2 * smoothness) + (axes + 1)
+        + (points + 1) * axes + EXPANSION_SIZE * EXPANSION_COLUMNS + CHECK_SIZE * CHECK_COLUMNS;
     return (size_t)(planned + expanded);
 }
 
 static int in_range(const segfmu_problem *p)
 {
     return p->points >= 2 && p->axes >= 1 && p->smoothness >= 2 && p->smoothness <= 6
-        && p->shape >= 0 && p->shape <= 1 && p->synchronization >= 0 && p->synchronization <= 2
-        && p->sample_time >= 0.0 && p->duration >= 0.0;
+        && p->shape >= SHAPE_SMOOTHSTEP && p->shape <= SHAPE_PLATEAU
+        && p->synchronization >= SYNCHRONIZATION_NONE
+        && p->synchronization <= SYNCHRONIZATION_TOTAL && p->sample_time >= 0.0
+        && p->duration >= 0.0;
 }
 
-int segfmu_plan(const segfmu_problem *p, double *space, segfmu_trajectory *trajectory)
+static array_double_3d gather_states(const segfmu_problem *p, double *space)
 {
-    for (int i = 0; i < 4; i++) {
-        trajectory->report[i] = 0.0;
+    const int64_t count = p->points * p->axes;
+    array_double_3d states = {space, {p->points, p->axes, WAYPOINT_STATE_SIZE}};
+    for (int64_t i = 0; i < count; i++) {
+        double *state = space + i * WAYPOINT_STATE_SIZE;
+        state[WAYPOINT_STATE_POSITION] = p->positions[i];
+        state[WAYPOINT_STATE_VELOCITY] = p->velocities[i];
+        state[WAYPOINT_STATE_ACCELERATION] = p->accelerations[i];
     }
-    if (!in_range(p)) {
-        return -11;
-    }
-    const int64_t m = p->points, k = p->axes, n = p->smoothness, cells = (m - 1) * k;
-    const int64_t rows = most_pieces(m, k);
-    array_double_2d positions = given(p->positions, m, k);
-    array_double_2d velocities = given(p->velocities, m, k);
-    array_double_2d accelerations = given(p->accelerations, m, k);
-    array_double_1d dwells = vector((double *)p->dwells, m);
-    array_double_2d limits = given(p->limits, k, n + 1);
-    array_double_2d ramps = matrix(take(&space, k * RAMP), k, RAMP);
-    array_double_3d phases = {
-        take(&space, 2 * cells * ROWS * COLUMNS), {2 * cells, ROWS, COLUMNS}
-    };
-    array_int64_t_1d counts = integers(take(&space, 2 * cells), 2 * cells);
-    array_double_1d weights = vector(take(&space, cells), cells);
-    array_double_2d shortest = matrix(take(&space, cells), m - 1, k);
-    array_double_2d durations = matrix(take(&space, cells), m - 1, k);
-    array_int64_t_1d active = integers(take(&space, m - 1), m - 1);
-    array_double_2d work = matrix(take(&space, WORK * (4 + 2 * n)), WORK, 4 + 2 * n);
-    int64_t status = segfmu_plan_phases(
-        positions, velocities, accelerations, dwells, limits, n, p->shape, p->synchronization,
-        p->sample_time, p->duration, ramps, phases, counts, weights, shortest, durations, active,
-        work, vector(trajectory->report, 4));
-    if (status < 0) {
-        return (int)status;
-    }
-    array_double_2d timing = matrix(take(&space, rows * 2), rows, 2);
+    return states;
+}
+
+static array_double_1d gather_options(const segfmu_problem *p, double *space)
+{
+    space[PLAN_OPTIONS_SMOOTHNESS] = (double)p->smoothness;
+    space[PLAN_OPTIONS_SHAPE] = (double)p->shape;
+    space[PLAN_OPTIONS_SYNCHRONIZATION] = (double)p->synchronization;
+    space[PLAN_OPTIONS_SAMPLE_TIME] = p->sample_time;
+    space[PLAN_OPTIONS_DURATION] = p->duration;
+    return vector(space, PLAN_OPTIONS_SIZE);
+}
+
+/* What the phases are expanded from, and the limits. */
+typedef struct {
+    array_double_3d states, cells;
+    array_double_2d axes, limits;
+    array_double_1d dwells;
+} phases;
+
+/* The pieces of the phases, judged; `space` is what is left of the work space. */
+static int expand(const segfmu_problem *p, const phases *planned, double *space,
+                  segfmu_trajectory *trajectory)
+{
+    const int64_t m = p->points, k = p->axes, n = p->smoothness, rows = most_pieces(m, k);
+    array_double_2d timing = matrix(take(&space, rows * TIMING_SIZE), rows, TIMING_SIZE);
     array_double_2d coefficients = matrix(take(&space, rows * 2 * n), rows, 2 * n);
     array_int64_t_1d offsets = integers(take(&space, k + 1), k + 1);
-    array_double_2d times = matrix(take(&space, m * k), m, k);
-    array_double_1d ends = vector(take(&space, k), k);
-    array_double_2d scratch_timing = matrix(take(&space, 200 * 2), 200, 2);
-    array_double_2d scratch = matrix(take(&space, 200 * 16), 200, 16);
+    array_double_2d times = matrix(take(&space, (m + 1) * k), m + 1, k);
+    array_double_2d work = matrix(
+        take(&space, EXPANSION_SIZE * EXPANSION_COLUMNS), EXPANSION_SIZE, EXPANSION_COLUMNS);
     trajectory->pieces = segfmu_expand_plan(
-        positions, velocities, dwells, n, p->shape, phases, counts, weights, durations, ramps,
-        scratch_timing, scratch, timing, coefficients, offsets, times);
+        planned->states, planned->dwells, planned->axes, planned->cells, timing, coefficients,
+        offsets, times, work);
     trajectory->points = m;
     trajectory->axes = k;
     trajectory->smoothness = n;
@@ -109,15 +113,47 @@ int segfmu_plan(const segfmu_problem *p, double *space, segfmu_trajectory *traje
     trajectory->coefficients = coefficients.data;
     trajectory->offsets = offsets.data;
     trajectory->times = times.data;
-    trajectory->ends = ends.data;
+    trajectory->ends = times.data + m * k;
     trajectory->duration = 0.0;
     for (int64_t axis = 0; axis < k; axis++) {
-        ends.data[axis] = times.data[(m - 1) * k + axis] + p->dwells[m - 1];
-        trajectory->duration = span_max(trajectory->duration, ends.data[axis]);
+        trajectory->duration = span_max(trajectory->duration, trajectory->ends[axis]);
     }
-    array_double_2d check = matrix(take(&space, 43 * 14), 43, 14);
-    return segfmu_check_plan(positions, velocities, accelerations, times, timing, coefficients,
-                             offsets, ends, limits, 1e-9, check) == 0 ? 0 : -12;
+    array_double_2d check = matrix(
+        take(&space, CHECK_SIZE * CHECK_COLUMNS), CHECK_SIZE, CHECK_COLUMNS);
+    int64_t wrong = segfmu_check_plan(planned->states, times, timing, coefficients, offsets,
+                                      planned->limits, 1e-9, check);
+    return wrong == 0 ? PLAN_STATUS_PLANNED : PLAN_STATUS_CHECK_FAILED;
+}
+
+int segfmu_plan(const segfmu_problem *p, double *space, segfmu_trajectory *trajectory)
+{
+    for (int i = 0; i < REFUSAL_SIZE; i++) {
+        trajectory->report[i] = 0.0;
+    }
+    if (!in_range(p)) {
+        return PLAN_STATUS_OUT_OF_RANGE;
+    }
+    const int64_t m = p->points, k = p->axes, cells = (m - 1) * k;
+    phases planned = {
+        .states = gather_states(p, take(&space, m * k * WAYPOINT_STATE_SIZE)),
+        .cells = {take(&space, cells * CELL_SIZE * CELL_COLUMNS),
+                  {cells, CELL_SIZE, CELL_COLUMNS}},
+        .axes = matrix(take(&space, k * AXIS_SIZE), k, AXIS_SIZE),
+        .limits = given(p->limits, k, p->smoothness + 1),
+        .dwells = vector((double *)p->dwells, m),
+    };
+    array_double_1d options = gather_options(p, take(&space, PLAN_OPTIONS_SIZE));
+    array_double_2d work = matrix(take(&space, PLAN_WORK_SIZE * PLAN_WORK_COLUMNS), PLAN_WORK_SIZE, PLAN_WORK_COLUMNS);
+    const double *report = work.data + PLAN_WORK_REFUSAL * PLAN_WORK_COLUMNS;
+    int64_t status = segfmu_plan_phases(
+        planned.states, planned.dwells, planned.limits, options, planned.axes, planned.cells, work);
+    if (status < 0) {
+        for (int i = 0; i < REFUSAL_SIZE; i++) {
+            trajectory->report[i] = report[i];
+        }
+        return (int)status;
+    }
+    return expand(p, &planned, space, trajectory);
 }
 
 void segfmu_value(
@@ -126,7 +162,7 @@ void segfmu_value(
     const int64_t k = trajectory->axes, n = trajectory->smoothness;
     array_int64_t_1d offsets = {(int64_t *)trajectory->offsets, {k + 1}};
     segfmu_evaluate(
-        vector(&t, 1), given(trajectory->timing, trajectory->pieces, 2),
+        vector(&t, 1), given(trajectory->timing, trajectory->pieces, TIMING_SIZE),
         given(trajectory->coefficients, trajectory->pieces, 2 * n), offsets,
         vector((double *)trajectory->ends, k), derivative, matrix(values, 1, k));
 }

@@ -50,18 +50,14 @@ typedef struct {
     const int64_t *offsets;      /* (k + 1,): first piece of each axis */
     const double *times;         /* (m, k): arrival of each axis at each waypoint [s] */
     const double *ends;          /* (k,): end of each axis [s] */
-    double report[4];            /* of a refusal: axis, interval (both from 0), value, bound */
+    double report[4];            /* of a refusal: REFUSAL_AXIS .. REFUSAL_BOUND of records.h */
 } segfmu_trajectory;
 
 /* Number of doubles of work space for a problem of this size. */
 size_t segfmu_plan_size(int64_t points, int64_t axes, int64_t smoothness);
 
-/* Plan and judge. Returns 0, or what is wrong; `report` of the trajectory says where:
-   -1 braking the first, -2 building up the last acceleration passes the velocity limit,
-   -3 no profile was found, -4 no common duration was found, -5 duration is too short,
-   -6 exactly this duration does not exist, -7 a velocity, -8 an acceleration of a waypoint is
-   beyond its limit, -9 no limit bounds a ramp, -10 a dwell at a moving waypoint,
-   -11 sizes or choices out of range, -12 the plan found does not pass its check. */
+/* Plan and judge. Returns 0, or why the plan is refused: a PLAN_STATUS of records.h, below 0; the
+   trajectory's `report` says where. */
 int segfmu_plan(const segfmu_problem *problem, double *space, segfmu_trajectory *trajectory);
 
 /* values[axis] = a derivative (0 to 2 n - 1) of every axis at time t. */

@@ -12,6 +12,7 @@ from segfmu.kernels.crane.records import RopeBounds, RopeDemand, RopeWork
 from segfmu.kernels.numerics.polynomials import polynomial_shift
 from segfmu.kernels.trajectory.check import bernstein_coefficients, split_hull
 from segfmu.kernels.trajectory.evaluate import evaluate_piece, find_piece
+from segfmu.kernels.trajectory.records import Timing
 
 
 def check_rope(
@@ -30,7 +31,7 @@ def check_rope(
     load's height [m], of its acceleration downwards [m/s2], or of the rope's length [m].
     """
     none = RopeDemand.NOT_TOO_SHORT + 1
-    time = timing[offsets[0], 0]
+    time = timing[offsets[0], Timing.START]
     until = interval_end(time, timing, offsets)
     failed = none
     while until > time:
@@ -86,9 +87,9 @@ def interval_end(time: float, timing: 'float[:,:]', offsets: 'int[:]') -> float:
     for axis in range(3):
         last = offsets[axis + 1]
         row = find_piece(time, timing, offsets[axis], last)
-        end = timing[row, 0] + timing[row, 1]
+        end = timing[row, Timing.START] + timing[row, Timing.LENGTH]
         if row + 1 < last:
-            end = timing[row + 1, 0]
+            end = timing[row + 1, Timing.START]
         if end > time and (until == time or end < until):
             until = end
     return until
@@ -112,12 +113,12 @@ def interval_pieces(
         piece = work[RopeWork.LOAD + axis, :]
         for i in range(width):
             piece[i] = coefficients[row, i]
-        if middle > timing[row, 0] + timing[row, 1]:
-            piece[0] = evaluate_piece(coefficients, row, width, timing[row, 1], 0)
+        if middle > timing[row, Timing.START] + timing[row, Timing.LENGTH]:
+            piece[0] = evaluate_piece(coefficients, row, width, timing[row, Timing.LENGTH], 0)
             for i in range(1, width):
                 piece[i] = 0.0
         else:
-            polynomial_shift(piece, time - timing[row, 0], width)
+            polynomial_shift(piece, time - timing[row, Timing.START], width)
     rope_pull(gravity, width, work)
 
 
@@ -183,7 +184,7 @@ def worst_value(
     if demand == RopeDemand.NOT_TOO_SHORT:
         sign = -1.0
     worst = -1e300
-    time = timing[offsets[0], 0]
+    time = timing[offsets[0], Timing.START]
     until = interval_end(time, timing, offsets)
     while until > time:
         if until >= first:

@@ -2,23 +2,28 @@
 
 Chandrupatla's method (Advances in Engineering Software 28, 145-149, 1997): inverse quadratic
 interpolation where the last three points make it safe, bisection elsewhere. The caller keeps the
-newest point a, the point b on the other side of the root, and c, the point before them. An error
-of 0 stands for one that is not known.
+newest point, the other one, on the other side of the root, and the one before them.
 """
 
 
 def root_share(
-    a: float, b: float, c: float, f_a: float, f_b: float, f_c: float
+    newest: float, other: float, before: float, e_newest: float, e_other: float, e_before: float
 ) -> float:
-    """Share of the way from a to b at which to evaluate next, inside (0, 1)."""
-    if f_a * f_b * f_c == 0.0 or f_c == f_a or f_c == f_b or c == b:
+    """Share of the way from the newest to the other point at which to evaluate next, in (0, 1).
+
+    e_newest, e_other and e_before are the errors at the points, 0 where they are not known.
+    """
+    if e_newest * e_other * e_before == 0.0:
         return 0.5
-    place = (a - b) / (c - b)
-    height = (f_a - f_b) / (f_c - f_b)
+    if e_before == e_newest or e_before == e_other or before == other:
+        return 0.5
+    place = (newest - other) / (before - other)
+    height = (e_newest - e_other) / (e_before - e_other)
     if height * height >= place or (1.0 - height) * (1.0 - height) >= 1.0 - place:
         return 0.5
-    share = f_a / (f_b - f_a) * f_c / (f_b - f_c)
-    share = share + (c - a) / (b - a) * f_a / (f_c - f_a) * f_b / (f_c - f_b)
+    share = e_newest / (e_other - e_newest) * e_before / (e_other - e_before)
+    rest = (before - newest) / (other - newest)
+    share = share + rest * e_newest / (e_before - e_newest) * e_other / (e_before - e_other)
     # the point must differ from both ends
-    least = 2e-16 * max(abs(a), abs(b)) / abs(b - a)
+    least = 2e-16 * max(abs(newest), abs(other)) / abs(other - newest)
     return max(min(share, 1.0 - least), least)

@@ -1,1 +1,1 @@
-"""From waypoints to phases: transition polynomials, profiles, common durations."""
+"""From waypoints to phases: ramps, profiles of one axis, common durations."""

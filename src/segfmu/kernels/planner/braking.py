@@ -7,21 +7,26 @@ comes after the acceleration is zero can always be planned (docs/planner.md).
 """
 
 from segfmu.kernels.planner.phases import append_change, copy_phases, measure_phases, reverse_phases
-from segfmu.kernels.planner.transition import ramp_duration, ramp_extreme_velocity
+from segfmu.kernels.planner.ramp import ramp_duration
+from segfmu.kernels.planner.ramp_peak import ramp_extreme_velocity
+from segfmu.kernels.planner.records import Axis, Braking, Phase, Problem
 
 
-def peak_past_zero(v: float, a: float, level: float, ramp: 'float[:]') -> float:
+def peak_past_zero(v: float, a: float, level: float, axis: 'float[:]') -> float:
     """Extreme velocity of the ramp from a > 0 to a level <= 0 that starts with velocity v."""
-    duration, rise, slope = ramp_duration(a - level, ramp)
+    duration, rise, slope = ramp_duration(a - level, axis)
     if level >= 0.0:
         return v + 0.5 * a * duration
-    return ramp_extreme_velocity(v, a, level, duration, rise, ramp)
+    return ramp_extreme_velocity(v, a, level, duration, rise, axis)
 
 
-def level_past_zero(
-    v: float, a: float, velocity_limit: float, top: float, ramp: 'float[:]'
-) -> float:
-    """The level next to zero past which a ramp from a > 0 keeps the limit; 1 if there is none."""
+def level_past_zero(v: float, a: float, axis: 'float[:]') -> float:
+    """The level next to zero past which a ramp from a > 0 keeps the velocity limit [m/s2].
+
+    v is the velocity at its start. Returns 1 if there is no such level.
+    """
+    velocity_limit = axis[Axis.VELOCITY]
+    top = axis[Axis.ACCELERATION]
     shrink = 0.6180339887498949
     lower = -top
     upper = 0.0
@@ -29,20 +34,20 @@ def level_past_zero(
     for i in range(60):
         inner = upper - shrink * (upper - lower)
         outer = lower + shrink * (upper - lower)
-        if peak_past_zero(v, a, inner, ramp) < peak_past_zero(v, a, outer, ramp):
+        if peak_past_zero(v, a, inner, axis) < peak_past_zero(v, a, outer, axis):
             upper = outer
         else:
             lower = inner
     deepest = 0.5 * (lower + upper)
-    if peak_past_zero(v, a, -top, ramp) < peak_past_zero(v, a, deepest, ramp):
+    if peak_past_zero(v, a, -top, axis) < peak_past_zero(v, a, deepest, axis):
         deepest = -top
-    if peak_past_zero(v, a, deepest, ramp) > velocity_limit:
+    if peak_past_zero(v, a, deepest, axis) > velocity_limit:
         return 1.0
     inside = deepest
     outside = 0.0
     for i in range(60):
         level = 0.5 * (inside + outside)
-        if peak_past_zero(v, a, level, ramp) <= velocity_limit:
+        if peak_past_zero(v, a, level, axis) <= velocity_limit:
             inside = level
         else:
             outside = level
@@ -50,102 +55,102 @@ def level_past_zero(
 
 
 def brake(
-    v: float, a: float, velocity_limit: float, top: float, ramp: 'float[:]', phases: 'float[:,:]'
+    v: float, a: float, axis: 'float[:]', phases: 'float[:,:]'
 ) -> 'tuple[int, float, float, float]':
     """Phases from (v, a) to zero acceleration; their number (-1: the limit does not admit them).
 
     Also returns duration, distance and end velocity. Where the way back from a level past zero
     passes the limit on the other side, it is braked in turn.
     """
+    velocity_limit = axis[Axis.VELOCITY]
     count = 0
     level = a
     reached = v
     for i in range(3):
-        count = append_change(phases, count, level, 0.0, ramp)
-        duration, y, end, lowest, highest = measure_phases(phases, count, v, 1e300, ramp)
+        count = append_change(phases, count, level, 0.0, axis)
+        duration, y, end, lowest, highest = measure_phases(phases, count, v, 1e300, axis)
         if abs(end) <= velocity_limit * (1.0 + 1e-12):
             return count, duration, y, end
         count = count - 1
         sign = 1.0
         if level < 0.0:
             sign = -1.0
-        past = sign * level_past_zero(sign * reached, sign * level, velocity_limit, top, ramp)
+        past = sign * level_past_zero(sign * reached, sign * level, axis)
         if past * sign > 0.0:
             break
-        count = append_change(phases, count, level, past, ramp)
-        duration, y, reached, lowest, highest = measure_phases(phases, count, v, 1e300, ramp)
+        count = append_change(phases, count, level, past, axis)
+        duration, y, reached, lowest, highest = measure_phases(phases, count, v, 1e300, axis)
         level = past
     return -1, 0.0, 0.0, 0.0
 
 
 def braked(
     variant: int,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    distance: float,
-    velocity_limit: float,
-    top: float,
-    ramp: 'float[:]',
+    problem: 'float[:]',
+    axis: 'float[:]',
     trial: 'float[:,:]',
-) -> 'tuple[int, float, float, float, float, float, float]':
-    """The problem that braking leaves: none (0), the first (1), the last (2), both (3).
+    rest: 'float[:]',
+) -> 'tuple[int, float]':
+    """Write the problem that braking leaves: of none (0), the first (1), the last (2), both (3).
 
-    Returns the number of phases that braking takes, their duration, and distance, v, a, w, b of
-    what is left. The number is -1, -2 where the limit does not admit braking the first, the last
-    acceleration, and -3 where one that shall be braked is zero.
+    Returns the number of phases that braking takes and their duration. The number is one of
+    `Braking` where there is no such problem. `trial` is work space.
     """
     first = 0
     last = 0
-    time = 0.0
+    spent = 0.0
+    v = problem[Problem.V]
+    a = problem[Problem.A]
+    w = problem[Problem.W]
+    b = problem[Problem.B]
+    distance = problem[Problem.DISTANCE]
     if (variant % 2 == 1 and a == 0.0) or (variant >= 2 and b == 0.0):
-        return -3, 0.0, distance, v, a, w, b
+        return Braking.NOT_NEEDED, 0.0
     if variant % 2 == 1:
-        first, duration, y, v = brake(v, a, velocity_limit, top, ramp, trial)
+        first, duration, y, v = brake(v, a, axis, trial)
         if first < 0:
-            return -1, 0.0, distance, v, a, w, b
-        time = duration
+            return Braking.START_FAILS, 0.0
+        spent = duration
         distance = distance - y
         a = 0.0
     if variant >= 2:
-        last, duration, y, w = brake(w, -b, velocity_limit, top, ramp, trial)
+        last, duration, y, w = brake(w, -b, axis, trial)
         if last < 0:
-            return -2, 0.0, distance, v, a, w, b
-        time = time + duration
+            return Braking.END_FAILS, 0.0
+        spent = spent + duration
         distance = distance - y
         b = 0.0
-    return first + last, time, distance, v, a, w, b
+    rest[Problem.V] = v
+    rest[Problem.A] = a
+    rest[Problem.W] = w
+    rest[Problem.B] = b
+    rest[Problem.DISTANCE] = distance
+    rest[Problem.DURATION] = problem[Problem.DURATION] - spent
+    return first + last, spent
 
 
 def surround(
     phases: 'float[:,:]',
     count: int,
-    brake_start: bool,
-    v: float,
-    a: float,
-    brake_end: bool,
-    w: float,
-    b: float,
-    velocity_limit: float,
-    top: float,
-    ramp: 'float[:]',
+    variant: int,
+    problem: 'float[:]',
+    axis: 'float[:]',
     trial: 'float[:,:]',
 ) -> int:
-    """Put the braking of the initial and the build-up of the final acceleration around phases."""
-    if brake_start:
-        first, duration, y, end = brake(v, a, velocity_limit, top, ramp, trial)
+    """Put what a variant brakes around the phases of the rest; returns the number of phases."""
+    if variant % 2 == 1:
+        first, duration, y, end = brake(problem[Problem.V], problem[Problem.A], axis, trial)
         for j in range(count):
             i = count - 1 - j
-            for column in range(4):
+            for column in range(Phase.SIZE):
                 phases[first + i, column] = phases[i, column]
         copy_phases(trial, phases, first)
         count = first + count
-    if brake_end:
-        last, duration, y, end = brake(w, -b, velocity_limit, top, ramp, trial)
+    if variant >= 2:
+        last, duration, y, end = brake(problem[Problem.W], -problem[Problem.B], axis, trial)
         reverse_phases(trial, 0, last)
         for i in range(last):
-            for column in range(4):
+            for column in range(Phase.SIZE):
                 phases[count + i, column] = trial[i, column]
         count = count + last
     return count

@@ -14,65 +14,55 @@ from segfmu.kernels.planner.phases import (
     measure_phases,
     reverse_phases,
 )
-from segfmu.kernels.planner.transition import ramp_duration
+from segfmu.kernels.planner.ramp import ramp_duration
+from segfmu.kernels.planner.records import Axis, Problem
 
 
 def append_velocity_change(
-    phases: 'float[:,:]', count: int, v: float, a: float, w: float, top: float, ramp: 'float[:]'
+    phases: 'float[:,:]', count: int, v: float, a: float, w: float, axis: 'float[:]'
 ) -> int:
     """Append the fastest change from (v, a) to (w, 0) over one level; -1 if there is none."""
+    top = axis[Axis.ACCELERATION]
     sign = 1.0
-    t1, hold, level = solve_level(w - v, a, 0.0, max(0.0, a), top, ramp)
+    t1, hold, level = solve_level(w - v, a, 0.0, max(0.0, a), top, axis)
     if hold < 0.0:
         sign = -1.0
-        t1, hold, level = solve_level(v - w, -a, 0.0, max(0.0, -a), top, ramp)
+        t1, hold, level = solve_level(v - w, -a, 0.0, max(0.0, -a), top, axis)
         if hold < 0.0:
             return -1
-    count = append_ramp(phases, count, a, sign * level, t1, ramp)
+    count = append_ramp(phases, count, a, sign * level, t1, axis)
     count = append_hold(phases, count, sign * level, hold)
-    return append_change(phases, count, sign * level, 0.0, ramp)
+    return append_change(phases, count, sign * level, 0.0, axis)
 
 
 def cruise_form(
-    phases: 'float[:,:]',
-    cruise: float,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    top: float,
-    ramp: 'float[:]',
+    phases: 'float[:,:]', cruise: float, problem: 'float[:]', axis: 'float[:]'
 ) -> 'tuple[int, int, float, float]':
     """The paper's form with a given cruise velocity, the cruise itself left out.
 
     Returns the number of phases (-1: a velocity change does not exist), the row before which
     the cruise belongs, duration and distance.
     """
-    row = append_velocity_change(phases, 0, v, a, cruise, top, ramp)
+    v = problem[Problem.V]
+    row = append_velocity_change(phases, 0, v, problem[Problem.A], cruise, axis)
     if row < 0:
         return -1, 0, 0.0, 0.0
     # the second part is the first part of the reversed problem
-    count = append_velocity_change(phases, row, w, -b, cruise, top, ramp)
+    w = problem[Problem.W]
+    count = append_velocity_change(phases, row, w, -problem[Problem.B], cruise, axis)
     if count < 0:
         return -1, 0, 0.0, 0.0
     reverse_phases(phases, row, count)
-    duration, y, end, lowest, highest = measure_phases(phases, count, v, 1e300, ramp)
+    duration, y, end, lowest, highest = measure_phases(phases, count, v, 1e300, axis)
     return count, row, duration, y
 
 
 def with_cruise(
-    phases: 'float[:,:]',
-    cruise: float,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    distance: float,
-    top: float,
-    ramp: 'float[:]',
+    phases: 'float[:,:]', cruise: float, problem: 'float[:]', axis: 'float[:]'
 ) -> int:
     """The paper's form with the cruise that covers the distance; 0 if it is overshot."""
-    count, row, duration, y = cruise_form(phases, cruise, v, a, w, b, top, ramp)
+    distance = problem[Problem.DISTANCE]
+    count, row, duration, y = cruise_form(phases, cruise, problem, axis)
     if count < 0 or cruise == 0.0:
         return max(count, 0)
     hold = (distance - y) / cruise
@@ -82,31 +72,22 @@ def with_cruise(
     return insert_hold(phases, count, row, 0.0, hold)
 
 
-def slower_cruise(
-    phases: 'float[:,:]',
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    distance: float,
-    velocity_limit: float,
-    top: float,
-    ramp: 'float[:]',
-) -> int:
+def slower_cruise(phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]') -> int:
     """The paper's form whose cruise velocity, below the limit, makes the cruise vanish.
 
     Searched between the two limits, of which one falls short of the distance and the other one
     is too far; by bisection where the form does not exist.
     """
-    newest = -velocity_limit
-    other = velocity_limit
-    before = velocity_limit
+    distance = problem[Problem.DISTANCE]
+    newest = -axis[Axis.VELOCITY]
+    other = axis[Axis.VELOCITY]
+    before = other
     e_newest = 0.0
     e_other = 0.0
     e_before = 0.0
     falls_short = True
     for i in range(120):
-        middle = max(v, w)
+        middle = max(problem[Problem.V], problem[Problem.W])
         if i > 0:
             share = root_share(newest, other, before, e_newest, e_other, e_before)
             middle = newest + share * (other - newest)
@@ -114,7 +95,7 @@ def slower_cruise(
             if i > 0:
                 break
             middle = 0.0
-        count, row, duration, y = cruise_form(phases, middle, v, a, w, b, top, ramp)
+        count, row, duration, y = cruise_form(phases, middle, problem, axis)
         error = y - distance
         short = count < 0 or error < 0.0
         if count < 0:
@@ -141,26 +122,22 @@ def slower_cruise(
     cruise = lower
     if cruise < 0.0:
         cruise = upper
-    return with_cruise(phases, cruise, v, a, w, b, distance, top, ramp)
+    return with_cruise(phases, cruise, problem, axis)
 
 
 def direct_form(
-    phases: 'float[:,:]',
-    from_start: bool,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    distance: float,
-    velocity_limit: float,
-    top: float,
-    ramp: 'float[:]',
+    phases: 'float[:,:]', from_start: bool, problem: 'float[:]', axis: 'float[:]'
 ) -> int:
     """The paper's form around the velocity that one ramp to zero reaches from one end, or 0.
 
     The distance has a kink there, which can be the only member that covers it: a state on the
     way of another profile leads to such problems.
     """
+    v = problem[Problem.V]
+    a = problem[Problem.A]
+    w = problem[Problem.W]
+    b = problem[Problem.B]
+    distance = problem[Problem.DISTANCE]
     end = abs(b)
     cruise = w
     if from_start:
@@ -168,14 +145,14 @@ def direct_form(
         cruise = v
     if end == 0.0:
         return 0
-    t, rise, slope = ramp_duration(end, ramp)
+    t, rise, slope = ramp_duration(end, axis)
     if from_start:
         cruise = v + 0.5 * a * t
     else:
         cruise = w - 0.5 * b * t
-    if abs(cruise) > velocity_limit:
+    if abs(cruise) > axis[Axis.VELOCITY]:
         return 0
-    count, row, duration, y = cruise_form(phases, cruise, v, a, w, b, top, ramp)
+    count, row, duration, y = cruise_form(phases, cruise, problem, axis)
     if abs(y - distance) > 1e-14 * (abs(distance) + (abs(v) + abs(w)) * duration):
         return 0
     return max(count, 0)

@@ -8,9 +8,9 @@ duration falls and rises again begins where it turns.
 
 from segfmu.kernels.planner.braking import braked
 from segfmu.kernels.planner.cruise import cruise_form, direct_form, slower_cruise, with_cruise
-from segfmu.kernels.planner.merged import tempered_form
-from segfmu.kernels.planner.profile import meets
-from segfmu.kernels.planner.transition import ramp_duration
+from segfmu.kernels.planner.merged import set_family, set_member, tempered_form
+from segfmu.kernels.planner.profile import usual_duration, valid_duration
+from segfmu.kernels.planner.records import Axis, PlanWork, Problem
 
 
 def insert_end(duration: float, after: float, count: int, ends: 'float[:,:]') -> int:
@@ -34,24 +34,20 @@ def insert_end(duration: float, after: float, count: int, ends: 'float[:,:]') ->
 def cruise_time(
     cruise: float,
     covering: bool,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    distance: float,
-    top: float,
-    ramp: 'float[:]',
+    problem: 'float[:]',
+    axis: 'float[:]',
     phases: 'float[:,:]',
 ) -> float:
     """Duration of the paper's form, if `covering` with the cruise that it takes to the distance.
 
     1e300 where there is no such form.
     """
-    count, row, duration, y = cruise_form(phases, cruise, v, a, w, b, top, ramp)
-    if count < 0 or (covering and (distance - y) * cruise <= 0.0):
+    count, row, duration, y = cruise_form(phases, cruise, problem, axis)
+    rest = problem[Problem.DISTANCE] - y
+    if count < 0 or (covering and rest * cruise <= 0.0):
         return 1e300
     if covering:
-        duration = duration + (distance - y) / cruise
+        duration = duration + rest / cruise
     return duration
 
 
@@ -59,34 +55,29 @@ def turning_time(
     lower: float,
     upper: float,
     covering: bool,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    distance: float,
-    top: float,
-    ramp: 'float[:]',
+    problem: 'float[:]',
+    axis: 'float[:]',
     phases: 'float[:,:]',
 ) -> float:
     """The least `cruise_time` between two cruise velocities, by golden section."""
     shrink = 0.6180339887498949
     p = upper - shrink * (upper - lower)
     q = lower + shrink * (upper - lower)
-    t_p = cruise_time(p, covering, v, a, w, b, distance, top, ramp, phases)
-    t_q = cruise_time(q, covering, v, a, w, b, distance, top, ramp, phases)
+    t_p = cruise_time(p, covering, problem, axis, phases)
+    t_q = cruise_time(q, covering, problem, axis, phases)
     for i in range(30):
         if t_p <= t_q:
             upper = q
             q = p
             t_q = t_p
             p = upper - shrink * (upper - lower)
-            t_p = cruise_time(p, covering, v, a, w, b, distance, top, ramp, phases)
+            t_p = cruise_time(p, covering, problem, axis, phases)
         else:
             lower = p
             p = q
             t_p = t_q
             q = lower + shrink * (upper - lower)
-            t_q = cruise_time(q, covering, v, a, w, b, distance, top, ramp, phases)
+            t_q = cruise_time(q, covering, problem, axis, phases)
     return min(t_p, t_q)
 
 
@@ -94,19 +85,18 @@ def turning_ends(
     covering: bool,
     spent: float,
     after: float,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    distance: float,
-    velocity_limit: float,
-    top: float,
-    ramp: 'float[:]',
-    phases: 'float[:,:]',
+    problem: 'float[:]',
+    axis: 'float[:]',
+    work: 'float[:,:]',
     count: int,
-    ends: 'float[:,:]',
 ) -> int:
-    """Insert the durations at which the paper's form turns, over all cruise velocities."""
+    """Insert the durations at which the paper's form turns, over all cruise velocities.
+
+    `spent` is what braking takes, `count` the number of durations; returns the new one.
+    """
+    phases = work[PlanWork.TRIAL:PlanWork.BEST, :]
+    ends = work[PlanWork.GAP_ENDS:PlanWork.NEAREST, :]
+    velocity_limit = axis[Axis.VELOCITY]
     samples = 24
     first = 1e300
     second = 1e300
@@ -114,13 +104,11 @@ def turning_ends(
         third = 1e300
         if i <= samples:
             cruise = velocity_limit * (2.0 * i / samples - 1.0)
-            third = cruise_time(cruise, covering, v, a, w, b, distance, top, ramp, phases)
+            third = cruise_time(cruise, covering, problem, axis, phases)
         if second < 1e300 and first >= second and third >= second:
             lower = velocity_limit * max(2.0 * (i - 2) / samples - 1.0, -1.0)
             upper = velocity_limit * min(2.0 * i / samples - 1.0, 1.0)
-            turn = turning_time(
-                lower, upper, covering, v, a, w, b, distance, top, ramp, phases
-            )
+            turn = turning_time(lower, upper, covering, problem, axis, phases)
             count = insert_end(spent + min(turn, second), after, count, ends)
         first = second
         second = third
@@ -130,79 +118,60 @@ def turning_ends(
 def covering_ends(
     spent: float,
     after: float,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    distance: float,
-    velocity_limit: float,
-    top: float,
-    ramp: 'float[:]',
-    phases: 'float[:,:]',
-    found: int,
-    ends: 'float[:,:]',
+    problem: 'float[:]',
+    axis: 'float[:]',
+    work: 'float[:,:]',
+    count: int,
 ) -> int:
-    """Insert the durations of all candidates of the shortest profile that cover the distance."""
-    t_top, rise, slope = ramp_duration(top, ramp)
-    usual = 4.0 * (velocity_limit / top + t_top) + abs(distance) / velocity_limit
+    """Insert the durations of all candidates of the shortest profile that cover the distance.
+
+    `spent` is what braking takes, `count` the number of durations; returns the new one.
+    """
+    phases = work[PlanWork.TRIAL:PlanWork.BEST, :]
+    ends = work[PlanWork.GAP_ENDS:PlanWork.NEAREST, :]
+    family = work[PlanWork.FAMILY, :]
+    usual = usual_duration(problem, axis)
     skipped = -1
     for form in range(21):
         branch = (form - 5) // 4
         if form >= 5 and branch == skipped:
             continue
         if form == 0:
-            count = slower_cruise(phases, v, a, w, b, distance, velocity_limit, top, ramp)
+            taken = slower_cruise(phases, problem, axis)
         elif form < 3:
-            cruise = velocity_limit * (3 - 2 * form)
-            count = with_cruise(phases, cruise, v, a, w, b, distance, top, ramp)
+            cruise = axis[Axis.VELOCITY] * (3 - 2 * form)
+            taken = with_cruise(phases, cruise, problem, axis)
         elif form < 5:
-            count = direct_form(
-                phases, form == 3, v, a, w, b, distance, velocity_limit, top, ramp
-            )
+            taken = direct_form(phases, form == 3, problem, axis)
         else:
-            count = tempered_form(
-                phases, branch == 1 or branch == 2, branch >= 2, (form - 5) % 4, False, usual,
-                v, a, w, b, distance, velocity_limit, top, ramp,
-            )
-            if count < 0:
+            set_family(branch, problem, axis, family)
+            set_member((form - 5) % 4, usual, False, family)
+            taken = tempered_form(phases, family, axis)
+            if taken < 0:
                 skipped = branch
-        if count > 0:
-            duration = meets(phases, count, v, w, distance, velocity_limit, ramp)
+        if taken > 0:
+            duration = valid_duration(phases, taken, problem, axis)
             if duration >= 0.0:
-                found = insert_end(spent + duration, after, found, ends)
-    return found
+                count = insert_end(spent + duration, after, count, ends)
+    return count
 
 
 def gap_ends(
-    after: float,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    distance: float,
-    velocity_limit: float,
-    top: float,
-    ramp: 'float[:]',
-    phases: 'float[:,:]',
-    ends: 'float[:,:]',
+    after: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> int:
     """Write the earliest durations after a given one at which a gap can end; their number.
 
-    They come in rising order, in the first column of `ends`, as many as it has rows for.
+    They come in rising order, in the first column of the rows GAP_ENDS of `work`, as many as there
+    are rows.
     """
+    trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
+    rest = work[PlanWork.REST, :]
     count = 0
     for variant in range(4):
-        taken, spent, rest, v1, a1, w1, b1 = braked(
-            variant, v, a, w, b, distance, velocity_limit, top, ramp, phases
-        )
+        taken, spent = braked(variant, problem, axis, trial, rest)
         if taken < 0:
             continue
-        count = covering_ends(
-            spent, after, v1, a1, w1, b1, rest, velocity_limit, top, ramp, phases, count, ends
-        )
+        count = covering_ends(spent, after, rest, axis, work, count)
         for kind in range(2):
-            count = turning_ends(
-                kind == 1, spent, after, v1, a1, w1, b1, rest, velocity_limit, top, ramp,
-                phases, count, ends,
-            )
+            count = turning_ends(kind == 1, spent, after, rest, axis, work, count)
     return count

@@ -11,11 +11,12 @@ monotone there because ramps never take longer in proportion to a larger change.
 
 from math import sqrt
 
-from segfmu.kernels.planner.transition import ramp_change, ramp_distance, ramp_duration, ramp_rise
+from segfmu.kernels.planner.ramp import ramp_change, ramp_distance, ramp_duration, ramp_rise
+from segfmu.kernels.planner.records import Axis, Family
 
 
 def solve_level(
-    gain: float, a: float, b: float, low: float, high: float, ramp: 'float[:]'
+    gain: float, a: float, b: float, low: float, high: float, axis: 'float[:]'
 ) -> 'tuple[float, float, float]':
     """Ramp from a to a level in [low, high], hold it, ramp to b, and gain a velocity.
 
@@ -23,36 +24,38 @@ def solve_level(
     ramp, the hold (above zero only at `high`), and -1 in place of the hold when even the lowest
     level gains too much; last the level.
     """
-    if ramp[3] >= 0.0:
-        level = linear_level(gain, a, b, ramp)
-        if level >= max(a, b) + ramp[3] and level >= low and level <= high:
-            return (level - a) * ramp[41] + ramp[42], 0.0, level
-    t_low, rise, slope = ramp_duration(low - a, ramp)
-    t_end, rise, slope = ramp_duration(low - b, ramp)
+    linear_from = axis[Axis.LINEAR_FROM]
+    if linear_from >= 0.0:
+        level = linear_level(gain, a, b, axis)
+        if level >= max(a, b) + linear_from and level >= low and level <= high:
+            t = (level - a) * axis[Axis.LINEAR_SLOPE] + axis[Axis.LINEAR_CONSTANT]
+            return t, 0.0, level
+    t_low, rise, slope = ramp_duration(low - a, axis)
+    t_end, rise, slope = ramp_duration(low - b, axis)
     least = 0.5 * (a + low) * t_low + 0.5 * (low + b) * t_end
     if gain <= least:
         # a rounding error short of the lowest level is that level
         if gain < least - 1e-14 * (abs(gain) + abs(least)):
             return 0.0, -1.0, low
         return t_low, 0.0, low
-    t_high, rise, slope = ramp_duration(high - a, ramp)
-    t_end, rise, slope = ramp_duration(high - b, ramp)
+    t_high, rise, slope = ramp_duration(high - a, axis)
+    t_end, rise, slope = ramp_duration(high - b, axis)
     most = 0.5 * (a + high) * t_high + 0.5 * (high + b) * t_end
     if gain >= most:
         return t_high, (gain - most) / high, high
     share = (gain - least) / (most - least)
-    t, level = root_level(gain, a, b, t_low, t_high, share, ramp)
+    t, level = root_level(gain, a, b, t_low, t_high, share, axis)
     return t, 0.0, level
 
 
-def linear_level(gain: float, a: float, b: float, ramp: 'float[:]') -> float:
+def linear_level(gain: float, a: float, b: float, axis: 'float[:]') -> float:
     """The level of `solve_level` where the durations of both ramps are linear in their change.
 
     slope level^2 + constant level = gain + slope (a^2 + b^2) / 2 - constant (a + b) / 2; -1 where
     that has no root.
     """
-    slope = ramp[41]
-    half = 0.5 * ramp[42]
+    slope = axis[Axis.LINEAR_SLOPE]
+    half = 0.5 * axis[Axis.LINEAR_CONSTANT]
     rest = gain + 0.5 * slope * (a * a + b * b) - half * (a + b)
     square = half * half + slope * rest
     if square <= 0.0:
@@ -62,7 +65,7 @@ def linear_level(gain: float, a: float, b: float, ramp: 'float[:]') -> float:
 
 
 def root_level(
-    gain: float, a: float, b: float, lower: float, upper: float, share: float, ramp: 'float[:]'
+    gain: float, a: float, b: float, lower: float, upper: float, share: float, axis: 'float[:]'
 ) -> 'tuple[float, float]':
     """Duration of the first ramp of `solve_level` in [lower, upper] by Newton's method; level.
 
@@ -72,9 +75,9 @@ def root_level(
     t = lower + (upper - lower) * sqrt(share)
     level = a
     for i in range(100):
-        change, growth = ramp_change(t, ramp)
+        change, growth = ramp_change(t, axis)
         level = a + change
-        t_end, rise, slope = ramp_duration(level - b, ramp)
+        t_end, rise, slope = ramp_duration(level - b, axis)
         first = 0.5 * (a + level) * t
         second = 0.5 * (level + b) * t_end
         error = first + second - gain
@@ -91,78 +94,74 @@ def root_level(
             # at the root the step may round to nothing, which a bracket would not admit
             if abs(newton - t) <= 4e-16 * t:
                 return t, level
-            found = first + second
+            reached = first + second
             # far from the root, Newton's method on logarithms, as the gain is nearly a power
-            if found > 0.0 and gain > 0.0 and (found > 2.0 * gain or gain > 2.0 * found):
-                newton = t * (gain / found) ** (found / (t * rate))
+            if reached > 0.0 and gain > 0.0 and (reached > 2.0 * gain or gain > 2.0 * reached):
+                newton = t * (gain / reached) ** (reached / (t * rate))
             if newton > lower and newton < upper:
                 following = newton
         if abs(following - t) <= 4e-16 * t:
             return t, level
         t = following
-    change, growth = ramp_change(t, ramp)
+    change, growth = ramp_change(t, axis)
     return t, a + change
 
 
-def levels_distance(
-    v: float,
-    a: float,
-    t1: float,
-    hold1: float,
-    level1: float,
-    hold2: float,
-    level2: float,
-    t3: float,
-    b: float,
-    ramp: 'float[:]',
-) -> 'tuple[float, float]':
-    """Duration and distance of: ramp, hold, ramp, hold, ramp (merged form)."""
-    t2, rise, slope = ramp_duration(abs(level2 - level1), ramp)
-    y = ramp_distance(v, a, level1, t1, ramp_rise(t1, ramp), ramp)
+def member_distance(family: 'float[:]', axis: 'float[:]') -> 'tuple[float, float]':
+    """Duration [s] and distance [m] of the member: ramp, hold, ramp, hold, ramp."""
+    v = family[Family.V]
+    a = family[Family.A]
+    b = family[Family.B]
+    t1 = family[Family.FIRST_TIME]
+    hold1 = family[Family.FIRST_HOLD]
+    level1 = family[Family.FIRST_LEVEL]
+    hold2 = family[Family.SECOND_HOLD]
+    level2 = family[Family.SECOND_LEVEL]
+    t3 = family[Family.LAST_TIME]
+    t2, rise, slope = ramp_duration(abs(level2 - level1), axis)
+    y = ramp_distance(v, a, level1, t1, ramp_rise(t1, axis), axis)
     v = v + 0.5 * (a + level1) * t1
     if hold1 > 0.0:
         y = y + (v + 0.5 * level1 * hold1) * hold1
         v = v + level1 * hold1
-    y = y + ramp_distance(v, level1, level2, t2, rise, ramp)
+    y = y + ramp_distance(v, level1, level2, t2, rise, axis)
     v = v + 0.5 * (level1 + level2) * t2
     if hold2 > 0.0:
         y = y + (v + 0.5 * level2 * hold2) * hold2
         v = v + level2 * hold2
-    y = y + ramp_distance(v, level2, b, t3, ramp_rise(t3, ramp), ramp)
+    y = y + ramp_distance(v, level2, b, t3, ramp_rise(t3, axis), axis)
     return t1 + hold1 + t2 + hold2 + t3, y
 
 
-def canonical_point(
-    p: float,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    high: float,
-    top: float,
-    t_top: float,
-    ramp: 'float[:]',
-) -> 'tuple[float, float, float, float, float, float, float, float]':
-    """One member of the canonical family from (v, a) to (w, b).
+def canonical_member(p: float, family: 'float[:]', axis: 'float[:]') -> 'tuple[float, float]':
+    """Write one member of the canonical family (Family) from (V, A) to (W, B).
 
-    p is the duration of the last ramp, from the second level up to b; beyond t_top, where that
-    level is -top, it goes on as the hold there. The first level is at most `high`: `top`, or less
-    to keep the velocity down between the levels, but not less than a and b. Returns duration
-    (-1: no such member), distance, t1, hold1, level1, hold2, level2, t3.
+    p is the duration of the last ramp, from the second level up to B; beyond LAST_RAMP, where that
+    level is the negative acceleration limit, it goes on as the hold there. The first level is at
+    most HIGHEST: the acceleration limit, or less to keep the velocity down between the levels, but
+    not less than A and B. Returns duration [s] (-1: no such member) and distance [m].
     """
+    a = family[Family.A]
+    b = family[Family.B]
+    last_ramp = family[Family.LAST_RAMP]
     hold2 = 0.0
     t3 = p
-    if p >= t_top:
-        t3 = t_top
-        hold2 = p - t_top
-        level2 = -top
+    if p >= last_ramp:
+        t3 = last_ramp
+        hold2 = p - last_ramp
+        level2 = -axis[Axis.ACCELERATION]
     else:
-        change, slope = ramp_change(p, ramp)
+        change, slope = ramp_change(p, axis)
         level2 = b - change
-    gain = w - v - 0.5 * (level2 + b) * t3 - level2 * hold2
+    gain = family[Family.W] - family[Family.V] - 0.5 * (level2 + b) * t3 - level2 * hold2
     low = max(0.0, max(a, level2))
-    t1, hold1, level1 = solve_level(gain, a, level2, low, high, ramp)
+    t1, hold1, level1 = solve_level(gain, a, level2, low, family[Family.HIGHEST], axis)
     if hold1 < 0.0:
-        return -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-    duration, y = levels_distance(v, a, t1, hold1, level1, hold2, level2, t3, b, ramp)
-    return duration, y, t1, hold1, level1, hold2, level2, t3
+        return -1.0, 0.0
+    family[Family.FIRST_TIME] = t1
+    family[Family.FIRST_HOLD] = hold1
+    family[Family.FIRST_LEVEL] = level1
+    family[Family.SECOND_HOLD] = hold2
+    family[Family.SECOND_LEVEL] = level2
+    family[Family.LAST_TIME] = t3
+    return member_distance(family, axis)

@@ -5,7 +5,7 @@ search.py searches by distance or by duration.
 """
 
 from segfmu.kernels.numerics.roots import root_share
-from segfmu.kernels.planner.levels import canonical_point
+from segfmu.kernels.planner.levels import canonical_member
 from segfmu.kernels.planner.phases import (
     append_change,
     append_hold,
@@ -14,136 +14,145 @@ from segfmu.kernels.planner.phases import (
     mirror_phases,
     reverse_phases,
 )
+from segfmu.kernels.planner.ramp import ramp_duration
+from segfmu.kernels.planner.records import Axis, Family, Phase, Problem
 from segfmu.kernels.planner.search import canonical_search, member_search
-from segfmu.kernels.planner.transition import ramp_duration
+
+
+def set_family(
+    branch: int, problem: 'float[:]', axis: 'float[:]', family: 'float[:]'
+) -> None:
+    """Set the canonical family (Family) of a problem on a branch 0 .. 3, by the distance.
+
+    Reversal (1, 2) exchanges the boundary states, mirroring (2, 3) their signs; together they
+    reduce every branch to the canonical one. The first member that covers the distance is searched
+    for, see `set_member`.
+    """
+    reverse = branch == 1 or branch == 2
+    mirror = branch >= 2
+    v = problem[Problem.V]
+    a = problem[Problem.A]
+    w = problem[Problem.W]
+    b = problem[Problem.B]
+    distance = problem[Problem.DISTANCE]
+    family[Family.START_VELOCITY] = v
+    if reverse:
+        v = problem[Problem.W]
+        a = -problem[Problem.B]
+        w = problem[Problem.V]
+        b = -problem[Problem.A]
+    if mirror:
+        v = -v
+        a = -a
+        w = -w
+        b = -b
+        distance = -distance
+    last_ramp, rise, slope = ramp_duration(b + axis[Axis.ACCELERATION], axis)
+    family[Family.V] = v
+    family[Family.A] = a
+    family[Family.W] = w
+    family[Family.B] = b
+    family[Family.LAST_RAMP] = last_ramp
+    family[Family.REVERSE] = reverse
+    family[Family.MIRROR] = mirror
+    family[Family.BY_TIME] = 0.0
+    family[Family.TARGET] = distance
+    family[Family.MEMBER] = -1.0
+    family[Family.SCALE] = last_ramp
+
+
+def set_member(member: int, time: float, by_time: bool, family: 'float[:]') -> None:
+    """Search a family for one member of several: from 0 the number of it.
+
+    `by_time` it lasts `time` [s]; else it covers the distance, and `time` scales the search.
+    """
+    family[Family.MEMBER] = member
+    family[Family.SCALE] = max(family[Family.LAST_RAMP], 0.1 * time)
+    if by_time:
+        family[Family.BY_TIME] = 1.0
+        family[Family.TARGET] = time
 
 
 def merged_form(
-    phases: 'float[:,:]',
-    reverse: bool,
-    mirror: bool,
-    which: int,
-    by_time: bool,
-    time: float,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    distance: float,
-    high: float,
-    top: float,
-    ramp: 'float[:]',
+    phases: 'float[:,:]', highest: float, family: 'float[:]', axis: 'float[:]'
 ) -> int:
-    """The merged form on one of its four branches; the number of phases, -1 if it has none.
+    """Write the member that a family is searched for; the number of phases, -1 if there is none.
 
-    which < 0 takes the first member that covers the distance, which >= 0 the which-th one that
-    lasts `time` or, not by time but with it as the scale, covers the distance. Reversal exchanges
-    the boundary states, mirroring their signs; together they reduce every branch to the canonical
-    one, whose first level is at most `high`.
+    highest [m/s2] bounds the first level.
     """
-    v1 = v
-    a1 = a
-    v2 = w
-    a2 = b
-    if reverse:
-        v1 = w
-        a1 = -b
-        v2 = v
-        a2 = -a
-    if mirror:
-        v1 = -v1
-        a1 = -a1
-        v2 = -v2
-        a2 = -a2
-        distance = -distance
-    t_top, rise, slope = ramp_duration(a2 + top, ramp)
-    if which < 0:
-        p = canonical_search(distance, v1, a1, v2, a2, high, top, t_top, ramp)
+    family[Family.HIGHEST] = highest
+    if family[Family.MEMBER] < 0.0:
+        p = canonical_search(family, axis)
     else:
-        target = distance
-        if by_time:
-            target = time
-        scale = max(t_top, 0.1 * time)
-        p = member_search(
-            which, by_time, scale, target, v1, a1, v2, a2, high, top, t_top, ramp
-        )
+        p = member_search(family, axis)
     if p < 0.0:
         return -1
-    duration, y, t1, hold1, level1, hold2, level2, t3 = canonical_point(
-        p, v1, a1, v2, a2, high, top, t_top, ramp
-    )
+    duration, y = canonical_member(p, family, axis)
     if duration < 0.0:
         return -1
-    count = append_ramp(phases, 0, a1, level1, t1, ramp)
-    count = append_hold(phases, count, level1, hold1)
-    count = append_change(phases, count, level1, level2, ramp)
-    count = append_hold(phases, count, level2, hold2)
-    count = append_ramp(phases, count, level2, a2, t3, ramp)
-    if reverse:
+    a = family[Family.A]
+    b = family[Family.B]
+    level1 = family[Family.FIRST_LEVEL]
+    level2 = family[Family.SECOND_LEVEL]
+    count = append_ramp(phases, 0, a, level1, family[Family.FIRST_TIME], axis)
+    count = append_hold(phases, count, level1, family[Family.FIRST_HOLD])
+    count = append_change(phases, count, level1, level2, axis)
+    count = append_hold(phases, count, level2, family[Family.SECOND_HOLD])
+    count = append_ramp(phases, count, level2, b, family[Family.LAST_TIME], axis)
+    if family[Family.REVERSE] > 0.5:
         reverse_phases(phases, 0, count)
-    if mirror:
+    if family[Family.MIRROR] > 0.5:
         mirror_phases(phases, count)
     return count
 
 
 def velocity_excess(
-    phases: 'float[:,:]', count: int, v: float, within: float, limit: float, ramp: 'float[:]'
+    phases: 'float[:,:]', count: int, v: float, limit_kept: float, axis: 'float[:]'
 ) -> float:
-    """By how much the phases that start with velocity v pass the velocity limit, or less than 0."""
-    duration, y, end, lowest, highest = measure_phases(phases, count, v, within, ramp)
-    return max(highest, -lowest) - limit
+    """By how much phases that start with velocity v pass the velocity limit [m/s]; below 0: not.
+
+    Peaks within +-limit_kept inside of ramps may be left out.
+    """
+    duration, y, end, lowest, highest = measure_phases(phases, count, v, limit_kept, axis)
+    return max(highest, -lowest) - axis[Axis.VELOCITY]
 
 
 def level_within(
     outside: float,
     e_outside: float,
     phases: 'float[:,:]',
-    reverse: bool,
-    mirror: bool,
-    which: int,
-    by_time: bool,
-    time: float,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    distance: float,
-    velocity_limit: float,
-    top: float,
-    ramp: 'float[:]',
+    family: 'float[:]',
+    axis: 'float[:]',
 ) -> 'tuple[float, float, float, float]':
     """A first level whose member keeps the velocity limit, and one above it that does not.
 
     Returns both and by how much they pass the limit less a billionth; -1 first if there is none.
     Below some level there may be no member, or one that passes the limit on the other side.
     """
+    velocity_limit = axis[Axis.VELOCITY]
+    v = family[Family.START_VELOCITY]
     rounding = 1e-12 * velocity_limit
     margin = 1e-9 * velocity_limit
-    sign = 1.0
-    if reverse != mirror:
-        sign = -1.0
-    without = max(sign * a, max(sign * b, 0.001 * top))
-    inside = without
+    too_low = max(family[Family.A], max(family[Family.B], 0.001 * axis[Axis.ACCELERATION]))
+    inside = too_low
     for i in range(24):
-        count = merged_form(
-            phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, inside, top, ramp
-        )
-        duration, y, end, lowest, highest = measure_phases(phases, max(count, 0), v, 0.0, ramp)
+        count = merged_form(phases, inside, family, axis)
+        duration, y, end, lowest, highest = measure_phases(phases, max(count, 0), v, 0.0, axis)
         peak = highest
         other = -lowest
-        if mirror:
+        if family[Family.MIRROR] > 0.5:
             peak = -lowest
             other = highest
         if count <= 0 or other > velocity_limit + rounding:
-            without = inside
+            too_low = inside
         elif peak > velocity_limit + rounding:
             outside = inside
             e_outside = peak - velocity_limit + margin
         else:
             return inside, outside, max(peak, other) - velocity_limit + margin, e_outside
-        if without == outside:
+        if too_low == outside:
             break
-        inside = 0.5 * (without + outside)
+        inside = 0.5 * (too_low + outside)
     return -1.0, outside, 0.0, e_outside
 
 
@@ -153,22 +162,11 @@ def highest_within(
     e_inside: float,
     e_outside: float,
     phases: 'float[:,:]',
-    reverse: bool,
-    mirror: bool,
-    which: int,
-    by_time: bool,
-    time: float,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    distance: float,
-    velocity_limit: float,
-    top: float,
-    ramp: 'float[:]',
+    family: 'float[:]',
+    axis: 'float[:]',
 ) -> float:
     """The highest first level that keeps the velocity limit less a billionth: a bracketed root."""
-    margin = 1e-9 * velocity_limit
+    margin = 1e-9 * axis[Axis.VELOCITY]
     before = outside
     e_before = e_outside
     newest_inside = True
@@ -192,20 +190,19 @@ def highest_within(
             share = 1.0 - root_share(outside, inside, before, e_outside, e_inside, e_before)
         if probing:
             share = 1e-3
-        high = inside + share * (outside - inside)
-        count = merged_form(
-            phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, high, top, ramp
-        )
+        level = inside + share * (outside - inside)
+        count = merged_form(phases, level, family, axis)
         error = 0.0
         if count > 0:
-            error = velocity_excess(phases, count, v, 0.0, velocity_limit, ramp) + margin
+            v = family[Family.START_VELOCITY]
+            error = velocity_excess(phases, count, v, 0.0, axis) + margin
         if count > 0 and error <= margin:
             before = outside
             e_before = e_outside
             if newest_inside:
                 before = inside
                 e_before = e_inside
-            inside = high
+            inside = level
             e_inside = error
             newest_inside = True
             constant = constant or probing
@@ -217,28 +214,13 @@ def highest_within(
             if not newest_inside:
                 before = outside
                 e_before = e_outside
-            outside = high
+            outside = level
             e_outside = error
             newest_inside = False
     return inside
 
 
-def tempered_form(
-    phases: 'float[:,:]',
-    reverse: bool,
-    mirror: bool,
-    which: int,
-    by_time: bool,
-    time: float,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    distance: float,
-    velocity_limit: float,
-    top: float,
-    ramp: 'float[:]',
-) -> int:
+def tempered_form(phases: 'float[:,:]', family: 'float[:]', axis: 'float[:]') -> int:
     """The merged form that keeps the velocity limit; the number of phases.
 
     It is -1 where there is no merged form, 0 where none keeps the limit.
@@ -246,32 +228,26 @@ def tempered_form(
     Between its levels the velocity has a peak. Where that passes the limit, the first level is
     lowered, and held, until the peak is at the limit less a billionth.
     """
-    count = merged_form(
-        phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, top, top, ramp
-    )
+    velocity_limit = axis[Axis.VELOCITY]
+    count = merged_form(phases, axis[Axis.ACCELERATION], family, axis)
     rounding = 1e-12 * velocity_limit
     margin = 1e-9 * velocity_limit
     if count <= 0:
         return count
-    e_outside = velocity_excess(phases, count, v, velocity_limit, velocity_limit, ramp) + margin
+    v = family[Family.START_VELOCITY]
+    e_outside = velocity_excess(phases, count, v, velocity_limit, axis) + margin
     if e_outside <= margin + rounding:
         return count
     outside = 0.0
     for i in range(count):
-        level = phases[i, 2]
-        if reverse != mirror:
+        level = phases[i, Phase.ACCELERATION]
+        if family[Family.REVERSE] != family[Family.MIRROR]:
             level = -level
         outside = max(outside, level)
     inside, outside, e_inside, e_outside = level_within(
-        outside, e_outside, phases, reverse, mirror, which, by_time, time, v, a, w, b, distance,
-        velocity_limit, top, ramp,
+        outside, e_outside, phases, family, axis
     )
     if inside < 0.0:
         return 0
-    inside = highest_within(
-        inside, outside, e_inside, e_outside, phases, reverse, mirror, which, by_time, time, v, a,
-        w, b, distance, velocity_limit, top, ramp,
-    )
-    return merged_form(
-        phases, reverse, mirror, which, by_time, time, v, a, w, b, distance, inside, top, ramp
-    )
+    inside = highest_within(inside, outside, e_inside, e_outside, phases, family, axis)
+    return merged_form(phases, inside, family, axis)

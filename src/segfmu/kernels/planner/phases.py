@@ -1,28 +1,24 @@
-"""Lists of phases: rows [duration, rise, acceleration at the start, acceleration change]."""
+"""Lists of phases: rows of the record `Phase`."""
 
-from segfmu.kernels.planner.transition import (
-    ramp_change,
-    ramp_distance,
-    ramp_duration,
-    ramp_extreme_velocity,
-    ramp_rise,
-)
+from segfmu.kernels.planner.ramp import ramp_change, ramp_distance, ramp_duration, ramp_rise
+from segfmu.kernels.planner.ramp_peak import ramp_extreme_velocity
+from segfmu.kernels.planner.records import Axis, Phase, Problem
 
 
-def without_dust(value: float, scale: float) -> float:
+def flush_tiny(value: float, scale: float) -> float:
     """The value, or 0 where it is so small against its scale that its powers would underflow."""
     if abs(value) <= 1e-30 * scale:
         return 0.0
     return value
 
 
-def without_excess(value: float, limit: float) -> float:
-    """A boundary value without dust, and clamped where it passes its limit by rounding."""
-    return min(max(without_dust(value, limit), -limit), limit)
+def boundary_value(value: float, limit: float) -> float:
+    """A boundary value, zero where it is tiny, clamped where it passes its limit by rounding."""
+    return min(max(flush_tiny(value, limit), -limit), limit)
 
 
 def append_ramp(
-    phases: 'float[:,:]', count: int, a: float, b: float, duration: float, ramp: 'float[:]'
+    phases: 'float[:,:]', count: int, a: float, b: float, duration: float, axis: 'float[:]'
 ) -> int:
     """Append the ramp from a to b whose duration was solved for; nothing if it has none.
 
@@ -31,27 +27,27 @@ def append_ramp(
     """
     if duration <= 0.0:
         return count
-    change, slope = ramp_change(duration, ramp)
+    change, slope = ramp_change(duration, axis)
     if b < a:
         change = -change
-    phases[count, 0] = duration
-    phases[count, 1] = ramp_rise(duration, ramp)
-    phases[count, 2] = a
-    phases[count, 3] = change
+    phases[count, Phase.DURATION] = duration
+    phases[count, Phase.RISE] = ramp_rise(duration, axis)
+    phases[count, Phase.ACCELERATION] = a
+    phases[count, Phase.CHANGE] = change
     return count + 1
 
 
 def append_change(
-    phases: 'float[:,:]', count: int, a: float, b: float, ramp: 'float[:]'
+    phases: 'float[:,:]', count: int, a: float, b: float, axis: 'float[:]'
 ) -> int:
     """Append the fastest ramp from a to b; nothing if they are equal."""
-    duration, rise, slope = ramp_duration(abs(b - a), ramp)
+    duration, rise, slope = ramp_duration(abs(b - a), axis)
     if duration <= 0.0:
         return count
-    phases[count, 0] = duration
-    phases[count, 1] = rise
-    phases[count, 2] = a
-    phases[count, 3] = b - a
+    phases[count, Phase.DURATION] = duration
+    phases[count, Phase.RISE] = rise
+    phases[count, Phase.ACCELERATION] = a
+    phases[count, Phase.CHANGE] = b - a
     return count + 1
 
 
@@ -59,10 +55,10 @@ def append_hold(phases: 'float[:,:]', count: int, a: float, duration: float) -> 
     """Append a phase of constant acceleration; nothing if it has no duration."""
     if duration <= 0.0:
         return count
-    phases[count, 0] = duration
-    phases[count, 1] = 0.0
-    phases[count, 2] = a
-    phases[count, 3] = 0.0
+    phases[count, Phase.DURATION] = duration
+    phases[count, Phase.RISE] = 0.0
+    phases[count, Phase.ACCELERATION] = a
+    phases[count, Phase.CHANGE] = 0.0
     return count + 1
 
 
@@ -74,7 +70,7 @@ def insert_hold(
         return count
     for j in range(count - row):
         i = count - 1 - j
-        for column in range(4):
+        for column in range(Phase.SIZE):
             phases[i + 1, column] = phases[i, column]
     append_hold(phases, row, a, duration)
     return count + 1
@@ -83,15 +79,15 @@ def insert_hold(
 def copy_phases(source: 'float[:,:]', target: 'float[:,:]', count: int) -> None:
     """Copy the first rows of a list of phases."""
     for i in range(count):
-        for column in range(4):
+        for column in range(Phase.SIZE):
             target[i, column] = source[i, column]
 
 
 def mirror_phases(phases: 'float[:,:]', count: int) -> None:
     """The same motion in the other direction."""
     for i in range(count):
-        phases[i, 2] = -phases[i, 2]
-        phases[i, 3] = -phases[i, 3]
+        phases[i, Phase.ACCELERATION] = -phases[i, Phase.ACCELERATION]
+        phases[i, Phase.CHANGE] = -phases[i, Phase.CHANGE]
 
 
 def swap_entries(phases: 'float[:,:]', i: int, j: int, column: int) -> None:
@@ -107,37 +103,54 @@ def reverse_phases(phases: 'float[:,:]', first: int, count: int) -> None:
     y(t) becomes -y(T - t); rows first .. count - 1 are reversed.
     """
     for i in range((count - first) // 2):
-        for column in range(4):
+        for column in range(Phase.SIZE):
             swap_entries(phases, first + i, count - 1 - i, column)
     for i in range(first, count):
         # a ramp from a to a + d, run backwards with the sign changed, goes from -(a + d) to -a
-        phases[i, 2] = -(phases[i, 2] + phases[i, 3])
+        end = phases[i, Phase.ACCELERATION] + phases[i, Phase.CHANGE]
+        phases[i, Phase.ACCELERATION] = -end
+
+
+def boundary_problem(problem: 'float[:]', axis: 'float[:]', cleaned: 'float[:]') -> None:
+    """Copy a boundary problem (Problem) without what rounding leaves of zeros and of limits."""
+    velocity = axis[Axis.VELOCITY]
+    acceleration = axis[Axis.ACCELERATION]
+    cleaned[Problem.V] = boundary_value(problem[Problem.V], velocity)
+    cleaned[Problem.A] = boundary_value(problem[Problem.A], acceleration)
+    cleaned[Problem.W] = boundary_value(problem[Problem.W], velocity)
+    cleaned[Problem.B] = boundary_value(problem[Problem.B], acceleration)
+    cleaned[Problem.DISTANCE] = flush_tiny(
+        problem[Problem.DISTANCE], velocity * velocity / acceleration
+    )
+    cleaned[Problem.DURATION] = problem[Problem.DURATION]
 
 
 def measure_phases(
-    phases: 'float[:,:]', count: int, v: float, within: float, ramp: 'float[:]'
+    phases: 'float[:,:]', count: int, v: float, within: float, axis: 'float[:]'
 ) -> 'tuple[float, float, float, float, float]':
     """Duration, distance, end velocity, lowest and highest velocity of a list of phases.
 
-    Peaks inside of ramps are left out where they are surely within +-`within`.
+    v is the velocity at the start. Peaks inside of ramps are left out where they are surely within
+    +-`within`.
     """
     total = 0.0
     y = 0.0
     lowest = v
     highest = v
     for i in range(count):
-        duration = phases[i, 0]
-        a = phases[i, 2]
-        b = a + phases[i, 3]
+        duration = phases[i, Phase.DURATION]
+        rise = phases[i, Phase.RISE]
+        a = phases[i, Phase.ACCELERATION]
+        b = a + phases[i, Phase.CHANGE]
         if a * b < 0.0:
             # a quick bound first: the end with the smaller acceleration is less than half of the
             # ramp away from the crossing
             bound = v + 0.5 * a * duration
             if bound > max(highest, within) or bound < min(lowest, -within):
-                extreme = ramp_extreme_velocity(v, a, b, duration, phases[i, 1], ramp)
+                extreme = ramp_extreme_velocity(v, a, b, duration, rise, axis)
                 lowest = min(lowest, extreme)
                 highest = max(highest, extreme)
-        y = y + ramp_distance(v, a, b, duration, phases[i, 1], ramp)
+        y = y + ramp_distance(v, a, b, duration, rise, axis)
         v = v + 0.5 * (a + b) * duration
         lowest = min(lowest, v)
         highest = max(highest, v)

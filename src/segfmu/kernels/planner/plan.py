@@ -1,285 +1,257 @@
 """A whole plan: waypoints, limits and options -> the phases of every axis in every interval.
 
-`plan_phases` is the entry point; it allocates nothing. Arrays and status codes are those of
-intervals.py; in addition durations[j, axis] is the time of interval j, and dwells[j] the rest at
-waypoint j before it starts.
+`plan_phases` is the entry point; it allocates nothing.
 """
 
 from segfmu.kernels.planner.intervals import common_duration, set_duration, set_shortest
-from segfmu.kernels.planner.transition import ramp_parameters
+from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters
+from segfmu.kernels.planner.records import (
+    Axis,
+    Cell,
+    Interval,
+    PlanOptions,
+    PlanStatus,
+    PlanWork,
+    Problem,
+    Refusal,
+    Synchronization,
+    WaypointState,
+)
 
 
 def check_waypoints(
-    velocities: 'float[:,:]',
-    accelerations: 'float[:,:]',
-    dwells: 'float[:]',
-    limits: 'float[:,:]',
-    report: 'float[:]',
+    states: 'float[:,:,:]', dwells: 'float[:]', axes: 'float[:,:]', report: 'float[:]'
 ) -> int:
-    """Status 7, 8 or 10 (negative) when a waypoint breaks a limit or dwells while moving."""
-    for j in range(velocities.shape[0]):
-        for axis in range(limits.shape[0]):
-            report[0] = axis
-            report[1] = j
-            report[2] = velocities[j, axis]
-            report[3] = limits[axis, 0]
-            if abs(velocities[j, axis]) > limits[axis, 0] * (1.0 + 1e-12):
-                return -7
-            moving = velocities[j, axis] != 0.0 or accelerations[j, axis] != 0.0
+    """PlanStatus when a waypoint breaks a limit or dwells while moving."""
+    for j in range(states.shape[0]):
+        for i in range(axes.shape[0]):
+            velocity = states[j, i, WaypointState.VELOCITY]
+            acceleration = states[j, i, WaypointState.ACCELERATION]
+            report[Refusal.AXIS] = i
+            report[Refusal.INTERVAL] = j
+            report[Refusal.VALUE] = velocity
+            report[Refusal.BOUND] = axes[i, Axis.VELOCITY]
+            if abs(velocity) > axes[i, Axis.VELOCITY] * (1.0 + 1e-12):
+                return PlanStatus.WAYPOINT_VELOCITY
+            moving = velocity != 0.0 or acceleration != 0.0
             if dwells[j] > 0.0 and moving:
-                return -10
-            report[2] = accelerations[j, axis]
-            report[3] = limits[axis, 1]
-            if abs(accelerations[j, axis]) > limits[axis, 1] * (1.0 + 1e-12):
-                return -8
-    return 0
+                return PlanStatus.MOVING_DWELL
+            report[Refusal.VALUE] = acceleration
+            report[Refusal.BOUND] = axes[i, Axis.ACCELERATION]
+            if abs(acceleration) > axes[i, Axis.ACCELERATION] * (1.0 + 1e-12):
+                return PlanStatus.WAYPOINT_ACCELERATION
+    return PlanStatus.PLANNED
+
+
+def time_left(
+    first: int, step: int, target: float, cells: 'float[:,:,:]'
+) -> 'tuple[float, float, int]':
+    """What the intervals of one axis leave of the target duration [s].
+
+    Also returns the sum [s] and the number of those that can be prolonged.
+    """
+    rest = target
+    base = 0.0
+    count = 0
+    for j in range(first, cells.shape[0], step):
+        rest = rest - cells[j, Cell.RESULT, Interval.DURATION]
+        if cells[j, Cell.RESULT, Interval.PROLONGED] > 0.5:
+            base = base + cells[j, Cell.RESULT, Interval.DURATION]
+            count = count + 1
+    return rest, base, count
 
 
 def distribute(
     first: int,
     last: int,
     target: float,
-    shortest: 'float[:,:]',
-    durations: 'float[:,:]',
-    active: 'int[:]',
-    positions: 'float[:,:]',
-    velocities: 'float[:,:]',
-    accelerations: 'float[:,:]',
-    limits: 'float[:,:]',
-    ramps: 'float[:,:]',
-    phases: 'float[:,:,:]',
-    counts: 'int[:]',
-    weights: 'float[:]',
-    found: 'float[:]',
-    trial: 'float[:,:]',
+    axes: 'float[:,:]',
+    cells: 'float[:,:,:]',
+    work: 'float[:,:]',
 ) -> bool:
-    """Prolong the intervals of some axes, in proportion, until their sum is `target`.
+    """Prolong the intervals of the axes first .. last - 1, in proportion, to `target` [s] in sum.
 
     Intervals that take no time share it equally. An interval whose share lies in a gap jumps to the
     end of the gap when there is time for it, and else keeps its duration. False when time is left
     that no interval takes.
     """
-    intervals = durations.shape[0]
-    for j in range(intervals):
-        active[j] = 1
+    step = axes.shape[0]
+    for j in range(first, cells.shape[0], step):
+        cells[j, Cell.RESULT, Interval.PROLONGED] = 1.0
     for sweep in range(50):
-        base = 0.0
-        open_intervals = 0
-        rest = target
-        for j in range(intervals):
-            rest = rest - durations[j, first]
-            if active[j] == 1:
-                base = base + durations[j, first]
-                open_intervals = open_intervals + 1
+        rest, base, count = time_left(first, step, target, cells)
         if rest <= 1e-13 * target:
             return True
-        if open_intervals == 0:
+        if count == 0:
             return False
         factor = 1.0
-        extra = rest / open_intervals
+        extra = rest / count
         if base > 0.0:
             factor = 1.0 + rest / base
             extra = 0.0
-        for j in range(intervals):
-            if active[j] == 1:
-                wished = durations[j, first] * factor + extra
+        for j in range(first, cells.shape[0], step):
+            if cells[j, Cell.RESULT, Interval.PROLONGED] > 0.5:
+                present = cells[j, Cell.RESULT, Interval.DURATION]
+                end = j + last - first
                 reached = common_duration(
-                    j, first, last, wished, 0.0, shortest, positions, velocities, accelerations,
-                    limits, ramps, phases, counts, weights, found, trial,
+                    present * factor + extra, 0.0, j, end, axes, cells, work
                 )
-                if reached < 0.0 or reached - durations[j, first] > rest * (1.0 + 1e-13):
-                    active[j] = 0
+                if reached < 0.0 or reached - present > rest * (1.0 + 1e-13):
+                    cells[j, Cell.RESULT, Interval.PROLONGED] = 0.0
                 else:
-                    rest = rest - (reached - durations[j, first])
-                    for axis in range(first, last):
-                        durations[j, axis] = reached
+                    rest = rest - (reached - present)
+                    for i in range(j, end):
+                        cells[i, Cell.RESULT, Interval.DURATION] = reached
     return False
 
 
 def rewrite_intervals(
-    first: int,
-    last: int,
-    shortest: 'float[:,:]',
-    durations: 'float[:,:]',
-    positions: 'float[:,:]',
-    velocities: 'float[:,:]',
-    accelerations: 'float[:,:]',
-    limits: 'float[:,:]',
-    ramps: 'float[:,:]',
-    phases: 'float[:,:,:]',
-    counts: 'int[:]',
-    weights: 'float[:]',
-    found: 'float[:]',
-    trial: 'float[:,:]',
+    first: int, last: int, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float[:,:]'
 ) -> bool:
     """Write the profiles of the durations that were settled on; False if one is infeasible."""
-    for j in range(durations.shape[0]):
-        for axis in range(first, last):
-            if not set_duration(
-                j, axis, durations[j, axis], shortest[j, axis], positions, velocities,
-                accelerations, limits, ramps, phases, counts, weights, found, trial,
-            ):
+    for j in range(0, cells.shape[0], axes.shape[0]):
+        for i in range(first, last):
+            duration = cells[j + i, Cell.RESULT, Interval.DURATION]
+            if not set_duration(duration, cells[j + i, :, :], axes[i, :], work):
                 return False
     return True
 
 
+def set_problems(states: 'float[:,:,:]', cells: 'float[:,:,:]') -> None:
+    """Write the boundary problems of all axes in all intervals."""
+    axes = states.shape[1]
+    for j in range(states.shape[0] - 1):
+        for i in range(axes):
+            cell = cells[j * axes + i, :, :]
+            cell[Cell.PROBLEM, Problem.V] = states[j, i, WaypointState.VELOCITY]
+            cell[Cell.PROBLEM, Problem.A] = states[j, i, WaypointState.ACCELERATION]
+            cell[Cell.PROBLEM, Problem.W] = states[j + 1, i, WaypointState.VELOCITY]
+            cell[Cell.PROBLEM, Problem.B] = states[j + 1, i, WaypointState.ACCELERATION]
+            cell[Cell.PROBLEM, Problem.DISTANCE] = (
+                states[j + 1, i, WaypointState.POSITION] - states[j, i, WaypointState.POSITION]
+            )
+            cell[Cell.PROBLEM, Problem.DURATION] = 0.0
+
+
 def plan_axis(
-    axis: int,
-    share: float,
-    positions: 'float[:,:]',
-    velocities: 'float[:,:]',
-    accelerations: 'float[:,:]',
-    limits: 'float[:,:]',
-    smoothness: int,
-    shape: int,
-    ramps: 'float[:,:]',
-    phases: 'float[:,:,:]',
-    counts: 'int[:]',
-    weights: 'float[:]',
-    shortest: 'float[:,:]',
-    work: 'float[:,:]',
-    report: 'float[:]',
+    axis: int, share: float, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float[:,:]'
 ) -> int:
     """Ramp parameters and shortest profiles of one axis; status as in `plan_phases`."""
-    report[0] = axis
-    status = ramp_parameters(
-        smoothness, shape, share, limits[axis, :], work[0, :], work[1, :], ramps[axis, :]
-    )
-    if status > 0:
-        return -9
-    for j in range(positions.shape[0] - 1):
-        report[1] = j
-        status, time = set_shortest(
-            j, axis, positions, velocities, accelerations, limits, ramps, phases, counts,
-            weights, work,
-        )
+    report = work[PlanWork.REFUSAL, :]
+    report[Refusal.AXIS] = axis
+    if not ramp_parameters(share, axes[axis, :], work):
+        return PlanStatus.UNBOUNDED_RAMP
+    for j in range(axis, cells.shape[0], axes.shape[0]):
+        report[Refusal.INTERVAL] = j // axes.shape[0]
+        status, time = set_shortest(cells[j, :, :], axes[axis, :], work)
         if status < 0:
             return status
-        shortest[j, axis] = time
-    return 0
+        cells[j, Cell.RESULT, Interval.SHORTEST] = time
+        cells[j, Cell.RESULT, Interval.DURATION] = time
+    return PlanStatus.PLANNED
 
 
 def plan_phases(
-    positions: 'float[:,:]',
-    velocities: 'float[:,:]',
-    accelerations: 'float[:,:]',
+    states: 'float[:,:,:]',
     dwells: 'float[:]',
     limits: 'float[:,:]',
-    smoothness: int,
-    shape: int,
-    synchronization: int,
-    sample_time: float,
-    duration: float,
-    ramps: 'float[:,:]',
-    phases: 'float[:,:,:]',
-    counts: 'int[:]',
-    weights: 'float[:]',
-    shortest: 'float[:,:]',
-    durations: 'float[:,:]',
-    active: 'int[:]',
+    options: 'float[:]',
+    axes: 'float[:,:]',
+    cells: 'float[:,:,:]',
     work: 'float[:,:]',
-    report: 'float[:]',
 ) -> int:
-    """Plan all intervals. Returns 0 or a negative status, with the details in `report`.
+    """Plan all intervals. Returns PLANNED or why it is refused (PlanStatus).
 
-    m waypoints, k axes: positions, velocities, accelerations (m, k), dwells (m,), limits
-    (k, smoothness + 1) with 0 for absent, ramps (k, 48), phases (2 (m - 1) k, 13, 4), counts
-    (2 (m - 1) k,), weights ((m - 1) k,), shortest and durations (m - 1, k), active (m - 1,),
-    work (43, 4 + 2 smoothness), report (4,). synchronization: 0 none, 1 waypoints, 2 total;
-    sample_time and duration: 0 for none.
+    m waypoints, k axes: states (m, k, WaypointState), dwells (m,) [s], limits (k, smoothness + 1)
+    with 0 for absent, options (PlanOptions,). Written: axes (k, Axis), and cells ((m - 1) k, Cell
+    rows, Cell columns), axis after axis in interval after interval; and of a refusal the row
+    REFUSAL of `work` (PlanWork rows, PlanWork columns).
     """
-    axes = limits.shape[0]
-    intervals = positions.shape[0] - 1
-    status = check_waypoints(velocities, accelerations, dwells, limits, report)
+    report = work[PlanWork.REFUSAL, :]
+    smoothness = int(options[PlanOptions.SMOOTHNESS])
+    shape = int(options[PlanOptions.SHAPE])
+    for axis in range(axes.shape[0]):
+        axis_limits(smoothness, shape, limits[axis, :], axes[axis, :])
+    status = check_waypoints(states, dwells, axes, report)
     if status < 0:
         return status
-    for axis in range(axes):
-        status = plan_axis(
-            axis, 0.1, positions, velocities, accelerations, limits, smoothness, shape, ramps,
-            phases, counts, weights, shortest, work, report,
-        )
-        if status == -1 or status == -2:
+    set_problems(states, cells)
+    for axis in range(axes.shape[0]):
+        status = plan_axis(axis, 0.1, axes, cells, work)
+        if status == PlanStatus.START_BRAKING or status == PlanStatus.END_BRAKING:
             # braking just fails: the steepest ramps decide whether the limits admit it
-            status = plan_axis(
-                axis, 0.004, positions, velocities, accelerations, limits, smoothness, shape,
-                ramps, phases, counts, weights, shortest, work, report,
-            )
+            status = plan_axis(axis, 0.004, axes, cells, work)
         if status < 0:
             return status
-        for j in range(intervals):
-            durations[j, axis] = shortest[j, axis]
-    return synchronize_plan(
-        positions, velocities, accelerations, dwells, limits, synchronization, sample_time,
-        duration, ramps, phases, counts, weights, shortest, durations, active, work, report,
-    )
+    return synchronize_plan(dwells, options, axes, cells, work)
+
+
+def meet_intervals(
+    first: int,
+    last: int,
+    options: 'float[:]',
+    axes: 'float[:,:]',
+    cells: 'float[:,:,:]',
+    work: 'float[:,:]',
+) -> float:
+    """Bring the axes first .. last - 1 to common durations in every interval, where they shall.
+
+    Returns the sum of all intervals' durations [s]; -1 where there is no common duration.
+    """
+    sample_time = options[PlanOptions.SAMPLE_TIME]
+    meeting = int(options[PlanOptions.SYNCHRONIZATION]) == Synchronization.WAYPOINTS
+    total = 0.0
+    for j in range(first, cells.shape[0], axes.shape[0]):
+        if meeting or sample_time > 0.0:
+            end = j + last - first
+            time = common_duration(0.0, sample_time, j, end, axes, cells, work)
+            work[PlanWork.REFUSAL, Refusal.AXIS] = first
+            work[PlanWork.REFUSAL, Refusal.INTERVAL] = j // axes.shape[0]
+            if time < 0.0:
+                return -1.0
+            for i in range(j, end):
+                cells[i, Cell.RESULT, Interval.DURATION] = time
+        total = total + cells[j, Cell.RESULT, Interval.DURATION]
+    return total
 
 
 def synchronize_plan(
-    positions: 'float[:,:]',
-    velocities: 'float[:,:]',
-    accelerations: 'float[:,:]',
     dwells: 'float[:]',
-    limits: 'float[:,:]',
-    synchronization: int,
-    sample_time: float,
-    duration: float,
-    ramps: 'float[:,:]',
-    phases: 'float[:,:,:]',
-    counts: 'int[:]',
-    weights: 'float[:]',
-    shortest: 'float[:,:]',
-    durations: 'float[:,:]',
-    active: 'int[:]',
+    options: 'float[:]',
+    axes: 'float[:,:]',
+    cells: 'float[:,:,:]',
     work: 'float[:,:]',
-    report: 'float[:]',
 ) -> int:
     """Bring the shortest profiles to common durations; status as in `plan_phases`."""
-    axes = limits.shape[0]
-    intervals = positions.shape[0] - 1
+    report = work[PlanWork.REFUSAL, :]
+    synchronization = int(options[PlanOptions.SYNCHRONIZATION])
+    duration = options[PlanOptions.DURATION]
     group = 1
-    if synchronization == 1:
-        group = axes
+    if synchronization == Synchronization.WAYPOINTS:
+        group = axes.shape[0]
     resting = 0.0
-    for j in range(intervals + 1):
+    for j in range(dwells.shape[0]):
         resting = resting + dwells[j]
     longest = 0.0
-    for axis in range(0, axes, group):
-        total = 0.0
-        for j in range(intervals):
-            if synchronization == 1 or sample_time > 0.0:
-                time = common_duration(
-                    j, axis, axis + group, 0.0, sample_time, shortest, positions, velocities,
-                    accelerations, limits, ramps, phases, counts, weights, work[42, :],
-                    work[0:42, :],
-                )
-                report[0] = axis
-                report[1] = j
-                if time < 0.0:
-                    return -4
-                for i in range(axis, axis + group):
-                    durations[j, i] = time
-            total = total + durations[j, axis]
+    for axis in range(0, axes.shape[0], group):
+        total = meet_intervals(axis, axis + group, options, axes, cells, work)
+        if total < 0.0:
+            return PlanStatus.NO_COMMON_DURATION
         longest = max(longest, total)
-    report[2] = longest + resting
-    report[3] = duration
+    report[Refusal.VALUE] = longest + resting
+    report[Refusal.BOUND] = duration
     target = longest
     if duration > 0.0:
         target = duration - resting
         if target < longest * (1.0 - 1e-13):
-            return -5
-    if synchronization < 2 and duration <= 0.0:
-        return 0
-    report[2] = target + resting
-    for axis in range(0, axes, group):
-        report[0] = axis
-        if not distribute(
-            axis, axis + group, target, shortest, durations, active, positions, velocities,
-            accelerations, limits, ramps, phases, counts, weights, work[42, :], work[0:42, :],
-        ):
-            return -6
-        if not rewrite_intervals(
-            axis, axis + group, shortest, durations, positions, velocities, accelerations,
-            limits, ramps, phases, counts, weights, work[42, :], work[0:42, :],
-        ):
-            return -6
-    return 0
+            return PlanStatus.DURATION_TOO_SHORT
+    if synchronization != Synchronization.TOTAL and duration <= 0.0:
+        return PlanStatus.PLANNED
+    report[Refusal.VALUE] = target + resting
+    for axis in range(0, axes.shape[0], group):
+        report[Refusal.AXIS] = axis
+        if not distribute(axis, axis + group, target, axes, cells, work):
+            return PlanStatus.DURATION_IN_GAP
+        if not rewrite_intervals(axis, axis + group, axes, cells, work):
+            return PlanStatus.DURATION_IN_GAP
+    return PlanStatus.PLANNED

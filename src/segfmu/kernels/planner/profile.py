@@ -16,89 +16,97 @@ limits (docs/planner.md).
 
 from segfmu.kernels.planner.braking import braked, surround
 from segfmu.kernels.planner.cruise import direct_form, slower_cruise, with_cruise
-from segfmu.kernels.planner.merged import merged_form, tempered_form
+from segfmu.kernels.planner.merged import merged_form, set_family, tempered_form
 from segfmu.kernels.planner.phases import (
     append_change,
+    boundary_problem,
     copy_phases,
     measure_phases,
-    without_dust,
-    without_excess,
 )
-from segfmu.kernels.planner.transition import ramp_duration
+from segfmu.kernels.planner.records import Axis, Braking, Phase, PlanStatus, PlanWork, Problem
 
 
-def meets(
-    phases: 'float[:,:]',
-    count: int,
-    v: float,
-    w: float,
-    distance: float,
-    limit: float,
-    ramp: 'float[:]',
+def valid_duration(
+    phases: 'float[:,:]', count: int, problem: 'float[:]', axis: 'float[:]'
 ) -> float:
-    """Duration of the phases if they meet the boundary within the velocity limit, else -1."""
+    """Duration [s] of phases that meet the boundary within the velocity limit; -1: they do not."""
+    limit = axis[Axis.VELOCITY]
+    distance = problem[Problem.DISTANCE]
     most = limit * (1.0 + 1e-12)
-    duration, y, end, lowest, highest = measure_phases(phases, count, v, most, ramp)
+    duration, y, end, lowest, highest = measure_phases(
+        phases, count, problem[Problem.V], most, axis
+    )
     if lowest < -most or highest > most:
         return -1.0
-    if abs(end - w) > 1e-12 * limit:
+    if abs(end - problem[Problem.W]) > 1e-12 * limit:
         return -1.0
     if abs(y - distance) > 1e-12 * (abs(distance) + limit * duration):
         return -1.0
     return duration
 
 
+def usual_duration(problem: 'float[:]', axis: 'float[:]') -> float:
+    """Longer than the paper's form with cruise needs for velocity changes and distance [s]."""
+    limit = axis[Axis.VELOCITY]
+    change = limit / axis[Axis.ACCELERATION] + axis[Axis.FULL_RAMP]
+    return 4.0 * change + abs(problem[Problem.DISTANCE]) / limit
+
+
+def fastest_between(phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]') -> int:
+    """The forms that nothing is shorter than, one ramp or cruise at the limit; 0 if none holds."""
+    v = problem[Problem.V]
+    a = problem[Problem.A]
+    w = problem[Problem.W]
+    b = problem[Problem.B]
+    velocity_limit = axis[Axis.VELOCITY]
+    # nothing is faster than one ramp: phase I.1 alone, where the points are consistent
+    count = append_change(phases, 0, a, b, axis)
+    if count > 0:
+        end = v + 0.5 * (a + b) * phases[0, Phase.DURATION]
+        if abs(end - w) <= 1e-13 * velocity_limit:
+            if valid_duration(phases, count, problem, axis) >= 0.0:
+                return count
+    for side in range(2):
+        cruise = velocity_limit * (1 - 2 * side)
+        count = with_cruise(phases, cruise, problem, axis)
+        if count > 0 and valid_duration(phases, count, problem, axis) >= 0.0:
+            return count
+    return 0
+
+
 def shortest_between(
     attempt: int,
     phases: 'float[:,:]',
-    trial: 'float[:,:]',
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    distance: float,
-    velocity_limit: float,
-    top: float,
-    ramp: 'float[:]',
+    problem: 'float[:]',
+    axis: 'float[:]',
+    work: 'float[:,:]',
 ) -> int:
     """The shortest candidate between two boundary states taken as they are; 0 if none holds.
 
     The first attempt (0) is for the forms that nothing is shorter than; the second one takes
-    those that keep the velocity limit at some price.
+    those that keep the velocity limit at some price. Returns the number of phases.
     """
+    trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
+    family = work[PlanWork.FAMILY, :]
     if attempt == 0:
-        # nothing is faster than one ramp: phase I.1 alone, where the points are consistent
-        count = append_change(phases, 0, a, b, ramp)
-        if count > 0 and abs(v + 0.5 * (a + b) * phases[0, 0] - w) <= 1e-13 * velocity_limit:
-            if meets(phases, count, v, w, distance, velocity_limit, ramp) >= 0.0:
-                return count
-        for side in range(2):
-            cruise = velocity_limit * (1 - 2 * side)
-            count = with_cruise(phases, cruise, v, a, w, b, distance, top, ramp)
-            if count > 0 and meets(phases, count, v, w, distance, velocity_limit, ramp) >= 0.0:
-                return count
+        count = fastest_between(phases, problem, axis)
+        if count > 0:
+            return count
     best = 0
     shortest = 0.0
     for branch in range(6 - attempt):
-        reverse = branch == 1 or branch == 2
-        mirror = branch >= 2
         if branch == 4 and attempt == 1:
-            count = slower_cruise(trial, v, a, w, b, distance, velocity_limit, top, ramp)
+            count = slower_cruise(trial, problem, axis)
         elif branch >= 4:
-            count = direct_form(
-                trial, branch == 4, v, a, w, b, distance, velocity_limit, top, ramp
-            )
-        elif attempt == 0:
-            count = merged_form(
-                trial, reverse, mirror, -1, False, 0.0, v, a, w, b, distance, top, top, ramp
-            )
+            count = direct_form(trial, branch == 4, problem, axis)
         else:
-            count = tempered_form(
-                trial, reverse, mirror, -1, False, 0.0, v, a, w, b, distance, velocity_limit,
-                top, ramp,
-            )
+            set_family(branch, problem, axis, family)
+            if attempt == 0:
+                count = merged_form(trial, axis[Axis.ACCELERATION], family, axis)
+            else:
+                count = tempered_form(trial, family, axis)
         if count > 0:
-            duration = meets(trial, count, v, w, distance, velocity_limit, ramp)
+            duration = valid_duration(trial, count, problem, axis)
             if duration >= 0.0 and (best == 0 or duration < shortest):
                 copy_phases(trial, phases, count)
                 best = count
@@ -106,67 +114,60 @@ def shortest_between(
     return best
 
 
-def shortest_profile(
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    distance: float,
-    velocity_limit: float,
-    top: float,
-    ramp: 'float[:]',
-    phases: 'float[:,:]',
-    work: 'float[:,:]',
-) -> int:
-    """Phases of the shortest profile from (v, a) over a distance to (w, b).
+def is_done(problem: 'float[:]') -> bool:
+    """Whether the state at the start is that at the end."""
+    if problem[Problem.DISTANCE] != 0.0 or problem[Problem.V] != problem[Problem.W]:
+        return False
+    return problem[Problem.A] == problem[Problem.B]
 
-    top is the acceleration limit; `phases` has 13 rows and `work` 26. Returns the number of
-    phases (0 when there is nothing to do), or -1 when bringing the first acceleration to zero
-    passes the velocity limit, -2 when building up the last one does, -3 otherwise.
+
+def shortest_profile(
+    problem: 'float[:]', axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]'
+) -> int:
+    """Phases of the shortest profile of a boundary problem (Problem) of one axis (Axis).
+
+    `phases` has 13 rows, `work` those of `PlanWork`. Returns the number of phases (0 when there is
+    nothing to do), or the status START_BRAKING, END_BRAKING or NO_PROFILE (PlanStatus).
     """
-    v = without_excess(v, velocity_limit)
-    w = without_excess(w, velocity_limit)
-    a = without_excess(a, top)
-    b = without_excess(b, top)
-    distance = without_dust(distance, velocity_limit * velocity_limit / top)
-    if distance == 0.0 and v == w and a == b:
+    asked = work[PlanWork.PROBLEM, :]
+    boundary_problem(problem, axis, asked)
+    if is_done(asked):
         return 0
-    trial = work[0:13, :]
-    found = work[13:26, :]
-    count = shortest_between(0, phases, trial, v, a, w, b, distance, velocity_limit, top, ramp)
+    count = shortest_between(0, phases, asked, axis, work)
     if count > 0:
         return count
+    return shortest_braked(asked, axis, phases, work)
+
+
+def shortest_braked(
+    problem: 'float[:]', axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]'
+) -> int:
+    """`shortest_profile` where boundary accelerations are braked, or the limit has its price."""
+    trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
+    candidate = work[PlanWork.BEST:PlanWork.GAP_ENDS, :]
+    rest = work[PlanWork.REST, :]
     best = 0
     shortest = 0.0
-    # longer than a paper's form with cruise needs for the velocity changes and the distance
-    t_top, rise, slope = ramp_duration(top, ramp)
-    usual = 4.0 * (velocity_limit / top + t_top) + abs(distance) / velocity_limit
+    usual = usual_duration(problem, axis)
     for variant in range(1, 8):
         # variants 0 to 3: braking none, the first, the last or both of the accelerations to zero;
         # 4 to 7 the same with the second attempt, of which the last three are the way out
         if variant > 4 and best > 0 and shortest <= usual:
             break
-        taken, time, rest, v1, a1, w1, b1 = braked(
-            variant % 4, v, a, w, b, distance, velocity_limit, top, ramp, trial
-        )
-        if taken == -3:
+        taken, spent = braked(variant % 4, problem, axis, trial, rest)
+        if taken == Braking.NOT_NEEDED:
             continue
         if taken < 0:
             return taken
-        count = shortest_between(
-            variant // 4, found, trial, v1, a1, w1, b1, rest, velocity_limit, top, ramp
-        )
-        if count == 0 and not (rest == 0.0 and v1 == w1 and a1 == 0.0 and b1 == 0.0):
+        count = shortest_between(variant // 4, candidate, rest, axis, work)
+        if count == 0 and not (is_done(rest) and rest[Problem.A] == 0.0):
             continue
-        count = surround(
-            found, count, variant % 2 == 1, v, a, variant % 4 >= 2, w, b, velocity_limit, top,
-            ramp, trial,
-        )
-        duration = meets(found, count, v, w, distance, velocity_limit, ramp)
+        count = surround(candidate, count, variant % 4, problem, axis, trial)
+        duration = valid_duration(candidate, count, problem, axis)
         if duration >= 0.0 and (best == 0 or duration < shortest):
-            copy_phases(found, phases, count)
+            copy_phases(candidate, phases, count)
             best = count
             shortest = duration
     if best == 0:
-        return -3
+        return PlanStatus.NO_PROFILE
     return best

@@ -1,31 +1,23 @@
-"""Searches along the canonical family of levels.py: by the distance, and by the duration."""
+"""Searches along the canonical family of levels.py: by the distance, and by the duration.
+
+A family (Family) says which of the two is searched for, BY_TIME, and its TARGET.
+"""
 
 from segfmu.kernels.numerics.roots import root_share
-from segfmu.kernels.planner.levels import canonical_point
-from segfmu.kernels.planner.transition import ramp_duration
+from segfmu.kernels.planner.levels import canonical_member
+from segfmu.kernels.planner.ramp import ramp_duration
+from segfmu.kernels.planner.records import Axis, Family
 
 
 def window_edge(
-    halvings: int,
-    inside: float,
-    outside: float,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    high: float,
-    top: float,
-    t_top: float,
-    ramp: 'float[:]',
+    halvings: int, inside: float, outside: float, family: 'float[:]', axis: 'float[:]'
 ) -> float:
     """Bisect between a parameter that has a canonical member and one that has none."""
     for i in range(halvings):
         middle = 0.5 * (inside + outside)
         if middle == inside or middle == outside:
             break
-        duration, y, t1, hold1, level1, hold2, level2, t3 = canonical_point(
-            middle, v, a, w, b, high, top, t_top, ramp
-        )
+        duration, y = canonical_member(middle, family, axis)
         if duration >= 0.0:
             inside = middle
         else:
@@ -33,23 +25,10 @@ def window_edge(
     return inside
 
 
-def canonical_value(
-    p: float,
-    by_time: bool,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    high: float,
-    top: float,
-    t_top: float,
-    ramp: 'float[:]',
-) -> 'tuple[float, float]':
+def canonical_value(p: float, family: 'float[:]', axis: 'float[:]') -> 'tuple[float, float]':
     """The searched quantity (duration or distance) of a member, and its duration or -1."""
-    duration, y, t1, hold1, level1, hold2, level2, t3 = canonical_point(
-        p, v, a, w, b, high, top, t_top, ramp
-    )
-    if by_time:
+    duration, y = canonical_member(p, family, axis)
+    if family[Family.BY_TIME] > 0.5:
         return duration, duration
     return y, duration
 
@@ -59,146 +38,109 @@ def bracketed_root(
     upper: float,
     f_lower: float,
     f_upper: float,
-    target: float,
-    by_time: bool,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    high: float,
-    top: float,
-    t_top: float,
-    ramp: 'float[:]',
+    family: 'float[:]',
+    axis: 'float[:]',
 ) -> float:
-    """Bracketed root on the canonical family; f_lower < target <= f_upper.
+    """Parameter of the member with the target value; f_lower < target <= f_upper.
 
     `lower` and `upper` name the values, not the order of the parameters.
     """
-    a_p = upper
-    a_error = f_upper - target
-    b_p = lower
-    b_error = f_lower - target
-    c_p = lower
-    c_error = b_error
-    speed = abs(v) + abs(w)
-    if by_time:
+    target = family[Family.TARGET]
+    newest = upper
+    e_newest = f_upper - target
+    other = lower
+    e_other = f_lower - target
+    before = lower
+    e_before = e_other
+    speed = abs(family[Family.V]) + abs(family[Family.W])
+    if family[Family.BY_TIME] > 0.5:
         speed = 0.0
     for i in range(120):
-        if a_error == 0.0 or abs(a_p - b_p) <= 2e-16 * abs(a_p):
+        if e_newest == 0.0 or abs(newest - other) <= 2e-16 * abs(newest):
             break
-        p = a_p + root_share(a_p, b_p, c_p, a_error, b_error, c_error) * (b_p - a_p)
-        value, duration = canonical_value(p, by_time, v, a, w, b, high, top, t_top, ramp)
+        share = root_share(newest, other, before, e_newest, e_other, e_before)
+        p = newest + share * (other - newest)
+        value, duration = canonical_value(p, family, axis)
         error = value - target
-        c_p = a_p
-        c_error = a_error
-        if error * a_error < 0.0:
-            c_p = b_p
-            c_error = b_error
-            b_p = a_p
-            b_error = a_error
-        a_p = p
-        a_error = error
+        before = newest
+        e_before = e_newest
+        if error * e_newest < 0.0:
+            before = other
+            e_before = e_other
+            other = newest
+            e_other = e_newest
+        newest = p
+        e_newest = error
         # what rounding leaves of a sum whose terms may cancel
         if abs(error) <= 2e-15 * (abs(target) + speed * duration):
             break
-    if abs(b_error) < abs(a_error):
-        return b_p
-    return a_p
+    if abs(e_other) < abs(e_newest):
+        return other
+    return newest
 
 
 def first_window(
-    target: float,
-    f_start: float,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    high: float,
-    top: float,
-    t_top: float,
-    t_zero: float,
-    ramp: 'float[:]',
+    f_start: float, t_zero: float, family: 'float[:]', axis: 'float[:]'
 ) -> 'tuple[float, float]':
     """Search the members whose second level lies between the end acceleration and zero.
 
-    Returns the parameter or -1, and t_zero if the family goes on there, else -1: a positive
-    second level gains velocity, which can leave no room for the first one. Where the motion
-    starts backwards the distance can rise and fall again, so the members between are looked at.
+    f_start is the value of the first member, t_zero the parameter of the second level zero. Returns
+    the parameter or -1, and t_zero if the family goes on there, else -1: a positive second level
+    gains velocity, which can leave no room for the first one. Where the motion starts backwards the
+    distance can rise and fall again, so the members between are looked at.
     """
-    if v < 0.0:
+    target = family[Family.TARGET]
+    if family[Family.V] < 0.0:
         samples = 8
         lower = 0.0
         f_lower = f_start
         for i in range(1, samples):
             p = t_zero * i / samples
-            value, duration = canonical_value(p, False, v, a, w, b, high, top, t_top, ramp)
+            value, duration = canonical_value(p, family, axis)
             if duration < 0.0:
                 break
             if value >= target and value > f_lower:
-                return bracketed_root(
-                    lower, p, f_lower, value, target, False, v, a, w, b, high, top, t_top, ramp
-                ), t_zero
+                return bracketed_root(lower, p, f_lower, value, family, axis), t_zero
             lower = p
             f_lower = value
-    value, duration = canonical_value(t_zero, False, v, a, w, b, high, top, t_top, ramp)
+    value, duration = canonical_value(t_zero, family, axis)
     end = t_zero
     if duration < 0.0:
-        end = window_edge(80, 0.0, t_zero, v, a, w, b, high, top, t_top, ramp)
-        value, duration = canonical_value(end, False, v, a, w, b, high, top, t_top, ramp)
+        end = window_edge(80, 0.0, t_zero, family, axis)
+        value, duration = canonical_value(end, family, axis)
     going_on = -1.0
     if end == t_zero:
         going_on = t_zero
     if value >= target and value > f_start:
-        p = bracketed_root(
-            0.0, end, f_start, value, target, False, v, a, w, b, high, top, t_top, ramp
-        )
+        p = bracketed_root(0.0, end, f_start, value, family, axis)
         return p, going_on
     return -1.0, going_on
 
 
-def dip(
-    target: float,
-    f_start: float,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    high: float,
-    top: float,
-    t_top: float,
-    ramp: 'float[:]',
-) -> float:
-    """Parameter of a member that covers less than the first one, and just the target; or -1.
+def shorter_member(f_start: float, family: 'float[:]', axis: 'float[:]') -> float:
+    """Parameter of a member that covers less than the first one, f_start, and just the target.
 
-    Going on for longer covers less distance while the velocity in between is negative.
+    -1 if there is none. Going on for longer covers less distance while the velocity in between is
+    negative.
     """
     samples = 12
-    span, rise, slope = ramp_duration(top, ramp)
+    span = max(family[Family.LAST_RAMP], axis[Axis.FULL_RAMP])
     for i in range(1, samples + 1):
-        p = max(t_top, span) * i * i / (samples * samples)
-        value, duration = canonical_value(p, False, v, a, w, b, high, top, t_top, ramp)
+        p = span * i * i / (samples * samples)
+        value, duration = canonical_value(p, family, axis)
         if duration < 0.0:
             return -1.0
-        if value <= target:
-            return bracketed_root(
-                p, 0.0, value, f_start, target, False, v, a, w, b, high, top, t_top, ramp
-            )
+        if value <= family[Family.TARGET]:
+            return bracketed_root(p, 0.0, value, f_start, family, axis)
     return -1.0
 
 
-def canonical_search(
-    target: float,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    high: float,
-    top: float,
-    t_top: float,
-    ramp: 'float[:]',
-) -> float:
+def canonical_search(family: 'float[:]', axis: 'float[:]') -> float:
     """Parameter of the first canonical member that covers the target distance, or -1."""
-    f_lower, duration = canonical_value(0.0, False, v, a, w, b, high, top, t_top, ramp)
+    target = family[Family.TARGET]
+    v = family[Family.V]
+    w = family[Family.W]
+    f_lower, duration = canonical_value(0.0, family, axis)
     if duration < 0.0:
         return -1.0
     # a target that only rounding keeps from the first member is met by it
@@ -207,98 +149,82 @@ def canonical_search(
     if f_lower > target:
         if v >= 0.0 and w >= 0.0:
             return -1.0
-        return dip(target, f_lower, v, a, w, b, high, top, t_top, ramp)
+        return shorter_member(f_lower, family, axis)
     lower = 0.0
-    if b > 0.0:
-        t_zero, rise, slope = ramp_duration(b, ramp)
-        p, lower = first_window(
-            target, f_lower, v, a, w, b, high, top, t_top, t_zero, ramp
-        )
+    if family[Family.B] > 0.0:
+        t_zero, rise, slope = ramp_duration(family[Family.B], axis)
+        p, lower = first_window(f_lower, t_zero, family, axis)
         if p >= 0.0:
             return p
         if lower < 0.0:
-            upper = t_top
-            value, duration = canonical_value(upper, False, v, a, w, b, high, top, t_top, ramp)
-            for i in range(60):
-                if duration >= 0.0:
-                    break
-                upper = 2.0 * upper
-                value, duration = canonical_value(
-                    upper, False, v, a, w, b, high, top, t_top, ramp
-                )
-            lower = window_edge(80, upper, t_zero, v, a, w, b, high, top, t_top, ramp)
-        f_lower, duration = canonical_value(lower, False, v, a, w, b, high, top, t_top, ramp)
+            lower = second_window(t_zero, family, axis)
+        f_lower, duration = canonical_value(lower, family, axis)
         if f_lower > target:
             return -1.0
-    # where the last acceleration is at its limit, t_top is no scale of the family
-    span, rise, slope = ramp_duration(top, ramp)
-    upper = max(t_top, span)
+    return farther_member(lower, f_lower, family, axis)
+
+
+def second_window(t_zero: float, family: 'float[:]', axis: 'float[:]') -> float:
+    """First parameter beyond t_zero that has a member, where t_zero has none."""
+    upper = family[Family.LAST_RAMP]
+    value, duration = canonical_value(upper, family, axis)
+    for i in range(60):
+        if duration >= 0.0:
+            break
+        upper = 2.0 * upper
+        value, duration = canonical_value(upper, family, axis)
+    return window_edge(80, upper, t_zero, family, axis)
+
+
+def farther_member(
+    lower: float, f_lower: float, family: 'float[:]', axis: 'float[:]'
+) -> float:
+    """Parameter beyond `lower`, whose member covers f_lower, that covers the target, or -1."""
+    # where the last acceleration is at its limit, the last ramp is no scale of the family
+    upper = max(family[Family.LAST_RAMP], axis[Axis.FULL_RAMP])
     if upper <= lower:
         upper = 2.0 * lower
     for i in range(200):
-        f_upper, duration = canonical_value(upper, False, v, a, w, b, high, top, t_top, ramp)
-        if f_upper >= target:
-            return bracketed_root(
-                lower, upper, f_lower, f_upper, target, False, v, a, w, b, high, top, t_top, ramp
-            )
+        f_upper, duration = canonical_value(upper, family, axis)
+        if f_upper >= family[Family.TARGET]:
+            return bracketed_root(lower, upper, f_lower, f_upper, family, axis)
         lower = upper
         f_lower = f_upper
         upper = 2.0 * upper
     return -1.0
 
 
-def member_search(
-    which: int,
-    by_time: bool,
-    scale: float,
-    target: float,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    high: float,
-    top: float,
-    t_top: float,
-    ramp: 'float[:]',
-) -> float:
-    """Parameter of the which-th canonical member (from 0) of a duration or distance, or -1.
+def member_search(family: 'float[:]', axis: 'float[:]') -> float:
+    """Parameter of the canonical member number MEMBER of the target value, or -1.
 
-    Neither is monotone along the family: the duration falls and rises again where a first level
-    that takes long to come back from is traded for a shorter one, the distance while the velocity
-    in between is negative. So the members are looked at one by one, up to nine times `scale`.
+    Neither duration nor distance is monotone along the family: the duration falls and rises again
+    where a first level that takes long to come back from is traded for a shorter one, the distance
+    while the velocity in between is negative. So the members are looked at one by one, up to nine
+    times SCALE.
     """
-    found = 0
+    target = family[Family.TARGET]
+    passed = 0
     previous = 0.0
     lower = -1.0
     f_lower = 0.0
     p = 0.0
     for i in range(36):
-        p = scale * i * i / 144.0
-        value, duration = canonical_value(p, by_time, v, a, w, b, high, top, t_top, ramp)
+        p = family[Family.SCALE] * i * i / 144.0
+        value, duration = canonical_value(p, family, axis)
         upper = p
         inside = duration >= 0.0
         if inside and lower < 0.0 and i > 0:
-            lower = window_edge(24, p, previous, v, a, w, b, high, top, t_top, ramp)
-            f_lower, duration = canonical_value(
-                lower, by_time, v, a, w, b, high, top, t_top, ramp
-            )
+            lower = window_edge(24, p, previous, family, axis)
+            f_lower, duration = canonical_value(lower, family, axis)
         if not inside and lower >= 0.0:
-            upper = window_edge(24, lower, p, v, a, w, b, high, top, t_top, ramp)
-            value, duration = canonical_value(
-                upper, by_time, v, a, w, b, high, top, t_top, ramp
-            )
+            upper = window_edge(24, lower, p, family, axis)
+            value, duration = canonical_value(upper, family, axis)
         if lower >= 0.0 and (f_lower - target) * (value - target) <= 0.0 and value != f_lower:
-            if found == which and value > f_lower:
-                return bracketed_root(
-                    lower, upper, f_lower, value, target, by_time, v, a, w, b, high, top, t_top,
-                    ramp,
-                )
-            if found == which:
-                return bracketed_root(
-                    upper, lower, value, f_lower, target, by_time, v, a, w, b, high, top, t_top,
-                    ramp,
-                )
-            found = found + 1
+            if passed == int(family[Family.MEMBER]):
+                if value > f_lower:
+                    return bracketed_root(lower, upper, f_lower, value, family, axis)
+                return bracketed_root(upper, lower, value, f_lower, family, axis)
+            passed = passed + 1
         lower = -1.0
         if inside:
             lower = p

@@ -13,11 +13,22 @@ E10); outside the gaps the profile is, in this order:
 """
 
 from segfmu.kernels.planner.braking import braked, surround
-from segfmu.kernels.planner.merged import tempered_form
-from segfmu.kernels.planner.phases import without_dust, without_excess
+from segfmu.kernels.planner.merged import set_family, set_member, tempered_form
+from segfmu.kernels.planner.phases import boundary_problem
+from segfmu.kernels.planner.records import (
+    Axis,
+    Braking,
+    Cell,
+    Nearest,
+    Phase,
+    PlanWork,
+    Problem,
+)
 from segfmu.kernels.planner.timed_cruise import (
     between_cruises,
     cruise_range,
+    is_enclosed,
+    keep_cruise,
     keep_nearest,
     scan_cruises,
     timed_cruise,
@@ -27,138 +38,122 @@ from segfmu.kernels.planner.timed_cruise import (
 def stretch_phases(phases: 'float[:,:]', count: int, factor: float) -> None:
     """Stretch phases that begin and end at rest in time; the distance stays (section 3.2)."""
     for i in range(count):
-        phases[i, 0] = phases[i, 0] * factor
-        phases[i, 1] = phases[i, 1] * factor
-        phases[i, 2] = phases[i, 2] / (factor * factor)
-        phases[i, 3] = phases[i, 3] / (factor * factor)
+        phases[i, Phase.DURATION] = phases[i, Phase.DURATION] * factor
+        phases[i, Phase.RISE] = phases[i, Phase.RISE] * factor
+        phases[i, Phase.ACCELERATION] = phases[i, Phase.ACCELERATION] / (factor * factor)
+        phases[i, Phase.CHANGE] = phases[i, Phase.CHANGE] / (factor * factor)
 
 
 def fit_duration(phases: 'float[:,:]', count: int, target: float) -> None:
     """Remove the rounding error of the total duration, which two averaged profiles must share."""
     total = 0.0
     for i in range(count):
-        total = total + phases[i, 0]
+        total = total + phases[i, Phase.DURATION]
     for i in range(count):
-        phases[i, 0] = phases[i, 0] * (target / total)
-        phases[i, 1] = phases[i, 1] * (target / total)
+        phases[i, Phase.DURATION] = phases[i, Phase.DURATION] * (target / total)
+        phases[i, Phase.RISE] = phases[i, Phase.RISE] * (target / total)
+
+
+def timed_merged(
+    problem: 'float[:]', axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]'
+) -> None:
+    """Nearest profiles of the merged form, on all of its branches."""
+    trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
+    family = work[PlanWork.FAMILY, :]
+    for branch in range(4):
+        set_family(branch, problem, axis, family)
+        for member in range(2):
+            set_member(member, problem[Problem.DURATION], True, family)
+            count = tempered_form(trial, family, axis)
+            if count < 0:
+                break
+            keep_nearest(count, problem, axis, cell, work)
 
 
 def timed_between(
-    target: float,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    distance: float,
-    velocity_limit: float,
-    top: float,
-    ramp: 'float[:]',
-    found: 'float[:]',
-    below: 'float[:,:]',
-    above: 'float[:,:]',
-    trial: 'float[:,:]',
+    problem: 'float[:]', axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]'
 ) -> None:
     """Nearest profiles below and above the distance, from boundary states taken as they are."""
-    middle = min(max(distance / target, min(v, w)), max(v, w))
-    count, y, hold = timed_cruise(trial, middle, target, v, a, w, b, top, ramp)
+    trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
+    v = problem[Problem.V]
+    w = problem[Problem.W]
+    distance = problem[Problem.DISTANCE]
+    middle = min(max(distance / problem[Problem.DURATION], min(v, w)), max(v, w))
+    count, y, hold = timed_cruise(trial, middle, problem, axis)
     if count >= 0 and hold >= 0.0:
-        keep_nearest(
-            trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp
-        )
-        edge = cruise_range(
-            trial, middle, y, target, v, a, w, b, distance, velocity_limit, top, ramp
-        )
-        count, y_edge, hold = timed_cruise(trial, edge, target, v, a, w, b, top, ramp)
-        keep_nearest(
-            trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp
-        )
-        if found[0] > 0.0 and found[2] > 0.0:
+        keep_nearest(count, problem, axis, cell, work)
+        edge = cruise_range(trial, middle, y, problem, axis)
+        y_edge = keep_cruise(edge, problem, axis, cell, work)
+        if is_enclosed(work):
             between_cruises(
-                middle, y, edge, y_edge, target, v, a, w, b, distance, velocity_limit, top, ramp,
-                found, below, above, trial,
+                middle, edge, y - distance, y_edge - distance, problem, axis, cell, work
             )
             return
-    scan_cruises(
-        target, v, a, w, b, distance, velocity_limit, top, ramp, found, below, above, trial
-    )
-    if found[0] > 0.0 and found[2] > 0.0:
-        return
-    for branch in range(4):
-        reverse = branch == 1 or branch == 2
-        mirror = branch >= 2
-        for which in range(2):
-            count = tempered_form(
-                trial, reverse, mirror, which, True, target, v, a, w, b, distance,
-                velocity_limit, top, ramp,
-            )
-            if count < 0:
-                break
-            keep_nearest(
-                trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp
-            )
+    scan_cruises(problem, axis, cell, work)
+    if not is_enclosed(work):
+        timed_merged(problem, axis, cell, work)
+
+
+def nearest_weight(problem: 'float[:]', axis: 'float[:]', nearest: 'float[:]') -> float:
+    """Share of the profile above in the weighted mean that covers the distance."""
+    distance = problem[Problem.DISTANCE]
+    below = nearest[Nearest.BELOW_DISTANCE]
+    above = nearest[Nearest.ABOVE_DISTANCE]
+    # one profile is enough when it misses the distance by no more than rounding
+    tiny = 1e-14 * (abs(distance) + axis[Axis.VELOCITY] * problem[Problem.DURATION])
+    if above - distance <= tiny:
+        return 1.0
+    if distance - below > tiny:
+        return (distance - below) / (above - below)
+    return 0.0
 
 
 def timed_profile(
-    target: float,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    distance: float,
-    velocity_limit: float,
-    top: float,
-    ramp: 'float[:]',
-    found: 'float[:]',
-    below: 'float[:,:]',
-    above: 'float[:,:]',
-    trial: 'float[:,:]',
+    target: float, axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]'
 ) -> float:
-    """Profiles that last `target`; returns the weight of `above`, or -1 if none is feasible.
+    """Two profiles of a cell's problem (Cell) that last `target` [s] and enclose the distance.
 
-    The motion is (1 - weight) * below + weight * above; found[0] and found[2] are the numbers
-    of phases of the two (13 rows each).
+    Returns the weight of the second one, or -1 where that duration is not feasible. The motion is
+    (1 - weight) * BELOW + weight * ABOVE; the counts of phases are in the row NEAREST of `work`.
     """
-    v = without_excess(v, velocity_limit)
-    w = without_excess(w, velocity_limit)
-    a = without_excess(a, top)
-    b = without_excess(b, top)
-    distance = without_dust(distance, velocity_limit * velocity_limit / top)
+    trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
+    problem = work[PlanWork.PROBLEM, :]
+    rest = work[PlanWork.REST, :]
+    nearest = work[PlanWork.NEAREST, :]
+    boundary_problem(cell[Cell.PROBLEM, :], axis, problem)
+    problem[Problem.DURATION] = target
     for variant in range(4):
-        taken, spent, rest, v1, a1, w1, b1 = braked(
-            variant, v, a, w, b, distance, velocity_limit, top, ramp, trial
-        )
-        if taken == -3:
+        taken, spent = braked(variant, problem, axis, trial, rest)
+        if taken == Braking.NOT_NEEDED:
             continue
         if taken < 0:
             return -1.0
-        time = target - spent
-        if time <= 0.0:
+        if rest[Problem.DURATION] <= 0.0:
             continue
-        brake_start = variant % 2 == 1
-        brake_end = variant >= 2
-        found[0] = 0.0
-        found[2] = 0.0
-        timed_between(
-            time, v1, a1, w1, b1, rest, velocity_limit, top, ramp, found, below, above, trial
-        )
-        if found[0] > 0.0 and found[2] > 0.0:
-            span = found[3] - found[1]
-            weight = 0.0
-            # one profile is enough when it misses the distance by no more than rounding
-            tiny = 1e-14 * (abs(rest) + velocity_limit * time)
-            if found[3] - rest <= tiny:
-                weight = 1.0
-            if rest - found[1] > tiny and weight < 1.0:
-                weight = (rest - found[1]) / span
-            found[0] = surround(
-                below, int(found[0]), brake_start, v, a, brake_end, w, b, velocity_limit, top,
-                ramp, trial,
-            )
-            found[2] = surround(
-                above, int(found[2]), brake_start, v, a, brake_end, w, b, velocity_limit, top,
-                ramp, trial,
-            )
-            fit_duration(below, int(found[0]), target)
-            fit_duration(above, int(found[2]), target)
+        nearest[Nearest.BELOW_COUNT] = 0.0
+        nearest[Nearest.ABOVE_COUNT] = 0.0
+        timed_between(rest, axis, cell, work)
+        if is_enclosed(work):
+            weight = nearest_weight(rest, axis, nearest)
+            surround_nearest(variant, axis, cell, work)
             return weight
     return -1.0
+
+
+def surround_nearest(
+    variant: int, axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]'
+) -> None:
+    """Put what a variant brakes around both profiles, and give them the duration exactly."""
+    trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
+    problem = work[PlanWork.PROBLEM, :]
+    nearest = work[PlanWork.NEAREST, :]
+    below = cell[Cell.BELOW:Cell.ABOVE, :]
+    above = cell[Cell.ABOVE:Cell.PROBLEM, :]
+    count = int(nearest[Nearest.BELOW_COUNT])
+    count = surround(below, count, variant, problem, axis, trial)
+    fit_duration(below, count, problem[Problem.DURATION])
+    nearest[Nearest.BELOW_COUNT] = count
+    count = int(nearest[Nearest.ABOVE_COUNT])
+    count = surround(above, count, variant, problem, axis, trial)
+    fit_duration(above, count, problem[Problem.DURATION])
+    nearest[Nearest.ABOVE_COUNT] = count

@@ -7,45 +7,27 @@ ones form one or several windows; within a window the distance is continuous.
 from segfmu.kernels.numerics.roots import root_share
 from segfmu.kernels.planner.cruise import cruise_form
 from segfmu.kernels.planner.phases import copy_phases, insert_hold, measure_phases
+from segfmu.kernels.planner.records import Axis, Cell, Nearest, PlanWork, Problem
 
 
 def timed_cruise(
-    phases: 'float[:,:]',
-    cruise: float,
-    target: float,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    top: float,
-    ramp: 'float[:]',
+    phases: 'float[:,:]', cruise: float, problem: 'float[:]', axis: 'float[:]'
 ) -> 'tuple[int, float, float]':
-    """The paper's form with the cruise that makes it last `target`.
+    """The paper's form with the cruise that makes it last the problem's duration.
 
     Returns the number of phases, the distance, and the duration of the cruise, which is
     negative where the form takes longer; the number is -1 where it does not exist.
     """
-    count, row, duration, y = cruise_form(phases, cruise, v, a, w, b, top, ramp)
+    count, row, duration, y = cruise_form(phases, cruise, problem, axis)
     if count < 0:
         return -1, 0.0, -1.0
-    hold = target - duration
+    hold = problem[Problem.DURATION] - duration
     count = insert_hold(phases, count, row, 0.0, hold)
     return count, y + cruise * hold, hold
 
 
 def cruise_range(
-    phases: 'float[:,:]',
-    middle: float,
-    y: float,
-    target: float,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    distance: float,
-    velocity_limit: float,
-    top: float,
-    ramp: 'float[:]',
+    phases: 'float[:,:]', middle: float, y: float, problem: 'float[:]', axis: 'float[:]'
 ) -> float:
     """A cruise velocity that leaves a cruise and, if there is one, passes the distance.
 
@@ -53,87 +35,106 @@ def cruise_range(
     velocity limit on the side of the distance. Without such a velocity, the last one that leaves a
     cruise is returned.
     """
-    outside = velocity_limit
+    distance = problem[Problem.DISTANCE]
+    outside = axis[Axis.VELOCITY]
     if y > distance:
-        outside = -velocity_limit
+        outside = -outside
     inside = middle
-    trial = outside
+    cruise = outside
     for i in range(30):
-        count, y_trial, hold = timed_cruise(phases, trial, target, v, a, w, b, top, ramp)
+        count, y_cruise, hold = timed_cruise(phases, cruise, problem, axis)
         if count >= 0 and hold >= 0.0:
-            inside = trial
-            if i == 0 or (y_trial - distance) * (y - distance) <= 0.0:
+            inside = cruise
+            if i == 0 or (y_cruise - distance) * (y - distance) <= 0.0:
                 break
         else:
-            outside = trial
-        trial = 0.5 * (inside + outside)
-        if trial == inside or trial == outside:
+            outside = cruise
+        cruise = 0.5 * (inside + outside)
+        if cruise == inside or cruise == outside:
             break
     return inside
 
 
 def keep_nearest(
-    trial: 'float[:,:]',
-    count: int,
-    target: float,
-    v: float,
-    w: float,
-    distance: float,
-    velocity_limit: float,
-    found: 'float[:]',
-    below: 'float[:,:]',
-    above: 'float[:,:]',
-    ramp: 'float[:]',
+    count: int, problem: 'float[:]', axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]'
 ) -> None:
-    """Keep a profile that lasts `target` if it is the nearest one below or above the distance.
+    """Keep the trial profile if it is the nearest one below or above the distance.
 
-    found = number of phases below, their distance, number above, their distance.
+    It has to last the problem's duration. The phases go to the cell, what is known of them to the
+    row NEAREST of `work`.
     """
     if count <= 0:
         return
+    trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
+    nearest = work[PlanWork.NEAREST, :]
+    distance = problem[Problem.DISTANCE]
+    target = problem[Problem.DURATION]
+    velocity_limit = axis[Axis.VELOCITY]
     most = velocity_limit * (1.0 + 1e-12)
-    duration, y, end, lowest, highest = measure_phases(trial, count, v, most, ramp)
+    duration, y, end, lowest, highest = measure_phases(
+        trial, count, problem[Problem.V], most, axis
+    )
     if lowest < -most or highest > most:
         return
-    if abs(duration - target) > 3e-11 * target or abs(end - w) > 1e-11 * velocity_limit:
+    if abs(duration - target) > 3e-11 * target:
         return
-    if y <= distance and (found[0] == 0.0 or y > found[1]):
-        copy_phases(trial, below, count)
-        found[0] = count
-        found[1] = y
-    if y >= distance and (found[2] == 0.0 or y < found[3]):
-        copy_phases(trial, above, count)
-        found[2] = count
-        found[3] = y
+    if abs(end - problem[Problem.W]) > 1e-11 * velocity_limit:
+        return
+    below = nearest[Nearest.BELOW_COUNT] > 0.0
+    if y <= distance and (not below or y > nearest[Nearest.BELOW_DISTANCE]):
+        copy_phases(trial, cell[Cell.BELOW:Cell.ABOVE, :], count)
+        nearest[Nearest.BELOW_COUNT] = count
+        nearest[Nearest.BELOW_DISTANCE] = y
+    above = nearest[Nearest.ABOVE_COUNT] > 0.0
+    if y >= distance and (not above or y < nearest[Nearest.ABOVE_DISTANCE]):
+        copy_phases(trial, cell[Cell.ABOVE:Cell.PROBLEM, :], count)
+        nearest[Nearest.ABOVE_COUNT] = count
+        nearest[Nearest.ABOVE_DISTANCE] = y
+
+
+def is_enclosed(work: 'float[:,:]') -> bool:
+    """Whether profiles on both sides of the distance are kept."""
+    nearest = work[PlanWork.NEAREST, :]
+    return nearest[Nearest.BELOW_COUNT] > 0.0 and nearest[Nearest.ABOVE_COUNT] > 0.0
+
+
+def keep_cruise(
+    cruise: float,
+    problem: 'float[:]',
+    axis: 'float[:]',
+    cell: 'float[:,:]',
+    work: 'float[:,:]',
+) -> float:
+    """Try a cruise velocity and keep its profile if it is the nearest one; returns its distance."""
+    trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
+    count, y, hold = timed_cruise(trial, cruise, problem, axis)
+    keep_nearest(count, problem, axis, cell, work)
+    return y
 
 
 def between_cruises(
     lower: float,
-    y_lower: float,
     upper: float,
-    y_upper: float,
-    target: float,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    distance: float,
-    velocity_limit: float,
-    top: float,
-    ramp: 'float[:]',
-    found: 'float[:]',
-    below: 'float[:,:]',
-    above: 'float[:,:]',
-    trial: 'float[:,:]',
+    e_lower: float,
+    e_upper: float,
+    problem: 'float[:]',
+    axis: 'float[:]',
+    cell: 'float[:,:]',
+    work: 'float[:,:]',
 ) -> None:
-    """Close in on the cruise velocity that covers the distance."""
+    """Close in on the cruise velocity that covers the distance.
+
+    e_lower and e_upper are by how much the two velocities pass the distance [m].
+    """
+    distance = problem[Problem.DISTANCE]
     newest = upper
     other = lower
     before = lower
-    e_newest = y_upper - distance
-    e_other = y_lower - distance
+    e_newest = e_upper
+    e_other = e_lower
     e_before = e_other
-    rounding = 2e-15 * (abs(distance) + (abs(v) + abs(w)) * target)
+    speed = abs(problem[Problem.V]) + abs(problem[Problem.W])
+    rounding = 2e-15 * (abs(distance) + speed * problem[Problem.DURATION])
     for i in range(100):
         if e_newest == 0.0 or e_other == 0.0:
             return
@@ -141,11 +142,7 @@ def between_cruises(
         cruise = newest + share * (other - newest)
         if cruise == newest or cruise == other:
             return
-        count, y, hold = timed_cruise(trial, cruise, target, v, a, w, b, top, ramp)
-        keep_nearest(
-            trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp
-        )
-        error = y - distance
+        error = keep_cruise(cruise, problem, axis, cell, work) - distance
         if abs(error) <= rounding:
             return
         before = newest
@@ -160,75 +157,47 @@ def between_cruises(
 
 
 def cruise_edge(
-    inside: float,
-    outside: float,
-    phases: 'float[:,:]',
-    target: float,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    top: float,
-    ramp: 'float[:]',
+    inside: float, outside: float, phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]'
 ) -> float:
     """Bisect between a velocity that leaves a cruise and one that does not."""
     for i in range(30):
-        trial = 0.5 * (inside + outside)
-        count, y, hold = timed_cruise(phases, trial, target, v, a, w, b, top, ramp)
+        cruise = 0.5 * (inside + outside)
+        count, y, hold = timed_cruise(phases, cruise, problem, axis)
         if count >= 0 and hold >= 0.0:
-            inside = trial
+            inside = cruise
         else:
-            outside = trial
+            outside = cruise
     return inside
 
 
 def scan_cruises(
-    target: float,
-    v: float,
-    a: float,
-    w: float,
-    b: float,
-    distance: float,
-    velocity_limit: float,
-    top: float,
-    ramp: 'float[:]',
-    found: 'float[:]',
-    below: 'float[:,:]',
-    above: 'float[:,:]',
-    trial: 'float[:,:]',
+    problem: 'float[:]', axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]'
 ) -> None:
     """Nearest profiles with a cruise, looked for over all cruise velocities.
 
     Those that leave a cruise can form several windows.
     """
+    trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
+    distance = problem[Problem.DISTANCE]
     samples = 24
     inside = False
     before = 0.0
     for i in range(samples + 1):
-        cruise = velocity_limit * (2.0 * i / samples - 1.0)
-        count, y, hold = timed_cruise(trial, cruise, target, v, a, w, b, top, ramp)
+        cruise = axis[Axis.VELOCITY] * (2.0 * i / samples - 1.0)
+        count, y, hold = timed_cruise(trial, cruise, problem, axis)
         fits = count >= 0 and hold >= 0.0
         if i > 0 and (inside or fits):
             lower = before
             upper = cruise
             if not inside:
-                lower = cruise_edge(cruise, before, trial, target, v, a, w, b, top, ramp)
+                lower = cruise_edge(cruise, before, trial, problem, axis)
             if not fits:
-                upper = cruise_edge(before, cruise, trial, target, v, a, w, b, top, ramp)
-            count, y_lower, hold = timed_cruise(trial, lower, target, v, a, w, b, top, ramp)
-            keep_nearest(
-                trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp
-            )
-            count, y_upper, hold = timed_cruise(trial, upper, target, v, a, w, b, top, ramp)
-            keep_nearest(
-                trial, count, target, v, w, distance, velocity_limit, found, below, above, ramp
-            )
-            if (y_lower - distance) * (y_upper - distance) <= 0.0:
-                between_cruises(
-                    lower, y_lower, upper, y_upper, target, v, a, w, b, distance,
-                    velocity_limit, top, ramp, found, below, above, trial,
-                )
-            if found[0] > 0.0 and found[2] > 0.0:
+                upper = cruise_edge(before, cruise, trial, problem, axis)
+            e_lower = keep_cruise(lower, problem, axis, cell, work) - distance
+            e_upper = keep_cruise(upper, problem, axis, cell, work) - distance
+            if e_lower * e_upper <= 0.0:
+                between_cruises(lower, upper, e_lower, e_upper, problem, axis, cell, work)
+            if is_enclosed(work):
                 return
         inside = fits
         before = cruise

@@ -1,1 +1,1 @@
-"""Polynomial pieces of a plan: made, evaluated, checked."""
+"""Polynomial pieces of a plan: from phases, evaluated, checked."""

@@ -4,26 +4,29 @@ Arrays are those of evaluate.py; times[waypoint, axis] is the arrival of each ax
 """
 
 from segfmu.kernels.trajectory.evaluate import find_piece
+from segfmu.kernels.trajectory.records import Timing
 
 
 def next_break(
     time: float, timing: 'float[:,:]', offsets: 'int[:]', ends: 'float[:]'
 ) -> float:
-    """First time after `time` at which a piece of any axis begins or its last one ends; or 1e300.
+    """First time after `time` [s] at which a piece of any axis begins or its last one ends.
+
+    1e300 if there is none.
     """
-    found = 1e300
+    following = 1e300
     for axis in range(ends.shape[0]):
         first = offsets[axis]
         last = offsets[axis + 1]
-        if time < timing[first, 0]:
-            found = min(found, timing[first, 0])
+        if time < timing[first, Timing.START]:
+            following = min(following, timing[first, Timing.START])
         else:
             row = find_piece(time, timing, first, last) + 1
             if row < last:
-                found = min(found, timing[row, 0])
+                following = min(following, timing[row, Timing.START])
             elif time < ends[axis]:
-                found = min(found, ends[axis])
-    return found
+                following = min(following, ends[axis])
+    return following
 
 
 def same_break(time: float) -> float:
@@ -54,13 +57,13 @@ def next_plan_event(
                 arrival = max(arrival, ends[axis])
         if start + arrival > time + same_break(time):
             event = min(event, start + arrival)
-    found = next_break(time + same_break(time) - start, timing, offsets, ends)
-    if found < 1e300:
-        found = start + found
+    piece_end = next_break(time + same_break(time) - start, timing, offsets, ends)
+    if piece_end < 1e300:
+        piece_end = start + piece_end
     # of a start that is far away the clock may be too coarse to tell a break from the present
-    if event <= found + same_break(time) or found <= time:
+    if event <= piece_end + same_break(time) or piece_end <= time:
         return event
-    return found
+    return piece_end
 
 
 def right_of_break(

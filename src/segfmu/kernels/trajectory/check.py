@@ -5,7 +5,8 @@ limit the interval is halved, until every part is within it or one of its ends i
 is exact, up to the tolerance that is allowed for rounding.
 """
 
-from segfmu.kernels.trajectory.evaluate import evaluate_piece, find_piece
+from segfmu.kernels.trajectory.evaluate import evaluate_piece, find_piece, local_time
+from segfmu.kernels.trajectory.records import Check, Hull, Timing
 
 
 def bernstein_coefficients(
@@ -51,10 +52,10 @@ def split_hull(hull: 'float[:,:]', row: int, count: int) -> None:
 def within(hull: 'float[:,:]', count: int, limit: float) -> bool:
     """Whether a polynomial given by the Bernstein coefficients hull[0, :] keeps a limit.
 
-    hull (40, 14) is work space.
+    hull is work space with rows of `Hull`, 40 of them.
     """
     rows = 1
-    hull[0, 13] = 0.0
+    hull[0, Hull.DEPTH] = 0.0
     while rows > 0:
         row = rows - 1
         largest = 0.0
@@ -67,76 +68,89 @@ def within(hull: 'float[:,:]', count: int, limit: float) -> bool:
             rows = rows - 1
             continue
         ends = max(abs(hull[row, 0]), abs(hull[row, count - 1]))
-        depth = hull[row, 13]
+        depth = hull[row, Hull.DEPTH]
         if not ends <= limit or depth > 34.0:
             return False
         split_hull(hull, row, count)
-        hull[row, 13] = depth + 1.0
-        hull[row + 1, 13] = depth + 1.0
+        hull[row, Hull.DEPTH] = depth + 1.0
+        hull[row + 1, Hull.DEPTH] = depth + 1.0
         rows = rows + 1
     return True
 
 
 def check_axis(
-    axis: int,
-    timing: 'float[:,:]',
-    coefficients: 'float[:,:]',
     first: int,
     last: int,
-    limits: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+    limits: 'float[:]',
     tolerance: float,
     work: 'float[:,:]',
 ) -> bool:
-    """Whether the pieces first .. last - 1 of one axis keep its limits and join smoothly.
+    """Whether the pieces first .. last - 1 of one axis keep its limits c_1 .. and join smoothly.
 
-    work[41, d] becomes the peak of the d-th derivative, or for the position its range, at least 1.
+    The row PEAKS of `work` (Check) becomes the peaks of the derivatives.
     """
-    order = limits.shape[1]
-    hull = work[0:40, :]
-    for i in range(14):
-        work[41, i] = 0.0
-        work[42, i] = 0.0
+    order = limits.shape[0]
+    for i in range(Hull.SIZE):
+        work[Check.PEAKS, i] = 0.0
+        work[Check.JUMPS, i] = 0.0
     low = coefficients[first, 0]
     high = low
     for row in range(first, last):
-        length = timing[row, 1]
         low = min(low, coefficients[row, 0])
         high = max(high, coefficients[row, 0])
-        degree = coefficients.shape[1] - 1
-        while degree > 0 and coefficients[row, degree] == 0.0:
-            degree = degree - 1
-        for d in range(order + 1):
-            hull[0, 0] = 0.0
-            count = 1
-            if d <= degree:
-                count = bernstein_coefficients(coefficients, row, degree + 1, d, length, hull)
-            for i in range(count):
-                work[41, d] = max(work[41, d], abs(hull[0, i]))
-            if row > first:
-                work[42, d] = max(work[42, d], abs(hull[0, 0] - work[40, d]))
-            # not max(), which a value that is no number would leave as it is
-            if not abs(hull[0, 0]) < 1e300:
-                return False
-            work[40, d] = hull[0, count - 1]
-            if d > 0 and limits[axis, d - 1] > 0.0:
-                if not within(hull, count, limits[axis, d - 1] * (1.0 + tolerance)):
-                    return False
-    work[41, 0] = max(1.0, high - low)
-    for d in range(order):
-        if not work[42, d] <= tolerance * work[41, d]:
+        length = timing[row, Timing.LENGTH]
+        if not check_piece(row, row > first, length, coefficients, limits, tolerance, work):
             return False
-    return work[41, 0] < 1e300
+    work[Check.PEAKS, 0] = max(1.0, high - low)
+    for d in range(order):
+        if not work[Check.JUMPS, d] <= tolerance * work[Check.PEAKS, d]:
+            return False
+    return work[Check.PEAKS, 0] < 1e300
+
+
+def check_piece(
+    row: int,
+    joined: bool,
+    length: float,
+    coefficients: 'float[:,:]',
+    limits: 'float[:]',
+    tolerance: float,
+    work: 'float[:,:]',
+) -> bool:
+    """Whether a piece keeps the limits of its axis; notes peaks and, if it is joined, jumps."""
+    order = limits.shape[0]
+    hull = work[Check.HULLS:Check.ENDS, :]
+    degree = coefficients.shape[1] - 1
+    while degree > 0 and coefficients[row, degree] == 0.0:
+        degree = degree - 1
+    for d in range(order + 1):
+        hull[0, 0] = 0.0
+        count = 1
+        if d <= degree:
+            count = bernstein_coefficients(coefficients, row, degree + 1, d, length, hull)
+        for i in range(count):
+            work[Check.PEAKS, d] = max(work[Check.PEAKS, d], abs(hull[0, i]))
+        if joined:
+            jump = abs(hull[0, 0] - work[Check.ENDS, d])
+            work[Check.JUMPS, d] = max(work[Check.JUMPS, d], jump)
+        # not max(), which a value that is no number would leave as it is
+        if not abs(hull[0, 0]) < 1e300:
+            return False
+        work[Check.ENDS, d] = hull[0, count - 1]
+        if d > 0 and limits[d - 1] > 0.0:
+            if not within(hull, count, limits[d - 1] * (1.0 + tolerance)):
+                return False
+    return True
 
 
 def check_plan(
-    positions: 'float[:,:]',
-    velocities: 'float[:,:]',
-    accelerations: 'float[:,:]',
+    states: 'float[:,:,:]',
     times: 'float[:,:]',
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
     offsets: 'int[:]',
-    ends: 'float[:]',
     limits: 'float[:,:]',
     tolerance: float,
     work: 'float[:,:]',
@@ -145,32 +159,28 @@ def check_plan(
 
     Limits hold up to the relative tolerance, the derivatives 0 .. n are continuous up to it (in
     units of the range of the position, at least 1 m, and of the peaks of the others), and the
-    waypoints are met up to it. Arrays as in `expand_plan`; work is (43, 14).
+    waypoints are met up to it. Arrays as in `expand_plan`; limits[axis, i] is c_{i+1}, 0 where
+    absent; work (Check rows, Check columns).
     """
     width = coefficients.shape[1]
-    points = positions.shape[0]
+    points = states.shape[0]
     for axis in range(limits.shape[0]):
         first = offsets[axis]
         last = offsets[axis + 1]
         if not check_axis(
-            axis, timing, coefficients, first, last, limits, tolerance, work
+            first, last, timing, coefficients, limits[axis, :], tolerance, work
         ):
             return 1 + axis
         for j in range(points + 1):
             # the last waypoint is met on arrival and, after its dwell, at the end
             point = min(j, points - 1)
-            time = times[point, axis]
-            if j == points:
-                time = ends[axis]
-            row = find_piece(time, timing, first, last)
-            local = min(time - timing[row, 0], timing[row, 1])
-            y = evaluate_piece(coefficients, row, width, local, 0)
-            v = evaluate_piece(coefficients, row, width, local, 1)
-            a = evaluate_piece(coefficients, row, width, local, 2)
-            if not abs(y - positions[point, axis]) <= tolerance * work[41, 0]:
-                return 1 + axis
-            if not abs(v - velocities[point, axis]) <= tolerance * limits[axis, 0]:
-                return 1 + axis
-            if not abs(a - accelerations[point, axis]) <= tolerance * limits[axis, 1]:
-                return 1 + axis
+            row = find_piece(times[j, axis], timing, first, last)
+            local = local_time(times[j, axis], timing, row)
+            for d in range(states.shape[2]):
+                value = evaluate_piece(coefficients, row, width, local, d)
+                scale = work[Check.PEAKS, 0]
+                if d > 0:
+                    scale = limits[axis, d - 1]
+                if not abs(value - states[point, axis, d]) <= tolerance * scale:
+                    return 1 + axis
     return 0

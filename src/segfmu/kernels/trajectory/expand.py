@@ -1,67 +1,65 @@
 """Phases of a whole plan -> the polynomial pieces of every axis.
 
-The indices are those of intervals.py; where two profiles are averaged, their pieces are cut at
-the switching times of both and added with their weights.
+Where two profiles are averaged, their pieces are cut at the switching times of both and added with
+their weights.
 """
 
-from segfmu.kernels.trajectory.evaluate import evaluate_piece, expand_phases
+from segfmu.kernels.planner.records import Cell, Interval, Problem, WaypointState
+from segfmu.kernels.trajectory.evaluate import evaluate_piece
+from segfmu.kernels.trajectory.pieces import clear_piece, expand_phases
+from segfmu.kernels.trajectory.records import Expansion, Piece, PieceState, Spare, Timing
 
 
-def count_pieces(counts: 'int[:]', cells: int) -> int:
-    """An upper bound of the number of pieces: seven a phase, and one a dwell."""
-    total = cells + 1
-    for i in range(2 * cells):
-        total = total + 7 * counts[i]
+def count_pieces(axes: 'float[:,:]', cells: 'float[:,:,:]') -> int:
+    """Rows that `expand_plan` needs: seven a phase, one a dwell, and the spare ones."""
+    total = Spare.ROWS + axes.shape[0] + cells.shape[0]
+    for i in range(cells.shape[0]):
+        phases = cells[i, Cell.RESULT, Interval.BELOW_COUNT]
+        phases = phases + cells[i, Cell.RESULT, Interval.ABOVE_COUNT]
+        total = total + 7 * int(phases)
     return total
 
 
 def shift_piece(
-    coefficients: 'float[:,:]',
-    source: int,
-    width: int,
-    t: float,
-    weight: float,
-    target: 'float[:,:]',
-    row: int,
+    coefficients: 'float[:,:]', source: int, t: float, weight: float, target: int
 ) -> None:
-    """Add weight times a piece, taken from its local time t on, to another piece."""
+    """Add weight times the piece in row `source`, from its local time t on, to row `target`."""
+    width = coefficients.shape[1]
     factorial = 1.0
     for i in range(width):
         if i > 0:
             factorial = factorial * i
         value = evaluate_piece(coefficients, source, width, t, i) / factorial
-        target[row, i] = target[row, i] + weight * value
+        coefficients[target, i] = coefficients[target, i] + weight * value
 
 
 def merge_pieces(
     weight: float,
     now: float,
-    first_a: int,
-    last_a: int,
-    last_b: int,
-    scratch_timing: 'float[:,:]',
-    scratch: 'float[:,:]',
+    middle: int,
+    last: int,
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
     row: int,
 ) -> int:
-    """(1 - weight) * pieces first_a .. last_a - 1 + weight * pieces last_a .. last_b - 1."""
-    width = coefficients.shape[1]
-    a = first_a
-    b = last_a
+    """Average the pieces in the spare rows, from the time `now` [s]; returns the row after them.
+
+    They are (1 - weight) * those up to the row `middle` + weight * those from there up to `last`.
+    """
+    a = timing.shape[0] - Spare.ROWS
+    b = middle
     t = now
     t_a = 0.0
     t_b = 0.0
-    while a < last_a and b < last_b:
-        for i in range(width):
-            coefficients[row, i] = 0.0
-        shift_piece(scratch, a, width, t_a, 1.0 - weight, coefficients, row)
-        shift_piece(scratch, b, width, t_b, weight, coefficients, row)
-        rest_a = scratch_timing[a, 1] - t_a
-        rest_b = scratch_timing[b, 1] - t_b
+    while a < middle and b < last:
+        clear_piece(coefficients, row)
+        shift_piece(coefficients, a, t_a, 1.0 - weight, row)
+        shift_piece(coefficients, b, t_b, weight, row)
+        rest_a = timing[a, Timing.LENGTH] - t_a
+        rest_b = timing[b, Timing.LENGTH] - t_b
         step = min(rest_a, rest_b)
-        timing[row, 0] = t
-        timing[row, 1] = step
+        timing[row, Timing.START] = t
+        timing[row, Timing.LENGTH] = step
         t = t + step
         t_a = t_a + step
         t_b = t_b + step
@@ -75,104 +73,89 @@ def merge_pieces(
     return row
 
 
+def expand_profile(
+    cell: 'float[:,:]',
+    second: bool,
+    axis: 'float[:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+    row: int,
+    work: 'float[:,:]',
+) -> int:
+    """Expand the first or the second profile of a cell; returns the row after its last piece."""
+    state = work[Expansion.STATE, :]
+    state[PieceState.POSITION] = cell[Cell.RESULT, Interval.POSITION]
+    state[PieceState.VELOCITY] = cell[Cell.PROBLEM, Problem.V]
+    state[PieceState.TIME] = cell[Cell.RESULT, Interval.START]
+    if second:
+        count = int(cell[Cell.RESULT, Interval.ABOVE_COUNT])
+        return expand_phases(
+            cell[Cell.ABOVE:Cell.PROBLEM, :], count, axis, timing, coefficients, row, work
+        )
+    count = int(cell[Cell.RESULT, Interval.BELOW_COUNT])
+    return expand_phases(
+        cell[Cell.BELOW:Cell.ABOVE, :], count, axis, timing, coefficients, row, work
+    )
+
+
+def expand_cell(
+    cell: 'float[:,:]',
+    axis: 'float[:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+    row: int,
+    work: 'float[:,:]',
+) -> int:
+    """Expand one interval of one axis from `row` on; returns the row after its last piece."""
+    weight = cell[Cell.RESULT, Interval.WEIGHT]
+    if weight <= 0.0 or weight >= 1.0:
+        return expand_profile(cell, weight >= 1.0, axis, timing, coefficients, row, work)
+    spare = timing.shape[0] - Spare.ROWS
+    middle = expand_profile(cell, False, axis, timing, coefficients, spare, work)
+    last = expand_profile(cell, True, axis, timing, coefficients, middle, work)
+    now = cell[Cell.RESULT, Interval.START]
+    return merge_pieces(weight, now, middle, last, timing, coefficients, row)
+
+
 def expand_plan(
-    positions: 'float[:,:]',
-    velocities: 'float[:,:]',
+    states: 'float[:,:,:]',
     dwells: 'float[:]',
-    smoothness: int,
-    shape: int,
-    phases: 'float[:,:,:]',
-    counts: 'int[:]',
-    weights: 'float[:]',
-    durations: 'float[:,:]',
-    ramps: 'float[:,:]',
-    scratch_timing: 'float[:,:]',
-    scratch: 'float[:,:]',
+    axes: 'float[:,:]',
+    cells: 'float[:,:,:]',
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
     offsets: 'int[:]',
     times: 'float[:,:]',
+    work: 'float[:,:]',
 ) -> int:
     """Expand a plan into the pieces of every axis; returns the number of pieces.
 
-    times[j, axis] becomes the arrival at waypoint j; offsets (axes + 1,); timing and
-    coefficients (.., 2 smoothness) hold at least count_pieces rows, the scratch arrays (200,) and
-    (200, 16), of which the last two rows serve as work space.
+    The first four arrays are those of `plan_phases`. Written: timing (.., Timing) and coefficients
+    (.., 2 smoothness), which hold at least count_pieces rows; offsets (axes + 1,), the first piece
+    of each axis; times (waypoints + 1, axes), the arrival of each axis at each waypoint and, in the
+    last row, the end of its motion [s]. work (Expansion rows, Expansion columns).
     """
-    intervals = durations.shape[0]
-    axes = durations.shape[1]
+    points = states.shape[0]
+    count = axes.shape[0]
     row = 0
-    for axis in range(axes):
+    for axis in range(count):
         offsets[axis] = row
         now = 0.0
-        times[0, axis] = 0.0
-        for j in range(intervals + 1):
+        for j in range(points):
             times[j, axis] = now
-            if dwells[j] > 0.0 or (j == intervals and row == offsets[axis]):
-                for i in range(2 * smoothness):
-                    coefficients[row, i] = 0.0
-                coefficients[row, 0] = positions[j, axis]
-                timing[row, 0] = now
-                timing[row, 1] = dwells[j]
+            if dwells[j] > 0.0 or (j == points - 1 and row == offsets[axis]):
+                clear_piece(coefficients, row)
+                coefficients[row, Piece.POSITION] = states[j, axis, WaypointState.POSITION]
+                timing[row, Timing.START] = now
+                timing[row, Timing.LENGTH] = dwells[j]
                 now = now + dwells[j]
                 row = row + 1
-            if j < intervals:
-                row = expand_interval(
-                    j, axis, axes, now, positions, velocities, smoothness, shape, phases, counts,
-                    weights, ramps, scratch_timing, scratch, timing, coefficients, row,
-                )
-                now = now + durations[j, axis]
-    offsets[axes] = row
+            if j < points - 1:
+                cell = cells[j * count + axis, :, :]
+                cell[Cell.RESULT, Interval.POSITION] = states[j, axis, WaypointState.POSITION]
+                cell[Cell.RESULT, Interval.START] = now
+                row = expand_cell(cell, axes[axis, :], timing, coefficients, row, work)
+                now = now + cell[Cell.RESULT, Interval.DURATION]
+        times[points, axis] = now
+    offsets[count] = row
     return row
-
-
-def expand_interval(
-    interval: int,
-    axis: int,
-    axes: int,
-    now: float,
-    positions: 'float[:,:]',
-    velocities: 'float[:,:]',
-    smoothness: int,
-    shape: int,
-    phases: 'float[:,:,:]',
-    counts: 'int[:]',
-    weights: 'float[:]',
-    ramps: 'float[:,:]',
-    scratch_timing: 'float[:,:]',
-    scratch: 'float[:,:]',
-    timing: 'float[:,:]',
-    coefficients: 'float[:,:]',
-    row: int,
-) -> int:
-    """Expand one interval of one axis from `row` on; returns the row after its last piece."""
-    cell = interval * axes + axis
-    weight = weights[cell]
-    state = scratch[199, :]
-    psi = scratch[198, :]
-    state[0] = positions[interval, axis]
-    state[1] = velocities[interval, axis]
-    state[4] = now
-    if weight <= 0.0 or weight >= 1.0:
-        which = 2 * cell
-        if weight >= 1.0:
-            which = which + 1
-        return expand_phases(
-            phases[which, :, :], counts[which], smoothness, shape, ramps[axis, 40], psi, state,
-            timing, coefficients, row,
-        )
-    middle = expand_phases(
-        phases[2 * cell, :, :], counts[2 * cell], smoothness, shape, ramps[axis, 40], psi, state,
-        scratch_timing, scratch, 0,
-    )
-    state[0] = positions[interval, axis]
-    state[1] = velocities[interval, axis]
-    state[4] = now
-    last = expand_phases(
-        phases[2 * cell + 1, :, :], counts[2 * cell + 1], smoothness, shape, ramps[axis, 40], psi,
-        state, scratch_timing, scratch, middle,
-    )
-    return merge_pieces(
-        weight, now, 0, middle, last, scratch_timing, scratch,
-        timing, coefficients, row,
-    )

@@ -1,0 +1,194 @@
+"""Records of the planner: an axis, its boundary problems, phases, and the work space."""
+
+from segfmu.kernels.records import Codes, Record, field
+
+
+class Shape(Codes):
+    """Shapes of an acceleration ramp (parameters.py)."""
+
+    SMOOTHSTEP = 0
+    PLATEAU = 1
+
+
+class Synchronization(Codes):
+    """Where the axes of a plan meet."""
+
+    NONE = 0
+    WAYPOINTS = 1
+    TOTAL = 2
+
+
+class PlanStatus(Codes):
+    """What became of a plan; below zero it is refused, and `Refusal` says where.
+
+    START_BRAKING, END_BRAKING: braking the first, building up the last acceleration passes the
+    velocity limit. NO_PROFILE, NO_COMMON_DURATION: none was found. DURATION_TOO_SHORT,
+    DURATION_IN_GAP: of the duration asked for. WAYPOINT_VELOCITY, WAYPOINT_ACCELERATION: a waypoint
+    is beyond the limit. UNBOUNDED_RAMP: no limit bounds a ramp. MOVING_DWELL: a dwell at a waypoint
+    that moves. OUT_OF_RANGE, CHECK_FAILED: of the C function alone, sizes or choices out of range,
+    and a plan that does not pass its check.
+    """
+
+    PLANNED = 0
+    START_BRAKING = -1
+    END_BRAKING = -2
+    NO_PROFILE = -3
+    NO_COMMON_DURATION = -4
+    DURATION_TOO_SHORT = -5
+    DURATION_IN_GAP = -6
+    WAYPOINT_VELOCITY = -7
+    WAYPOINT_ACCELERATION = -8
+    UNBOUNDED_RAMP = -9
+    MOVING_DWELL = -10
+    OUT_OF_RANGE = -11
+    CHECK_FAILED = -12
+
+
+class Braking(Codes):
+    """What `braked` returns in place of a number of phases.
+
+    START_FAILS and END_FAILS are the plan's status START_BRAKING and END_BRAKING; NOT_NEEDED: an
+    acceleration that shall be braked is zero.
+    """
+
+    START_FAILS = -1
+    END_FAILS = -2
+    NOT_NEEDED = -3
+
+
+class PlanOptions(Record):
+    """How to plan."""
+
+    SMOOTHNESS = field("n, 2 to 6: how often the trajectory is continuously differentiable")
+    SHAPE = field("of the ramps, see Shape")
+    SYNCHRONIZATION = field("of the axes, see Synchronization")
+    SAMPLE_TIME = field("intervals last a multiple of it; 0: any time", "s")
+    DURATION = field("in total; 0: the shortest", "s")
+
+
+class WaypointState(Record):
+    """WaypointState of one axis at a waypoint."""
+
+    POSITION = field("position", "m")
+    VELOCITY = field("velocity", "m/s")
+    ACCELERATION = field("acceleration", "m/s2")
+
+
+class Axis(Record):
+    """Limits of one axis, and the parameters of its ramps (parameters.py)."""
+
+    SMOOTHNESS = field("n, 2 to 6")
+    SHAPE = field("of the ramps, see Shape")
+    VELOCITY = field("velocity limit c_1", "m/s")
+    ACCELERATION = field("acceleration limit c_2", "m/s2")
+    JERK = field("limits c_3 .. c_7 of the jerk and what follows; 0 where absent", size=5)
+    FULL_RAMP = field("duration of the ramp from zero to the acceleration limit", "s")
+    PLATEAU = field("1 where the jerk of a ramp has a plateau, else 0")
+    RISE = field("duration of the jerk's rise in a ramp at the jerk limit", "s")
+    RISE_SHARE = field("share of the rise in a ramp whose rise no limit bounds; 0: a limit does")
+    LINEAR_FROM = field("acceleration change from which the duration is linear; -1: none", "m/s2")
+    LINEAR_SLOPE = field("slope of the duration there", "s3/m")
+    LINEAR_CONSTANT = field("constant of the duration there", "s")
+    FLAT_VARIANCE = field("factor of (duration - rise)^2 in the variance V")
+    RISE_VARIANCE = field("factor of rise^2 in the variance V")
+    POWERS = field("q_e, e = 1 .. 8: a ramp (plateau: its rise) lasts (q_e change)^(1/e)", size=8)
+    SNAP_SHARE = field("share of the snap's rise in that of the jerk; 0: the snap has no plateau")
+    CURVE_SIZE = field("number of coefficients of the curved part")
+    CURVE = field("polynomial of the curved part, ascending powers", size=10)
+
+
+class Problem(Record):
+    """Boundary problem of one axis: from (0, V, A) to (DISTANCE, W, B)."""
+
+    V = field("velocity at the start", "m/s")
+    A = field("acceleration at the start", "m/s2")
+    W = field("velocity at the end", "m/s")
+    B = field("acceleration at the end", "m/s2")
+    DISTANCE = field("position at the end less that at the start", "m")
+    DURATION = field("duration that a profile of prescribed duration takes", "s")
+
+
+class Phase(Record):
+    """A ramp of the acceleration or, where it does not change, a hold."""
+
+    DURATION = field("duration", "s")
+    RISE = field("duration of the jerk's rise", "s")
+    ACCELERATION = field("acceleration at the start", "m/s2")
+    CHANGE = field("change of the acceleration", "m/s2")
+
+
+class Family(Record):
+    """Canonical family of merged profiles (levels.py), what is searched for, and one member."""
+
+    V = field("canonical velocity at the start", "m/s")
+    A = field("canonical acceleration at the start", "m/s2")
+    W = field("canonical velocity at the end", "m/s")
+    B = field("canonical acceleration at the end", "m/s2")
+    HIGHEST = field("bound of the first level", "m/s2")
+    LAST_RAMP = field("duration of the last ramp from the negative acceleration limit", "s")
+    START_VELOCITY = field("velocity at the start of the phases, on their own branch", "m/s")
+    REVERSE = field("1 where time is reversed, else 0")
+    MIRROR = field("1 where the position is mirrored, else 0")
+    BY_TIME = field("1 where members are searched by their duration, 0: by their distance")
+    TARGET = field("distance or duration that is searched for", "m or s")
+    MEMBER = field("number of the member of that value, from 0; -1: the first one found")
+    SCALE = field("time over which members are looked for", "s")
+    FIRST_TIME = field("member: duration of the first ramp", "s")
+    FIRST_HOLD = field("member: hold at the first level", "s")
+    FIRST_LEVEL = field("member: first acceleration level", "m/s2")
+    SECOND_HOLD = field("member: hold at the second level", "s")
+    SECOND_LEVEL = field("member: second acceleration level", "m/s2")
+    LAST_TIME = field("member: duration of the last ramp", "s")
+
+
+class Interval(Record):
+    """Result of one axis in one waypoint interval."""
+
+    SHORTEST = field("shortest duration", "s")
+    DURATION = field("duration of the plan", "s")
+    WEIGHT = field("share of the second profile in the weighted mean of both")
+    BELOW_COUNT = field("number of phases of the first profile")
+    ABOVE_COUNT = field("number of phases of the second profile; 0: there is none")
+    POSITION = field("position at its start", "m")
+    START = field("time of its start", "s")
+    PROLONGED = field("of the first axis: 1 while the interval can be prolonged, else 0")
+
+
+class Cell(Record):
+    """Rows of what belongs to one axis in one interval."""
+
+    BELOW = field("phases of the first profile", size=13, of=Phase)
+    ABOVE = field("phases of the second profile, where two are averaged", size=13, of=Phase)
+    PROBLEM = field("boundary problem", of=Problem)
+    RESULT = field("result", of=Interval)
+
+
+class Nearest(Record):
+    """The two profiles of prescribed duration next to the distance."""
+
+    BELOW_COUNT = field("number of phases of the one that falls short; 0: none")
+    BELOW_DISTANCE = field("its distance", "m")
+    ABOVE_COUNT = field("number of phases of the one that covers the distance; 0: none")
+    ABOVE_DISTANCE = field("its distance", "m")
+
+
+class Refusal(Record):
+    """Where and why a plan is refused."""
+
+    AXIS = field("axis, from 0")
+    INTERVAL = field("waypoint interval, or waypoint, from 0")
+    VALUE = field("value that is refused")
+    BOUND = field("its bound")
+
+
+class PlanWork(Record):
+    """Rows of the planner's work space."""
+
+    TRIAL = field("phases that are tried", size=13, of=Phase)
+    BEST = field("phases of the candidate in question", size=13, of=Phase)
+    GAP_ENDS = field("durations at which a gap can end, in the first column", size=16)
+    NEAREST = field("profiles next to the distance", of=Nearest)
+    PROBLEM = field("boundary problem without rounding errors at the limits", of=Problem)
+    REST = field("boundary problem that braking leaves", of=Problem)
+    FAMILY = field("canonical family", of=Family)
+    REFUSAL = field("of a plan that is refused", of=Refusal)

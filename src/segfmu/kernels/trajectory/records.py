@@ -1,0 +1,63 @@
+"""Records of the polynomial pieces of a trajectory."""
+
+from segfmu.kernels.records import Codes, Record, field
+
+
+class Timing(Record):
+    """When a polynomial piece holds.
+
+    The length is kept beside the start, as the difference of two late starts would not be exact.
+    """
+
+    START = field("start", "s")
+    LENGTH = field("length", "s")
+
+
+class PieceState(Record):
+    """WaypointState of one axis at the start of a piece."""
+
+    POSITION = field("position", "m")
+    VELOCITY = field("velocity", "m/s")
+    ACCELERATION = field("acceleration", "m/s2")
+    JERK = field("jerk", "m/s3")
+    TIME = field("time", "s")
+
+
+class Piece(Record):
+    """Coefficients of a polynomial piece in its local time: derivatives over their factorials."""
+
+    POSITION = field("position at the start", "m")
+    VELOCITY = field("velocity there", "m/s")
+    ACCELERATION = field("half the acceleration there", "m/s2")
+    JERK = field("a sixth of the jerk there", "m/s3")
+    SNAP = field("a 24th of the snap there; from smoothness 3 on", "m/s4")
+    HIGHER = field("those of the higher powers, 2 n - 5", size=7)
+
+
+class Expansion(Record):
+    """Rows of the work space of the expansion of phases into pieces."""
+
+    PSI = field("transition polynomial of the ramps, ascending powers", of=Piece)
+    STATE = field("state between two pieces", of=PieceState)
+
+
+class Spare(Codes):
+    """Rows at the end of the arrays of pieces in which two profiles are expanded to be averaged."""
+
+    ROWS = 200
+
+
+class Hull(Record):
+    """Bernstein coefficients of a polynomial on a part of its interval."""
+
+    COEFFICIENTS = field("coefficients", size=13)
+    DEPTH = field("how often the interval was halved")
+
+
+class Check(Record):
+    """Rows of the work space of the check of a plan."""
+
+    HULLS = field("hulls of the parts of a piece", size=40, of=Hull)
+    ENDS = field("derivatives at the end of the piece before, by their order")
+    PEAKS = field("peaks of the derivatives; of the position its range, at least 1 m")
+    JUMPS = field("largest jumps of the derivatives between two pieces")

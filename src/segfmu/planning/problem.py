@@ -1,0 +1,118 @@
+"""What to plan as arrays, and the phases that the kernels make of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from segfmu.kernels import backend
+from segfmu.kernels.planner.records import (
+    Axis,
+    Cell,
+    Interval,
+    PlanStatus,
+    PlanWork,
+    Shape,
+    Synchronization,
+)
+from segfmu.planning.arrays import FloatArray
+
+SHAPES = tuple(name.lower() for name in Shape.items())
+SYNCHRONIZATIONS = tuple(name.lower() for name in Synchronization.items())
+
+
+@dataclass(frozen=True)
+class Options:
+    """How to plan; sample_time and duration [s] are 0 where not asked for."""
+
+    smoothness: int
+    shape: str
+    synchronize: str
+    sample_time: float
+    duration: float
+
+    @property
+    def vector(self) -> FloatArray:
+        """As the kernels take them (PlanOptions)."""
+        return np.array([
+            self.smoothness, SHAPES.index(self.shape), SYNCHRONIZATIONS.index(self.synchronize),
+            self.sample_time, self.duration,
+        ])
+
+
+@dataclass(frozen=True, eq=False)
+class Problem:
+    """What to plan.
+
+    Attributes
+    ----------
+    states : ndarray, shape (waypoints, axes, 3)
+        Position, velocity and acceleration [m, m/s, m/s2] (WaypointState); NaN where free.
+    dwells : ndarray, shape (waypoints,)
+        Times to stay [s].
+    limits : ndarray, shape (axes, smoothness + 1)
+        As from `Limits.table`.
+    options : Options
+    """
+
+    states: FloatArray
+    dwells: FloatArray
+    limits: FloatArray
+    options: Options
+
+
+@dataclass(frozen=True, eq=False)
+class Phases:
+    """What the kernel `plan_phases` gives back and writes (kernels/planner/records.py).
+
+    Attributes
+    ----------
+    status : int
+        Of PlanStatus; below 0 there is no plan.
+    axes : ndarray, shape (axes, Axis)
+    cells : ndarray, shape (intervals * axes, Cell rows, Cell columns)
+    work : ndarray, shape (PlanWork rows, PlanWork columns)
+    """
+
+    status: int
+    axes: FloatArray
+    cells: FloatArray
+    work: FloatArray
+
+    @property
+    def feasible(self) -> bool:
+        """Whether there is a plan."""
+        return self.status == PlanStatus.PLANNED
+
+    @property
+    def refusal(self) -> FloatArray:
+        """Where and why there is no plan (Refusal)."""
+        row: FloatArray = self.work[PlanWork.REFUSAL]
+        return row
+
+    @property
+    def durations(self) -> FloatArray:
+        """Duration of every interval of every axis [s], shape (intervals, axes)."""
+        return self.cells[:, Cell.RESULT, Interval.DURATION].reshape(-1, len(self.axes))
+
+
+def plan_phases(problem: Problem) -> Phases:
+    """Plan the phases of all axes in all intervals; all states are numbers."""
+    points, axes = problem.states.shape[:2]
+    table = np.zeros((axes, Axis.SIZE))
+    cells = np.zeros(((points - 1) * axes, Cell.SIZE, Cell.COLUMNS))
+    work = np.zeros((PlanWork.SIZE, PlanWork.COLUMNS))
+    status = backend.plan_phases(
+        problem.states, problem.dwells, problem.limits, problem.options.vector, table, cells, work
+    )
+    return Phases(status, table, cells, work)
+
+
+def total_duration(problem: Problem) -> float:
+    """Sum of all intervals' durations [s], over all axes unless they meet; infinite: no plan."""
+    phases = plan_phases(problem)
+    if not phases.feasible:
+        return float("inf")
+    meeting = problem.options.synchronize == "waypoints"
+    return float(phases.durations[:, 0].sum() if meeting else phases.durations.sum())

@@ -1,0 +1,130 @@
+"""The arguments of `plan`, checked."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from segfmu.errors import InputError
+from segfmu.planning.arrays import FloatArray, finite_vector
+from segfmu.planning.limits import Limits
+from segfmu.planning.problem import SHAPES, SYNCHRONIZATIONS, Options, Problem
+from segfmu.planning.waypoint import Waypoint
+
+SMOOTHNESS = range(2, 7)
+
+
+@dataclass(frozen=True, eq=False)
+class Request:
+    """What was asked for.
+
+    Attributes
+    ----------
+    waypoints, limits, axis_names
+        As given to `plan`.
+    problem : Problem
+        The same as arrays.
+    """
+
+    waypoints: tuple[Waypoint, ...]
+    limits: Limits
+    axis_names: tuple[str, ...]
+    problem: Problem
+
+    def require_different(self) -> None:
+        """Raise InputError unless waypoints that follow each other differ in what doubles tell."""
+        states = self.problem.states
+        rows = states.transpose(0, 2, 1).reshape(len(states), -1).tolist()
+        for i, (before, state) in enumerate(pairwise(rows), 1):
+            pairs = zip(before, state, strict=True)
+            if all(abs(b - a) <= 1e-15 * max(abs(b), 1.0) for a, b in pairs):
+                raise InputError(
+                    f"waypoints {i} and {i + 1} are the same; leave one out, or give it a dwell"
+                )
+
+
+def checked_request(
+    waypoints: Sequence[Waypoint],
+    limits: Limits,
+    smoothness: int,
+    shape: str,
+    synchronize: str,
+    sample_time: float | None,
+    duration: float | None,
+    axis_names: Sequence[str] | None,
+) -> Request:
+    """Return a request of the arguments of `plan`, which raises what is raised here."""
+    points = _checked_waypoints(waypoints)
+    axes = points[0].axes
+    names = _names(axis_names, axes)
+    if smoothness not in SMOOTHNESS:
+        raise InputError(f"smoothness must be an integer from 2 to 6, got {smoothness!r}")
+    if not isinstance(limits, Limits):
+        raise InputError(f"limits must be a segfmu.Limits, got {type(limits).__name__}")
+    options = Options(
+        int(smoothness), _choice("shape", shape, SHAPES),
+        _choice("synchronize", synchronize, SYNCHRONIZATIONS),
+        _time("sample_time", sample_time), _time("duration", duration),
+    )
+    states = np.stack(
+        [np.column_stack([p.position, p.velocity, p.acceleration]) for p in points]
+    )
+    dwells = np.array([p.dwell for p in points])
+    table = limits.table(axes, options.smoothness)
+    return Request(points, limits, names, Problem(states, dwells, table, options))
+
+
+def position_bounds(name: str, given: ArrayLike, axes: int) -> FloatArray:
+    """Bounds of the position [m], one an axis."""
+    bounds = finite_vector(name, given)
+    if bounds.size not in (1, axes):
+        raise InputError(f"{name} has {bounds.size} values for {axes} axes")
+    return np.broadcast_to(bounds, (axes,))
+
+
+def _checked_waypoints(waypoints: Sequence[Waypoint]) -> tuple[Waypoint, ...]:
+    try:
+        points = tuple(waypoints)
+    except TypeError:
+        raise InputError(f"waypoints must be a sequence, got {waypoints!r}") from None
+    for i, point in enumerate(points, 1):
+        if not isinstance(point, Waypoint):
+            raise InputError(f"waypoint {i} must be a segfmu.Waypoint, got {type(point).__name__}")
+        if point.axes != points[0].axes:
+            raise InputError(
+                f"waypoint {i} has {point.axes} axes, waypoint 1 has {points[0].axes}"
+            )
+    if len(points) < 2:
+        raise InputError(f"a plan needs at least 2 waypoints, got {len(points)}")
+    return points
+
+
+def _names(axis_names: Sequence[str] | None, axes: int) -> tuple[str, ...]:
+    if axis_names is None:
+        return ("x", "y", "z")[:axes] if axes <= 3 else tuple(str(i + 1) for i in range(axes))
+    try:
+        names = tuple(axis_names)
+    except TypeError:
+        raise InputError(f"axis_names must be a sequence of names, got {axis_names!r}") from None
+    if len(names) != axes:
+        raise InputError(f"axis_names has {len(names)} names for {axes} axes")
+    return names
+
+
+def _choice(name: str, value: str, choices: tuple[str, ...]) -> str:
+    if value not in choices:
+        raise InputError(f"{name} must be one of {', '.join(choices)}, got {value!r}")
+    return value
+
+
+def _time(name: str, value: float | None) -> float:
+    if value is None:
+        return 0.0
+    seconds = finite_vector(name, value)
+    if seconds.size != 1 or seconds[0] <= 0.0:
+        raise InputError(f"{name} must be a time > 0 s, got {value!r}")
+    return float(seconds[0])
