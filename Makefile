@@ -34,10 +34,6 @@ QUICK := tests/codegen tests/golden tests/property tests/kernels/test_backend.py
 	tests/kernels/numerics tests/kernels/crane tests/planning tests/fmu/standard/test_description.py \
 	tests/test_layers.py
 
-# what the interpreted kernels do in a minute or two
-INTERPRETED := tests/kernels/numerics tests/kernels/crane tests/planning tests/property/test_soak.py \
-	tests/crane/test_equipment.py tests/crane/test_sensors.py
-
 # workers on all cores; one that is done takes over tests of the others
 PYTEST := $(BIN)/python -m pytest -q -n auto --dist worksteal
 
@@ -48,7 +44,7 @@ test: $(VENV)/installed ## all tests, on all cores
 	$(PYTEST)
 
 interpreted: $(VENV)/installed ## some tests on the interpreted kernels, as where no C compiler is
-	SEGFMU_INTERPRETED=1 $(PYTEST) $(INTERPRETED)
+	SEGFMU_INTERPRETED=1 $(PYTEST) -m interpreted
 
 lint: $(VENV)/installed ## static checks
 	$(BIN)/ruff check .
