@@ -29,8 +29,22 @@ demo: $(VENV)/installed ## plan, invert, pack, co-simulate and judge the paper's
 	$(BIN)/segfmu plan models/paper.toml --output $(OUT)
 	$(BIN)/segfmu simulate models/paper.toml --output $(OUT)
 
-test: $(VENV)/installed ## run the tests
-	$(BIN)/python -m pytest -q
+# the tests that fail for most mistakes in kernels, planner, crane, FMUs and generated files
+QUICK := tests/codegen tests/golden tests/property tests/kernels/test_backend.py \
+	tests/kernels/numerics tests/kernels/crane tests/planning tests/fmu/standard/test_description.py \
+	tests/test_layers.py
+
+# workers on all cores; one that is done takes over tests of the others
+PYTEST := $(BIN)/python -m pytest -q -n auto --dist worksteal
+
+quick: $(VENV)/installed ## the tests that fail for most mistakes, in half a minute
+	$(PYTEST) $(QUICK)
+
+test: $(VENV)/installed ## all tests, on all cores
+	$(PYTEST)
+
+interpreted: $(VENV)/installed ## some tests on the interpreted kernels, as where no C compiler is
+	SEGFMU_INTERPRETED=1 $(PYTEST) -m interpreted
 
 lint: $(VENV)/installed ## static checks
 	$(BIN)/ruff check .
@@ -69,8 +83,16 @@ generate: $(VENV)/installed ## write the generated files again
 golden: $(VENV)/installed ## write the golden files again
 	SEGFMU_UPDATE_GOLDEN=1 $(BIN)/python -m pytest -q tests/golden
 
-lock: $(VENV)/installed ## write the development lock file again
+lock: $(VENV)/installed ## update the packages of all extras and write the lock file again
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --upgrade \
+		--upgrade-strategy eager --editable '.[dev,bench,platforms]'
 	$(BIN)/python -m pip freeze --exclude-editable > requirements-dev.lock
 
-clean:
-	rm -rf $(VENV) $(OUT) build
+wheel: $(VENV)/installed ## source distribution and wheel, into dist/
+	$(BIN)/python -m build --outdir dist
+
+check-wheel: $(VENV)/installed ## install the wheel elsewhere and run its commands; PYTHONS="..."
+	$(BIN)/python -m tests.wheel $(PYTHONS)
+
+clean: ## remove the environment and all that was built
+	rm -rf $(VENV) $(OUT) build dist

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import os
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 import pytest
+from filelock import FileLock
 from hypothesis import settings
 
 from segfmu.fmu.gantry_crane import interface as gantry_crane
@@ -23,8 +27,7 @@ settings.load_profile("repeatable")
 def fmus(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
     """Archives of GantryFeedforward and GantryCrane on the Python backend."""
     specs = (gantry_feedforward.spec(), gantry_crane.spec())
-    feedforward, crane = build_all(tmp_path_factory.mktemp("fmus"), specs=specs)
-    return feedforward, crane
+    return _shared(tmp_path_factory, "fmus", lambda folder: build_all(folder, specs=specs))
 
 
 @pytest.fixture(scope="session")
@@ -33,10 +36,23 @@ def native_fmus(tmp_path_factory: pytest.TempPathFactory) -> dict[int, tuple[Pat
     if not available():
         pytest.skip("native FMUs need a C compiler; none was found")
     specs = (gantry_feedforward.native_spec(), gantry_crane.native_spec())
-    built = {}
-    for fmi in (2, 3):
-        feedforward, crane = native.build_all(
-            specs, tmp_path_factory.mktemp(f"native{fmi}"), fmi=fmi
+    return {
+        fmi: _shared(
+            tmp_path_factory, f"native{fmi}", partial(native.build_all, specs, fmi=fmi)
         )
-        built[fmi] = (feedforward, crane)
-    return built
+        for fmi in (2, 3)
+    }
+
+
+def _shared(
+    factory: pytest.TempPathFactory, name: str, build: Callable[[Path], list[Path]]
+) -> tuple[Path, Path]:
+    """The two archives of a folder that one worker of pytest-xdist builds for all."""
+    base = factory.getbasetemp()
+    if "PYTEST_XDIST_WORKER" in os.environ:
+        base = base.parent
+    with FileLock(base / f"{name}.lock"):
+        if not (base / name).exists():
+            build(base / f"{name}.part")
+            (base / f"{name}.part").rename(base / name)
+    return base / name / "GantryFeedforward.fmu", base / name / "GantryCrane.fmu"

@@ -7,6 +7,7 @@ the few operations that occur, in the hand-written span.h; anything else fails h
 
 from __future__ import annotations
 
+import os
 import re
 import subprocess
 import sys
@@ -47,7 +48,11 @@ def generate() -> dict[str, str]:
 def _translate(module: Path) -> None:
     run = "from pyccel.commands.console import pyccel; pyccel()"
     command = [sys.executable, "-c", run, "-t", "--language", "c", module.name]
-    done = subprocess.run(command, cwd=module.parent, capture_output=True, text=True, check=False)
+    # in a worker of pytest-xdist Pyccel would give its folder another name
+    usual = {k: v for k, v in os.environ.items() if k != "PYTEST_XDIST_WORKER"}
+    done = subprocess.run(
+        command, cwd=module.parent, env=usual, capture_output=True, text=True, check=False
+    )
     if done.returncode != 0:
         raise BuildError(f"Pyccel: {(done.stdout + done.stderr).strip()}")
 
