@@ -186,11 +186,12 @@ def _hidden(spec: Spec) -> list[str]:
     lines.append(f"  Real inputs[{len(inputs)}] = "
                  + _vector([f"{name}_used" for name in inputs], "0.0") + ";")
     lines += [
-        f"  FMI.Instance fmu = FMI.Instance(folder, {quoted(spec.name)}, {quoted(spec.name)},\n"
+        f"  FMI.Instance fmu = FMI.Instance(folder, {quoted(spec.name)}, getInstanceName(),\n"
         f"      {quoted(guid(spec))}, {len(spec.states)});",
         "  final parameter Real started(fixed = false) \"the FMU is initialised\";",
+        # solvers bound errors by the tolerance times the sizes of the states
         f"  Real x[{len(spec.states)}]"
-        + ("(each stateSelect = StateSelect.always)" if spec.states else "")
+        + ("(each stateSelect = StateSelect.always, each nominal = 0.1)" if spec.states else "")
         + ' "states of the FMU";',
         '  discrete Real next(start = 0, fixed = true) "time of the next event";',
         '  Real last "changes with every event";',

@@ -29,7 +29,7 @@
 #define SEGFMU_NEVER 1e60
 
 enum { SEGFMU_PATH = 4096, SEGFMU_MESSAGE = 1000 };
-enum { SEGFMU_MODEL_EXCHANGE = 0, SEGFMU_WARNING = 1, SEGFMU_DISCARD = 2 };
+enum { SEGFMU_MODEL_EXCHANGE = 0, SEGFMU_WARNING = 1 };
 
 /* what an instance is ready for */
 enum { SEGFMU_OPENED, SEGFMU_EVENTS, SEGFMU_INTEGRATION };
@@ -55,7 +55,7 @@ typedef struct {
     int phase;
     size_t count;           /* of the states */
     double time, *states;   /* that the FMU has */
-    char message[SEGFMU_MESSAGE];
+    char instance[SEGFMU_MESSAGE], message[SEGFMU_MESSAGE];
     void *(*instantiate)(const char *, int, const char *, const char *, const segfmu_callbacks *,
                          int, int);
     void (*release)(void *);
@@ -94,9 +94,10 @@ static void segfmu_log(void *environment, const char *instance, int status, cons
 /* What a function of the FMU returned; errors end the simulation or let the solver try again. */
 static void segfmu_check(segfmu_fmu *f, int status, const char *what)
 {
-    if (status > SEGFMU_WARNING) {
-        ModelicaFormatError("%s: %s", what,
-                            f->message[0] == '\0' ? "the FMU refused" : f->message);
+    if (status > SEGFMU_WARNING && f->message[0] != '\0') {
+        ModelicaFormatError("%s: %s", f->instance, f->message);
+    } else if (status > SEGFMU_WARNING) {
+        ModelicaFormatError("%s: the FMU refuses the %s", f->instance, what);
     }
 }
 
@@ -210,6 +211,7 @@ static void *segfmu_open(const char *folder, const char *name, const char *insta
         free(memory);
         ModelicaError("out of memory");
     }
+    snprintf(f->instance, sizeof f->instance, "%s", instance);
     f->states = memory;
     f->count = (size_t)states;
     segfmu_folder(path, folder, name);
