@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import groupby
 
 from segfmu.fmu.modelica.names import title
 from segfmu.fmu.standard.spec import Spec, Variable
@@ -40,7 +41,7 @@ def half_height(spec: Spec) -> int:
 
 def _rows(variables: tuple[Variable, ...]) -> int:
     """Connectors of one edge, with a free row between groups."""
-    return len(variables) + len({title(v.name) for v in variables})
+    return len(variables) + sum(1 for _ in groupby(title(v.name) for v in variables))
 
 
 def places(spec: Spec) -> dict[str, Place]:

@@ -1,4 +1,4 @@
-"""The Modelica package Segfmu: classes made from the specifications beside those written by hand."""
+"""The Modelica package Segfmu: classes made from the specifications, others written by hand."""
 
 from __future__ import annotations
 
@@ -13,18 +13,27 @@ from segfmu.errors import BuildError
 from segfmu.fmu.modelica.drawing import HALF_WIDTH, extent, half_height
 from segfmu.fmu.modelica.names import identifier, quoted, title
 from segfmu.fmu.modelica.wrapper import UNUSED, wrapper
+from segfmu.fmu.models import named
 from segfmu.fmu.standard.spec import Spec
 
 LIBRARY = files("segfmu.fmu.modelica").joinpath("library")
+NAMES = ("GantryFeedforward", "GantryCrane")
 CLASSES = ("Examples", "Coupled", "PlainCrane", "Interfaces", "Types", "FMI")
 
 
 def write_package(
-    feedforward: Spec, crane: Spec, folder: Path, archives: Sequence[Path] = ()
+    folder: Path, specs: Sequence[Spec] | None = None, archives: Sequence[Path] = ()
 ) -> Path:
     """Write the package into a folder, with the archives unpacked in it where some are given.
 
-    The specifications are those of the native FMUs, and the archives are made from them.
+    Parameters
+    ----------
+    folder
+        In which the package becomes a folder.
+    specs
+        Interfaces of GantryFeedforward and GantryCrane; by default with the usual start values.
+    archives
+        Native FMUs of FMI 2.0 of these interfaces.
 
     Returns
     -------
@@ -37,6 +46,11 @@ def write_package(
         When the folder cannot be written.
     """
     target = folder / "Segfmu"
+    models = [named(name) for name in NAMES]
+    feedforward, crane = (
+        m.native_spec(s)
+        for m, s in zip(models, specs or [m.spec() for m in models], strict=True)
+    )
     try:
         for name, text in package(feedforward, crane).items():
             path = target / name
@@ -63,7 +77,7 @@ def package(feedforward: Spec, crane: Spec) -> dict[str, bytes]:
 
 
 def _library(folder: Traversable, prefix: str) -> dict[str, bytes]:
-    found = {}
+    found: dict[str, bytes] = {}
     for entry in folder.iterdir():
         if entry.is_dir():
             found |= _library(entry, f"{prefix}{entry.name}/")

@@ -25,8 +25,8 @@ from segfmu.fmu.standard.spec import Array, Spec, Variable
 UNUSED = ("wind",)
 
 FOLDER = (
-    '  parameter String folder = "" "folder of the unpacked FMU; empty: the one in Resources/FMUs of '
-    'this package" annotation(Dialog(tab = "FMU"));'
+    '  parameter String folder = "" "folder of the unpacked FMU; empty: that in Resources/FMUs" '
+    'annotation(Dialog(tab = "FMU"));'
 )
 
 

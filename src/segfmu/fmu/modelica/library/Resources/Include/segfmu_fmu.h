@@ -225,7 +225,8 @@ static void *segfmu_open(const char *folder, const char *name, const char *insta
     f->component = f->instantiate(instance, SEGFMU_MODEL_EXCHANGE, token, address, &f->callbacks,
                                   0, 0);
     if (f->component == NULL) {
-        ModelicaFormatError("%s: %s", path, f->message);
+        ModelicaFormatError("%s: %s: %s; class and FMU come from one run of segfmu build --modelica",
+                            instance, path, f->message);
     }
     return f;
 }
