@@ -21,7 +21,7 @@ package FMI "An FMU as functions of time, states and inputs"
     end destructor;
   end Instance;
 
-  function start "Initialise with parameters and inputs"
+  function start "Begin the initialisation with parameters"
     input Instance fmu;
     input Real startTime(unit = "s");
     input Integer realReferences[:] "value references of parameters";
@@ -30,23 +30,33 @@ package FMI "An FMU as functions of time, states and inputs"
     input Integer integers[size(integerReferences, 1)];
     input Integer booleanReferences[:];
     input Integer booleans[size(booleanReferences, 1)] "1: true";
-    input Integer inputReferences[:];
-    input Real inputs[size(inputReferences, 1)];
     output Real started "the start time";
   external "C" started = segfmu_start(fmu, startTime,
       realReferences, reals, size(reals, 1), integerReferences, integers, size(integers, 1),
-      booleanReferences, booleans, size(booleans, 1), inputReferences, inputs, size(inputs, 1))
+      booleanReferences, booleans, size(booleans, 1))
       annotation(Include = "#include \"segfmu_fmu.h\"", IncludeDirectory = "modelica://Segfmu/Resources/Include");
   end start;
 
-  function states "States after initialisation"
+  function states "States at the start"
     input Instance fmu;
+    input Integer inputReferences[:] "of the inputs that they can follow from";
+    input Real inputs[size(inputReferences, 1)];
     input Integer count;
     input Real started "result of start";
     output Real x[count];
-  external "C" segfmu_states(fmu, x, count)
+  external "C" segfmu_states(fmu, inputReferences, inputs, size(inputs, 1), x, count)
       annotation(Include = "#include \"segfmu_fmu.h\"", IncludeDirectory = "modelica://Segfmu/Resources/Include");
   end states;
+
+  function begin "End the initialisation, under all inputs"
+    input Instance fmu;
+    input Integer inputReferences[:];
+    input Real inputs[size(inputReferences, 1)];
+    input Real started "result of start";
+    output Real begun "the start time";
+  external "C" begun = segfmu_begin(fmu, inputReferences, inputs, size(inputs, 1))
+      annotation(Include = "#include \"segfmu_fmu.h\"", IncludeDirectory = "modelica://Segfmu/Resources/Include");
+  end begin;
 
   function event "The event at a time, in the FMU"
     input Instance fmu;
@@ -54,7 +64,7 @@ package FMI "An FMU as functions of time, states and inputs"
     input Real x[:];
     input Integer inputReferences[:];
     input Real inputs[size(inputReferences, 1)];
-    input Real started "result of start";
+    input Real begun "result of begin";
     output Real next(unit = "s") "time of the next event";
   external "C" next = segfmu_event(fmu, t, x, size(x, 1), inputReferences, inputs, size(inputs, 1))
       annotation(Include = "#include \"segfmu_fmu.h\"", IncludeDirectory = "modelica://Segfmu/Resources/Include");

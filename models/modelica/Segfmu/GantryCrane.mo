@@ -397,14 +397,21 @@ protected
       reference_load_position_z_used, wind_x_used, wind_y_used, wind_z_used};
   FMI.Instance fmu = FMI.Instance(folder, "GantryCrane", getInstanceName(),
       "{272f670a-f22a-7ba7-9398-4cf6e70c964f}", 13);
-  final parameter Real started(fixed = false) "the FMU is initialised";
+  final parameter Real started(fixed = false) "the FMU has its parameters";
+  final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[13](each stateSelect = StateSelect.always, each nominal = 0.1) "states of the FMU";
   discrete Real next(start = 0, fixed = true) "time of the next event";
   Real last "changes with every event";
 initial equation
   started = FMI.start(fmu, time, real_references, reals, integer_references, integers,
-      boolean_references, booleans, input_references, inputs);
-  x = FMI.states(fmu, 13, started);
+      boolean_references, booleans);
+  begun = FMI.begin(fmu, input_references, inputs, started);
+  x = FMI.states(fmu, {6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18},
+      {reference_bridge_position_used, reference_trolley_position_used, reference_rope_length_used,
+      reference_sway_x_angle_used, reference_sway_y_angle_used, reference_bridge_velocity_used,
+      reference_trolley_velocity_used, reference_rope_velocity_used, reference_sway_x_rate_used,
+      reference_sway_y_rate_used, reference_load_position_x_used, reference_load_position_y_used,
+      reference_load_position_z_used}, 13, started);
 equation
   connect(force_bridge, force_bridge_used);
   connect(force_trolley, force_trolley_used);
@@ -459,7 +466,7 @@ equation
     wind_z_used = wind_z_start;
   end if;
   when {initial(), time >= pre(next)} then
-    next = FMI.event(fmu, time, x, input_references, inputs, started);
+    next = FMI.event(fmu, time, x, input_references, inputs, begun);
   end when;
   // what an event changed is seen behind it
   last = started + pre(next);

@@ -146,17 +146,19 @@ protected
   Real inputs[0] = fill(0.0, 0);
   FMI.Instance fmu = FMI.Instance(folder, "GantryFeedforward", getInstanceName(),
       "{6ac09faf-68c4-043e-fc36-4f7fe8c43a5e}", 0);
-  final parameter Real started(fixed = false) "the FMU is initialised";
+  final parameter Real started(fixed = false) "the FMU has its parameters";
+  final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[0] "states of the FMU";
   discrete Real next(start = 0, fixed = true) "time of the next event";
   Real last "changes with every event";
 initial equation
   started = FMI.start(fmu, time, real_references, reals, integer_references, integers,
-      boolean_references, booleans, input_references, inputs);
+      boolean_references, booleans);
+  begun = FMI.begin(fmu, input_references, inputs, started);
   {plan_duration} = FMI.reals(fmu, time, x, fill(0, 0), fill(0.0, 0), {37}, started);
 equation
   when {initial(), time >= pre(next)} then
-    next = FMI.event(fmu, time, x, input_references, inputs, started);
+    next = FMI.event(fmu, time, x, input_references, inputs, begun);
   end when;
   // what an event changed is seen behind it
   last = started + pre(next);

@@ -23,6 +23,8 @@ from segfmu.fmu.standard.spec import Array, Spec, Variable
 
 # inputs that a model may leave without a connection, by the first part of their names
 UNUSED = ("wind",)
+# inputs that start values of states can follow from
+REFERENCE = "reference"
 
 FOLDER = (
     '  parameter String folder = "" "folder of the unpacked FMU; empty: that in Resources/FMUs" '
@@ -188,7 +190,8 @@ def _hidden(spec: Spec) -> list[str]:
     lines += [
         f"  FMI.Instance fmu = FMI.Instance(folder, {quoted(spec.name)}, getInstanceName(),\n"
         f"      {quoted(guid(spec))}, {len(spec.states)});",
-        "  final parameter Real started(fixed = false) \"the FMU is initialised\";",
+        '  final parameter Real started(fixed = false) "the FMU has its parameters";',
+        '  final parameter Real begun(fixed = false) "the FMU is initialised";',
         # solvers bound errors by the tolerance times the sizes of the states
         f"  Real x[{len(spec.states)}]"
         + ("(each stateSelect = StateSelect.always, each nominal = 0.1)" if spec.states else "")
@@ -265,10 +268,14 @@ def _given(spec: Spec, names: tuple[str, ...]) -> str:
 def _initial(spec: Spec) -> list[str]:
     lines = [
         "  started = FMI.start(fmu, time, real_references, reals, integer_references, integers,\n"
-        "      boolean_references, booleans, input_references, inputs);"
+        "      boolean_references, booleans);",
+        "  begun = FMI.begin(fmu, input_references, inputs, started);",
     ]
     if spec.states:
-        lines.append(f"  x = FMI.states(fmu, {len(spec.states)}, started);")
+        names = tuple(v.name for v in spec.where("input") if title(v.name) == REFERENCE)
+        lines.append(
+            f"  x = FMI.states(fmu, {_given(spec, names)}, {len(spec.states)}, started);"
+        )
     calculated = spec.where("calculatedParameter")
     if calculated:
         refs = listed(spec.references[v.name] for v in calculated)
@@ -292,7 +299,7 @@ def _equations(spec: Spec) -> list[str]:
         lines.append("  end if;")
     lines += [
         "  when {initial(), time >= pre(next)} then",
-        "    next = FMI.event(fmu, time, x, input_references, inputs, started);",
+        "    next = FMI.event(fmu, time, x, input_references, inputs, begun);",
         "  end when;",
         "  // what an event changed is seen behind it",
         "  last = started + pre(next);",

@@ -32,7 +32,7 @@ enum { SEGFMU_PATH = 4096, SEGFMU_MESSAGE = 1000 };
 enum { SEGFMU_MODEL_EXCHANGE = 0, SEGFMU_WARNING = 1 };
 
 /* what an instance is ready for */
-enum { SEGFMU_OPENED, SEGFMU_EVENTS, SEGFMU_INTEGRATION };
+enum { SEGFMU_OPENED, SEGFMU_INITIALISATION, SEGFMU_EVENTS, SEGFMU_INTEGRATION };
 
 /* types of FMI 2.0 */
 typedef void (*segfmu_logger)(void *environment, const char *instance, int status,
@@ -282,13 +282,12 @@ static void segfmu_set(segfmu_fmu *f, double time, const double *states, size_t 
 
 /* ---- the functions of the Modelica package ---- */
 
-/* Initialise with these parameters and inputs, as often as the tool wants to. */
+/* Begin the initialisation with these parameters, as often as the tool wants to. */
 static double segfmu_start(void *object, double time, const int *real_references,
                            const double *reals, size_t real_count, const int *integer_references,
                            const int *integers, size_t integer_count,
                            const int *boolean_references, const int *booleans,
-                           size_t boolean_count, const int *input_references,
-                           const double *inputs, size_t input_count)
+                           size_t boolean_count)
 {
     segfmu_fmu *f = (segfmu_fmu *)object;
     if (f->phase != SEGFMU_OPENED) {
@@ -303,18 +302,34 @@ static double segfmu_start(void *object, double time, const int *real_references
     segfmu_check(f, f->set_booleans(f->component, (const unsigned *)boolean_references,
                                     boolean_count, booleans), "parameters");
     segfmu_check(f, f->enter_initialization(f->component), "initialisation");
-    segfmu_set_inputs(f, input_references, inputs, input_count);
-    segfmu_check(f, f->exit_initialization(f->component), "initialisation");
-    f->phase = SEGFMU_EVENTS;
+    f->phase = SEGFMU_INITIALISATION;
     f->time = time;
     segfmu_check(f, f->get_states(f->component, f->states, f->count), "states");
     return time;
 }
 
-static void segfmu_states(void *object, double *states, size_t count)
+/* The states at the start, under the inputs that they can follow from. */
+static void segfmu_states(void *object, const int *references, const double *inputs,
+                          size_t input_count, double *states, size_t count)
 {
     segfmu_fmu *f = (segfmu_fmu *)object;
+    segfmu_set_inputs(f, references, inputs, input_count);
+    segfmu_check(f, f->get_states(f->component, f->states, count), "states");
     memcpy(states, f->states, count * sizeof *states);
+}
+
+/* End the initialisation, under all inputs. */
+static double segfmu_begin(void *object, const int *references, const double *inputs,
+                           size_t input_count)
+{
+    segfmu_fmu *f = (segfmu_fmu *)object;
+    segfmu_set_inputs(f, references, inputs, input_count);
+    if (f->phase == SEGFMU_INITIALISATION) {
+        segfmu_check(f, f->exit_initialization(f->component), "initialisation");
+        f->phase = SEGFMU_EVENTS;
+        segfmu_check(f, f->get_states(f->component, f->states, f->count), "states");
+    }
+    return f->time;
 }
 
 /* The event at a time; the time of the next one. */
