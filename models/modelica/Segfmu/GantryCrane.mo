@@ -208,7 +208,7 @@ model GantryCrane "Dynamics of a 3-DOF gantry crane from Lagrange's equations, d
       0.32200380715555726, 0.3703473243126544, 0.4259488166836579, 0.4898979485566356,
       0.563447979192867, 0.6480403238917082, 0.7453328024909286, 0.85723212890964,
       0.9859312784558375, 1.1339524652138024, 1.3041965717715653, 1.5} "rope lengths of the table of gains" annotation(Dialog(tab = "feedback"));
-  final parameter Integer feedback_table_count = size(feedback_table_length, 1) "rope lengths in the table of gains";
+  final parameter Integer feedback_table_count = size(feedback_table_length, 1) "rope lengths in the table of gains; its start values are those of weights position 1.0, angle 1.0, velocity 1.0, rate 1.0, effort 1.0";
   parameter Real feedback_table_bridge[feedback_table_count, 4] = [495.27927222793124, -101.68957434312361, 136.3186113533773, 1.7994409511948615;
       437.0288866783858, -103.30359666571627, 128.81578796065733, 2.0026794235066716;
       385.2524624668242, -104.8311862462205, 121.61993703534054, 2.2219490290170048;
@@ -396,7 +396,7 @@ protected
       reference_sway_y_rate_used, reference_load_position_x_used, reference_load_position_y_used,
       reference_load_position_z_used, wind_x_used, wind_y_used, wind_z_used};
   FMI.Instance fmu = FMI.Instance(folder, "GantryCrane", getInstanceName(),
-      "{272f670a-f22a-7ba7-9398-4cf6e70c964f}", 13);
+      "{8360d1b6-247f-8ee8-1654-8af3889eb0e9}", 13);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[13](each stateSelect = StateSelect.always, each nominal = 0.1) "states of the FMU";

@@ -145,7 +145,7 @@ protected
   constant Integer input_references[0] = fill(0, 0);
   Real inputs[0] = fill(0.0, 0);
   FMI.Instance fmu = FMI.Instance(folder, "GantryFeedforward", getInstanceName(),
-      "{6ac09faf-68c4-043e-fc36-4f7fe8c43a5e}", 0);
+      "{82fdab2c-6976-249a-72c0-9a97e2a2f3d2}", 0);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[0] "states of the FMU";

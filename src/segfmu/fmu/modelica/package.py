@@ -10,9 +10,10 @@ from importlib.resources.abc import Traversable
 from pathlib import Path
 
 from segfmu.errors import BuildError
+from segfmu.fmu.modelica.declarations import UNUSED
 from segfmu.fmu.modelica.drawing import HALF_WIDTH, extent, half_height
 from segfmu.fmu.modelica.names import identifier, quoted, title
-from segfmu.fmu.modelica.wrapper import UNUSED, wrapper
+from segfmu.fmu.modelica.wrapper import wrapper
 from segfmu.fmu.models import named
 from segfmu.fmu.standard.spec import Spec
 

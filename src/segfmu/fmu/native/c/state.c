@@ -117,8 +117,9 @@ static bool sound(const instance *c, const model *m, size_t size)
     bool starting = m->mode == MODE_EVENT && m->starting;
     bool ready = m->initialised || starting
         || (m->mode & (MODE_RUNNING | MODE_TERMINATED)) == 0;
-    return mode && ready && is_truth(m->initialised) && is_truth(m->starting) && is_truth(m->evaluated) && is_truth(m->stops)
-        && is_truth(m->sloped) && is_truth(m->tuned) && sound_values(c, m) && model_sound(m, size);
+    return mode && ready && is_truth(m->initialised) && is_truth(m->starting)
+        && is_truth(m->evaluated) && is_truth(m->stops) && is_truth(m->sloped) && is_truth(m->tuned)
+        && sound_values(c, m) && model_sound(m, size);
 }
 
 bool glue_restore(instance *c, const void *state)
