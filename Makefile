@@ -79,6 +79,7 @@ check-platforms: $(VENV)/installed-platforms ## run binaries under Wine and qemu
 
 generate: $(VENV)/installed ## write the generated files again
 	SEGFMU_INTERPRETED=1 $(BIN)/python -m segfmu.codegen
+	$(BIN)/python -m segfmu.fmu.modelica models/modelica
 
 golden: $(VENV)/installed ## write the golden files again
 	SEGFMU_UPDATE_GOLDEN=1 $(BIN)/python -m pytest -q tests/golden

@@ -86,15 +86,30 @@ def build(
     platforms: Annotated[
         str, typer.Option(help="Of native binaries: all, or names with commas; else this one.")
     ] = "",
+    modelica: Annotated[
+        bool, typer.Option("--modelica", help="Also write a Modelica package with both FMUs.")
+    ] = False,
 ) -> None:
     """Build GantryFeedforward.fmu and GantryCrane.fmu.
 
     Native FMUs have co-simulation and model exchange; those of the Python backend have FMI 2.0
     co-simulation.
     """
+    from segfmu.fmu.choice import chosen, require_modelica
+
+    if modelica:
+        require_modelica(chosen(fmi, backend, platforms))
     task = None if mission is None else load_mission(mission)
-    for path in _built(output, task, fmi=fmi, backend=backend, platforms=platforms):
+    trajectory = None if task is None else _planned(task)
+    paths = _built(output, task, trajectory, fmi=fmi, backend=backend, platforms=platforms)
+    for path in paths:
         console.print(f"{path}  {path.stat().st_size / 1024:.0f} KiB", highlight=False)
+    if modelica:
+        from segfmu.fmu.modelica.package import write_package
+        from segfmu.validation.scenario import specs
+
+        interfaces = None if task is None or trajectory is None else specs(task, trajectory)
+        console.print(f"{write_package(output, interfaces, paths)}", highlight=False)
 
 
 @app.command(epilog="Example: segfmu simulate models/paper.toml --output out")

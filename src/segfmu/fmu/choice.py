@@ -20,6 +20,21 @@ class Choice:
     note: str = ""
 
 
+def require_modelica(choice: Choice) -> None:
+    """Refuse what the classes of the Modelica package cannot run.
+
+    Raises
+    ------
+    InputError
+        For other FMUs than native ones of FMI 2.0.
+    """
+    if not choice.native or choice.fmi != 2:
+        raise InputError(
+            "--modelica needs native FMUs of FMI 2: leave out --fmi and --backend, and install a C "
+            "compiler, or the extra segfmu[platforms]"
+        )
+
+
 def chosen(fmi: int, backend: str, platforms: str) -> Choice:
     """The backend asked for, or Python where no C compiler is; `platforms` has commas, or is all.
 

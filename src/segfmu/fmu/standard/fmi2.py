@@ -9,6 +9,7 @@ from __future__ import annotations
 from xml.etree import ElementTree as ET
 
 from segfmu.fmu.standard.identity import guid
+from segfmu.fmu.standard.references import entries
 from segfmu.fmu.standard.spec import Spec, Variable
 from segfmu.fmu.standard.units import BASE_UNITS, DISPLAY_UNITS, nominal
 
@@ -53,8 +54,8 @@ def model_description(
         ET.SubElement(categories, "Category", {"name": name, "description": description})
     ET.SubElement(root, "DefaultExperiment", experiment(spec))
     variables = ET.SubElement(root, "ModelVariables")
-    for reference, variable in enumerate(spec.variables):
-        variables.append(_variable(reference, variable, spec))
+    for reference, entry in enumerate(entries(spec, 2)):
+        variables.append(_variable(reference, entry.variable, spec))
     _structure(root, spec)
     return document(root)
 
@@ -189,7 +190,9 @@ def initial_unknowns(spec: Spec) -> list[str]:
 
 
 def _unknown(parent: ET.Element, spec: Spec, name: str) -> None:
-    knowns = sorted(spec.references[n] + 1 for n in dict(spec.dependencies).get(name, ()))
+    described = {e.name for e in entries(spec, 2)}
+    known = described.intersection(dict(spec.dependencies).get(name, ()))
+    knowns = sorted(spec.references[n] + 1 for n in known)
     attributes = {"index": str(spec.references[name] + 1)}
     attributes["dependencies"] = " ".join(map(str, knowns))
     ET.SubElement(parent, "Unknown", attributes)

@@ -17,9 +17,12 @@ class Entry:
 
 
 def entries(spec: Spec, version: int) -> list[Entry]:
-    """The value references of one version of FMI, in their order."""
+    """The value references of one version of FMI, in their order.
+
+    FMI 2.0 need not name time, and OpenModelica makes it a variable that hides its own time.
+    """
     if version == 2:
-        return [Entry(v.name, v) for v in spec.variables]
+        return [Entry(v.name, v) for v in spec.variables if v.causality != "independent"]
     variables = {v.name: v for v in spec.variables}
     first = {a.members[0]: a for a in spec.arrays}
     members = {m for a in spec.arrays for m in a.members}

@@ -104,6 +104,8 @@ class Spec:
         references = {v.name: i for i, v in enumerate(self.variables)}
         if len(references) != len(self.variables):
             raise AssertionError("variable names are unique by construction")
+        if any(v.causality == "independent" for v in self.variables[:-1]):
+            raise AssertionError("time is last, as FMI 2.0 does without it")
         object.__setattr__(self, "references", references)
 
     def where(self, *causalities: Causality) -> tuple[Variable, ...]:

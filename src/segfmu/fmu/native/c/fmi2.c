@@ -110,6 +110,8 @@ fmi2Status fmi2ExitInitializationMode(fmi2Component component)
         return fmi2Error;
     }
     c->model->mode = c->model->interface == CO_SIMULATION ? MODE_STEP : MODE_EVENT;
+    /* OpenModelica sets parameters here */
+    c->model->starting = c->model->mode == MODE_EVENT;
     return fmi2OK;
 }
 
@@ -117,6 +119,9 @@ fmi2Status fmi2Terminate(fmi2Component component)
 {
     instance *c = component;
     ALLOW(MODE_RUNNING);
+    if (!glue_started(c)) {
+        return fmi2Error;
+    }
     c->model->mode = MODE_TERMINATED;
     return fmi2OK;
 }

@@ -5,6 +5,9 @@
 
 #include "glue.h"
 
+/* s; later than any time that can be set */
+static const double FAR_AWAY = 1e12;
+
 #define ALLOW(modes) if (!glue_allows(c, (modes), __func__)) return fmi2Error
 #define GIVEN(pointer) if (!glue_given(c, (pointer), __func__)) return fmi2Error
 
@@ -49,7 +52,7 @@ fmi2Status fmi2NewDiscreteStates(fmi2Component component, fmi2EventInfo *info)
     instance *c = component;
     ALLOW(MODE_EVENT);
     GIVEN(info);
-    if (!glue_event(c)) {
+    if (!glue_started(c) || !glue_event(c)) {
         return fmi2Error;
     }
     double next = model_next_event(c->model);
@@ -58,7 +61,8 @@ fmi2Status fmi2NewDiscreteStates(fmi2Component component, fmi2EventInfo *info)
     info->nominalsOfContinuousStatesChanged = fmi2False;
     info->valuesOfContinuousStatesChanged = fmi2False;
     info->nextEventTimeDefined = isfinite(next) ? fmi2True : fmi2False;
-    info->nextEventTime = isfinite(next) ? next : 0.0;
+    /* OpenModelica reads it where it is not defined as well */
+    info->nextEventTime = isfinite(next) ? next : FAR_AWAY;
     return fmi2OK;
 }
 
@@ -66,6 +70,9 @@ fmi2Status fmi2EnterContinuousTimeMode(fmi2Component component)
 {
     instance *c = component;
     ALLOW(MODE_EVENT);
+    if (!glue_started(c)) {
+        return fmi2Error;
+    }
     c->model->mode = MODE_CONTINUOUS;
     return fmi2OK;
 }
@@ -103,8 +110,9 @@ fmi2Status fmi2SetTime(fmi2Component component, fmi2Real time)
 fmi2Status fmi2SetContinuousStates(fmi2Component component, const fmi2Real states[], size_t size)
 {
     instance *c = component;
-    ALLOW(MODE_CONTINUOUS);
-    if (!sized(c, states, size, MODEL_STATES, __func__)) {
+    /* event mode for OpenModelica, which sets them before the first event is over */
+    ALLOW(MODE_CONTINUOUS | MODE_EVENT);
+    if (!sized(c, states, size, MODEL_STATES, __func__) || !glue_follows(c)) {
         return fmi2Error;
     }
     for (size_t i = 0; i < size; i++) {

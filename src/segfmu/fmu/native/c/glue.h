@@ -78,7 +78,11 @@ bool glue_set_integer(instance *c, uint32_t reference, int64_t value);
 bool glue_begin(instance *c, double start, bool has_stop, double stop);
 /* End of initialisation; the instance fails where its parameters are of no use. */
 bool glue_initialise(instance *c);
-/* Outputs current; in initialisation mode, follow the parameters first. */
+/* Follow parameters that were set since the model last did. */
+bool glue_follows(instance *c);
+/* The same where the first event is handled; from then on fixed parameters stay as they are. */
+bool glue_started(instance *c);
+/* Outputs current, after parameters. */
 bool glue_evaluate(instance *c);
 
 /* Model exchange: the derivatives at the present state. */

@@ -50,6 +50,7 @@ typedef struct {
     int64_t initialised;  /* the model follows from the present parameters and start values */
     int64_t evaluated;    /* outputs follow from the present time, states and inputs */
     int64_t tuned;        /* a tunable parameter was set */
+    int64_t starting;     /* fixed parameters can be set in event mode, as before initialisation */
     int64_t stops;        /* there is a stop time */
     double start, stop;   /* s */
     double step_start;    /* s; of the communication step under way */

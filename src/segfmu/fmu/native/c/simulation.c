@@ -60,10 +60,15 @@ static bool finite_outputs(instance *c)
     return true;
 }
 
+bool glue_follows(instance *c)
+{
+    return c->model->initialised || follow_parameters(c);
+}
+
 bool glue_evaluate(instance *c)
 {
     char message[MESSAGE];
-    if (c->model->mode == MODE_INITIALISATION && !c->model->initialised && !follow_parameters(c)) {
+    if ((c->model->mode & (MODE_INITIALISATION | MODE_EVENT)) != 0 && !glue_follows(c)) {
         return false;
     }
     model *m = c->model;
@@ -114,7 +119,7 @@ bool glue_begin(instance *c, double start, bool has_stop, double stop)
 bool glue_initialise(instance *c)
 {
     char message[MESSAGE];
-    if ((c->model->initialised || follow_parameters(c)) && glue_evaluate(c)) {
+    if (glue_follows(c) && glue_evaluate(c)) {
         if (model_warning(c->model, message)) {
             glue_log(c, STATUS_WARNING, "%s", message);
         }
@@ -122,6 +127,13 @@ bool glue_initialise(instance *c)
     }
     c->model->mode = MODE_FAILED;
     return false;
+}
+
+bool glue_started(instance *c)
+{
+    bool anew = !c->model->initialised;
+    c->model->starting = 0;
+    return !anew || glue_initialise(c);
 }
 
 bool glue_begin_step(instance *c, double time, double step)

@@ -114,9 +114,12 @@ static bool sound_values(const instance *c, const model *m)
 static bool sound(const instance *c, const model *m, size_t size)
 {
     bool mode = m->mode > 0 && m->mode <= MODE_FAILED && (m->mode & (m->mode - 1)) == 0;
-    bool ready = m->initialised || (m->mode & (MODE_RUNNING | MODE_TERMINATED)) == 0;
-    return mode && ready && is_truth(m->initialised) && is_truth(m->evaluated) && is_truth(m->stops)
-        && is_truth(m->sloped) && is_truth(m->tuned) && sound_values(c, m) && model_sound(m, size);
+    bool starting = m->mode == MODE_EVENT && m->starting;
+    bool ready = m->initialised || starting
+        || (m->mode & (MODE_RUNNING | MODE_TERMINATED)) == 0;
+    return mode && ready && is_truth(m->initialised) && is_truth(m->starting)
+        && is_truth(m->evaluated) && is_truth(m->stops) && is_truth(m->sloped) && is_truth(m->tuned)
+        && sound_values(c, m) && model_sound(m, size);
 }
 
 bool glue_restore(instance *c, const void *state)

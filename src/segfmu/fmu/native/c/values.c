@@ -5,7 +5,7 @@
 #include "glue.h"
 
 /* Modes in which a variable may be set. */
-static int modes_of(uint8_t setting)
+static int modes_of(const instance *c, uint8_t setting)
 {
     static const int modes[] = {
         0, MODE_INSTANTIATED | MODE_INITIALISATION,
@@ -13,7 +13,8 @@ static int modes_of(uint8_t setting)
         MODE_INSTANTIATED | MODE_INITIALISATION,
         MODE_INSTANTIATED | MODE_INITIALISATION | MODE_RUNNING, MODE_CONFIGURATION
     };
-    return modes[setting];
+    return setting == SET_FIXED && c->model->starting ? modes[setting] | MODE_EVENT
+                                                      : modes[setting];
 }
 
 static const char *kind_name(uint8_t kind)
@@ -80,7 +81,7 @@ bool glue_settable(instance *c, const char *function, const uint32_t references[
     const int64_t mode = c->model->mode;
     for (size_t i = 0; i < count; i++) {
         const variable *v = &model_variables[references[i]];
-        if ((modes_of(v->setting) & mode) == 0) {
+        if ((modes_of(c, v->setting) & mode) == 0) {
             glue_log(c, STATUS_ERROR, "%s: %s cannot be set %s", function, v->name,
                      v->setting == SET_NEVER ? "at all" : "now");
             return false;
@@ -104,13 +105,13 @@ void glue_get_reals(const instance *c, const uint32_t references[], size_t count
     }
 }
 
-/* What follows from variables is out of date. */
-static void touch(instance *c, bool tunable)
+/* What follows from variables is out of date; `settings` has a bit for each one's kind of setting. */
+static void touch(instance *c, int settings)
 {
-    if ((c->model->mode & MODE_RUNNING) == 0) {
+    if ((c->model->mode & MODE_RUNNING) == 0 || (settings & 1 << SET_FIXED) != 0) {
         c->model->initialised = 0;
     }
-    c->model->tuned |= tunable;
+    c->model->tuned |= (settings & 1 << SET_TUNABLE) != 0;
     c->model->evaluated = 0;
 }
 
@@ -167,7 +168,7 @@ bool glue_set_reals(instance *c, const uint32_t references[], size_t count, cons
         return false;
     }
     double *real = c->model->real;
-    bool tunable = false;
+    int settings = 0;
     for (size_t i = 0; i < count; i++) {
         const variable *v = &model_variables[references[i]];
         if (v->columns == 0) {
@@ -177,10 +178,10 @@ bool glue_set_reals(instance *c, const uint32_t references[], size_t count, cons
             memcpy(real + v->offset, values, elements * sizeof *values);
             values += elements;
         }
-        tunable = tunable || v->setting == SET_TUNABLE;
+        settings |= 1 << v->setting;
     }
     if (count > 0) {
-        touch(c, tunable);
+        touch(c, settings);
     }
     return true;
 }
@@ -203,7 +204,7 @@ bool glue_set_integer(instance *c, uint32_t reference, int64_t value)
         return false;
     }
     c->model->integer[v->offset] = value;
-    touch(c, v->setting == SET_TUNABLE);
+    touch(c, 1 << v->setting);
     return true;
 }
 

@@ -1,0 +1,541 @@
+within Segfmu;
+model GantryCrane "Dynamics of a 3-DOF gantry crane from Lagrange's equations, driven by force or velocity setpoints, with a sampled sway feedback about a reference state; drives, friction, end stops, sensors, wind and payload changes as on a real crane, ideal by default"
+  parameter String folder = "" "folder of the unpacked FMU; empty: that in Resources/FMUs" annotation(Dialog(tab = "FMU"));
+  parameter Boolean use_force = true "the connectors force_* are there; else the FMU has their start values" annotation(Dialog(tab = "inputs"), choices(checkBox = true));
+  parameter Boolean use_velocity = true "the connectors velocity_* are there; else the FMU has their start values" annotation(Dialog(tab = "inputs"), choices(checkBox = true));
+  parameter Boolean use_reference = true "the connectors reference_* are there; else the FMU has their start values" annotation(Dialog(tab = "inputs"), choices(checkBox = true));
+  parameter Boolean use_wind = false "the connectors wind_* are there; else the FMU has their start values" annotation(Dialog(tab = "inputs"), choices(checkBox = true));
+  Interfaces.RealInput force_bridge(unit = "N", nominal = 10.0, start = 0.0) if use_force "force setpoint of the bridge drive" annotation(Placement(transformation(extent = {{-216, 252}, {-200, 268}})));
+  parameter Real force_bridge_start(unit = "N", nominal = 10.0) = 0.0 "value where force_bridge is not there" annotation(Dialog(tab = "inputs"));
+  Interfaces.RealInput force_trolley(unit = "N", nominal = 10.0, start = 0.0) if use_force "force setpoint of the trolley drive" annotation(Placement(transformation(extent = {{-216, 232}, {-200, 248}})));
+  parameter Real force_trolley_start(unit = "N", nominal = 10.0) = 0.0 "value where force_trolley is not there" annotation(Dialog(tab = "inputs"));
+  Interfaces.RealInput force_hoist(unit = "N", nominal = 10.0, start = -9.81) if use_force "force setpoint of the hoist drive" annotation(Placement(transformation(extent = {{-216, 212}, {-200, 228}})));
+  parameter Real force_hoist_start(unit = "N", nominal = 10.0) = -9.81 "value where force_hoist is not there" annotation(Dialog(tab = "inputs"));
+  Interfaces.RealInput velocity_bridge(unit = "m/s", start = 0.0) if use_velocity "velocity setpoint of the bridge drive" annotation(Placement(transformation(extent = {{-216, 172}, {-200, 188}})));
+  parameter Real velocity_bridge_start(unit = "m/s") = 0.0 "value where velocity_bridge is not there" annotation(Dialog(tab = "inputs"));
+  Interfaces.RealInput velocity_trolley(unit = "m/s", start = 0.0) if use_velocity "velocity setpoint of the trolley drive" annotation(Placement(transformation(extent = {{-216, 152}, {-200, 168}})));
+  parameter Real velocity_trolley_start(unit = "m/s") = 0.0 "value where velocity_trolley is not there" annotation(Dialog(tab = "inputs"));
+  Interfaces.RealInput velocity_hoist(unit = "m/s", start = 0.0) if use_velocity "velocity setpoint of the hoist drive" annotation(Placement(transformation(extent = {{-216, 132}, {-200, 148}})));
+  parameter Real velocity_hoist_start(unit = "m/s") = 0.0 "value where velocity_hoist is not there" annotation(Dialog(tab = "inputs"));
+  Interfaces.RealInput reference_bridge_position(unit = "m", start = 0.0) if use_reference "reference of bridge.position" annotation(Placement(transformation(extent = {{-216, 92}, {-200, 108}})));
+  parameter Real reference_bridge_position_start(unit = "m") = 0.0 "value where reference_bridge_position is not there" annotation(Dialog(tab = "inputs"));
+  Interfaces.RealInput reference_trolley_position(unit = "m", start = 0.0) if use_reference "reference of trolley.position" annotation(Placement(transformation(extent = {{-216, 72}, {-200, 88}})));
+  parameter Real reference_trolley_position_start(unit = "m") = 0.0 "value where reference_trolley_position is not there" annotation(Dialog(tab = "inputs"));
+  Interfaces.RealInput reference_rope_length(unit = "m", start = 0.5) if use_reference "reference of rope.length" annotation(Placement(transformation(extent = {{-216, 52}, {-200, 68}})));
+  parameter Real reference_rope_length_start(unit = "m") = 0.5 "value where reference_rope_length is not there" annotation(Dialog(tab = "inputs"));
+  Interfaces.RealInput reference_sway_x_angle(unit = "rad", displayUnit = "deg", nominal = 0.1, start = 0.0) if use_reference "reference of sway.x.angle" annotation(Placement(transformation(extent = {{-216, 32}, {-200, 48}})));
+  parameter Real reference_sway_x_angle_start(unit = "rad", displayUnit = "deg", nominal = 0.1) = 0.0 "value where reference_sway_x_angle is not there" annotation(Dialog(tab = "inputs"));
+  Interfaces.RealInput reference_sway_y_angle(unit = "rad", displayUnit = "deg", nominal = 0.1, start = 0.0) if use_reference "reference of sway.y.angle" annotation(Placement(transformation(extent = {{-216, 12}, {-200, 28}})));
+  parameter Real reference_sway_y_angle_start(unit = "rad", displayUnit = "deg", nominal = 0.1) = 0.0 "value where reference_sway_y_angle is not there" annotation(Dialog(tab = "inputs"));
+  Interfaces.RealInput reference_bridge_velocity(unit = "m/s", start = 0.0) if use_reference "reference of bridge.velocity" annotation(Placement(transformation(extent = {{-216, -8}, {-200, 8}})));
+  parameter Real reference_bridge_velocity_start(unit = "m/s") = 0.0 "value where reference_bridge_velocity is not there" annotation(Dialog(tab = "inputs"));
+  Interfaces.RealInput reference_trolley_velocity(unit = "m/s", start = 0.0) if use_reference "reference of trolley.velocity" annotation(Placement(transformation(extent = {{-216, -28}, {-200, -12}})));
+  parameter Real reference_trolley_velocity_start(unit = "m/s") = 0.0 "value where reference_trolley_velocity is not there" annotation(Dialog(tab = "inputs"));
+  Interfaces.RealInput reference_rope_velocity(unit = "m/s", start = 0.0) if use_reference "reference of rope.velocity" annotation(Placement(transformation(extent = {{-216, -48}, {-200, -32}})));
+  parameter Real reference_rope_velocity_start(unit = "m/s") = 0.0 "value where reference_rope_velocity is not there" annotation(Dialog(tab = "inputs"));
+  Interfaces.RealInput reference_sway_x_rate(unit = "rad/s", displayUnit = "deg/s", nominal = 0.1, start = 0.0) if use_reference "reference of sway.x.rate" annotation(Placement(transformation(extent = {{-216, -68}, {-200, -52}})));
+  parameter Real reference_sway_x_rate_start(unit = "rad/s", displayUnit = "deg/s", nominal = 0.1) = 0.0 "value where reference_sway_x_rate is not there" annotation(Dialog(tab = "inputs"));
+  Interfaces.RealInput reference_sway_y_rate(unit = "rad/s", displayUnit = "deg/s", nominal = 0.1, start = 0.0) if use_reference "reference of sway.y.rate" annotation(Placement(transformation(extent = {{-216, -88}, {-200, -72}})));
+  parameter Real reference_sway_y_rate_start(unit = "rad/s", displayUnit = "deg/s", nominal = 0.1) = 0.0 "value where reference_sway_y_rate is not there" annotation(Dialog(tab = "inputs"));
+  Interfaces.RealInput reference_load_position_x(unit = "m", start = 0.0) if use_reference "reference of the load's position, x" annotation(Placement(transformation(extent = {{-216, -108}, {-200, -92}})));
+  parameter Real reference_load_position_x_start(unit = "m") = 0.0 "value where reference_load_position_x is not there" annotation(Dialog(tab = "inputs"));
+  Interfaces.RealInput reference_load_position_y(unit = "m", start = 0.0) if use_reference "reference of the load's position, y" annotation(Placement(transformation(extent = {{-216, -128}, {-200, -112}})));
+  parameter Real reference_load_position_y_start(unit = "m") = 0.0 "value where reference_load_position_y is not there" annotation(Dialog(tab = "inputs"));
+  Interfaces.RealInput reference_load_position_z(unit = "m", start = -0.5) if use_reference "reference of the load's position, z" annotation(Placement(transformation(extent = {{-216, -148}, {-200, -132}})));
+  parameter Real reference_load_position_z_start(unit = "m") = -0.5 "value where reference_load_position_z is not there" annotation(Dialog(tab = "inputs"));
+  Interfaces.RealInput wind_x(unit = "N", nominal = 10.0, start = 0.0) if use_wind "external force on the load, x" annotation(Placement(transformation(extent = {{-216, -188}, {-200, -172}})));
+  parameter Real wind_x_start(unit = "N", nominal = 10.0) = 0.0 "value where wind_x is not there" annotation(Dialog(tab = "inputs"));
+  Interfaces.RealInput wind_y(unit = "N", nominal = 10.0, start = 0.0) if use_wind "external force on the load, y" annotation(Placement(transformation(extent = {{-216, -208}, {-200, -192}})));
+  parameter Real wind_y_start(unit = "N", nominal = 10.0) = 0.0 "value where wind_y is not there" annotation(Dialog(tab = "inputs"));
+  Interfaces.RealInput wind_z(unit = "N", nominal = 10.0, start = 0.0) if use_wind "external force on the load, z" annotation(Placement(transformation(extent = {{-216, -228}, {-200, -212}})));
+  parameter Real wind_z_start(unit = "N", nominal = 10.0) = 0.0 "value where wind_z is not there" annotation(Dialog(tab = "inputs"));
+  Interfaces.RealOutput bridge_position(unit = "m") "true bridge.position" annotation(Placement(transformation(extent = {{200, 692}, {216, 708}})));
+  Interfaces.RealOutput trolley_position(unit = "m") "true trolley.position" annotation(Placement(transformation(extent = {{200, 652}, {216, 668}})));
+  Interfaces.RealOutput rope_length(unit = "m") "true rope.length" annotation(Placement(transformation(extent = {{200, 612}, {216, 628}})));
+  Interfaces.RealOutput sway_x_angle(unit = "rad", displayUnit = "deg", nominal = 0.1) "true sway.x.angle" annotation(Placement(transformation(extent = {{200, 572}, {216, 588}})));
+  Interfaces.RealOutput sway_y_angle(unit = "rad", displayUnit = "deg", nominal = 0.1) "true sway.y.angle" annotation(Placement(transformation(extent = {{200, 552}, {216, 568}})));
+  Interfaces.RealOutput bridge_velocity(unit = "m/s") "true bridge.velocity" annotation(Placement(transformation(extent = {{200, 512}, {216, 528}})));
+  Interfaces.RealOutput trolley_velocity(unit = "m/s") "true trolley.velocity" annotation(Placement(transformation(extent = {{200, 472}, {216, 488}})));
+  Interfaces.RealOutput rope_velocity(unit = "m/s") "true rope.velocity" annotation(Placement(transformation(extent = {{200, 432}, {216, 448}})));
+  Interfaces.RealOutput sway_x_rate(unit = "rad/s", displayUnit = "deg/s", nominal = 0.1) "true sway.x.rate" annotation(Placement(transformation(extent = {{200, 392}, {216, 408}})));
+  Interfaces.RealOutput sway_y_rate(unit = "rad/s", displayUnit = "deg/s", nominal = 0.1) "true sway.y.rate" annotation(Placement(transformation(extent = {{200, 372}, {216, 388}})));
+  Interfaces.RealOutput measured_bridge_position(unit = "m") "measured bridge.position" annotation(Placement(transformation(extent = {{200, 332}, {216, 348}})));
+  Interfaces.RealOutput measured_trolley_position(unit = "m") "measured trolley.position" annotation(Placement(transformation(extent = {{200, 312}, {216, 328}})));
+  Interfaces.RealOutput measured_rope_length(unit = "m") "measured rope.length" annotation(Placement(transformation(extent = {{200, 292}, {216, 308}})));
+  Interfaces.RealOutput measured_sway_x_angle(unit = "rad", displayUnit = "deg", nominal = 0.1) "measured sway.x.angle" annotation(Placement(transformation(extent = {{200, 272}, {216, 288}})));
+  Interfaces.RealOutput measured_sway_y_angle(unit = "rad", displayUnit = "deg", nominal = 0.1) "measured sway.y.angle" annotation(Placement(transformation(extent = {{200, 252}, {216, 268}})));
+  Interfaces.RealOutput load_position_x(unit = "m") "true position of the load, x" annotation(Placement(transformation(extent = {{200, 212}, {216, 228}})));
+  Interfaces.RealOutput load_position_y(unit = "m") "true position of the load, y" annotation(Placement(transformation(extent = {{200, 192}, {216, 208}})));
+  Interfaces.RealOutput load_position_z(unit = "m") "true position of the load, z" annotation(Placement(transformation(extent = {{200, 172}, {216, 188}})));
+  Interfaces.RealOutput load_velocity_x(unit = "m/s") "true velocity of the load, x" annotation(Placement(transformation(extent = {{200, 152}, {216, 168}})));
+  Interfaces.RealOutput load_velocity_y(unit = "m/s") "true velocity of the load, y" annotation(Placement(transformation(extent = {{200, 132}, {216, 148}})));
+  Interfaces.RealOutput load_velocity_z(unit = "m/s") "true velocity of the load, z" annotation(Placement(transformation(extent = {{200, 112}, {216, 128}})));
+  Interfaces.RealOutput error_load_x(unit = "m") "load minus its reference, x" annotation(Placement(transformation(extent = {{200, 72}, {216, 88}})));
+  Interfaces.RealOutput error_load_y(unit = "m") "load minus its reference, y" annotation(Placement(transformation(extent = {{200, 52}, {216, 68}})));
+  Interfaces.RealOutput error_load_z(unit = "m") "load minus its reference, z" annotation(Placement(transformation(extent = {{200, 32}, {216, 48}})));
+  Interfaces.RealOutput error_load_norm(unit = "m") "distance of the load from its reference" annotation(Placement(transformation(extent = {{200, 12}, {216, 28}})));
+  Interfaces.RealOutput drive_bridge_force(unit = "N", nominal = 10.0) "force that the bridge drive applies" annotation(Placement(transformation(extent = {{200, -28}, {216, -12}})));
+  Interfaces.BooleanOutput drive_bridge_saturated "bridge drive at a bound at some time in the last step" annotation(Placement(transformation(extent = {{200, -48}, {216, -32}})));
+  Interfaces.RealOutput drive_bridge_power(unit = "W", nominal = 10.0) "power of the bridge drive" annotation(Placement(transformation(extent = {{200, -68}, {216, -52}})));
+  Interfaces.RealOutput drive_trolley_force(unit = "N", nominal = 10.0) "force that the trolley drive applies" annotation(Placement(transformation(extent = {{200, -88}, {216, -72}})));
+  Interfaces.BooleanOutput drive_trolley_saturated "trolley drive at a bound at some time in the last step" annotation(Placement(transformation(extent = {{200, -108}, {216, -92}})));
+  Interfaces.RealOutput drive_trolley_power(unit = "W", nominal = 10.0) "power of the trolley drive" annotation(Placement(transformation(extent = {{200, -128}, {216, -112}})));
+  Interfaces.RealOutput drive_hoist_force(unit = "N", nominal = 10.0) "force that the hoist drive applies" annotation(Placement(transformation(extent = {{200, -148}, {216, -132}})));
+  Interfaces.BooleanOutput drive_hoist_saturated "hoist drive at a bound at some time in the last step" annotation(Placement(transformation(extent = {{200, -168}, {216, -152}})));
+  Interfaces.RealOutput drive_hoist_power(unit = "W", nominal = 10.0) "power of the hoist drive" annotation(Placement(transformation(extent = {{200, -188}, {216, -172}})));
+  Interfaces.RealOutput rope_force(unit = "N", nominal = 10.0) "force on the rope, tension is negative" annotation(Placement(transformation(extent = {{200, -228}, {216, -212}})));
+  Interfaces.RealOutput payload_mass(unit = "kg") "present mass of the load" annotation(Placement(transformation(extent = {{200, -268}, {216, -252}})));
+  Interfaces.RealOutput energy_kinetic(unit = "J", nominal = 10.0) "kinetic energy of bridge, trolley and load" annotation(Placement(transformation(extent = {{200, -308}, {216, -292}})));
+  Interfaces.RealOutput energy_potential(unit = "J", nominal = 10.0) "potential energy of the load, zero at the trolley" annotation(Placement(transformation(extent = {{200, -328}, {216, -312}})));
+  Interfaces.RealOutput energy_work(unit = "J", nominal = 10.0) "work of drives and wind since the start" annotation(Placement(transformation(extent = {{200, -348}, {216, -332}})));
+  Interfaces.RealOutput energy_drives(unit = "J", nominal = 10.0) "work of the drives since the start" annotation(Placement(transformation(extent = {{200, -368}, {216, -352}})));
+  Interfaces.RealOutput energy_wind(unit = "J", nominal = 10.0) "work of the wind since the start" annotation(Placement(transformation(extent = {{200, -388}, {216, -372}})));
+  Interfaces.RealOutput energy_payload(unit = "J", nominal = 10.0) "energy that payload changes brought since the start" annotation(Placement(transformation(extent = {{200, -408}, {216, -392}})));
+  Interfaces.RealOutput energy_dissipated(unit = "J", nominal = 10.0) "energy that friction took since the start" annotation(Placement(transformation(extent = {{200, -428}, {216, -412}})));
+  Interfaces.RealOutput energy_imbalance(unit = "J", nominal = 10.0) "error of the balance of these by integration" annotation(Placement(transformation(extent = {{200, -448}, {216, -432}})));
+  Interfaces.RealOutput power_wind(unit = "W", nominal = 10.0) "power of the wind" annotation(Placement(transformation(extent = {{200, -488}, {216, -472}})));
+  Interfaces.RealOutput power_friction(unit = "W", nominal = 10.0) "power that friction dissipates" annotation(Placement(transformation(extent = {{200, -508}, {216, -492}})));
+  Interfaces.RealOutput estimate_payload_mass(unit = "kg") "estimated mass of the load in drive.mode force; of source measured" annotation(Placement(transformation(extent = {{200, -548}, {216, -532}})));
+  Interfaces.RealOutput estimate_disturbance_bridge(unit = "m/s2") "estimated unknown acceleration of the bridge; of source measured" annotation(Placement(transformation(extent = {{200, -568}, {216, -552}})));
+  Interfaces.RealOutput estimate_disturbance_trolley(unit = "m/s2") "estimated unknown acceleration of the trolley; of source measured" annotation(Placement(transformation(extent = {{200, -588}, {216, -572}})));
+  Interfaces.RealOutput estimate_disturbance_hoist(unit = "m/s2") "estimated unknown acceleration of the hoist; of source measured" annotation(Placement(transformation(extent = {{200, -608}, {216, -592}})));
+  Interfaces.RealOutput estimate_disturbance_load_x(unit = "m/s2") "estimated acceleration of the load, x; of source measured" annotation(Placement(transformation(extent = {{200, -628}, {216, -612}})));
+  Interfaces.RealOutput estimate_disturbance_load_y(unit = "m/s2") "estimated acceleration of the load, y; of source measured" annotation(Placement(transformation(extent = {{200, -648}, {216, -632}})));
+  Interfaces.RealOutput estimate_rope_offset(unit = "m") "what is added to the measured length of the rope; of source measured" annotation(Placement(transformation(extent = {{200, -668}, {216, -652}})));
+  parameter Real bridge_position_start(unit = "m") = 0.0 "start value: true bridge.position" annotation(Dialog(tab = "start"));
+  parameter Real trolley_position_start(unit = "m") = 0.0 "start value: true trolley.position" annotation(Dialog(tab = "start"));
+  parameter Real rope_length_start(unit = "m") = 0.5 "start value: true rope.length" annotation(Dialog(tab = "start"));
+  parameter Real sway_x_angle_start(unit = "rad", displayUnit = "deg", nominal = 0.1) = 0.0 "start value: true sway.x.angle" annotation(Dialog(tab = "start"));
+  parameter Real sway_y_angle_start(unit = "rad", displayUnit = "deg", nominal = 0.1) = 0.0 "start value: true sway.y.angle" annotation(Dialog(tab = "start"));
+  parameter Real bridge_velocity_start(unit = "m/s") = 0.0 "start value: true bridge.velocity" annotation(Dialog(tab = "start"));
+  parameter Real trolley_velocity_start(unit = "m/s") = 0.0 "start value: true trolley.velocity" annotation(Dialog(tab = "start"));
+  parameter Real rope_velocity_start(unit = "m/s") = 0.0 "start value: true rope.velocity" annotation(Dialog(tab = "start"));
+  parameter Real sway_x_rate_start(unit = "rad/s", displayUnit = "deg/s", nominal = 0.1) = 0.0 "start value: true sway.x.rate" annotation(Dialog(tab = "start"));
+  parameter Real sway_y_rate_start(unit = "rad/s", displayUnit = "deg/s", nominal = 0.1) = 0.0 "start value: true sway.y.rate" annotation(Dialog(tab = "start"));
+  parameter Real crane_bridge_mass(unit = "kg", min = 1e-09) = 2.2 "true crane: mass of the bridge, which moves in x together with the trolley" annotation(Dialog(tab = "crane"));
+  parameter Real crane_trolley_mass(unit = "kg", min = 1e-09) = 1.155 "true crane: mass of the trolley, which moves in y on the bridge" annotation(Dialog(tab = "crane"));
+  parameter Real crane_payload_mass(unit = "kg", min = 1e-09) = 1.0 "true crane: mass of the load" annotation(Dialog(tab = "crane"));
+  parameter Real crane_gravity(unit = "m/s2", min = 1e-09) = 9.81 "true crane: gravity" annotation(Dialog(tab = "crane"));
+  parameter Real crane_rope_min(unit = "m", min = 0.0) = 0.16 "true crane: shortest rope; 0: no bound" annotation(Dialog(tab = "crane"));
+  parameter Real crane_rope_max(unit = "m", min = 0.0) = 1.5 "true crane: longest rope; 0: no bound" annotation(Dialog(tab = "crane"));
+  parameter Types.DriveMode drive_mode = Types.DriveMode.force "what the drives follow" annotation(Dialog(tab = "drive"));
+  parameter Real drive_bridge_lag(unit = "s", min = 0.0) = 0.0 "time constant of the bridge drive in mode velocity; 0: none" annotation(Dialog(tab = "drive"));
+  parameter Real drive_bridge_force_max(unit = "N", min = 0.0) = 0.0 "largest force of the bridge drive; 0: no bound" annotation(Dialog(tab = "drive"));
+  parameter Real drive_bridge_acceleration_max(unit = "m/s2", min = 0.0) = 0.0 "largest acceleration of the bridge drive in mode velocity; 0: no bound" annotation(Dialog(tab = "drive"));
+  parameter Real drive_trolley_lag(unit = "s", min = 0.0) = 0.0 "time constant of the trolley drive in mode velocity; 0: none" annotation(Dialog(tab = "drive"));
+  parameter Real drive_trolley_force_max(unit = "N", min = 0.0) = 0.0 "largest force of the trolley drive; 0: no bound" annotation(Dialog(tab = "drive"));
+  parameter Real drive_trolley_acceleration_max(unit = "m/s2", min = 0.0) = 0.0 "largest acceleration of the trolley drive in mode velocity; 0: no bound" annotation(Dialog(tab = "drive"));
+  parameter Real drive_hoist_lag(unit = "s", min = 0.0) = 0.0 "time constant of the hoist drive in mode velocity; 0: none" annotation(Dialog(tab = "drive"));
+  parameter Real drive_hoist_force_max(unit = "N", min = 0.0) = 0.0 "largest force of the hoist drive; 0: no bound" annotation(Dialog(tab = "drive"));
+  parameter Real drive_hoist_acceleration_max(unit = "m/s2", min = 0.0) = 0.0 "largest acceleration of the hoist drive in mode velocity; 0: no bound" annotation(Dialog(tab = "drive"));
+  parameter Real friction_bridge_viscous(unit = "N.s/m", min = 0.0) = 0.0 "viscous friction of the bridge" annotation(Dialog(tab = "friction"));
+  parameter Real friction_bridge_coulomb(unit = "N", min = 0.0) = 0.0 "Coulomb friction of the bridge" annotation(Dialog(tab = "friction"));
+  parameter Real friction_trolley_viscous(unit = "N.s/m", min = 0.0) = 0.0 "viscous friction of the trolley" annotation(Dialog(tab = "friction"));
+  parameter Real friction_trolley_coulomb(unit = "N", min = 0.0) = 0.0 "Coulomb friction of the trolley" annotation(Dialog(tab = "friction"));
+  parameter Real friction_hoist_viscous(unit = "N.s/m", min = 0.0) = 0.0 "viscous friction of the hoist" annotation(Dialog(tab = "friction"));
+  parameter Real friction_hoist_coulomb(unit = "N", min = 0.0) = 0.0 "Coulomb friction of the hoist" annotation(Dialog(tab = "friction"));
+  parameter Real friction_width(unit = "m/s", min = 1e-09) = 0.001 "Coulomb friction is coulomb * tanh(v / width)" annotation(Dialog(tab = "friction"));
+  parameter Real friction_sway_viscous(unit = "N.m.s", min = 0.0) = 0.0 "damping of both sway angles" annotation(Dialog(tab = "friction"));
+  parameter Real travel_bridge_min(unit = "m") = -1000000000.0 "lower end stop of the bridge" annotation(Dialog(tab = "travel"));
+  parameter Real travel_bridge_max(unit = "m") = 1000000000.0 "upper end stop of the bridge" annotation(Dialog(tab = "travel"));
+  parameter Real travel_trolley_min(unit = "m") = -1000000000.0 "lower end stop of the trolley" annotation(Dialog(tab = "travel"));
+  parameter Real travel_trolley_max(unit = "m") = 1000000000.0 "upper end stop of the trolley" annotation(Dialog(tab = "travel"));
+  parameter Real travel_rope_min(unit = "m") = -1000000000.0 "lower end stop of the rope's length" annotation(Dialog(tab = "travel"));
+  parameter Real travel_rope_max(unit = "m") = 1000000000.0 "upper end stop of the rope's length" annotation(Dialog(tab = "travel"));
+  parameter Real sensor_sample_time(unit = "s", min = 0.0) = 0.0 "period; 0: continuous" annotation(Dialog(tab = "sensor"));
+  parameter Real sensor_dead_time(unit = "s", min = 0.0) = 0.0 "from sampling to the signal; needs sensor.sample_time" annotation(Dialog(tab = "sensor"));
+  parameter Integer sensor_seed(min = 0, max = 2147483647) = 0 "seed of the sensors' noise" annotation(Dialog(tab = "sensor"));
+  parameter Real sensor_bridge_position_resolution(unit = "m", min = 0.0) = 0.0 "quantisation step; 0: none" annotation(Dialog(tab = "sensor"));
+  parameter Real sensor_bridge_position_deviation(unit = "m", min = 0.0) = 0.0 "standard deviation of the noise; needs sensor.sample_time" annotation(Dialog(tab = "sensor"));
+  parameter Real sensor_bridge_position_offset(unit = "m") = 0.0 "measured minus true value" annotation(Dialog(tab = "sensor"));
+  parameter Real sensor_trolley_position_resolution(unit = "m", min = 0.0) = 0.0 "quantisation step; 0: none" annotation(Dialog(tab = "sensor"));
+  parameter Real sensor_trolley_position_deviation(unit = "m", min = 0.0) = 0.0 "standard deviation of the noise; needs sensor.sample_time" annotation(Dialog(tab = "sensor"));
+  parameter Real sensor_trolley_position_offset(unit = "m") = 0.0 "measured minus true value" annotation(Dialog(tab = "sensor"));
+  parameter Real sensor_rope_length_resolution(unit = "m", min = 0.0) = 0.0 "quantisation step; 0: none" annotation(Dialog(tab = "sensor"));
+  parameter Real sensor_rope_length_deviation(unit = "m", min = 0.0) = 0.0 "standard deviation of the noise; needs sensor.sample_time" annotation(Dialog(tab = "sensor"));
+  parameter Real sensor_rope_length_offset(unit = "m") = 0.0 "measured minus true value" annotation(Dialog(tab = "sensor"));
+  parameter Real sensor_sway_x_angle_resolution(unit = "rad", displayUnit = "deg", min = 0.0) = 0.0 "quantisation step; 0: none" annotation(Dialog(tab = "sensor"));
+  parameter Real sensor_sway_x_angle_deviation(unit = "rad", displayUnit = "deg", min = 0.0) = 0.0 "standard deviation of the noise; needs sensor.sample_time" annotation(Dialog(tab = "sensor"));
+  parameter Real sensor_sway_x_angle_offset(unit = "rad", displayUnit = "deg") = 0.0 "measured minus true value" annotation(Dialog(tab = "sensor"));
+  parameter Real sensor_sway_y_angle_resolution(unit = "rad", displayUnit = "deg", min = 0.0) = 0.0 "quantisation step; 0: none" annotation(Dialog(tab = "sensor"));
+  parameter Real sensor_sway_y_angle_deviation(unit = "rad", displayUnit = "deg", min = 0.0) = 0.0 "standard deviation of the noise; needs sensor.sample_time" annotation(Dialog(tab = "sensor"));
+  parameter Real sensor_sway_y_angle_offset(unit = "rad", displayUnit = "deg") = 0.0 "measured minus true value" annotation(Dialog(tab = "sensor"));
+  parameter Real wind_constant_x(unit = "N") = 0.0 "constant wind, x" annotation(Dialog(tab = "wind"));
+  parameter Real wind_constant_y(unit = "N") = 0.0 "constant wind, y" annotation(Dialog(tab = "wind"));
+  parameter Real wind_constant_z(unit = "N") = 0.0 "constant wind, z" annotation(Dialog(tab = "wind"));
+  parameter Real wind_gust_start(unit = "s") = 0.0 "start of the gust" annotation(Dialog(tab = "wind"));
+  parameter Real wind_gust_duration(unit = "s", min = 0.0) = 0.0 "duration of the gust; 0: none" annotation(Dialog(tab = "wind"));
+  parameter Types.GustShape wind_gust_shape = Types.GustShape.cosine "1 - cosine, or half a sine" annotation(Dialog(tab = "wind"));
+  parameter Real wind_gust_force_x(unit = "N") = 0.0 "peak of the gust, x" annotation(Dialog(tab = "wind"));
+  parameter Real wind_gust_force_y(unit = "N") = 0.0 "peak of the gust, y" annotation(Dialog(tab = "wind"));
+  parameter Real wind_gust_force_z(unit = "N") = 0.0 "peak of the gust, z" annotation(Dialog(tab = "wind"));
+  parameter Real wind_noise_deviation_x(unit = "N", min = 0.0) = 0.0 "standard deviation of the wind's noise, x" annotation(Dialog(tab = "wind"));
+  parameter Real wind_noise_deviation_y(unit = "N", min = 0.0) = 0.0 "standard deviation of the wind's noise, y" annotation(Dialog(tab = "wind"));
+  parameter Real wind_noise_deviation_z(unit = "N", min = 0.0) = 0.0 "standard deviation of the wind's noise, z" annotation(Dialog(tab = "wind"));
+  parameter Real wind_noise_bandwidth(unit = "Hz", min = 1e-09) = 1.0 "largest frequency in it" annotation(Dialog(tab = "wind"));
+  parameter Integer wind_noise_seed(min = 0, max = 2147483647) = 0 "seed of the wind's noise" annotation(Dialog(tab = "wind"));
+  parameter Integer payload_count(min = 0, max = 4) = 0 "number of payload changes in use" annotation(Dialog(tab = "payload"));
+  parameter Real payload_1_time(unit = "s") = 0.0 "time of a payload change" annotation(Dialog(tab = "payload"));
+  parameter Real payload_1_mass(unit = "kg", min = 1e-09) = 1.0 "mass of the load from then on" annotation(Dialog(tab = "payload"));
+  parameter Real payload_2_time(unit = "s") = 0.0 "time of a payload change" annotation(Dialog(tab = "payload"));
+  parameter Real payload_2_mass(unit = "kg", min = 1e-09) = 1.0 "mass of the load from then on" annotation(Dialog(tab = "payload"));
+  parameter Real payload_3_time(unit = "s") = 0.0 "time of a payload change" annotation(Dialog(tab = "payload"));
+  parameter Real payload_3_mass(unit = "kg", min = 1e-09) = 1.0 "mass of the load from then on" annotation(Dialog(tab = "payload"));
+  parameter Real payload_4_time(unit = "s") = 0.0 "time of a payload change" annotation(Dialog(tab = "payload"));
+  parameter Real payload_4_mass(unit = "kg", min = 1e-09) = 1.0 "mass of the load from then on" annotation(Dialog(tab = "payload"));
+  parameter Boolean feedback_enabled = true "sway feedback acts" annotation(Dialog(tab = "feedback"));
+  parameter Types.FeedbackDesign feedback_design = Types.FeedbackDesign.lqr "gains of a linear-quadratic design, or closed form" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_sample_time(unit = "s", min = 1e-06) = 0.01 "period of the feedback" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_payload_mass(unit = "kg", min = 0.0) = 0.0 "mass of the load that the feedback is designed for; 0: crane.payload_mass" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_bandwidth(min = 1e-06) = 1.1 "of design flatness: bandwidth in units of the pendulum's frequency" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_hoist_bandwidth(min = 1e-06) = 3.0 "of design flatness: bandwidth of the hoist in units of the pendulum's frequency" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_damping(min = 1e-06) = 1.0 "of design flatness: damping of all poles" annotation(Dialog(tab = "feedback"));
+  parameter Types.FeedbackSource feedback_source = Types.FeedbackSource.state "the true state, or measured.* alone, with an observer" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_rejection_carriage(min = 0.0, max = 1.0) = 1.0 "share of the estimated disturbance of the carriages and the rope that is rejected" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_rejection_load(min = 0.0, max = 1.0) = 1.0 "share of the estimated disturbance of the load that is rejected" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_fade(unit = "s", min = 0.0) = 0.1 "time constant of the change when something is switched or tuned; 0: the correction jumps" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_payload_time(unit = "s", min = 1e-06) = 2.0 "time constant of the payload's estimate" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_observer_position(unit = "m", min = 1e-12) = 0.0001 "expected quantisation step of the carriages' positions" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_observer_length(unit = "m", min = 1e-12) = 0.0001 "expected quantisation step of the rope's length" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_observer_angle(unit = "rad", displayUnit = "deg", min = 1e-12) = 0.0015339807878856412 "expected quantisation step of the sway angles" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_observer_drift(min = 1e-12) = 0.3 "expected random walk of the carriages' and the rope's unknown accelerations: standard deviation after 1 s over gravity" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_observer_wind(min = 1e-12) = 0.1 "expected the same of the load's" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_observer_wake(min = 0.0) = 1.0 "number of quantisation steps that a signal differs from its reference when corrections begin; 0: from the start" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_observer_offset(min = 0.0) = 0.05 "expected standard deviation of the zero of the rope's sensor over the rope's length, which is estimated; 0: it is not" annotation(Dialog(tab = "feedback"));
+  parameter Types.DriveMode feedback_table_mode = Types.DriveMode.force "drive.mode that the gains in the table are for" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_table_payload_mass(unit = "kg", min = 1e-09) = 1.0 "mass of the load that the gains in the table are for" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_table_length[:](each unit = "m", each min = 1e-09) = {0.16, 0.18402133941664497, 0.21164908350435035, 0.24342467395484932, 0.27997084092644664,
+      0.32200380715555726, 0.3703473243126544, 0.4259488166836579, 0.4898979485566356,
+      0.563447979192867, 0.6480403238917082, 0.7453328024909286, 0.85723212890964,
+      0.9859312784558375, 1.1339524652138024, 1.3041965717715653, 1.5} "rope lengths of the table of gains" annotation(Dialog(tab = "feedback"));
+  final parameter Integer feedback_table_count = size(feedback_table_length, 1) "rope lengths in the table of gains; its start values are those of weights position 1.0, angle 1.0, velocity 1.0, rate 1.0, effort 1.0";
+  parameter Real feedback_table_bridge[feedback_table_count, 4] = [495.27927222793124, -101.68957434312361, 136.3186113533773, 1.7994409511948615;
+      437.0288866783858, -103.30359666571627, 128.81578796065733, 2.0026794235066716;
+      385.2524624668242, -104.8311862462205, 121.61993703534054, 2.2219490290170048;
+      339.29945700159976, -106.27543788029371, 114.73229244932774, 2.458334633313601;
+      298.5719359857132, -107.639554947376, 108.15186703336099, 2.713003138358398;
+      262.52278104164236, -108.92680859465493, 101.87575576849038, 2.987209442235888;
+      230.65340661817595, -110.14050248544818, 95.89941924369319, 3.282302793940246;
+      202.51113528996382, -111.28394267077225, 90.21694545948189, 3.599733579050924;
+      177.68635608262824, -112.36041212583633, 84.82128901941417, 3.94106057383951;
+      155.80956790154724, -113.37314949152639, 79.70448750731462, 4.307958706789254;
+      136.54838990430952, -114.32533157323334, 74.85785542927132, 4.702227369044492;
+      119.60460288699791, -115.22005916987162, 70.27215652683286, 5.125799317074998;
+      104.71127045850656, -116.06034583214365, 65.93775557227515, 5.580750213511277;
+      91.62997584129613, -116.84910917795116, 61.844750958544765, 6.06930885527391;
+      80.1481993754616, -117.58916442595213, 57.98308951520097, 6.593868140471742;
+      70.07685300904552, -118.28321983738275, 54.342665038031335, 7.1569968295282145;
+      61.24798098371337, -118.93387378921499, 50.91340202564548, 7.761452158998504] "gains of the bridge by the errors of position, angle, velocity, rate" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_table_trolley[feedback_table_count, 4] = [171.12016606391646, 29.27589049665447, 47.29123029226695, -0.7877974013714687;
+      150.95747245479575, 29.829196278791795, 44.67807101202037, -0.8700272559142699;
+      133.04260265195126, 30.3527606650369, 42.17321163065973, -0.9586835773911847;
+      117.14835004277207, 30.847660644893015, 39.77685225605028, -1.0542041885786126;
+      103.06615355595918, 31.31500922682256, 37.48844560102857, -1.1570599105127688;
+      90.60539686860135, 31.75594138650361, 35.30680046643133, -1.2677569545163385;
+      79.59255089668976, 32.171601967353894, 33.23017840861746, -1.3868394745202728;
+      69.8702093062883, 32.563135371261225, 31.256382940391124, -1.5148922939642337;
+      61.29605852819691, 32.931676873277034, 29.38284094603423, -1.6525438221746698;
+      53.74181615486575, 33.278345395265205, 27.60667625159453, -1.8004691758610858;
+      47.092164777028565, 33.60423757924253, 25.92477549011976, -1.9593935221957914;
+      41.243702336302185, 33.91042300906539, 24.333846547841954, -2.1300956608706554;
+      36.103924926902565, 34.1979404395489, 22.830469980334957, -2.3134118635423535;
+      31.590253637663913, 34.4677949027937, 21.411143855502672, -2.51023999022948;
+      27.62911342199957, 34.720955572977445, 20.07232251994278, -2.7215439034186275;
+      24.155069044098713, 34.95835428258487, 18.810449803147083, -2.948358202083668;
+      21.110020794637876, 35.1808845933829, 17.621987174843945, -3.191793299187006] "gains of the trolley by the errors of position, angle, velocity, rate" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_table_hoist[feedback_table_count, 2] = [450.4457874963161, 35.61729196049006;
+      397.0308866690822, 33.50544191295936;
+      349.63112348803566, 31.500809398509297;
+      307.6279514131939, 29.60024119759652;
+      270.45543628440623, 27.800359447070274;
+      237.59792296438482, 26.097617062463847;
+      208.58732848654972, 24.48834703566832;
+      183.00019854238724, 22.96880586704605;
+      160.4546383481784, 21.5352114628967;
+      140.6072061901724, 20.18377587599084;
+      123.14983827105897, 18.91073329344588;
+      107.80685674355955, 17.712363686916664;
+      94.33209880314672, 16.585012538462607;
+      82.50619316071113, 15.52510704474758;
+      72.1340008405281, 14.529169184946118;
+      63.04222976560552, 13.59382601583959;
+      55.077226726941014, 12.715817532987113] "gains of the hoist by the errors of position, velocity" annotation(Dialog(tab = "feedback"));
+  Real bridge_acceleration(unit = "m/s2") "acceleration of bridge";
+  Real trolley_acceleration(unit = "m/s2") "acceleration of trolley";
+  Real rope_acceleration(unit = "m/s2") "acceleration of rope";
+  Real sway_x_acceleration(unit = "rad/s2", displayUnit = "deg/s2") "acceleration of sway.x";
+  Real sway_y_acceleration(unit = "rad/s2", displayUnit = "deg/s2") "acceleration of sway.y";
+  Real power_drives(unit = "W", nominal = 10.0) "power of all drives";
+protected
+  constant Integer feedback_table_length_references[17] = {168, 179, 190, 201, 212, 223, 234, 245, 256, 267, 278, 289, 300, 311, 322, 333, 344};
+  constant Integer feedback_table_bridge_references[17, 4] = [169, 170, 171, 172;
+      180, 181, 182, 183;
+      191, 192, 193, 194;
+      202, 203, 204, 205;
+      213, 214, 215, 216;
+      224, 225, 226, 227;
+      235, 236, 237, 238;
+      246, 247, 248, 249;
+      257, 258, 259, 260;
+      268, 269, 270, 271;
+      279, 280, 281, 282;
+      290, 291, 292, 293;
+      301, 302, 303, 304;
+      312, 313, 314, 315;
+      323, 324, 325, 326;
+      334, 335, 336, 337;
+      345, 346, 347, 348];
+  constant Integer feedback_table_trolley_references[17, 4] = [173, 174, 175, 176;
+      184, 185, 186, 187;
+      195, 196, 197, 198;
+      206, 207, 208, 209;
+      217, 218, 219, 220;
+      228, 229, 230, 231;
+      239, 240, 241, 242;
+      250, 251, 252, 253;
+      261, 262, 263, 264;
+      272, 273, 274, 275;
+      283, 284, 285, 286;
+      294, 295, 296, 297;
+      305, 306, 307, 308;
+      316, 317, 318, 319;
+      327, 328, 329, 330;
+      338, 339, 340, 341;
+      349, 350, 351, 352];
+  constant Integer feedback_table_hoist_references[17, 2] = [177, 178;
+      188, 189;
+      199, 200;
+      210, 211;
+      221, 222;
+      232, 233;
+      243, 244;
+      254, 255;
+      265, 266;
+      276, 277;
+      287, 288;
+      298, 299;
+      309, 310;
+      320, 321;
+      331, 332;
+      342, 343;
+      353, 354];
+  final parameter Integer real_references[:] = cat(1, {22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 75, 76, 77, 78, 79, 80, 82, 83, 84, 85, 86, 87, 88,
+      89, 90, 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 108, 109,
+      110, 111, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 126, 127,
+      129, 130, 131, 132, 133, 134, 135, 138, 139, 140, 141, 142, 143, 144, 145, 148, 149, 150,
+      151, 152, 154, 155, 156, 157, 158, 159, 160, 161, 162, 163, 164, 167},
+      feedback_table_length_references[1:feedback_table_count],
+      FMI.references(feedback_table_bridge_references, feedback_table_count),
+      FMI.references(feedback_table_trolley_references, feedback_table_count),
+      FMI.references(feedback_table_hoist_references, feedback_table_count));
+  final parameter Real reals[:] = cat(1, {bridge_position_start, trolley_position_start, rope_length_start, sway_x_angle_start,
+      sway_y_angle_start, bridge_velocity_start, trolley_velocity_start, rope_velocity_start,
+      sway_x_rate_start, sway_y_rate_start, crane_bridge_mass, crane_trolley_mass,
+      crane_payload_mass, crane_gravity, crane_rope_min, crane_rope_max, drive_bridge_lag,
+      drive_bridge_force_max, drive_bridge_acceleration_max, drive_trolley_lag,
+      drive_trolley_force_max, drive_trolley_acceleration_max, drive_hoist_lag,
+      drive_hoist_force_max, drive_hoist_acceleration_max, friction_bridge_viscous,
+      friction_bridge_coulomb, friction_trolley_viscous, friction_trolley_coulomb,
+      friction_hoist_viscous, friction_hoist_coulomb, friction_width, friction_sway_viscous,
+      travel_bridge_min, travel_bridge_max, travel_trolley_min, travel_trolley_max,
+      travel_rope_min, travel_rope_max, sensor_sample_time, sensor_dead_time,
+      sensor_bridge_position_resolution, sensor_bridge_position_deviation,
+      sensor_bridge_position_offset, sensor_trolley_position_resolution,
+      sensor_trolley_position_deviation, sensor_trolley_position_offset,
+      sensor_rope_length_resolution, sensor_rope_length_deviation, sensor_rope_length_offset,
+      sensor_sway_x_angle_resolution, sensor_sway_x_angle_deviation, sensor_sway_x_angle_offset,
+      sensor_sway_y_angle_resolution, sensor_sway_y_angle_deviation, sensor_sway_y_angle_offset,
+      wind_constant_x, wind_constant_y, wind_constant_z, wind_gust_start, wind_gust_duration,
+      wind_gust_force_x, wind_gust_force_y, wind_gust_force_z, wind_noise_deviation_x,
+      wind_noise_deviation_y, wind_noise_deviation_z, wind_noise_bandwidth, payload_1_time,
+      payload_1_mass, payload_2_time, payload_2_mass, payload_3_time, payload_3_mass,
+      payload_4_time, payload_4_mass, feedback_sample_time, feedback_payload_mass,
+      feedback_bandwidth, feedback_hoist_bandwidth, feedback_damping, feedback_rejection_carriage,
+      feedback_rejection_load, feedback_fade, feedback_payload_time, feedback_observer_position,
+      feedback_observer_length, feedback_observer_angle, feedback_observer_drift,
+      feedback_observer_wind, feedback_observer_wake, feedback_observer_offset,
+      feedback_table_payload_mass},
+      feedback_table_length,
+      FMI.rows(feedback_table_bridge),
+      FMI.rows(feedback_table_trolley),
+      FMI.rows(feedback_table_hoist));
+  constant Integer integer_references[9] = {81, 107, 128, 136, 137, 147, 153, 165, 166};
+  final parameter Integer integers[9] = {Integer(drive_mode), sensor_seed, Integer(wind_gust_shape), wind_noise_seed, payload_count,
+      Integer(feedback_design), Integer(feedback_source), feedback_table_count,
+      Integer(feedback_table_mode)};
+  constant Integer boolean_references[1] = {146};
+  final parameter Integer booleans[1] = {if feedback_enabled then 1 else 0};
+  constant Integer input_references[22] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21};
+  Interfaces.RealInput force_bridge_used;
+  Interfaces.RealInput force_trolley_used;
+  Interfaces.RealInput force_hoist_used;
+  Interfaces.RealInput velocity_bridge_used;
+  Interfaces.RealInput velocity_trolley_used;
+  Interfaces.RealInput velocity_hoist_used;
+  Interfaces.RealInput reference_bridge_position_used;
+  Interfaces.RealInput reference_trolley_position_used;
+  Interfaces.RealInput reference_rope_length_used;
+  Interfaces.RealInput reference_sway_x_angle_used;
+  Interfaces.RealInput reference_sway_y_angle_used;
+  Interfaces.RealInput reference_bridge_velocity_used;
+  Interfaces.RealInput reference_trolley_velocity_used;
+  Interfaces.RealInput reference_rope_velocity_used;
+  Interfaces.RealInput reference_sway_x_rate_used;
+  Interfaces.RealInput reference_sway_y_rate_used;
+  Interfaces.RealInput reference_load_position_x_used;
+  Interfaces.RealInput reference_load_position_y_used;
+  Interfaces.RealInput reference_load_position_z_used;
+  Interfaces.RealInput wind_x_used;
+  Interfaces.RealInput wind_y_used;
+  Interfaces.RealInput wind_z_used;
+  Real inputs[22] = {force_bridge_used, force_trolley_used, force_hoist_used, velocity_bridge_used,
+      velocity_trolley_used, velocity_hoist_used, reference_bridge_position_used,
+      reference_trolley_position_used, reference_rope_length_used, reference_sway_x_angle_used,
+      reference_sway_y_angle_used, reference_bridge_velocity_used,
+      reference_trolley_velocity_used, reference_rope_velocity_used, reference_sway_x_rate_used,
+      reference_sway_y_rate_used, reference_load_position_x_used, reference_load_position_y_used,
+      reference_load_position_z_used, wind_x_used, wind_y_used, wind_z_used};
+  FMI.Instance fmu = FMI.Instance(folder, "GantryCrane", getInstanceName(),
+      "{8360d1b6-247f-8ee8-1654-8af3889eb0e9}", 13);
+  final parameter Real started(fixed = false) "the FMU has its parameters";
+  final parameter Real begun(fixed = false) "the FMU is initialised";
+  Real x[13](each stateSelect = StateSelect.always, each nominal = 0.1) "states of the FMU";
+  discrete Real next(start = 0, fixed = true) "time of the next event";
+  Real last "changes with every event";
+initial equation
+  started = FMI.start(fmu, time, real_references, reals, integer_references, integers,
+      boolean_references, booleans);
+  begun = FMI.begin(fmu, input_references, inputs, started);
+  x = FMI.states(fmu, {6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18},
+      {reference_bridge_position_used, reference_trolley_position_used, reference_rope_length_used,
+      reference_sway_x_angle_used, reference_sway_y_angle_used, reference_bridge_velocity_used,
+      reference_trolley_velocity_used, reference_rope_velocity_used, reference_sway_x_rate_used,
+      reference_sway_y_rate_used, reference_load_position_x_used, reference_load_position_y_used,
+      reference_load_position_z_used}, 13, started);
+equation
+  connect(force_bridge, force_bridge_used);
+  connect(force_trolley, force_trolley_used);
+  connect(force_hoist, force_hoist_used);
+  connect(velocity_bridge, velocity_bridge_used);
+  connect(velocity_trolley, velocity_trolley_used);
+  connect(velocity_hoist, velocity_hoist_used);
+  connect(reference_bridge_position, reference_bridge_position_used);
+  connect(reference_trolley_position, reference_trolley_position_used);
+  connect(reference_rope_length, reference_rope_length_used);
+  connect(reference_sway_x_angle, reference_sway_x_angle_used);
+  connect(reference_sway_y_angle, reference_sway_y_angle_used);
+  connect(reference_bridge_velocity, reference_bridge_velocity_used);
+  connect(reference_trolley_velocity, reference_trolley_velocity_used);
+  connect(reference_rope_velocity, reference_rope_velocity_used);
+  connect(reference_sway_x_rate, reference_sway_x_rate_used);
+  connect(reference_sway_y_rate, reference_sway_y_rate_used);
+  connect(reference_load_position_x, reference_load_position_x_used);
+  connect(reference_load_position_y, reference_load_position_y_used);
+  connect(reference_load_position_z, reference_load_position_z_used);
+  connect(wind_x, wind_x_used);
+  connect(wind_y, wind_y_used);
+  connect(wind_z, wind_z_used);
+  if not use_force then
+    force_bridge_used = force_bridge_start;
+    force_trolley_used = force_trolley_start;
+    force_hoist_used = force_hoist_start;
+  end if;
+  if not use_velocity then
+    velocity_bridge_used = velocity_bridge_start;
+    velocity_trolley_used = velocity_trolley_start;
+    velocity_hoist_used = velocity_hoist_start;
+  end if;
+  if not use_reference then
+    reference_bridge_position_used = reference_bridge_position_start;
+    reference_trolley_position_used = reference_trolley_position_start;
+    reference_rope_length_used = reference_rope_length_start;
+    reference_sway_x_angle_used = reference_sway_x_angle_start;
+    reference_sway_y_angle_used = reference_sway_y_angle_start;
+    reference_bridge_velocity_used = reference_bridge_velocity_start;
+    reference_trolley_velocity_used = reference_trolley_velocity_start;
+    reference_rope_velocity_used = reference_rope_velocity_start;
+    reference_sway_x_rate_used = reference_sway_x_rate_start;
+    reference_sway_y_rate_used = reference_sway_y_rate_start;
+    reference_load_position_x_used = reference_load_position_x_start;
+    reference_load_position_y_used = reference_load_position_y_start;
+    reference_load_position_z_used = reference_load_position_z_start;
+  end if;
+  if not use_wind then
+    wind_x_used = wind_x_start;
+    wind_y_used = wind_y_start;
+    wind_z_used = wind_z_start;
+  end if;
+  when {initial(), time >= pre(next)} then
+    next = FMI.event(fmu, time, x, input_references, inputs, begun);
+  end when;
+  // what an event changed is seen behind it
+  last = started + pre(next);
+  der(x) = FMI.derivatives(fmu, time, x, {0, 1, 2, 3, 4, 5, 19, 20, 21},
+      {force_bridge_used, force_trolley_used, force_hoist_used, velocity_bridge_used,
+      velocity_trolley_used, velocity_hoist_used, wind_x_used, wind_y_used, wind_z_used}, last);
+  {bridge_position, trolley_position, rope_length, sway_x_angle, sway_y_angle, bridge_velocity,
+      trolley_velocity, rope_velocity, sway_x_rate, sway_y_rate, measured_bridge_position,
+      measured_trolley_position, measured_rope_length, measured_sway_x_angle,
+      measured_sway_y_angle, load_position_x, load_position_y, load_position_z, load_velocity_x,
+      load_velocity_y, load_velocity_z, payload_mass, energy_kinetic, energy_potential,
+      energy_work, energy_drives, energy_wind, energy_payload, energy_dissipated,
+      energy_imbalance, estimate_payload_mass, estimate_disturbance_bridge,
+      estimate_disturbance_trolley, estimate_disturbance_hoist, estimate_disturbance_load_x,
+      estimate_disturbance_load_y, estimate_rope_offset}
+      = FMI.reals(fmu, time, x, fill(0, 0),
+      fill(0.0, 0),
+      {22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 57, 58,
+      59, 60, 61, 62, 63, 64, 65, 68, 69, 70, 71, 72, 73, 74}, last);
+  {error_load_x}
+      = FMI.reals(fmu, time, x, {16},
+      {reference_load_position_x_used},
+      {43}, last);
+  {error_load_y}
+      = FMI.reals(fmu, time, x, {17},
+      {reference_load_position_y_used},
+      {44}, last);
+  {error_load_z}
+      = FMI.reals(fmu, time, x, {18},
+      {reference_load_position_z_used},
+      {45}, last);
+  {error_load_norm}
+      = FMI.reals(fmu, time, x, {16, 17, 18},
+      {reference_load_position_x_used, reference_load_position_y_used,
+      reference_load_position_z_used},
+      {46}, last);
+  {drive_bridge_force, drive_bridge_power, drive_trolley_force, drive_trolley_power,
+      drive_hoist_force, drive_hoist_power, rope_force, power_wind, power_friction,
+      bridge_acceleration, trolley_acceleration, rope_acceleration, sway_x_acceleration,
+      sway_y_acceleration, power_drives}
+      = FMI.reals(fmu, time, x, {0, 1, 2, 3, 4, 5, 19, 20, 21},
+      {force_bridge_used, force_trolley_used, force_hoist_used, velocity_bridge_used,
+      velocity_trolley_used, velocity_hoist_used, wind_x_used, wind_y_used, wind_z_used},
+      {47, 49, 50, 52, 53, 55, 56, 66, 67, 355, 356, 357, 358, 359, 360}, last);
+  drive_bridge_saturated = FMI.boolean(fmu, 48, last);
+  drive_trolley_saturated = FMI.boolean(fmu, 51, last);
+  drive_hoist_saturated = FMI.boolean(fmu, 54, last);
+  annotation(
+    Diagram(coordinateSystem(extent = {{-200, -720}, {200, 720}})),
+    Icon(coordinateSystem(extent = {{-200, -720}, {200, 720}}), graphics = {
+      Rectangle(extent = {{-200, -720}, {200, 720}}, lineColor = {60, 60, 60}, fillColor = {255, 255, 255}, fillPattern = FillPattern.Solid),
+      Text(extent = {{-200, 730}, {200, 790}}, textString = "%name", textColor = {0, 0, 255}),
+      Line(points = {{-60, 60}, {60, 60}}, color = {60, 60, 60}, thickness = 3),
+      Line(points = {{-20, 60}, {10, -10}}, color = {60, 60, 60}),
+      Ellipse(extent = {{-2, -52}, {42, -8}}, lineColor = {200, 90, 0}, fillColor = {200, 90, 0}, fillPattern = FillPattern.Solid),
+      Text(extent = {{-190, 252}, {-90, 268}}, textString = "force", horizontalAlignment = TextAlignment.Left, textColor = {60, 60, 60}),
+      Text(extent = {{-190, 172}, {-90, 188}}, textString = "velocity", horizontalAlignment = TextAlignment.Left, textColor = {60, 60, 60}),
+      Text(extent = {{-190, 92}, {-90, 108}}, textString = "reference", horizontalAlignment = TextAlignment.Left, textColor = {60, 60, 60}),
+      Text(extent = {{-190, -188}, {-90, -172}}, textString = "wind", horizontalAlignment = TextAlignment.Left, textColor = {60, 60, 60}),
+      Text(extent = {{90, 692}, {190, 708}}, textString = "bridge", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, 652}, {190, 668}}, textString = "trolley", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, 612}, {190, 628}}, textString = "rope", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, 572}, {190, 588}}, textString = "sway", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, 332}, {190, 348}}, textString = "measured", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, 212}, {190, 228}}, textString = "load", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, 72}, {190, 88}}, textString = "error", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, -28}, {190, -12}}, textString = "drive", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, -268}, {190, -252}}, textString = "payload", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, -308}, {190, -292}}, textString = "energy", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, -488}, {190, -472}}, textString = "power", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, -548}, {190, -532}}, textString = "estimate", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60})}));
+end GantryCrane;

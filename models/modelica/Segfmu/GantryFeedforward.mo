@@ -1,0 +1,193 @@
+within Segfmu;
+model GantryFeedforward "Plans the motion of a crane's load through waypoints within limits on velocity, acceleration, jerk and snap, and inverts the crane exactly: force and velocity setpoints and the reference of load and state"
+  parameter String folder = "" "folder of the unpacked FMU; empty: that in Resources/FMUs" annotation(Dialog(tab = "FMU"));
+  Interfaces.RealOutput force_bridge(unit = "N", nominal = 10.0) "feedforward force setpoint of the bridge drive" annotation(Placement(transformation(extent = {{200, 402}, {216, 418}})));
+  Interfaces.RealOutput force_trolley(unit = "N", nominal = 10.0) "feedforward force setpoint of the trolley drive" annotation(Placement(transformation(extent = {{200, 382}, {216, 398}})));
+  Interfaces.RealOutput force_hoist(unit = "N", nominal = 10.0) "feedforward force setpoint of the winch; negative is rope tension" annotation(Placement(transformation(extent = {{200, 362}, {216, 378}})));
+  Interfaces.RealOutput velocity_bridge(unit = "m/s") "velocity setpoint of the bridge drive" annotation(Placement(transformation(extent = {{200, 322}, {216, 338}})));
+  Interfaces.RealOutput velocity_trolley(unit = "m/s") "velocity setpoint of the trolley drive" annotation(Placement(transformation(extent = {{200, 302}, {216, 318}})));
+  Interfaces.RealOutput velocity_hoist(unit = "m/s") "rope velocity setpoint; positive pays rope out" annotation(Placement(transformation(extent = {{200, 282}, {216, 298}})));
+  Interfaces.RealOutput reference_load_position_x(unit = "m") "planned position of the load, x" annotation(Placement(transformation(extent = {{200, 242}, {216, 258}})));
+  Interfaces.RealOutput reference_load_position_y(unit = "m") "planned position of the load, y" annotation(Placement(transformation(extent = {{200, 222}, {216, 238}})));
+  Interfaces.RealOutput reference_load_position_z(unit = "m") "planned position of the load, z" annotation(Placement(transformation(extent = {{200, 202}, {216, 218}})));
+  Interfaces.RealOutput reference_load_velocity_x(unit = "m/s") "planned velocity of the load, x" annotation(Placement(transformation(extent = {{200, 182}, {216, 198}})));
+  Interfaces.RealOutput reference_load_velocity_y(unit = "m/s") "planned velocity of the load, y" annotation(Placement(transformation(extent = {{200, 162}, {216, 178}})));
+  Interfaces.RealOutput reference_load_velocity_z(unit = "m/s") "planned velocity of the load, z" annotation(Placement(transformation(extent = {{200, 142}, {216, 158}})));
+  Interfaces.RealOutput reference_load_acceleration_x(unit = "m/s2") "planned acceleration of the load, x" annotation(Placement(transformation(extent = {{200, 122}, {216, 138}})));
+  Interfaces.RealOutput reference_load_acceleration_y(unit = "m/s2") "planned acceleration of the load, y" annotation(Placement(transformation(extent = {{200, 102}, {216, 118}})));
+  Interfaces.RealOutput reference_load_acceleration_z(unit = "m/s2") "planned acceleration of the load, z" annotation(Placement(transformation(extent = {{200, 82}, {216, 98}})));
+  Interfaces.RealOutput reference_load_jerk_x(unit = "m/s3") "planned jerk of the load, x" annotation(Placement(transformation(extent = {{200, 62}, {216, 78}})));
+  Interfaces.RealOutput reference_load_jerk_y(unit = "m/s3") "planned jerk of the load, y" annotation(Placement(transformation(extent = {{200, 42}, {216, 58}})));
+  Interfaces.RealOutput reference_load_jerk_z(unit = "m/s3") "planned jerk of the load, z" annotation(Placement(transformation(extent = {{200, 22}, {216, 38}})));
+  Interfaces.RealOutput reference_load_snap_x(unit = "m/s4") "planned snap of the load, x" annotation(Placement(transformation(extent = {{200, 2}, {216, 18}})));
+  Interfaces.RealOutput reference_load_snap_y(unit = "m/s4") "planned snap of the load, y" annotation(Placement(transformation(extent = {{200, -18}, {216, -2}})));
+  Interfaces.RealOutput reference_load_snap_z(unit = "m/s4") "planned snap of the load, z" annotation(Placement(transformation(extent = {{200, -38}, {216, -22}})));
+  Interfaces.RealOutput reference_bridge_position(unit = "m") "planned bridge position" annotation(Placement(transformation(extent = {{200, -58}, {216, -42}})));
+  Interfaces.RealOutput reference_bridge_velocity(unit = "m/s") "planned bridge velocity" annotation(Placement(transformation(extent = {{200, -78}, {216, -62}})));
+  Interfaces.RealOutput reference_bridge_acceleration(unit = "m/s2") "planned bridge acceleration" annotation(Placement(transformation(extent = {{200, -98}, {216, -82}})));
+  Interfaces.RealOutput reference_trolley_position(unit = "m") "planned trolley position" annotation(Placement(transformation(extent = {{200, -118}, {216, -102}})));
+  Interfaces.RealOutput reference_trolley_velocity(unit = "m/s") "planned trolley velocity" annotation(Placement(transformation(extent = {{200, -138}, {216, -122}})));
+  Interfaces.RealOutput reference_trolley_acceleration(unit = "m/s2") "planned trolley acceleration" annotation(Placement(transformation(extent = {{200, -158}, {216, -142}})));
+  Interfaces.RealOutput reference_rope_length(unit = "m") "planned rope length" annotation(Placement(transformation(extent = {{200, -178}, {216, -162}})));
+  Interfaces.RealOutput reference_rope_velocity(unit = "m/s") "planned rope velocity" annotation(Placement(transformation(extent = {{200, -198}, {216, -182}})));
+  Interfaces.RealOutput reference_rope_acceleration(unit = "m/s2") "planned rope acceleration" annotation(Placement(transformation(extent = {{200, -218}, {216, -202}})));
+  Interfaces.RealOutput reference_sway_x_angle(unit = "rad", displayUnit = "deg", nominal = 0.1) "planned sway angle phi_x" annotation(Placement(transformation(extent = {{200, -238}, {216, -222}})));
+  Interfaces.RealOutput reference_sway_x_rate(unit = "rad/s", displayUnit = "deg/s", nominal = 0.1) "planned rate of phi_x" annotation(Placement(transformation(extent = {{200, -258}, {216, -242}})));
+  Interfaces.RealOutput reference_sway_y_angle(unit = "rad", displayUnit = "deg", nominal = 0.1) "planned sway angle phi_y" annotation(Placement(transformation(extent = {{200, -278}, {216, -262}})));
+  Interfaces.RealOutput reference_sway_y_rate(unit = "rad/s", displayUnit = "deg/s", nominal = 0.1) "planned rate of phi_y" annotation(Placement(transformation(extent = {{200, -298}, {216, -282}})));
+  Interfaces.IntegerOutput plan_interval "active waypoint interval, from 1" annotation(Placement(transformation(extent = {{200, -338}, {216, -322}})));
+  Interfaces.BooleanOutput plan_done "the planned motion has ended" annotation(Placement(transformation(extent = {{200, -358}, {216, -342}})));
+  Interfaces.RealOutput plan_next_event(unit = "s") "time of the next event: arrival at a waypoint, end of the motion, or jump of a derivative of the forces (the first at smoothness 4); behind the last, its time" annotation(Placement(transformation(extent = {{200, -378}, {216, -362}})));
+  parameter Real crane_bridge_mass(unit = "kg", min = 1e-09) = 2.2 "nominal crane: mass of the bridge, which moves in x together with the trolley" annotation(Dialog(tab = "crane"));
+  parameter Real crane_trolley_mass(unit = "kg", min = 1e-09) = 1.155 "nominal crane: mass of the trolley, which moves in y on the bridge" annotation(Dialog(tab = "crane"));
+  parameter Real crane_payload_mass(unit = "kg", min = 1e-09) = 1.0 "nominal crane: mass of the load" annotation(Dialog(tab = "crane"));
+  parameter Real crane_gravity(unit = "m/s2", min = 1e-09) = 9.81 "nominal crane: gravity" annotation(Dialog(tab = "crane"));
+  parameter Real crane_rope_min(unit = "m", min = 0.0) = 0.16 "nominal crane: shortest rope; 0: no bound" annotation(Dialog(tab = "crane"));
+  parameter Real crane_rope_max(unit = "m", min = 0.0) = 1.5 "nominal crane: longest rope; 0: no bound" annotation(Dialog(tab = "crane"));
+  parameter Real limits_x_velocity(unit = "m/s", min = 0.0) = 1.0 "limit of the load's velocity in x" annotation(Dialog(tab = "limits"));
+  parameter Real limits_x_acceleration(unit = "m/s2", min = 0.0) = 1.0 "limit of the load's acceleration in x" annotation(Dialog(tab = "limits"));
+  parameter Real limits_x_jerk(unit = "m/s3", min = 0.0) = 1.0 "limit of the load's jerk in x; 0: no limit" annotation(Dialog(tab = "limits"));
+  parameter Real limits_x_snap(unit = "m/s4", min = 0.0) = 10.0 "limit of the load's snap in x; 0: no limit" annotation(Dialog(tab = "limits"));
+  parameter Real limits_y_velocity(unit = "m/s", min = 0.0) = 0.4 "limit of the load's velocity in y" annotation(Dialog(tab = "limits"));
+  parameter Real limits_y_acceleration(unit = "m/s2", min = 0.0) = 0.5 "limit of the load's acceleration in y" annotation(Dialog(tab = "limits"));
+  parameter Real limits_y_jerk(unit = "m/s3", min = 0.0) = 0.5 "limit of the load's jerk in y; 0: no limit" annotation(Dialog(tab = "limits"));
+  parameter Real limits_y_snap(unit = "m/s4", min = 0.0) = 5.0 "limit of the load's snap in y; 0: no limit" annotation(Dialog(tab = "limits"));
+  parameter Real limits_z_velocity(unit = "m/s", min = 0.0) = 0.3 "limit of the load's velocity in z" annotation(Dialog(tab = "limits"));
+  parameter Real limits_z_acceleration(unit = "m/s2", min = 0.0) = 0.5 "limit of the load's acceleration in z" annotation(Dialog(tab = "limits"));
+  parameter Real limits_z_jerk(unit = "m/s3", min = 0.0) = 0.5 "limit of the load's jerk in z; 0: no limit" annotation(Dialog(tab = "limits"));
+  parameter Real limits_z_snap(unit = "m/s4", min = 0.0) = 5.0 "limit of the load's snap in z; 0: no limit" annotation(Dialog(tab = "limits"));
+  parameter Real waypoint_position[:, 3](each unit = "m") = [0.0, 0.0, -0.5;
+      0.07, 0.055, -0.5;
+      1.0, 0.8, -0.5] "position of the load at the waypoints" annotation(Dialog(tab = "waypoint"));
+  final parameter Integer waypoint_count = size(waypoint_position, 1) "number of waypoints in use";
+  parameter Real waypoint_velocity[waypoint_count, 3](each unit = "m/s") = [0.0, 0.0, 0.0;
+      0.2, 0.17, 0.0;
+      0.0, 0.0, 0.0] "velocity of the load at the waypoints" annotation(Dialog(tab = "waypoint"));
+  parameter Real waypoint_acceleration[waypoint_count, 3](each unit = "m/s2") = [0.0, 0.0, 0.0;
+      0.34, 0.27, 0.0;
+      0.0, 0.0, 0.0] "acceleration of the load at the waypoints" annotation(Dialog(tab = "waypoint"));
+  parameter Real waypoint_dwell[waypoint_count](each unit = "s", each min = 0.0) = zeros(waypoint_count) "rest at the waypoints" annotation(Dialog(tab = "waypoint"));
+  parameter Integer planner_smoothness(min = 4, max = 6) = 4 "n: the load's position is n times differentiable" annotation(Dialog(tab = "planner"));
+  parameter Types.Shape planner_shape = Types.Shape.plateau "shape of the acceleration ramps" annotation(Dialog(tab = "planner"));
+  parameter Types.Synchronization planner_synchronization = Types.Synchronization.waypoints "where the axes meet" annotation(Dialog(tab = "planner"));
+  parameter Real planner_sample_time(unit = "s", min = 0.0) = 0.0 "waypoint intervals become multiples of it; 0: any duration" annotation(Dialog(tab = "planner"));
+  parameter Real planner_duration(unit = "s", min = 0.0) = 0.0 "duration to take; 0: the shortest one" annotation(Dialog(tab = "planner"));
+  parameter Real planner_start_time(unit = "s") = 0.0 "time at which the motion starts" annotation(Dialog(tab = "planner"));
+  final parameter Real plan_duration(unit = "s", fixed = false) "duration of the planned motion";
+protected
+  constant Integer waypoint_position_references[16, 3] = [57, 58, 59;
+      67, 68, 69;
+      77, 78, 79;
+      87, 88, 89;
+      97, 98, 99;
+      107, 108, 109;
+      117, 118, 119;
+      127, 128, 129;
+      137, 138, 139;
+      147, 148, 149;
+      157, 158, 159;
+      167, 168, 169;
+      177, 178, 179;
+      187, 188, 189;
+      197, 198, 199;
+      207, 208, 209];
+  constant Integer waypoint_velocity_references[16, 3] = [60, 61, 62;
+      70, 71, 72;
+      80, 81, 82;
+      90, 91, 92;
+      100, 101, 102;
+      110, 111, 112;
+      120, 121, 122;
+      130, 131, 132;
+      140, 141, 142;
+      150, 151, 152;
+      160, 161, 162;
+      170, 171, 172;
+      180, 181, 182;
+      190, 191, 192;
+      200, 201, 202;
+      210, 211, 212];
+  constant Integer waypoint_acceleration_references[16, 3] = [63, 64, 65;
+      73, 74, 75;
+      83, 84, 85;
+      93, 94, 95;
+      103, 104, 105;
+      113, 114, 115;
+      123, 124, 125;
+      133, 134, 135;
+      143, 144, 145;
+      153, 154, 155;
+      163, 164, 165;
+      173, 174, 175;
+      183, 184, 185;
+      193, 194, 195;
+      203, 204, 205;
+      213, 214, 215];
+  constant Integer waypoint_dwell_references[16] = {66, 76, 86, 96, 106, 116, 126, 136, 146, 156, 166, 176, 186, 196, 206, 216};
+  final parameter Integer real_references[:] = cat(1, {38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 220, 221, 222},
+      FMI.references(waypoint_position_references, waypoint_count),
+      FMI.references(waypoint_velocity_references, waypoint_count),
+      FMI.references(waypoint_acceleration_references, waypoint_count),
+      waypoint_dwell_references[1:waypoint_count]);
+  final parameter Real reals[:] = cat(1, {crane_bridge_mass, crane_trolley_mass, crane_payload_mass, crane_gravity, crane_rope_min,
+      crane_rope_max, limits_x_velocity, limits_x_acceleration, limits_x_jerk, limits_x_snap,
+      limits_y_velocity, limits_y_acceleration, limits_y_jerk, limits_y_snap, limits_z_velocity,
+      limits_z_acceleration, limits_z_jerk, limits_z_snap, planner_sample_time, planner_duration,
+      planner_start_time},
+      FMI.rows(waypoint_position),
+      FMI.rows(waypoint_velocity),
+      FMI.rows(waypoint_acceleration),
+      waypoint_dwell);
+  constant Integer integer_references[4] = {56, 217, 218, 219};
+  final parameter Integer integers[4] = {waypoint_count, planner_smoothness, Integer(planner_shape), Integer(planner_synchronization)};
+  constant Integer boolean_references[0] = fill(0, 0);
+  final parameter Integer booleans[0] = fill(0, 0);
+  constant Integer input_references[0] = fill(0, 0);
+  Real inputs[0] = fill(0.0, 0);
+  FMI.Instance fmu = FMI.Instance(folder, "GantryFeedforward", getInstanceName(),
+      "{82fdab2c-6976-249a-72c0-9a97e2a2f3d2}", 0);
+  final parameter Real started(fixed = false) "the FMU has its parameters";
+  final parameter Real begun(fixed = false) "the FMU is initialised";
+  Real x[0] "states of the FMU";
+  discrete Real next(start = 0, fixed = true) "time of the next event";
+  Real last "changes with every event";
+initial equation
+  started = FMI.start(fmu, time, real_references, reals, integer_references, integers,
+      boolean_references, booleans);
+  begun = FMI.begin(fmu, input_references, inputs, started);
+  {plan_duration} = FMI.reals(fmu, time, x, fill(0, 0), fill(0.0, 0), {37}, started);
+equation
+  when {initial(), time >= pre(next)} then
+    next = FMI.event(fmu, time, x, input_references, inputs, begun);
+  end when;
+  // what an event changed is seen behind it
+  last = started + pre(next);
+  {force_bridge, force_trolley, force_hoist, velocity_bridge, velocity_trolley, velocity_hoist,
+      reference_load_position_x, reference_load_position_y, reference_load_position_z,
+      reference_load_velocity_x, reference_load_velocity_y, reference_load_velocity_z,
+      reference_load_acceleration_x, reference_load_acceleration_y, reference_load_acceleration_z,
+      reference_load_jerk_x, reference_load_jerk_y, reference_load_jerk_z, reference_load_snap_x,
+      reference_load_snap_y, reference_load_snap_z, reference_bridge_position,
+      reference_bridge_velocity, reference_bridge_acceleration, reference_trolley_position,
+      reference_trolley_velocity, reference_trolley_acceleration, reference_rope_length,
+      reference_rope_velocity, reference_rope_acceleration, reference_sway_x_angle,
+      reference_sway_x_rate, reference_sway_y_angle, reference_sway_y_rate, plan_next_event}
+      = FMI.reals(fmu, time, x, fill(0, 0),
+      fill(0.0, 0),
+      {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24,
+      25, 26, 27, 28, 29, 30, 31, 32, 33, 36}, last);
+  plan_interval = FMI.integer(fmu, 34, last);
+  plan_done = FMI.boolean(fmu, 35, last);
+  annotation(
+    Diagram(coordinateSystem(extent = {{-200, -430}, {200, 430}})),
+    Icon(coordinateSystem(extent = {{-200, -430}, {200, 430}}), graphics = {
+      Rectangle(extent = {{-200, -430}, {200, 430}}, lineColor = {60, 60, 60}, fillColor = {255, 255, 255}, fillPattern = FillPattern.Solid),
+      Text(extent = {{-200, 440}, {200, 500}}, textString = "%name", textColor = {0, 0, 255}),
+      Line(points = {{-60, 60}, {60, 60}}, color = {60, 60, 60}, thickness = 3),
+      Line(points = {{-20, 60}, {10, -10}}, color = {60, 60, 60}),
+      Ellipse(extent = {{-2, -52}, {42, -8}}, lineColor = {200, 90, 0}, fillColor = {200, 90, 0}, fillPattern = FillPattern.Solid),
+      Text(extent = {{90, 402}, {190, 418}}, textString = "force", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, 322}, {190, 338}}, textString = "velocity", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, 242}, {190, 258}}, textString = "reference", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, -338}, {190, -322}}, textString = "plan", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60})}));
+end GantryFeedforward;

@@ -1,0 +1,9 @@
+within Segfmu;
+package Types "Enumerations of the parameters"
+  type Shape = enumeration(smoothstep, plateau) "shape of the acceleration ramps";
+  type Synchronization = enumeration(none, waypoints, total) "where the axes meet in time";
+  type DriveMode = enumeration(force, velocity) "what the drives follow";
+  type GustShape = enumeration(cosine, sine) "course of a gust over time";
+  type FeedbackDesign = enumeration(lqr, flatness) "how the gains of the feedback come about";
+  type FeedbackSource = enumeration(state, measured) "what the feedback knows of the crane";
+end Types;

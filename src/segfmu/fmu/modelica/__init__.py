@@ -1,0 +1,1 @@
+"""The FMUs as a Modelica package, generated from their interface specifications."""

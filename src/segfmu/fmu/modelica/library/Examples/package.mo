@@ -1,0 +1,3 @@
+within Segfmu;
+package Examples "Missions"
+end Examples;

@@ -1,0 +1,136 @@
+"""The Modelica package Segfmu: classes made from the specifications, others written by hand."""
+
+from __future__ import annotations
+
+import shutil
+import zipfile
+from collections.abc import Sequence
+from importlib.resources import files
+from importlib.resources.abc import Traversable
+from pathlib import Path
+
+from segfmu.errors import BuildError
+from segfmu.fmu.modelica.declarations import UNUSED
+from segfmu.fmu.modelica.drawing import HALF_WIDTH, extent, half_height
+from segfmu.fmu.modelica.names import identifier, quoted, title
+from segfmu.fmu.modelica.wrapper import wrapper
+from segfmu.fmu.models import named
+from segfmu.fmu.standard.spec import Spec
+
+LIBRARY = files("segfmu.fmu.modelica").joinpath("library")
+NAMES = ("GantryFeedforward", "GantryCrane")
+CLASSES = ("Examples", "Coupled", "PlainCrane", "Interfaces", "Types", "FMI")
+
+
+def write_package(
+    folder: Path, specs: Sequence[Spec] | None = None, archives: Sequence[Path] = ()
+) -> Path:
+    """Write the package into a folder, with the archives unpacked in it where some are given.
+
+    Parameters
+    ----------
+    folder
+        In which the package becomes a folder.
+    specs
+        Interfaces of GantryFeedforward and GantryCrane; by default with the usual start values.
+    archives
+        Native FMUs of FMI 2.0 of these interfaces.
+
+    Returns
+    -------
+    Path
+        Its package.mo.
+
+    Raises
+    ------
+    BuildError
+        When the folder cannot be written.
+    """
+    target = folder / "Segfmu"
+    models = [named(name) for name in NAMES]
+    feedforward, crane = (
+        m.native_spec(s)
+        for m, s in zip(models, specs or [m.spec() for m in models], strict=True)
+    )
+    try:
+        for name, text in package(feedforward, crane).items():
+            path = target / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(text)
+        for archive in archives:
+            _unpack(archive, target / "Resources" / "FMUs" / archive.stem)
+    except OSError as error:
+        raise BuildError(f"{target}: cannot be written: {error.strerror}") from error
+    return target / "package.mo"
+
+
+def package(feedforward: Spec, crane: Spec) -> dict[str, bytes]:
+    """All files of the package but the FMUs, by their paths in it."""
+    found = _library(LIBRARY, "")
+    texts = {
+        "Types.mo": _types((feedforward, crane)),
+        "Coupled.mo": coupled(feedforward, crane),
+        "package.order": "\n".join((feedforward.name, crane.name, *CLASSES, "")),
+    }
+    for spec in (feedforward, crane):
+        texts[f"{spec.name}.mo"] = wrapper(spec)
+    return found | {name: text.encode() for name, text in texts.items()}
+
+
+def _library(folder: Traversable, prefix: str) -> dict[str, bytes]:
+    found: dict[str, bytes] = {}
+    for entry in folder.iterdir():
+        if entry.is_dir():
+            found |= _library(entry, f"{prefix}{entry.name}/")
+        else:
+            found[prefix + entry.name] = entry.read_bytes()
+    return found
+
+
+def _unpack(archive: Path, target: Path) -> None:
+    """What running an FMU needs: its description, binaries and resources."""
+    shutil.rmtree(target, ignore_errors=True)
+    with zipfile.ZipFile(archive) as entries:
+        for name in entries.namelist():
+            if name.startswith(("modelDescription.xml", "binaries/", "resources/")):
+                entries.extract(name, target)
+
+
+def _types(specs: Sequence[Spec]) -> str:
+    lines = ["within Segfmu;", 'package Types "Enumerations of the parameters"']
+    for one in dict.fromkeys(e for spec in specs for e in spec.enumerations):
+        lines.append(
+            f"  type {one.name} = enumeration({', '.join(one.items)}) {quoted(one.description)};"
+        )
+    return "\n".join((*lines, "end Types;", ""))
+
+
+def coupled(feedforward: Spec, crane: Spec) -> str:
+    """The text of the class in which both FMUs are connected by name."""
+    sources = {v.name for v in feedforward.where("output")}
+    shared = [v.name for v in crane.where("input") if v.name in sources]
+    high = max(half_height(feedforward), half_height(crane))
+    middle = HALF_WIDTH + 100
+    lines = [
+        "within Segfmu;",
+        'partial model Coupled "Planner and crane, connected by name"',
+        *(
+            f"  {spec.name} {name} annotation(Placement(transformation(origin = {{{x}, 0}}, "
+            f"{extent(0, 0, HALF_WIDTH, half_height(spec))})));"
+            for spec, name, x in (
+                (feedforward, "feedforward", -middle), (crane, "gantry", middle)
+            )
+        ),
+        "equation",
+        *(
+            f"  connect(feedforward.{identifier(n)}, gantry.{identifier(n)}) "
+            "annotation(Line(color = {0, 0, 127}));"
+            for n in shared
+        ),
+        f"  annotation(Diagram(coordinateSystem({extent(0, 0, 2 * middle, high + 60)})));",
+        "end Coupled;", "",
+    ]
+    left = {title(v.name) for v in crane.where("input") if v.name not in sources}
+    if not left <= set(UNUSED):
+        raise AssertionError(f"inputs without a source: {left}")
+    return "\n".join(lines)

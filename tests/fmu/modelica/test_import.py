@@ -1,0 +1,77 @@
+"""OpenModelica's own import of both FMUs, connected, against our co-simulation."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from segfmu.cosim import simulate
+from segfmu.fmu.models import registered
+from segfmu.fmu.native.archive import build_all
+from segfmu.validation.mission import load_mission
+from segfmu.validation.scenario import specs
+from tests.fmu.modelica.openmodelica import built, imported, load_distance, simulated
+
+MODELS = Path(__file__).parents[3] / "models"
+CONNECTED = [
+    v.name.replace(".", "_")
+    for v in registered()[1].spec().where("input") if not v.name.startswith("wind")
+]
+
+
+def mission(folder: Path, changes: str = "") -> None:
+    """A model of both imported classes, connected by name."""
+    lines = "\n".join(f"  connect(feedforward.{n}, gantry.{n});" for n in CONNECTED)
+    (folder / "Mission.mo").write_text(
+        f"model Mission\n{changes}\nequation\n{lines}\n"
+        "  gantry.wind_x = 0;\n  gantry.wind_y = 0;\n  gantry.wind_z = 0;\nend Mission;\n"
+    )
+
+
+CLASSES = "  GantryFeedforward_me_FMU feedforward{};\n  GantryCrane_me_FMU gantry{};"
+
+
+@pytest.mark.parametrize(("name", "stop"), [("paper", 5.0), ("pick_and_place", 7.0)])
+def test_missions_with_every_solver(omc, tmp_path: Path, name: str, stop: float) -> None:
+    task = load_mission(MODELS / f"{name}.toml")
+    natives = [
+        m.native_spec(s) for m, s in zip(registered(), specs(task, task.plan()), strict=True)
+    ]
+    archives = build_all(natives, tmp_path / "archives")
+    expected = simulate(*archives, stop_time=stop, step=1e-3)
+    loaded = imported(tmp_path, archives)
+    mission(tmp_path, CLASSES.format("", ""))
+    program = built(tmp_path, "Mission", loaded + 'loadFile("Mission.mo");\n', stop)
+    for solver, tolerance in (("dassl", 1e-8), ("ida", 1e-8), ("cvode", 3e-9), ("gbode", 1e-8)):
+        results, _ = simulated(program, f"-s={solver}", f"-override=tolerance={tolerance}")
+        assert load_distance(results, "gantry.", expected) < 1e-6, solver
+
+
+def test_parameters_changed_in_modelica_take_effect(omc, native_fmus, tmp_path: Path) -> None:
+    loaded = imported(tmp_path, native_fmus[2])
+    mission(tmp_path, CLASSES.format(
+        "(crane_payload_mass = 1.4, waypoint_3__position_x = 0.8, limits_x_velocity = 0.5)",
+        "(crane_payload_mass = 1.4, friction_sway_viscous = 0.01)",
+    ))
+    program = built(tmp_path, "Mission", loaded + 'loadFile("Mission.mo");\n', 5.0)
+    results, _ = simulated(program)
+    source = {
+        "crane.payload_mass": 1.4, "waypoint[3].position.x": 0.8, "limits.x.velocity": 0.5,
+    }
+    sink = {"crane.payload_mass": 1.4, "friction.sway.viscous": 0.01}
+    expected = simulate(
+        *native_fmus[2], stop_time=5.0, step=1e-3, source_values=source, sink_values=sink
+    )
+    assert load_distance(results, "gantry.", expected) < 1e-6
+    assert expected["load.position.x"][-1] == pytest.approx(0.8, abs=1e-3)
+
+
+def test_parameters_of_no_use_end_the_simulation_with_their_reason(
+    omc, native_fmus, tmp_path: Path
+) -> None:
+    loaded = imported(tmp_path, native_fmus[2])
+    mission(tmp_path, CLASSES.format("(limits_x_velocity = -1)", ""))
+    program = built(tmp_path, "Mission", loaded + 'loadFile("Mission.mo");\n', 5.0)
+    with pytest.raises(AssertionError, match=r"limits\.x\.velocity must be at least 0, got -1"):
+        simulated(program)

@@ -1,0 +1,138 @@
+"""The Modelica package in OpenModelica, against our co-simulation and a plain crane."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from segfmu.cosim import simulate
+from segfmu.fmu.modelica.package import write_package
+from tests.fmu.modelica.openmodelica import SOLVERS, built, load_distance, simulated
+
+LAGS = {f"drive.{d}.lag": 0.05 for d in ("bridge", "trolley", "hoist")}
+VELOCITY = {"drive.mode": "velocity", "feedback.design": "flatness", **LAGS}
+
+PLAIN = """model Plain
+  extends Segfmu.Examples.AgainstPlainCrane(gantry(
+    drive_mode = Segfmu.Types.DriveMode.velocity,
+    feedback_design = Segfmu.Types.FeedbackDesign.flatness,
+    drive_bridge_lag = 0.05, drive_trolley_lag = 0.04, drive_hoist_lag = 0.03));
+end Plain;
+"""
+POINTS = """model Points
+  extends Segfmu.Coupled(
+    feedforward(
+      waypoint_position = [0, 0, -0.5; 0.2, 0.1, -0.4; 0.5, 0.5, -0.6; 0.6, 0.7, -0.5],
+      waypoint_velocity = zeros(4, 3), waypoint_acceleration = zeros(4, 3)),
+    gantry(feedback_enabled = false, payload_count = 1, payload_1_time = 2, payload_1_mass = 1.3));
+end Points;
+"""
+ALONE = """model Alone
+  Segfmu.GantryCrane gantry(use_force = false, use_velocity = false, use_reference = false);
+end Alone;
+"""
+LOOP = """model Loop "a damper between load and ground, as an algebraic function of outputs"
+  extends Segfmu.Coupled(gantry(use_wind = true));
+equation
+  gantry.wind_x = -0.2*gantry.load_velocity_x;
+  gantry.wind_y = -0.2*gantry.load_velocity_y;
+  gantry.wind_z = 0;
+end Loop;
+"""
+
+
+@pytest.fixture(scope="module")
+def package(omc, native_fmus, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with the package and the FMUs in it."""
+    folder = tmp_path_factory.mktemp("modelica")
+    write_package(folder, archives=native_fmus[2])
+    return folder
+
+
+def program(package: Path, model: str, text: str = "") -> Path:
+    (package / "own.mo").write_text(text)
+    loads = 'loadFile("Segfmu/package.mo");\n' + ('loadFile("own.mo");\n' if text else "")
+    return built(package, model, loads, 5.0)
+
+
+def test_the_paper_mission_with_every_solver(package, native_fmus) -> None:
+    expected = simulate(*native_fmus[2], stop_time=5.0, step=1e-3)
+    mission = program(package, "Segfmu.Examples.Mission")
+    for solver in SOLVERS:
+        results, _ = simulated(mission, f"-s={solver}")
+        assert load_distance(results, "gantry.", expected) < 1e-6, solver
+    assert results["feedforward.plan_done"][-1] == 1.0
+    assert set(results["feedforward.plan_interval"]) == {1.0, 2.0}
+
+
+def test_velocity_drives_with_lag_and_smoothstep(package, native_fmus) -> None:
+    expected = simulate(
+        *native_fmus[2], stop_time=5.0, step=1e-3, source_values={"planner.shape": "smoothstep"},
+        sink_values=VELOCITY,
+    )
+    usual = simulate(*native_fmus[2], stop_time=5.0, step=1e-3)
+    assert np.abs(expected["load.position.x"] - usual["load.position.x"]).max() > 1e-3
+    drives = program(package, "Segfmu.Examples.VelocityDrives")
+    for solver in SOLVERS:
+        results, _ = simulated(drives, f"-s={solver}")
+        assert load_distance(results, "gantry.", expected) < 1e-6, solver
+
+
+def test_the_plain_crane_agrees_with_gantry_crane(package) -> None:
+    results, _ = simulated(
+        program(package, "Segfmu.Examples.AgainstPlainCrane"), "-override=tolerance=1e-10"
+    )
+    assert results["difference"].max() < 1e-7
+    for i, axis in enumerate("xy", 1):
+        angle = results[f"plain.sway_angle[{i}]"] - results[f"gantry.sway_{axis}_angle"]
+        assert np.abs(angle).max() < 1e-6
+    assert np.abs(results["gantry.load_position_x"]).max() > 0.9
+
+
+def test_the_plain_crane_agrees_in_mode_velocity(package) -> None:
+    results, _ = simulated(program(package, "Plain", PLAIN), "-override=tolerance=1e-10")
+    assert results["difference"].max() < 1e-7
+    assert np.abs(results["gantry.load_position_x"]).max() > 0.9
+
+
+def test_waypoints_as_a_table_and_a_change_of_the_load(package, native_fmus) -> None:
+    points = [[0.0, 0.0, -0.5], [0.2, 0.1, -0.4], [0.5, 0.5, -0.6], [0.6, 0.7, -0.5]]
+    source = {"waypoint.count": 4}
+    for i, point in enumerate(points, 1):
+        for axis, value in zip("xyz", point, strict=True):
+            source[f"waypoint[{i}].position.{axis}"] = value
+            source[f"waypoint[{i}].velocity.{axis}"] = 0.0
+            source[f"waypoint[{i}].acceleration.{axis}"] = 0.0
+    expected = simulate(
+        *native_fmus[2], stop_time=5.0, step=1e-3, source_values=source, sink_values={
+            "feedback.enabled": False, "payload.count": 1, "payload[1].time": 2.0,
+            "payload[1].mass": 1.3,
+        },
+    )
+    results, _ = simulated(program(package, "Points", POINTS), "-override=tolerance=1e-10")
+    assert load_distance(results, "gantry.", expected) < 1e-6
+
+
+def test_a_crane_without_connections_hangs_at_rest(package) -> None:
+    results, _ = simulated(program(package, "Alone", ALONE))
+    assert np.ptp(results["gantry.load_position_z"]) < 1e-9
+    assert np.abs(results["gantry.rope_force"] + 9.81).max() < 1e-9
+
+
+def test_an_input_may_follow_from_a_state(package) -> None:
+    """No algebraic loop, as outputs depend on no more inputs than the specification says."""
+    loop = program(package, "Loop", LOOP)
+    results, _ = simulated(loop)
+    assert "nonlinear system" not in (loop.parent / "Loop_info.json").read_text()
+    assert np.isfinite(results["gantry.load_position_x"]).all()
+
+
+def test_errors_name_the_instance(package) -> None:
+    own = "model Bad extends Segfmu.Coupled(feedforward(limits_x_velocity = 0)); end Bad;"
+    bad = program(package, "Bad", own)
+    with pytest.raises(AssertionError, match=r"Bad\.feedforward: initialisation failed: limits\.x"):
+        simulated(bad)
+    with pytest.raises(AssertionError, match="the folder of the unpacked FMU"):
+        simulated(bad, "-override=feedforward.folder=nowhere")
