@@ -2,7 +2,17 @@
 
 from __future__ import annotations
 
-from segfmu.codegen import crane, extension, native, partials, records, rope, series, stubs
+from segfmu.codegen import (
+    crane,
+    extension,
+    messages,
+    native,
+    partials,
+    records,
+    rope,
+    series,
+    stubs,
+)
 from segfmu.codegen.files import write
 
 
@@ -10,7 +20,7 @@ def main() -> None:
     """The crane's equations first: the kernels in C contain them."""
     for source in (crane, partials, series, rope):
         write(source.TARGET, source.generate())
-    for name, text in (native.generate() | extension.generate()).items():
+    for name, text in (native.generate() | extension.generate() | messages.generate()).items():
         write(native.TARGET / name, text)
     write(stubs.TARGET, stubs.generate())
     for target, text in records.generate().items():

@@ -65,15 +65,19 @@ def _header(rooms: dict[str, list[Declared]]) -> str:
     return f"{banner}#ifndef SEGFMU_RECORDS_H\n#define SEGFMU_RECORDS_H\n\n{body}\n\n#endif\n"
 
 
+def constant(one: Declared, name: str) -> str:
+    """The name of a field, code or size in C."""
+    return re.sub(r"(?<=[a-z])(?=[A-Z])", "_", one.__name__).upper() + f"_{name}"
+
+
 def _constants(one: Declared) -> Iterator[tuple[str, int]]:
-    prefix = re.sub(r"(?<=[a-z])(?=[A-Z])", "_", one.__name__).upper()
     if issubclass(one, Codes):
-        yield from ((f"{prefix}_{name}", value) for name, value in one.items().items())
+        yield from ((constant(one, name), value) for name, value in one.items().items())
         return
-    yield from ((f"{prefix}_{name}", getattr(one, name)) for name in one.FIELDS)
-    yield f"{prefix}_SIZE", one.SIZE
+    yield from ((constant(one, name), getattr(one, name)) for name in one.FIELDS)
+    yield constant(one, "SIZE"), one.SIZE
     if one.COLUMNS:
-        yield f"{prefix}_COLUMNS", one.COLUMNS
+        yield constant(one, "COLUMNS"), one.COLUMNS
 
 
 def _page(rooms: dict[str, list[Declared]]) -> str:

@@ -1,11 +1,10 @@
 """Refusal of trajectories along which the rope goes slack or leaves its range.
 
-The proof is kernels/crane/rope.py; here are its words.
+The proof is kernels/crane/rope.py.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
@@ -14,7 +13,8 @@ from numpy.typing import ArrayLike
 from segfmu.crane.parameters import Crane
 from segfmu.errors import InfeasibleError
 from segfmu.kernels import backend
-from segfmu.kernels.crane.records import RopeWork
+from segfmu.kernels.crane.records import RopeFault, RopeWork
+from segfmu.kernels.messages import ROPE, ROPE_LIMITS
 from segfmu.planning.arrays import FloatArray
 
 
@@ -40,25 +40,6 @@ class LoadTrajectory(Protocol):
         """Starts (pieces,), lengths (pieces,) and ascending coefficients (pieces, width)."""
 
 
-@dataclass(frozen=True)
-class Demand:
-    """What a demand of kernels/crane/rope.py bounds, its limit, and the way out."""
-
-    name: str
-    unit: str
-    limit: str
-    remedy: str
-
-
-DEMANDS = (
-    Demand("load height z", "m", "the trolley's height", "lower the waypoints"),
-    Demand("downward acceleration of the load", "m/s2", "gravity, where the rope goes slack",
-           "lower limits.z.acceleration"),
-    Demand("rope length", "m", "rope_max", "raise the waypoints or rope_max"),
-    Demand("rope length", "m", "rope_min", "lower the waypoints or rope_min"),
-)
-
-
 def require_rope(crane: Crane, trajectory: LoadTrajectory) -> None:
     """Check that the load stays below the trolley, the rope taut and its length in range.
 
@@ -75,15 +56,13 @@ def require_rope(crane: Crane, trajectory: LoadTrajectory) -> None:
     )
     offsets = np.cumsum([0, *(p[0].size for p in pieces)])
     bounds = np.array([crane.gravity, crane.rope_min or 0.0, crane.rope_max or 0.0])
-    report = np.zeros(3)
+    report = np.zeros(RopeFault.SIZE)
     status = backend.check_rope(
         timing, coefficients, offsets, bounds, np.zeros((RopeWork.SIZE, 4 * width - 5)), report,
     )
     if status != 0:
-        demand = DEMANDS[status - 1]
         time, worst, bound = report.tolist()
         raise InfeasibleError(
-            f"at {time:.3f} s: {demand.name} passes {demand.limit}, {bound:.6g} {demand.unit}, "
-            f"and comes to {worst:.6g} {demand.unit}; {demand.remedy}",
-            limit=demand.limit, value=worst, bound=bound, time=time,
+            ROPE.text(status, (time, worst, bound)), limit=ROPE_LIMITS[status], value=worst,
+            bound=bound, time=time,
         )

@@ -166,6 +166,15 @@ def compensate_setpoints(
     /,
 ) -> None: ...
 
+def plant_failure(
+    status: int,
+    time: float,
+    state: Floats,
+    plant: Floats,
+    fault: Floats,
+    /,
+) -> int: ...
+
 def plant_advance(
     plant: Floats,
     components: Floats,
@@ -275,6 +284,13 @@ def plan_phases(
     axes: Floats,
     cells: Floats,
     work: Floats,
+    /,
+) -> int: ...
+
+def check_problem(
+    states: Floats,
+    limits: Floats,
+    report: Floats,
     /,
 ) -> int: ...
 

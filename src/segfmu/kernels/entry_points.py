@@ -34,9 +34,11 @@ from segfmu.kernels.crane.records import (
     LoadPartials,
     Masses,
     Plant,
+    PlantFault,
     PlantState,
     Report,
     RopeBounds,
+    RopeFault,
     RopeWork,
     State,
     Vector,
@@ -53,6 +55,7 @@ from segfmu.kernels.planner.records import (
     PlanOptions,
     PlanWork,
     Problem,
+    Refusal,
     WaypointState,
 )
 from segfmu.kernels.rig.records import (
@@ -101,6 +104,10 @@ ENTRY_POINTS = (
         work=(PlanWork.SIZE, PlanWork.COLUMNS),
     ),
     entry(
+        "planner.problem", "check_problem", states=("points", "axes", WaypointState.SIZE),
+        limits=("axes", 2), report=Refusal.SIZE,
+    ),
+    entry(
         "planner.plan", "plan_phases", states=("points", "axes", WaypointState.SIZE),
         dwells="points", limits=("axes", 3), options=PlanOptions.SIZE, axes=("axes", Axis.SIZE),
         cells=("(points - 1) * axes", Cell.SIZE, Cell.COLUMNS),
@@ -129,7 +136,12 @@ ENTRY_POINTS = (
     ),
     entry(
         "crane.rope", "check_rope", timing=("pieces", 2), coefficients=("pieces", "width"),
-        offsets=4, bounds=RopeBounds.SIZE, work=(RopeWork.SIZE, "4 * width - 5"), report=3,
+        offsets=4, bounds=RopeBounds.SIZE, work=(RopeWork.SIZE, "4 * width - 5"),
+        report=RopeFault.SIZE,
+    ),
+    entry(
+        "crane.failure", "plant_failure", state=State.SIZE, plant=Plant.SIZE,
+        fault=PlantFault.SIZE,
     ),
     entry("trajectory.evaluate", "evaluate"),
     entry("trajectory.evaluate", "evaluate_orders"),

@@ -1,77 +1,39 @@
-"""Status codes of the planning kernels -> errors that say what, where and what to do."""
+"""Refusals of the planning kernels as errors."""
 
 from __future__ import annotations
 
 from segfmu.errors import InfeasibleError
+from segfmu.kernels.messages import PLAN
 from segfmu.kernels.planner.records import PlanStatus, Refusal
 from segfmu.planning.arrays import FloatArray
-from segfmu.planning.waypoint import Waypoint
+
+# what `InfeasibleError` says beside the message: the limit, and which of these it has
+AXIS, INTERVAL, WAYPOINT, VALUE, BOUND = "axis", "interval", "waypoint", "value", "bound"
+DETAILS: dict[int, tuple[str | None, tuple[str, ...]]] = {
+    PlanStatus.START_BRAKING: ("velocity", (AXIS, INTERVAL, BOUND)),
+    PlanStatus.END_BRAKING: ("velocity", (AXIS, INTERVAL, BOUND)),
+    PlanStatus.NO_PROFILE: (None, (AXIS, INTERVAL)),
+    PlanStatus.NO_COMMON_DURATION: ("duration", (INTERVAL,)),
+    PlanStatus.DURATION_TOO_SHORT: ("duration", (VALUE, BOUND)),
+    PlanStatus.DURATION_IN_GAP: ("duration", (AXIS,)),
+    PlanStatus.WAYPOINT_VELOCITY: ("velocity", (AXIS, WAYPOINT, VALUE, BOUND)),
+    PlanStatus.WAYPOINT_ACCELERATION: ("acceleration", (AXIS, WAYPOINT, VALUE, BOUND)),
+    PlanStatus.UNBOUNDED_RAMP: ("jerk", (AXIS,)),
+    PlanStatus.MOVING_DWELL: ("dwell", (AXIS, WAYPOINT)),
+}
 
 
-def infeasible(
-    status: int,
-    report: FloatArray,
-    points: tuple[Waypoint, ...],
-    table: FloatArray,
-    names: tuple[str, ...],
-) -> InfeasibleError:
-    """Return the error that belongs to a status (PlanStatus) and its report (Refusal)."""
-    axis, interval = int(report[Refusal.AXIS]), int(report[Refusal.INTERVAL])
-    value, bound = float(report[Refusal.VALUE]), float(report[Refusal.BOUND])
-    velocity = float(table[axis, 0])
-    where = f"axis {names[axis]}, waypoints {interval + 1} -> {interval + 2}"
-    if status in (PlanStatus.START_BRAKING, PlanStatus.END_BRAKING):
-        first = status == PlanStatus.START_BRAKING
-        point = interval if first else interval + 1
-        doing = "braking the first" if first else "building up the last"
-        return InfeasibleError(
-            f"{where}: {doing} acceleration {points[point].acceleration[axis]:.6g} m/s2 passes the "
-            f"velocity limit {velocity:.6g} m/s; lower the velocity or the acceleration of "
-            f"waypoint {point + 1} or raise limits.velocity",
-            axis=axis, interval=interval + 1, limit="velocity", bound=velocity,
-        )
-    if status == PlanStatus.NO_COMMON_DURATION:
-        return InfeasibleError(
-            f"waypoints {interval + 1} -> {interval + 2}: no common duration of the axes found; "
-            f"change the velocities of waypoint {interval + 2} or use synchronize='none'",
-            interval=interval + 1, limit="duration",
-        )
-    if status == PlanStatus.DURATION_TOO_SHORT:
-        return InfeasibleError(
-            f"duration {bound:.9g} s is shorter than the shortest plan, {value:.9g} s; "
-            "raise duration or the limits",
-            limit="duration", value=value, bound=bound,
-        )
-    if status == PlanStatus.DURATION_IN_GAP:
-        return InfeasibleError(
-            f"axis {names[axis]}: between its moving waypoints it cannot be prolonged to exactly "
-            f"{value:.9g} s; change the duration, let waypoints rest, or use "
-            "synchronize='waypoints'",
-            axis=axis, limit="duration",
-        )
-    if status in (PlanStatus.WAYPOINT_VELOCITY, PlanStatus.WAYPOINT_ACCELERATION):
-        name, unit = "acceleration", "m/s2"
-        if status == PlanStatus.WAYPOINT_VELOCITY:
-            name, unit = "velocity", "m/s"
-        return InfeasibleError(
-            f"axis {names[axis]}, waypoint {interval + 1}: {name} {value:.6g} {unit} exceeds the "
-            f"limit {bound:.6g} {unit}; raise limits.{name} or lower the waypoint's {name}",
-            axis=axis, interval=max(interval, 1), limit=name, value=value, bound=bound,
-        )
-    if status == PlanStatus.UNBOUNDED_RAMP:
-        return InfeasibleError(
-            f"axis {names[axis]}: no limit bounds the duration of an acceleration ramp; "
-            "give limits.jerk or a higher one",
-            axis=axis, limit="jerk",
-        )
-    if status == PlanStatus.MOVING_DWELL:
-        return InfeasibleError(
-            f"axis {names[axis]}, waypoint {interval + 1}: a dwell needs a waypoint at rest; "
-            "leave out its velocity and acceleration, or the dwell",
-            axis=axis, interval=max(interval, 1), limit="dwell",
-        )
+def infeasible(status: int, report: FloatArray, names: tuple[str, ...]) -> InfeasibleError:
+    """Return the error that belongs to a status and report (Refusal); `names` are the axes'."""
+    limit, shown = DETAILS[status]
+    place = int(report[Refusal.INTERVAL])
+    # a waypoint counts for the interval that ends there
+    interval = place + 1 if INTERVAL in shown else max(place, 1) if WAYPOINT in shown else None
     return InfeasibleError(
-        f"{where}: no profile within the limits was found; raise the limits or change the "
-        "velocities of the two waypoints",
-        axis=axis, interval=interval + 1,
+        PLAN.text(status, report.tolist(), AXIS=names),
+        axis=int(report[Refusal.AXIS]) if AXIS in shown else None,
+        interval=interval,
+        limit=limit,
+        value=float(report[Refusal.VALUE]) if VALUE in shown else None,
+        bound=float(report[Refusal.BOUND]) if BOUND in shown else None,
     )

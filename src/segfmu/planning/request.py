@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from segfmu.errors import InputError
+from segfmu.kernels import backend
+from segfmu.kernels.messages import PLAN
+from segfmu.kernels.planner.records import PlanStatus, Refusal
 from segfmu.planning.arrays import FloatArray, finite_vector
 from segfmu.planning.limits import Limits
 from segfmu.planning.problem import SHAPES, SYNCHRONIZATIONS, Options, Problem
@@ -37,14 +39,10 @@ class Request:
 
     def require_different(self) -> None:
         """Raise InputError unless waypoints that follow each other differ in what doubles tell."""
-        states = self.problem.states
-        rows = states.transpose(0, 2, 1).reshape(len(states), -1).tolist()
-        for i, (before, state) in enumerate(pairwise(rows), 1):
-            pairs = zip(before, state, strict=True)
-            if all(abs(b - a) <= 1e-15 * max(abs(b), 1.0) for a, b in pairs):
-                raise InputError(
-                    f"waypoints {i} and {i + 1} are the same; leave one out, or give it a dwell"
-                )
+        report = np.zeros(Refusal.SIZE)
+        status = backend.check_problem(self.problem.states, self.problem.limits, report)
+        if status == PlanStatus.SAME_WAYPOINTS:
+            raise InputError(PLAN.text(status, report.tolist()))
 
 
 def checked_request(

@@ -24,7 +24,7 @@ def solve(request: Request, tolerance: float) -> tuple[Trajectory, bool]:
     phases = plan_phases(problem)
     if not phases.feasible:
         raise infeasible(
-            phases.status, phases.refusal, request.waypoints, problem.limits, request.axis_names
+            phases.status, phases.refusal, request.axis_names
         )
     return _expand(request, phases, tolerance)
 

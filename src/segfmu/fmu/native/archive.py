@@ -26,7 +26,10 @@ from segfmu.fmu.standard import fmi2, fmi3
 from segfmu.fmu.standard.documentation import page
 from segfmu.fmu.standard.spec import Spec
 
-KERNELS = ("kernels.c", "kernels.h", "plan.c", "records.h", "segfmu.h", "span.h")
+KERNELS = (
+    "kernels.c", "kernels.h", "messages.c", "messages.h", "plan.c", "records.h", "segfmu.h",
+    "span.h",
+)
 GLUE = (
     "arrays.h", "glue.h", "instance.c", "model.h", "say.c", "say.h", "simulation.c", "state.c",
     "values.c",

@@ -199,6 +199,7 @@ static void set_problems(array_double_3d states, array_double_3d cells);
 static int64_t plan_axis(int64_t axis, double share, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static double meet_intervals(int64_t first, int64_t last, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static int64_t synchronize_plan(array_double_1d dwells, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static bool differ(double before, double value);
 static int64_t sensing_rows(double sample_time, double dead_time);
 static double next_sample(array_double_1d sensors, array_double_2d memory);
 static int64_t ring_size(array_double_2d memory);
@@ -3838,6 +3839,30 @@ void segfmu_compensate_setpoints(array_double_1d velocity, array_double_1d accel
         (*cspan_at(&force, i)) = (*cspan_at(&force, i)) + viscous + coulomb;
     }
 }
+/*Fill in PlantFault for a status other than DONE at a time [s], for messages.   */
+/*                                                                               */
+/*    Returns the status of the kind, BELOW_TRAVEL or ABOVE_TRAVEL for any axis. */
+/*                                                                               */
+int64_t segfmu_plant_failure(int64_t status, double time, array_double_1d state, array_double_1d plant, array_double_1d fault)
+{
+    int64_t axis;
+    int64_t result;
+    (*cspan_at(&fault, INT64_C(0))) = time;
+    if (status < INT64_C(6))
+    {
+        return status;
+    }
+    axis = span_floor_mod((status - INT64_C(6)), INT64_C(3));
+    (*cspan_at(&fault, INT64_C(1))) = axis;
+    (*cspan_at(&fault, INT64_C(2))) = (*cspan_at(&state, INT64_C(0) + axis));
+    if (status >= INT64_C(9))
+    {
+        (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(25) + axis));
+        return INT64_C(9);
+    }
+    (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(22) + axis));
+    return INT64_C(6);
+}
 /*Node c of a stage, as a share of the step. */
 static double stage_node(int64_t stage)
 {
@@ -4860,8 +4885,8 @@ static double worst_value(int64_t demand, double first, array_double_2d timing, 
 /*                                                                                                 */
 /*    bounds (RopeBounds.SIZE); work (RopeWork.SIZE, 4 width - 5 or more) for pieces of `width`    */
 /*    coefficients, 4 or more. Returns the first demand of RopeDemand that is not met, or 0. report*/
-/*    (3): the time [s] from which on it is not, the worst value after that, and its bound: of the */
-/*    load's height [m], of its acceleration downwards [m/s2], or of the rope's length [m].        */
+/*    (RopeFault): of the load's height [m], of its acceleration downwards [m/s2], or of the rope's*/
+/*    length [m].                                                                                  */
 /*                                                                                                 */
 int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work, array_double_1d report)
 {
@@ -8660,6 +8685,12 @@ static int64_t plan_axis(int64_t axis, double share, array_double_2d axes, array
         set_shortest(&status, &time, span_matrix(&cells, j), span_row(&axes, axis), work);
         if (status < INT64_C(0))
         {
+            (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&cells, j, INT64_C(26), INT64_C(1)));
+            if (status == -INT64_C(2))
+            {
+                (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&cells, j, INT64_C(26), INT64_C(3)));
+            }
+            (*cspan_at(&report, INT64_C(3))) = (*cspan_at(&axes, axis, INT64_C(2)));
             return status;
         }
         (*cspan_at(&cells, j, INT64_C(27), INT64_C(0))) = time;
@@ -8813,6 +8844,58 @@ int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array
     }
     status = synchronize_plan(dwells, options, axes, cells, work);
     return status;
+}
+/*Whether two numbers are further apart than doubles of that size, or of 1, can be.*/
+static bool differ(double before, double value)
+{
+    bool result;
+    return !(fabs(value - before) <= 1e-15 * span_max(fabs(value), 1.0));
+}
+/*PLANNED, or what is wrong (PlanStatus), with a report (Refusal).                               */
+/*                                                                                               */
+/*    m waypoints, k axes: states (m, k, WaypointState), limits (k, 2 or more) from velocity on. */
+/*    Waypoints that follow each other must differ in something that doubles can tell.           */
+/*                                                                                               */
+int64_t segfmu_check_problem(array_double_3d states, array_double_2d limits, array_double_1d report)
+{
+    int64_t axis;
+    int64_t order;
+    int64_t j;
+    int64_t different;
+    int64_t i;
+    int64_t result;
+    for (axis = INT64_C(0); axis < limits.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        (*cspan_at(&report, INT64_C(0))) = axis;
+        for (order = INT64_C(0); order < INT64_C(2); order += INT64_C(1))
+        {
+            (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&limits, axis, order));
+            if (!((*cspan_at(&limits, axis, order)) > 0.0))
+            {
+                return (-INT64_C(14)) - order;
+            }
+        }
+    }
+    for (j = INT64_C(1); j < states.shape[INT64_C(0)]; j += INT64_C(1))
+    {
+        different = INT64_C(0);
+        for (axis = INT64_C(0); axis < states.shape[INT64_C(1)]; axis += INT64_C(1))
+        {
+            for (i = INT64_C(0); i < states.shape[INT64_C(2)]; i += INT64_C(1))
+            {
+                if (differ((*cspan_at(&states, j - INT64_C(1), axis, i)), (*cspan_at(&states, j, axis, i))))
+                {
+                    different = different + INT64_C(1);
+                }
+            }
+        }
+        if (different == INT64_C(0))
+        {
+            (*cspan_at(&report, INT64_C(1))) = j - INT64_C(1);
+            return -INT64_C(13);
+        }
+    }
+    return INT64_C(0);
 }
 /*Rows of memory; samples younger than the dead time, the new one, and one for rounding. */
 static int64_t sensing_rows(double sample_time, double dead_time)

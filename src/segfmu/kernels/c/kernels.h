@@ -26,6 +26,7 @@ void segfmu_crane_load_partials(array_double_1d state, array_double_2d partials)
 void segfmu_crane_energy_partials(array_double_1d state, array_double_1d masses, array_double_2d partials);
 void segfmu_flat_derivatives(array_double_2d flat, int64_t order, array_double_1d masses, array_double_2d work, array_double_1d found);
 void segfmu_compensate_setpoints(array_double_1d velocity, array_double_1d acceleration, array_double_1d known, array_double_1d force, array_double_1d setpoint);
+int64_t segfmu_plant_failure(int64_t status, double time, array_double_1d state, array_double_1d plant, array_double_1d fault);
 int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d components, double time, array_double_1d state, double duration, double tolerance, array_double_2d work, array_double_1d report);
 void segfmu_evaluate(array_double_1d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, int64_t derivative, array_double_2d values);
 void segfmu_evaluate_orders(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d values);
@@ -38,6 +39,7 @@ double segfmu_timed_profile(double target, array_double_1d axis, array_double_2d
 void segfmu_axis_limits(int64_t smoothness, int64_t shape, array_double_1d limits, array_double_1d axis);
 bool segfmu_ramp_parameters(double share, array_double_1d axis, array_double_2d work);
 int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work);
+int64_t segfmu_check_problem(array_double_3d states, array_double_2d limits, array_double_1d report);
 void segfmu_measure_state(array_double_1d state, array_double_1d sensors, array_double_1d numbers, array_double_1d measured);
 double segfmu_rig_next_event(array_double_2d settings, array_double_2d memory);
 void segfmu_switch_correction(array_double_2d settings, array_double_2d memory);

@@ -591,6 +591,37 @@ static PyObject *call_compensate_setpoints(
     return answer;
 }
 
+static PyObject *call_plant_failure(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "plant_failure", .values = values};
+    PyObject *answer = NULL;
+    int64_t in_status;
+    double in_time;
+    Py_buffer *in_state;
+    Py_buffer *in_plant;
+    Py_buffer *in_fault;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && take_int(&call, 0, &in_status)
+        && take_float(&call, 1, &in_time)
+        && (in_state = take_array(&call, 2, 1, 'd', false)) != NULL
+        && (in_plant = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_fault = take_array(&call, 4, 1, 'd', true)) != NULL
+        && has_at_least(&call, "state", 0, in_state->shape[0], 10)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 37)
+        && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
+        answer = PyLong_FromLongLong(segfmu_plant_failure(
+            in_status,
+            in_time,
+            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
+            (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_plant_advance(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -1011,6 +1042,32 @@ static PyObject *call_plan_phases(
             (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
             (array_double_3d){in_cells->buf, {in_cells->shape[0], in_cells->shape[1], in_cells->shape[2]}},
             (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_check_problem(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "check_problem", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_states;
+    Py_buffer *in_limits;
+    Py_buffer *in_report;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && (in_states = take_array(&call, 0, 3, 'd', false)) != NULL
+        && (in_limits = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_report = take_array(&call, 2, 1, 'd', true)) != NULL
+        && has_extent(&call, "limits", 0, in_limits->shape[0], in_states->shape[1])
+        && has_at_least(&call, "states", 2, in_states->shape[2], 3)
+        && has_at_least(&call, "limits", 1, in_limits->shape[1], 2)
+        && has_at_least(&call, "report", 0, in_report->shape[0], 4)) {
+        answer = PyLong_FromLongLong(segfmu_check_problem(
+            (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
+            (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
+            (array_double_1d){in_report->buf, {in_report->shape[0]}}));
     }
     release_arguments(&call);
     return answer;
@@ -1603,6 +1660,7 @@ static PyMethodDef methods[] = {
     {"crane_energy_partials", (PyCFunction)(void (*)(void))call_crane_energy_partials, METH_FASTCALL, NULL},
     {"flat_derivatives", (PyCFunction)(void (*)(void))call_flat_derivatives, METH_FASTCALL, NULL},
     {"compensate_setpoints", (PyCFunction)(void (*)(void))call_compensate_setpoints, METH_FASTCALL, NULL},
+    {"plant_failure", (PyCFunction)(void (*)(void))call_plant_failure, METH_FASTCALL, NULL},
     {"plant_advance", (PyCFunction)(void (*)(void))call_plant_advance, METH_FASTCALL, NULL},
     {"evaluate", (PyCFunction)(void (*)(void))call_evaluate, METH_FASTCALL, NULL},
     {"evaluate_orders", (PyCFunction)(void (*)(void))call_evaluate_orders, METH_FASTCALL, NULL},
@@ -1615,6 +1673,7 @@ static PyMethodDef methods[] = {
     {"axis_limits", (PyCFunction)(void (*)(void))call_axis_limits, METH_FASTCALL, NULL},
     {"ramp_parameters", (PyCFunction)(void (*)(void))call_ramp_parameters, METH_FASTCALL, NULL},
     {"plan_phases", (PyCFunction)(void (*)(void))call_plan_phases, METH_FASTCALL, NULL},
+    {"check_problem", (PyCFunction)(void (*)(void))call_check_problem, METH_FASTCALL, NULL},
     {"measure_state", (PyCFunction)(void (*)(void))call_measure_state, METH_FASTCALL, NULL},
     {"rig_next_event", (PyCFunction)(void (*)(void))call_rig_next_event, METH_FASTCALL, NULL},
     {"switch_correction", (PyCFunction)(void (*)(void))call_switch_correction, METH_FASTCALL, NULL},

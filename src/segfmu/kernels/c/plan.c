@@ -144,9 +144,13 @@ int segfmu_plan(const segfmu_problem *p, double *space, segfmu_trajectory *traje
     };
     array_double_1d options = gather_options(p, take(&space, PLAN_OPTIONS_SIZE));
     array_double_2d work = matrix(take(&space, PLAN_WORK_SIZE * PLAN_WORK_COLUMNS), PLAN_WORK_SIZE, PLAN_WORK_COLUMNS);
-    const double *report = work.data + PLAN_WORK_REFUSAL * PLAN_WORK_COLUMNS;
-    int64_t status = segfmu_plan_phases(
-        planned.states, planned.dwells, planned.limits, options, planned.axes, planned.cells, work);
+    double *report = work.data + PLAN_WORK_REFUSAL * PLAN_WORK_COLUMNS;
+    int64_t status = segfmu_check_problem(planned.states, planned.limits,
+                                          vector(report, REFUSAL_SIZE));
+    if (status == PLAN_STATUS_PLANNED) {
+        status = segfmu_plan_phases(planned.states, planned.dwells, planned.limits, options,
+                                    planned.axes, planned.cells, work);
+    }
     if (status < 0) {
         for (int i = 0; i < REFUSAL_SIZE; i++) {
             trajectory->report[i] = report[i];

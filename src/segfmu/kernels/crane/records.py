@@ -35,6 +35,23 @@ class PlantStatus(Codes):
     ABOVE_TRAVEL = 9
 
 
+class RopeFault(Record):
+    """Where a trajectory does not meet a demand."""
+
+    TIME = field("from when on it is not met", "s")
+    WORST = field("worst value after that: height, acceleration downwards or length")
+    BOUND = field("its bound")
+
+
+class PlantFault(Record):
+    """What went wrong with the crane."""
+
+    TIME = field("when", "s")
+    AXIS = field("axis at its end stop, from 0")
+    POSITION = field("its position, or length of the rope", "m")
+    STOP = field("its end stop", "m")
+
+
 class Axes(Record):
     """A triple of the axes."""
 

@@ -8,7 +8,7 @@ pieces to the next.
 """
 
 from segfmu.kernels.crane._rope import rope_margin, rope_pull, rope_value
-from segfmu.kernels.crane.records import RopeBounds, RopeDemand, RopeWork
+from segfmu.kernels.crane.records import RopeBounds, RopeDemand, RopeFault, RopeWork
 from segfmu.kernels.numerics.polynomials import polynomial_shift
 from segfmu.kernels.trajectory.check import bernstein_coefficients, split_hull
 from segfmu.kernels.trajectory.evaluate import evaluate_piece, find_piece
@@ -27,8 +27,8 @@ def check_rope(
 
     bounds (RopeBounds.SIZE); work (RopeWork.SIZE, 4 width - 5 or more) for pieces of `width`
     coefficients, 4 or more. Returns the first demand of RopeDemand that is not met, or 0. report
-    (3): the time [s] from which on it is not, the worst value after that, and its bound: of the
-    load's height [m], of its acceleration downwards [m/s2], or of the rope's length [m].
+    (RopeFault): of the load's height [m], of its acceleration downwards [m/s2], or of the rope's
+    length [m].
     """
     none = RopeDemand.NOT_TOO_SHORT + 1
     time = timing[offsets[0], Timing.START]
@@ -44,14 +44,16 @@ def check_rope(
                 share = first_negative(count, until - time, work)
                 if share >= 0.0:
                     failed = demand
-                    report[0] = time + share * (until - time)
+                    report[RopeFault.TIME] = time + share * (until - time)
                     break
         time = until
         until = interval_end(time, timing, offsets)
     if failed == none:
         return RopeDemand.MET
-    report[1] = worst_value(failed, report[0], timing, coefficients, offsets, bounds, work)
-    report[2] = demand_bound(failed, bounds)
+    report[RopeFault.WORST] = worst_value(
+        failed, report[RopeFault.TIME], timing, coefficients, offsets, bounds, work
+    )
+    report[RopeFault.BOUND] = demand_bound(failed, bounds)
     return failed
 
 

@@ -145,6 +145,10 @@ def plan_axis(
         report[Refusal.INTERVAL] = j // axes.shape[0]
         status, time = set_shortest(cells[j, :, :], axes[axis, :], work)
         if status < 0:
+            report[Refusal.VALUE] = cells[j, Cell.PROBLEM, Problem.A]
+            if status == PlanStatus.END_BRAKING:
+                report[Refusal.VALUE] = cells[j, Cell.PROBLEM, Problem.B]
+            report[Refusal.BOUND] = axes[axis, Axis.VELOCITY]
             return status
         cells[j, Cell.RESULT, Interval.SHORTEST] = time
         cells[j, Cell.RESULT, Interval.DURATION] = time

@@ -26,7 +26,8 @@ class PlanStatus(Codes):
     DURATION_IN_GAP: of the duration asked for. WAYPOINT_VELOCITY, WAYPOINT_ACCELERATION: a waypoint
     is beyond the limit. UNBOUNDED_RAMP: no limit bounds a ramp. MOVING_DWELL: a dwell at a waypoint
     that moves. OUT_OF_RANGE, CHECK_FAILED: of the C function alone, sizes or choices out of range,
-    and a plan that does not pass its check.
+    and a plan that does not pass its check. SAME_WAYPOINTS, NO_VELOCITY_LIMIT,
+    NO_ACCELERATION_LIMIT: of `check_problem`.
     """
 
     PLANNED = 0
@@ -42,6 +43,9 @@ class PlanStatus(Codes):
     MOVING_DWELL = -10
     OUT_OF_RANGE = -11
     CHECK_FAILED = -12
+    SAME_WAYPOINTS = -13
+    NO_VELOCITY_LIMIT = -14
+    NO_ACCELERATION_LIMIT = -15
 
 
 class Braking(Codes):

@@ -3,6 +3,7 @@
 #define SEGFMU_FEEDFORWARD_H
 
 #include "arrays.h"
+#include "messages.h"
 #include "model.h"
 #include "records.h"
 #include "segfmu.h"
@@ -19,6 +20,13 @@ typedef struct {
     double derivatives[MODEL_ORDERS][RESULTS];
     double space[];                  /* timing, coefficients, offsets, times, ends */
 } feedforward;
+
+/* Pieces of each axis, as the kernels take them. */
+static inline array_int64_t_1d offsets_of(const segfmu_trajectory *t)
+{
+    array_int64_t_1d offsets = {(int64_t *)t->offsets, {AXES + 1}};
+    return offsets;
+}
 
 /* Plan by the parameters; false with a message where that cannot be done. */
 bool feedforward_plan(feedforward *m, char message[MESSAGE]);

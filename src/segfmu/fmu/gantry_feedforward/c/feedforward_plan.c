@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "feedforward.h"
-#include "messages.h"
 
 static void move(double **to, const void *from, int64_t count)
 {
@@ -56,23 +55,31 @@ static void note_events(feedforward *m, const segfmu_trajectory *found)
 }
 
 /* Limits as the planner takes them, (axes, n + 1). */
-static bool gather_limits(const double *real, int64_t smoothness, double *table,
-                          char message[MESSAGE])
+static void gather_limits(const double *real, int64_t smoothness, double *table)
 {
     for (int axis = 0; axis < AXES; axis++) {
         for (int64_t i = 0; i <= smoothness; i++) {
             table[axis * (smoothness + 1) + i] = i < 4 ? real[V_LIMITS_X_VELOCITY + axis * 4 + i]
                                                        : 0.0;
         }
-        for (int i = 0; i < 2; i++) {
-            double value = real[V_LIMITS_X_VELOCITY + axis * 4 + i];
-            if (!(value > 0.0)) {
-                return say(message, "limits.%c.%s must be greater than 0, got %g", "xyz"[axis],
-                           i == 0 ? "velocity" : "acceleration", value);
-            }
-        }
     }
-    return true;
+}
+
+/* Proof that the load stays below the trolley, the rope taut, and its length within its range. */
+static bool require_rope(const segfmu_trajectory *t, const double *real, char message[MESSAGE])
+{
+    enum { WIDTH = 12 };
+    const int64_t width = 2 * t->smoothness;
+    double space[ROPE_WORK_SIZE * (4 * WIDTH - 5)], fault[ROPE_FAULT_SIZE], bounds[ROPE_BOUNDS_SIZE];
+    bounds[ROPE_BOUNDS_GRAVITY] = real[V_CRANE_GRAVITY];
+    bounds[ROPE_BOUNDS_SHORTEST] = real[V_CRANE_ROPE_MIN];
+    bounds[ROPE_BOUNDS_LONGEST] = real[V_CRANE_ROPE_MAX];
+    int64_t status = segfmu_check_rope(
+        matrix((double *)t->timing, t->pieces, 2),
+        matrix((double *)t->coefficients, t->pieces, width), offsets_of(t),
+        vector(bounds, ROPE_BOUNDS_SIZE), matrix(space, ROPE_WORK_SIZE, 4 * width - 5),
+        vector(fault, ROPE_FAULT_SIZE));
+    return !segfmu_rope_message(status, fault, message, MESSAGE);
 }
 
 bool feedforward_plan(feedforward *m, char message[MESSAGE])
@@ -88,15 +95,10 @@ bool feedforward_plan(feedforward *m, char message[MESSAGE])
         &real[V_WAYPOINT_DWELL], limits
     };
     segfmu_trajectory found;
-    if (!gather_limits(real, problem.smoothness, limits, message)
-        || !waypoints_differ(&problem, message)) {
-        return false;
-    }
+    gather_limits(real, problem.smoothness, limits);
     int status = segfmu_plan(&problem, m->space, &found);
-    if (status != 0) {
-        return say_infeasible(message, status, &problem, found.report);
-    }
-    if (!require_rope(&found, &real[V_CRANE_BRIDGE_MASS], message)) {
+    if (segfmu_plan_message(status, found.report, message, MESSAGE)
+        || !require_rope(&found, real, message)) {
         return false;
     }
     compact(m, &found);

@@ -104,13 +104,6 @@ double model_next_event(const model *base)
     return ((const feedforward *)base)->upcoming;
 }
 
-/* Pieces of each axis, as the kernels take them. */
-static array_int64_t_1d offsets_of(const segfmu_trajectory *t)
-{
-    array_int64_t_1d offsets = {(int64_t *)t->offsets, {AXES + 1}};
-    return offsets;
-}
-
 static array_double_2d timing_of(const segfmu_trajectory *t)
 {
     return matrix((double *)t->timing, t->pieces, 2);

@@ -1,0 +1,228 @@
+/* Generated from the texts in kernels/messages.py by `python -m segfmu.codegen`; never edited. */
+#include "messages.h"
+
+#include <stdio.h>
+
+#include "records.h"
+
+bool segfmu_plan_message(
+    int64_t status, const double *report, char *text, size_t size)
+{
+    static const char *const axis[] = {"x", "y", "z"};
+    switch (status) {
+    case -1:
+        snprintf(text, size,
+            "axis %s, waypoints %d -> %d: braking the first acceleration %.6g m/s2 "
+            "passes the velocity limit %.6g m/s; lower the velocity or the acceleration "
+            "of waypoint %d or raise limits.velocity",
+            axis[(int)report[REFUSAL_AXIS]],
+            (int)report[REFUSAL_INTERVAL] + 1,
+            (int)report[REFUSAL_INTERVAL] + 2,
+            report[REFUSAL_VALUE],
+            report[REFUSAL_BOUND],
+            (int)report[REFUSAL_INTERVAL] + 1);
+        return true;
+    case -2:
+        snprintf(text, size,
+            "axis %s, waypoints %d -> %d: building up the last acceleration %.6g m/s2 "
+            "passes the velocity limit %.6g m/s; lower the velocity or the acceleration "
+            "of waypoint %d or raise limits.velocity",
+            axis[(int)report[REFUSAL_AXIS]],
+            (int)report[REFUSAL_INTERVAL] + 1,
+            (int)report[REFUSAL_INTERVAL] + 2,
+            report[REFUSAL_VALUE],
+            report[REFUSAL_BOUND],
+            (int)report[REFUSAL_INTERVAL] + 2);
+        return true;
+    case -3:
+        snprintf(text, size,
+            "axis %s, waypoints %d -> %d: no profile within the limits was found; raise "
+            "the limits or change the velocities of the two waypoints",
+            axis[(int)report[REFUSAL_AXIS]],
+            (int)report[REFUSAL_INTERVAL] + 1,
+            (int)report[REFUSAL_INTERVAL] + 2);
+        return true;
+    case -4:
+        snprintf(text, size,
+            "waypoints %d -> %d: no common duration of the axes found; change the "
+            "velocities of waypoint %d or set the synchronization to none",
+            (int)report[REFUSAL_INTERVAL] + 1,
+            (int)report[REFUSAL_INTERVAL] + 2,
+            (int)report[REFUSAL_INTERVAL] + 2);
+        return true;
+    case -5:
+        snprintf(text, size,
+            "duration %.9g s is shorter than the shortest plan, %.9g s; raise duration "
+            "or the limits",
+            report[REFUSAL_BOUND],
+            report[REFUSAL_VALUE]);
+        return true;
+    case -6:
+        snprintf(text, size,
+            "axis %s: between its moving waypoints it cannot be prolonged to exactly "
+            "%.9g s; change the duration, let waypoints rest, or set the synchronization "
+            "to waypoints",
+            axis[(int)report[REFUSAL_AXIS]],
+            report[REFUSAL_VALUE]);
+        return true;
+    case -7:
+        snprintf(text, size,
+            "axis %s, waypoint %d: velocity %.6g m/s exceeds the limit %.6g m/s; raise "
+            "limits.velocity or lower the waypoint's velocity",
+            axis[(int)report[REFUSAL_AXIS]],
+            (int)report[REFUSAL_INTERVAL] + 1,
+            report[REFUSAL_VALUE],
+            report[REFUSAL_BOUND]);
+        return true;
+    case -8:
+        snprintf(text, size,
+            "axis %s, waypoint %d: acceleration %.6g m/s2 exceeds the limit %.6g m/s2; "
+            "raise limits.acceleration or lower the waypoint's acceleration",
+            axis[(int)report[REFUSAL_AXIS]],
+            (int)report[REFUSAL_INTERVAL] + 1,
+            report[REFUSAL_VALUE],
+            report[REFUSAL_BOUND]);
+        return true;
+    case -9:
+        snprintf(text, size,
+            "axis %s: no limit bounds the duration of an acceleration ramp; give "
+            "limits.jerk or a higher one",
+            axis[(int)report[REFUSAL_AXIS]]);
+        return true;
+    case -10:
+        snprintf(text, size,
+            "axis %s, waypoint %d: a dwell needs a waypoint at rest; leave out its "
+            "velocity and acceleration, or the dwell",
+            axis[(int)report[REFUSAL_AXIS]],
+            (int)report[REFUSAL_INTERVAL] + 1);
+        return true;
+    case -11:
+        snprintf(text, size,
+            "the number of waypoints or a choice of the planner is out of range");
+        return true;
+    case -12:
+        snprintf(text, size,
+            "the profile found misses a limit or a waypoint by over 1e-9 (relative); the "
+            "problem is too badly scaled, bring limits and distances closer together");
+        return true;
+    case -13:
+        snprintf(text, size,
+            "waypoints %d and %d are the same; leave one out, or give it a dwell",
+            (int)report[REFUSAL_INTERVAL] + 1,
+            (int)report[REFUSAL_INTERVAL] + 2);
+        return true;
+    case -14:
+        snprintf(text, size,
+            "limits.%s.velocity must be greater than 0, got %g",
+            axis[(int)report[REFUSAL_AXIS]],
+            report[REFUSAL_VALUE]);
+        return true;
+    case -15:
+        snprintf(text, size,
+            "limits.%s.acceleration must be greater than 0, got %g",
+            axis[(int)report[REFUSAL_AXIS]],
+            report[REFUSAL_VALUE]);
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool segfmu_rope_message(
+    int64_t status, const double *report, char *text, size_t size)
+{
+    switch (status) {
+    case 1:
+        snprintf(text, size,
+            "at %.3f s: load height z passes the trolley's height, %.6g m, and comes to "
+            "%.6g m; lower the waypoints",
+            report[ROPE_FAULT_TIME],
+            report[ROPE_FAULT_BOUND],
+            report[ROPE_FAULT_WORST]);
+        return true;
+    case 2:
+        snprintf(text, size,
+            "at %.3f s: downward acceleration of the load passes gravity, where the rope "
+            "goes slack, %.6g m/s2, and comes to %.6g m/s2; lower limits.z.acceleration",
+            report[ROPE_FAULT_TIME],
+            report[ROPE_FAULT_BOUND],
+            report[ROPE_FAULT_WORST]);
+        return true;
+    case 3:
+        snprintf(text, size,
+            "at %.3f s: rope length passes rope_max, %.6g m, and comes to %.6g m; raise "
+            "the waypoints or rope_max",
+            report[ROPE_FAULT_TIME],
+            report[ROPE_FAULT_BOUND],
+            report[ROPE_FAULT_WORST]);
+        return true;
+    case 4:
+        snprintf(text, size,
+            "at %.3f s: rope length passes rope_min, %.6g m, and comes to %.6g m; lower "
+            "the waypoints or rope_min",
+            report[ROPE_FAULT_TIME],
+            report[ROPE_FAULT_BOUND],
+            report[ROPE_FAULT_WORST]);
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool segfmu_plant_message(
+    int64_t status, const double *report, char *text, size_t size)
+{
+    static const char *const axis[] = {"bridge", "trolley", "rope"};
+    switch (status) {
+    case 1:
+        snprintf(text, size,
+            "at %.3f s: a sway angle came to 90 degrees; check the setpoints, the masses "
+            "and the friction",
+            report[PLANT_FAULT_TIME]);
+        return true;
+    case 2:
+        snprintf(text, size,
+            "at %.3f s: the rope's length came to zero; check the setpoints, the masses "
+            "and the friction",
+            report[PLANT_FAULT_TIME]);
+        return true;
+    case 3:
+        snprintf(text, size,
+            "at %.3f s: the integration steps became too small; check the setpoints, the "
+            "masses and the friction",
+            report[PLANT_FAULT_TIME]);
+        return true;
+    case 4:
+        snprintf(text, size,
+            "at %.3f s: a value is not finite; check the setpoints, the masses and the "
+            "friction",
+            report[PLANT_FAULT_TIME]);
+        return true;
+    case 5:
+        snprintf(text, size,
+            "at %.3f s: the rope went slack; check the setpoints, the masses and the "
+            "friction",
+            report[PLANT_FAULT_TIME]);
+        return true;
+    case 6:
+        snprintf(text, size,
+            "at %.3f s: %s at %.6g m is at its end stop, least position %.6g m; shorten "
+            "the move, brake earlier or widen the travel limits",
+            report[PLANT_FAULT_TIME],
+            axis[(int)report[PLANT_FAULT_AXIS]],
+            report[PLANT_FAULT_POSITION],
+            report[PLANT_FAULT_STOP]);
+        return true;
+    case 9:
+        snprintf(text, size,
+            "at %.3f s: %s at %.6g m is at its end stop, greatest position %.6g m; "
+            "shorten the move, brake earlier or widen the travel limits",
+            report[PLANT_FAULT_TIME],
+            axis[(int)report[PLANT_FAULT_AXIS]],
+            report[PLANT_FAULT_POSITION],
+            report[PLANT_FAULT_STOP]);
+        return true;
+    default:
+        return false;
+    }
+}

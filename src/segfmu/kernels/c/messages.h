@@ -1,0 +1,17 @@
+/* Generated from the texts in kernels/messages.py by `python -m segfmu.codegen`; never edited. */
+#ifndef SEGFMU_MESSAGES_H
+#define SEGFMU_MESSAGES_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* The message of a status and its report; false for a status without one. */
+bool segfmu_plan_message(
+    int64_t status, const double *report, char *text, size_t size);
+bool segfmu_rope_message(
+    int64_t status, const double *report, char *text, size_t size);
+bool segfmu_plant_message(
+    int64_t status, const double *report, char *text, size_t size);
+
+#endif

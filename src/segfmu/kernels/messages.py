@@ -1,0 +1,163 @@
+"""What the statuses and reports of kernels mean, in words: every message stands here alone.
+
+A text names fields of the kernel's report in braces: `{VALUE:.6g}` is a number, `{INTERVAL+1}` an
+integer that counts from 1, `{AXIS}` one of a tuple of words where the table has words for it.
+Python fills the texts in itself; for C, `python -m segfmu.codegen` writes c/messages.c from them.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+from segfmu.kernels.crane.records import AXES, PlantFault, PlantStatus, RopeDemand, RopeFault
+from segfmu.kernels.planner.records import PlanStatus, Refusal
+from segfmu.kernels.records import Record
+
+PLACE = re.compile(r"\{([A-Z_]+)(?:\+(\d))?(?::((?:\.\d+)?[fg]))?\}")
+
+
+@dataclass(frozen=True)
+class Messages:
+    """Texts by status.
+
+    Attributes
+    ----------
+    name : str
+        Of the function in C.
+    report : type of Record
+        Whose fields the texts name.
+    texts : dict of int to str
+    words : dict of str to tuple of str
+        For fields that count something with names.
+    """
+
+    name: str
+    report: type[Record]
+    texts: Mapping[int, str]
+    words: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+
+    def text(self, status: int, report: Sequence[float], **words: tuple[str, ...]) -> str:
+        """The message of a status; `words` take the place of the table's own."""
+        named = {**self.words, **words}
+
+        def value(place: re.Match[str]) -> str:
+            name, added, form = place.groups()
+            number = report[getattr(self.report, name)]
+            if name in named:
+                return named[name][int(number)]
+            return format(number, form) if form else str(int(number) + int(added or 0))
+
+        return PLACE.sub(value, self.texts[status])
+
+
+_INTERVAL = "axis {AXIS}, waypoints {INTERVAL+1} -> {INTERVAL+2}: "
+_BRAKING = (
+    " acceleration {VALUE:.6g} m/s2 passes the velocity limit {BOUND:.6g} m/s; lower the velocity "
+    "or the acceleration of waypoint "
+)
+
+
+def _beyond(name: str, unit: str) -> str:
+    return (
+        f"axis {{AXIS}}, waypoint {{INTERVAL+1}}: {name} {{VALUE:.6g}} {unit} exceeds the limit "
+        f"{{BOUND:.6g}} {unit}; raise limits.{name} or lower the waypoint's {name}"
+    )
+
+
+def _limit(name: str) -> str:
+    return f"limits.{{AXIS}}.{name} must be greater than 0, got {{VALUE:g}}"
+
+
+PLAN = Messages(
+    "plan", Refusal,
+    {
+        PlanStatus.START_BRAKING: f"{_INTERVAL}braking the first{_BRAKING}{{INTERVAL+1}} or raise "
+        "limits.velocity",
+        PlanStatus.END_BRAKING: f"{_INTERVAL}building up the last{_BRAKING}{{INTERVAL+2}} or raise "
+        "limits.velocity",
+        PlanStatus.NO_PROFILE: f"{_INTERVAL}no profile within the limits was found; raise the "
+        "limits or change the velocities of the two waypoints",
+        PlanStatus.NO_COMMON_DURATION: "waypoints {INTERVAL+1} -> {INTERVAL+2}: no common duration "
+        "of the axes found; change the velocities of waypoint {INTERVAL+2} or set the "
+        "synchronization to none",
+        PlanStatus.DURATION_TOO_SHORT: "duration {BOUND:.9g} s is shorter than the shortest plan, "
+        "{VALUE:.9g} s; raise duration or the limits",
+        PlanStatus.DURATION_IN_GAP: "axis {AXIS}: between its moving waypoints it cannot be "
+        "prolonged to exactly {VALUE:.9g} s; change the duration, let waypoints rest, or set the "
+        "synchronization to waypoints",
+        PlanStatus.WAYPOINT_VELOCITY: _beyond("velocity", "m/s"),
+        PlanStatus.WAYPOINT_ACCELERATION: _beyond("acceleration", "m/s2"),
+        PlanStatus.UNBOUNDED_RAMP: "axis {AXIS}: no limit bounds the duration of an acceleration "
+        "ramp; give limits.jerk or a higher one",
+        PlanStatus.MOVING_DWELL: "axis {AXIS}, waypoint {INTERVAL+1}: a dwell needs a waypoint at "
+        "rest; leave out its velocity and acceleration, or the dwell",
+        PlanStatus.OUT_OF_RANGE: "the number of waypoints or a choice of the planner is out of "
+        "range",
+        PlanStatus.CHECK_FAILED: "the profile found misses a limit or a waypoint by over 1e-9 "
+        "(relative); the problem is too badly scaled, bring limits and distances closer together",
+        PlanStatus.SAME_WAYPOINTS: "waypoints {INTERVAL+1} and {INTERVAL+2} are the same; leave "
+        "one out, or give it a dwell",
+        PlanStatus.NO_VELOCITY_LIMIT: _limit("velocity"),
+        PlanStatus.NO_ACCELERATION_LIMIT: _limit("acceleration"),
+    },
+    {"AXIS": ("x", "y", "z")},
+)
+
+
+def _rope(name: str, unit: str, limit: str, remedy: str) -> str:
+    return (
+        f"at {{TIME:.3f}} s: {name} passes {limit}, {{BOUND:.6g}} {unit}, and comes to "
+        f"{{WORST:.6g}} {unit}; {remedy}"
+    )
+
+
+# what `InfeasibleError.limit` says
+ROPE_LIMITS = {
+    RopeDemand.BELOW_TROLLEY: "the trolley's height",
+    RopeDemand.TAUT: "gravity, where the rope goes slack",
+    RopeDemand.NOT_TOO_LONG: "rope_max",
+    RopeDemand.NOT_TOO_SHORT: "rope_min",
+}
+ROPE = Messages(
+    "rope", RopeFault,
+    {
+        status: _rope(name, unit, ROPE_LIMITS[status], remedy)
+        for status, name, unit, remedy in (
+            (RopeDemand.BELOW_TROLLEY, "load height z", "m", "lower the waypoints"),
+            (RopeDemand.TAUT, "downward acceleration of the load", "m/s2",
+             "lower limits.z.acceleration"),
+            (RopeDemand.NOT_TOO_LONG, "rope length", "m", "raise the waypoints or rope_max"),
+            (RopeDemand.NOT_TOO_SHORT, "rope length", "m", "lower the waypoints or rope_min"),
+        )
+    },
+)
+
+
+def _out_of_range(reason: str) -> str:
+    return f"at {{TIME:.3f}} s: {reason}; check the setpoints, the masses and the friction"
+
+
+def _stopped(kind: str) -> str:
+    return (
+        f"at {{TIME:.3f}} s: {{AXIS}} at {{POSITION:.6g}} m is at its end stop, {kind} position "
+        "{STOP:.6g} m; shorten the move, brake earlier or widen the travel limits"
+    )
+
+
+PLANT = Messages(
+    "plant", PlantFault,
+    {
+        PlantStatus.SWAY_ANGLE: _out_of_range("a sway angle came to 90 degrees"),
+        PlantStatus.ROPE_LENGTH: _out_of_range("the rope's length came to zero"),
+        PlantStatus.STEP_TOO_SMALL: _out_of_range("the integration steps became too small"),
+        PlantStatus.NOT_FINITE: _out_of_range("a value is not finite"),
+        PlantStatus.SLACK_ROPE: _out_of_range("the rope went slack"),
+        PlantStatus.BELOW_TRAVEL: _stopped("least"),
+        PlantStatus.ABOVE_TRAVEL: _stopped("greatest"),
+    },
+    {"AXIS": AXES},
+)
+
+TABLES = (PLAN, ROPE, PLANT)

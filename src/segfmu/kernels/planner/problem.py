@@ -1,0 +1,32 @@
+"""Whether waypoints and limits are a problem to plan at all."""
+
+from segfmu.kernels.planner.records import PlanStatus, Refusal
+
+
+def check_problem(states: 'float[:,:,:]', limits: 'float[:,:]', report: 'float[:]') -> int:
+    """PLANNED, or what is wrong (PlanStatus), with a report (Refusal).
+
+    m waypoints, k axes: states (m, k, WaypointState), limits (k, 2 or more) from velocity on.
+    Waypoints that follow each other must differ in something that doubles can tell.
+    """
+    for axis in range(limits.shape[0]):
+        report[Refusal.AXIS] = axis
+        for order in range(2):
+            report[Refusal.VALUE] = limits[axis, order]
+            if not limits[axis, order] > 0.0:
+                return PlanStatus.NO_VELOCITY_LIMIT - order
+    for j in range(1, states.shape[0]):
+        different = 0
+        for axis in range(states.shape[1]):
+            for i in range(states.shape[2]):
+                if differ(states[j - 1, axis, i], states[j, axis, i]):
+                    different = different + 1
+        if different == 0:
+            report[Refusal.INTERVAL] = j - 1
+            return PlanStatus.SAME_WAYPOINTS
+    return PlanStatus.PLANNED
+
+
+def differ(before: float, value: float) -> bool:
+    """Whether two numbers are further apart than doubles of that size, or of 1, can be."""
+    return not abs(value - before) <= 1e-15 * max(abs(value), 1.0)

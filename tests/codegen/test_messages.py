@@ -1,0 +1,56 @@
+"""The messages in C are those of Python, word for word."""
+
+from __future__ import annotations
+
+import ctypes
+import shutil
+import subprocess
+
+import pytest
+
+from segfmu.codegen import messages, native
+from segfmu.kernels.messages import TABLES, Messages
+
+FLAGS = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-fPIC", "-shared"]
+REPORTS = ([0.0, 1.0, 2.5, 1e-7], [2.0, 0.0, -123456.789, 1e22], [1.0, 2.0, 1.0 / 3.0, 0.0])
+
+
+def test_generated_messages_are_up_to_date() -> None:
+    for name, text in messages.generate().items():
+        assert (native.TARGET / name).read_text(encoding="utf-8") == text, name
+
+
+@pytest.fixture(scope="module")
+def library(tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL:
+    compiler = shutil.which("cc")
+    if compiler is None:
+        pytest.skip("the messages in C need a C compiler; none was found")
+    target = tmp_path_factory.mktemp("messages") / "messages.so"
+    source = native.TARGET / "messages.c"
+    subprocess.run([compiler, *FLAGS, str(source), "-o", str(target)], check=True)
+    return ctypes.CDLL(str(target))
+
+
+def in_c(library: ctypes.CDLL, table: Messages, status: int, report: list[float]) -> str | None:
+    function = getattr(library, f"segfmu_{table.name}_message")
+    function.restype = ctypes.c_bool
+    text = ctypes.create_string_buffer(400)
+    numbers = (ctypes.c_double * len(report))(*report)
+    found = function(ctypes.c_int64(status), numbers, text, ctypes.c_size_t(len(text)))
+    return text.value.decode() if found else None
+
+
+@pytest.mark.parametrize("table", TABLES, ids=lambda t: t.name)
+def test_both_languages_say_the_same(library: ctypes.CDLL, table: Messages) -> None:
+    for status in table.texts:
+        for report in REPORTS:
+            said = in_c(library, table, status, report)
+            assert said == table.text(status, report)
+            assert "{" not in said and "\n" not in said and len(said) < 399
+    assert in_c(library, table, 0, REPORTS[0]) is None
+
+
+def test_words_of_the_caller_take_the_place_of_the_tables_own() -> None:
+    plan = TABLES[0]
+    said = plan.text(-9, REPORTS[2], AXIS=("left", "right"))
+    assert said.startswith("axis right: no limit bounds")
