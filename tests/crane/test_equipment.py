@@ -21,7 +21,7 @@ from segfmu.crane import Drive, Friction, TravelLimits
         (lambda: Friction(coulomb=(1.0, 1.0)), "friction coulomb must have 3 values, got 2"),
         (lambda: Friction(width=0.0), "friction width must be a finite number > 0"),
         (lambda: Friction(sway=float("nan")), "friction sway"),
-        (lambda: TravelLimits(bridge=(1.0, 1.0)), "travel bridge: least 1.0 m must be below"),
+        (lambda: TravelLimits(bridge=(1.0, 1.0)), "travel.bridge: min 1 m must be below max 1 m"),
         (lambda: TravelLimits(rope=(0.5, float("inf"))), "travel rope must be finite"),
         (lambda: TravelLimits(trolley=(0.5,)), "travel trolley must have 2 values"),
     ],

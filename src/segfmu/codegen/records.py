@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from importlib import import_module
 from pathlib import Path
@@ -10,7 +9,7 @@ from pathlib import Path
 from segfmu.codegen.amalgam import KERNELS, PACKAGE
 from segfmu.codegen.native import BANNER
 from segfmu.errors import BuildError
-from segfmu.kernels.records import Codes, Field, Record
+from segfmu.kernels.records import Codes, Field, Record, c_name
 
 HEADER = KERNELS / "c" / "records.h"
 PAGE = Path(__file__).parents[3] / "docs" / "records.md"
@@ -67,7 +66,7 @@ def _header(rooms: dict[str, list[Declared]]) -> str:
 
 def constant(one: Declared, name: str) -> str:
     """The name of a field, code or size in C."""
-    return re.sub(r"(?<=[a-z])(?=[A-Z])", "_", one.__name__).upper() + f"_{name}"
+    return f"{c_name(one)}_{name}"
 
 
 def _constants(one: Declared) -> Iterator[tuple[str, int]]:

@@ -91,6 +91,19 @@ class Wind:
         backend.noise_components(self.bandwidth, deviation, numbers, components)
         object.__setattr__(self, "components", components)
 
+    def values(self) -> dict[str, float]:
+        """As the FMU's variables, without those of the noise."""
+        gust = self.gust or Gust(0.0, 1.0, (0.0, 0.0, 0.0))
+        found = {
+            "wind.gust.start": gust.start,
+            "wind.gust.duration": gust.duration if self.gust else 0.0,
+            # the item of the enumeration
+            "wind.gust.shape": 1 + SHAPES.index(gust.shape),
+        }
+        for name, vector in (("constant", self.constant), ("gust.force", gust.force)):
+            found |= {f"wind.{name}.{a}": v for a, v in zip("xyz", vector, strict=True)}
+        return found
+
 
 @dataclass(frozen=True)
 class PayloadChange:

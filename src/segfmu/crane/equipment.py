@@ -4,10 +4,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from segfmu.crane.checks import require_not_negative, require_positive, sized
 from segfmu.errors import InputError
+from segfmu.kernels import backend
+from segfmu.kernels.crane.records import AXES, DRIVES
+from segfmu.kernels.messages import SETUP
+from segfmu.kernels.rig.records import SetupFault, SetupStatus
 
-AXES = ("bridge", "trolley", "rope")
+UNLIMITED = 1e99
 
 
 @dataclass(frozen=True)
@@ -45,6 +51,14 @@ class Drive:
             if getattr(self, name) is not None:
                 require_positive(f"drive {name}", getattr(self, name))
 
+    def values(self, drive: str) -> dict[str, float]:
+        """As the FMU's variables of a drive."""
+        return {
+            f"drive.{drive}.lag": self.lag,
+            f"drive.{drive}.force_max": self.force_max or 0.0,
+            f"drive.{drive}.acceleration_max": self.acceleration_max or 0.0,
+        }
+
 
 @dataclass(frozen=True)
 class Friction:
@@ -79,6 +93,14 @@ class Friction:
         require_positive("friction width", self.width)
         require_not_negative("friction sway", self.sway)
 
+    def values(self) -> dict[str, float]:
+        """As the FMU's variables."""
+        found = {"friction.width": self.width, "friction.sway.viscous": self.sway}
+        for drive, viscous, coulomb in zip(DRIVES, self.viscous, self.coulomb, strict=True):
+            found[f"friction.{drive}.viscous"] = viscous
+            found[f"friction.{drive}.coulomb"] = coulomb
+        return found
+
 
 @dataclass(frozen=True)
 class TravelLimits:
@@ -102,10 +124,19 @@ class TravelLimits:
     rope: tuple[float, float] | None = None
 
     def __post_init__(self) -> None:
+        limits = np.array([
+            (-UNLIMITED, UNLIMITED) if limit is None else sized(f"travel {name}", limit, 2)
+            for name, limit in zip(AXES, (self.bridge, self.trolley, self.rope), strict=True)
+        ])
+        fault = np.zeros(SetupFault.SIZE)
+        status = backend.check_travel(limits[:, 0].copy(), limits[:, 1].copy(), fault)
+        if status != SetupStatus.FITS:
+            raise InputError(SETUP.text(status, fault.tolist()))
+
+    def values(self) -> dict[str, float]:
+        """As the FMU's variables."""
+        found = {}
         for name in AXES:
-            limits = getattr(self, name)
-            if limits is None:
-                continue
-            least, most = sized(f"travel {name}", limits, 2)
-            if least >= most:
-                raise InputError(f"travel {name}: least {least} m must be below greatest {most} m")
+            least, most = getattr(self, name) or (-UNLIMITED, UNLIMITED)
+            found[f"travel.{name}.min"], found[f"travel.{name}.max"] = least, most
+        return found

@@ -10,6 +10,8 @@ from numpy.typing import ArrayLike
 from segfmu.crane.checks import require_positive, sized
 from segfmu.errors import InputError
 from segfmu.kernels import backend
+from segfmu.kernels.messages import SETUP
+from segfmu.kernels.rig.records import SetupFault, SetupStatus
 from segfmu.planning.arrays import FloatArray
 
 
@@ -48,11 +50,11 @@ class Crane:
         for name in ("rope_min", "rope_max"):
             if getattr(self, name) is not None:
                 require_positive(name, getattr(self, name))
-        shortest = self.rope_min or 0.0
-        if self.rope_max is not None and shortest >= self.rope_max:
-            raise InputError(
-                f"rope_min {shortest} m must be less than rope_max {self.rope_max} m"
-            )
+        fault = np.zeros(SetupFault.SIZE)
+        # the start is the plant's
+        status = backend.check_rope_bounds(1.0, self.rope_min or 0.0, self.rope_max or 0.0, fault)
+        if status != SetupStatus.FITS:
+            raise InputError(SETUP.text(status, fault.tolist()))
 
     @property
     def masses(self) -> tuple[float, float, float, float]:
@@ -63,6 +65,17 @@ class Crane:
             float(self.payload_mass),
             float(self.gravity),
         )
+
+    def values(self) -> dict[str, float]:
+        """As the FMUs' variables; a rope bound of 0 means none."""
+        return {
+            "crane.bridge_mass": self.bridge_mass,
+            "crane.trolley_mass": self.trolley_mass,
+            "crane.payload_mass": self.payload_mass,
+            "crane.gravity": self.gravity,
+            "crane.rope_min": self.rope_min or 0.0,
+            "crane.rope_max": self.rope_max or 0.0,
+        }
 
     def rhs(
         self, state: ArrayLike, force: ArrayLike, load_force: ArrayLike = (0.0, 0.0, 0.0)

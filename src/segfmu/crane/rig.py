@@ -6,14 +6,12 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from segfmu.crane.disturbance import SHAPES, PayloadChange, Wind
-from segfmu.crane.equipment import AXES, Drive, Friction, TravelLimits
+from segfmu.crane.disturbance import PayloadChange, Wind
+from segfmu.crane.equipment import Drive, Friction, TravelLimits
 from segfmu.crane.parameters import Crane
 from segfmu.crane.sensors import Sensors
-from segfmu.kernels.crane.records import DriveMode, Plant
+from segfmu.kernels.crane.records import DRIVES, DriveMode, Plant
 from segfmu.planning.arrays import FloatArray
-
-UNLIMITED = 1e99
 
 
 @dataclass(frozen=True)
@@ -52,24 +50,12 @@ class Rig:
 
     def parameters(self, crane: Crane, driven: bool) -> FloatArray:
         """The kernels' `Plant`, shape (37,)."""
+        values = crane.values() | self.friction.values() | self.travel.values()
+        for name, drive in zip(DRIVES, self.drives, strict=True):
+            values |= drive.values(name)
+        values |= self.wind.values()
+        # the item of the enumeration
+        values["drive.mode"] = 1 + (DriveMode.VELOCITY if driven else DriveMode.FORCE)
         packed = np.zeros(Plant.SIZE)
-        packed[Plant.BRIDGE_MASS : Plant.MODE] = crane.masses
-        packed[Plant.MODE] = DriveMode.VELOCITY if driven else DriveMode.FORCE
-        for i, drive in enumerate(self.drives):
-            packed[Plant.LAG + i] = drive.lag
-            packed[Plant.FORCE_MAX + i] = drive.force_max or 0.0
-            packed[Plant.ACCELERATION_MAX + i] = drive.acceleration_max or 0.0
-        packed[Plant.VISCOUS : Plant.COULOMB] = self.friction.viscous
-        packed[Plant.COULOMB : Plant.FRICTION_WIDTH] = self.friction.coulomb
-        packed[Plant.FRICTION_WIDTH] = self.friction.width
-        packed[Plant.SWAY_DAMPING] = self.friction.sway
-        for i, name in enumerate(AXES):
-            least, greatest = getattr(self.travel, name) or (-UNLIMITED, UNLIMITED)
-            packed[Plant.TRAVEL_MIN + i], packed[Plant.TRAVEL_MAX + i] = least, greatest
-        packed[Plant.WIND : Plant.GUST_START] = self.wind.constant
-        gust = self.wind.gust
-        if gust is not None:
-            packed[Plant.GUST_START], packed[Plant.GUST_DURATION] = gust.start, gust.duration
-            packed[Plant.GUST_SHAPE] = SHAPES.index(gust.shape)
-            packed[Plant.GUST_FORCE :] = gust.force
+        Plant.fill(packed, values.__getitem__)
         return packed

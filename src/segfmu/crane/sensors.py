@@ -9,11 +9,13 @@ import numpy as np
 
 from segfmu.crane.checks import require_not_negative, require_positive, require_seed, sized
 from segfmu.errors import InputError
+from segfmu.kernels import backend
+from segfmu.kernels.messages import SETUP
+from segfmu.kernels.rig.records import SIGNALS, SetupFault, SetupStatus
+from segfmu.kernels.rig.records import Sensors as Settings
 from segfmu.planning.arrays import FloatArray
 
 Five = tuple[float, float, float, float, float]
-# that are on their way at a time, for each of which there is memory
-MOST_SAMPLES = 10**5
 NONE: Five = (0.0, 0.0, 0.0, 0.0, 0.0)
 
 
@@ -70,18 +72,25 @@ class Sensors:
         for name in ("resolution", "deviation"):
             for value in sized(f"sensor {name}", getattr(self, name), 5):
                 require_not_negative(f"sensor {name}", value)
-        if self.sample_time == 0.0 and (self.dead_time > 0.0 or any(self.deviation)):
-            raise InputError(
-                "sensor noise and dead_time belong to samples: set sensor sample_time above 0 s"
-            )
-        if self.dead_time > MOST_SAMPLES * self.sample_time:
-            raise InputError(
-                f"sensor dead_time {self.dead_time} s is longer than {MOST_SAMPLES} samples of "
-                f"{self.sample_time} s; lower dead_time or raise sensor sample_time"
-            )
+        fault = np.zeros(SetupFault.SIZE)
+        status = backend.check_sensors(self.vector, fault)
+        if status != SetupStatus.FITS:
+            raise InputError(SETUP.text(status, fault.tolist()))
 
     @property
     def vector(self) -> FloatArray:
         """The kernels' `Sensors`, shape (18,)."""
-        timing = (self.sample_time, self.dead_time, self.seed)
-        return np.array([*timing, *self.offset, *self.deviation, *self.resolution])
+        packed = np.zeros(Settings.SIZE)
+        Settings.fill(packed, self.values().__getitem__)
+        return packed
+
+    def values(self) -> dict[str, float]:
+        """As the FMU's variables."""
+        found = {
+            "sensor.sample_time": self.sample_time, "sensor.dead_time": self.dead_time,
+            "sensor.seed": float(self.seed),
+        }
+        for name in ("resolution", "deviation", "offset"):
+            for signal, value in zip(SIGNALS, getattr(self, name), strict=True):
+                found[f"sensor.{signal}.{name}"] = value
+        return found

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from importlib.resources import files
 
 from segfmu.fmu.standard.spec import Spec
+from segfmu.kernels.records import Record
 
 
 @dataclass(frozen=True)
@@ -24,6 +25,8 @@ class Model:
         The interface on PythonFMU.
     native_spec : callable
         The interface of native FMUs, from that on PythonFMU with any start values.
+    records : tuple of type of Record
+        Those of the kernels that the model in C fills from variables, or shows as variables.
     slave : str
         The slave on PythonFMU as module:class, which only that backend imports; empty for none.
     """
@@ -32,6 +35,7 @@ class Model:
     package: str
     spec: Callable[[], Spec]
     native_spec: Callable[[Spec], Spec]
+    records: tuple[type[Record], ...] = ()
     slave: str = ""
 
     @property

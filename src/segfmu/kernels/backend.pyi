@@ -391,6 +391,33 @@ def rig_imbalance(
     /,
 ) -> float: ...
 
+def check_travel(
+    least: Floats,
+    greatest: Floats,
+    fault: Floats,
+    /,
+) -> int: ...
+
+def check_lags(
+    plant: Floats,
+    fault: Floats,
+    /,
+) -> int: ...
+
+def check_sensors(
+    sensors: Floats,
+    fault: Floats,
+    /,
+) -> int: ...
+
+def check_rope_bounds(
+    length: float,
+    shortest: float,
+    longest: float,
+    fault: Floats,
+    /,
+) -> int: ...
+
 def same_break(
     time: float,
     /,

@@ -68,6 +68,7 @@ from segfmu.kernels.rig.records import (
     Sensors,
     Setpoints,
     Settings,
+    SetupFault,
 )
 from segfmu.kernels.trajectory.records import Check, Expansion, Timing
 
@@ -202,6 +203,12 @@ ENTRY_POINTS = (
         "crane.plant", "plant_advance", plant=Plant.SIZE, components=("sines", Sinusoid.SIZE),
         state=PlantState.SIZE, work=(Work.SIZE, Work.COLUMNS), report=Report.SIZE,
     ),
+    entry(
+        "rig.setup", "check_travel", least=Axes.SIZE, greatest=Axes.SIZE, fault=SetupFault.SIZE
+    ),
+    entry("rig.setup", "check_lags", plant=Plant.SIZE, fault=SetupFault.SIZE),
+    entry("rig.setup", "check_sensors", sensors=Sensors.SIZE, fault=SetupFault.SIZE),
+    entry("rig.setup", "check_rope_bounds", fault=SetupFault.SIZE),
     entry("numerics.noise", "seed_numbers", numbers=RandomState.SIZE),
     entry("numerics.noise", "next_uniform", numbers=RandomState.SIZE),
     entry(

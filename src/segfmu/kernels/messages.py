@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 from segfmu.kernels.crane.records import AXES, PlantFault, PlantStatus, RopeDemand, RopeFault
 from segfmu.kernels.planner.records import PlanStatus, Refusal
 from segfmu.kernels.records import Record
+from segfmu.kernels.rig.records import SensorLimits, SetupFault, SetupStatus
 
 PLACE = re.compile(r"\{([A-Z_]+)(?:\+(\d))?(?::((?:\.\d+)?[fg]))?\}")
 
@@ -160,4 +161,26 @@ PLANT = Messages(
     {"AXIS": AXES},
 )
 
-TABLES = (PLAN, ROPE, PLANT)
+SETUP = Messages(
+    "setup", SetupFault,
+    {
+        SetupStatus.EMPTY_TRAVEL: "travel.{AXIS}: min {VALUE:g} m must be below max {BOUND:g} m",
+        SetupStatus.NO_LAG: "in model exchange with drive.mode velocity, the lag of the {AXIS} "
+        "drive must be above 0 s, as without lag the acceleration does not follow from the "
+        "setpoints; set a lag, or use co-simulation",
+        SetupStatus.NOT_SAMPLED: "sensor noise and dead_time belong to samples: set "
+        "sensor.sample_time above 0 s",
+        SetupStatus.SHORT_SAMPLE: "sensor.sample_time must be 0 or at least {BOUND:g} s, got "
+        "{VALUE:g} s",
+        SetupStatus.LONG_DEAD_TIME: "sensor.dead_time {VALUE:g} s is longer than "
+        f"{SensorLimits.MOST_SAMPLES} samples of {{BOUND:g}} s; lower it or raise "
+        "sensor.sample_time",
+        SetupStatus.ROPE_START: "rope.length must start above 0 m, got {VALUE:g}",
+        SetupStatus.ROPE_BOUNDS: "rope_min {VALUE:g} m must be less than rope_max {BOUND:g} m",
+        SetupStatus.LENGTHS: "the rope lengths of the feedback, {VALUE:g} to {BOUND:g} m, must be "
+        "ascending; set crane.rope_min and crane.rope_max",
+    },
+    {"AXIS": AXES},
+)
+
+TABLES = (PLAN, ROPE, PLANT, SETUP)

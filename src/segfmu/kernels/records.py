@@ -20,7 +20,8 @@ longest row.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -40,6 +41,8 @@ class Field:
         What names the entries of this field, or of each of its rows.
     variables : tuple of str
         FMU variables that feed it, one an entry; empty where none does.
+    base : int
+        Value of the variable that is 0 in the record: items of an enumeration count from 1.
     """
 
     meaning: str
@@ -47,6 +50,7 @@ class Field:
     size: int
     of: type[Record] | None
     variables: tuple[str, ...]
+    base: int = 0
 
 
 def field(
@@ -56,6 +60,7 @@ def field(
     size: int = 1,
     of: type[Record] | None = None,
     variables: Sequence[str] = (),
+    base: int = 0,
 ) -> Any:
     """Declare a field; in the finished record its name is the place of its first entry.
 
@@ -63,7 +68,7 @@ def field(
     """
     if variables and len(variables) != size:
         raise AssertionError(f"{meaning}: {len(variables)} variables for {size} entries")
-    return Field(meaning, unit, size, of, tuple(variables))
+    return Field(meaning, unit, size, of, tuple(variables), base)
 
 
 class Record:
@@ -92,6 +97,25 @@ class Record:
         cls.FIELDS = cls.FIELDS | own
         rows = [f.of for f in cls.FIELDS.values() if f.of is not None]
         cls.COLUMNS = max((r.COLUMNS or r.SIZE for r in rows), default=0)
+
+
+    @classmethod
+    def feeds(cls) -> Iterator[tuple[int, str, int]]:
+        """Place, variable and base of all entries that FMU variables feed."""
+        for name, declared in cls.FIELDS.items():
+            for i, variable in enumerate(declared.variables):
+                yield getattr(cls, name) + i, variable, declared.base
+
+    @classmethod
+    def fill(cls, record: Any, value: Callable[[str], Any]) -> None:
+        """Fill a record, an array (SIZE,), with the variables that feed it; `value` by name."""
+        for place, variable, base in cls.feeds():
+            record[place] = float(value(variable)) - base
+
+
+def c_name(declared: type) -> str:
+    """The name of a record or of codes in C, which its fields begin with."""
+    return re.sub(r"(?<=[a-z])(?=[A-Z])", "_", declared.__name__).upper()
 
 
 class Codes:

@@ -4,11 +4,24 @@ from __future__ import annotations
 
 from segfmu.fmu.gantry_crane.interface import native_spec, spec
 from segfmu.fmu.model import Model
+from segfmu.kernels.control.records import Expected, Tracking
+from segfmu.kernels.crane.records import Plant, State
+from segfmu.kernels.rig.records import (
+    Loop,
+    PayloadTable,
+    Sensors,
+    Setpoints,
+    Target,
+    WindNoise,
+)
 
 GANTRY_CRANE = Model(
     name="GantryCrane",
     package="segfmu.fmu.gantry_crane",
     spec=spec,
     native_spec=native_spec,
+    records=(
+        Loop, Sensors, Plant, State, Setpoints, Target, PayloadTable, WindNoise, Expected, Tracking,
+    ),
     slave="segfmu.fmu.gantry_crane.slave:CraneSlave",
 )

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from segfmu.fmu.gantry_feedforward.interface import native_spec, spec
 from segfmu.fmu.model import Model
+from segfmu.kernels.crane.records import Masses, RopeBounds
 
 GANTRY_FEEDFORWARD = Model(
     name="GantryFeedforward",
     package="segfmu.fmu.gantry_feedforward",
     spec=spec,
     native_spec=native_spec,
+    records=(Masses, RopeBounds),
     slave="segfmu.fmu.gantry_feedforward.slave:FeedforwardSlave",
 )

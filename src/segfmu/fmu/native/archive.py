@@ -13,7 +13,7 @@ from pathlib import Path
 
 from segfmu.errors import BuildError
 from segfmu.fmu.models import named
-from segfmu.fmu.native import tables
+from segfmu.fmu.native import feeds, tables
 from segfmu.fmu.native.compilers import (
     PLATFORMS,
     WARNINGS,
@@ -31,8 +31,8 @@ KERNELS = (
     "span.h",
 )
 GLUE = (
-    "arrays.h", "glue.h", "instance.c", "model.h", "say.c", "say.h", "simulation.c", "state.c",
-    "values.c",
+    "arrays.h", "feed.c", "feed.h", "glue.h", "instance.c", "model.h", "say.c", "say.h",
+    "simulation.c", "state.c", "values.c",
 )
 VERSIONS = {
     2: (
@@ -99,8 +99,11 @@ def sources(spec: Spec, fmi: int) -> dict[str, bytes]:
     """All sources of an FMU by their names in the archive, which has them in one folder."""
     found = _packaged("segfmu.kernels", KERNELS)
     found |= _packaged("segfmu.fmu.native", (*GLUE, *VERSIONS[fmi]))
-    found |= named(spec.name).sources
+    model = named(spec.name)
+    found |= model.sources
     found["variables.h"] = tables.header(spec, fmi).encode()
+    found["feeds.h"] = feeds.header(model.records).encode()
+    found["feeds.c"] = feeds.source(spec, model.records).encode()
     # start values are no part of the layout: gains are computed, and differ in their last digits
     found["build.h"] = tables.build(found).encode()
     found["variables.c"] = tables.source(spec, fmi).encode()

@@ -9971,6 +9971,91 @@ double segfmu_rig_imbalance(array_double_1d balance)
     kept = (*cspan_at(&balance, INT64_C(0))) + (*cspan_at(&balance, INT64_C(1))) - (*cspan_at(&balance, INT64_C(2)));
     return kept - gained;
 }
+/*Every axis has room between its end stops [m], least and greatest (Axes,). */
+int64_t segfmu_check_travel(array_double_1d least, array_double_1d greatest, array_double_1d fault)
+{
+    int64_t axis;
+    int64_t result;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        if (!((*cspan_at(&least, axis)) < (*cspan_at(&greatest, axis))))
+        {
+            (*cspan_at(&fault, INT64_C(0))) = axis;
+            (*cspan_at(&fault, INT64_C(1))) = (*cspan_at(&least, axis));
+            (*cspan_at(&fault, INT64_C(2))) = (*cspan_at(&greatest, axis));
+            return INT64_C(1);
+        }
+    }
+    return INT64_C(0);
+}
+/*Accelerations of velocity drives follow from the setpoints, as model exchange needs it.*/
+int64_t segfmu_check_lags(array_double_1d plant, array_double_1d fault)
+{
+    int64_t axis;
+    int64_t result;
+    if ((int64_t)((*cspan_at(&plant, INT64_C(4)))) == INT64_C(1))
+    {
+        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+        {
+            if ((*cspan_at(&plant, INT64_C(5) + axis)) == 0.0)
+            {
+                (*cspan_at(&fault, INT64_C(0))) = axis;
+                return INT64_C(2);
+            }
+        }
+    }
+    return INT64_C(0);
+}
+/*Noise and dead time belong to samples, and samples on their way find room. */
+int64_t segfmu_check_sensors(array_double_1d sensors, array_double_1d fault)
+{
+    double sample_time;
+    double dead_time;
+    double noise;
+    int64_t i;
+    int64_t result;
+    sample_time = (*cspan_at(&sensors, INT64_C(0)));
+    dead_time = (*cspan_at(&sensors, INT64_C(1)));
+    noise = 0.0;
+    for (i = INT64_C(0); i < INT64_C(13) - INT64_C(8); i += INT64_C(1))
+    {
+        noise = noise + (*cspan_at(&sensors, INT64_C(8) + i));
+    }
+    if ((sample_time == 0.0) && ((dead_time > 0.0) || (noise > 0.0)))
+    {
+        return INT64_C(3);
+    }
+    (*cspan_at(&fault, INT64_C(1))) = sample_time;
+    (*cspan_at(&fault, INT64_C(2))) = 1e-06;
+    if ((sample_time > 0.0) && (sample_time < (*cspan_at(&fault, INT64_C(2)))))
+    {
+        return INT64_C(4);
+    }
+    (*cspan_at(&fault, INT64_C(1))) = dead_time;
+    (*cspan_at(&fault, INT64_C(2))) = sample_time;
+    if (dead_time > INT64_C(100000) * sample_time)
+    {
+        return INT64_C(5);
+    }
+    return INT64_C(0);
+}
+/*The rope has a length [m] at the start, and bounds that ascend; a bound of 0 is none.*/
+int64_t segfmu_check_rope_bounds(double length, double shortest, double longest, array_double_1d fault)
+{
+    int64_t result;
+    (*cspan_at(&fault, INT64_C(1))) = length;
+    if (!(length > 0.0))
+    {
+        return INT64_C(6);
+    }
+    (*cspan_at(&fault, INT64_C(1))) = shortest;
+    (*cspan_at(&fault, INT64_C(2))) = longest;
+    if ((longest > 0.0) && (!(shortest < longest)))
+    {
+        return INT64_C(7);
+    }
+    return INT64_C(0);
+}
 /*First time after `time` [s] at which a piece of any axis begins or its last one ends.*/
 /*                                                                                     */
 /*    1e300 if there is none.                                                          */

@@ -52,6 +52,10 @@ void segfmu_rig_start(array_double_2d settings, array_double_2d changes, array_d
 int64_t segfmu_rig_step(array_double_2d settings, array_double_2d components, array_double_2d changes, array_double_3d table, array_double_3d gains, array_double_2d tracker, array_double_1d setpoints, double duration, array_double_2d memory);
 void segfmu_rig_balance(array_double_2d memory, array_double_1d balance);
 double segfmu_rig_imbalance(array_double_1d balance);
+int64_t segfmu_check_travel(array_double_1d least, array_double_1d greatest, array_double_1d fault);
+int64_t segfmu_check_lags(array_double_1d plant, array_double_1d fault);
+int64_t segfmu_check_sensors(array_double_1d sensors, array_double_1d fault);
+int64_t segfmu_check_rope_bounds(double length, double shortest, double longest, array_double_1d fault);
 double segfmu_same_break(double time);
 double segfmu_next_plan_event(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends, array_double_2d times);
 double segfmu_right_of_break(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends);

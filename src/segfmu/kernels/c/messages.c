@@ -226,3 +226,63 @@ bool segfmu_plant_message(
         return false;
     }
 }
+
+bool segfmu_setup_message(
+    int64_t status, const double *report, char *text, size_t size)
+{
+    static const char *const axis[] = {"bridge", "trolley", "rope"};
+    switch (status) {
+    case 1:
+        snprintf(text, size,
+            "travel.%s: min %g m must be below max %g m",
+            axis[(int)report[SETUP_FAULT_AXIS]],
+            report[SETUP_FAULT_VALUE],
+            report[SETUP_FAULT_BOUND]);
+        return true;
+    case 2:
+        snprintf(text, size,
+            "in model exchange with drive.mode velocity, the lag of the %s drive must be "
+            "above 0 s, as without lag the acceleration does not follow from the "
+            "setpoints; set a lag, or use co-simulation",
+            axis[(int)report[SETUP_FAULT_AXIS]]);
+        return true;
+    case 3:
+        snprintf(text, size,
+            "sensor noise and dead_time belong to samples: set sensor.sample_time above "
+            "0 s");
+        return true;
+    case 4:
+        snprintf(text, size,
+            "sensor.sample_time must be 0 or at least %g s, got %g s",
+            report[SETUP_FAULT_BOUND],
+            report[SETUP_FAULT_VALUE]);
+        return true;
+    case 5:
+        snprintf(text, size,
+            "sensor.dead_time %g s is longer than 100000 samples of %g s; lower it or "
+            "raise sensor.sample_time",
+            report[SETUP_FAULT_VALUE],
+            report[SETUP_FAULT_BOUND]);
+        return true;
+    case 6:
+        snprintf(text, size,
+            "rope.length must start above 0 m, got %g",
+            report[SETUP_FAULT_VALUE]);
+        return true;
+    case 7:
+        snprintf(text, size,
+            "rope_min %g m must be less than rope_max %g m",
+            report[SETUP_FAULT_VALUE],
+            report[SETUP_FAULT_BOUND]);
+        return true;
+    case 8:
+        snprintf(text, size,
+            "the rope lengths of the feedback, %g to %g m, must be ascending; set "
+            "crane.rope_min and crane.rope_max",
+            report[SETUP_FAULT_VALUE],
+            report[SETUP_FAULT_BOUND]);
+        return true;
+    default:
+        return false;
+    }
+}

@@ -13,5 +13,7 @@ bool segfmu_rope_message(
     int64_t status, const double *report, char *text, size_t size);
 bool segfmu_plant_message(
     int64_t status, const double *report, char *text, size_t size);
+bool segfmu_setup_message(
+    int64_t status, const double *report, char *text, size_t size);
 
 #endif

@@ -1446,6 +1446,99 @@ static PyObject *call_rig_imbalance(
     return answer;
 }
 
+static PyObject *call_check_travel(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "check_travel", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_least;
+    Py_buffer *in_greatest;
+    Py_buffer *in_fault;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && (in_least = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_greatest = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_fault = take_array(&call, 2, 1, 'd', true)) != NULL
+        && has_at_least(&call, "least", 0, in_least->shape[0], 3)
+        && has_at_least(&call, "greatest", 0, in_greatest->shape[0], 3)
+        && has_at_least(&call, "fault", 0, in_fault->shape[0], 3)) {
+        answer = PyLong_FromLongLong(segfmu_check_travel(
+            (array_double_1d){in_least->buf, {in_least->shape[0]}},
+            (array_double_1d){in_greatest->buf, {in_greatest->shape[0]}},
+            (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_check_lags(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "check_lags", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_plant;
+    Py_buffer *in_fault;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_fault = take_array(&call, 1, 1, 'd', true)) != NULL
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 37)
+        && has_at_least(&call, "fault", 0, in_fault->shape[0], 3)) {
+        answer = PyLong_FromLongLong(segfmu_check_lags(
+            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
+            (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_check_sensors(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "check_sensors", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_sensors;
+    Py_buffer *in_fault;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_sensors = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_fault = take_array(&call, 1, 1, 'd', true)) != NULL
+        && has_at_least(&call, "sensors", 0, in_sensors->shape[0], 18)
+        && has_at_least(&call, "fault", 0, in_fault->shape[0], 3)) {
+        answer = PyLong_FromLongLong(segfmu_check_sensors(
+            (array_double_1d){in_sensors->buf, {in_sensors->shape[0]}},
+            (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_check_rope_bounds(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "check_rope_bounds", .values = values};
+    PyObject *answer = NULL;
+    double in_length;
+    double in_shortest;
+    double in_longest;
+    Py_buffer *in_fault;
+    (void)self;
+    if (take_count(&call, count, 4)
+        && take_float(&call, 0, &in_length)
+        && take_float(&call, 1, &in_shortest)
+        && take_float(&call, 2, &in_longest)
+        && (in_fault = take_array(&call, 3, 1, 'd', true)) != NULL
+        && has_at_least(&call, "fault", 0, in_fault->shape[0], 3)) {
+        answer = PyLong_FromLongLong(segfmu_check_rope_bounds(
+            in_length,
+            in_shortest,
+            in_longest,
+            (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_same_break(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -1686,6 +1779,10 @@ static PyMethodDef methods[] = {
     {"rig_step", (PyCFunction)(void (*)(void))call_rig_step, METH_FASTCALL, NULL},
     {"rig_balance", (PyCFunction)(void (*)(void))call_rig_balance, METH_FASTCALL, NULL},
     {"rig_imbalance", (PyCFunction)(void (*)(void))call_rig_imbalance, METH_FASTCALL, NULL},
+    {"check_travel", (PyCFunction)(void (*)(void))call_check_travel, METH_FASTCALL, NULL},
+    {"check_lags", (PyCFunction)(void (*)(void))call_check_lags, METH_FASTCALL, NULL},
+    {"check_sensors", (PyCFunction)(void (*)(void))call_check_sensors, METH_FASTCALL, NULL},
+    {"check_rope_bounds", (PyCFunction)(void (*)(void))call_check_rope_bounds, METH_FASTCALL, NULL},
     {"same_break", (PyCFunction)(void (*)(void))call_same_break, METH_FASTCALL, NULL},
     {"next_plan_event", (PyCFunction)(void (*)(void))call_next_plan_event, METH_FASTCALL, NULL},
     {"right_of_break", (PyCFunction)(void (*)(void))call_right_of_break, METH_FASTCALL, NULL},

@@ -124,7 +124,7 @@ class Kalman(Doubling):
 class Tracking(Record):
     """Parameters of the tracking controller."""
 
-    MODE = field("what the drives follow, see DriveMode", variables=("drive.mode",))
+    MODE = field("what the drives follow, see DriveMode", variables=("drive.mode",), base=1)
     PERIOD = field("sample time", "s", variables=("feedback.sample_time",))
     DELAYED = field("1: measurements are one sample old")
     MASSES = field("masses that move in x, in y and with the rope", "kg", size=3)

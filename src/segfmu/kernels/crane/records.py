@@ -112,7 +112,7 @@ class Masses(Record):
 class Plant(Masses):
     """Parameters of the crane with its drives; 0 where a bound or an effect is absent."""
 
-    MODE = field("what the drives follow, see DriveMode", variables=("drive.mode",))
+    MODE = field("what the drives follow, see DriveMode", variables=("drive.mode",), base=1)
     LAG = field(
         "time constants of the velocity loops", "s", size=3,
         variables=[f"drive.{d}.lag" for d in DRIVES],
@@ -147,7 +147,9 @@ class Plant(Masses):
     WIND = field("constant wind", "N", size=3, variables=[f"wind.constant.{a}" for a in "xyz"])
     GUST_START = field("start of the gust", "s", variables=("wind.gust.start",))
     GUST_DURATION = field("duration of the gust", "s", variables=("wind.gust.duration",))
-    GUST_SHAPE = field("force of the gust over time, see GustShape", variables=("wind.gust.shape",))
+    GUST_SHAPE = field(
+        "force of the gust over time, see GustShape", variables=("wind.gust.shape",), base=1
+    )
     GUST_FORCE = field(
         "greatest force of the gust", "N", size=3,
         variables=[f"wind.gust.force.{a}" for a in "xyz"],

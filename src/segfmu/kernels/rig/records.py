@@ -31,6 +31,40 @@ class RigStatus(Codes):
     TICK = -1
 
 
+class SensorLimits(Codes):
+    """Samples that can be on their way at a time, for each of which there is memory."""
+
+    MOST_SAMPLES = 100000
+
+
+class SetupStatus(Codes):
+    """What is wrong with the parameters of a rig; `SetupFault` says where.
+
+    EMPTY_TRAVEL: an axis has no room between its end stops. NO_LAG: without lag, the acceleration
+    of a velocity drive does not follow from its setpoint. NOT_SAMPLED, SHORT_SAMPLE,
+    LONG_DEAD_TIME: of the sensors. ROPE_START: the rope has no length. ROPE_BOUNDS: its bounds are
+    not ascending, LENGTHS: nor are those of the feedback.
+    """
+
+    FITS = 0
+    EMPTY_TRAVEL = 1
+    NO_LAG = 2
+    NOT_SAMPLED = 3
+    SHORT_SAMPLE = 4
+    LONG_DEAD_TIME = 5
+    ROPE_START = 6
+    ROPE_BOUNDS = 7
+    LENGTHS = 8
+
+
+class SetupFault(Record):
+    """A parameter that does not fit."""
+
+    AXIS = field("axis, from 0")
+    VALUE = field("value that does not fit")
+    BOUND = field("what it does not fit to")
+
+
 class Loop(Record):
     """Settings of the sampled loop."""
 
@@ -78,6 +112,34 @@ class PayloadChange(Record):
 
     TIME = field("from when on", "s")
     MASS = field("mass of the load", "kg")
+
+
+class PayloadTable(Record):
+    """Changes of the load, as many as an FMU has room for."""
+
+    CHANGES = field(
+        "change after change, see PayloadChange", size=4 * PayloadChange.SIZE,
+        variables=[f"payload[{i}].{n}" for i in range(1, 5) for n in ("time", "mass")],
+    )
+
+
+class WindNoise(Record):
+    """Noise of the wind."""
+
+    DEVIATION = field(
+        "standard deviations along x, y and z", "N", size=3,
+        variables=[f"wind.noise.deviation.{a}" for a in "xyz"],
+    )
+    BANDWIDTH = field("largest frequency", "Hz", variables=("wind.noise.bandwidth",))
+
+
+class Target(Record):
+    """Where the load shall be."""
+
+    LOAD = field(
+        "reference of its position", "m", size=3,
+        variables=[f"reference.load.position.{a}" for a in "xyz"],
+    )
 
 
 class Setpoints(Record):

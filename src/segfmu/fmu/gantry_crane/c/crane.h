@@ -8,14 +8,14 @@
 
 /* numbers of rows that there is room for, and sizes of the tables' parts for a rope length */
 enum {
-    COMPONENTS = 32, CHANGES = 4, MOST_LENGTHS = MODEL_ROWS, MOST_SAMPLES = 100000,
+    COMPONENTS = 32, CHANGES = PAYLOAD_TABLE_SIZE / PAYLOAD_CHANGE_SIZE, MOST_LENGTHS = MODEL_ROWS,
     GAINS_BLOCK = GAINS_SIZE * GAINS_COLUMNS, OBSERVER_BLOCK = OBSERVER_SIZE * OBSERVER_COLUMNS
 };
 
 typedef struct {
     model base;
     double settings[SETTINGS_SIZE * SETTINGS_COLUMNS], setpoints[SETPOINTS_SIZE];
-    double changes[CHANGES * PAYLOAD_CHANGE_SIZE], components[COMPONENTS * SINUSOID_SIZE];
+    double changes[PAYLOAD_TABLE_SIZE], components[COMPONENTS * SINUSOID_SIZE];
     double gains[MOST_LENGTHS * GAINS_BLOCK];
     /* of source measured: the observer's table, and what the controller remembers */
     double observer[MOST_LENGTHS * OBSERVER_BLOCK];

@@ -1,19 +1,10 @@
 /* GantryCrane: inputs over a communication step. */
-#include <string.h>
-
 #include "crane.h"
-
-/* What is read as one array lies side by side. */
-#define SIDE_BY_SIDE(first, last, count) \
-    typedef char first##_is_first[(last) - (first) == (count) - 1 ? 1 : -1]
-SIDE_BY_SIDE(V_FORCE_BRIDGE, V_REFERENCE_SWAY_Y_RATE, SETPOINTS_WIND);
-SIDE_BY_SIDE(V_WIND_X, V_WIND_Z, 3);
+#include "feeds.h"
 
 void crane_read_inputs(crane *m)
 {
-    const double *real = m->base.real;
-    memcpy(m->setpoints, &real[V_FORCE_BRIDGE], SETPOINTS_WIND * sizeof *real);
-    memcpy(m->setpoints + SETPOINTS_WIND, &real[V_WIND_X], VECTOR_SIZE * sizeof *real);
+    feed_record(&feeds_setpoints, &m->base, m->setpoints);
 }
 
 /* An input over the time between two times: its values, its slope at the end, and what it has of the
@@ -39,26 +30,37 @@ static segment follow_derivatives(const model *base, int i, double time)
     return s;
 }
 
-void crane_follow_inputs(crane *m, double time)
+/* Follow an input, by its place in `real`, to a time within the step. */
+static segment follow_input(crane *m, int i, double time)
 {
     const model *base = &m->base;
     double now = base->real[V_TIME], share = (time - now) / (base->step_end - now);
+    double start = m->input[i];
+    double end = time < base->step_end ? start + (base->real[i] - start) * share : base->real[i];
+    segment s = {start, end, (end - start) / (time - now), 0.0, 0.0};
+    if (base->sloped) {
+        s = follow_derivatives(base, i, time);
+    }
+    m->input[i] = s.end;
+    m->slope[i] = s.slope;
+    return s;
+}
+
+void crane_follow_inputs(crane *m, double time)
+{
     crane_read_inputs(m);
-    for (int i = 0; i < V_WIND_X; i++) {
-        double start = m->input[i];
-        double end = time < base->step_end ? start + (base->real[i] - start) * share
-                                           : base->real[i];
-        segment s = {start, end, (end - start) / (time - now), 0.0, 0.0};
-        if (base->sloped) {
-            s = follow_derivatives(base, i, time);
+    for (int64_t k = 0; k < feeds_setpoints.count; k++) {
+        int place = feeds_setpoints.rows[k].place;
+        /* the wind is held */
+        if (place < SETPOINTS_WIND) {
+            segment s = follow_input(m, feeds_setpoints.rows[k].offset, time);
+            row(m, MEMORY_LAST)[place] = s.start;
+            m->setpoints[place] = s.end;
+            row(m, MEMORY_SQUARE)[place] = s.square;
+            row(m, MEMORY_CUBE)[place] = s.cube;
         }
-        m->input[i] = s.end;
-        m->slope[i] = s.slope;
-        if (i < V_REFERENCE_LOAD_POSITION_X) {
-            row(m, MEMORY_LAST)[i] = s.start;
-            m->setpoints[i] = s.end;
-            row(m, MEMORY_SQUARE)[i] = s.square;
-            row(m, MEMORY_CUBE)[i] = s.cube;
-        }
+    }
+    for (int64_t k = 0; k < feeds_target.count; k++) {
+        follow_input(m, feeds_target.rows[k].offset, time);
     }
 }

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "crane.h"
-#include "say.h"
+#include "messages.h"
 
 bool crane_rope_range(const crane *m, double range[2], char message[MESSAGE])
 {
@@ -11,9 +11,9 @@ bool crane_rope_range(const crane *m, double range[2], char message[MESSAGE])
     double shortest = real[V_CRANE_ROPE_MIN], longest = real[V_CRANE_ROPE_MAX];
     range[0] = shortest > 0.0 ? shortest : 0.2 * real[V_ROPE_LENGTH];
     range[1] = longest > 0.0 ? longest : 5.0 * real[V_ROPE_LENGTH];
+    const double fault[SETUP_FAULT_SIZE] = {0.0, range[0], range[1]};
     return range[0] <= range[1]
-        || say(message, "the rope lengths of the feedback, %g to %g m, must be ascending; set "
-               "crane.rope_min and crane.rope_max", range[0], range[1]);
+        || !segfmu_setup_message(SETUP_STATUS_LENGTHS, fault, message, MESSAGE);
 }
 
 double crane_node(const double range[2], int64_t row)

@@ -173,7 +173,7 @@ bool model_partial(model *base, const variable *unknown, const variable *known, 
     crane *m = (crane *)base;
     known_place k;
     bool rig;
-    if (base->interface != 0 || unknown->kind != KIND_REAL || !unknown->calculated
+    if (base->interface != MODEL_EXCHANGE || unknown->kind != KIND_REAL || !unknown->calculated
         || !find_known(m, known, &k) || !differentiate(m)) {
         return false;
     }
@@ -200,7 +200,7 @@ bool model_output_derivative(model *base, const variable *output, int64_t order,
 {
     crane *m = (crane *)base;
     bool rig, smooth;
-    if (base->interface == 0 || order != 1) {
+    if (base->interface == MODEL_EXCHANGE || order != 1) {
         return false;
     }
     settle(m);

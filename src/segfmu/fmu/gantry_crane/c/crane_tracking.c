@@ -3,13 +3,8 @@
 #include <string.h>
 
 #include "crane.h"
+#include "feeds.h"
 #include "say.h"
-
-/* What is read as one array lies side by side. */
-typedef char expected_is_first
-    [V_FEEDBACK_OBSERVER_WIND - V_FEEDBACK_OBSERVER_POSITION == 4 ? 1 : -1];
-typedef char bridge_is_first
-    [V_ESTIMATE_DISTURBANCE_LOAD_Y - V_ESTIMATE_DISTURBANCE_BRIDGE == 4 ? 1 : -1];
 
 static const double UNLIMITED = 1e99;
 
@@ -19,7 +14,7 @@ static bool design_observer(crane *m, const double range[2], char message[MESSAG
     const double *real = m->base.real;
     enum { COLUMNS = 2 * AXIS_MODEL_SIZE };
     double work[KALMAN_SIZE * COLUMNS], expected[EXPECTED_SIZE], plant[PLANT_SIZE];
-    memcpy(expected, &real[V_FEEDBACK_OBSERVER_POSITION], sizeof expected);
+    feed_record(&feeds_expected, &m->base, expected);
     expected[EXPECTED_DRIFT] *= real[V_CRANE_GRAVITY];
     expected[EXPECTED_WIND] *= real[V_CRANE_GRAVITY];
     crane_nominal(m, plant);
@@ -46,7 +41,6 @@ static void set_offset(crane *m, double longest)
     double *p = setting(m, SETTINGS_TRACKING), gravity = real[V_CRANE_GRAVITY];
     double angle = real[V_FEEDBACK_OBSERVER_ANGLE];
     double place = fmax(real[V_FEEDBACK_OBSERVER_POSITION], real[V_FEEDBACK_OBSERVER_LENGTH]);
-    p[TRACKING_OFFSET_EXPECTED] = real[V_FEEDBACK_OBSERVER_OFFSET];
     p[TRACKING_OFFSET_BANDWIDTH] = fmin(OFFSET_RATIO * sqrt(gravity / longest),
                 LARGEST_OFFSET_ANGLE / real[V_FEEDBACK_SAMPLE_TIME]);
     p[TRACKING_ANGLE_VARIANCE] = angle * angle / 12.0;
@@ -67,14 +61,12 @@ bool crane_set_tracking(crane *m, char message[MESSAGE])
     if (!crane_rope_range(m, range, message) || !design_observer(m, range, message)) {
         return false;
     }
-    p[TRACKING_MODE] = driven(m) ? DRIVE_MODE_VELOCITY : DRIVE_MODE_FORCE;
-    p[TRACKING_PERIOD] = period;
     p[TRACKING_DELAYED] = real[V_SENSOR_DEAD_TIME] >= 0.5 * period;
     p[TRACKING_MASSES + AXES_BRIDGE] = real[V_CRANE_BRIDGE_MASS] + real[V_CRANE_TROLLEY_MASS];
     p[TRACKING_MASSES + AXES_TROLLEY] = real[V_CRANE_TROLLEY_MASS];
-    p[TRACKING_GRAVITY] = real[V_CRANE_GRAVITY];
-    for (int i = 0; i < 3; i++) {
-        double most = real[V_DRIVE_BRIDGE_LAG + 3 * i + (driven(m) ? 2 : 1)];
+    for (int i = 0; i < AXES_SIZE; i++) {
+        double most = setting(m, SETTINGS_PLANT)[(driven(m) ? PLANT_ACCELERATION_MAX
+                                                            : PLANT_FORCE_MAX) + i];
         p[TRACKING_GREATEST + i] = most > 0.0 ? most : UNLIMITED;
         p[TRACKING_LEAST + i] = -p[TRACKING_GREATEST + i];
     }
@@ -95,10 +87,7 @@ void crane_tune_tracking(crane *m, bool switched)
     /* both shares that are rejected, and whether corrections are made */
     double *switches = p + TRACKING_REJECTED_DRIFT, before[3];
     memcpy(before, switches, sizeof before);
-    p[TRACKING_REJECTED_DRIFT] = real[V_FEEDBACK_REJECTION_CARRIAGE];
-    p[TRACKING_REJECTED_WIND] = real[V_FEEDBACK_REJECTION_LOAD];
-    p[TRACKING_ENABLED] = (double)m->base.integer[V_FEEDBACK_ENABLED];
-    p[TRACKING_FADE] = fade;
+    feed_record(&feeds_tracking, &m->base, p);
     p[TRACKING_DECAY] = fade > 0.0 ? exp(-real[V_FEEDBACK_SAMPLE_TIME] / fade) : 0.0;
     p[TRACKING_GAINS_PAYLOAD] = m->base.integer[V_FEEDBACK_DESIGN] == 2 ? nominal_payload(m)
                                                     : real[V_FEEDBACK_TABLE_PAYLOAD_MASS];

@@ -4,9 +4,8 @@
 #include <string.h>
 
 #include "crane.h"
+#include "feeds.h"
 #include "say.h"
-
-enum { EXCHANGE = 0 };
 
 /* s by which an event may be met late: importers with fixed steps cannot do better */
 static const double LATEST_EVENT = 1.0;
@@ -22,7 +21,7 @@ const double model_nominals[MODEL_STATES + 1] = {
 /* Bytes of a block for sensors with these times; dead times that are refused need no room. */
 static size_t size_for(double sample_time, double dead_time)
 {
-    bool sampled = sample_time > 0.0 && dead_time >= 0.0 && dead_time <= MOST_SAMPLES * sample_time;
+    bool sampled = sample_time > 0.0 && dead_time >= 0.0 && dead_time <= SENSOR_LIMITS_MOST_SAMPLES * sample_time;
     int64_t rows = sampled ? segfmu_rig_rows(sample_time, dead_time) : segfmu_rig_rows(0.0, 0.0);
     return sizeof(crane) + (size_t)rows * MEMORY_COLUMNS * sizeof(double);
 }
@@ -103,7 +102,7 @@ int64_t model_rows(const model *base)
 
 static bool in_exchange(const crane *m)
 {
-    return m->base.interface == EXCHANGE;
+    return m->base.interface == MODEL_EXCHANGE;
 }
 
 double crane_elapsed(const crane *m)
@@ -146,6 +145,7 @@ static void start_rates(crane *m)
 bool model_initialise(model *base, char message[MESSAGE])
 {
     crane *m = (crane *)base;
+    double state[STATE_SIZE];
     m->rows = 0;
     if (!crane_set_up(m, message)) {
         return false;
@@ -153,8 +153,9 @@ bool model_initialise(model *base, char message[MESSAGE])
     const double *sensors = setting(m, SETTINGS_SENSORS);
     m->rows = segfmu_rig_rows(sensors[SENSORS_SAMPLE_TIME], sensors[SENSORS_DEAD_TIME]);
     crane_read_inputs(m);
+    feed_record(&feeds_state, base, state);
     segfmu_rig_start(
-        settings_of(m), changes_of(m), vector(&base->real[V_BRIDGE_POSITION], STATE_SIZE),
+        settings_of(m), changes_of(m), vector(state, STATE_SIZE),
         vector(m->setpoints, SETPOINTS_SIZE), base->real[V_TIME], memory_of(m));
     for (int i = 0; i < 3; i++) {
         base->integer[V_DRIVE_BRIDGE_SATURATED + i] = 0;

@@ -18,8 +18,6 @@ enum {
     MODE_UPDATE = 256
 };
 
-enum { MODEL_EXCHANGE, CO_SIMULATION, NO_INTERFACE };
-
 typedef struct instance instance;
 typedef void (*reporter)(instance *c, int status, const char *category, const char *message);
 /* any function; cast back to its own type before it is called */

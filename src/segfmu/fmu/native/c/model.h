@@ -16,6 +16,9 @@ enum { MESSAGE = 400 };
 /* s; times beyond it have no microseconds */
 #define LATEST 1e9
 
+/* interfaces of an instance */
+enum { MODEL_EXCHANGE, CO_SIMULATION, NO_INTERFACE };
+
 /* orders of the derivatives of inputs */
 enum { INPUT_ORDERS = 3 };
 

@@ -1,0 +1,28 @@
+/* Records of the kernels from variables, and variables from records, by tables of their places. */
+#ifndef SEGFMU_FEED_H
+#define SEGFMU_FEED_H
+
+#include "model.h"
+
+typedef struct {
+    uint16_t place;   /* in the record */
+    uint16_t offset;  /* of the variable, in `real` or `integer` */
+    uint8_t base;     /* value of the variable that is 0 in the record */
+    bool whole;       /* the variable is in `integer` */
+} feed;
+
+typedef struct {
+    const feed *rows;
+    int64_t count;
+} feeds;
+
+/* Fill a record; what no variable feeds stays. */
+void feed_record(const feeds *table, const model *m, double record[]);
+
+/* Set the variables of a record; a Boolean is true above 0. */
+void show_record(const feeds *table, const double record[], model *m);
+
+/* The place of a variable, by its offset in `real`, in a record; -1 where it has none. */
+int feed_place(const feeds *table, int64_t offset);
+
+#endif

@@ -1,0 +1,52 @@
+"""Which variables feed the kernels' records, as tables in C: from the records' declarations."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from segfmu.errors import BuildError
+from segfmu.fmu.native.tables import BANNER, Layout, layout
+from segfmu.fmu.standard.spec import Spec
+from segfmu.kernels.records import Record, c_name
+
+
+def header(records: Sequence[type[Record]]) -> str:
+    """The text of feeds.h."""
+    tables = "".join(f"extern const feeds {_name(r)};\n" for r in records)
+    return (
+        f'{BANNER}#ifndef SEGFMU_FEEDS_H\n#define SEGFMU_FEEDS_H\n\n#include "feed.h"\n\n'
+        f"{tables}\n#endif\n"
+    )
+
+
+def source(spec: Spec, records: Sequence[type[Record]]) -> str:
+    """The text of feeds.c.
+
+    Raises
+    ------
+    BuildError
+        For a record that no variable of the specification feeds as it says.
+    """
+    placed = layout(spec)
+    tables = "\n".join(_table(spec, r, placed) for r in records)
+    return f'{BANNER}#include "feeds.h"\n\n{tables}'
+
+
+def _table(spec: Spec, record: type[Record], placed: Layout) -> str:
+    kinds = {v.name: v.kind for v in spec.variables}
+    rows = []
+    for place, variable, base in record.feeds():
+        if variable not in kinds:
+            raise BuildError(f"{record.__name__}: {spec.name} has no variable {variable}")
+        whole = "false" if kinds[variable] == "Real" else "true"
+        rows.append(f"    {{{place}, {placed.offsets[variable]}, {base}, {whole}}}")
+    name = _name(record)
+    lines = ",\n".join(rows)
+    return (
+        f"static const feed {name}_rows[] = {{\n{lines}\n}};\n"
+        f"const feeds {name} = {{{name}_rows, {len(rows)}}};\n"
+    )
+
+
+def _name(record: type[Record]) -> str:
+    return f"feeds_{c_name(record).lower()}"

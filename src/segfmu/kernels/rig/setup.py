@@ -1,0 +1,57 @@
+"""Whether the parameters of a rig fit together. Statuses are those of SetupStatus."""
+
+from segfmu.kernels.crane.records import Axes, DriveMode, Plant
+from segfmu.kernels.rig.records import SensorLimits, Sensors, SetupFault, SetupStatus
+
+
+def check_travel(least: 'float[:]', greatest: 'float[:]', fault: 'float[:]') -> int:
+    """Every axis has room between its end stops [m], least and greatest (Axes,)."""
+    for axis in range(Axes.SIZE):
+        if not least[axis] < greatest[axis]:
+            fault[SetupFault.AXIS] = axis
+            fault[SetupFault.VALUE] = least[axis]
+            fault[SetupFault.BOUND] = greatest[axis]
+            return SetupStatus.EMPTY_TRAVEL
+    return SetupStatus.FITS
+
+
+def check_lags(plant: 'float[:]', fault: 'float[:]') -> int:
+    """Accelerations of velocity drives follow from the setpoints, as model exchange needs it."""
+    if int(plant[Plant.MODE]) == DriveMode.VELOCITY:
+        for axis in range(Axes.SIZE):
+            if plant[Plant.LAG + axis] == 0.0:
+                fault[SetupFault.AXIS] = axis
+                return SetupStatus.NO_LAG
+    return SetupStatus.FITS
+
+
+def check_sensors(sensors: 'float[:]', fault: 'float[:]') -> int:
+    """Noise and dead time belong to samples, and samples on their way find room."""
+    sample_time = sensors[Sensors.SAMPLE_TIME]
+    dead_time = sensors[Sensors.DEAD_TIME]
+    noise = 0.0
+    for i in range(Sensors.RESOLUTION - Sensors.DEVIATION):
+        noise = noise + sensors[Sensors.DEVIATION + i]
+    if sample_time == 0.0 and (dead_time > 0.0 or noise > 0.0):
+        return SetupStatus.NOT_SAMPLED
+    fault[SetupFault.VALUE] = sample_time
+    fault[SetupFault.BOUND] = 1e-6
+    if sample_time > 0.0 and sample_time < fault[SetupFault.BOUND]:
+        return SetupStatus.SHORT_SAMPLE
+    fault[SetupFault.VALUE] = dead_time
+    fault[SetupFault.BOUND] = sample_time
+    if dead_time > SensorLimits.MOST_SAMPLES * sample_time:
+        return SetupStatus.LONG_DEAD_TIME
+    return SetupStatus.FITS
+
+
+def check_rope_bounds(length: float, shortest: float, longest: float, fault: 'float[:]') -> int:
+    """The rope has a length [m] at the start, and bounds that ascend; a bound of 0 is none."""
+    fault[SetupFault.VALUE] = length
+    if not length > 0.0:
+        return SetupStatus.ROPE_START
+    fault[SetupFault.VALUE] = shortest
+    fault[SetupFault.BOUND] = longest
+    if longest > 0.0 and not shortest < longest:
+        return SetupStatus.ROPE_BOUNDS
+    return SetupStatus.FITS
