@@ -38,6 +38,7 @@ from segfmu.kernels.rig.records import (
     Corrector,
     Loop,
     Memory,
+    Outputs,
     RigStatus,
     Sensors,
     Settings,
@@ -233,6 +234,12 @@ class Plant:
         values = np.zeros(Balance.SIZE)
         backend.rig_balance(self._memory, values)
         return EnergyBalance(*values.tolist())
+
+    def outputs(self, target: FloatArray) -> FloatArray:
+        """The kernels' `Outputs`; target: where the load shall be (3,) [m]."""
+        found = np.zeros(Outputs.SIZE)
+        backend.rig_outputs(target, self._memory, np.zeros(Balance.SIZE), found)
+        return found
 
     def step(self, duration: float, setpoints: Setpoints) -> None:
         """Advance by a duration [s] to the given setpoints.

@@ -21,6 +21,7 @@ from segfmu.kernels import backend
 from segfmu.kernels.control.records import (
     Correction,
     Estimate,
+    Estimates,
     Fading,
     OffsetEstimate,
     OffsetMemory,
@@ -206,6 +207,13 @@ class TrackingController:
         """What is added to the measured length of the rope [m]."""
         offset = self._memory[Tracker.OFFSET + OffsetMemory.ESTIMATE, OffsetEstimate.USED]
         return float(offset)
+
+    @property
+    def estimates(self) -> FloatArray:
+        """The kernels' `Estimates`."""
+        found = np.zeros(Estimates.SIZE)
+        backend.tracking_estimates(self._parameters, self._memory, found)
+        return found
 
     def reset(self, deviation: ArrayLike | None = None) -> None:
         """Forget the past.

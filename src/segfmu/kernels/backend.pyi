@@ -342,15 +342,6 @@ def rig_rates(
     /,
 ) -> int: ...
 
-def rig_partials(
-    components: Floats,
-    time: float,
-    memory: Floats,
-    work: Floats,
-    partials: Floats,
-    /,
-) -> bool: ...
-
 def rig_rows(
     sample_time: float,
     dead_time: float,
@@ -390,6 +381,30 @@ def rig_imbalance(
     balance: Floats,
     /,
 ) -> float: ...
+
+def rig_outputs(
+    target: Floats,
+    memory: Floats,
+    balance: Floats,
+    outputs: Floats,
+    /,
+) -> None: ...
+
+def tracking_estimates(
+    parameters: Floats,
+    tracker: Floats,
+    estimates: Floats,
+    /,
+) -> None: ...
+
+def rig_partials(
+    components: Floats,
+    time: float,
+    memory: Floats,
+    work: Floats,
+    partials: Floats,
+    /,
+) -> bool: ...
 
 def check_travel(
     least: Floats,

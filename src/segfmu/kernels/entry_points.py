@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from segfmu.kernels.control.records import (
     AxisModel,
     Estimate,
+    Estimates,
     Expected,
     Gains,
     Kalman,
@@ -62,6 +63,7 @@ from segfmu.kernels.rig.records import (
     Balance,
     Energies,
     Memory,
+    Outputs,
     PayloadChange,
     RigPartials,
     RigVariables,
@@ -69,6 +71,7 @@ from segfmu.kernels.rig.records import (
     Setpoints,
     Settings,
     SetupFault,
+    Target,
 )
 from segfmu.kernels.trajectory.records import Check, Expansion, Timing
 
@@ -235,6 +238,14 @@ ENTRY_POINTS = (
         table=("nodes", Observer.SIZE, Observer.COLUMNS),
         gains=("lengths", Gains.SIZE, Gains.COLUMNS), tracker=(Tracker.SIZE, Tracker.COLUMNS),
         setpoints=Setpoints.SIZE, memory=(Memory.SIZE, Memory.COLUMNS),
+    ),
+    entry(
+        "rig.outputs", "rig_outputs", target=Target.SIZE, memory=(Memory.SIZE, Memory.COLUMNS),
+        balance=Balance.SIZE, outputs=Outputs.SIZE,
+    ),
+    entry(
+        "rig.outputs", "tracking_estimates", parameters=Tracking.SIZE,
+        tracker=(Tracker.SIZE, Tracker.COLUMNS), estimates=Estimates.SIZE,
     ),
     entry("rig.rig", "rig_balance", memory=(Memory.SIZE, Memory.COLUMNS), balance=Balance.SIZE),
     entry("rig.rig", "rig_imbalance", balance=Balance.SIZE),

@@ -11,7 +11,14 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-from segfmu.kernels.crane.records import AXES, PlantFault, PlantStatus, RopeDemand, RopeFault
+from segfmu.kernels.crane.records import (
+    AXES,
+    DRIVES,
+    PlantFault,
+    PlantStatus,
+    RopeDemand,
+    RopeFault,
+)
 from segfmu.kernels.planner.records import PlanStatus, Refusal
 from segfmu.kernels.records import Record
 from segfmu.kernels.rig.records import SensorLimits, SetupFault, SetupStatus
@@ -165,9 +172,9 @@ SETUP = Messages(
     "setup", SetupFault,
     {
         SetupStatus.EMPTY_TRAVEL: "travel.{AXIS}: min {VALUE:g} m must be below max {BOUND:g} m",
-        SetupStatus.NO_LAG: "in model exchange with drive.mode velocity, the lag of the {AXIS} "
-        "drive must be above 0 s, as without lag the acceleration does not follow from the "
-        "setpoints; set a lag, or use co-simulation",
+        SetupStatus.NO_LAG: "in model exchange with drive.mode velocity, drive.{DRIVE}.lag "
+        "must be above 0 s, as without lag the acceleration does not follow from the setpoints; "
+        "set a lag, or use co-simulation",
         SetupStatus.NOT_SAMPLED: "sensor noise and dead_time belong to samples: set "
         "sensor.sample_time above 0 s",
         SetupStatus.SHORT_SAMPLE: "sensor.sample_time must be 0 or at least {BOUND:g} s, got "
@@ -180,7 +187,7 @@ SETUP = Messages(
         SetupStatus.LENGTHS: "the rope lengths of the feedback, {VALUE:g} to {BOUND:g} m, must be "
         "ascending; set crane.rope_min and crane.rope_max",
     },
-    {"AXIS": AXES},
+    {"AXIS": AXES, "DRIVE": DRIVES},
 )
 
 TABLES = (PLAN, ROPE, PLANT, SETUP)

@@ -145,7 +145,7 @@ def test_start_time_is_the_time_of_disturbances(fmus: tuple[Path, Path]) -> None
         ({"drive.hoist.lag": -1.0}, "drive.hoist.lag must be at least 0"),
         ({"payload.count": 5}, "payload.count must be at least 0 and at most 4"),
         ({"sensor.dead_time": 0.1}, "set sensor.sample_time above 0 s"),
-        ({"travel.rope.min": 2.0, "travel.rope.max": 1.0}, "travel rope"),
+        ({"travel.rope.min": 2.0, "travel.rope.max": 1.0}, "travel.rope: min 2 m must be below"),
         ({"sensor.seed": -1}, "sensor.seed"),
         ({"wind.constant.x": float("nan")}, "wind constant must be finite"),
     ],

@@ -31,6 +31,7 @@ from segfmu.fmu.standard.spec import (
     time,
     triple,
 )
+from segfmu.kernels.rig.records import Outputs
 
 MODES = Enumeration("DriveMode", ("force", "velocity"), "what the drives follow")
 # of the rope lengths in the table of gains
@@ -81,7 +82,17 @@ def _outputs() -> list[Variable]:
             )
         )
         rows.append(output(f"drive.{drive}.power", "W", f"power of the {drive} drive"))
-    return [*rows, *_energies(), *estimates()]
+    rows += [*_energies(), *estimates()]
+    return [*rows, *_further({v.name for v in rows})]
+
+
+def _further(listed: set[str]) -> list[Variable]:
+    """Outputs of the record that have no text of their own here: as the record describes them."""
+    return [
+        output(name, declared.unit or None, declared.meaning)
+        for declared in Outputs.FIELDS.values()
+        for name in declared.variables if name not in listed
+    ]
 
 
 def _energies() -> list[Variable]:

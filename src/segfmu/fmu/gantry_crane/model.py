@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from segfmu.fmu.gantry_crane.interface import native_spec, spec
 from segfmu.fmu.model import Model
-from segfmu.kernels.control.records import Expected, Tracking
+from segfmu.kernels.control.records import Estimates, Expected, Tracking
 from segfmu.kernels.crane.records import Plant, State
 from segfmu.kernels.rig.records import (
+    Accelerations,
     Loop,
+    Outputs,
     PayloadTable,
     Sensors,
     Setpoints,
@@ -22,6 +24,7 @@ GANTRY_CRANE = Model(
     native_spec=native_spec,
     records=(
         Loop, Sensors, Plant, State, Setpoints, Target, PayloadTable, WindNoise, Expected, Tracking,
+        Outputs, Accelerations, Estimates,
     ),
     slave="segfmu.fmu.gantry_crane.slave:CraneSlave",
 )

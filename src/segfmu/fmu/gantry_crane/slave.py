@@ -28,22 +28,15 @@ from segfmu.fmu.gantry_crane.feedback_parameters import (
 )
 from segfmu.fmu.gantry_crane.rig_parameters import DRIVES, rig_from
 from segfmu.fmu.python.slave import SpecSlave
+from segfmu.kernels.control.records import Estimates
+from segfmu.kernels.records import Record
+from segfmu.kernels.rig.records import Outputs, Target
 
 STATE = gantry_crane.STATE
 FORCE = tuple(f"force.{d}" for d in DRIVES)
 VELOCITY = tuple(f"velocity.{d}" for d in DRIVES)
 REFERENCE = tuple(f"reference.{name}" for name in STATE)
-TARGET = tuple(f"reference.load.position.{a}" for a in "xyz")
 WIND = tuple(f"wind.{a}" for a in "xyz")
-MEASURED = tuple(f"measured.{name}" for name in STATE[:5])
-LOAD = tuple(f"load.{d}.{a}" for d in ("position", "velocity") for a in "xyz")
-ERROR = (*(f"error.load.{a}" for a in "xyz"), "error.load.norm")
-DRIVE = tuple(
-    f"drive.{d}.{n}" for n in ("force", "saturated", "power") for d in DRIVES
-)
-ENERGY = tuple(
-    f"energy.{n}" for n in ("kinetic", "potential", "drives", "wind", "payload", "dissipated")
-)
 ESTIMATE = tuple(v.name for v in estimates())
 POLES = ("bandwidth", "hoist_bandwidth", "damping")
 
@@ -137,24 +130,13 @@ class CraneSlave(SpecSlave):
         return Setpoints(*(self._vector(n) for n in (FORCE, VELOCITY, REFERENCE, WIND)))
 
     def _show(self, plant: Plant) -> None:
-        state, load = plant.state, plant.load
-        error = load[0] - self._vector(TARGET)
-        self.assign(STATE, state)
-        self.assign(MEASURED, plant.measured)
-        self.assign(LOAD, load.reshape(-1))
-        self.assign(ERROR, (*error, np.linalg.norm(error)))
-        self.assign(
-            DRIVE, (*plant.drive_force, *map(bool, plant.saturated), *plant.drive_power)
-        )
+        target = np.zeros(Target.SIZE)
+        Target.fill(target, self.value)
+        self._show_record(Outputs, plant.outputs(target))
         if self._tracking is not None:
-            carriages, loads = self._tracking.disturbance
-            payload, offset = self._tracking.payload, self._tracking.offset
-            self.assign(ESTIMATE, (payload, *carriages, *loads[:2], offset))
-        balance = plant.balance
-        self.assign(ENERGY, [getattr(balance, n.removeprefix("energy.")) for n in ENERGY])
-        self.assign(
-            ("energy.work", "energy.imbalance", "power.wind", "power.friction", "rope.force",
-             "payload.mass"),
-            (plant.work, balance.imbalance, plant.wind_power, plant.friction_power,
-             plant.rope_force, plant.payload_mass),
-        )
+            self._show_record(Estimates, self._tracking.estimates)
+
+    def _show_record(self, record: type[Record], values: Any) -> None:
+        for place, name, _ in record.feeds():
+            boolean = self.spec.variables[self.spec.references[name]].kind == "Boolean"
+            self.assign((name,), (values[place] > 0.0 if boolean else values[place],))

@@ -229,6 +229,8 @@ static void command_velocities(array_double_1d setpoints, double duration, doubl
 static void command_forces(array_double_1d setpoints, double duration, array_double_2d memory);
 static int64_t advance_plant(array_double_2d settings, array_double_2d components, array_double_1d setpoints, double duration, double until, array_double_2d memory);
 static double added_velocity(int64_t axis, double time, array_double_2d memory);
+static void load_outputs(array_double_1d target, array_double_2d memory, array_double_1d outputs);
+static void drive_outputs(array_double_2d memory, array_double_1d outputs);
 static double friction_slope(array_double_1d plant, int64_t axis, double velocity);
 static double gust_rate(double shape, double share);
 static double wind_slope(array_double_1d plant, array_double_2d components, double time, int64_t axis);
@@ -9525,6 +9527,214 @@ int64_t segfmu_rig_rates(array_double_2d components, array_double_1d setpoints, 
     result = plant_status(span_row(&memory, INT64_C(5)), span_row(&memory, INT64_C(4)), (*cspan_at(&work, INT64_C(13), INT64_C(6))));
     return result;
 }
+/*Rows of memory for sensors with these times [s]. */
+int64_t segfmu_rig_rows(double sample_time, double dead_time)
+{
+    int64_t result;
+    return INT64_C(33) + sensing_rows(sample_time, dead_time);
+}
+/*Put a state (10) and the setpoints at the start [s] into the memory and forget the past. */
+void segfmu_rig_start(array_double_2d settings, array_double_2d changes, array_double_1d state, array_double_1d setpoints, double start, array_double_2d memory)
+{
+    int64_t row;
+    int64_t i;
+    for (row = INT64_C(0); row < memory.shape[INT64_C(0)]; row += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < memory.shape[INT64_C(1)]; i += INT64_C(1))
+        {
+            (*cspan_at(&memory, row, i)) = 0.0;
+        }
+    }
+    for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(4), i)) = (*cspan_at(&state, i));
+    }
+    for (i = INT64_C(0); i < INT64_C(37); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(5), i)) = (*cspan_at(&settings, INT64_C(3), i));
+    }
+    for (i = INT64_C(0); i < INT64_C(19); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(7), i)) = (*cspan_at(&setpoints, i));
+    }
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(8), INT64_C(0) + i)) = (*cspan_at(&setpoints, INT64_C(0) + i));
+    }
+    (*cspan_at(&memory, INT64_C(8), INT64_C(6))) = (*cspan_at(&setpoints, INT64_C(0) + INT64_C(2)));
+    (*cspan_at(&memory, INT64_C(6), INT64_C(0))) = start;
+    (*cspan_at(&memory, INT64_C(6), INT64_C(4))) = next_change(changes, 0.0, memory);
+    change_payload(settings, changes, start, memory);
+    (*cspan_at(&memory, INT64_C(12), INT64_C(2))) = mechanical_energy(memory);
+    start_sensing(span_row(&settings, INT64_C(1)), span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(33), memory.shape[INT64_C(0)]));
+    update_signals(settings, 0.0, memory);
+}
+/*Advance by a duration [s] to the given setpoints; returns the status.                              */
+/*                                                                                                   */
+/*    A `PlantStatus`: the state is the last one without, and the step may be tried again. Or        */
+/*    `RigStatus.TICK`, where the caller corrects: the first rows of memory are a `Tick` without its */
+/*    correction; the caller puts that there, calls `switch_correction`, and then `rig_step` again   */
+/*    with the same arguments.                                                                       */
+/*                                                                                                   */
+int64_t segfmu_rig_step(array_double_2d settings, array_double_2d components, array_double_2d changes, array_double_3d table, array_double_3d gains, array_double_2d tracker, array_double_1d setpoints, double duration, array_double_2d memory)
+{
+    array_double_1d clock;
+    int64_t i;
+    double until;
+    int64_t status;
+    clock = span_row(&memory, INT64_C(6));
+    /*before anything that remembers, such as an observer, has seen it*/
+    if ((!(fabs(duration) < 1e+100)) || (!all_finite(setpoints, INT64_C(19))))
+    {
+        (*cspan_at(&clock, INT64_C(5))) = (*cspan_at(&clock, INT64_C(0))) + (*cspan_at(&clock, INT64_C(1)));
+        return INT64_C(4);
+    }
+    status = INT64_C(0);
+    if ((*cspan_at(&clock, INT64_C(2))) == 0.0)
+    {
+        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        {
+            (*cspan_at(&memory, INT64_C(8), INT64_C(10) + i)) = 0.0;
+        }
+    }
+    while((status == INT64_C(0)) && ((*cspan_at(&clock, INT64_C(2))) < duration))
+    {
+        if (controller_due(settings, memory))
+        {
+            prepare_tick(settings, setpoints, duration, memory);
+            if ((int64_t)((*cspan_at(&settings, INT64_C(0), INT64_C(0)))) == INT64_C(0))
+            {
+                return -INT64_C(1);
+            }
+            correct_setpoints(settings, table, gains, tracker, memory);
+        }
+        until = next_event(settings, duration, memory);
+        status = advance_plant(settings, components, setpoints, duration, until, memory);
+        if (status == INT64_C(0))
+        {
+            (*cspan_at(&clock, INT64_C(2))) = until;
+            handle_events(settings, changes, memory);
+        }
+    }
+    (*cspan_at(&clock, INT64_C(2))) = 0.0;
+    if (status == INT64_C(0))
+    {
+        (*cspan_at(&clock, INT64_C(1))) = (*cspan_at(&clock, INT64_C(1))) + duration;
+        for (i = INT64_C(0); i < INT64_C(19); i += INT64_C(1))
+        {
+            (*cspan_at(&memory, INT64_C(7), i)) = (*cspan_at(&setpoints, i));
+            (*cspan_at(&memory, INT64_C(10), i)) = 0.0;
+            (*cspan_at(&memory, INT64_C(11), i)) = 0.0;
+        }
+    }
+    update_signals(settings, (*cspan_at(&clock, INT64_C(1))), memory);
+    return status;
+}
+/*Energies [J], a `Balance` (7). */
+void segfmu_rig_balance(array_double_2d memory, array_double_1d balance)
+{
+    array_double_1d state;
+    array_double_1d energy;
+    state = span_row(&memory, INT64_C(4));
+    energy = span_row(&memory, INT64_C(12));
+    segfmu_crane_energy(state, span_row(&memory, INT64_C(5)), energy);
+    (*cspan_at(&balance, INT64_C(0))) = (*cspan_at(&energy, INT64_C(0)));
+    (*cspan_at(&balance, INT64_C(1))) = (*cspan_at(&energy, INT64_C(1)));
+    (*cspan_at(&balance, INT64_C(2))) = (*cspan_at(&energy, INT64_C(2)));
+    (*cspan_at(&balance, INT64_C(3))) = (*cspan_at(&state, INT64_C(10)));
+    (*cspan_at(&balance, INT64_C(4))) = (*cspan_at(&state, INT64_C(11)));
+    (*cspan_at(&balance, INT64_C(5))) = (*cspan_at(&energy, INT64_C(3)));
+    (*cspan_at(&balance, INT64_C(6))) = (*cspan_at(&state, INT64_C(12)));
+}
+/*What the balance misses by integration and rounding [J]. */
+double segfmu_rig_imbalance(array_double_1d balance)
+{
+    double gained;
+    double kept;
+    double result;
+    gained = (*cspan_at(&balance, INT64_C(3))) + (*cspan_at(&balance, INT64_C(4))) + (*cspan_at(&balance, INT64_C(5)));
+    gained = gained - (*cspan_at(&balance, INT64_C(6)));
+    kept = (*cspan_at(&balance, INT64_C(0))) + (*cspan_at(&balance, INT64_C(1))) - (*cspan_at(&balance, INT64_C(2)));
+    return kept - gained;
+}
+/*The load's motion, and its distance from where it shall be.*/
+static void load_outputs(array_double_1d target, array_double_2d memory, array_double_1d outputs)
+{
+    array_double_2d load;
+    double square;
+    int64_t i;
+    double error;
+    load = span_rows(&memory, INT64_C(13) + INT64_C(15), INT64_C(13) + INT64_C(15) + INT64_C(2));
+    segfmu_crane_load(span_row(&memory, INT64_C(4)), load);
+    square = 0.0;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        error = (*cspan_at(&load, INT64_C(0), i)) - (*cspan_at(&target, i));
+        (*cspan_at(&outputs, INT64_C(15) + i)) = (*cspan_at(&load, INT64_C(0), i));
+        (*cspan_at(&outputs, INT64_C(18) + i)) = (*cspan_at(&load, INT64_C(1), i));
+        (*cspan_at(&outputs, INT64_C(21) + i)) = error;
+        square = square + error * error;
+    }
+    (*cspan_at(&outputs, INT64_C(24))) = sqrt(square);
+}
+/*What drives, rope and surroundings do. */
+static void drive_outputs(array_double_2d memory, array_double_1d outputs)
+{
+    array_double_1d report;
+    int64_t i;
+    report = span_row(&memory, INT64_C(8));
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&outputs, INT64_C(25) + i)) = (*cspan_at(&report, INT64_C(0) + i));
+        (*cspan_at(&outputs, INT64_C(28) + i)) = (*cspan_at(&report, INT64_C(10) + i));
+        (*cspan_at(&outputs, INT64_C(31) + i)) = (*cspan_at(&report, INT64_C(0) + i)) * (*cspan_at(&memory, INT64_C(4), INT64_C(5) + i));
+    }
+    (*cspan_at(&outputs, INT64_C(34))) = (*cspan_at(&report, INT64_C(6)));
+    (*cspan_at(&outputs, INT64_C(44))) = (*cspan_at(&report, INT64_C(7)));
+    (*cspan_at(&outputs, INT64_C(45))) = (*cspan_at(&report, INT64_C(8)));
+    (*cspan_at(&outputs, INT64_C(35))) = (*cspan_at(&memory, INT64_C(5), INT64_C(2)));
+}
+/*Write Outputs; target: where the load shall be (Target), balance (Balance): work space.*/
+void segfmu_rig_outputs(array_double_1d target, array_double_2d memory, array_double_1d balance, array_double_1d outputs)
+{
+    array_double_1d state;
+    int64_t i;
+    state = span_row(&memory, INT64_C(4));
+    for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
+    {
+        (*cspan_at(&outputs, INT64_C(0) + i)) = (*cspan_at(&state, i));
+    }
+    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
+    {
+        (*cspan_at(&outputs, INT64_C(10) + i)) = (*cspan_at(&memory, INT64_C(0), i));
+    }
+    load_outputs(target, memory, outputs);
+    drive_outputs(memory, outputs);
+    segfmu_rig_balance(memory, balance);
+    (*cspan_at(&outputs, INT64_C(36))) = (*cspan_at(&balance, INT64_C(0)));
+    (*cspan_at(&outputs, INT64_C(37))) = (*cspan_at(&balance, INT64_C(1)));
+    (*cspan_at(&outputs, INT64_C(38))) = (*cspan_at(&state, INT64_C(10))) + (*cspan_at(&state, INT64_C(11)));
+    (*cspan_at(&outputs, INT64_C(39))) = (*cspan_at(&balance, INT64_C(3)));
+    (*cspan_at(&outputs, INT64_C(40))) = (*cspan_at(&balance, INT64_C(4)));
+    (*cspan_at(&outputs, INT64_C(41))) = (*cspan_at(&balance, INT64_C(5)));
+    (*cspan_at(&outputs, INT64_C(42))) = (*cspan_at(&balance, INT64_C(6)));
+    (*cspan_at(&outputs, INT64_C(43))) = segfmu_rig_imbalance(balance);
+}
+/*Write what a tracking controller (Tracking, Tracker) has found (Estimates).*/
+void segfmu_tracking_estimates(array_double_1d parameters, array_double_2d tracker, array_double_1d estimates)
+{
+    int64_t i;
+    (*cspan_at(&estimates, INT64_C(0))) = (*cspan_at(&parameters, INT64_C(3) + INT64_C(2))) * (1.0 + (*cspan_at(&tracker, INT64_C(5), INT64_C(3))));
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&estimates, INT64_C(1) + i)) = (*cspan_at(&tracker, INT64_C(0) + i, INT64_C(4)));
+    }
+    for (i = INT64_C(0); i < INT64_C(6) - INT64_C(4); i += INT64_C(1))
+    {
+        (*cspan_at(&estimates, INT64_C(4) + i)) = (*cspan_at(&tracker, INT64_C(0) + i, INT64_C(5)));
+    }
+    (*cspan_at(&estimates, INT64_C(6))) = (*cspan_at(&tracker, INT64_C(11) + INT64_C(9), INT64_C(5)));
+}
 /*Derivative of the friction force of an axis by its velocity [N s/m]. */
 static double friction_slope(array_double_1d plant, int64_t axis, double velocity)
 {
@@ -9841,136 +10051,6 @@ bool segfmu_rig_partials(array_double_2d components, double time, array_double_2
     }
     return 1;
 }
-/*Rows of memory for sensors with these times [s]. */
-int64_t segfmu_rig_rows(double sample_time, double dead_time)
-{
-    int64_t result;
-    return INT64_C(33) + sensing_rows(sample_time, dead_time);
-}
-/*Put a state (10) and the setpoints at the start [s] into the memory and forget the past. */
-void segfmu_rig_start(array_double_2d settings, array_double_2d changes, array_double_1d state, array_double_1d setpoints, double start, array_double_2d memory)
-{
-    int64_t row;
-    int64_t i;
-    for (row = INT64_C(0); row < memory.shape[INT64_C(0)]; row += INT64_C(1))
-    {
-        for (i = INT64_C(0); i < memory.shape[INT64_C(1)]; i += INT64_C(1))
-        {
-            (*cspan_at(&memory, row, i)) = 0.0;
-        }
-    }
-    for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
-    {
-        (*cspan_at(&memory, INT64_C(4), i)) = (*cspan_at(&state, i));
-    }
-    for (i = INT64_C(0); i < INT64_C(37); i += INT64_C(1))
-    {
-        (*cspan_at(&memory, INT64_C(5), i)) = (*cspan_at(&settings, INT64_C(3), i));
-    }
-    for (i = INT64_C(0); i < INT64_C(19); i += INT64_C(1))
-    {
-        (*cspan_at(&memory, INT64_C(7), i)) = (*cspan_at(&setpoints, i));
-    }
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        (*cspan_at(&memory, INT64_C(8), INT64_C(0) + i)) = (*cspan_at(&setpoints, INT64_C(0) + i));
-    }
-    (*cspan_at(&memory, INT64_C(8), INT64_C(6))) = (*cspan_at(&setpoints, INT64_C(0) + INT64_C(2)));
-    (*cspan_at(&memory, INT64_C(6), INT64_C(0))) = start;
-    (*cspan_at(&memory, INT64_C(6), INT64_C(4))) = next_change(changes, 0.0, memory);
-    change_payload(settings, changes, start, memory);
-    (*cspan_at(&memory, INT64_C(12), INT64_C(2))) = mechanical_energy(memory);
-    start_sensing(span_row(&settings, INT64_C(1)), span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(33), memory.shape[INT64_C(0)]));
-    update_signals(settings, 0.0, memory);
-}
-/*Advance by a duration [s] to the given setpoints; returns the status.                              */
-/*                                                                                                   */
-/*    A `PlantStatus`: the state is the last one without, and the step may be tried again. Or        */
-/*    `RigStatus.TICK`, where the caller corrects: the first rows of memory are a `Tick` without its */
-/*    correction; the caller puts that there, calls `switch_correction`, and then `rig_step` again   */
-/*    with the same arguments.                                                                       */
-/*                                                                                                   */
-int64_t segfmu_rig_step(array_double_2d settings, array_double_2d components, array_double_2d changes, array_double_3d table, array_double_3d gains, array_double_2d tracker, array_double_1d setpoints, double duration, array_double_2d memory)
-{
-    array_double_1d clock;
-    int64_t i;
-    double until;
-    int64_t status;
-    clock = span_row(&memory, INT64_C(6));
-    /*before anything that remembers, such as an observer, has seen it*/
-    if ((!(fabs(duration) < 1e+100)) || (!all_finite(setpoints, INT64_C(19))))
-    {
-        (*cspan_at(&clock, INT64_C(5))) = (*cspan_at(&clock, INT64_C(0))) + (*cspan_at(&clock, INT64_C(1)));
-        return INT64_C(4);
-    }
-    status = INT64_C(0);
-    if ((*cspan_at(&clock, INT64_C(2))) == 0.0)
-    {
-        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-        {
-            (*cspan_at(&memory, INT64_C(8), INT64_C(10) + i)) = 0.0;
-        }
-    }
-    while((status == INT64_C(0)) && ((*cspan_at(&clock, INT64_C(2))) < duration))
-    {
-        if (controller_due(settings, memory))
-        {
-            prepare_tick(settings, setpoints, duration, memory);
-            if ((int64_t)((*cspan_at(&settings, INT64_C(0), INT64_C(0)))) == INT64_C(0))
-            {
-                return -INT64_C(1);
-            }
-            correct_setpoints(settings, table, gains, tracker, memory);
-        }
-        until = next_event(settings, duration, memory);
-        status = advance_plant(settings, components, setpoints, duration, until, memory);
-        if (status == INT64_C(0))
-        {
-            (*cspan_at(&clock, INT64_C(2))) = until;
-            handle_events(settings, changes, memory);
-        }
-    }
-    (*cspan_at(&clock, INT64_C(2))) = 0.0;
-    if (status == INT64_C(0))
-    {
-        (*cspan_at(&clock, INT64_C(1))) = (*cspan_at(&clock, INT64_C(1))) + duration;
-        for (i = INT64_C(0); i < INT64_C(19); i += INT64_C(1))
-        {
-            (*cspan_at(&memory, INT64_C(7), i)) = (*cspan_at(&setpoints, i));
-            (*cspan_at(&memory, INT64_C(10), i)) = 0.0;
-            (*cspan_at(&memory, INT64_C(11), i)) = 0.0;
-        }
-    }
-    update_signals(settings, (*cspan_at(&clock, INT64_C(1))), memory);
-    return status;
-}
-/*Energies [J], a `Balance` (7). */
-void segfmu_rig_balance(array_double_2d memory, array_double_1d balance)
-{
-    array_double_1d state;
-    array_double_1d energy;
-    state = span_row(&memory, INT64_C(4));
-    energy = span_row(&memory, INT64_C(12));
-    segfmu_crane_energy(state, span_row(&memory, INT64_C(5)), energy);
-    (*cspan_at(&balance, INT64_C(0))) = (*cspan_at(&energy, INT64_C(0)));
-    (*cspan_at(&balance, INT64_C(1))) = (*cspan_at(&energy, INT64_C(1)));
-    (*cspan_at(&balance, INT64_C(2))) = (*cspan_at(&energy, INT64_C(2)));
-    (*cspan_at(&balance, INT64_C(3))) = (*cspan_at(&state, INT64_C(10)));
-    (*cspan_at(&balance, INT64_C(4))) = (*cspan_at(&state, INT64_C(11)));
-    (*cspan_at(&balance, INT64_C(5))) = (*cspan_at(&energy, INT64_C(3)));
-    (*cspan_at(&balance, INT64_C(6))) = (*cspan_at(&state, INT64_C(12)));
-}
-/*What the balance misses by integration and rounding [J]. */
-double segfmu_rig_imbalance(array_double_1d balance)
-{
-    double gained;
-    double kept;
-    double result;
-    gained = (*cspan_at(&balance, INT64_C(3))) + (*cspan_at(&balance, INT64_C(4))) + (*cspan_at(&balance, INT64_C(5)));
-    gained = gained - (*cspan_at(&balance, INT64_C(6)));
-    kept = (*cspan_at(&balance, INT64_C(0))) + (*cspan_at(&balance, INT64_C(1))) - (*cspan_at(&balance, INT64_C(2)));
-    return kept - gained;
-}
 /*Every axis has room between its end stops [m], least and greatest (Axes,). */
 int64_t segfmu_check_travel(array_double_1d least, array_double_1d greatest, array_double_1d fault)
 {
@@ -9981,8 +10061,8 @@ int64_t segfmu_check_travel(array_double_1d least, array_double_1d greatest, arr
         if (!((*cspan_at(&least, axis)) < (*cspan_at(&greatest, axis))))
         {
             (*cspan_at(&fault, INT64_C(0))) = axis;
-            (*cspan_at(&fault, INT64_C(1))) = (*cspan_at(&least, axis));
-            (*cspan_at(&fault, INT64_C(2))) = (*cspan_at(&greatest, axis));
+            (*cspan_at(&fault, INT64_C(2))) = (*cspan_at(&least, axis));
+            (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&greatest, axis));
             return INT64_C(1);
         }
     }
@@ -9999,7 +10079,7 @@ int64_t segfmu_check_lags(array_double_1d plant, array_double_1d fault)
         {
             if ((*cspan_at(&plant, INT64_C(5) + axis)) == 0.0)
             {
-                (*cspan_at(&fault, INT64_C(0))) = axis;
+                (*cspan_at(&fault, INT64_C(1))) = axis;
                 return INT64_C(2);
             }
         }
@@ -10025,14 +10105,14 @@ int64_t segfmu_check_sensors(array_double_1d sensors, array_double_1d fault)
     {
         return INT64_C(3);
     }
-    (*cspan_at(&fault, INT64_C(1))) = sample_time;
-    (*cspan_at(&fault, INT64_C(2))) = 1e-06;
-    if ((sample_time > 0.0) && (sample_time < (*cspan_at(&fault, INT64_C(2)))))
+    (*cspan_at(&fault, INT64_C(2))) = sample_time;
+    (*cspan_at(&fault, INT64_C(3))) = 1e-06;
+    if ((sample_time > 0.0) && (sample_time < (*cspan_at(&fault, INT64_C(3)))))
     {
         return INT64_C(4);
     }
-    (*cspan_at(&fault, INT64_C(1))) = dead_time;
-    (*cspan_at(&fault, INT64_C(2))) = sample_time;
+    (*cspan_at(&fault, INT64_C(2))) = dead_time;
+    (*cspan_at(&fault, INT64_C(3))) = sample_time;
     if (dead_time > INT64_C(100000) * sample_time)
     {
         return INT64_C(5);
@@ -10043,13 +10123,13 @@ int64_t segfmu_check_sensors(array_double_1d sensors, array_double_1d fault)
 int64_t segfmu_check_rope_bounds(double length, double shortest, double longest, array_double_1d fault)
 {
     int64_t result;
-    (*cspan_at(&fault, INT64_C(1))) = length;
+    (*cspan_at(&fault, INT64_C(2))) = length;
     if (!(length > 0.0))
     {
         return INT64_C(6);
     }
-    (*cspan_at(&fault, INT64_C(1))) = shortest;
-    (*cspan_at(&fault, INT64_C(2))) = longest;
+    (*cspan_at(&fault, INT64_C(2))) = shortest;
+    (*cspan_at(&fault, INT64_C(3))) = longest;
     if ((longest > 0.0) && (!(shortest < longest)))
     {
         return INT64_C(7);

@@ -231,6 +231,7 @@ bool segfmu_setup_message(
     int64_t status, const double *report, char *text, size_t size)
 {
     static const char *const axis[] = {"bridge", "trolley", "rope"};
+    static const char *const drive[] = {"bridge", "trolley", "hoist"};
     switch (status) {
     case 1:
         snprintf(text, size,
@@ -241,10 +242,10 @@ bool segfmu_setup_message(
         return true;
     case 2:
         snprintf(text, size,
-            "in model exchange with drive.mode velocity, the lag of the %s drive must be "
-            "above 0 s, as without lag the acceleration does not follow from the "
-            "setpoints; set a lag, or use co-simulation",
-            axis[(int)report[SETUP_FAULT_AXIS]]);
+            "in model exchange with drive.mode velocity, drive.%s.lag must be above 0 s, "
+            "as without lag the acceleration does not follow from the setpoints; set a "
+            "lag, or use co-simulation",
+            drive[(int)report[SETUP_FAULT_DRIVE]]);
         return true;
     case 3:
         snprintf(text, size,

@@ -1260,41 +1260,6 @@ static PyObject *call_rig_rates(
     return answer;
 }
 
-static PyObject *call_rig_partials(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "rig_partials", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_components;
-    double in_time;
-    Py_buffer *in_memory;
-    Py_buffer *in_work;
-    Py_buffer *in_partials;
-    (void)self;
-    if (take_count(&call, count, 5)
-        && (in_components = take_array(&call, 0, 2, 'd', false)) != NULL
-        && take_float(&call, 1, &in_time)
-        && (in_memory = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_work = take_array(&call, 3, 2, 'd', true)) != NULL
-        && (in_partials = take_array(&call, 4, 2, 'd', true)) != NULL
-        && has_at_least(&call, "components", 1, in_components->shape[1], 7)
-        && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 6)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 18)
-        && has_at_least(&call, "partials", 0, in_partials->shape[0], 12)
-        && has_at_least(&call, "partials", 1, in_partials->shape[1], 17)) {
-        answer = PyBool_FromLong(segfmu_rig_partials(
-            (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}},
-            in_time,
-            (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}},
-            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
-            (array_double_2d){in_partials->buf, {in_partials->shape[0], in_partials->shape[1]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
 static PyObject *call_rig_rows(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -1446,6 +1411,99 @@ static PyObject *call_rig_imbalance(
     return answer;
 }
 
+static PyObject *call_rig_outputs(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "rig_outputs", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_target;
+    Py_buffer *in_memory;
+    Py_buffer *in_balance;
+    Py_buffer *in_outputs;
+    (void)self;
+    if (take_count(&call, count, 4)
+        && (in_target = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_memory = take_array(&call, 1, 2, 'd', true)) != NULL
+        && (in_balance = take_array(&call, 2, 1, 'd', true)) != NULL
+        && (in_outputs = take_array(&call, 3, 1, 'd', true)) != NULL
+        && has_at_least(&call, "target", 0, in_target->shape[0], 3)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)
+        && has_at_least(&call, "balance", 0, in_balance->shape[0], 7)
+        && has_at_least(&call, "outputs", 0, in_outputs->shape[0], 46)) {
+        segfmu_rig_outputs(
+            (array_double_1d){in_target->buf, {in_target->shape[0]}},
+            (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}},
+            (array_double_1d){in_balance->buf, {in_balance->shape[0]}},
+            (array_double_1d){in_outputs->buf, {in_outputs->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_tracking_estimates(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "tracking_estimates", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_parameters;
+    Py_buffer *in_tracker;
+    Py_buffer *in_estimates;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && (in_parameters = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_tracker = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_estimates = take_array(&call, 2, 1, 'd', true)) != NULL
+        && has_at_least(&call, "parameters", 0, in_parameters->shape[0], 27)
+        && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 25)
+        && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 10)
+        && has_at_least(&call, "estimates", 0, in_estimates->shape[0], 7)) {
+        segfmu_tracking_estimates(
+            (array_double_1d){in_parameters->buf, {in_parameters->shape[0]}},
+            (array_double_2d){in_tracker->buf, {in_tracker->shape[0], in_tracker->shape[1]}},
+            (array_double_1d){in_estimates->buf, {in_estimates->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_rig_partials(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "rig_partials", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_components;
+    double in_time;
+    Py_buffer *in_memory;
+    Py_buffer *in_work;
+    Py_buffer *in_partials;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && (in_components = take_array(&call, 0, 2, 'd', false)) != NULL
+        && take_float(&call, 1, &in_time)
+        && (in_memory = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_work = take_array(&call, 3, 2, 'd', true)) != NULL
+        && (in_partials = take_array(&call, 4, 2, 'd', true)) != NULL
+        && has_at_least(&call, "components", 1, in_components->shape[1], 7)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 6)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 18)
+        && has_at_least(&call, "partials", 0, in_partials->shape[0], 12)
+        && has_at_least(&call, "partials", 1, in_partials->shape[1], 17)) {
+        answer = PyBool_FromLong(segfmu_rig_partials(
+            (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}},
+            in_time,
+            (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_2d){in_partials->buf, {in_partials->shape[0], in_partials->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_check_travel(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -1461,7 +1519,7 @@ static PyObject *call_check_travel(
         && (in_fault = take_array(&call, 2, 1, 'd', true)) != NULL
         && has_at_least(&call, "least", 0, in_least->shape[0], 3)
         && has_at_least(&call, "greatest", 0, in_greatest->shape[0], 3)
-        && has_at_least(&call, "fault", 0, in_fault->shape[0], 3)) {
+        && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_check_travel(
             (array_double_1d){in_least->buf, {in_least->shape[0]}},
             (array_double_1d){in_greatest->buf, {in_greatest->shape[0]}},
@@ -1483,7 +1541,7 @@ static PyObject *call_check_lags(
         && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
         && (in_fault = take_array(&call, 1, 1, 'd', true)) != NULL
         && has_at_least(&call, "plant", 0, in_plant->shape[0], 37)
-        && has_at_least(&call, "fault", 0, in_fault->shape[0], 3)) {
+        && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_check_lags(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
             (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
@@ -1504,7 +1562,7 @@ static PyObject *call_check_sensors(
         && (in_sensors = take_array(&call, 0, 1, 'd', false)) != NULL
         && (in_fault = take_array(&call, 1, 1, 'd', true)) != NULL
         && has_at_least(&call, "sensors", 0, in_sensors->shape[0], 18)
-        && has_at_least(&call, "fault", 0, in_fault->shape[0], 3)) {
+        && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_check_sensors(
             (array_double_1d){in_sensors->buf, {in_sensors->shape[0]}},
             (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
@@ -1528,7 +1586,7 @@ static PyObject *call_check_rope_bounds(
         && take_float(&call, 1, &in_shortest)
         && take_float(&call, 2, &in_longest)
         && (in_fault = take_array(&call, 3, 1, 'd', true)) != NULL
-        && has_at_least(&call, "fault", 0, in_fault->shape[0], 3)) {
+        && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_check_rope_bounds(
             in_length,
             in_shortest,
@@ -1773,12 +1831,14 @@ static PyMethodDef methods[] = {
     {"rig_event", (PyCFunction)(void (*)(void))call_rig_event, METH_FASTCALL, NULL},
     {"rig_signals", (PyCFunction)(void (*)(void))call_rig_signals, METH_FASTCALL, NULL},
     {"rig_rates", (PyCFunction)(void (*)(void))call_rig_rates, METH_FASTCALL, NULL},
-    {"rig_partials", (PyCFunction)(void (*)(void))call_rig_partials, METH_FASTCALL, NULL},
     {"rig_rows", (PyCFunction)(void (*)(void))call_rig_rows, METH_FASTCALL, NULL},
     {"rig_start", (PyCFunction)(void (*)(void))call_rig_start, METH_FASTCALL, NULL},
     {"rig_step", (PyCFunction)(void (*)(void))call_rig_step, METH_FASTCALL, NULL},
     {"rig_balance", (PyCFunction)(void (*)(void))call_rig_balance, METH_FASTCALL, NULL},
     {"rig_imbalance", (PyCFunction)(void (*)(void))call_rig_imbalance, METH_FASTCALL, NULL},
+    {"rig_outputs", (PyCFunction)(void (*)(void))call_rig_outputs, METH_FASTCALL, NULL},
+    {"tracking_estimates", (PyCFunction)(void (*)(void))call_tracking_estimates, METH_FASTCALL, NULL},
+    {"rig_partials", (PyCFunction)(void (*)(void))call_rig_partials, METH_FASTCALL, NULL},
     {"check_travel", (PyCFunction)(void (*)(void))call_check_travel, METH_FASTCALL, NULL},
     {"check_lags", (PyCFunction)(void (*)(void))call_check_lags, METH_FASTCALL, NULL},
     {"check_sensors", (PyCFunction)(void (*)(void))call_check_sensors, METH_FASTCALL, NULL},

@@ -258,3 +258,21 @@ class Tracker(Record):
     INPUTS = field("work space of the observer", of=AxisModel)
     SIGNALS = field("measured signals without the offset", of=Coordinates)
     OFFSET = field("memory of the offset's estimate", size=OffsetMemory.SIZE, of=OffsetMemory)
+
+
+class Estimates(Record):
+    """What a tracking controller has found, as an FMU shows it."""
+
+    PAYLOAD_MASS = field("mass of the load", "kg", variables=("estimate.payload_mass",))
+    DRIFT = field(
+        "unknown accelerations of bridge, trolley and rope", "m/s2", size=3,
+        variables=[f"estimate.disturbance.{d}" for d in ("bridge", "trolley", "hoist")],
+    )
+    WIND = field(
+        "unknown accelerations of the load", "m/s2", size=2,
+        variables=[f"estimate.disturbance.load.{a}" for a in "xy"],
+    )
+    ROPE_OFFSET = field(
+        "what is added to the measured length of the rope", "m",
+        variables=("estimate.rope_offset",),
+    )

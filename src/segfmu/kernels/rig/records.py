@@ -61,6 +61,7 @@ class SetupFault(Record):
     """A parameter that does not fit."""
 
     AXIS = field("axis, from 0")
+    DRIVE = field("drive, from 0")
     VALUE = field("value that does not fit")
     BOUND = field("what it does not fit to")
 
@@ -245,6 +246,69 @@ class Memory(Tick):
     ENERGY = field("energies", of=EnergyMemory)
     WORK = field("commands, and work space of the plant", size=Work.SIZE, of=Work)
     SENSING = field("memory of the sensors, to the end", size=Sensing.SIZE, of=Sensing)
+
+
+class Outputs(Record):
+    """What an FMU of the crane shows.
+
+    Where the interface has no text for a variable, it takes unit and meaning from here.
+    """
+
+    STATE = field(
+        "state", size=State.SIZE, of=State,
+        variables=[v for f in State.FIELDS.values() for v in f.variables],
+    )
+    MEASURED = field(
+        "signals of the sensors", size=Coordinates.SIZE, of=Coordinates,
+        variables=[f"measured.{s}" for s in SIGNALS],
+    )
+    LOAD_POSITION = field(
+        "position of the load", "m", size=3, variables=[f"load.position.{a}" for a in "xyz"]
+    )
+    LOAD_VELOCITY = field(
+        "velocity of the load", "m/s", size=3, variables=[f"load.velocity.{a}" for a in "xyz"]
+    )
+    ERROR = field(
+        "load minus its reference", "m", size=3, variables=[f"error.load.{a}" for a in "xyz"]
+    )
+    ERROR_NORM = field(
+        "distance of the load from its reference", "m", variables=("error.load.norm",)
+    )
+    FORCE = field(
+        "forces that the drives apply", "N", size=3, variables=[f"drive.{d}.force" for d in DRIVES]
+    )
+    SATURATED = field(
+        "1: the drive was at a bound in the last step", size=3,
+        variables=[f"drive.{d}.saturated" for d in DRIVES],
+    )
+    POWER = field(
+        "power of the drives", "W", size=3, variables=[f"drive.{d}.power" for d in DRIVES]
+    )
+    ROPE_FORCE = field("force on the rope", "N", variables=("rope.force",))
+    PAYLOAD_MASS = field("present mass of the load", "kg", variables=("payload.mass",))
+    KINETIC = field("kinetic energy", "J", variables=("energy.kinetic",))
+    POTENTIAL = field("potential energy", "J", variables=("energy.potential",))
+    WORK = field("work of drives and wind", "J", variables=("energy.work",))
+    DRIVE_WORK = field("work of the drives", "J", variables=("energy.drives",))
+    WIND_WORK = field("work of the wind", "J", variables=("energy.wind",))
+    PAYLOAD = field("energy that payload changes brought", "J", variables=("energy.payload",))
+    DISSIPATED = field("energy that friction took", "J", variables=("energy.dissipated",))
+    IMBALANCE = field("error of the balance", "J", variables=("energy.imbalance",))
+    WIND_POWER = field("power of the wind", "W", variables=("power.wind",))
+    FRICTION_POWER = field("power that friction dissipates", "W", variables=("power.friction",))
+
+
+class Accelerations(Record):
+    """Second derivatives of the coordinates, as variables of model exchange."""
+
+    POSITION = field(
+        "of the positions", "m/s2", size=3,
+        variables=[f"{a}.acceleration" for a in ("bridge", "trolley", "rope")],
+    )
+    ANGLE = field(
+        "of the sway angles", "rad/s2", size=2,
+        variables=("sway.x.acceleration", "sway.y.acceleration"),
+    )
 
 
 class RigPartials(Record):

@@ -20,7 +20,7 @@ def check_lags(plant: 'float[:]', fault: 'float[:]') -> int:
     if int(plant[Plant.MODE]) == DriveMode.VELOCITY:
         for axis in range(Axes.SIZE):
             if plant[Plant.LAG + axis] == 0.0:
-                fault[SetupFault.AXIS] = axis
+                fault[SetupFault.DRIVE] = axis
                 return SetupStatus.NO_LAG
     return SetupStatus.FITS
 

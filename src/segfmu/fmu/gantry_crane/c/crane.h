@@ -111,9 +111,6 @@ bool crane_set_tracking(crane *m, char message[MESSAGE]);
 /* The controller's tunable parameters; `switched` makes what changes fade in. */
 void crane_tune_tracking(crane *m, bool switched);
 
-/* The estimates as outputs. */
-void crane_show_estimates(crane *m);
-
 /* Turn parameters into the kernels' arrays; false with a message where they do not fit. */
 bool crane_set_up(crane *m, char message[MESSAGE]);
 

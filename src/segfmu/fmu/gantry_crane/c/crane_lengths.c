@@ -11,7 +11,9 @@ bool crane_rope_range(const crane *m, double range[2], char message[MESSAGE])
     double shortest = real[V_CRANE_ROPE_MIN], longest = real[V_CRANE_ROPE_MAX];
     range[0] = shortest > 0.0 ? shortest : 0.2 * real[V_ROPE_LENGTH];
     range[1] = longest > 0.0 ? longest : 5.0 * real[V_ROPE_LENGTH];
-    const double fault[SETUP_FAULT_SIZE] = {0.0, range[0], range[1]};
+    double fault[SETUP_FAULT_SIZE] = {0.0};
+    fault[SETUP_FAULT_VALUE] = range[0];
+    fault[SETUP_FAULT_BOUND] = range[1];
     return range[0] <= range[1]
         || !segfmu_setup_message(SETUP_STATUS_LENGTHS, fault, message, MESSAGE);
 }

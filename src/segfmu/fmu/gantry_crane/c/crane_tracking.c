@@ -97,18 +97,3 @@ void crane_tune_tracking(crane *m, bool switched)
         tracked(m, TRACKER_COMMAND)[VELOCITY_COMMAND_SWITCHED] = 1.0;
     }
 }
-
-void crane_show_estimates(crane *m)
-{
-    double *real = m->base.real;
-    real[V_ESTIMATE_PAYLOAD_MASS] = setting(m, SETTINGS_TRACKING)[TRACKING_MASSES + AXES_ROPE]
-        * (1.0 + tracked(m, TRACKER_FADING)[FADING_PAYLOAD]);
-    for (int i = 0; i < 3; i++) {
-        real[V_ESTIMATE_DISTURBANCE_BRIDGE + i] = tracked(m, TRACKER_ESTIMATE + i)[ESTIMATE_DRIFT];
-    }
-    for (int i = 0; i < 2; i++) {
-        real[V_ESTIMATE_DISTURBANCE_LOAD_X + i] = tracked(m, TRACKER_ESTIMATE + i)[ESTIMATE_WIND];
-    }
-    real[V_ESTIMATE_ROPE_OFFSET] = tracked(m, TRACKER_OFFSET + OFFSET_MEMORY_ESTIMATE)
-        [OFFSET_ESTIMATE_USED];
-}

@@ -157,9 +157,6 @@ bool model_initialise(model *base, char message[MESSAGE])
     segfmu_rig_start(
         settings_of(m), changes_of(m), vector(state, STATE_SIZE),
         vector(m->setpoints, SETPOINTS_SIZE), base->real[V_TIME], memory_of(m));
-    for (int i = 0; i < 3; i++) {
-        base->integer[V_DRIVE_BRIDGE_SATURATED + i] = 0;
-    }
     start_rates(m);
     memcpy(m->input, base->real, sizeof m->input);
     memset(m->slope, 0, sizeof m->slope);
@@ -179,10 +176,6 @@ bool model_advance(model *base, double time, char message[MESSAGE])
         settings_of(m), components_of(m), changes_of(m), observer_of(m), gains_of(m), tracker_of(m),
         vector(m->setpoints, SETPOINTS_SIZE), time - base->real[V_TIME], memory_of(m));
     memcpy(m->derivative, row(m, MEMORY_WORK + WORK_STAGES + STAGES_K7), sizeof m->derivative);
-    const double *saturated = row(m, MEMORY_REPORT) + REPORT_STEP_SATURATED;
-    for (int i = 0; i < 3; i++) {
-        base->integer[V_DRIVE_BRIDGE_SATURATED + i] = saturated[i] > 0.0;
-    }
     if (time >= base->step_end && base->sloped) {
         memset(base->slope, 0, sizeof base->slope);
         base->sloped = 0;
@@ -220,44 +213,18 @@ bool model_event(model *base, char message[MESSAGE])
     segfmu_rig_event(settings_of(m), changes_of(m), observer_of(m), gains_of(m), tracker_of(m),
                      vector(m->setpoints, SETPOINTS_SIZE), crane_elapsed(m), memory_of(m));
     find_rates(m);
-    for (int i = 0; i < 3; i++) {
-        base->integer[V_DRIVE_BRIDGE_SATURATED + i] = row(m, MEMORY_REPORT)[REPORT_SATURATED + i] > 0.0;
-    }
+    double *report = row(m, MEMORY_REPORT);
+    memcpy(report + REPORT_STEP_SATURATED, report + REPORT_SATURATED, AXES_SIZE * sizeof *report);
     return true;
 }
 
 /* ---- outputs ---- */
 
-static void show_load(crane *m)
-{
-    double *real = m->base.real, *load = &real[V_LOAD_POSITION_X], square = 0.0;
-    segfmu_crane_load(vector(row(m, MEMORY_STATE), STATE_SIZE), matrix(load, LOAD_SIZE, LOAD_COLUMNS));
-    for (int i = 0; i < 3; i++) {
-        double error = load[i] - real[V_REFERENCE_LOAD_POSITION_X + i];
-        real[V_ERROR_LOAD_X + i] = error;
-        square += error * error;
-    }
-    real[V_ERROR_LOAD_NORM] = sqrt(square);
-}
-
-static void show_energies(crane *m)
-{
-    double *real = m->base.real, balance[BALANCE_SIZE];
-    segfmu_rig_balance(memory_of(m), vector(balance, BALANCE_SIZE));
-    real[V_ENERGY_KINETIC] = balance[BALANCE_KINETIC];
-    real[V_ENERGY_POTENTIAL] = balance[BALANCE_POTENTIAL];
-    real[V_ENERGY_DRIVES] = balance[BALANCE_DRIVES];
-    real[V_ENERGY_WIND] = balance[BALANCE_WIND];
-    real[V_ENERGY_WORK] = balance[BALANCE_DRIVES] + balance[BALANCE_WIND];
-    real[V_ENERGY_PAYLOAD] = balance[BALANCE_PAYLOAD];
-    real[V_ENERGY_DISSIPATED] = balance[BALANCE_DISSIPATED];
-    real[V_ENERGY_IMBALANCE] = segfmu_rig_imbalance(vector(balance, BALANCE_SIZE));
-}
-
 bool model_evaluate(model *base, char message[MESSAGE])
 {
     crane *m = (crane *)base;
-    double *real = base->real;
+    double target[TARGET_SIZE], balance[BALANCE_SIZE], outputs[OUTPUTS_SIZE];
+    double estimates[ESTIMATES_SIZE];
     (void)message;
     m->differentiated = 0;
     if (in_exchange(m)) {
@@ -266,24 +233,18 @@ bool model_evaluate(model *base, char message[MESSAGE])
             segfmu_rig_signals(settings_of(m), crane_elapsed(m), memory_of(m));
         }
     }
-    const double *state = row(m, MEMORY_STATE), *report = row(m, MEMORY_REPORT);
-    memcpy(&real[V_BRIDGE_POSITION], state, STATE_SIZE * sizeof *real);
-    memcpy(&real[V_MEASURED_BRIDGE_POSITION], row(m, MEMORY_SIGNALS), COORDINATES_SIZE * sizeof *real);
-    memcpy(&real[V_BRIDGE_ACCELERATION], m->derivative + STATE_VELOCITY,
-           COORDINATES_SIZE * sizeof *real);
-    show_load(m);
-    show_energies(m);
-    crane_show_estimates(m);
-    real[V_POWER_DRIVES] = 0.0;
-    for (int i = 0; i < 3; i++) {
-        real[V_DRIVE_BRIDGE_FORCE + 2 * i] = report[REPORT_FORCE + i];
-        real[V_DRIVE_BRIDGE_POWER + 2 * i] = report[REPORT_FORCE + i] * state[STATE_VELOCITY + i];
-        real[V_POWER_DRIVES] += report[REPORT_FORCE + i] * state[STATE_VELOCITY + i];
+    feed_record(&feeds_target, base, target);
+    segfmu_rig_outputs(vector(target, TARGET_SIZE), memory_of(m), vector(balance, BALANCE_SIZE),
+                       vector(outputs, OUTPUTS_SIZE));
+    segfmu_tracking_estimates(vector(setting(m, SETTINGS_TRACKING), TRACKING_SIZE), tracker_of(m),
+                              vector(estimates, ESTIMATES_SIZE));
+    show_record(&feeds_outputs, outputs, base);
+    show_record(&feeds_accelerations, m->derivative + STATE_VELOCITY, base);
+    show_record(&feeds_estimates, estimates, base);
+    base->real[V_POWER_DRIVES] = 0.0;
+    for (int i = 0; i < AXES_SIZE; i++) {
+        base->real[V_POWER_DRIVES] += outputs[OUTPUTS_POWER + i];
     }
-    real[V_ROPE_FORCE] = report[REPORT_ROPE_FORCE];
-    real[V_POWER_WIND] = report[REPORT_WIND_POWER];
-    real[V_POWER_FRICTION] = report[REPORT_FRICTION_POWER];
-    real[V_PAYLOAD_MASS] = row(m, MEMORY_PLANT)[PLANT_PAYLOAD_MASS];
     return true;
 }
 

@@ -1,0 +1,94 @@
+"""What an FMU of the crane shows of a rig and its controller."""
+
+from math import sqrt
+
+from segfmu.kernels.control.records import (
+    Estimate,
+    Estimates,
+    Fading,
+    OffsetEstimate,
+    OffsetMemory,
+    Tracker,
+    Tracking,
+)
+from segfmu.kernels.crane._crane import crane_load
+from segfmu.kernels.crane.records import (
+    Axes,
+    Coordinates,
+    Load,
+    Plant,
+    PlantState,
+    Report,
+    State,
+    Vector,
+    Work,
+)
+from segfmu.kernels.rig.records import Balance, Memory, Outputs
+from segfmu.kernels.rig.rig import rig_balance, rig_imbalance
+
+
+def rig_outputs(
+    target: 'float[:]', memory: 'float[:,:]', balance: 'float[:]', outputs: 'float[:]'
+) -> None:
+    """Write Outputs; target: where the load shall be (Target), balance (Balance): work space."""
+    state = memory[Memory.STATE, :]
+    for i in range(State.SIZE):
+        outputs[Outputs.STATE + i] = state[i]
+    for i in range(Coordinates.SIZE):
+        outputs[Outputs.MEASURED + i] = memory[Memory.SIGNALS, i]
+    load_outputs(target, memory, outputs)
+    drive_outputs(memory, outputs)
+    rig_balance(memory, balance)
+    outputs[Outputs.KINETIC] = balance[Balance.KINETIC]
+    outputs[Outputs.POTENTIAL] = balance[Balance.POTENTIAL]
+    outputs[Outputs.WORK] = state[PlantState.DRIVE_WORK] + state[PlantState.WIND_WORK]
+    outputs[Outputs.DRIVE_WORK] = balance[Balance.DRIVES]
+    outputs[Outputs.WIND_WORK] = balance[Balance.WIND]
+    outputs[Outputs.PAYLOAD] = balance[Balance.PAYLOAD]
+    outputs[Outputs.DISSIPATED] = balance[Balance.DISSIPATED]
+    outputs[Outputs.IMBALANCE] = rig_imbalance(balance)
+
+
+def load_outputs(target: 'float[:]', memory: 'float[:,:]', outputs: 'float[:]') -> None:
+    """The load's motion, and its distance from where it shall be."""
+    load = memory[Memory.WORK + Work.LOAD : Memory.WORK + Work.LOAD + Load.SIZE, :]
+    crane_load(memory[Memory.STATE, :], load)
+    square = 0.0
+    for i in range(Vector.SIZE):
+        error = load[Load.POSITION, i] - target[i]
+        outputs[Outputs.LOAD_POSITION + i] = load[Load.POSITION, i]
+        outputs[Outputs.LOAD_VELOCITY + i] = load[Load.VELOCITY, i]
+        outputs[Outputs.ERROR + i] = error
+        square = square + error * error
+    outputs[Outputs.ERROR_NORM] = sqrt(square)
+
+
+def drive_outputs(memory: 'float[:,:]', outputs: 'float[:]') -> None:
+    """What drives, rope and surroundings do."""
+    report = memory[Memory.REPORT, :]
+    for i in range(Axes.SIZE):
+        outputs[Outputs.FORCE + i] = report[Report.FORCE + i]
+        outputs[Outputs.SATURATED + i] = report[Report.STEP_SATURATED + i]
+        outputs[Outputs.POWER + i] = (
+            report[Report.FORCE + i] * memory[Memory.STATE, State.VELOCITY + i]
+        )
+    outputs[Outputs.ROPE_FORCE] = report[Report.ROPE_FORCE]
+    outputs[Outputs.WIND_POWER] = report[Report.WIND_POWER]
+    outputs[Outputs.FRICTION_POWER] = report[Report.FRICTION_POWER]
+    outputs[Outputs.PAYLOAD_MASS] = memory[Memory.PLANT, Plant.PAYLOAD_MASS]
+
+
+def tracking_estimates(
+    parameters: 'float[:]', tracker: 'float[:,:]', estimates: 'float[:]'
+) -> None:
+    """Write what a tracking controller (Tracking, Tracker) has found (Estimates)."""
+    estimates[Estimates.PAYLOAD_MASS] = parameters[Tracking.MASSES + Axes.ROPE] * (
+        1.0 + tracker[Tracker.FADING, Fading.PAYLOAD]
+    )
+    for i in range(Axes.SIZE):
+        estimates[Estimates.DRIFT + i] = tracker[Tracker.ESTIMATE + i, Estimate.DRIFT]
+    for i in range(Estimates.ROPE_OFFSET - Estimates.WIND):
+        estimates[Estimates.WIND + i] = tracker[Tracker.ESTIMATE + i, Estimate.WIND]
+    estimates[Estimates.ROPE_OFFSET] = tracker[
+        Tracker.OFFSET + OffsetMemory.ESTIMATE, OffsetEstimate.USED
+    ]
