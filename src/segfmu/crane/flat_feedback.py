@@ -18,17 +18,17 @@ from segfmu.crane.feedback import SwayFeedback
 from segfmu.crane.linear import ROWS, scheduled_lengths
 from segfmu.crane.parameters import Crane
 from segfmu.kernels import backend
+from segfmu.kernels.control.design import largest_angle, largest_hoist_angle
 from segfmu.kernels.control.records import Gains
-from segfmu.kernels.crane.records import DriveMode
+from segfmu.kernels.crane.records import DriveMode, Plant
 from segfmu.planning.arrays import FloatArray
 
 RATIO = 1.1
 HOIST_RATIO = 3.0
 DAMPING = 1.0
 
-# radians in a sample and a lag; the hoist, with two poles instead of four, bears more
-LARGEST = 0.25
-HOIST_LARGEST = 0.5
+# radians in a sample and a lag
+LARGEST, HOIST_LARGEST = largest_angle(), largest_hoist_angle()
 
 
 def flat_gain(
@@ -80,7 +80,7 @@ def design_flat(
     damping : float
         Of all poles.
     lag : float
-        Largest lag of the velocity drives [s], which bounds the bandwidths.
+        Largest lag of velocity drives [s], which bounds the bandwidths.
     driven : bool
         Corrections are accelerations, else forces.
 
@@ -96,12 +96,12 @@ def design_flat(
     require_not_negative("feedback lag", lag)
     lengths = scheduled_lengths(shortest, longest, rows)
 
-    def gains(length: float) -> FloatArray:
-        bandwidth, hoist = (
-            backend.feedback_bandwidth(x, length, crane.gravity, sample_time + lag, largest)
-            for x, largest in ((ratio, LARGEST), (hoist_ratio, HOIST_LARGEST))
-        )
-        return flat_gain(crane, length, bandwidth, damping, driven, hoist)
-
-    table = [gains(float(x)) for x in lengths]
-    return SwayFeedback(sample_time, lengths, np.array(table), crane.payload_mass)
+    plant = np.zeros(Plant.SIZE)
+    plant[Plant.BRIDGE_MASS : Plant.MODE] = crane.masses
+    plant[Plant.MODE] = DriveMode.VELOCITY if driven else DriveMode.FORCE
+    plant[Plant.LAG : Plant.FORCE_MAX] = lag
+    design = np.array([sample_time, ratio, hoist_ratio, damping])
+    table = np.zeros((lengths.size, Gains.SIZE, Gains.COLUMNS))
+    for length, gains in zip(lengths.tolist(), table, strict=True):
+        backend.design_flat_gains(plant, design, length, gains)
+    return SwayFeedback(sample_time, lengths, table[:, Gains.AXES :].copy(), crane.payload_mass)

@@ -97,6 +97,14 @@ def feedback_gains(
     /,
 ) -> None: ...
 
+def design_flat_gains(
+    plant: Floats,
+    design: Floats,
+    length: float,
+    gains: Floats,
+    /,
+) -> None: ...
+
 def observer_design(
     plant: Floats,
     sample_time: float,

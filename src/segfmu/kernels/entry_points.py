@@ -16,6 +16,7 @@ from segfmu.kernels.control.records import (
     Estimate,
     Estimates,
     Expected,
+    FlatDesign,
     Gains,
     Kalman,
     Observer,
@@ -157,6 +158,10 @@ ENTRY_POINTS = (
         gains=("lengths", Gains.SIZE, Gains.COLUMNS), correction=Axes.SIZE,
     ),
     entry("control.feedback", "feedback_bandwidth"),
+    entry(
+        "control.design", "design_flat_gains", plant=Plant.SIZE, design=FlatDesign.SIZE,
+        gains=(Gains.SIZE, Gains.COLUMNS),
+    ),
     entry("control.feedback", "feedback_gains", plant=Plant.LAG, gains=(Gains.SIZE, Gains.COLUMNS)),
     entry(
         "control.kalman", "observer_design", plant=Plant.FORCE_MAX, expected=Expected.SIZE,

@@ -20,6 +20,8 @@ static void limit_accelerations(array_double_1d plant, array_double_1d state, ar
 static void driven_derivative(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
 static int64_t table_row(double length, array_double_3d table);
 static double table_share(double length, array_double_3d table, int64_t row);
+static double largest_angle(void);
+static double largest_hoist_angle(void);
 static void matrix_set(int64_t n, double value, array_double_2d a);
 static void matrix_copy(int64_t n, array_double_2d a, array_double_2d c);
 static void matrix_add(int64_t n, double factor, array_double_2d a, array_double_2d c);
@@ -1315,6 +1317,46 @@ void segfmu_feedback_gains(array_double_1d plant, double length, double bandwidt
     hoist = span_row(&gains, INT64_C(1) + INT64_C(2));
     (*cspan_at(&hoist, INT64_C(0) + INT64_C(2))) = weight * hoist_bandwidth * hoist_bandwidth;
     (*cspan_at(&hoist, INT64_C(5) + INT64_C(2))) = weight * 2.0 * damping * hoist_bandwidth;
+}
+/*Largest bandwidth of bridge and trolley, in radians in a sample and a lag. */
+static double largest_angle(void)
+{
+    double result;
+    return 0.25;
+}
+/*The same of the hoist, which with two poles instead of four bears more.*/
+static double largest_hoist_angle(void)
+{
+    double result;
+    return 0.5;
+}
+/*Gains (Gains) at a rope length [m].                                                            */
+/*                                                                                               */
+/*    plant: a `Plant` with the mass of the load that the gains are for; lags count for velocity */
+/*    drives alone. design: a `FlatDesign`.                                                      */
+/*                                                                                               */
+void segfmu_design_flat_gains(array_double_1d plant, array_double_1d design, double length, array_double_2d gains)
+{
+    double delay;
+    double lag;
+    int64_t axis;
+    double gravity;
+    double bandwidth;
+    double hoist;
+    delay = (*cspan_at(&design, INT64_C(0)));
+    if ((int64_t)((*cspan_at(&plant, INT64_C(4)))) == INT64_C(1))
+    {
+        lag = 0.0;
+        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+        {
+            lag = span_max(lag, (*cspan_at(&plant, INT64_C(5) + axis)));
+        }
+        delay = delay + lag;
+    }
+    gravity = (*cspan_at(&plant, INT64_C(3)));
+    bandwidth = segfmu_feedback_bandwidth((*cspan_at(&design, INT64_C(1))), length, gravity, delay, largest_angle());
+    hoist = segfmu_feedback_bandwidth((*cspan_at(&design, INT64_C(2))), length, gravity, delay, largest_hoist_angle());
+    segfmu_feedback_gains(plant, length, bandwidth, hoist, (*cspan_at(&design, INT64_C(3))), gains);
 }
 /*a = value times the identity.*/
 static void matrix_set(int64_t n, double value, array_double_2d a)

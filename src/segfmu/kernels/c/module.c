@@ -322,6 +322,36 @@ static PyObject *call_feedback_gains(
     return answer;
 }
 
+static PyObject *call_design_flat_gains(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "design_flat_gains", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_plant;
+    Py_buffer *in_design;
+    double in_length;
+    Py_buffer *in_gains;
+    (void)self;
+    if (take_count(&call, count, 4)
+        && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_design = take_array(&call, 1, 1, 'd', false)) != NULL
+        && take_float(&call, 2, &in_length)
+        && (in_gains = take_array(&call, 3, 2, 'd', true)) != NULL
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 37)
+        && has_at_least(&call, "design", 0, in_design->shape[0], 4)
+        && has_at_least(&call, "gains", 0, in_gains->shape[0], 4)
+        && has_at_least(&call, "gains", 1, in_gains->shape[1], 10)) {
+        segfmu_design_flat_gains(
+            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
+            (array_double_1d){in_design->buf, {in_design->shape[0]}},
+            in_length,
+            (array_double_2d){in_gains->buf, {in_gains->shape[0], in_gains->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_observer_design(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -1803,6 +1833,7 @@ static PyMethodDef methods[] = {
     {"feedback_correction", (PyCFunction)(void (*)(void))call_feedback_correction, METH_FASTCALL, NULL},
     {"feedback_bandwidth", (PyCFunction)(void (*)(void))call_feedback_bandwidth, METH_FASTCALL, NULL},
     {"feedback_gains", (PyCFunction)(void (*)(void))call_feedback_gains, METH_FASTCALL, NULL},
+    {"design_flat_gains", (PyCFunction)(void (*)(void))call_design_flat_gains, METH_FASTCALL, NULL},
     {"observer_design", (PyCFunction)(void (*)(void))call_observer_design, METH_FASTCALL, NULL},
     {"observer_predict", (PyCFunction)(void (*)(void))call_observer_predict, METH_FASTCALL, NULL},
     {"observer_correct", (PyCFunction)(void (*)(void))call_observer_correct, METH_FASTCALL, NULL},

@@ -249,6 +249,14 @@ enum {
     ESTIMATES_SIZE = 7
 };
 
+enum {
+    FLAT_DESIGN_PERIOD = 0,
+    FLAT_DESIGN_BANDWIDTH = 1,
+    FLAT_DESIGN_HOIST_BANDWIDTH = 2,
+    FLAT_DESIGN_DAMPING = 3,
+    FLAT_DESIGN_SIZE = 4
+};
+
 /* kernels/crane/records.py */
 
 enum {

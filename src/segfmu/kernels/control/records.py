@@ -276,3 +276,17 @@ class Estimates(Record):
         "what is added to the measured length of the rope", "m",
         variables=("estimate.rope_offset",),
     )
+
+
+class FlatDesign(Record):
+    """What the gains in closed form follow from, beside the crane."""
+
+    PERIOD = field("sample time", "s", variables=("feedback.sample_time",))
+    BANDWIDTH = field(
+        "bandwidth over the pendulum's frequency", variables=("feedback.bandwidth",)
+    )
+    HOIST_BANDWIDTH = field(
+        "bandwidth of the hoist over the pendulum's frequency",
+        variables=("feedback.hoist_bandwidth",),
+    )
+    DAMPING = field("damping of all poles", variables=("feedback.damping",))

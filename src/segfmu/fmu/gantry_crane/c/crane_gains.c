@@ -1,8 +1,8 @@
 /* GantryCrane: the gains of the feedback, from the table or in closed form. */
-#include <math.h>
 #include <string.h>
 
 #include "crane.h"
+#include "feeds.h"
 #include "say.h"
 
 /* The table, whose columns are those of one axis each. */
@@ -43,27 +43,16 @@ static bool read_table(crane *m, char message[MESSAGE])
 /* The closed form over rope lengths in equal ratios. */
 static bool design_flat(crane *m, char message[MESSAGE])
 {
-    const double *real = m->base.real;
-    double plant[PLANT_SIZE], gravity = real[V_CRANE_GRAVITY], range[2];
-    double delay = real[V_FEEDBACK_SAMPLE_TIME];
-    crane_nominal(m, plant);
-    if (driven(m)) {
-        const double *lag = &plant[PLANT_LAG];
-        delay += fmax(lag[0], fmax(lag[1], lag[2]));
-    }
+    double plant[PLANT_SIZE], design[FLAT_DESIGN_SIZE], range[2];
     if (!crane_rope_range(m, range, message)) {
         return false;
     }
+    crane_nominal(m, plant);
+    feed_record(&feeds_flat_design, &m->base, design);
     m->count_lengths = range[1] > range[0] ? MOST_LENGTHS : 1;
     for (int64_t row = 0; row < m->count_lengths; row++) {
-        double length = crane_node(range, row);
-        double bandwidth = segfmu_feedback_bandwidth(
-            real[V_FEEDBACK_BANDWIDTH], length, gravity, delay, LARGEST_ANGLE);
-        double hoist = segfmu_feedback_bandwidth(
-            real[V_FEEDBACK_HOIST_BANDWIDTH], length, gravity, delay,
-            LARGEST_HOIST_ANGLE);
-        segfmu_feedback_gains(
-            vector(plant, PLANT_SIZE), length, bandwidth, hoist, real[V_FEEDBACK_DAMPING],
+        segfmu_design_flat_gains(
+            vector(plant, PLANT_SIZE), vector(design, FLAT_DESIGN_SIZE), crane_node(range, row),
             matrix(m->gains + row * GAINS_BLOCK, GAINS_SIZE, GAINS_COLUMNS));
     }
     return true;

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "crane.h"
+#include "feeds.h"
 
 enum { WORKS = PLANT_STATE_SIZE - STATE_SIZE };
 
@@ -12,34 +13,36 @@ typedef struct {
     int column, energy, reference;
 } known_place;
 
-static bool at(const variable *v, int first, int count, int *place)
+/* Whether a place is one of some that follow each other in a record, and which. */
+static bool among(int place, int first, int count, int *which)
 {
-    *place = (int)v->offset - first;
-    return *place >= 0 && *place < count;
+    *which = place - first;
+    return *which >= 0 && *which < count;
 }
 
 static bool find_known(const crane *m, const variable *v, known_place *k)
 {
-    int place;
     *k = (known_place){-1, -1, -1};
     if (v->kind != KIND_REAL) {
         return false;
     }
-    if (at(v, V_BRIDGE_POSITION, STATE_SIZE, &place)) {
-        k->column = place;
-    } else if (at(v, V_FORCE_BRIDGE, 3, &place)) {
-        k->column = driven(m) ? -1 : RIG_VARIABLES_COMMAND + place;
-    } else if (at(v, V_VELOCITY_BRIDGE, 3, &place)) {
-        k->column = driven(m) ? RIG_VARIABLES_COMMAND + place : -1;
-    } else if (at(v, V_WIND_X, 3, &place)) {
-        k->column = RIG_VARIABLES_WIND + place;
+    int which, state = feed_place(&feeds_state, v->offset);
+    int setpoint = feed_place(&feeds_setpoints, v->offset);
+    int output = feed_place(&feeds_outputs, v->offset);
+    k->reference = feed_place(&feeds_target, v->offset);
+    if (state >= 0) {
+        k->column = state;
+    } else if (among(setpoint, SETPOINTS_FORCE, AXES_SIZE, &which)) {
+        k->column = driven(m) ? -1 : RIG_VARIABLES_COMMAND + which;
+    } else if (among(setpoint, SETPOINTS_VELOCITY, AXES_SIZE, &which)) {
+        k->column = driven(m) ? RIG_VARIABLES_COMMAND + which : -1;
+    } else if (among(setpoint, SETPOINTS_WIND, VECTOR_SIZE, &which)) {
+        k->column = RIG_VARIABLES_WIND + which;
     } else if (v->offset == V_TIME) {
         k->column = RIG_VARIABLES_TIME;
-    } else if (at(v, V_REFERENCE_LOAD_POSITION_X, 3, &place)) {
-        k->reference = place;
-    } else if (v->offset == V_ENERGY_DRIVES || v->offset == V_ENERGY_WIND
-               || v->offset == V_ENERGY_DISSIPATED) {
-        k->energy = v->offset == V_ENERGY_DRIVES ? 0 : v->offset == V_ENERGY_WIND ? 1 : 2;
+    } else if (output == OUTPUTS_DRIVE_WORK || output == OUTPUTS_WIND_WORK
+               || output == OUTPUTS_DISSIPATED) {
+        k->energy = output == OUTPUTS_DRIVE_WORK ? 0 : output == OUTPUTS_WIND_WORK ? 1 : 2;
     } else {
         /* references act at the ticks of the controller alone */
         return v->setting == SET_INPUT;
@@ -82,25 +85,25 @@ static double of_error(const crane *m, int axis, const known_place *k)
 
 static double of_norm(const crane *m, const known_place *k)
 {
-    const double *error = &m->base.real[V_ERROR_LOAD_X];
-    double norm = m->base.real[V_ERROR_LOAD_NORM], sum = 0.0;
-    for (int i = 0; norm > 0.0 && i < 3; i++) {
-        sum += error[i] / norm * of_error(m, i, k);
+    const double *real = m->base.real;
+    double norm = real[V_ERROR_LOAD_NORM], sum = 0.0;
+    for (int i = 0; norm > 0.0 && i < VECTOR_SIZE; i++) {
+        sum += real[feed_offset(&feeds_outputs, OUTPUTS_ERROR + i)] / norm * of_error(m, i, k);
     }
     return sum;
 }
 
-static double of_energy(const crane *m, int offset, const known_place *k)
+static double of_energy(const crane *m, int output, const known_place *k)
 {
     static const double gained[WORKS] = {1.0, 1.0, -1.0};
-    switch (offset) {
-    case V_ENERGY_KINETIC: return of_state(m->energy_partials, ENERGIES_KINETIC, k);
-    case V_ENERGY_POTENTIAL: return of_state(m->energy_partials, ENERGIES_POTENTIAL, k);
-    case V_ENERGY_WORK: return k->energy == 0 || k->energy == 1 ? 1.0 : 0.0;
-    case V_ENERGY_DRIVES: return k->energy == 0;
-    case V_ENERGY_WIND: return k->energy == 1;
-    case V_ENERGY_DISSIPATED: return k->energy == 2;
-    case V_ENERGY_IMBALANCE:
+    switch (output) {
+    case OUTPUTS_KINETIC: return of_state(m->energy_partials, ENERGIES_KINETIC, k);
+    case OUTPUTS_POTENTIAL: return of_state(m->energy_partials, ENERGIES_POTENTIAL, k);
+    case OUTPUTS_WORK: return k->energy == 0 || k->energy == 1 ? 1.0 : 0.0;
+    case OUTPUTS_DRIVE_WORK: return k->energy == 0;
+    case OUTPUTS_WIND_WORK: return k->energy == 1;
+    case OUTPUTS_DISSIPATED: return k->energy == 2;
+    case OUTPUTS_IMBALANCE:
         return of_state(m->energy_partials, ENERGIES_KINETIC, k)
             + of_state(m->energy_partials, ENERGIES_POTENTIAL, k)
             - (k->energy < 0 ? 0.0 : gained[k->energy]);
@@ -117,55 +120,65 @@ static double of_signal(const crane *m, int sensor, const known_place *k)
     return follows && k->column == sensor ? 1.0 : 0.0;
 }
 
-static double of_drive(const crane *m, int place, const known_place *k)
+static double of_power(const crane *m, int drive, const known_place *k)
 {
     const double *real = m->base.real;
-    int drive = place / 2;
-    double force = of_rig(m, RIG_PARTIALS_FORCE + drive, k);
-    if (place % 2 == 0) {
-        return force;
+    double velocity = real[feed_offset(&feeds_state, STATE_VELOCITY + drive)];
+    double force = real[feed_offset(&feeds_outputs, OUTPUTS_FORCE + drive)];
+    return of_rig(m, RIG_PARTIALS_FORCE + drive, k) * velocity
+        + (k->column == STATE_VELOCITY + drive ? force : 0.0);
+}
+
+/* Of an output that follows from forces; false where it does not. */
+static bool of_forces(const crane *m, const variable *unknown, int output, const known_place *k,
+                      double *value)
+{
+    int which, acceleration = feed_place(&feeds_accelerations, unknown->offset);
+    if (acceleration >= 0) {
+        *value = of_rig(m, RIG_PARTIALS_ACCELERATION + acceleration, k);
+    } else if (among(output, OUTPUTS_FORCE, AXES_SIZE, &which)) {
+        *value = of_rig(m, RIG_PARTIALS_FORCE + which, k);
+    } else if (among(output, OUTPUTS_POWER, AXES_SIZE, &which)) {
+        *value = of_power(m, which, k);
+    } else if (output == OUTPUTS_ROPE_FORCE) {
+        *value = of_rig(m, RIG_PARTIALS_ROPE_FORCE, k);
+    } else if (output == OUTPUTS_WIND_POWER) {
+        *value = of_rig(m, RIG_PARTIALS_WIND_POWER, k);
+    } else if (output == OUTPUTS_FRICTION_POWER) {
+        *value = of_rig(m, RIG_PARTIALS_FRICTION_POWER, k);
+    } else if (unknown->offset == V_POWER_DRIVES) {
+        *value = of_rig(m, RIG_PARTIALS_DRIVE_POWER, k);
+    } else {
+        return false;
     }
-    return force * real[V_BRIDGE_VELOCITY + drive]
-        + (k->column == STATE_VELOCITY + drive ? real[V_DRIVE_BRIDGE_FORCE + place - 1] : 0.0);
+    return true;
 }
 
 /* Of an output or state derivative by one variable; `rig`: it follows from forces. */
 static double of_unknown(const crane *m, const variable *unknown, const known_place *k, bool *rig)
 {
-    int place, offset = unknown->offset;
-    *rig = false;
-    if (at(unknown, V_BRIDGE_POSITION, STATE_SIZE, &place)) {
-        return k->column == place;
+    int which, output = feed_place(&feeds_outputs, unknown->offset);
+    double value;
+    *rig = of_forces(m, unknown, output, k, &value);
+    if (*rig) {
+        return value;
     }
-    if (at(unknown, V_MEASURED_BRIDGE_POSITION, COORDINATES_SIZE, &place)) {
-        return of_signal(m, place, k);
+    if (among(output, OUTPUTS_STATE, STATE_SIZE, &which)) {
+        return k->column == which;
     }
-    if (at(unknown, V_LOAD_POSITION_X, LOAD_PARTIALS_SIZE, &place)) {
-        return of_state(m->load_partials, place, k);
+    if (among(output, OUTPUTS_MEASURED, COORDINATES_SIZE, &which)) {
+        return of_signal(m, which, k);
     }
-    if (at(unknown, V_ERROR_LOAD_X, 3, &place)) {
-        return of_error(m, place, k);
+    if (among(output, OUTPUTS_LOAD_POSITION, VECTOR_SIZE, &which)) {
+        return of_state(m->load_partials, LOAD_PARTIALS_POSITION + which, k);
     }
-    if (offset == V_ERROR_LOAD_NORM) {
-        return of_norm(m, k);
+    if (among(output, OUTPUTS_LOAD_VELOCITY, VECTOR_SIZE, &which)) {
+        return of_state(m->load_partials, LOAD_PARTIALS_VELOCITY + which, k);
     }
-    *rig = true;
-    if (at(unknown, V_BRIDGE_ACCELERATION, COORDINATES_SIZE, &place)) {
-        return of_rig(m, place, k);
+    if (among(output, OUTPUTS_ERROR, VECTOR_SIZE, &which)) {
+        return of_error(m, which, k);
     }
-    if (at(unknown, V_DRIVE_BRIDGE_FORCE, 6, &place)) {
-        return of_drive(m, place, k);
-    }
-    if (offset == V_ROPE_FORCE) {
-        return of_rig(m, RIG_PARTIALS_ROPE_FORCE, k);
-    }
-    if (offset == V_POWER_DRIVES || offset == V_POWER_WIND || offset == V_POWER_FRICTION) {
-        return of_rig(m, offset == V_POWER_DRIVES ? RIG_PARTIALS_DRIVE_POWER
-                      : offset == V_POWER_WIND ? RIG_PARTIALS_WIND_POWER
-                      : RIG_PARTIALS_FRICTION_POWER, k);
-    }
-    *rig = false;
-    return of_energy(m, offset, k);
+    return output == OUTPUTS_ERROR_NORM ? of_norm(m, k) : of_energy(m, output, k);
 }
 
 bool model_partial(model *base, const variable *unknown, const variable *known, double *value)
@@ -189,7 +202,9 @@ static void settle(crane *m)
         return;
     }
     memcpy(report, now, sizeof report);
-    memcpy(m->setpoints, m->input, SETPOINTS_WIND * sizeof *m->setpoints);
+    for (int place = 0; place < SETPOINTS_WIND; place++) {
+        m->setpoints[place] = m->input[feed_offset(&feeds_setpoints, place)];
+    }
     /* corrections are in the velocities already */
     row(m, MEMORY_CLOCK)[CLOCK_LAST_TICK] = crane_elapsed(m);
     crane_rates(m);
@@ -205,8 +220,7 @@ bool model_output_derivative(model *base, const variable *output, int64_t order,
     }
     settle(m);
     smooth = differentiate(m) && crane_follows(m);
-    const double *commands = m->slope
-        + (driven(m) ? V_VELOCITY_BRIDGE : V_FORCE_BRIDGE);
+    const int commands = driven(m) ? SETPOINTS_VELOCITY : SETPOINTS_FORCE;
     known_place k = {-1, -1, -1};
     *value = of_unknown(m, output, &k, &rig);
     if (rig && !smooth) {
@@ -216,8 +230,10 @@ bool model_output_derivative(model *base, const variable *output, int64_t order,
     for (k.column = 0; k.column < STATE_SIZE; k.column++) {
         sum += of_unknown(m, output, &k, &rig) * m->derivative[k.column];
     }
-    for (k.column = RIG_VARIABLES_COMMAND; k.column < RIG_VARIABLES_WIND; k.column++) {
-        sum += of_unknown(m, output, &k, &rig) * commands[k.column - RIG_VARIABLES_COMMAND];
+    for (int i = 0; i < AXES_SIZE; i++) {
+        k.column = RIG_VARIABLES_COMMAND + i;
+        sum += of_unknown(m, output, &k, &rig)
+            * m->slope[feed_offset(&feeds_setpoints, commands + i)];
     }
     k.column = RIG_VARIABLES_TIME;
     sum += of_unknown(m, output, &k, &rig);
@@ -226,9 +242,9 @@ bool model_output_derivative(model *base, const variable *output, int64_t order,
         sum += of_unknown(m, output, &k, &rig) * m->derivative[STATE_SIZE + k.energy];
     }
     k.energy = -1;
-    for (k.reference = 0; k.reference < 3; k.reference++) {
+    for (k.reference = 0; k.reference < VECTOR_SIZE; k.reference++) {
         sum += of_unknown(m, output, &k, &rig)
-            * m->slope[V_REFERENCE_LOAD_POSITION_X + k.reference];
+            * m->slope[feed_offset(&feeds_target, TARGET_LOAD + k.reference)];
     }
     *value = sum;
     return true;

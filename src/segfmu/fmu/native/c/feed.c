@@ -31,3 +31,12 @@ int feed_place(const feeds *table, int64_t offset)
     }
     return -1;
 }
+
+int feed_offset(const feeds *table, int place)
+{
+    int64_t i = 0;
+    while (table->rows[i].place != place) {
+        i++;
+    }
+    return table->rows[i].offset;
+}

@@ -25,4 +25,7 @@ void show_record(const feeds *table, const double record[], model *m);
 /* The place of a variable, by its offset in `real`, in a record; -1 where it has none. */
 int feed_place(const feeds *table, int64_t offset);
 
+/* The offset of the variable that belongs to a place of a record; there has to be one. */
+int feed_offset(const feeds *table, int place);
+
 #endif
