@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -127,6 +128,14 @@ def test_an_input_may_follow_from_a_state(package) -> None:
     results, _ = simulated(loop)
     assert "nonlinear system" not in (loop.parent / "Loop_info.json").read_text()
     assert np.isfinite(results["gantry.load_position_x"]).all()
+
+
+def test_the_listing_of_the_documentation(package) -> None:
+    text = (Path(__file__).parents[3] / "docs" / "importing" / "openmodelica.md").read_text()
+    listing = re.search(r"```modelica\n(model MyMission.*?)```", text, re.S)[1]
+    results, _ = simulated(program(package, "MyMission", listing), "-override=stopTime=9")
+    last = [results[f"gantry.load_position_{a}"][-1] for a in "xyz"]
+    assert last == pytest.approx([0.8, 0.6, -0.5], abs=5e-3)
 
 
 def test_errors_name_the_instance(package) -> None:
