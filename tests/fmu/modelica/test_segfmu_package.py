@@ -10,7 +10,15 @@ import pytest
 
 from segfmu.cosim import simulate
 from segfmu.fmu.modelica.package import write_package
-from tests.fmu.modelica.openmodelica import SOLVERS, built, load_distance, simulated
+from tests.fmu.modelica.openmodelica import (
+    SOLVERS,
+    built,
+    load_distance,
+    require_omc,
+    simulated,
+)
+
+require_omc()
 
 LAGS = {f"drive.{d}.lag": 0.05 for d in ("bridge", "trolley", "hoist")}
 VELOCITY = {"drive.mode": "velocity", "feedback.design": "flatness", **LAGS}
@@ -45,7 +53,7 @@ end Loop;
 
 
 @pytest.fixture(scope="module")
-def package(omc, native_fmus, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def package(native_fmus, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with the package and the FMUs in it."""
     folder = tmp_path_factory.mktemp("modelica")
     write_package(folder, archives=native_fmus[2])
