@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
+import pytest
 from numpy.typing import NDArray
 
 SOLVERS = ("dassl", "ida", "cvode", "gbode")
@@ -31,6 +32,12 @@ PREPARATION = 'setCommandLineOptions("--allowNonStandardModelica=reinitInAlgorit
 def compiler() -> str | None:
     """The path of omc."""
     return shutil.which("omc")
+
+
+def require_omc() -> None:
+    """Skip a module, with one line, where there is no omc."""
+    if compiler() is None:
+        pytest.skip("OpenModelica's compiler omc is not on the PATH", allow_module_level=True)
 
 
 def script(folder: Path, text: str) -> str:

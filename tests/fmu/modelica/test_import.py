@@ -11,7 +11,15 @@ from segfmu.fmu.models import registered
 from segfmu.fmu.native.archive import build_all
 from segfmu.validation.mission import load_mission
 from segfmu.validation.scenario import specs
-from tests.fmu.modelica.openmodelica import built, imported, load_distance, simulated
+from tests.fmu.modelica.openmodelica import (
+    built,
+    imported,
+    load_distance,
+    require_omc,
+    simulated,
+)
+
+require_omc()
 
 MODELS = Path(__file__).parents[3] / "models"
 CONNECTED = [
@@ -33,7 +41,7 @@ CLASSES = "  GantryFeedforward_me_FMU feedforward{};\n  GantryCrane_me_FMU gantr
 
 
 @pytest.mark.parametrize(("name", "stop"), [("paper", 5.0), ("pick_and_place", 7.0)])
-def test_missions_with_every_solver(omc, tmp_path: Path, name: str, stop: float) -> None:
+def test_missions_with_every_solver(tmp_path: Path, name: str, stop: float) -> None:
     task = load_mission(MODELS / f"{name}.toml")
     natives = [
         m.native_spec(s) for m, s in zip(registered(), specs(task, task.plan()), strict=True)
@@ -48,7 +56,7 @@ def test_missions_with_every_solver(omc, tmp_path: Path, name: str, stop: float)
         assert load_distance(results, "gantry.", expected) < 1e-6, solver
 
 
-def test_parameters_changed_in_modelica_take_effect(omc, native_fmus, tmp_path: Path) -> None:
+def test_parameters_changed_in_modelica_take_effect(native_fmus, tmp_path: Path) -> None:
     loaded = imported(tmp_path, native_fmus[2])
     mission(tmp_path, CLASSES.format(
         "(crane_payload_mass = 1.4, waypoint_3__position_x = 0.8, limits_x_velocity = 0.5)",
@@ -68,7 +76,7 @@ def test_parameters_changed_in_modelica_take_effect(omc, native_fmus, tmp_path: 
 
 
 def test_parameters_of_no_use_end_the_simulation_with_their_reason(
-    omc, native_fmus, tmp_path: Path
+    native_fmus, tmp_path: Path
 ) -> None:
     loaded = imported(tmp_path, native_fmus[2])
     mission(tmp_path, CLASSES.format("(limits_x_velocity = -1)", ""))

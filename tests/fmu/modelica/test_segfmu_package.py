@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -9,7 +10,15 @@ import pytest
 
 from segfmu.cosim import simulate
 from segfmu.fmu.modelica.package import write_package
-from tests.fmu.modelica.openmodelica import SOLVERS, built, load_distance, simulated
+from tests.fmu.modelica.openmodelica import (
+    SOLVERS,
+    built,
+    load_distance,
+    require_omc,
+    simulated,
+)
+
+require_omc()
 
 LAGS = {f"drive.{d}.lag": 0.05 for d in ("bridge", "trolley", "hoist")}
 VELOCITY = {"drive.mode": "velocity", "feedback.design": "flatness", **LAGS}
@@ -44,7 +53,7 @@ end Loop;
 
 
 @pytest.fixture(scope="module")
-def package(omc, native_fmus, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def package(native_fmus, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with the package and the FMUs in it."""
     folder = tmp_path_factory.mktemp("modelica")
     write_package(folder, archives=native_fmus[2])
@@ -127,6 +136,14 @@ def test_an_input_may_follow_from_a_state(package) -> None:
     results, _ = simulated(loop)
     assert "nonlinear system" not in (loop.parent / "Loop_info.json").read_text()
     assert np.isfinite(results["gantry.load_position_x"]).all()
+
+
+def test_the_listing_of_the_documentation(package) -> None:
+    text = (Path(__file__).parents[3] / "docs" / "importing" / "openmodelica.md").read_text()
+    listing = re.search(r"```modelica\n(model MyMission.*?)```", text, re.S)[1]
+    results, _ = simulated(program(package, "MyMission", listing), "-override=stopTime=9")
+    last = [results[f"gantry.load_position_{a}"][-1] for a in "xyz"]
+    assert last == pytest.approx([0.8, 0.6, -0.5], abs=5e-3)
 
 
 def test_errors_name_the_instance(package) -> None:

@@ -13,15 +13,20 @@
 
 #if defined(_WIN32)
 #include <windows.h>
-#define SEGFMU_BINARY "win64", ".dll"
+#define SEGFMU_SUFFIX ".dll"
+#define SEGFMU_FOLDERS "win64"
 #else
 #include <dlfcn.h>
 #if defined(__APPLE__)
-#define SEGFMU_BINARY "darwin64", ".dylib"
+#define SEGFMU_SUFFIX ".dylib"
+/* the first one has both processors where both are built */
+#define SEGFMU_FOLDERS "darwin64", "aarch64-darwin"
 #elif defined(__aarch64__)
-#define SEGFMU_BINARY "aarch64-linux", ".so"
+#define SEGFMU_SUFFIX ".so"
+#define SEGFMU_FOLDERS "aarch64-linux"
 #else
-#define SEGFMU_BINARY "linux64", ".so"
+#define SEGFMU_SUFFIX ".so"
+#define SEGFMU_FOLDERS "linux64"
 #endif
 #endif
 
@@ -159,16 +164,18 @@ static void segfmu_bind(segfmu_fmu *f, const char *name, void *function)
 
 static void segfmu_load(segfmu_fmu *f, const char *folder, const char *name)
 {
-    static const char *const binary[] = {SEGFMU_BINARY};
-    char path[2 * SEGFMU_PATH];
-    snprintf(path, sizeof path, "%s/binaries/%s/%s%s", folder, binary[0], name, binary[1]);
-#if defined(_WIN32)
-    f->library = (void *)LoadLibraryA(path);
+    static const char *const folders[] = {SEGFMU_FOLDERS};
     const char *reason = "it cannot be loaded";
+    char path[2 * SEGFMU_PATH];
+    for (size_t i = 0; i < sizeof folders / sizeof *folders && f->library == NULL; i++) {
+        snprintf(path, sizeof path, "%s/binaries/%s/%s%s", folder, folders[i], name, SEGFMU_SUFFIX);
+#if defined(_WIN32)
+        f->library = (void *)LoadLibraryA(path);
 #else
-    f->library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
-    const char *reason = f->library == NULL ? dlerror() : "";
+        f->library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
+        reason = f->library == NULL ? dlerror() : "";
 #endif
+    }
     if (f->library == NULL) {
         ModelicaFormatError("%s: %s; the parameter folder takes the folder of the unpacked FMU",
                             path, reason);
