@@ -13,7 +13,7 @@ kernels/control/observer.py.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import pi, sqrt
+from math import pi
 
 import numpy as np
 
@@ -22,15 +22,11 @@ from segfmu.crane.linear import ROWS, scheduled_lengths
 from segfmu.crane.parameters import Crane
 from segfmu.errors import InputError
 from segfmu.kernels import backend
-from segfmu.kernels.control.records import AxisModel, Kalman
+from segfmu.kernels.control.records import AxisModel, Kalman, Tracking
 from segfmu.kernels.control.records import Observer as Table
+from segfmu.kernels.control.records import Uncertainty as Expectations
 from segfmu.kernels.crane.records import DriveMode, Plant
 from segfmu.planning.arrays import FloatArray
-
-# bandwidth of the filter that finds the offset of the rope's sensor: in units of the longest
-# pendulum's frequency, but no more than so many radians in a sample
-OFFSET_RATIO = 4.0
-OFFSET_LARGEST = 0.5
 
 # of the design's work space
 WORK_COLUMNS = 2 * AxisModel.SIZE
@@ -76,22 +72,18 @@ class Uncertainty:
         for name in ("wake", "offset"):
             require_not_negative(f"uncertainty {name}", getattr(self, name))
 
-    @property
-    def tolerances(self) -> FloatArray:
-        """Deviations that may be rounding: carriages, rope [m], angles [rad]; shape (3,)."""
-        return self.wake * np.array([self.position, self.length, self.angle])
-
     def vector(self, gravity: float) -> FloatArray:
         """The kernels' `Expected`, walks in m/s2; shape (5,)."""
         walks = self.drift * gravity, self.wind * gravity
         return np.array([self.position, self.length, self.angle, *walks])
 
-    def offset_parameters(self, gravity: float, longest: float, sample_time: float) -> FloatArray:
-        """What the kernels' `Tracking` has of the offset, its last fields; shape (4,)."""
-        bandwidth = min(OFFSET_RATIO * sqrt(gravity / longest), OFFSET_LARGEST / sample_time)
-        place = max(self.position, self.length)
-        noise = self.angle**2 / 12.0, place**2 / 12.0
-        return np.array([self.offset, bandwidth, *noise])
+    def noise(self, gravity: float, longest: float, sample_time: float) -> FloatArray:
+        """What the kernels' `Tracking` has of this, from WAKE_POSITION on; shape (7,)."""
+        given = np.array([getattr(self, n.lower()) for n in Expectations.FIELDS])
+        tracking = np.zeros(Tracking.SIZE)
+        tracking[Tracking.PERIOD] = sample_time
+        backend.set_noise(given, gravity, longest, tracking)
+        return tracking[Tracking.WAKE_POSITION :]
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,10 +102,8 @@ class Observer:
         Whether measured signals are one sample old.
     table : ndarray, shape (rows, 19, 10)
         The kernels' `Observer` for ascending rope lengths.
-    tolerances : ndarray, shape (3,)
-        Of `Uncertainty`.
-    offset : ndarray, shape (4,)
-        `Uncertainty.offset_parameters`.
+    noise : ndarray, shape (7,)
+        `Uncertainty.noise`.
     """
 
     crane: Crane
@@ -121,8 +111,7 @@ class Observer:
     driven: bool
     delayed: bool
     table: FloatArray
-    tolerances: FloatArray
-    offset: FloatArray
+    noise: FloatArray
 
     @property
     def lengths(self) -> FloatArray:
@@ -188,5 +177,5 @@ def design_observer(
             f"the observer has no finite gains between {shortest} and {longest} m of rope; check "
             "masses, lags and what it expects"
         )
-    offset = expected.offset_parameters(crane.gravity, longest, sample_time)
-    return Observer(crane, sample_time, driven, delayed, table, expected.tolerances, offset)
+    noise = expected.noise(crane.gravity, longest, sample_time)
+    return Observer(crane, sample_time, driven, delayed, table, noise)

@@ -95,8 +95,7 @@ class TrackingController:
         own[Tracking.MASSES : Tracking.GRAVITY] = moved_masses(observer.crane.masses)
         own[Tracking.GRAVITY] = observer.crane.gravity
         own[Tracking.PAYLOAD_SHARE] = period / payload_time
-        own[Tracking.WAKE_POSITION : Tracking.OFFSET_EXPECTED] = observer.tolerances
-        own[Tracking.OFFSET_EXPECTED :] = observer.offset
+        own[Tracking.WAKE_POSITION :] = observer.noise
         least, greatest = _limits("lower", lower, -UNLIMITED), _limits("upper", upper, UNLIMITED)
         if (least > greatest).any():
             raise InputError(

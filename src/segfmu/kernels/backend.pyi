@@ -105,6 +105,14 @@ def design_flat_gains(
     /,
 ) -> None: ...
 
+def set_noise(
+    uncertainty: Floats,
+    gravity: float,
+    longest: float,
+    tracking: Floats,
+    /,
+) -> None: ...
+
 def observer_design(
     plant: Floats,
     sample_time: float,

@@ -23,6 +23,7 @@ from segfmu.kernels.control.records import (
     Tick,
     Tracker,
     Tracking,
+    Uncertainty,
 )
 from segfmu.kernels.crane.records import (
     Axes,
@@ -158,6 +159,7 @@ ENTRY_POINTS = (
         gains=("lengths", Gains.SIZE, Gains.COLUMNS), correction=Axes.SIZE,
     ),
     entry("control.feedback", "feedback_bandwidth"),
+    entry("control.design", "set_noise", uncertainty=Uncertainty.SIZE, tracking=Tracking.SIZE),
     entry(
         "control.design", "design_flat_gains", plant=Plant.SIZE, design=FlatDesign.SIZE,
         gains=(Gains.SIZE, Gains.COLUMNS),

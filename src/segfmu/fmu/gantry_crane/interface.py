@@ -7,7 +7,6 @@ from typing import Any
 
 from segfmu.crane import Crane
 from segfmu.crane.feedback import SwayFeedback, design
-from segfmu.crane.observer import OFFSET_LARGEST, OFFSET_RATIO
 from segfmu.crane.plant import TOLERANCE
 from segfmu.fmu.gantry import SETPOINTS, crane_parameters
 from segfmu.fmu.gantry_crane.feedback_parameters import (
@@ -190,7 +189,6 @@ def native_spec(own: Spec | None = None) -> Spec:
         states=tuple(zip(STATES, RATES, strict=True)), dependencies=_dependencies(),
         orders=1, partials=("ModelExchange",), terminals=(SETPOINTS,),
         constants=(
-            ("OFFSET_RATIO", OFFSET_RATIO), ("LARGEST_OFFSET_ANGLE", OFFSET_LARGEST),
             ("TOLERANCE", TOLERANCE),
         ),
     )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from segfmu.fmu.gantry_crane.interface import native_spec, spec
 from segfmu.fmu.model import Model
-from segfmu.kernels.control.records import Estimates, Expected, FlatDesign, Tracking
+from segfmu.kernels.control.records import Estimates, Expected, FlatDesign, Tracking, Uncertainty
 from segfmu.kernels.crane.records import Plant, State
 from segfmu.kernels.rig.records import (
     Accelerations,
@@ -24,7 +24,7 @@ GANTRY_CRANE = Model(
     native_spec=native_spec,
     records=(
         Loop, Sensors, Plant, State, Setpoints, Target, PayloadTable, WindNoise, Expected, Tracking,
-        Outputs, Accelerations, Estimates, FlatDesign,
+        Outputs, Accelerations, Estimates, FlatDesign, Uncertainty,
     ),
     slave="segfmu.fmu.gantry_crane.slave:CraneSlave",
 )

@@ -1358,6 +1358,27 @@ void segfmu_design_flat_gains(array_double_1d plant, array_double_1d design, dou
     hoist = segfmu_feedback_bandwidth((*cspan_at(&design, INT64_C(2))), length, gravity, delay, largest_hoist_angle());
     segfmu_feedback_gains(plant, length, bandwidth, hoist, (*cspan_at(&design, INT64_C(3))), gains);
 }
+/*Fill in a `Tracking` that has a PERIOD, from WAKE_POSITION on, by an `Uncertainty`.              */
+/*                                                                                                 */
+/*    The bandwidth of the filter that finds the rope's offset is in units of the frequency of the */
+/*    longest rope [m], but no more than half a radian in a sample.                                */
+/*                                                                                                 */
+void segfmu_set_noise(array_double_1d uncertainty, double gravity, double longest, array_double_1d tracking)
+{
+    double wake;
+    double angle;
+    double place;
+    wake = (*cspan_at(&uncertainty, INT64_C(5)));
+    (*cspan_at(&tracking, INT64_C(20))) = wake * (*cspan_at(&uncertainty, INT64_C(0)));
+    (*cspan_at(&tracking, INT64_C(21))) = wake * (*cspan_at(&uncertainty, INT64_C(1)));
+    (*cspan_at(&tracking, INT64_C(22))) = wake * (*cspan_at(&uncertainty, INT64_C(2)));
+    (*cspan_at(&tracking, INT64_C(23))) = (*cspan_at(&uncertainty, INT64_C(6)));
+    (*cspan_at(&tracking, INT64_C(24))) = span_min(4.0 * sqrt(gravity / longest), 0.5 / (*cspan_at(&tracking, INT64_C(1))));
+    angle = (*cspan_at(&uncertainty, INT64_C(2)));
+    place = span_max((*cspan_at(&uncertainty, INT64_C(0))), (*cspan_at(&uncertainty, INT64_C(1))));
+    (*cspan_at(&tracking, INT64_C(25))) = angle * angle / 12.0;
+    (*cspan_at(&tracking, INT64_C(26))) = place * place / 12.0;
+}
 /*a = value times the identity.*/
 static void matrix_set(int64_t n, double value, array_double_2d a)
 {

@@ -19,6 +19,7 @@ void segfmu_feedback_correction(array_double_1d state, array_double_1d reference
 double segfmu_feedback_bandwidth(double ratio, double length, double gravity, double delay, double largest);
 void segfmu_feedback_gains(array_double_1d plant, double length, double bandwidth, double hoist_bandwidth, double damping, array_double_2d gains);
 void segfmu_design_flat_gains(array_double_1d plant, array_double_1d design, double length, array_double_2d gains);
+void segfmu_set_noise(array_double_1d uncertainty, double gravity, double longest, array_double_1d tracking);
 void segfmu_observer_design(array_double_1d plant, double sample_time, double length, array_double_1d expected, array_double_2d work, array_double_2d table);
 void segfmu_observer_predict(double length, array_double_3d table, array_double_1d command, array_double_1d held, array_double_2d estimate, array_double_1d scratch);
 void segfmu_observer_correct(double length, array_double_3d table, array_double_1d measured, array_double_1d reference, array_double_2d estimate);

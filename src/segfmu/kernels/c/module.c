@@ -352,6 +352,34 @@ static PyObject *call_design_flat_gains(
     return answer;
 }
 
+static PyObject *call_set_noise(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "set_noise", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_uncertainty;
+    double in_gravity;
+    double in_longest;
+    Py_buffer *in_tracking;
+    (void)self;
+    if (take_count(&call, count, 4)
+        && (in_uncertainty = take_array(&call, 0, 1, 'd', false)) != NULL
+        && take_float(&call, 1, &in_gravity)
+        && take_float(&call, 2, &in_longest)
+        && (in_tracking = take_array(&call, 3, 1, 'd', true)) != NULL
+        && has_at_least(&call, "uncertainty", 0, in_uncertainty->shape[0], 7)
+        && has_at_least(&call, "tracking", 0, in_tracking->shape[0], 27)) {
+        segfmu_set_noise(
+            (array_double_1d){in_uncertainty->buf, {in_uncertainty->shape[0]}},
+            in_gravity,
+            in_longest,
+            (array_double_1d){in_tracking->buf, {in_tracking->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_observer_design(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -1834,6 +1862,7 @@ static PyMethodDef methods[] = {
     {"feedback_bandwidth", (PyCFunction)(void (*)(void))call_feedback_bandwidth, METH_FASTCALL, NULL},
     {"feedback_gains", (PyCFunction)(void (*)(void))call_feedback_gains, METH_FASTCALL, NULL},
     {"design_flat_gains", (PyCFunction)(void (*)(void))call_design_flat_gains, METH_FASTCALL, NULL},
+    {"set_noise", (PyCFunction)(void (*)(void))call_set_noise, METH_FASTCALL, NULL},
     {"observer_design", (PyCFunction)(void (*)(void))call_observer_design, METH_FASTCALL, NULL},
     {"observer_predict", (PyCFunction)(void (*)(void))call_observer_predict, METH_FASTCALL, NULL},
     {"observer_correct", (PyCFunction)(void (*)(void))call_observer_correct, METH_FASTCALL, NULL},

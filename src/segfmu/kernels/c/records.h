@@ -257,6 +257,17 @@ enum {
     FLAT_DESIGN_SIZE = 4
 };
 
+enum {
+    UNCERTAINTY_POSITION = 0,
+    UNCERTAINTY_LENGTH = 1,
+    UNCERTAINTY_ANGLE = 2,
+    UNCERTAINTY_DRIFT = 3,
+    UNCERTAINTY_WIND = 4,
+    UNCERTAINTY_WAKE = 5,
+    UNCERTAINTY_OFFSET = 6,
+    UNCERTAINTY_SIZE = 7
+};
+
 /* kernels/crane/records.py */
 
 enum {

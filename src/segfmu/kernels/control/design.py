@@ -1,7 +1,9 @@
-"""Design of the flatness-based feedback for one rope length."""
+"""Design of the flatness-based feedback, and of the tracking controller's noise thresholds."""
+
+from math import sqrt
 
 from segfmu.kernels.control.feedback import feedback_bandwidth, feedback_gains
-from segfmu.kernels.control.records import FlatDesign
+from segfmu.kernels.control.records import FlatDesign, Tracking, Uncertainty
 from segfmu.kernels.crane.records import Axes, DriveMode, Plant
 
 
@@ -37,3 +39,25 @@ def design_flat_gains(
         design[FlatDesign.HOIST_BANDWIDTH], length, gravity, delay, largest_hoist_angle()
     )
     feedback_gains(plant, length, bandwidth, hoist, design[FlatDesign.DAMPING], gains)
+
+
+def set_noise(
+    uncertainty: 'float[:]', gravity: float, longest: float, tracking: 'float[:]'
+) -> None:
+    """Fill in a `Tracking` that has a PERIOD, from WAKE_POSITION on, by an `Uncertainty`.
+
+    The bandwidth of the filter that finds the rope's offset is in units of the frequency of the
+    longest rope [m], but no more than half a radian in a sample.
+    """
+    wake = uncertainty[Uncertainty.WAKE]
+    tracking[Tracking.WAKE_POSITION] = wake * uncertainty[Uncertainty.POSITION]
+    tracking[Tracking.WAKE_LENGTH] = wake * uncertainty[Uncertainty.LENGTH]
+    tracking[Tracking.WAKE_ANGLE] = wake * uncertainty[Uncertainty.ANGLE]
+    tracking[Tracking.OFFSET_EXPECTED] = uncertainty[Uncertainty.OFFSET]
+    tracking[Tracking.OFFSET_BANDWIDTH] = min(
+        4.0 * sqrt(gravity / longest), 0.5 / tracking[Tracking.PERIOD]
+    )
+    angle = uncertainty[Uncertainty.ANGLE]
+    place = max(uncertainty[Uncertainty.POSITION], uncertainty[Uncertainty.LENGTH])
+    tracking[Tracking.ANGLE_VARIANCE] = angle * angle / 12.0
+    tracking[Tracking.POSITION_VARIANCE] = place * place / 12.0

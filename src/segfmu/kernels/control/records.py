@@ -290,3 +290,15 @@ class FlatDesign(Record):
         variables=("feedback.hoist_bandwidth",),
     )
     DAMPING = field("damping of all poles", variables=("feedback.damping",))
+
+
+class Uncertainty(Expected):
+    """All that is expected of sensors and disturbances; drift and wind in units of gravity."""
+
+    WAKE = field(
+        "sensor steps up to which nothing is corrected", variables=(f"{OBSERVER}.wake",)
+    )
+    OFFSET = field(
+        "standard deviation of the length sensor's offset over the rope's length",
+        variables=(f"{OBSERVER}.offset",),
+    )

@@ -34,23 +34,11 @@ static bool design_observer(crane *m, const double range[2], char message[MESSAG
     return true;
 }
 
-/* As `Uncertainty.offset_parameters`. */
-static void set_offset(crane *m, double longest)
-{
-    const double *real = m->base.real;
-    double *p = setting(m, SETTINGS_TRACKING), gravity = real[V_CRANE_GRAVITY];
-    double angle = real[V_FEEDBACK_OBSERVER_ANGLE];
-    double place = fmax(real[V_FEEDBACK_OBSERVER_POSITION], real[V_FEEDBACK_OBSERVER_LENGTH]);
-    p[TRACKING_OFFSET_BANDWIDTH] = fmin(OFFSET_RATIO * sqrt(gravity / longest),
-                LARGEST_OFFSET_ANGLE / real[V_FEEDBACK_SAMPLE_TIME]);
-    p[TRACKING_ANGLE_VARIANCE] = angle * angle / 12.0;
-    p[TRACKING_POSITION_VARIANCE] = place * place / 12.0;
-}
-
 bool crane_set_tracking(crane *m, char message[MESSAGE])
 {
     const double *real = m->base.real;
     double *p = setting(m, SETTINGS_TRACKING), period = real[V_FEEDBACK_SAMPLE_TIME], range[2];
+    double uncertainty[UNCERTAINTY_SIZE];
     memset(p, 0, TRACKING_SIZE * sizeof *p);
     memset(m->tracker, 0, sizeof m->tracker);
     m->count_observer = 1;
@@ -71,11 +59,10 @@ bool crane_set_tracking(crane *m, char message[MESSAGE])
         p[TRACKING_LEAST + i] = -p[TRACKING_GREATEST + i];
     }
     p[TRACKING_PAYLOAD_SHARE] = period / real[V_FEEDBACK_PAYLOAD_TIME];
-    p[TRACKING_WAKE_POSITION] = real[V_FEEDBACK_OBSERVER_WAKE] * real[V_FEEDBACK_OBSERVER_POSITION];
-    p[TRACKING_WAKE_LENGTH] = real[V_FEEDBACK_OBSERVER_WAKE] * real[V_FEEDBACK_OBSERVER_LENGTH];
-    p[TRACKING_WAKE_ANGLE] = real[V_FEEDBACK_OBSERVER_WAKE] * real[V_FEEDBACK_OBSERVER_ANGLE];
-    set_offset(m, range[1]);
+    feed_record(&feeds_uncertainty, &m->base, uncertainty);
     crane_tune_tracking(m, false);
+    segfmu_set_noise(vector(uncertainty, UNCERTAINTY_SIZE), real[V_CRANE_GRAVITY], range[1],
+                     vector(p, TRACKING_SIZE));
     tracked(m, TRACKER_COMMAND)[VELOCITY_COMMAND_SWITCHED] = 0.0;
     return true;
 }
@@ -85,7 +72,8 @@ void crane_tune_tracking(crane *m, bool switched)
     const double *real = m->base.real;
     double *p = setting(m, SETTINGS_TRACKING), fade = real[V_FEEDBACK_FADE];
     /* both shares that are rejected, and whether corrections are made */
-    double *switches = p + TRACKING_REJECTED_DRIFT, before[3];
+    double *switches = p + TRACKING_REJECTED_DRIFT;
+    double before[TRACKING_ENABLED + 1 - TRACKING_REJECTED_DRIFT];
     memcpy(before, switches, sizeof before);
     feed_record(&feeds_tracking, &m->base, p);
     p[TRACKING_DECAY] = fade > 0.0 ? exp(-real[V_FEEDBACK_SAMPLE_TIME] / fade) : 0.0;

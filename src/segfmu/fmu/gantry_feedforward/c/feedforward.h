@@ -8,7 +8,11 @@
 #include "records.h"
 #include "segfmu.h"
 
-enum { AXES = 3, ORDERS = 5, RESULTS = FLAT_INVERSE_SIZE, MOST_POINTS = MODEL_ROWS };
+/* orders of the load's motion that are shown, and derivatives that have a limit */
+enum {
+    AXES = VECTOR_SIZE, ORDERS = 5, LIMITS = 4, MOST_SMOOTHNESS = 6, RESULTS = FLAT_INVERSE_SIZE,
+    MOST_POINTS = MODEL_ROWS
+};
 
 typedef struct {
     model base;

@@ -59,8 +59,8 @@ static void gather_limits(const double *real, int64_t smoothness, double *table)
 {
     for (int axis = 0; axis < AXES; axis++) {
         for (int64_t i = 0; i <= smoothness; i++) {
-            table[axis * (smoothness + 1) + i] = i < 4 ? real[V_LIMITS_X_VELOCITY + axis * 4 + i]
-                                                       : 0.0;
+            const double *own = &real[V_LIMITS_X_VELOCITY + axis * LIMITS];
+            table[axis * (smoothness + 1) + i] = i < LIMITS ? own[i] : 0.0;
         }
     }
 }
@@ -86,7 +86,7 @@ bool feedforward_plan(feedforward *m, char message[MESSAGE])
 {
     const double *real = m->base.real;
     const int64_t *integer = m->base.integer;
-    double limits[AXES * 7];
+    double limits[AXES * (MOST_SMOOTHNESS + 1)];
     segfmu_problem problem = {
         integer[V_WAYPOINT_COUNT], AXES, integer[V_PLANNER_SMOOTHNESS],
         integer[V_PLANNER_SHAPE] - 1, integer[V_PLANNER_SYNCHRONIZATION] - 1,
