@@ -9,65 +9,94 @@ import subprocess
 import sys
 import sysconfig
 from dataclasses import dataclass
+from importlib import metadata
 from importlib.util import find_spec
 from pathlib import Path
 
 from segfmu.errors import BuildError
 
 OPTIONS = (
-    "-std=c99", "-O3", "-DNDEBUG", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math",
-    "-fvisibility=hidden", "-ffunction-sections", "-fdata-sections",
+    "-std=c99", "-O3", "-DNDEBUG", "-w", "-ffp-contract=off", "-fno-math-errno",
+    "-fno-trapping-math", "-fvisibility=hidden", "-ffunction-sections", "-fdata-sections",
 )
-# what the glue and the models, written by hand, must pass
-WARNINGS = ("-Wall", "-Wextra", "-Wpedantic", "-Werror")
 
 
 @dataclass(frozen=True)
 class Platform:
-    """A platform: its folder in archives of FMI 2 and 3, its name for zig, and what links."""
+    """A platform: its folder in archives of FMI 2 and 3, its name for zig, and options."""
 
     name: str
     folder: str
     target: str
     suffix: str
+    compile: tuple[str, ...]
     link: tuple[str, ...]
 
+    @property
+    def options(self) -> tuple[str, ...]:
+        """All options that are the platform's own."""
+        return *self.compile, *self.link
 
+
+_CODE = ("-fPIC",)
+_MACH = ("-shared", "-s")
 _ELF = ("-shared", "-s", "-Wl,--gc-sections", "-lm")
 PLATFORMS = {
     p.name: p
     for p in (
         # glibc 2.17 is that of all Linux distributions still in use
-        Platform("x86_64-linux", "linux64", "x86_64-linux-gnu.2.17", ".so", _ELF),
-        Platform("aarch64-linux", "aarch64-linux", "aarch64-linux-gnu.2.17", ".so", _ELF),
-        Platform("x86_64-windows", "win64", "x86_64-windows-gnu", ".dll", ("-shared", "-s")),
-        Platform("x86_64-darwin", "darwin64", "x86_64-macos", ".dylib", ("-shared",)),
-        Platform("aarch64-darwin", "aarch64-darwin", "aarch64-macos", ".dylib", ("-shared",)),
+        Platform("x86_64-linux", "linux64", "x86_64-linux-gnu.2.17", ".so", _CODE, _ELF),
+        Platform("aarch64-linux", "aarch64-linux", "aarch64-linux-gnu.2.17", ".so", _CODE, _ELF),
+        Platform("x86_64-windows", "win64", "x86_64-windows-gnu", ".dll", (), ("-shared", "-s")),
+        # macOS 11 is the first one for both processors
+        Platform("x86_64-darwin", "darwin64", "x86_64-macos.11.0", ".dylib", _CODE, _MACH),
+        Platform("aarch64-darwin", "aarch64-darwin", "aarch64-macos.11.0", ".dylib", _CODE, _MACH),
     )
 }
 
 
 @dataclass(frozen=True)
 class Compiler:
-    """A command that compiles C for one platform."""
+    """A command that compiles C for one platform; `version` tells one compiler from another."""
 
     command: tuple[str, ...]
     platform: Platform
+    version: str
 
-    def compile(self, source: Path, target: Path, options: tuple[str, ...] = ()) -> None:
-        """Compile one source to an object file."""
-        position = () if self.platform.suffix == ".dll" else ("-fPIC",)
-        self._run(*OPTIONS, *position, *options, "-c", str(source), "-o", str(target))
+    @property
+    def identity(self) -> str:
+        """What a binary follows from beside its sources."""
+        return " ".join((*self.command, self.version, *OPTIONS, *self.platform.options))
 
-    def link(self, objects: list[Path], target: Path) -> None:
-        """Link a shared library that shows nothing but the functions of FMI."""
-        self._run(*map(str, objects), "-o", str(target), *self.platform.link)
+    def build(self, source: Path, library: Path) -> None:
+        """Compile one source, beside those that it includes, to a shared library.
 
-    def _run(self, *arguments: str) -> None:
+        It shows nothing but the functions of FMI, and equal sources give equal bytes.
+
+        Raises
+        ------
+        BuildError
+            With the compiler's first error.
+        """
+        folder = source.parent
+        objects = folder / f"{source.name}.o"
+        # no path of this machine gets into the library
+        self._run(
+            *OPTIONS, f"-ffile-prefix-map={folder}=.", *self.platform.compile, "-c", source.name,
+            "-o", objects.name, folder=folder,
+        )
+        install = ("-Wl,-install_name,@rpath/" + library.name,) * (library.suffix == ".dylib")
+        self._run(
+            objects.name, "-o", library.name, *self.platform.link, *install, folder=folder
+        )
+        if library.suffix == ".dll":
+            library.write_bytes(without_date(library.read_bytes()))
+
+    def _run(self, *arguments: str, folder: Path) -> None:
         command = [*self.command, *arguments]
         try:
             done = subprocess.run(
-                command, capture_output=True, text=True, errors="replace", check=False
+                command, capture_output=True, text=True, errors="replace", check=False, cwd=folder
             )
         except OSError as error:
             raise BuildError(f"{command[0]} cannot be run: {error.strerror}") from None
@@ -75,6 +104,17 @@ class Compiler:
             lines = [line for line in done.stderr.splitlines() if "error" in line]
             told = (lines or done.stderr.splitlines() or [f"exit code {done.returncode}"])[0]
             raise BuildError(f"compiling for {self.platform.name} failed: {told}")
+
+
+# place of the offset of the header in a DLL, and of the date in that header: Microsoft's PE format
+_PE_HEADER, _PE_DATE = 0x3C, 8
+
+
+def without_date(library: bytes) -> bytes:
+    """A DLL without the time at which it was linked."""
+    (header,) = struct.unpack_from("<I", library, _PE_HEADER)
+    place = header + _PE_DATE
+    return library[:place] + bytes(4) + library[place + 4 :]
 
 
 # of the two in a universal binary: type and subtype of the processor, by Apple's mach/machine.h
@@ -120,13 +160,24 @@ def compiler(name: str) -> Compiler:
         raise BuildError(f"platform must be one of {', '.join(PLATFORMS)}, got {name!r}")
     own = _own()
     if name == host() and own is not None:
-        return Compiler((own,), PLATFORMS[name])
+        return Compiler((own,), PLATFORMS[name], _version(own))
     if not _has_zig():
         raise BuildError(
             f"no C compiler for {name}; install the extra segfmu[platforms], which has ziglang"
         )
     target = PLATFORMS[name].target
-    return Compiler((sys.executable, "-m", "ziglang", "cc", "-target", target), PLATFORMS[name])
+    return Compiler(
+        (sys.executable, "-m", "ziglang", "cc", "-target", target), PLATFORMS[name],
+        metadata.version("ziglang"),
+    )
+
+
+def _version(command: str) -> str:
+    """What a compiler says of itself."""
+    done = subprocess.run(
+        [command, "--version"], capture_output=True, text=True, errors="replace", check=False
+    )
+    return done.stdout.strip()
 
 
 def _has_zig() -> bool:

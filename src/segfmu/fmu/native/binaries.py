@@ -1,0 +1,133 @@
+"""Binaries of native FMUs: packaged, from the user's cache, or compiled now.
+
+No binary depends on a mission, so each is made once: for a released wheel with those of all
+platforms, or else once on a machine, where the cache keeps it by a hash of its sources, its compiler
+and the options.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import tempfile
+from collections.abc import Iterable, Mapping
+from importlib.resources import files
+from pathlib import Path
+
+from platformdirs import user_cache_path
+
+from segfmu.errors import BuildError
+from segfmu.fmu.native.compilers import PLATFORMS, Compiler, compiler, host
+
+# the one translation unit of an FMU, which includes its other sources
+UNIT = "fmu.c"
+# bytes of the digest that a file of the cache begins with
+DIGEST = hashlib.sha256().digest_size
+# newest files that the cache keeps
+KEPT = 64
+
+
+def binary(name: str, texts: Mapping[str, bytes], platform: str) -> bytes:
+    """The shared library of a model, of these sources, for a platform.
+
+    Parameters
+    ----------
+    name : str
+        Of the model; the library's file in an archive has it too.
+    texts : mapping of str to bytes
+        Sources by their names.
+    platform : str
+        A name of `PLATFORMS`.
+
+    Raises
+    ------
+    BuildError
+        Where there is neither a binary nor a compiler for the platform, or the compiler fails.
+    """
+    packaged = _packaged(name, texts, platform)
+    if packaged is not None:
+        return packaged
+    chosen = compiler(platform)
+    path = folder() / _key(name, texts, chosen)
+    found = _read(path)
+    if found is None:
+        found = compiled(name, texts, chosen)
+        _keep(path, found)
+    return found
+
+
+def available(models: Iterable[tuple[str, Mapping[str, bytes]]]) -> bool:
+    """Whether the binaries of some models for this machine are packaged."""
+    name = host()
+    return name is not None and all(_packaged(m, t, name) is not None for m, t in models)
+
+
+def folder() -> Path:
+    """The cache: SEGFMU_CACHE of the environment, or the usual place of the user's system."""
+    return Path(os.environ.get("SEGFMU_CACHE") or user_cache_path("segfmu"))
+
+
+def compiled(name: str, texts: Mapping[str, bytes], chosen: Compiler) -> bytes:
+    """Compile and link; the folder that this happens in leaves no trace in the library."""
+    with tempfile.TemporaryDirectory(prefix="segfmu_") as place:
+        root = Path(place)
+        for source, text in texts.items():
+            target = root / source
+            target.parent.mkdir(exist_ok=True)
+            target.write_bytes(text)
+        library = root / f"{name}{chosen.platform.suffix}"
+        chosen.build(root / UNIT, library)
+        return library.read_bytes()
+
+
+def source_digest(texts: Mapping[str, bytes]) -> str:
+    """Hash of sources by their names."""
+    digest = hashlib.sha256()
+    for name in sorted(texts):
+        digest.update(f"{name} {len(texts[name])} ".encode() + texts[name])
+    return digest.hexdigest()
+
+
+def packaged_name(name: str, texts: Mapping[str, bytes], platform: str) -> str:
+    """Where the package has a library, if it has it: the sources are part of the name."""
+    return f"{platform}/{name}-{source_digest(texts)[:16]}{PLATFORMS[platform].suffix}"
+
+
+def _packaged(name: str, texts: Mapping[str, bytes], platform: str) -> bytes | None:
+    if platform not in PLATFORMS:
+        raise BuildError(f"platform must be one of {', '.join(PLATFORMS)}, got {platform!r}")
+    root = files("segfmu.fmu.native").joinpath("binaries")
+    path = root.joinpath(*packaged_name(name, texts, platform).split("/"))
+    return path.read_bytes() if path.is_file() else None
+
+
+def _key(name: str, texts: Mapping[str, bytes], chosen: Compiler) -> str:
+    told = f"{source_digest(texts)} {chosen.identity}"
+    digest = hashlib.sha256(told.encode()).hexdigest()
+    return f"{name}-{chosen.platform.name}-{digest[:32]}"
+
+
+def _read(path: Path) -> bytes | None:
+    """A library of the cache, if it is there and whole."""
+    try:
+        content = path.read_bytes()
+    except OSError:
+        return None
+    library = content[DIGEST:]
+    return library if hashlib.sha256(library).digest() == content[:DIGEST] else None
+
+
+def _keep(path: Path, library: bytes) -> None:
+    """Put a library into the cache; without one, the next build compiles again."""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.NamedTemporaryFile(dir=path.parent, prefix=".", delete=False) as beside:
+            beside.write(hashlib.sha256(library).digest() + library)
+        os.replace(beside.name, path)
+        entries = sorted(
+            (p for p in path.parent.iterdir() if p.is_file()), key=lambda p: p.stat().st_mtime
+        )
+        for old in entries[:-KEPT]:
+            old.unlink(missing_ok=True)
+    except OSError:
+        return
