@@ -15,11 +15,12 @@ WIDTH = 76
 
 def generate() -> dict[str, str]:
     """Return the texts of the generated files, by name."""
-    prototypes = "".join(f"{_prototype(t)};\n" for t in TABLES)
+    prototypes = "".join(f"SEGFMU_API {_prototype(t)};\n" for t in TABLES)
     functions = "\n".join("\n".join(_function(t)) + "\n" for t in TABLES)
     return {
         "messages.h": f"{HEAD}#ifndef SEGFMU_MESSAGES_H\n#define SEGFMU_MESSAGES_H\n\n"
         "#include <stdbool.h>\n#include <stddef.h>\n#include <stdint.h>\n\n"
+        '#include "visible.h"\n\n'
         "/* The message of a status and its report; false for a status without one. */\n"
         f"{prototypes}\n#endif\n",
         "messages.c": f'{HEAD}#include "messages.h"\n\n#include <stdio.h>\n\n'

@@ -62,10 +62,10 @@ def _name(prototype: str) -> str:
 
 
 def _header(public: list[str]) -> str:
-    texts = "\n".join(public)
+    texts = "\n".join(f"SEGFMU_API {line}" for line in public)
     return (
         f"{BANNER}#ifndef SEGFMU_KERNELS_H\n#define SEGFMU_KERNELS_H\n\n"
-        '#include <stdbool.h>\n#include <stdint.h>\n\n#include "span.h"\n\n'
+        '#include <stdbool.h>\n#include <stdint.h>\n\n#include "span.h"\n#include "visible.h"\n\n'
         f"{texts}\n\n#endif\n"
     )
 

@@ -25,6 +25,9 @@ class Model:
         The interface on PythonFMU.
     native_spec : callable
         The interface of native FMUs, from that on PythonFMU with any start values.
+    largest : callable
+        The native interface with as many rows as its arrays can have, which the binary is made of.
+        Rows are its last variables; an archive may describe fewer.
     records : tuple of type of Record
         Those of the kernels that the model in C fills from variables, or shows as variables.
     slave : str
@@ -35,6 +38,7 @@ class Model:
     package: str
     spec: Callable[[], Spec]
     native_spec: Callable[[Spec], Spec]
+    largest: Callable[[], Spec]
     records: tuple[type[Record], ...] = ()
     slave: str = ""
 

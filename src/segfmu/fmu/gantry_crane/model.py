@@ -22,6 +22,7 @@ GANTRY_CRANE = Model(
     package="segfmu.fmu.gantry_crane",
     spec=spec,
     native_spec=native_spec,
+    largest=native_spec,
     records=(
         Loop, Sensors, Plant, State, Setpoints, Target, PayloadTable, WindNoise, Expected, Tracking,
         Outputs, Accelerations, Estimates, FlatDesign, Uncertainty,

@@ -17,7 +17,9 @@ from segfmu.fmu.standard.spec import (
     triple,
 )
 
-MAX_WAYPOINTS = 16
+# that a plan can have, and that an FMU has by default
+MOST_WAYPOINTS = 256
+WAYPOINTS = 16
 
 SHAPES = Enumeration("Shape", ("smoothstep", "plateau"), "shape of the acceleration ramps")
 SYNCHRONIZATIONS = Enumeration(
@@ -89,14 +91,14 @@ def _limits() -> list[Variable]:
     return rows
 
 
-def _waypoints() -> list[Variable]:
+def _waypoints(most: int) -> list[Variable]:
     rows = [
         parameter(
             "waypoint.count", len(POINTS), None, "number of waypoints in use", kind="Integer",
-            minimum=2, maximum=MAX_WAYPOINTS,
+            minimum=2, maximum=most,
         )
     ]
-    for i in range(1, MAX_WAYPOINTS + 1):
+    for i in range(1, most + 1):
         point = POINTS[min(i, len(POINTS)) - 1]
         for name, unit, values in zip(
             ("position", "velocity", "acceleration"), ("m", "m/s", "m/s2"), point, strict=True
@@ -133,8 +135,8 @@ def _planner() -> list[Variable]:
     ]
 
 
-def spec() -> Spec:
-    """The interface of GantryFeedforward."""
+def spec(waypoints: int = WAYPOINTS) -> Spec:
+    """The interface of GantryFeedforward, with room for so many waypoints; they come last."""
     return Spec(
         "GantryFeedforward",
         "Plans the motion of a crane's load through waypoints within limits on velocity, "
@@ -148,8 +150,8 @@ def spec() -> Spec:
             ),
             *crane_parameters("nominal crane"),
             *_limits(),
-            *_waypoints(),
             *_planner(),
+            *_waypoints(waypoints),
         ),
         stop_time=8.0,
         step_size=0.001,
@@ -166,15 +168,15 @@ def native_spec(own: Spec | None = None) -> Spec:
     return replace(
         own,
         variables=(*own.variables, time()),
-        arrays=_arrays(),
+        arrays=_arrays(sum(v.name.endswith("].dwell") for v in own.variables)),
         dependencies=tuple((v.name, ("time",)) for v in outputs),
         orders=3,
         terminals=(SETPOINTS,),
     )
 
 
-def _arrays() -> tuple[Array, ...]:
-    rows = range(1, MAX_WAYPOINTS + 1)
+def _arrays(most: int) -> tuple[Array, ...]:
+    rows = range(1, most + 1)
     arrays = [
         Array(
             f"waypoint.{name}", tuple(f"waypoint[{i}].{name}.{a}" for i in rows for a in "xyz"),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from segfmu.fmu.gantry_feedforward.interface import native_spec, spec
+from segfmu.fmu.gantry_feedforward.interface import MOST_WAYPOINTS, native_spec, spec
 from segfmu.fmu.model import Model
 from segfmu.kernels.crane.records import Masses, RopeBounds
 
@@ -11,6 +11,7 @@ GANTRY_FEEDFORWARD = Model(
     package="segfmu.fmu.gantry_feedforward",
     spec=spec,
     native_spec=native_spec,
+    largest=lambda: native_spec(spec(MOST_WAYPOINTS)),
     records=(Masses, RopeBounds),
     slave="segfmu.fmu.gantry_feedforward.slave:FeedforwardSlave",
 )

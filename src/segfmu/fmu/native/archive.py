@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import re
 import tempfile
 import zipfile
 from collections.abc import Callable, Iterable, Sequence
@@ -13,34 +12,29 @@ from pathlib import Path
 
 from segfmu.errors import BuildError
 from segfmu.fmu.models import named
-from segfmu.fmu.native import feeds, tables
-from segfmu.fmu.native.compilers import (
-    PLATFORMS,
-    WARNINGS,
-    Compiler,
-    compiler,
-    host,
-    universal,
-)
+from segfmu.fmu.native import feeds, start, tables
+from segfmu.fmu.native.binaries import UNIT, binary
+from segfmu.fmu.native.compilers import PLATFORMS, host, universal
 from segfmu.fmu.standard import fmi2, fmi3
 from segfmu.fmu.standard.documentation import page
 from segfmu.fmu.standard.spec import Spec
 
 KERNELS = (
     "kernels.c", "kernels.h", "messages.c", "messages.h", "plan.c", "records.h", "segfmu.h",
-    "span.h",
+    "span.h", "visible.h",
 )
 GLUE = (
     "arrays.h", "feed.c", "feed.h", "glue.h", "instance.c", "model.h", "say.c", "say.h",
-    "simulation.c", "state.c", "values.c",
+    "simulation.c", "start.c", "start.h", "state.c",
+    "values.c",
 )
 VERSIONS = {
     2: (
-        "fmi2.c", "fmi2_run.c", "fmi/fmi2Functions.h", "fmi/fmi2FunctionTypes.h",
+        "fmi2.c", "fmi2.h", "fmi2_run.c", "fmi/fmi2Functions.h", "fmi/fmi2FunctionTypes.h",
         "fmi/fmi2TypesPlatform.h",
     ),
     3: (
-        "fmi3.c", "fmi3_run.c", "fmi3_step.c", "fmi3_values.c", "fmi/fmi3Functions.h",
+        "fmi3.c", "fmi3.h", "fmi3_run.c", "fmi3_step.c", "fmi3_values.c", "fmi/fmi3Functions.h",
         "fmi/fmi3FunctionTypes.h", "fmi/fmi3PlatformTypes.h",
     ),
 }
@@ -48,26 +42,6 @@ LICENCE = files("segfmu.fmu.standard").joinpath("license.txt")
 DARWIN = ("x86_64-darwin", "aarch64-darwin")
 # of every entry of an archive, so that equal content gives equal bytes
 DATE = (*(int(fmi2.GENERATED[i:j]) for i, j in ((0, 4), (5, 7), (8, 10))), 0, 0, 0)
-
-
-class Objects:
-    """The kernels, compiled once a platform for all archives of a build."""
-
-    def __init__(self, folder: Path) -> None:
-        self._folder = folder
-        self._made: dict[str, list[Path]] = {}
-
-    def kernels(self, chosen: Compiler) -> list[Path]:
-        """Object files of the kernels for a platform."""
-        name = chosen.platform.name
-        if name not in self._made:
-            folder = self._folder / name
-            folder.mkdir()
-            texts = _packaged("segfmu.kernels", KERNELS)
-            _write(folder, texts)
-            # Pyccel declares variables that it does not use
-            self._made[name] = _compiled(chosen, folder, texts, ("-w",))
-        return self._made[name]
 
 
 def build_all(
@@ -81,33 +55,57 @@ def build_all(
     BuildError
         When the folder cannot be written, and where a compiler is missing or fails.
     """
-    chosen = [compiler(name) for name in platforms or [host() or "this platform"]]
+    names = tuple(platforms) or (host() or "this platform",)
     built = []
     try:
         folder.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(prefix="segfmu_", dir=folder) as work:
-            objects = Objects(Path(work))
             for spec in specs:
                 report(f"building {spec.name}.fmu")
-                built.append(_build(spec, folder, fmi, chosen, objects, Path(work)))
+                complete = Path(work) / f"{spec.name}.zip"
+                _pack(_entries(spec, fmi, names), complete)
+                built.append(folder / f"{spec.name}.fmu")
+                os.replace(complete, built[-1])
     except OSError as error:
         raise BuildError(f"{folder}: cannot be written: {error.strerror}") from error
     return built
 
 
-def sources(spec: Spec, fmi: int) -> dict[str, bytes]:
-    """All sources of an FMU by their names in the archive, which has them in one folder."""
+def sources(name: str, fmi: int) -> dict[str, bytes]:
+    """All sources of a model by their names in the archive, which has them in one folder.
+
+    They follow from the model alone. `binaries.UNIT` includes the others; it alone is compiled.
+    """
+    model = named(name)
+    spec = model.largest()
     found = _packaged("segfmu.kernels", KERNELS)
     found |= _packaged("segfmu.fmu.native", (*GLUE, *VERSIONS[fmi]))
-    model = named(spec.name)
     found |= model.sources
     found["variables.h"] = tables.header(spec, fmi).encode()
-    found["feeds.h"] = feeds.header(model.records).encode()
-    found["feeds.c"] = feeds.source(spec, model.records).encode()
-    # start values are no part of the layout: gains are computed, and differ in their last digits
-    found["build.h"] = tables.build(found).encode()
     found["variables.c"] = tables.source(spec, fmi).encode()
+    if model.records:
+        found["feeds.h"] = feeds.header(model.records).encode()
+        found["feeds.c"] = feeds.source(spec, model.records).encode()
+    found[UNIT] = _unit(found).encode()
+    found["build.h"] = tables.build(tables.mark(found)).encode()
     return found
+
+
+def _unit(texts: Iterable[str]) -> str:
+    """The text of the one translation unit: what its sources share is visible nowhere else."""
+    order = [*(n for n in KERNELS if n.endswith(".c")), "variables.c"]
+    order += sorted(n for n in texts if n.endswith(".c") and n not in order)
+    includes = "".join(f'#include "{n}"\n' for n in order if n not in KERNELS)
+    kernels = "".join(f'#include "{n}"\n' for n in order if n in KERNELS)
+    return (
+        f"{tables.BANNER}/* Compile this file alone: it includes all others. Nothing but the functions "
+        "of FMI is visible\n   outside; FMI2_FUNCTION_PREFIX or FMI3_FUNCTION_PREFIX goes before their "
+        "names. */\n"
+        "#define SEGFMU_API static\n\n"
+        "/* no model calls all kernels */\n#if defined(__GNUC__)\n#pragma GCC diagnostic push\n"
+        '#pragma GCC diagnostic ignored "-Wunused-function"\n#endif\n'
+        f"{kernels}#if defined(__GNUC__)\n#pragma GCC diagnostic pop\n#endif\n\n{includes}"
+    )
 
 
 def _packaged(package: str, names: Iterable[str]) -> dict[str, bytes]:
@@ -116,48 +114,21 @@ def _packaged(package: str, names: Iterable[str]) -> dict[str, bytes]:
     return {n.rpartition("/")[2]: folder.joinpath(*n.split("/")).read_bytes() for n in names}
 
 
-def _write(folder: Path, texts: dict[str, bytes]) -> None:
-    for name, text in texts.items():
-        (folder / name).write_bytes(text)
-
-
-def _compiled(
-    chosen: Compiler, folder: Path, texts: dict[str, bytes], options: tuple[str, ...]
-) -> list[Path]:
-    objects = []
-    for name in (n for n in texts if n.endswith(".c")):
-        objects.append(folder / f"{name}.o")
-        chosen.compile(folder / name, objects[-1], options)
-    return objects
-
-
-def _build(
-    spec: Spec, folder: Path, fmi: int, chosen: list[Compiler], objects: Objects, work: Path
-) -> Path:
-    texts = sources(spec, fmi)
-    entries = _described(spec, fmi, texts)
+def _entries(spec: Spec, fmi: int, platforms: Sequence[str]) -> dict[str, bytes]:
+    """All entries of an archive."""
+    texts = sources(spec.name, fmi)
+    entries = _described(spec, fmi)
     entries |= {f"sources/{n}": t for n, t in texts.items()}
-    for one in chosen:
-        place = work / f"{spec.name}-{fmi}-{one.platform.name}"
-        place.mkdir()
-        library = place / f"{spec.name}{one.platform.suffix}"
-        # the standard's headers have declarations of old form, so they count as the system's
-        standard = {n: t for n, t in texts.items() if re.match(r"fmi\d.*\.h", n)}
-        own = {n: t for n, t in texts.items() if n not in standard}
-        (place / "standard").mkdir()
-        _write(place / "standard", standard)
-        _write(place, own)
-        units = {n: t for n, t in own.items() if n not in KERNELS}
-        made = _compiled(one, place, units, (*WARNINGS, "-isystem", str(place / "standard")))
-        one.link([*objects.kernels(one), *made], library)
-        directory = one.platform.folder if fmi == 2 else one.platform.name
-        entries[f"binaries/{directory}/{library.name}"] = library.read_bytes()
+    mark = tables.mark({n: t for n, t in texts.items() if n != "build.h"})
+    entries["resources/start.bin"] = start.content(spec, named(spec.name).largest(), fmi, mark)
+    for name in platforms:
+        library = binary(spec.name, texts, name)
+        platform = PLATFORMS[name]
+        directory = platform.folder if fmi == 2 else platform.name
+        entries[f"binaries/{directory}/{spec.name}{platform.suffix}"] = library
     if fmi == 2:
         _join_darwin(spec.name, entries)
-    target, complete = folder / f"{spec.name}.fmu", work / f"{spec.name}.zip"
-    _pack(entries, complete)
-    os.replace(complete, target)
-    return target
+    return entries
 
 
 def _join_darwin(name: str, entries: dict[str, bytes]) -> None:
@@ -168,21 +139,20 @@ def _join_darwin(name: str, entries: dict[str, bytes]) -> None:
         entries[both[0]] = universal(slices)
 
 
-def _described(spec: Spec, fmi: int, texts: dict[str, bytes]) -> dict[str, bytes]:
+def _described(spec: Spec, fmi: int) -> dict[str, bytes]:
     """All entries of an archive but sources and binaries."""
     release = version("segfmu")
-    units = tuple(sorted(n for n in texts if n.endswith(".c")))
     model = named(spec.name)
     entries = {
         "documentation/index.html": page(spec, release, model.about).encode(),
         "documentation/licenses/license.txt": LICENCE.read_bytes(),
     }
     if fmi == 2:
-        entries["modelDescription.xml"] = fmi2.model_description(spec, release, units)
+        entries["modelDescription.xml"] = fmi2.model_description(spec, release, (UNIT,))
         entries["model.png"] = model.icon
     else:
         entries["modelDescription.xml"] = fmi3.model_description(spec, release)
-        entries["sources/buildDescription.xml"] = fmi3.build_description(spec, units)
+        entries["sources/buildDescription.xml"] = fmi3.build_description(spec, (UNIT,))
         entries["terminalsAndIcons/terminalsAndIcons.xml"] = fmi3.terminals(spec)
         entries["terminalsAndIcons/icon.png"] = model.icon
     return entries

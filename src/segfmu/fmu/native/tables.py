@@ -2,8 +2,8 @@
 
 Every variable has a place in one of two arrays, `real` and `integer`; the members of an FMI 3.0
 array lie side by side. variables.h names the places, variables.c says of every value reference
-where its value is, of which kind, in which range, and when it may be set. build.h has a
-mark of all sources.
+where its value is, of which kind, in which range, and when it may be set. build.h has a mark of all
+sources. None of them depends on start values, which are in start.bin.
 """
 
 from __future__ import annotations
@@ -13,7 +13,6 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from segfmu.fmu.standard.identity import guid
 from segfmu.fmu.standard.references import Entry, entries
 from segfmu.fmu.standard.spec import Spec, Variable
 
@@ -23,6 +22,9 @@ KINDS = {
     "Real": "KIND_REAL", "Integer": "KIND_INTEGER", "Boolean": "KIND_BOOLEAN",
     "Enumeration": "KIND_ENUMERATION",
 }
+
+
+CALCULATED = ("output", "calculatedParameter", "local")
 
 
 @dataclass(frozen=True)
@@ -67,9 +69,14 @@ def header(spec: Spec, version: int) -> str:
         for n, offset in placed.offsets.items()
         if n in arrays or n not in members
     ]
+    described = entries(spec, version)
+    differentiable = 1 + max(
+        (i for i, e in enumerate(described) if _differentiable(e.variable)), default=-1
+    )
     rows = max((len(a.members) // a.columns for a in spec.arrays), default=0)
     sizes = {
-        "VARIABLES": len(entries(spec, version)), "REALS": len(placed.reals),
+        "VARIABLES": len(described), "DIFFERENTIABLE": differentiable,
+        "REALS": len(placed.reals),
         # C has no arrays of no size
         "INTEGERS": max(1, len(placed.integers)), "INPUTS": len(spec.where("input")),
         "STATES": len(spec.states), "ROWS": rows, "ORDERS": spec.orders,
@@ -83,50 +90,54 @@ def header(spec: Spec, version: int) -> str:
     return "\n".join(lines).replace(",\n}", "\n}")
 
 
-def build(sources: Mapping[str, bytes]) -> str:
-    """The text of build.h: the mark of these sources, of which one version of FMI is a part."""
+def mark(sources: Mapping[str, bytes]) -> int:
+    """A number that follows from these sources, of which one version of FMI is a part."""
     digest = hashlib.sha256()
     for name in sorted(sources):
         digest.update(f"{name} {len(sources[name])} ".encode() + sources[name])
+    return int(digest.hexdigest()[:16], 16)
+
+
+def build(number: int) -> str:
+    """The text of build.h, with the mark of the other sources."""
     return (
         f"{BANNER}#ifndef SEGFMU_BUILD_H\n#define SEGFMU_BUILD_H\n\n"
-        "/* of the sources: with others, a state may lie in memory in another way */\n"
-        f"#define BUILD_MARK 0x{digest.hexdigest()[:16]}u\n\n#endif\n"
+        "/* of the sources: with others, values lie in memory and in files in another way */\n"
+        f"#define BUILD_MARK 0x{number:016x}u\n\n#endif\n"
     )
 
 
 def source(spec: Spec, version: int) -> str:
     """The text of variables.c."""
     placed = layout(spec)
-    rows = ",\n".join(_row(spec, e, placed, version) for e in entries(spec, version))
-    reals = _wrapped([repr(x) for x in placed.reals])
-    integers = _wrapped([str(x) for x in placed.integers] or ["0"])
+    rows = ",\n".join(_row(spec, e, placed) for e in entries(spec, version))
     return (
         f'{BANNER}#include <math.h>\n\n#include "model.h"\n\n'
-        f'const char model_name[] = "{spec.name}";\n'
-        f'const char model_token[] = "{guid(spec)}";\n\n'
-        f"const variable model_variables[MODEL_VARIABLES] = {{\n{rows}\n}};\n\n"
-        f"const double model_real_start[MODEL_REALS] = {{\n{reals}\n}};\n\n"
-        f"const int64_t model_integer_start[MODEL_INTEGERS] = {{\n{integers}\n}};\n"
+        f'static const char model_name[] = "{spec.name}";\n\n'
+        f"static const variable model_variables[MODEL_VARIABLES] = {{\n{rows}\n}};\n"
     )
 
 
-def _row(spec: Spec, entry: Entry, placed: Layout, version: int) -> str:
+def _row(spec: Spec, entry: Entry, placed: Layout) -> str:
     v = entry.variable
-    counts = version == 3 and any(v.name == a.rows for a in spec.arrays)
-    kind = "KIND_COUNT" if counts else KINDS[v.kind]
+    counts = any(v.name == a.rows for a in spec.arrays)
     least, most = v.minimum, v.maximum
     if v.enumeration is not None:
         least, most = 1, len(v.enumeration.items)
-    calculated = v.causality in ("output", "calculatedParameter", "local")
-    derived = calculated and v.variability == "continuous"
+    calculated = v.causality in CALCULATED
+    derived = _differentiable(v)
     fields = (
         f'"{entry.name}"', "-INFINITY" if least is None else repr(float(least)),
         "INFINITY" if most is None else repr(float(most)), str(placed.offsets[v.name]),
-        str(entry.array.columns if entry.array else 0), kind,
-        "SET_STRUCTURE" if counts else _setting(v), _truth(calculated), _truth(derived),
+        str(entry.array.columns if entry.array else 0), KINDS[v.kind],
+        _setting(v), _truth(calculated), _truth(derived), _truth(counts),
     )
     return f"    {{{', '.join(fields)}}}"
+
+
+def _differentiable(v: Variable) -> bool:
+    """An output or a state's derivative, continuous."""
+    return v.causality in CALCULATED and v.variability == "continuous"
 
 
 def _setting(v: Variable) -> str:
@@ -143,8 +154,3 @@ def _truth(value: bool) -> str:
 
 def _identifier(name: str) -> str:
     return re.sub(r"\W+", "_", name).strip("_").upper()
-
-
-def _wrapped(texts: list[str]) -> str:
-    rows = [texts[i : i + 8] for i in range(0, len(texts), 8)]
-    return ",\n".join(f"    {', '.join(row)}" for row in rows)

@@ -17,6 +17,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "visible.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -54,14 +56,14 @@ typedef struct {
 } segfmu_trajectory;
 
 /* Number of doubles of work space for a problem of this size. */
-size_t segfmu_plan_size(int64_t points, int64_t axes, int64_t smoothness);
+SEGFMU_API size_t segfmu_plan_size(int64_t points, int64_t axes, int64_t smoothness);
 
 /* Plan and judge. Returns 0, or why the plan is refused: a PLAN_STATUS of records.h, below 0; the
    trajectory's `report` says where. */
-int segfmu_plan(const segfmu_problem *problem, double *space, segfmu_trajectory *trajectory);
+SEGFMU_API int segfmu_plan(const segfmu_problem *problem, double *space, segfmu_trajectory *trajectory);
 
 /* values[axis] = a derivative (0 to 2 n - 1) of every axis at time t. */
-void segfmu_value(
+SEGFMU_API void segfmu_value(
     const segfmu_trajectory *trajectory, double t, int64_t derivative, double *values);
 
 #ifdef __cplusplus

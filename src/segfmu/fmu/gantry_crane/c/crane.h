@@ -97,43 +97,43 @@ static inline double nominal_payload(const crane *m)
 
 /* The least and greatest rope length of the closed form and the observer; false with a message
    where there is none. */
-bool crane_rope_range(const crane *m, double range[2], char message[MESSAGE]);
+static bool crane_rope_range(const crane *m, double range[2], char message[MESSAGE]);
 
 /* A rope length of their tables, in equal ratios. */
-double crane_node(const double range[2], int64_t row);
+static double crane_node(const double range[2], int64_t row);
 
 /* The `Plant` with the load that feedback and observer are for. */
-void crane_nominal(crane *m, double plant[PLANT_SIZE]);
+static void crane_nominal(crane *m, double plant[PLANT_SIZE]);
 
 /* The observer and the controller on measured signals, from the start. */
-bool crane_set_tracking(crane *m, char message[MESSAGE]);
+static bool crane_set_tracking(crane *m, char message[MESSAGE]);
 
 /* The controller's tunable parameters; `switched` makes what changes fade in. */
-void crane_tune_tracking(crane *m, bool switched);
+static void crane_tune_tracking(crane *m, bool switched);
 
 /* Turn parameters into the kernels' arrays; false with a message where they do not fit. */
-bool crane_set_up(crane *m, char message[MESSAGE]);
+static bool crane_set_up(crane *m, char message[MESSAGE]);
 
 /* The gains, from the table or in closed form. */
-bool crane_set_gains(crane *m, char message[MESSAGE]);
+static bool crane_set_gains(crane *m, char message[MESSAGE]);
 
 /* The inputs as setpoints. */
-void crane_read_inputs(crane *m);
+static void crane_read_inputs(crane *m);
 
 /* Setpoints up to a time within the step: linear from the inputs at the end of the last step to those
    at its end, or by the derivatives of those at its beginning, where they are given. */
-void crane_follow_inputs(crane *m, double time);
+static void crane_follow_inputs(crane *m, double time);
 
 /* s since the start, as the rig counts them */
-double crane_elapsed(const crane *m);
+static double crane_elapsed(const crane *m);
 
 /* Derivatives of the state at the present time under setpoints; the plant's status. */
-int64_t crane_rates(crane *m);
+static int64_t crane_rates(crane *m);
 
 /* Whether accelerations follow from the setpoints: not without lag in velocity mode. */
-bool crane_follows(const crane *m);
+static bool crane_follows(const crane *m);
 
 /* The message of a status of the plant. */
-bool crane_failed(crane *m, int64_t status, double time, char message[MESSAGE]);
+static bool crane_failed(crane *m, int64_t status, double time, char message[MESSAGE]);
 
 #endif

@@ -23,7 +23,7 @@ static void add_name(char names[MESSAGE], const char *name)
 }
 
 /* The parameters that have other values than those that the table was made for. */
-static void find_changed(const crane *m, char names[MESSAGE])
+static void find_changed(const crane *m, const double start[], char names[MESSAGE])
 {
     static const struct { int place; const char *name; } made_for[] = {
         {V_CRANE_BRIDGE_MASS, "crane.bridge_mass"}, {V_CRANE_TROLLEY_MASS, "crane.trolley_mass"},
@@ -33,7 +33,7 @@ static void find_changed(const crane *m, char names[MESSAGE])
     double longest = lengths[m->base.integer[V_FEEDBACK_TABLE_COUNT] - 1];
     names[0] = '\0';
     for (size_t i = 0; i < sizeof made_for / sizeof *made_for; i++) {
-        if (differ(real[made_for[i].place], model_real_start[made_for[i].place])) {
+        if (differ(real[made_for[i].place], start[made_for[i].place])) {
             add_name(names, made_for[i].name);
         }
     }
@@ -46,16 +46,16 @@ static void find_changed(const crane *m, char names[MESSAGE])
     }
 }
 
-bool model_warning(const model *base, char message[MESSAGE])
+bool model_warning(const model *base, const double start[], char message[MESSAGE])
 {
     const double *table = &base->real[V_FEEDBACK_TABLE_LENGTH];
     char names[MESSAGE];
     /* a table that was set is for the crane of who has set it */
     if (base->integer[V_FEEDBACK_DESIGN] == 2
-        || memcmp(table, &model_real_start[V_FEEDBACK_TABLE_LENGTH], TABLE * sizeof *table) != 0) {
+        || memcmp(table, &start[V_FEEDBACK_TABLE_LENGTH], TABLE * sizeof *table) != 0) {
         return false;
     }
-    find_changed((const crane *)base, names);
+    find_changed((const crane *)base, start, names);
     if (names[0] == '\0') {
         return false;
     }

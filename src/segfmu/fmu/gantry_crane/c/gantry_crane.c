@@ -14,7 +14,7 @@ static const double LATEST_EVENT = 1.0;
 static const double MOST_LATE = 2.0;
 
 /* the states in the order of the description: the crane's and its energies */
-const double model_nominals[MODEL_STATES + 1] = {
+static const double model_nominals[MODEL_STATES + 1] = {
     1.0, 1.0, 1.0, 0.1, 0.1, 1.0, 1.0, 1.0, 0.1, 0.1, 10.0, 10.0, 10.0, 0.0
 };
 
@@ -93,11 +93,6 @@ bool model_sound(const model *base, size_t size)
         && (m->rows == 0 || (m->count_lengths > 0 && m->count_observer > 0
                              && (corrector == CORRECTOR_STATE || corrector == CORRECTOR_TRACKING)
                              && sound_memory(m)));
-}
-
-int64_t model_rows(const model *base)
-{
-    return base->integer[V_FEEDBACK_TABLE_COUNT];
 }
 
 static bool in_exchange(const crane *m)

@@ -33,9 +33,9 @@ static inline array_int64_t_1d offsets_of(const segfmu_trajectory *t)
 }
 
 /* Plan by the parameters; false with a message where that cannot be done. */
-bool feedforward_plan(feedforward *m, char message[MESSAGE]);
+static bool feedforward_plan(feedforward *m, char message[MESSAGE]);
 
 /* The trajectory in the block. */
-segfmu_trajectory feedforward_trajectory(const feedforward *m);
+static segfmu_trajectory feedforward_trajectory(const feedforward *m);
 
 #endif

@@ -4,7 +4,7 @@
 
 #include "feedforward.h"
 
-const double model_nominals[MODEL_STATES + 1] = {0.0};
+static const double model_nominals[MODEL_STATES + 1] = {0.0};
 
 /* Where the outputs are that the flat inverse gives: forces, state, carriage's accelerations. */
 static const uint16_t RESULT_OFFSETS[RESULTS - 2] = {
@@ -74,11 +74,6 @@ bool model_sound(const model *base, size_t size)
         && m->pieces >= AXES && m->pieces <= most && size == model_used(base) && ordered(m);
 }
 
-int64_t model_rows(const model *base)
-{
-    return base->integer[V_WAYPOINT_COUNT];
-}
-
 bool model_initialise(model *base, char message[MESSAGE])
 {
     feedforward *m = (feedforward *)base;
@@ -90,9 +85,10 @@ bool model_initialise(model *base, char message[MESSAGE])
     return model_event(base, message);
 }
 
-bool model_warning(const model *m, char message[MESSAGE])
+bool model_warning(const model *m, const double start[], char message[MESSAGE])
 {
     (void)m;
+    (void)start;
     (void)message;
     return false;
 }

@@ -17,13 +17,13 @@ typedef struct {
 } feeds;
 
 /* Fill a record; what no variable feeds stays. */
-void feed_record(const feeds *table, const model *m, double record[]);
+static void feed_record(const feeds *table, const model *m, double record[]);
 
 /* Set the variables of a record; a Boolean is true above 0. */
-void show_record(const feeds *table, const double record[], model *m);
+static void show_record(const feeds *table, const double record[], model *m);
 
 /* The place of a variable, by its offset in `real`, in a record; -1 where it has none. */
-int feed_place(const feeds *table, int64_t offset);
+static int feed_place(const feeds *table, int64_t offset);
 
 /* The offset of the variable that belongs to a place of a record; there has to be one. */
 int feed_offset(const feeds *table, int place);

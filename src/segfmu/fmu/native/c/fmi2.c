@@ -1,24 +1,11 @@
 /* FMI 2.0 for every model of model.h: co-simulation and model exchange in one binary. */
-#include "fmi2Functions.h"
+#include "fmi2.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "glue.h"
-
 enum { REALS = 1 << KIND_REAL, BOOLEANS = 1 << KIND_BOOLEAN,
        INTEGERS = 1 << KIND_INTEGER | 1 << KIND_ENUMERATION };
-
-/* modes in which values are read and set, and states saved */
-enum { ALIVE = MODE_ANY & ~MODE_CONFIGURATION };
-
-#define ALLOW(modes) if (!glue_allows(c, (modes), __func__)) return fmi2Error
-#define GIVEN(pointer) if (!glue_given(c, (pointer), __func__)) return fmi2Error
-
-static fmi2Status status(bool good)
-{
-    return good ? fmi2OK : fmi2Error;
-}
 
 static void report(instance *c, int code, const char *category, const char *message)
 {
@@ -65,14 +52,13 @@ fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, f
                               const fmi2CallbackFunctions *functions, fmi2Boolean visible,
                               fmi2Boolean on)
 {
-    (void)resources;
     (void)visible;
     if (functions == NULL) {
         return NULL;
     }
     int interface = type == fmi2CoSimulation ? CO_SIMULATION
         : type == fmi2ModelExchange ? MODEL_EXCHANGE : NO_INTERFACE;
-    return glue_create(name, guid, interface, on != fmi2False, report,
+    return glue_create(name, guid, resources, interface, on != fmi2False, report,
                        (callback)functions->logger, functions->componentEnvironment);
 }
 
@@ -140,7 +126,7 @@ fmi2Status fmi2GetReal(fmi2Component component, const fmi2ValueReference referen
                        fmi2Real values[])
 {
     instance *c = component;
-    ALLOW(ALIVE);
+    ALLOW(MODE_ANY);
     if (!glue_readable(c, __func__, references, count, values, count, REALS)) {
         return fmi2Error;
     }
@@ -152,7 +138,7 @@ static fmi2Status get_integers(instance *c, const char *function,
                                const fmi2ValueReference references[], size_t count, int values[],
                                int kinds)
 {
-    if (!glue_allows(c, ALIVE, function)
+    if (!glue_allows(c, MODE_ANY, function)
         || !glue_readable(c, function, references, count, values, count, kinds)) {
         return fmi2Error;
     }
@@ -178,7 +164,7 @@ fmi2Status fmi2GetString(fmi2Component component, const fmi2ValueReference refer
                          size_t count, fmi2String values[])
 {
     instance *c = component;
-    ALLOW(ALIVE);
+    ALLOW(MODE_ANY);
     return status(glue_readable(c, __func__, references, count, values, count, 0));
 }
 
@@ -186,7 +172,7 @@ fmi2Status fmi2SetReal(fmi2Component component, const fmi2ValueReference referen
                        const fmi2Real values[])
 {
     instance *c = component;
-    ALLOW(ALIVE);
+    ALLOW(MODE_ANY);
     return status(glue_settable(c, __func__, references, count, values, count, REALS)
                   && glue_set_reals(c, references, count, values, count));
 }
@@ -195,12 +181,12 @@ static fmi2Status set_integers(instance *c, const char *function,
                                const fmi2ValueReference references[], size_t count,
                                const int values[], int kinds)
 {
-    if (!glue_allows(c, ALIVE, function)
+    if (!glue_allows(c, MODE_ANY, function)
         || !glue_settable(c, function, references, count, values, count, kinds)) {
         return fmi2Error;
     }
     for (size_t i = 0; i < count; i++) {
-        bool boolean = model_variables[references[i]].kind == KIND_BOOLEAN;
+        bool boolean = glue_variable(references[i])->kind == KIND_BOOLEAN;
         if (!glue_set_integer(c, references[i], boolean ? values[i] != fmi2False : values[i])) {
             return fmi2Error;
         }
@@ -224,7 +210,7 @@ fmi2Status fmi2SetString(fmi2Component component, const fmi2ValueReference refer
                          size_t count, const fmi2String values[])
 {
     instance *c = component;
-    ALLOW(ALIVE);
+    ALLOW(MODE_ANY);
     return status(glue_settable(c, __func__, references, count, values, count, 0));
 }
 

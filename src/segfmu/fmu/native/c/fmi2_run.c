@@ -1,20 +1,10 @@
 /* FMI 2.0: the functions that only model exchange or only co-simulation has. */
-#include "fmi2Functions.h"
+#include "fmi2.h"
 
 #include <math.h>
 
-#include "glue.h"
-
 /* s; later than any time that can be set */
 static const double FAR_AWAY = 1e12;
-
-#define ALLOW(modes) if (!glue_allows(c, (modes), __func__)) return fmi2Error
-#define GIVEN(pointer) if (!glue_given(c, (pointer), __func__)) return fmi2Error
-
-static fmi2Status status(bool good)
-{
-    return good ? fmi2OK : fmi2Error;
-}
 
 /* Whether an instance is for one of the interfaces. */
 static bool is(instance *c, int interface, const char *function)

@@ -1,18 +1,8 @@
 /* FMI 3.0 for every model of model.h: instances, initialisation, saved states. */
-#include "fmi3Functions.h"
+#include "fmi3.h"
 
 #include <math.h>
 #include <string.h>
-
-#include "glue.h"
-
-#define ALLOW(modes) if (!glue_allows(c, (modes), __func__)) return fmi3Error
-#define GIVEN(pointer) if (!glue_given(c, (pointer), __func__)) return fmi3Error
-
-static fmi3Status status(bool good)
-{
-    return good ? fmi3OK : fmi3Error;
-}
 
 static void report(instance *c, int code, const char *category, const char *message)
 {
@@ -43,9 +33,9 @@ fmi3Instance fmi3InstantiateModelExchange(
     fmi3String name, fmi3String token, fmi3String resources, fmi3Boolean visible, fmi3Boolean on,
     fmi3InstanceEnvironment environment, fmi3LogMessageCallback log)
 {
-    (void)resources;
     (void)visible;
-    return glue_create(name, token, MODEL_EXCHANGE, on, report, (callback)log, environment);
+    return glue_create(name, token, resources, MODEL_EXCHANGE, on, report, (callback)log,
+                       environment);
 }
 
 fmi3Instance fmi3InstantiateCoSimulation(
@@ -54,14 +44,14 @@ fmi3Instance fmi3InstantiateCoSimulation(
     size_t count, fmi3InstanceEnvironment environment, fmi3LogMessageCallback log,
     fmi3IntermediateUpdateCallback update)
 {
-    (void)resources;
     (void)visible;
-    instance *c = glue_create(name, token, CO_SIMULATION, on, report, (callback)log, environment);
+    instance *c = glue_create(name, token, resources, CO_SIMULATION, on, report, (callback)log,
+                              environment);
     if (c == NULL) {
         return NULL;
     }
     for (size_t i = 0; i < count; i++) {
-        if (required == NULL || required[i] >= MODEL_VARIABLES) {
+        if (required == NULL || required[i] < 1 || required[i] > c->start.variables) {
             glue_log(c, STATUS_ERROR, "a required intermediate variable does not exist");
             glue_free(c);
             return NULL;
@@ -126,20 +116,23 @@ fmi3Status fmi3ExitInitializationMode(fmi3Instance self)
     return fmi3OK;
 }
 
+static fmi3Status no_configuration(instance *c, const char *function)
+{
+    if (glue_allows(c, MODE_ANY, function)) {
+        glue_log(c, STATUS_ERROR, "%s: there are no structural parameters; arrays have a fixed size",
+                 function);
+    }
+    return fmi3Error;
+}
+
 fmi3Status fmi3EnterConfigurationMode(fmi3Instance self)
 {
-    instance *c = self;
-    ALLOW(MODE_INSTANTIATED);
-    c->model->mode = MODE_CONFIGURATION;
-    return fmi3OK;
+    return no_configuration(self, __func__);
 }
 
 fmi3Status fmi3ExitConfigurationMode(fmi3Instance self)
 {
-    instance *c = self;
-    ALLOW(MODE_CONFIGURATION);
-    c->model->mode = MODE_INSTANTIATED;
-    return fmi3OK;
+    return no_configuration(self, __func__);
 }
 
 fmi3Status fmi3Terminate(fmi3Instance self)

@@ -1,17 +1,7 @@
 /* FMI 3.0: derivatives, events, model exchange and co-simulation. */
-#include "fmi3Functions.h"
+#include "fmi3.h"
 
 #include <math.h>
-
-#include "glue.h"
-
-#define ALLOW(modes) if (!glue_allows(c, (modes), __func__)) return fmi3Error
-#define GIVEN(pointer) if (!glue_given(c, (pointer), __func__)) return fmi3Error
-
-static fmi3Status status(bool good)
-{
-    return good ? fmi3OK : fmi3Error;
-}
 
 static fmi3Status refuse(fmi3Instance self, const char *function)
 {

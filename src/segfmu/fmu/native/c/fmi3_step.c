@@ -1,10 +1,5 @@
 /* FMI 3.0: co-simulation. */
-#include "fmi3Functions.h"
-
-#include "glue.h"
-
-#define ALLOW(modes) if (!glue_allows(c, (modes), __func__)) return fmi3Error
-#define GIVEN(pointer) if (!glue_given(c, (pointer), __func__)) return fmi3Error
+#include "fmi3.h"
 
 fmi3Status fmi3EnterStepMode(fmi3Instance self)
 {

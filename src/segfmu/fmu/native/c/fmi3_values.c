@@ -1,18 +1,8 @@
 /* FMI 3.0: values, derivatives, dependencies, clocks. */
-#include "fmi3Functions.h"
-
-#include "glue.h"
+#include "fmi3.h"
 
 /* modes in which values are read */
 enum { READABLE = MODE_ANY | MODE_UPDATE };
-
-#define ALLOW(modes) if (!glue_allows(c, (modes), __func__)) return fmi3Error
-#define GIVEN(pointer) if (!glue_given(c, (pointer), __func__)) return fmi3Error
-
-static fmi3Status status(bool good)
-{
-    return good ? fmi3OK : fmi3Error;
-}
 
 /* Types that no variable has: only a call for no variable is in order. */
 #define WITHOUT(Type)                                                                             \
@@ -35,6 +25,7 @@ WITHOUT(UInt8)
 WITHOUT(Int16)
 WITHOUT(UInt16)
 WITHOUT(UInt32)
+WITHOUT(UInt64)
 WITHOUT(String)
 
 /* Whole numbers and truth values: all of them scalars. */
@@ -68,7 +59,6 @@ WITHOUT(String)
 
 WHOLE(Int32, KIND_INTEGER)
 WHOLE(Int64, KIND_ENUMERATION)
-WHOLE(UInt64, KIND_COUNT)
 WHOLE(Boolean, KIND_BOOLEAN)
 
 fmi3Status fmi3GetFloat64(fmi3Instance self, const fmi3ValueReference references[], size_t count,

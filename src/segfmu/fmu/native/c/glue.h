@@ -4,16 +4,17 @@
 #define SEGFMU_GLUE_H
 
 #include "model.h"
+#include "start.h"
 
 /* the numbers of both versions of the standard */
 enum { STATUS_OK, STATUS_WARNING, STATUS_DISCARD, STATUS_ERROR, STATUS_FATAL };
 
 /* States of the standard's state machines. */
 enum {
-    MODE_INSTANTIATED = 1, MODE_CONFIGURATION = 2, MODE_INITIALISATION = 4, MODE_EVENT = 8,
+    MODE_INSTANTIATED = 1, MODE_INITIALISATION = 4, MODE_EVENT = 8,
     MODE_CONTINUOUS = 16, MODE_STEP = 32, MODE_TERMINATED = 64, MODE_FAILED = 128,
     MODE_RUNNING = MODE_EVENT | MODE_CONTINUOUS | MODE_STEP,
-    MODE_ANY = 255,
+    MODE_ANY = MODE_INSTANTIATED | MODE_INITIALISATION | MODE_RUNNING | MODE_TERMINATED | MODE_FAILED,
     /* within the callback of FMI 3.0: values can be read, and nothing else */
     MODE_UPDATE = 256
 };
@@ -26,6 +27,7 @@ typedef void (*callback)(void);
 struct instance {
     model *model;
     size_t capacity;  /* bytes of the model's block */
+    start_values start;
     char *name;
     void *environment;
     reporter report;
@@ -35,79 +37,83 @@ struct instance {
 };
 
 /* A new instance in mode INSTANTIATED, or NULL with a message. */
-instance *glue_create(const char *name, const char *token, int interface, bool logging,
-                      reporter report, callback log, void *environment);
-void glue_free(instance *c);
+static instance *glue_create(const char *name, const char *token, const char *resources,
+                             int interface, bool logging, reporter report, callback log,
+                             void *environment);
+static void glue_free(instance *c);
 /* Make room in the model's block, which may move; false where there is no memory. */
-bool glue_reserve(instance *c, size_t size);
+static bool glue_reserve(instance *c, size_t size);
 /* Back to the start values, mode INSTANTIATED. */
-void glue_reset(instance *c);
+static void glue_reset(instance *c);
 
 /* Errors and warnings are always reported, the rest where logging is on. */
-void glue_log(instance *c, int status, const char *format, ...);
+static void glue_log(instance *c, int status, const char *format, ...);
 
 /* Whether a call is allowed: c exists and is in one of the modes; reports what is wrong. */
-bool glue_allows(instance *c, int modes, const char *function);
+static bool glue_allows(instance *c, int modes, const char *function);
 /* Whether a pointer that must be given is there; reports if not. */
-bool glue_given(instance *c, const void *pointer, const char *function);
+static bool glue_given(instance *c, const void *pointer, const char *function);
 
-void glue_set_time(instance *c, double time);
+static void glue_set_time(instance *c, double time);
 /* Whether a time can be used: clocks need digits behind it. */
-bool glue_time(instance *c, double time, const char *what);
-bool glue_finite(instance *c, double value, const char *what);
+static bool glue_time(instance *c, double time, const char *what);
+static bool glue_finite(instance *c, double value, const char *what);
+
+/* The variable of a value reference, which must exist. */
+static const variable *glue_variable(uint32_t reference);
 
 /* Check references, kind and number of values; before reading, make the values current. */
-bool glue_readable(instance *c, const char *function, const uint32_t references[], size_t count,
+static bool glue_readable(instance *c, const char *function, const uint32_t references[], size_t count,
                    const void *values, size_t size, int kinds);
-bool glue_settable(instance *c, const char *function, const uint32_t references[], size_t count,
+static bool glue_settable(instance *c, const char *function, const uint32_t references[], size_t count,
                    const void *values, size_t size, int kinds);
 /* Number of elements of a variable. */
-size_t glue_elements_of(const instance *c, const variable *v);
+static size_t glue_elements_of(const instance *c, const variable *v);
 /* Whether a value is in the range of its variable; reports if not, `what` goes before. */
-bool glue_in_range(instance *c, const variable *v, double value, const char *what);
-void glue_get_reals(const instance *c, const uint32_t references[], size_t count, double values[]);
-bool glue_set_reals(instance *c, const uint32_t references[], size_t count, const double values[],
+static bool glue_in_range(instance *c, const variable *v, double value, const char *what);
+static void glue_get_reals(const instance *c, const uint32_t references[], size_t count, double values[]);
+static bool glue_set_reals(instance *c, const uint32_t references[], size_t count, const double values[],
                     size_t size);
 /* One integer, Boolean or enumeration. */
-int64_t glue_integer(const instance *c, uint32_t reference);
-bool glue_set_integer(instance *c, uint32_t reference, int64_t value);
+static int64_t glue_integer(const instance *c, uint32_t reference);
+static bool glue_set_integer(instance *c, uint32_t reference, int64_t value);
 
 /* The experiment: start time, and stop time where there is one. */
-bool glue_begin(instance *c, double start, bool has_stop, double stop);
+static bool glue_begin(instance *c, double start, bool has_stop, double stop);
 /* End of initialisation; the instance fails where its parameters are of no use. */
-bool glue_initialise(instance *c);
+static bool glue_initialise(instance *c);
 /* Follow parameters that were set since the model last did. */
-bool glue_follows(instance *c);
+static bool glue_follows(instance *c);
 /* The same where the first event is handled; from then on fixed parameters stay as they are. */
-bool glue_started(instance *c);
+static bool glue_started(instance *c);
 /* Outputs current, after parameters. */
-bool glue_evaluate(instance *c);
+static bool glue_evaluate(instance *c);
 
 /* Model exchange: the derivatives at the present state. */
-bool glue_derivatives(instance *c, double derivatives[]);
+static bool glue_derivatives(instance *c, double derivatives[]);
 
 /* One communication step: begin it, go on to its end or an event. */
-bool glue_begin_step(instance *c, double time, double step);
-bool glue_continue_step(instance *c, double end, bool *event);
-bool glue_event(instance *c);
+static bool glue_begin_step(instance *c, double time, double step);
+static bool glue_continue_step(instance *c, double end, bool *event);
+static bool glue_event(instance *c);
 
 /* Products of the partial derivatives with a seed. */
-bool glue_directional(instance *c, const char *function, const uint32_t unknowns[], size_t m,
+static bool glue_directional(instance *c, const char *function, const uint32_t unknowns[], size_t m,
                       const uint32_t knowns[], size_t n, const double seed[], double found[],
                       bool adjoint);
-bool glue_output_derivatives(instance *c, const char *function, const uint32_t references[],
+static bool glue_output_derivatives(instance *c, const char *function, const uint32_t references[],
                              size_t count, const int32_t orders[], double values[]);
 
 /* Derivatives of inputs at the beginning of the next step; they hold until the end of that step. */
-bool glue_input_derivatives(instance *c, const char *function, const uint32_t references[],
+static bool glue_input_derivatives(instance *c, const char *function, const uint32_t references[],
                             size_t count, const int32_t orders[], const double values[]);
 
 /* Saved states: the used part of the block behind a header. */
-bool glue_save(instance *c, void **state);
-bool glue_restore(instance *c, const void *state);
-size_t glue_state_size(const void *state);
-void glue_free_state(void **state);
-bool glue_serialise(instance *c, const void *state, void *bytes, size_t size);
-bool glue_deserialise(instance *c, const void *bytes, size_t size, void **state);
+static bool glue_save(instance *c, void **state);
+static bool glue_restore(instance *c, const void *state);
+static size_t glue_state_size(const void *state);
+static void glue_free_state(void **state);
+static bool glue_serialise(instance *c, const void *state, void *bytes, size_t size);
+static bool glue_deserialise(instance *c, const void *bytes, size_t size, void **state);
 
 #endif

@@ -42,16 +42,18 @@ bool glue_reserve(instance *c, size_t size)
 static void start(instance *c, int interface)
 {
     memset(c->model, 0, c->capacity);
-    memcpy(c->model->real, model_real_start, sizeof c->model->real);
-    memcpy(c->model->integer, model_integer_start, sizeof c->model->integer);
+    memcpy(c->model->real, c->start.real, sizeof c->model->real);
+    memcpy(c->model->integer, c->start.integer, sizeof c->model->integer);
     c->model->mode = MODE_INSTANTIATED;
     c->model->interface = interface;
 }
 
-instance *glue_create(const char *name, const char *token, int interface, bool logging,
-                      reporter report, callback log, void *environment)
+instance *glue_create(const char *name, const char *token, const char *resources,
+                      int interface, bool logging, reporter report, callback log,
+                      void *environment)
 {
     instance heard = {0};
+    char message[MESSAGE] = "";
     heard.report = log == NULL ? NULL : report;
     heard.log = log;
     heard.environment = environment;
@@ -60,9 +62,13 @@ instance *glue_create(const char *name, const char *token, int interface, bool l
         glue_log(&heard, STATUS_ERROR, "an instance needs a name");
         return NULL;
     }
-    if (token == NULL || strcmp(token, model_token) != 0) {
+    if (!start_read(resources, &heard.start, message)) {
+        glue_log(&heard, STATUS_ERROR, "%s", message);
+        return NULL;
+    }
+    if (token == NULL || strcmp(token, heard.start.token) != 0) {
         glue_log(&heard, STATUS_ERROR, "the token of %s is %s, got %.80s; the description and the "
-                 "binary are not of the same archive", model_name, model_token,
+                 "resources are not of the same archive", model_name, heard.start.token,
                  token == NULL ? "none" : token);
         return NULL;
     }
@@ -114,7 +120,6 @@ bool glue_allows(instance *c, int modes, const char *function)
     }
     if ((c->model->mode & modes) == 0) {
         const char *mode = c->model->mode == MODE_INSTANTIATED ? "before initialisation"
-            : c->model->mode == MODE_CONFIGURATION ? "in configuration mode"
             : c->model->mode == MODE_INITIALISATION ? "in initialisation mode"
             : c->model->mode == MODE_EVENT ? "in event mode"
             : c->model->mode == MODE_CONTINUOUS ? "in continuous-time mode"
@@ -161,20 +166,26 @@ void glue_set_time(instance *c, double time)
 
 bool glue_in_range(instance *c, const variable *v, double value, const char *what)
 {
-    if (value >= v->least && value <= v->most) {
+    double most = v->counts ? (double)c->start.rows : v->most;
+    if (value >= v->least && value <= most) {
         return true;
     }
-    if (isinf(v->most)) {
+    if (isinf(most)) {
         glue_log(c, STATUS_ERROR, "%s: %s must be at least %g, got %g", what, v->name, v->least,
                  value);
     } else {
         glue_log(c, STATUS_ERROR, "%s: %s must be at least %g and at most %g, got %g", what,
-                 v->name, v->least, v->most, value);
+                 v->name, v->least, most, value);
     }
     return false;
 }
 
 size_t glue_elements_of(const instance *c, const variable *v)
 {
-    return v->columns == 0 ? 1 : (size_t)(model_rows(c->model) * v->columns);
+    return v->columns == 0 ? 1 : (size_t)(c->start.rows * v->columns);
+}
+
+const variable *glue_variable(uint32_t reference)
+{
+    return &model_variables[reference - 1];
 }

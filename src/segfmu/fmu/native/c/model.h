@@ -22,29 +22,27 @@ enum { MODEL_EXCHANGE, CO_SIMULATION, NO_INTERFACE };
 /* orders of the derivatives of inputs */
 enum { INPUT_ORDERS = 3 };
 
-enum { KIND_REAL, KIND_INTEGER, KIND_BOOLEAN, KIND_ENUMERATION, KIND_COUNT };
+enum { KIND_REAL, KIND_INTEGER, KIND_BOOLEAN, KIND_ENUMERATION };
 
 /* Who may set a variable, and when: a parameter before the end of initialisation, a tunable one
-   later as well, start values as a parameter, inputs always, sizes in configuration mode. */
-enum { SET_NEVER, SET_FIXED, SET_TUNABLE, SET_START, SET_INPUT, SET_STRUCTURE };
+   later as well, start values as a parameter, inputs always. */
+enum { SET_NEVER, SET_FIXED, SET_TUNABLE, SET_START, SET_INPUT };
 
-/* A variable; its value reference is its place in the table. */
+/* A variable; its value reference is its place in the table, from 1. */
 typedef struct {
     const char *name;
     double least, most;   /* range */
     uint16_t offset;      /* of its first value in `real`, else in `integer` */
-    uint16_t columns;     /* of an array, whose rows model_rows counts; 0: a scalar */
+    uint16_t columns;     /* of an array, which has all rows of the instance; 0: a scalar */
     uint8_t kind;
     uint8_t setting;
     bool calculated;      /* follows from the others */
     bool differentiable;  /* an output or a state's derivative, continuous */
+    bool counts;          /* rows in use, at most those that there are */
 } variable;
 
-extern const variable model_variables[MODEL_VARIABLES];
-extern const char model_name[], model_token[];
-/* start values, in the order of `real` and `integer` */
-extern const double model_real_start[MODEL_REALS];
-extern const int64_t model_integer_start[MODEL_INTEGERS];
+/* of variables.c */
+static const variable model_variables[MODEL_VARIABLES];
 
 /* The beginning of every model's block. */
 typedef struct {
@@ -67,45 +65,43 @@ typedef struct {
 
 /* Bytes of a block before initialisation, of one that has room for what `model_initialise` needs by
    the present parameters, and of the part of a block that is in use. */
-size_t model_least(void);
-size_t model_size(const model *m);
-size_t model_used(const model *m);
+static size_t model_least(void);
+static size_t model_size(const model *m);
+static size_t model_used(const model *m);
 
 /* Whether a block that comes from outside, of so many bytes, has sizes and indices within itself. */
-bool model_sound(const model *m, size_t size);
-
-/* Rows of the variables that are arrays. */
-int64_t model_rows(const model *m);
+static bool model_sound(const model *m, size_t size);
 
 /* Follow parameters and start values, at the present time. Where a function returns false, it
    has left a message of one line. */
-bool model_initialise(model *m, char message[MESSAGE]);
+static bool model_initialise(model *m, char message[MESSAGE]);
 
-/* What the user ought to know of parameters that can be followed; true with a message of one line. */
-bool model_warning(const model *m, char message[MESSAGE]);
+/* What the user ought to know of parameters that can be followed, by the start values of `real`; true
+   with a message of one line. */
+static bool model_warning(const model *m, const double start[], char message[MESSAGE]);
 
 /* Make the outputs follow time, states and inputs. */
-bool model_evaluate(model *m, char message[MESSAGE]);
+static bool model_evaluate(model *m, char message[MESSAGE]);
 
 /* Co-simulation: go on to a time, at most to the next event. */
-bool model_advance(model *m, double time, char message[MESSAGE]);
+static bool model_advance(model *m, double time, char message[MESSAGE]);
 
 /* Events: when the next one is, infinite where there is none, and the event at the present time. */
-double model_next_event(const model *m);
-bool model_event(model *m, char message[MESSAGE]);
+static double model_next_event(const model *m);
+static bool model_event(model *m, char message[MESSAGE]);
 
 /* Model exchange. */
-void model_get_states(const model *m, double states[]);
-void model_set_states(model *m, const double states[]);
-bool model_derivatives(model *m, double derivatives[], char message[MESSAGE]);
-bool model_accept(model *m, char message[MESSAGE]);
-extern const double model_nominals[MODEL_STATES + 1];
+static void model_get_states(const model *m, double states[]);
+static void model_set_states(model *m, const double states[]);
+static bool model_derivatives(model *m, double derivatives[], char message[MESSAGE]);
+static bool model_accept(model *m, char message[MESSAGE]);
+static const double model_nominals[MODEL_STATES + 1];
 
 /* Time derivative, from order 1, of a continuous output; false where there is none. */
-bool model_output_derivative(model *m, const variable *output, int64_t order, double *value);
+static bool model_output_derivative(model *m, const variable *output, int64_t order, double *value);
 
 /* Partial derivative of an output or state derivative by a state, an input or time; false where
    it is not one of these. */
-bool model_partial(model *m, const variable *unknown, const variable *known, double *value);
+static bool model_partial(model *m, const variable *unknown, const variable *known, double *value);
 
 #endif

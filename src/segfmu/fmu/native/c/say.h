@@ -5,6 +5,6 @@
 #include "model.h"
 
 /* Write a message; returns false, as every function does that leaves one. */
-bool say(char message[MESSAGE], const char *format, ...);
+static bool say(char message[MESSAGE], const char *format, ...);
 
 #endif

@@ -49,7 +49,7 @@ static int trial_status(const instance *c)
 /* Whether the outputs are numbers: parameters at the edge of their range can overflow. */
 static bool finite_outputs(instance *c)
 {
-    for (size_t i = 0; i < MODEL_VARIABLES; i++) {
+    for (size_t i = 0; i < MODEL_DIFFERENTIABLE; i++) {
         const variable *v = &model_variables[i];
         if (v->differentiable && !isfinite(c->model->real[v->offset])) {
             glue_log(c, trial_status(c), "at %.9g s: %s is not finite; check the size of parameters "
@@ -120,7 +120,7 @@ bool glue_initialise(instance *c)
 {
     char message[MESSAGE];
     if (glue_follows(c) && glue_evaluate(c)) {
-        if (model_warning(c->model, message)) {
+        if (model_warning(c->model, c->start.real, message)) {
             glue_log(c, STATUS_WARNING, "%s", message);
         }
         return true;

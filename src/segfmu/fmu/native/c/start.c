@@ -2,8 +2,9 @@
    the description are written from the same specification. All numbers have their lowest byte first:
 
        8 bytes    "segfmu", 0, version of this format
-       uint64     layout of the variables, as the binary was made for
+       uint64     mark of the sources that the binary was made of
        uint64     rows of the arrays
+       uint64     variables of the description
        40 bytes   GUID of the description, filled up with zeros
        double     start values of `real`, MODEL_REALS of them
        int64      start values of `integer`, MODEL_INTEGERS of them
@@ -13,9 +14,10 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "build.h"
 #include "say.h"
 
-enum { FORMAT = 1, LONGEST_PATH = 4096, WORD = 8, HEAD = 3 };
+enum { FORMAT = 1, LONGEST_PATH = 4096, WORD = 8, HEAD = 4 };
 
 static const char FILE_NAME[] = "start.bin";
 
@@ -155,15 +157,17 @@ bool start_read(const char *location, start_values *start, char message[MESSAGE]
         return say(message, "%s is no file of start values of this package's format %d", FILE_NAME,
                    FORMAT);
     }
-    if (words[1] != MODEL_LAYOUT) {
+    if (words[1] != BUILD_MARK) {
         return say(message, "%s belongs to another version of %s; build the archive again",
                    FILE_NAME, model_name);
     }
-    if (count != WORDS || words[WORDS - 1] != sum_of(words, WORDS - 1) || words[2] < 1
-        || words[2] > MODEL_ROWS) {
+    start->rows = (int64_t)words[2];
+    start->variables = (int64_t)words[HEAD - 1];
+    if (count != WORDS || words[WORDS - 1] != sum_of(words, WORDS - 1) || start->rows < 0
+        || start->rows > MODEL_ROWS || start->variables < 1
+        || start->variables > MODEL_VARIABLES) {
         return say(message, "%s is damaged; unpack the archive again", FILE_NAME);
     }
-    start->rows = (int64_t)words[2];
     for (int i = 0; i < LONGEST_TOKEN; i++) {
         start->token[i] = (char)(words[HEAD + i / WORD] >> 8 * (i % WORD) & 255u);
     }

@@ -33,7 +33,7 @@ static uint64_t sum_of(const void *bytes, size_t size)
 static uint64_t mark(const instance *c)
 {
     uint64_t sum = (uint64_t)c->model->interface + 1;
-    for (const char *p = model_token; *p != '\0'; p++) {
+    for (const char *p = c->start.token; *p != '\0'; p++) {
         sum = mix(sum, (unsigned char)*p);
     }
     return sum;
@@ -94,8 +94,9 @@ static bool sound_values(const instance *c, const model *m)
     for (size_t i = 0; i < MODEL_VARIABLES; i++) {
         const variable *v = &model_variables[i];
         double value = (double)m->integer[v->kind == KIND_REAL ? 0 : v->offset];
+        double most = v->counts ? (double)c->start.rows : v->most;
         if (v->kind != KIND_REAL && v->setting != SET_NEVER
-            && !(value >= v->least && value <= v->most)) {
+            && !(value >= v->least && value <= most)) {
             return false;
         }
     }
@@ -113,7 +114,8 @@ static bool sound_values(const instance *c, const model *m)
    and its sizes and indices are within it. */
 static bool sound(const instance *c, const model *m, size_t size)
 {
-    bool mode = m->mode > 0 && m->mode <= MODE_FAILED && (m->mode & (m->mode - 1)) == 0;
+    bool mode = m->mode > 0 && m->mode <= MODE_FAILED && (m->mode & (m->mode - 1)) == 0
+        && (m->mode & MODE_ANY) != 0;
     bool starting = m->mode == MODE_EVENT && m->starting;
     bool ready = m->initialised || starting
         || (m->mode & (MODE_RUNNING | MODE_TERMINATED)) == 0;

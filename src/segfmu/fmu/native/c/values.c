@@ -11,7 +11,7 @@ static int modes_of(const instance *c, uint8_t setting)
         0, MODE_INSTANTIATED | MODE_INITIALISATION,
         MODE_INSTANTIATED | MODE_INITIALISATION | MODE_EVENT | MODE_STEP,
         MODE_INSTANTIATED | MODE_INITIALISATION,
-        MODE_INSTANTIATED | MODE_INITIALISATION | MODE_RUNNING, MODE_CONFIGURATION
+        MODE_INSTANTIATED | MODE_INITIALISATION | MODE_RUNNING
     };
     return setting == SET_FIXED && c->model->starting ? modes[setting] | MODE_EVENT
                                                       : modes[setting];
@@ -19,7 +19,7 @@ static int modes_of(const instance *c, uint8_t setting)
 
 static const char *kind_name(uint8_t kind)
 {
-    static const char *const names[] = {"Real", "Integer", "Boolean", "Enumeration", "a size"};
+    static const char *const names[] = {"Real", "Integer", "Boolean", "Enumeration"};
     return names[kind];
 }
 
@@ -33,12 +33,12 @@ static bool usable(instance *c, const char *function, const uint32_t references[
     }
     size_t elements = 0;
     for (size_t i = 0; i < count; i++) {
-        if (references[i] >= MODEL_VARIABLES) {
+        if (references[i] < 1 || references[i] > c->start.variables) {
             glue_log(c, STATUS_ERROR, "%s: there is no variable with value reference %u", function,
                      (unsigned)references[i]);
             return false;
         }
-        const variable *v = &model_variables[references[i]];
+        const variable *v = glue_variable(references[i)];
         if ((kinds & (1 << v->kind)) == 0) {
             glue_log(c, STATUS_ERROR, "%s: %s is of type %s", function, v->name,
                      kind_name(v->kind));
@@ -63,10 +63,10 @@ bool glue_readable(instance *c, const char *function, const uint32_t references[
     bool follows = false;
     int early = 0;
     for (size_t i = 0; i < count; i++) {
-        const variable *v = &model_variables[references[i]];
+        const variable *v = glue_variable(references[i)];
         if (v->calculated) {
             follows = true;
-            early |= v->setting == SET_NEVER ? MODE_INSTANTIATED | MODE_CONFIGURATION : 0;
+            early |= v->setting == SET_NEVER ? MODE_INSTANTIATED : 0;
         }
     }
     return !follows || (glue_allows(c, (MODE_ANY | MODE_UPDATE) & ~early, function) && glue_evaluate(c));
@@ -80,7 +80,7 @@ bool glue_settable(instance *c, const char *function, const uint32_t references[
     }
     const int64_t mode = c->model->mode;
     for (size_t i = 0; i < count; i++) {
-        const variable *v = &model_variables[references[i]];
+        const variable *v = glue_variable(references[i)];
         if ((modes_of(c, v->setting) & mode) == 0) {
             glue_log(c, STATUS_ERROR, "%s: %s cannot be set %s", function, v->name,
                      v->setting == SET_NEVER ? "at all" : "now");
@@ -94,7 +94,7 @@ void glue_get_reals(const instance *c, const uint32_t references[], size_t count
 {
     const double *real = c->model->real;
     for (size_t i = 0; i < count; i++) {
-        const variable *v = &model_variables[references[i]];
+        const variable *v = glue_variable(references[i)];
         if (v->columns == 0) {
             *values++ = real[v->offset];
         } else {
@@ -127,7 +127,7 @@ static bool all_finite(instance *c, const uint32_t references[], const double va
     }
     const variable *v = NULL;
     while (behind <= place) {
-        v = &model_variables[*references++];
+        v = glue_variable(*references++);
         behind += glue_elements_of(c, v);
     }
     return glue_finite(c, values[place], v->name);
@@ -151,7 +151,7 @@ static bool all_in_range(instance *c, const uint32_t references[], size_t count,
                          const double values[])
 {
     for (size_t i = 0; i < count; i++) {
-        const variable *v = &model_variables[references[i]];
+        const variable *v = glue_variable(references[i)];
         size_t elements = glue_elements_of(c, v);
         if (!tuned_in_range(c, v, values, elements)) {
             return false;
@@ -170,7 +170,7 @@ bool glue_set_reals(instance *c, const uint32_t references[], size_t count, cons
     double *real = c->model->real;
     int settings = 0;
     for (size_t i = 0; i < count; i++) {
-        const variable *v = &model_variables[references[i]];
+        const variable *v = glue_variable(references[i)];
         if (v->columns == 0) {
             real[v->offset] = *values++;
         } else {
@@ -188,17 +188,12 @@ bool glue_set_reals(instance *c, const uint32_t references[], size_t count, cons
 
 int64_t glue_integer(const instance *c, uint32_t reference)
 {
-    return c->model->integer[model_variables[reference].offset];
+    return c->model->integer[glue_variable(reference)->offset];
 }
 
 bool glue_set_integer(instance *c, uint32_t reference, int64_t value)
 {
-    const variable *v = &model_variables[reference];
-    if (v->kind == KIND_COUNT && !((double)value >= v->least && (double)value <= v->most)) {
-        glue_log(c, STATUS_ERROR, "%s must be at least %g and at most %g, got %lld", v->name,
-                 v->least, v->most, (long long)value);
-        return false;
-    }
+    const variable *v = glue_variable(reference);
     double number = (double)value;
     if (!tuned_in_range(c, v, &number, 1)) {
         return false;
@@ -225,8 +220,8 @@ bool glue_directional(instance *c, const char *function, const uint32_t unknowns
     for (size_t i = 0; i < rows; i++) {
         double sum = 0.0;
         for (size_t j = 0; j < columns; j++) {
-            const variable *unknown = &model_variables[unknowns[adjoint ? j : i]];
-            const variable *known = &model_variables[knowns[adjoint ? i : j]];
+            const variable *unknown = glue_variable(unknowns[adjoint ? j : i)];
+            const variable *known = glue_variable(knowns[adjoint ? i : j)];
             double partial = 0.0;
             if (!model_partial(c->model, unknown, known, &partial)) {
                 glue_log(c, STATUS_ERROR, "%s: there is no derivative of %s by %s now", function,
@@ -248,7 +243,7 @@ bool glue_output_derivatives(instance *c, const char *function, const uint32_t r
         return false;
     }
     for (size_t i = 0; i < count; i++) {
-        const variable *v = &model_variables[references[i]];
+        const variable *v = glue_variable(references[i)];
         if (!v->differentiable || orders[i] < 1 || orders[i] > MODEL_ORDERS
             || !model_output_derivative(c->model, v, orders[i], &values[i])) {
             glue_log(c, STATUS_ERROR, "%s: %s has no derivative of order %d", function, v->name,
@@ -267,7 +262,7 @@ bool glue_input_derivatives(instance *c, const char *function, const uint32_t re
         return false;
     }
     for (size_t i = 0; i < count; i++) {
-        const variable *v = &model_variables[references[i]];
+        const variable *v = glue_variable(references[i)];
         if (v->setting != SET_INPUT || orders[i] < 1 || orders[i] > INPUT_ORDERS) {
             glue_log(c, STATUS_ERROR, "%s: %s takes no derivative of order %d", function, v->name,
                      (int)orders[i]);
@@ -278,7 +273,7 @@ bool glue_input_derivatives(instance *c, const char *function, const uint32_t re
         }
     }
     for (size_t i = 0; i < count; i++) {
-        c->model->slope[orders[i] - 1][model_variables[references[i]].offset] = values[i];
+        c->model->slope[orders[i] - 1][glue_variable(references[i])->offset] = values[i];
         c->model->sloped = 1;
     }
     return true;
