@@ -113,7 +113,7 @@ class SlaveBench:
     def _set(self, slave: SpecSlave, values: Values) -> None:
         spec = slave.spec
         for name, value in values.items():
-            enumeration = spec.variables[spec.references[name]].enumeration
+            enumeration = spec.variable(name).enumeration
             if enumeration is not None and isinstance(value, str):
                 value = enumeration.items.index(value) + 1
             slave.assign((name,), (value,))

@@ -92,7 +92,7 @@ def rows_of_the_table(variable: Variable, spec: Spec) -> dict[str, Scenario]:
         row = variable.name.split(".")[1]
     else:
         return {}
-    length = spec.variables[spec.references[f"feedback.{row}.length"]].start
+    length = spec.variable(f"feedback.{row}.length").start
     return {row: row_scenario(length)}
 
 

@@ -37,7 +37,7 @@ def generate() -> dict[str, str]:
     prototypes = [line for line in lines if re.match(r"\w[\w ]*\*? \w+\(.*\);$", line)]
     public = [line for line in prototypes if _name(line) in ENTRY_POINTS]
     private = [f"static {line}" for line in prototypes if _name(line) not in ENTRY_POINTS]
-    body = _static(_spans(body.removeprefix('#include "kernels.h"\n')))
+    body = _used(_static(_spans(body.removeprefix('#include "kernels.h"\n'))))
     source = f'{BANNER}#include "kernels.h"\n\n#include <math.h>\n\n'
     return {
         "kernels.c": source + _prefixed("\n".join(private) + "\n" + body.rstrip() + "\n"),
@@ -102,6 +102,25 @@ def _static(text: str) -> str:
         return match.group() if name in ENTRY_POINTS else f"static {match.group()}"
 
     return re.sub(r"^(?:void|double|bool|int64_t) \w+\([^;]*?\)$", storage, text, flags=re.M)
+
+
+def _used(text: str) -> str:
+    """Leave out what a function declares or sets and does not use."""
+    return re.sub(r"^\{\n.*?^\}$", lambda m: _used_in(m.group()), text, flags=re.M | re.S)
+
+
+def _used_in(body: str) -> str:
+    for name in re.findall(r"^ +(?:double|int64_t|bool) (\w+);$", body, flags=re.M):
+        setting = rf"^( +){name} = (.*);\n"
+        times = len(re.findall(rf"\b{name}\b", body))
+        if times != 1 + len(re.findall(setting, body, flags=re.M)):
+            continue
+        # a call may do more than give a value
+        body = re.sub(
+            setting, lambda m: f"{m[1]}{m[2]};\n" if m[2].endswith(")") else "", body, flags=re.M
+        )
+        body = re.sub(rf"^ +(?:double|int64_t|bool) {name};\n", "", body, flags=re.M)
+    return body
 
 
 def _prefixed(text: str) -> str:

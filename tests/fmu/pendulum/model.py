@@ -10,5 +10,6 @@ PENDULUM = Model(
     package="tests.fmu.pendulum",
     spec=spec,
     native_spec=native_spec,
+    largest=lambda: native_spec(spec()),
     slave="tests.fmu.pendulum.slave:PendulumSlave",
 )

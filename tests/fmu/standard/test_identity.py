@@ -111,7 +111,7 @@ def test_weights_given_at_the_build_make_the_table(weight: str) -> None:
     assert {f"feedback.table[{i}].trolley.angle" for i in range(1, 18)} <= changed
     assert all(n.startswith("feedback.table[") for n in changed)
     assert guid(made) != guid(CRANE)
-    count = made.variables[made.references["feedback.table.count"]]
+    count = made.variable("feedback.table.count")
     assert f"{weight} 4.0" in count.description
 
 

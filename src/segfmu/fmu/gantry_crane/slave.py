@@ -138,5 +138,5 @@ class CraneSlave(SpecSlave):
 
     def _show_record(self, record: type[Record], values: Any) -> None:
         for place, name, _ in record.feeds():
-            boolean = self.spec.variables[self.spec.references[name]].kind == "Boolean"
+            boolean = self.spec.variable(name).kind == "Boolean"
             self.assign((name,), (values[place] > 0.0 if boolean else values[place],))

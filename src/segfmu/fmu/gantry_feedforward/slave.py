@@ -51,7 +51,8 @@ class FeedforwardSlave(SpecSlave):
 
     def _get(self, kind: str, references: list[int]) -> list[Any]:
         """In initialisation mode an importer may ask for outputs: plan when it does."""
-        causalities = {self.spec.variables[r].causality for r in references if r < self._size}
+        asked = (self.spec.variables[r - 1] for r in references if 0 < r <= self._size)
+        causalities = {v.causality for v in asked}
         if self._initialising and not causalities.isdisjoint({"output", "calculatedParameter"}):
             self._plan()
         return super()._get(kind, references)

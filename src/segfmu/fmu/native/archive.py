@@ -20,13 +20,12 @@ from segfmu.fmu.standard.documentation import page
 from segfmu.fmu.standard.spec import Spec
 
 KERNELS = (
-    "kernels.c", "kernels.h", "messages.c", "messages.h", "plan.c", "records.h", "segfmu.h",
-    "span.h", "visible.h",
+    "arrays.h", "kernels.c", "kernels.h", "messages.c", "messages.h", "plan.c", "records.h",
+    "segfmu.h", "span.h", "visible.h",
 )
 GLUE = (
-    "arrays.h", "feed.c", "feed.h", "glue.h", "instance.c", "model.h", "say.c", "say.h",
-    "simulation.c", "start.c", "start.h", "state.c",
-    "values.c",
+    "checksum.h", "feed.c", "feed.h", "glue.h", "instance.c", "model.h", "oldest.h", "say.c",
+    "say.h", "simulation.c", "start.c", "start.h", "state.c", "values.c",
 )
 VERSIONS = {
     2: (
@@ -98,10 +97,10 @@ def _unit(texts: Iterable[str]) -> str:
     includes = "".join(f'#include "{n}"\n' for n in order if n not in KERNELS)
     kernels = "".join(f'#include "{n}"\n' for n in order if n in KERNELS)
     return (
-        f"{tables.BANNER}/* Compile this file alone: it includes all others. Nothing but the functions "
-        "of FMI is visible\n   outside; FMI2_FUNCTION_PREFIX or FMI3_FUNCTION_PREFIX goes before their "
-        "names. */\n"
-        "#define SEGFMU_API static\n\n"
+        f"{tables.BANNER}/* Compile this file alone: it includes all others. Nothing but the "
+        "functions of FMI is visible\n   outside; FMI2_FUNCTION_PREFIX, FMI3_FUNCTION_PREFIX go "
+        "before their names. */\n"
+        "#define SEGFMU_API static\n\n#include \"oldest.h\"\n\n"
         "/* no model calls all kernels */\n#if defined(__GNUC__)\n#pragma GCC diagnostic push\n"
         '#pragma GCC diagnostic ignored "-Wunused-function"\n#endif\n'
         f"{kernels}#if defined(__GNUC__)\n#pragma GCC diagnostic pop\n#endif\n\n{includes}"

@@ -1,8 +1,8 @@
 """Binaries of native FMUs: packaged, from the user's cache, or compiled now.
 
 No binary depends on a mission, so each is made once: for a released wheel with those of all
-platforms, or else once on a machine, where the cache keeps it by a hash of its sources, its compiler
-and the options.
+platforms, or else once on a machine, where the cache keeps it by a hash of its sources, its
+compiler and the options.
 """
 
 from __future__ import annotations

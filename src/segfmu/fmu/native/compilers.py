@@ -45,7 +45,10 @@ PLATFORMS = {
     p.name: p
     for p in (
         # glibc 2.17 is that of all Linux distributions still in use
-        Platform("x86_64-linux", "linux64", "x86_64-linux-gnu.2.17", ".so", _CODE, _ELF),
+        Platform(
+            "x86_64-linux", "linux64", "x86_64-linux-gnu.2.17", ".so",
+            (*_CODE, "-DSEGFMU_OLDEST_GLIBC"), _ELF,
+        ),
         Platform("aarch64-linux", "aarch64-linux", "aarch64-linux-gnu.2.17", ".so", _CODE, _ELF),
         Platform("x86_64-windows", "win64", "x86_64-windows-gnu", ".dll", (), ("-shared", "-s")),
         # macOS 11 is the first one for both processors

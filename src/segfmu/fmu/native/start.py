@@ -37,20 +37,23 @@ def content(spec: Spec, largest: Spec, version: int, mark: int) -> bytes:
     reals, integers = list(placed.reals), list(placed.integers) or [0]
     for v in largest.variables:
         start = own.get(v.name)
-        if start is not None:
-            values = reals if v.kind == "Real" else integers
-            values[placed.offsets[v.name]] = start  # type: ignore[call-overload]
+        if start is None:
+            continue
+        if v.kind == "Real":
+            reals[placed.offsets[v.name]] = float(start)
+        else:
+            integers[placed.offsets[v.name]] = int(start)
     rows = max((len(a.members) // a.columns for a in spec.arrays), default=0)
     head = struct.pack(
         f"<8sQQQ{TOKEN}s", MAGIC, mark, rows, len(entries(spec, version)), guid(spec).encode()
     )
-    body = head + struct.pack(f"<{len(reals)}d{len(integers)}q", *reals, *map(int, integers))
+    body = head + struct.pack(f"<{len(reals)}d{len(integers)}q", *reals, *integers)
     return body + struct.pack("<Q", _sum(body))
 
 
 def _sum(body: bytes) -> int:
     words = struct.unpack(f"<{len(body) // 8}Q", body)
-    found = len(words)
+    found = len(body)
     for word in words:
         found = ((found ^ word) * 0x9E3779B97F4A7C15) & MASK
         found ^= found >> 29

@@ -37,9 +37,11 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
         self.modelName = self.spec.name
         folder = Path(kwargs.get("resources") or "").parent
         release_at_exit(folder / "binaries" / "linux64" / f"{self.spec.name}.so")
-        self._values: list[Value] = [
-            0 if v.start is None else v.start for v in self.spec.variables
-        ]
+        # by value reference
+        self._values: dict[int, Value] = {
+            r: 0 if v.start is None else v.start
+            for r, v in enumerate(self.spec.variables, 1)
+        }
         for name, value in self.starts.items():
             self._values[self.spec.references[name]] = value
         self.start_time = 0.0
@@ -85,7 +87,7 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
 
     def _require_ranges(self) -> None:
         """Raise InputError for a parameter outside the range that the specification gives."""
-        for variable, value in zip(self.spec.variables, self._values, strict=True):
+        for variable, value in zip(self.spec.variables, self._values.values(), strict=True):
             least, most = variable.minimum, variable.maximum
             if variable.enumeration is not None:
                 least, most = 1, len(variable.enumeration.items)
@@ -106,9 +108,9 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
 
     def _check(self, kind: str, references: list[int]) -> None:
         for reference in references:
-            if not 0 <= reference < len(self._values):
+            if reference not in self._values:
                 raise ValueError(f"there is no variable with value reference {reference}")
-            variable = self.spec.variables[reference]
+            variable = self.spec.variables[reference - 1]
             if variable.kind not in KINDS[kind]:
                 raise TypeError(f"{variable.name} is of type {variable.kind}, not {kind}")
 

@@ -54,8 +54,8 @@ def model_description(
         ET.SubElement(categories, "Category", {"name": name, "description": description})
     ET.SubElement(root, "DefaultExperiment", experiment(spec))
     variables = ET.SubElement(root, "ModelVariables")
-    for reference, entry in enumerate(entries(spec, 2)):
-        variables.append(_variable(reference, entry.variable, spec))
+    for entry in entries(spec, 2):
+        variables.append(_variable(entry.variable, spec))
     _structure(root, spec)
     return document(root)
 
@@ -113,10 +113,10 @@ def _types(root: ET.Element, spec: Spec) -> None:
             ET.SubElement(items, "Item", {"name": name, "value": str(value)})
 
 
-def _variable(reference: int, variable: Variable, spec: Spec) -> ET.Element:
+def _variable(variable: Variable, spec: Spec) -> ET.Element:
     attributes = {
         "name": variable.name,
-        "valueReference": str(reference),
+        "valueReference": str(spec.references[variable.name]),
         "description": variable.description,
         "causality": variable.causality,
         "variability": variable.variability,
@@ -127,7 +127,7 @@ def _variable(reference: int, variable: Variable, spec: Spec) -> ET.Element:
     found = details(variable)
     state = {rate: state for state, rate in spec.states}.get(variable.name)
     if state is not None:
-        found["derivative"] = str(spec.references[state] + 1)
+        found["derivative"] = str(spec.references[state])
     ET.SubElement(element, variable.kind, found)
     return element
 
@@ -169,7 +169,7 @@ def _structure(root: ET.Element, spec: Spec) -> None:
             _unknown(derivatives, spec, rate)
     unknowns = ET.SubElement(structure, "InitialUnknowns")
     for name in initial_unknowns(spec):
-        ET.SubElement(unknowns, "Unknown", {"index": str(spec.references[name] + 1)})
+        ET.SubElement(unknowns, "Unknown", {"index": str(spec.references[name])})
 
 
 def experiment(spec: Spec) -> dict[str, str]:
@@ -192,7 +192,7 @@ def initial_unknowns(spec: Spec) -> list[str]:
 def _unknown(parent: ET.Element, spec: Spec, name: str) -> None:
     described = {e.name for e in entries(spec, 2)}
     known = described.intersection(dict(spec.dependencies).get(name, ()))
-    knowns = sorted(spec.references[n] + 1 for n in known)
-    attributes = {"index": str(spec.references[name] + 1)}
+    knowns = sorted(spec.references[n] for n in known)
+    attributes = {"index": str(spec.references[name])}
     attributes["dependencies"] = " ".join(map(str, knowns))
     ET.SubElement(parent, "Unknown", attributes)

@@ -15,7 +15,7 @@ from segfmu.fmu.standard.fmi2 import (
 )
 from segfmu.fmu.standard.identity import guid
 from segfmu.fmu.standard.references import Entry, entries
-from segfmu.fmu.standard.spec import Spec, Terminal, Variable
+from segfmu.fmu.standard.spec import Spec, Terminal
 from segfmu.fmu.standard.units import BASE_UNITS, DISPLAY_UNITS
 
 TYPES = {
@@ -47,10 +47,10 @@ def model_description(spec: Spec, version: str) -> bytes:
         ET.SubElement(categories, "Category", {"name": name, "description": description})
     ET.SubElement(root, "DefaultExperiment", experiment(spec))
     rows = entries(spec, 3)
-    references = {e.variable.name: i for i, e in enumerate(rows)}
+    references = {e.variable.name: i for i, e in enumerate(rows, 1)}
     variables = ET.SubElement(root, "ModelVariables")
-    for reference, entry in enumerate(rows):
-        variables.append(_variable(reference, entry, spec, references))
+    for entry in rows:
+        variables.append(_variable(entry, spec, references))
     _structure(root, spec, references)
     return document(root)
 
@@ -139,16 +139,13 @@ def _types(root: ET.Element, spec: Spec) -> None:
             ET.SubElement(kind, "Item", {"name": name, "value": str(value)})
 
 
-def _variable(
-    reference: int, entry: Entry, spec: Spec, references: dict[str, int]
-) -> ET.Element:
+def _variable(entry: Entry, spec: Spec, references: dict[str, int]) -> ET.Element:
     v = entry.variable
-    counts = any(v.name == a.rows for a in spec.arrays)
     attributes = {
         "name": entry.name,
-        "valueReference": str(reference),
+        "valueReference": str(references[v.name]),
         "description": entry.array.description if entry.array else v.description,
-        "causality": "structuralParameter" if counts else v.causality,
+        "causality": v.causality,
         "variability": v.variability,
     }
     if v.initial is not None:
@@ -157,22 +154,20 @@ def _variable(
     state = {rate: state for state, rate in spec.states}.get(v.name)
     if state is not None:
         attributes["derivative"] = str(references[state])
-    element = ET.Element("UInt64" if counts else TYPES[v.kind], attributes)
+    element = ET.Element(TYPES[v.kind], attributes)
     if entry.array is not None:
         element.set("start", _starts(entry, spec))
-        ET.SubElement(element, "Dimension", {"valueReference": str(references[entry.array.rows])})
+        rows = len(entry.array.members) // entry.array.columns
+        ET.SubElement(element, "Dimension", {"start": str(rows)})
         if entry.array.columns > 1:
             ET.SubElement(element, "Dimension", {"start": str(entry.array.columns)})
     return element
 
 
 def _starts(entry: Entry, spec: Spec) -> str:
-    """Start values of the rows that are in use by default."""
-    array = entry.array
-    assert array is not None
-    variables: dict[str, Variable] = {v.name: v for v in spec.variables}
-    used = int(variables[array.rows].start or 0) * array.columns
-    members = [variables[n] for n in array.members[:used]]
+    """Start values of all rows."""
+    assert entry.array is not None
+    members = [spec.variable(n) for n in entry.array.members]
     return " ".join(text(v, v.start or 0.0) for v in members)
 
 

@@ -101,12 +101,17 @@ class Spec:
     references: dict[str, int] = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
-        references = {v.name: i for i, v in enumerate(self.variables)}
+        # from 1 on, as some importers take them for indices
+        references = {v.name: i for i, v in enumerate(self.variables, 1)}
         if len(references) != len(self.variables):
             raise AssertionError("variable names are unique by construction")
         if any(v.causality == "independent" for v in self.variables[:-1]):
             raise AssertionError("time is last, as FMI 2.0 does without it")
         object.__setattr__(self, "references", references)
+
+    def variable(self, name: str) -> Variable:
+        """The variable with a name."""
+        return self.variables[self.references[name] - 1]
 
     def where(self, *causalities: Causality) -> tuple[Variable, ...]:
         """The variables with one of the given causalities."""

@@ -799,7 +799,6 @@ void segfmu_crane_energy(array_double_1d state, array_double_1d masses, array_do
 /*2 pi; C99 has no name for it.*/
 static double full_circle(void)
 {
-    double result;
     return 6.283185307179586;
 }
 /*A number in the open interval (0, 1).*/
@@ -808,7 +807,6 @@ double segfmu_next_uniform(array_double_1d numbers)
     double first;
     double second;
     double difference;
-    double result;
     first = 40014.0 * (*cspan_at(&numbers, INT64_C(0)));
     second = 40692.0 * (*cspan_at(&numbers, INT64_C(1)));
     (*cspan_at(&numbers, INT64_C(0))) = first - (int64_t)floor(first / 2147483563.0) * 2147483563.0;
@@ -825,15 +823,13 @@ void segfmu_seed_numbers(int64_t seed, array_double_1d numbers)
 {
     int64_t other;
     int64_t Dummy_0000;
-    int64_t Dummy_0001;
-    double Dummy_0002;
     other = seed * INT64_C(69069) + INT64_C(12345);
     (*cspan_at(&numbers, INT64_C(0))) = 1.0 + seed - span_floor_div(seed, INT64_C(2147483562)) * INT64_C(2147483562);
     (*cspan_at(&numbers, INT64_C(1))) = 1.0 + other - span_floor_div(other, INT64_C(2147483398)) * INT64_C(2147483398);
     /*neighbouring seeds start alike*/
     for (Dummy_0000 = INT64_C(0); Dummy_0000 < INT64_C(20); Dummy_0000 += INT64_C(1))
     {
-        Dummy_0002 = segfmu_next_uniform(numbers);
+        segfmu_next_uniform(numbers);
     }
 }
 /*A number of the standard normal distribution, by Box and Muller. */
@@ -890,7 +886,6 @@ static double friction_force(array_double_1d plant, int64_t axis, double velocit
 /*Force of a gust over its greatest one, at a share of its duration. */
 static double gust_factor(double shape, double share)
 {
-    double result;
     if ((share <= 0.0) || (share >= 1.0))
     {
         return 0.0;
@@ -939,13 +934,11 @@ static void wind_force(array_double_1d plant, array_double_2d components, double
 /*Whether a magnitude is above a bound by more than rounding; 0 is no bound. */
 static bool exceeds(double value, double bound)
 {
-    bool result;
     return (bound > 0.0) && (fabs(value) > bound * (1.0 + 1e-12));
 }
 /*A value within plus and minus a bound. */
 static double limited(double value, double bound)
 {
-    double result;
     return span_min(span_max(value, -bound), bound);
 }
 /*Derivative of the crane under force demands; see `driven_derivative`.*/
@@ -1113,7 +1106,6 @@ static void limit_accelerations(array_double_1d plant, array_double_1d state, ar
     double phi_y;
     int64_t i;
     int64_t Dummy_0000;
-    int64_t Dummy_0001;
     bool changed;
     double side;
     phi_x = (*cspan_at(&state, INT64_C(3)));
@@ -1247,7 +1239,6 @@ void segfmu_feedback_correction(array_double_1d state, array_double_1d reference
 /*Bandwidth [rad/s]: `ratio` pendulum frequencies, at most `largest` radians in a delay [s]. */
 double segfmu_feedback_bandwidth(double ratio, double length, double gravity, double delay, double largest)
 {
-    double result;
     return span_min(ratio * sqrt(gravity / length), largest / delay);
 }
 /*Gains (4, 10), a `Gains`, that give the flat output's error chosen poles; closed form.             */
@@ -1321,13 +1312,11 @@ void segfmu_feedback_gains(array_double_1d plant, double length, double bandwidt
 /*Largest bandwidth of bridge and trolley, in radians in a sample and a lag. */
 static double largest_angle(void)
 {
-    double result;
     return 0.25;
 }
 /*The same of the hoist, which with two poles instead of four bears more.*/
 static double largest_hoist_angle(void)
 {
-    double result;
     return 0.5;
 }
 /*Gains (Gains) at a rope length [m].                                                            */
@@ -1632,7 +1621,6 @@ static void kalman_sampled(double sample_time, double drift, double wind, array_
     array_double_2d term;
     array_double_2d product;
     int64_t Dummy_0000;
-    int64_t Dummy_0001;
     size = 0.0;
     for (i = INT64_C(0); i < INT64_C(8); i += INT64_C(1))
     {
@@ -3586,7 +3574,6 @@ static int64_t rope_margin(int64_t demand, double bound, int64_t width, array_do
     array_double_1d product_2;
     int64_t i;
     double sign;
-    int64_t result;
     z = span_row(&work, INT64_C(0) + INT64_C(2));
     w_x = span_row(&work, INT64_C(3));
     w_y = span_row(&work, INT64_C(3) + INT64_C(1));
@@ -3641,7 +3628,6 @@ static int64_t rope_margin(int64_t demand, double bound, int64_t width, array_do
 /*What a demand bounds: height [m], acceleration downwards [m/s2] or rope's length [m].*/
 static double rope_value(int64_t demand, double gravity, double z, double w_x, double w_y, double w_z)
 {
-    double result;
     if (demand == INT64_C(1))
     {
         return z;
@@ -3911,7 +3897,6 @@ void segfmu_compensate_setpoints(array_double_1d velocity, array_double_1d accel
 int64_t segfmu_plant_failure(int64_t status, double time, array_double_1d state, array_double_1d plant, array_double_1d fault)
 {
     int64_t axis;
-    int64_t result;
     (*cspan_at(&fault, INT64_C(0))) = time;
     if (status < INT64_C(6))
     {
@@ -3931,7 +3916,6 @@ int64_t segfmu_plant_failure(int64_t status, double time, array_double_1d state,
 /*Node c of a stage, as a share of the step. */
 static double stage_node(int64_t stage)
 {
-    double result;
     if (stage == INT64_C(0))
     {
         return 0.0;
@@ -4075,7 +4059,6 @@ static double step_error(double h, int64_t count, array_double_1d start, array_d
 /*Factor from a step, whose error was found, to the next one.*/
 static double next_step(double error, double tolerance)
 {
-    double result;
     /*most steps are cut short by their interval's end, and far from what the tolerance allows*/
     if (5300.0 * error > tolerance)
     {
@@ -4087,7 +4070,6 @@ static double next_step(double error, double tolerance)
 static bool all_finite(array_double_1d values, int64_t count)
 {
     int64_t i;
-    bool result;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         if (!(fabs((*cspan_at(&values, i))) < 1e+100))
@@ -4217,7 +4199,6 @@ static double try_step(array_double_1d plant, array_double_2d components, double
 static int64_t plant_status(array_double_1d plant, array_double_1d state, double rope_force)
 {
     int64_t i;
-    int64_t result;
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
         if (fabs((*cspan_at(&state, INT64_C(3) + i))) >= 1.57)
@@ -4285,7 +4266,6 @@ int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d components, 
     double planned;
     double h;
     int64_t Dummy_0000;
-    int64_t Dummy_0001;
     bool last;
     double error;
     double rope_force;
@@ -4543,7 +4523,6 @@ static bool within(array_double_2d hull, int64_t count, double limit)
     int64_t i;
     double ends;
     double depth;
-    bool result;
     rows = INT64_C(1);
     (*cspan_at(&hull, INT64_C(0), INT64_C(13))) = 0.0;
     while(rows > INT64_C(0))
@@ -4585,7 +4564,6 @@ static bool check_piece(int64_t row, bool joined, double length, array_double_2d
     int64_t count;
     int64_t i;
     double jump;
-    bool result;
     order = limits.shape[INT64_C(0)];
     hull = span_rows(&work, INT64_C(0), INT64_C(40));
     degree = coefficients.shape[INT64_C(1)] - INT64_C(1);
@@ -4690,7 +4668,6 @@ int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_d
     int64_t d;
     double value;
     double scale;
-    int64_t result;
     width = coefficients.shape[INT64_C(1)];
     points = states.shape[INT64_C(0)];
     for (axis = INT64_C(0); axis < limits.shape[INT64_C(0)]; axis += INT64_C(1))
@@ -4845,7 +4822,6 @@ static double first_negative(int64_t count, double length, array_double_2d work)
     int64_t start;
     int64_t depth;
     array_double_2d hull;
-    int64_t Dummy_0000;
     int64_t i;
     double swapped;
     int64_t rows;
@@ -4855,7 +4831,7 @@ static double first_negative(int64_t count, double length, array_double_2d work)
     start = work.shape[INT64_C(1)] - INT64_C(2);
     depth = work.shape[INT64_C(1)] - INT64_C(1);
     hull = span_rows(&work, INT64_C(10), work.shape[INT64_C(0)]);
-    Dummy_0000 = bernstein_coefficients(work, INT64_C(6), count, INT64_C(0), length, hull);
+    bernstein_coefficients(work, INT64_C(6), count, INT64_C(0), length, hull);
     for (i = INT64_C(0); i < span_floor_div(count, INT64_C(2)); i += INT64_C(1))
     {
         swapped = (*cspan_at(&hull, INT64_C(0), i));
@@ -4901,7 +4877,6 @@ static double value_at(int64_t demand, double local, double gravity, int64_t wid
     double w_x;
     double w_y;
     double w_z;
-    double result;
     z = evaluate_piece(work, INT64_C(0) + INT64_C(2), width, local, INT64_C(0));
     w_x = evaluate_piece(work, INT64_C(3), width - INT64_C(2), local, INT64_C(0));
     w_y = evaluate_piece(work, INT64_C(3) + INT64_C(1), width - INT64_C(2), local, INT64_C(0));
@@ -4919,7 +4894,6 @@ static double worst_value(int64_t demand, double first, array_double_2d timing, 
     double until;
     int64_t i;
     double local;
-    double result;
     gravity = (*cspan_at(&bounds, INT64_C(0)));
     width = coefficients.shape[INT64_C(1)];
     sign = 1.0;
@@ -5005,7 +4979,6 @@ static double root_share(double newest, double other, double before, double e_ne
     double share;
     double rest;
     double least;
-    double result;
     if (e_newest * e_other * e_before == 0.0)
     {
         return 0.5;
@@ -5187,7 +5160,6 @@ static double ramp_distance(double v, double a, double b, double duration, doubl
 {
     double flat;
     double variance;
-    double result;
     flat = duration - rise;
     variance = (*cspan_at(&axis, INT64_C(16))) * flat * flat + (*cspan_at(&axis, INT64_C(17))) * rise * rise;
     return v * duration + 0.5 * a * duration * duration + (b - a) * (0.125 * duration * duration + 0.5 * variance);
@@ -5332,7 +5304,6 @@ static double ramp_extreme_velocity_first_half(double v, double a, double b, dou
     double integral;
     double jerk;
     double start;
-    double result;
     if ((*cspan_at(&axis, INT64_C(10))) < 0.5)
     {
         if ((*cspan_at(&axis, INT64_C(27))) == 2.0)
@@ -5370,7 +5341,6 @@ static double ramp_extreme_velocity(double v, double a, double b, double duratio
 /*The value, or 0 where it is so small against its scale that its powers would underflow.*/
 static double flush_tiny(double value, double scale)
 {
-    double result;
     if (fabs(value) <= 1e-30 * scale)
     {
         return 0.0;
@@ -5380,7 +5350,6 @@ static double flush_tiny(double value, double scale)
 /*A boundary value, zero where it is tiny, clamped where it passes its limit by rounding.*/
 static double boundary_value(double value, double limit)
 {
-    double result;
     return span_min(span_max(flush_tiny(value, limit), -limit), limit);
 }
 /*Append the ramp from a to b whose duration was solved for; nothing if it has none.             */
@@ -5392,7 +5361,6 @@ static int64_t append_ramp(array_double_2d phases, int64_t count, double a, doub
 {
     double change;
     double slope;
-    int64_t result;
     if (duration <= 0.0)
     {
         return count;
@@ -5414,7 +5382,6 @@ static int64_t append_change(array_double_2d phases, int64_t count, double a, do
     double duration;
     double rise;
     double slope;
-    int64_t result;
     segfmu_ramp_duration(&duration, &rise, &slope, fabs(b - a), axis);
     if (duration <= 0.0)
     {
@@ -5429,7 +5396,6 @@ static int64_t append_change(array_double_2d phases, int64_t count, double a, do
 /*Append a phase of constant acceleration; nothing if it has no duration.*/
 static int64_t append_hold(array_double_2d phases, int64_t count, double a, double duration)
 {
-    int64_t result;
     if (duration <= 0.0)
     {
         return count;
@@ -5446,8 +5412,6 @@ static int64_t insert_hold(array_double_2d phases, int64_t count, int64_t row, d
     int64_t j;
     int64_t i;
     int64_t column;
-    int64_t Dummy_0000;
-    int64_t result;
     if (duration <= 0.0)
     {
         return count;
@@ -5460,7 +5424,7 @@ static int64_t insert_hold(array_double_2d phases, int64_t count, int64_t row, d
             (*cspan_at(&phases, i + INT64_C(1), column)) = (*cspan_at(&phases, i, column));
         }
     }
-    Dummy_0000 = append_hold(phases, row, a, duration);
+    append_hold(phases, row, a, duration);
     return count + INT64_C(1);
 }
 /*Copy the first rows of a list of phases. */
@@ -5795,7 +5759,6 @@ static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, 
     int64_t i;
     int64_t column;
     int64_t last;
-    int64_t result;
     if (span_floor_mod(variant, INT64_C(2)) == INT64_C(1))
     {
         brake(&first, &duration, &y, &end, (*cspan_at(&problem, INT64_C(0))), (*cspan_at(&problem, INT64_C(1))), axis, trial);
@@ -5836,7 +5799,6 @@ static double linear_level(double gain, double a, double b, array_double_1d axis
     double half;
     double rest;
     double square;
-    double result;
     slope = (*cspan_at(&axis, INT64_C(14)));
     half = 0.5 * (*cspan_at(&axis, INT64_C(15)));
     rest = gain + 0.5 * slope * (a * a + b * b) - half * (a + b);
@@ -6308,7 +6270,6 @@ static int64_t direct_form(array_double_2d phases, bool from_start, array_double
     int64_t row;
     double duration;
     double y;
-    int64_t result;
     v = (*cspan_at(&problem, INT64_C(0)));
     a = (*cspan_at(&problem, INT64_C(1)));
     w = (*cspan_at(&problem, INT64_C(2)));
@@ -6352,7 +6313,6 @@ static double window_edge(int64_t halvings, double inside, double outside, array
     double middle;
     double duration;
     double y;
-    double result;
     for (i = INT64_C(0); i < halvings; i += INT64_C(1))
     {
         middle = 0.5 * (inside + outside);
@@ -6408,7 +6368,6 @@ static double bracketed_root(double lower, double upper, double f_lower, double 
     double value;
     double duration;
     double error;
-    double result;
     target = (*cspan_at(&family, INT64_C(10)));
     newest = upper;
     e_newest = f_upper - target;
@@ -6948,7 +6907,6 @@ static double highest_within(double inside, double outside, double e_inside, dou
     int64_t count;
     double error;
     double v;
-    double result;
     margin = 1e-09 * (*cspan_at(&axis, INT64_C(2)));
     before = outside;
     e_before = e_outside;
@@ -7176,7 +7134,6 @@ static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_d
     double shortest;
     int64_t branch;
     double duration;
-    int64_t result;
     trial = span_rows(&work, INT64_C(0), INT64_C(13));
     family = span_row(&work, INT64_C(45));
     if (attempt == INT64_C(0))
@@ -7249,7 +7206,6 @@ static int64_t shortest_braked(array_double_1d problem, array_double_1d axis, ar
     double spent;
     int64_t count;
     double duration;
-    int64_t result;
     trial = span_rows(&work, INT64_C(0), INT64_C(13));
     candidate = span_rows(&work, INT64_C(13), INT64_C(26));
     rest = span_row(&work, INT64_C(44));
@@ -7322,7 +7278,6 @@ static int64_t insert_end(double duration, double after, int64_t count, array_do
     int64_t place;
     int64_t j;
     int64_t i;
-    int64_t result;
     if (duration <= after)
     {
         return count;
@@ -7380,7 +7335,6 @@ static double turning_time(double lower, double upper, bool covering, array_doub
     double t_p;
     double t_q;
     int64_t i;
-    double result;
     shrink = 0.6180339887498949;
     p = upper - shrink * (upper - lower);
     q = lower + shrink * (upper - lower);
@@ -7425,7 +7379,6 @@ static int64_t turning_ends(bool covering, double spent, double after, array_dou
     double lower;
     double upper;
     double turn;
-    int64_t result;
     phases = span_rows(&work, INT64_C(0), INT64_C(13));
     ends = span_rows(&work, INT64_C(26), INT64_C(42));
     velocity_limit = (*cspan_at(&axis, INT64_C(2)));
@@ -7468,7 +7421,6 @@ static int64_t covering_ends(double spent, double after, array_double_1d problem
     int64_t taken;
     double cruise;
     double duration;
-    int64_t result;
     phases = span_rows(&work, INT64_C(0), INT64_C(13));
     ends = span_rows(&work, INT64_C(26), INT64_C(42));
     family = span_row(&work, INT64_C(45));
@@ -7766,7 +7718,6 @@ static double cruise_edge(double inside, double outside, array_double_2d phases,
     int64_t count;
     double y;
     double hold;
-    double result;
     for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
     {
         cruise = 0.5 * (inside + outside);
@@ -7936,7 +7887,6 @@ static double nearest_weight(array_double_1d problem, array_double_1d axis, arra
     double below;
     double above;
     double tiny;
-    double result;
     distance = (*cspan_at(&problem, INT64_C(4)));
     below = (*cspan_at(&nearest, INT64_C(1)));
     above = (*cspan_at(&nearest, INT64_C(3)));
@@ -8106,7 +8056,6 @@ static bool set_duration(double target, array_double_2d cell, array_double_1d ax
     double shortest;
     bool resting;
     double weight;
-    bool result;
     shortest = (*cspan_at(&cell, INT64_C(27), INT64_C(0)));
     if (target < shortest * (1.0 - 1e-13))
     {
@@ -8133,7 +8082,6 @@ static double first_feasible(double outside, double inside, array_double_2d cell
 {
     double duration;
     int64_t i;
-    double result;
     duration = inside * (1.0 - 3e-09);
     for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
     {
@@ -8210,7 +8158,6 @@ static double next_feasible(double start, array_double_2d cell, array_double_1d 
 /*The next multiple of the sample time, or the duration itself if there is none. */
 static double round_up(double duration, double sample_time)
 {
-    double result;
     if (sample_time <= 0.0)
     {
         return duration;
@@ -8564,7 +8511,6 @@ static int64_t check_waypoints(array_double_3d states, array_double_1d dwells, a
     double velocity;
     double acceleration;
     bool moving;
-    int64_t result;
     for (j = INT64_C(0); j < states.shape[INT64_C(0)]; j += INT64_C(1))
     {
         for (i = INT64_C(0); i < axes.shape[INT64_C(0)]; i += INT64_C(1))
@@ -8641,7 +8587,6 @@ static bool distribute(int64_t first, int64_t last, double target, array_double_
     int64_t end;
     double reached;
     int64_t i;
-    bool result;
     step = axes.shape[INT64_C(0)];
     for (j = first; (step > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += step)
     {
@@ -8695,7 +8640,6 @@ static bool rewrite_intervals(int64_t first, int64_t last, array_double_2d axes,
     int64_t j;
     int64_t i;
     double duration;
-    bool result;
     for (j = INT64_C(0); (axes.shape[INT64_C(0)] > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += axes.shape[INT64_C(0)])
     {
         for (i = first; i < last; i += INT64_C(1))
@@ -8813,7 +8757,6 @@ static int64_t synchronize_plan(array_double_1d dwells, array_double_1d options,
     int64_t axis;
     double total;
     double target;
-    int64_t result;
     report = span_row(&work, INT64_C(46));
     synchronization = (int64_t)((*cspan_at(&options, INT64_C(2))));
     duration = (*cspan_at(&options, INT64_C(4)));
@@ -8913,7 +8856,6 @@ int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array
 /*Whether two numbers are further apart than doubles of that size, or of 1, can be.*/
 static bool differ(double before, double value)
 {
-    bool result;
     return !(fabs(value - before) <= 1e-15 * span_max(fabs(value), 1.0));
 }
 /*PLANNED, or what is wrong (PlanStatus), with a report (Refusal).                               */
@@ -8928,7 +8870,6 @@ int64_t segfmu_check_problem(array_double_3d states, array_double_2d limits, arr
     int64_t j;
     int64_t different;
     int64_t i;
-    int64_t result;
     for (axis = INT64_C(0); axis < limits.shape[INT64_C(0)]; axis += INT64_C(1))
     {
         (*cspan_at(&report, INT64_C(0))) = axis;
@@ -8966,7 +8907,6 @@ int64_t segfmu_check_problem(array_double_3d states, array_double_2d limits, arr
 static int64_t sensing_rows(double sample_time, double dead_time)
 {
     int64_t samples;
-    int64_t result;
     if (sample_time <= 0.0)
     {
         return INT64_C(4);
@@ -9154,7 +9094,6 @@ double segfmu_rig_next_event(array_double_2d settings, array_double_2d memory)
 static double next_event(array_double_2d settings, double duration, array_double_2d memory)
 {
     double until;
-    double result;
     until = segfmu_rig_next_event(settings, memory) - (*cspan_at(&memory, INT64_C(6), INT64_C(1)));
     if (until >= duration - time_tolerance(settings))
     {
@@ -9593,7 +9532,6 @@ int64_t segfmu_rig_rates(array_double_2d components, array_double_1d setpoints, 
 /*Rows of memory for sensors with these times [s]. */
 int64_t segfmu_rig_rows(double sample_time, double dead_time)
 {
-    int64_t result;
     return INT64_C(33) + sensing_rows(sample_time, dead_time);
 }
 /*Put a state (10) and the setpoints at the start [s] into the memory and forget the past. */
@@ -9714,7 +9652,6 @@ double segfmu_rig_imbalance(array_double_1d balance)
 {
     double gained;
     double kept;
-    double result;
     gained = (*cspan_at(&balance, INT64_C(3))) + (*cspan_at(&balance, INT64_C(4))) + (*cspan_at(&balance, INT64_C(5)));
     gained = gained - (*cspan_at(&balance, INT64_C(6)));
     kept = (*cspan_at(&balance, INT64_C(0))) + (*cspan_at(&balance, INT64_C(1))) - (*cspan_at(&balance, INT64_C(2)));
@@ -9817,7 +9754,6 @@ static double friction_slope(array_double_1d plant, int64_t axis, double velocit
 static double gust_rate(double shape, double share)
 {
     double angle;
-    double result;
     /*both shapes are sines of the share: their rate is the shape a quarter on*/
     angle = full_circle() * share;
     if ((int64_t)(shape) == INT64_C(1))
@@ -9925,7 +9861,6 @@ static bool demand_partials(array_double_1d plant, array_double_1d state, array_
     double largest;
     double demand;
     bool bounded;
-    bool result;
     action = span_row(&rig, INT64_C(13));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
@@ -9962,7 +9897,6 @@ static bool driven_partials(array_double_1d plant, array_double_1d state, array_
     double hoist;
     double slope;
     array_double_1d force;
-    bool result;
     if (!demand_partials(plant, state, rig, span_row(&rig, INT64_C(0)), partials))
     {
         return 0;
@@ -10065,7 +9999,6 @@ bool segfmu_rig_partials(array_double_2d components, double time, array_double_2
     double slope;
     double added;
     double correction;
-    bool result;
     plant = span_row(&memory, INT64_C(5));
     state = span_row(&memory, INT64_C(4));
     rig = span_rows(&memory, INT64_C(13), INT64_C(13) + INT64_C(20));
@@ -10118,7 +10051,6 @@ bool segfmu_rig_partials(array_double_2d components, double time, array_double_2
 int64_t segfmu_check_travel(array_double_1d least, array_double_1d greatest, array_double_1d fault)
 {
     int64_t axis;
-    int64_t result;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
         if (!((*cspan_at(&least, axis)) < (*cspan_at(&greatest, axis))))
@@ -10135,7 +10067,6 @@ int64_t segfmu_check_travel(array_double_1d least, array_double_1d greatest, arr
 int64_t segfmu_check_lags(array_double_1d plant, array_double_1d fault)
 {
     int64_t axis;
-    int64_t result;
     if ((int64_t)((*cspan_at(&plant, INT64_C(4)))) == INT64_C(1))
     {
         for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
@@ -10156,7 +10087,6 @@ int64_t segfmu_check_sensors(array_double_1d sensors, array_double_1d fault)
     double dead_time;
     double noise;
     int64_t i;
-    int64_t result;
     sample_time = (*cspan_at(&sensors, INT64_C(0)));
     dead_time = (*cspan_at(&sensors, INT64_C(1)));
     noise = 0.0;
@@ -10185,7 +10115,6 @@ int64_t segfmu_check_sensors(array_double_1d sensors, array_double_1d fault)
 /*The rope has a length [m] at the start, and bounds that ascend; a bound of 0 is none.*/
 int64_t segfmu_check_rope_bounds(double length, double shortest, double longest, array_double_1d fault)
 {
-    int64_t result;
     (*cspan_at(&fault, INT64_C(2))) = length;
     if (!(length > 0.0))
     {
@@ -10237,7 +10166,6 @@ static double next_break(double time, array_double_2d timing, array_int64_t_1d o
 /*Events that differ by less [s] are the same; clocks are coarser late.*/
 double segfmu_same_break(double time)
 {
-    double result;
     return 1e-08 + 1e-14 * fabs(time);
 }
 /*First event after `time` of a plan that begins at `start`; 1e300 if there is none.               */
@@ -10252,7 +10180,6 @@ double segfmu_next_plan_event(double time, double start, array_double_2d timing,
     double arrival;
     int64_t axis;
     double piece_end;
-    double result;
     event = 1e+300;
     for (waypoint = INT64_C(1); waypoint < times.shape[INT64_C(0)] + INT64_C(1); waypoint += INT64_C(1))
     {
@@ -10290,7 +10217,6 @@ double segfmu_right_of_break(double time, double start, array_double_2d timing, 
 {
     double local;
     double behind;
-    double result;
     local = time - start;
     /*an axis that has come to its end is still on its last piece there*/
     behind = local + segfmu_same_break(time);
@@ -10312,7 +10238,6 @@ static int64_t append_piece(double duration, array_double_2d timing, array_doubl
     double v;
     int64_t j;
     int64_t i;
-    int64_t result;
     width = coefficients.shape[INT64_C(1)];
     (*cspan_at(&coefficients, row, INT64_C(0))) = (*cspan_at(&state, INT64_C(0)));
     (*cspan_at(&coefficients, row, INT64_C(1))) = (*cspan_at(&state, INT64_C(1)));
@@ -10471,7 +10396,6 @@ int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, array_double
     double duration;
     int64_t j;
     double scale;
-    int64_t result;
     psi = span_row(&work, INT64_C(0));
     state = span_row(&work, INT64_C(1));
     order = ramp_order(axis);
@@ -10554,7 +10478,6 @@ static int64_t merge_pieces(double weight, double now, int64_t middle, int64_t l
     double rest_a;
     double rest_b;
     double step;
-    int64_t result;
     a = timing.shape[INT64_C(0)] - INT64_C(200);
     b = middle;
     t = now;

@@ -6,14 +6,16 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "visible.h"
+
 /* The message of a status and its report; false for a status without one. */
-bool segfmu_plan_message(
+SEGFMU_API bool segfmu_plan_message(
     int64_t status, const double *report, char *text, size_t size);
-bool segfmu_rope_message(
+SEGFMU_API bool segfmu_rope_message(
     int64_t status, const double *report, char *text, size_t size);
-bool segfmu_plant_message(
+SEGFMU_API bool segfmu_plant_message(
     int64_t status, const double *report, char *text, size_t size);
-bool segfmu_setup_message(
+SEGFMU_API bool segfmu_setup_message(
     int64_t status, const double *report, char *text, size_t size);
 
 #endif

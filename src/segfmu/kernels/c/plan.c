@@ -1,7 +1,7 @@
 /* The pure-C entry point: carves the kernels' arrays out of one block of work space. */
 #include "segfmu.h"
 
-#include "kernels.h"
+#include "arrays.h"
 #include "records.h"
 
 /* most polynomial pieces of an interval of one axis: two profiles of 13 phases, 7 pieces each,
@@ -13,18 +13,6 @@ static double *take(double **space, int64_t count)
     double *taken = *space;
     *space += count;
     return taken;
-}
-
-static array_double_1d vector(double *data, int64_t n)
-{
-    array_double_1d a = {data, {n}};
-    return a;
-}
-
-static array_double_2d matrix(double *data, int64_t rows, int64_t columns)
-{
-    array_double_2d a = {data, {rows, columns}};
-    return a;
 }
 
 /* The kernels only read these; their arrays have no const. */
@@ -53,7 +41,7 @@ size_t segfmu_plan_size(int64_t points, int64_t axes, int64_t smoothness)
     return (size_t)(planned + expanded);
 }
 
-static int in_range(const segfmu_problem *p)
+static int sizes_in_range(const segfmu_problem *p)
 {
     return p->points >= 2 && p->axes >= 1 && p->smoothness >= 2 && p->smoothness <= 6
         && p->shape >= SHAPE_SMOOTHSTEP && p->shape <= SHAPE_PLATEAU
@@ -130,7 +118,7 @@ int segfmu_plan(const segfmu_problem *p, double *space, segfmu_trajectory *traje
     for (int i = 0; i < REFUSAL_SIZE; i++) {
         trajectory->report[i] = 0.0;
     }
-    if (!in_range(p)) {
+    if (!sizes_in_range(p)) {
         return PLAN_STATUS_OUT_OF_RANGE;
     }
     const int64_t m = p->points, k = p->axes, cells = (m - 1) * k;

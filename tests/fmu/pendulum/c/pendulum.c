@@ -12,7 +12,7 @@ typedef struct {
     double before[MODEL_INPUTS];  /* inputs at the end of the last step */
 } pendulum;
 
-const double model_nominals[MODEL_STATES + 1] = {0.1, 0.1, 0.0};
+static const double model_nominals[MODEL_STATES + 1] = {0.1, 0.1, 0.0};
 
 size_t model_least(void)
 {
@@ -37,12 +37,6 @@ size_t model_used(const model *m)
     return sizeof(pendulum);
 }
 
-int64_t model_rows(const model *m)
-{
-    (void)m;
-    return 0;
-}
-
 bool model_initialise(model *base, char message[MESSAGE])
 {
     pendulum *m = (pendulum *)base;
@@ -55,9 +49,10 @@ bool model_initialise(model *base, char message[MESSAGE])
     return true;
 }
 
-bool model_warning(const model *m, char message[MESSAGE])
+bool model_warning(const model *m, const double start[], char message[MESSAGE])
 {
     (void)m;
+    (void)start;
     (void)message;
     return false;
 }

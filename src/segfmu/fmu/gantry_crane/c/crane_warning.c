@@ -11,7 +11,7 @@ enum { TABLE = V_FEEDBACK_TABLE_HOIST + 2 * MOST_LENGTHS - V_FEEDBACK_TABLE_LENG
 typedef char table_is_one_block[TABLE == 11 * MOST_LENGTHS ? 1 : -1];
 
 /* Whether two values differ by more than what text leaves of a number. */
-static bool differ(double one, double other)
+static bool set_apart(double one, double other)
 {
     return fabs(one - other) > 1e-9 * (fabs(one) + fabs(other));
 }
@@ -33,11 +33,11 @@ static void find_changed(const crane *m, const double start[], char names[MESSAG
     double longest = lengths[m->base.integer[V_FEEDBACK_TABLE_COUNT] - 1];
     names[0] = '\0';
     for (size_t i = 0; i < sizeof made_for / sizeof *made_for; i++) {
-        if (differ(real[made_for[i].place], start[made_for[i].place])) {
+        if (set_apart(real[made_for[i].place], start[made_for[i].place])) {
             add_name(names, made_for[i].name);
         }
     }
-    if (differ(nominal_payload(m), real[V_FEEDBACK_TABLE_PAYLOAD_MASS])) {
+    if (set_apart(nominal_payload(m), real[V_FEEDBACK_TABLE_PAYLOAD_MASS])) {
         add_name(names, real[V_FEEDBACK_PAYLOAD_MASS] > 0.0 ? "feedback.payload_mass"
                                                             : "crane.payload_mass");
     }

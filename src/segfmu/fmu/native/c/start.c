@@ -15,6 +15,7 @@
 #include <string.h>
 
 #include "build.h"
+#include "checksum.h"
 #include "say.h"
 
 enum { FORMAT = 1, LONGEST_PATH = 4096, WORD = 8, HEAD = 4 };
@@ -107,16 +108,6 @@ static FILE *find(const char *location, char path[LONGEST_PATH])
     return file;
 }
 
-static uint64_t sum_of(const uint64_t *words, size_t count)
-{
-    uint64_t sum = count;
-    for (size_t i = 0; i < count; i++) {
-        sum = (sum ^ words[i]) * 0x9E3779B97F4A7C15u;
-        sum ^= sum >> 29;
-    }
-    return sum;
-}
-
 /* A word from its bytes, whatever the order of the processor is. */
 static uint64_t word_of(const unsigned char bytes[WORD])
 {
@@ -163,7 +154,7 @@ bool start_read(const char *location, start_values *start, char message[MESSAGE]
     }
     start->rows = (int64_t)words[2];
     start->variables = (int64_t)words[HEAD - 1];
-    if (count != WORDS || words[WORDS - 1] != sum_of(words, WORDS - 1) || start->rows < 0
+    if (count != WORDS || words[WORDS - 1] != checksum(words, (WORDS - 1) * sizeof *words) || start->rows < 0
         || start->rows > MODEL_ROWS || start->variables < 1
         || start->variables > MODEL_VARIABLES) {
         return say(message, "%s is damaged; unpack the archive again", FILE_NAME);

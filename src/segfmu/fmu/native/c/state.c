@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "build.h"
+#include "checksum.h"
 #include "glue.h"
 
 typedef struct {
@@ -14,27 +15,11 @@ typedef struct {
     uint64_t sum;     /* over the block, in serialised form */
 } header;
 
-static uint64_t mix(uint64_t sum, uint64_t word)
-{
-    sum = (sum ^ word) * 0x9E3779B97F4A7C15u;
-    return sum ^ (sum >> 29);
-}
-
-static uint64_t sum_of(const void *bytes, size_t size)
-{
-    uint64_t sum = size, word;
-    for (size_t i = 0; i + sizeof word <= size; i += sizeof word) {
-        memcpy(&word, (const char *)bytes + i, sizeof word);
-        sum = mix(sum, word);
-    }
-    return sum;
-}
-
 static uint64_t mark(const instance *c)
 {
     uint64_t sum = (uint64_t)c->model->interface + 1;
     for (const char *p = c->start.token; *p != '\0'; p++) {
-        sum = mix(sum, (unsigned char)*p);
+        sum = checksum_mixed(sum, (unsigned char)*p);
     }
     return sum;
 }
@@ -42,7 +27,7 @@ static uint64_t mark(const instance *c)
 /* A block has this layout where the sources and the sizes of structures are the same. */
 static uint64_t build(void)
 {
-    return mix(mix(BUILD_MARK, sizeof(model)), model_least());
+    return checksum_mixed(checksum_mixed(BUILD_MARK, sizeof(model)), model_least());
 }
 
 bool glue_save(instance *c, void **state)
@@ -162,7 +147,7 @@ bool glue_serialise(instance *c, const void *state, void *bytes, size_t size)
         return false;
     }
     const char *block = (const char *)state + sizeof head;
-    head.sum = sum_of(block, (size_t)head.size);
+    head.sum = checksum(block, (size_t)head.size);
     memcpy(bytes, &head, sizeof head);
     memcpy((char *)bytes + sizeof head, block, (size_t)head.size);
     return true;
@@ -180,7 +165,7 @@ bool glue_deserialise(instance *c, const void *bytes, size_t size, void **state)
         return false;
     }
     const char *block = (const char *)bytes + sizeof head;
-    if (head.size > size - sizeof head || head.sum != sum_of(block, (size_t)head.size)) {
+    if (head.size > size - sizeof head || head.sum != checksum(block, (size_t)head.size)) {
         glue_log(c, STATUS_ERROR, "the bytes of the saved state are damaged");
         return false;
     }

@@ -38,7 +38,7 @@ static bool usable(instance *c, const char *function, const uint32_t references[
                      (unsigned)references[i]);
             return false;
         }
-        const variable *v = glue_variable(references[i)];
+        const variable *v = glue_variable(references[i]);
         if ((kinds & (1 << v->kind)) == 0) {
             glue_log(c, STATUS_ERROR, "%s: %s is of type %s", function, v->name,
                      kind_name(v->kind));
@@ -63,7 +63,7 @@ bool glue_readable(instance *c, const char *function, const uint32_t references[
     bool follows = false;
     int early = 0;
     for (size_t i = 0; i < count; i++) {
-        const variable *v = glue_variable(references[i)];
+        const variable *v = glue_variable(references[i]);
         if (v->calculated) {
             follows = true;
             early |= v->setting == SET_NEVER ? MODE_INSTANTIATED : 0;
@@ -80,7 +80,7 @@ bool glue_settable(instance *c, const char *function, const uint32_t references[
     }
     const int64_t mode = c->model->mode;
     for (size_t i = 0; i < count; i++) {
-        const variable *v = glue_variable(references[i)];
+        const variable *v = glue_variable(references[i]);
         if ((modes_of(c, v->setting) & mode) == 0) {
             glue_log(c, STATUS_ERROR, "%s: %s cannot be set %s", function, v->name,
                      v->setting == SET_NEVER ? "at all" : "now");
@@ -94,7 +94,7 @@ void glue_get_reals(const instance *c, const uint32_t references[], size_t count
 {
     const double *real = c->model->real;
     for (size_t i = 0; i < count; i++) {
-        const variable *v = glue_variable(references[i)];
+        const variable *v = glue_variable(references[i]);
         if (v->columns == 0) {
             *values++ = real[v->offset];
         } else {
@@ -116,7 +116,7 @@ static void touch(instance *c, int settings)
 }
 
 /* Whether all values are finite; reports the first one that is not. */
-static bool all_finite(instance *c, const uint32_t references[], const double values[], size_t size)
+static bool finite_values(instance *c, const uint32_t references[], const double values[], size_t size)
 {
     size_t place = 0, behind = 0;
     while (place < size && isfinite(values[place])) {
@@ -151,7 +151,7 @@ static bool all_in_range(instance *c, const uint32_t references[], size_t count,
                          const double values[])
 {
     for (size_t i = 0; i < count; i++) {
-        const variable *v = glue_variable(references[i)];
+        const variable *v = glue_variable(references[i]);
         size_t elements = glue_elements_of(c, v);
         if (!tuned_in_range(c, v, values, elements)) {
             return false;
@@ -164,13 +164,13 @@ static bool all_in_range(instance *c, const uint32_t references[], size_t count,
 bool glue_set_reals(instance *c, const uint32_t references[], size_t count, const double values[],
                     size_t size)
 {
-    if (!all_finite(c, references, values, size) || !all_in_range(c, references, count, values)) {
+    if (!finite_values(c, references, values, size) || !all_in_range(c, references, count, values)) {
         return false;
     }
     double *real = c->model->real;
     int settings = 0;
     for (size_t i = 0; i < count; i++) {
-        const variable *v = glue_variable(references[i)];
+        const variable *v = glue_variable(references[i]);
         if (v->columns == 0) {
             real[v->offset] = *values++;
         } else {
@@ -220,8 +220,8 @@ bool glue_directional(instance *c, const char *function, const uint32_t unknowns
     for (size_t i = 0; i < rows; i++) {
         double sum = 0.0;
         for (size_t j = 0; j < columns; j++) {
-            const variable *unknown = glue_variable(unknowns[adjoint ? j : i)];
-            const variable *known = glue_variable(knowns[adjoint ? i : j)];
+            const variable *unknown = glue_variable(unknowns[adjoint ? j : i]);
+            const variable *known = glue_variable(knowns[adjoint ? i : j]);
             double partial = 0.0;
             if (!model_partial(c->model, unknown, known, &partial)) {
                 glue_log(c, STATUS_ERROR, "%s: there is no derivative of %s by %s now", function,
@@ -243,7 +243,7 @@ bool glue_output_derivatives(instance *c, const char *function, const uint32_t r
         return false;
     }
     for (size_t i = 0; i < count; i++) {
-        const variable *v = glue_variable(references[i)];
+        const variable *v = glue_variable(references[i]);
         if (!v->differentiable || orders[i] < 1 || orders[i] > MODEL_ORDERS
             || !model_output_derivative(c->model, v, orders[i], &values[i])) {
             glue_log(c, STATUS_ERROR, "%s: %s has no derivative of order %d", function, v->name,
@@ -262,7 +262,7 @@ bool glue_input_derivatives(instance *c, const char *function, const uint32_t re
         return false;
     }
     for (size_t i = 0; i < count; i++) {
-        const variable *v = glue_variable(references[i)];
+        const variable *v = glue_variable(references[i]);
         if (v->setting != SET_INPUT || orders[i] < 1 || orders[i] > INPUT_ORDERS) {
             glue_log(c, STATUS_ERROR, "%s: %s takes no derivative of order %d", function, v->name,
                      (int)orders[i]);
