@@ -126,8 +126,12 @@ def test_fmi3_has_no_input_derivatives(native_fmus) -> None:
         simulate(*native_fmus[3], stop_time=0.1, step=0.01, coupling="derivatives")
 
 
-def test_arrays_of_fmi3_take_as_many_values_as_they_have(native_fmus) -> None:
+def test_arrays_of_fmi3_take_their_first_rows(native_fmus) -> None:
     with load(native_fmus[3][0]) as unit:
-        unit.set({"waypoint.count": 4})
-        with pytest.raises(InputError, match=r"waypoint\.position takes 12 values, got 3"):
-            unit.set({"waypoint.position": [0.0, 0.0, -0.5]})
+        for count in (4, 51):
+            with pytest.raises(InputError, match="takes up to 48 values in rows of 3"):
+                unit.set({"waypoint.position": [0.0] * count})
+        unit.set({"waypoint.position": [[0.1, 0.2, -0.6]]})
+        channel = unit.channel(["waypoint.position"])
+        channel.read()
+        assert channel.values[:6].tolist() == [0.1, 0.2, -0.6, 0.07, 0.055, -0.5]

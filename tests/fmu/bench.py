@@ -59,14 +59,13 @@ class Bench:
         return rows
 
     def _as_arrays(self, values: Values) -> Values:
-        """With whole arrays in place of their members, behind what counts their rows."""
+        """With whole arrays in place of their members."""
         starts = {v.name: v.start for v in self._spec.variables} | values
         members = {m for array in self._spec.arrays for m in array.members}
         found = {n: v for n, v in values.items() if n not in members}
         for array in self._spec.arrays:
             if not values.keys().isdisjoint({array.rows, *array.members}):
-                used = array.members[: int(starts[array.rows]) * array.columns]
-                found[array.name] = [starts[m] for m in used]
+                found[array.name] = [starts[m] for m in array.members]
         return found
 
     def _renew(self) -> None:

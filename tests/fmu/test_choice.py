@@ -64,8 +64,9 @@ def test_a_compiler_that_fails_is_quoted_in_one_line(tmp_path) -> None:
     if name is None or not compilers.available():
         pytest.skip("no C compiler found")
     (tmp_path / "wrong.c").write_text("int main(void) { return nothing; }\n")
+    library = tmp_path / "wrong.so"
     with pytest.raises(BuildError, match=f"compiling for {name} failed: .*nothing") as caught:
-        compilers.compiler(name).compile(tmp_path / "wrong.c", tmp_path / "wrong.o")
+        compilers.compiler(name).build(tmp_path / "wrong.c", library)
     assert "\n" not in str(caught.value)
 
 

@@ -267,63 +267,63 @@ model GantryCrane "Dynamics of a 3-DOF gantry crane from Lagrange's equations, d
   Real sway_y_acceleration(unit = "rad/s2", displayUnit = "deg/s2") "acceleration of sway.y";
   Real power_drives(unit = "W", nominal = 10.0) "power of all drives";
 protected
-  constant Integer feedback_table_length_references[17] = {168, 179, 190, 201, 212, 223, 234, 245, 256, 267, 278, 289, 300, 311, 322, 333, 344};
-  constant Integer feedback_table_bridge_references[17, 4] = [169, 170, 171, 172;
-      180, 181, 182, 183;
-      191, 192, 193, 194;
-      202, 203, 204, 205;
-      213, 214, 215, 216;
-      224, 225, 226, 227;
-      235, 236, 237, 238;
-      246, 247, 248, 249;
-      257, 258, 259, 260;
-      268, 269, 270, 271;
-      279, 280, 281, 282;
-      290, 291, 292, 293;
-      301, 302, 303, 304;
-      312, 313, 314, 315;
-      323, 324, 325, 326;
-      334, 335, 336, 337;
-      345, 346, 347, 348];
-  constant Integer feedback_table_trolley_references[17, 4] = [173, 174, 175, 176;
-      184, 185, 186, 187;
-      195, 196, 197, 198;
-      206, 207, 208, 209;
-      217, 218, 219, 220;
-      228, 229, 230, 231;
-      239, 240, 241, 242;
-      250, 251, 252, 253;
-      261, 262, 263, 264;
-      272, 273, 274, 275;
-      283, 284, 285, 286;
-      294, 295, 296, 297;
-      305, 306, 307, 308;
-      316, 317, 318, 319;
-      327, 328, 329, 330;
-      338, 339, 340, 341;
-      349, 350, 351, 352];
-  constant Integer feedback_table_hoist_references[17, 2] = [177, 178;
-      188, 189;
-      199, 200;
-      210, 211;
-      221, 222;
-      232, 233;
-      243, 244;
-      254, 255;
-      265, 266;
-      276, 277;
-      287, 288;
-      298, 299;
-      309, 310;
-      320, 321;
-      331, 332;
-      342, 343;
-      353, 354];
-  final parameter Integer real_references[:] = cat(1, {22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 75, 76, 77, 78, 79, 80, 82, 83, 84, 85, 86, 87, 88,
-      89, 90, 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 108, 109,
-      110, 111, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 126, 127,
-      129, 130, 131, 132, 133, 134, 135, 138, 139, 140, 141, 142, 143, 144, 145, 148, 149, 150,
-      151, 152, 154, 155, 156, 157, 158, 159, 160, 161, 162, 163, 164, 167},
+  constant Integer feedback_table_length_references[17] = {169, 180, 191, 202, 213, 224, 235, 246, 257, 268, 279, 290, 301, 312, 323, 334, 345};
+  constant Integer feedback_table_bridge_references[17, 4] = [170, 171, 172, 173;
+      181, 182, 183, 184;
+      192, 193, 194, 195;
+      203, 204, 205, 206;
+      214, 215, 216, 217;
+      225, 226, 227, 228;
+      236, 237, 238, 239;
+      247, 248, 249, 250;
+      258, 259, 260, 261;
+      269, 270, 271, 272;
+      280, 281, 282, 283;
+      291, 292, 293, 294;
+      302, 303, 304, 305;
+      313, 314, 315, 316;
+      324, 325, 326, 327;
+      335, 336, 337, 338;
+      346, 347, 348, 349];
+  constant Integer feedback_table_trolley_references[17, 4] = [174, 175, 176, 177;
+      185, 186, 187, 188;
+      196, 197, 198, 199;
+      207, 208, 209, 210;
+      218, 219, 220, 221;
+      229, 230, 231, 232;
+      240, 241, 242, 243;
+      251, 252, 253, 254;
+      262, 263, 264, 265;
+      273, 274, 275, 276;
+      284, 285, 286, 287;
+      295, 296, 297, 298;
+      306, 307, 308, 309;
+      317, 318, 319, 320;
+      328, 329, 330, 331;
+      339, 340, 341, 342;
+      350, 351, 352, 353];
+  constant Integer feedback_table_hoist_references[17, 2] = [178, 179;
+      189, 190;
+      200, 201;
+      211, 212;
+      222, 223;
+      233, 234;
+      244, 245;
+      255, 256;
+      266, 267;
+      277, 278;
+      288, 289;
+      299, 300;
+      310, 311;
+      321, 322;
+      332, 333;
+      343, 344;
+      354, 355];
+  final parameter Integer real_references[:] = cat(1, {23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 76, 77, 78, 79, 80, 81, 83, 84, 85, 86, 87, 88, 89,
+      90, 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 109, 110,
+      111, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 126, 127, 128,
+      130, 131, 132, 133, 134, 135, 136, 139, 140, 141, 142, 143, 144, 145, 146, 149, 150, 151,
+      152, 153, 155, 156, 157, 158, 159, 160, 161, 162, 163, 164, 165, 168},
       feedback_table_length_references[1:feedback_table_count],
       FMI.references(feedback_table_bridge_references, feedback_table_count),
       FMI.references(feedback_table_trolley_references, feedback_table_count),
@@ -359,13 +359,13 @@ protected
       FMI.rows(feedback_table_bridge),
       FMI.rows(feedback_table_trolley),
       FMI.rows(feedback_table_hoist));
-  constant Integer integer_references[9] = {81, 107, 128, 136, 137, 147, 153, 165, 166};
+  constant Integer integer_references[9] = {82, 108, 129, 137, 138, 148, 154, 166, 167};
   final parameter Integer integers[9] = {Integer(drive_mode), sensor_seed, Integer(wind_gust_shape), wind_noise_seed, payload_count,
       Integer(feedback_design), Integer(feedback_source), feedback_table_count,
       Integer(feedback_table_mode)};
-  constant Integer boolean_references[1] = {146};
+  constant Integer boolean_references[1] = {147};
   final parameter Integer booleans[1] = {if feedback_enabled then 1 else 0};
-  constant Integer input_references[22] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21};
+  constant Integer input_references[22] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22};
   Interfaces.RealInput force_bridge_used;
   Interfaces.RealInput force_trolley_used;
   Interfaces.RealInput force_hoist_used;
@@ -396,7 +396,7 @@ protected
       reference_sway_y_rate_used, reference_load_position_x_used, reference_load_position_y_used,
       reference_load_position_z_used, wind_x_used, wind_y_used, wind_z_used};
   FMI.Instance fmu = FMI.Instance(folder, "GantryCrane", getInstanceName(),
-      "{8360d1b6-247f-8ee8-1654-8af3889eb0e9}", 13);
+      "{53100c31-6c00-463f-d2a4-3c02b6652de3}", 13);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[13](each stateSelect = StateSelect.always, each nominal = 0.1) "states of the FMU";
@@ -406,7 +406,7 @@ initial equation
   started = FMI.start(fmu, time, real_references, reals, integer_references, integers,
       boolean_references, booleans);
   begun = FMI.begin(fmu, input_references, inputs, started);
-  x = FMI.states(fmu, {6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18},
+  x = FMI.states(fmu, {7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19},
       {reference_bridge_position_used, reference_trolley_position_used, reference_rope_length_used,
       reference_sway_x_angle_used, reference_sway_y_angle_used, reference_bridge_velocity_used,
       reference_trolley_velocity_used, reference_rope_velocity_used, reference_sway_x_rate_used,
@@ -470,7 +470,7 @@ equation
   end when;
   // what an event changed is seen behind it
   last = started + pre(next);
-  der(x) = FMI.derivatives(fmu, time, x, {0, 1, 2, 3, 4, 5, 19, 20, 21},
+  der(x) = FMI.derivatives(fmu, time, x, {1, 2, 3, 4, 5, 6, 20, 21, 22},
       {force_bridge_used, force_trolley_used, force_hoist_used, velocity_bridge_used,
       velocity_trolley_used, velocity_hoist_used, wind_x_used, wind_y_used, wind_z_used}, last);
   {bridge_position, trolley_position, rope_length, sway_x_angle, sway_y_angle, bridge_velocity,
@@ -484,36 +484,36 @@ equation
       estimate_disturbance_load_y, estimate_rope_offset}
       = FMI.reals(fmu, time, x, fill(0, 0),
       fill(0.0, 0),
-      {22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 57, 58,
-      59, 60, 61, 62, 63, 64, 65, 68, 69, 70, 71, 72, 73, 74}, last);
+      {23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 58, 59,
+      60, 61, 62, 63, 64, 65, 66, 69, 70, 71, 72, 73, 74, 75}, last);
   {error_load_x}
-      = FMI.reals(fmu, time, x, {16},
-      {reference_load_position_x_used},
-      {43}, last);
-  {error_load_y}
       = FMI.reals(fmu, time, x, {17},
-      {reference_load_position_y_used},
+      {reference_load_position_x_used},
       {44}, last);
-  {error_load_z}
+  {error_load_y}
       = FMI.reals(fmu, time, x, {18},
-      {reference_load_position_z_used},
+      {reference_load_position_y_used},
       {45}, last);
+  {error_load_z}
+      = FMI.reals(fmu, time, x, {19},
+      {reference_load_position_z_used},
+      {46}, last);
   {error_load_norm}
-      = FMI.reals(fmu, time, x, {16, 17, 18},
+      = FMI.reals(fmu, time, x, {17, 18, 19},
       {reference_load_position_x_used, reference_load_position_y_used,
       reference_load_position_z_used},
-      {46}, last);
+      {47}, last);
   {drive_bridge_force, drive_bridge_power, drive_trolley_force, drive_trolley_power,
       drive_hoist_force, drive_hoist_power, rope_force, power_wind, power_friction,
       bridge_acceleration, trolley_acceleration, rope_acceleration, sway_x_acceleration,
       sway_y_acceleration, power_drives}
-      = FMI.reals(fmu, time, x, {0, 1, 2, 3, 4, 5, 19, 20, 21},
+      = FMI.reals(fmu, time, x, {1, 2, 3, 4, 5, 6, 20, 21, 22},
       {force_bridge_used, force_trolley_used, force_hoist_used, velocity_bridge_used,
       velocity_trolley_used, velocity_hoist_used, wind_x_used, wind_y_used, wind_z_used},
-      {47, 49, 50, 52, 53, 55, 56, 66, 67, 355, 356, 357, 358, 359, 360}, last);
-  drive_bridge_saturated = FMI.boolean(fmu, 48, last);
-  drive_trolley_saturated = FMI.boolean(fmu, 51, last);
-  drive_hoist_saturated = FMI.boolean(fmu, 54, last);
+      {48, 50, 51, 53, 54, 56, 57, 67, 68, 356, 357, 358, 359, 360, 361}, last);
+  drive_bridge_saturated = FMI.boolean(fmu, 49, last);
+  drive_trolley_saturated = FMI.boolean(fmu, 52, last);
+  drive_hoist_saturated = FMI.boolean(fmu, 55, last);
   annotation(
     Diagram(coordinateSystem(extent = {{-200, -720}, {200, 720}})),
     Icon(coordinateSystem(extent = {{-200, -720}, {200, 720}}), graphics = {

@@ -56,6 +56,12 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   parameter Real limits_z_acceleration(unit = "m/s2", min = 0.0) = 0.5 "limit of the load's acceleration in z" annotation(Dialog(tab = "limits"));
   parameter Real limits_z_jerk(unit = "m/s3", min = 0.0) = 0.5 "limit of the load's jerk in z; 0: no limit" annotation(Dialog(tab = "limits"));
   parameter Real limits_z_snap(unit = "m/s4", min = 0.0) = 5.0 "limit of the load's snap in z; 0: no limit" annotation(Dialog(tab = "limits"));
+  parameter Integer planner_smoothness(min = 4, max = 6) = 4 "n: the load's position is n times differentiable" annotation(Dialog(tab = "planner"));
+  parameter Types.Shape planner_shape = Types.Shape.plateau "shape of the acceleration ramps" annotation(Dialog(tab = "planner"));
+  parameter Types.Synchronization planner_synchronization = Types.Synchronization.waypoints "where the axes meet" annotation(Dialog(tab = "planner"));
+  parameter Real planner_sample_time(unit = "s", min = 0.0) = 0.0 "waypoint intervals become multiples of it; 0: any duration" annotation(Dialog(tab = "planner"));
+  parameter Real planner_duration(unit = "s", min = 0.0) = 0.0 "duration to take; 0: the shortest one" annotation(Dialog(tab = "planner"));
+  parameter Real planner_start_time(unit = "s") = 0.0 "time at which the motion starts" annotation(Dialog(tab = "planner"));
   parameter Real waypoint_position[:, 3](each unit = "m") = [0.0, 0.0, -0.5;
       0.07, 0.055, -0.5;
       1.0, 0.8, -0.5] "position of the load at the waypoints" annotation(Dialog(tab = "waypoint"));
@@ -67,16 +73,25 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
       0.34, 0.27, 0.0;
       0.0, 0.0, 0.0] "acceleration of the load at the waypoints" annotation(Dialog(tab = "waypoint"));
   parameter Real waypoint_dwell[waypoint_count](each unit = "s", each min = 0.0) = zeros(waypoint_count) "rest at the waypoints" annotation(Dialog(tab = "waypoint"));
-  parameter Integer planner_smoothness(min = 4, max = 6) = 4 "n: the load's position is n times differentiable" annotation(Dialog(tab = "planner"));
-  parameter Types.Shape planner_shape = Types.Shape.plateau "shape of the acceleration ramps" annotation(Dialog(tab = "planner"));
-  parameter Types.Synchronization planner_synchronization = Types.Synchronization.waypoints "where the axes meet" annotation(Dialog(tab = "planner"));
-  parameter Real planner_sample_time(unit = "s", min = 0.0) = 0.0 "waypoint intervals become multiples of it; 0: any duration" annotation(Dialog(tab = "planner"));
-  parameter Real planner_duration(unit = "s", min = 0.0) = 0.0 "duration to take; 0: the shortest one" annotation(Dialog(tab = "planner"));
-  parameter Real planner_start_time(unit = "s") = 0.0 "time at which the motion starts" annotation(Dialog(tab = "planner"));
   final parameter Real plan_duration(unit = "s", fixed = false) "duration of the planned motion";
 protected
-  constant Integer waypoint_position_references[16, 3] = [57, 58, 59;
-      67, 68, 69;
+  constant Integer waypoint_position_references[16, 3] = [64, 65, 66;
+      74, 75, 76;
+      84, 85, 86;
+      94, 95, 96;
+      104, 105, 106;
+      114, 115, 116;
+      124, 125, 126;
+      134, 135, 136;
+      144, 145, 146;
+      154, 155, 156;
+      164, 165, 166;
+      174, 175, 176;
+      184, 185, 186;
+      194, 195, 196;
+      204, 205, 206;
+      214, 215, 216];
+  constant Integer waypoint_velocity_references[16, 3] = [67, 68, 69;
       77, 78, 79;
       87, 88, 89;
       97, 98, 99;
@@ -90,9 +105,9 @@ protected
       177, 178, 179;
       187, 188, 189;
       197, 198, 199;
-      207, 208, 209];
-  constant Integer waypoint_velocity_references[16, 3] = [60, 61, 62;
-      70, 71, 72;
+      207, 208, 209;
+      217, 218, 219];
+  constant Integer waypoint_acceleration_references[16, 3] = [70, 71, 72;
       80, 81, 82;
       90, 91, 92;
       100, 101, 102;
@@ -106,25 +121,10 @@ protected
       180, 181, 182;
       190, 191, 192;
       200, 201, 202;
-      210, 211, 212];
-  constant Integer waypoint_acceleration_references[16, 3] = [63, 64, 65;
-      73, 74, 75;
-      83, 84, 85;
-      93, 94, 95;
-      103, 104, 105;
-      113, 114, 115;
-      123, 124, 125;
-      133, 134, 135;
-      143, 144, 145;
-      153, 154, 155;
-      163, 164, 165;
-      173, 174, 175;
-      183, 184, 185;
-      193, 194, 195;
-      203, 204, 205;
-      213, 214, 215];
-  constant Integer waypoint_dwell_references[16] = {66, 76, 86, 96, 106, 116, 126, 136, 146, 156, 166, 176, 186, 196, 206, 216};
-  final parameter Integer real_references[:] = cat(1, {38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 220, 221, 222},
+      210, 211, 212;
+      220, 221, 222];
+  constant Integer waypoint_dwell_references[16] = {73, 83, 93, 103, 113, 123, 133, 143, 153, 163, 173, 183, 193, 203, 213, 223};
+  final parameter Integer real_references[:] = cat(1, {39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 60, 61, 62},
       FMI.references(waypoint_position_references, waypoint_count),
       FMI.references(waypoint_velocity_references, waypoint_count),
       FMI.references(waypoint_acceleration_references, waypoint_count),
@@ -138,14 +138,14 @@ protected
       FMI.rows(waypoint_velocity),
       FMI.rows(waypoint_acceleration),
       waypoint_dwell);
-  constant Integer integer_references[4] = {56, 217, 218, 219};
-  final parameter Integer integers[4] = {waypoint_count, planner_smoothness, Integer(planner_shape), Integer(planner_synchronization)};
+  constant Integer integer_references[4] = {57, 58, 59, 63};
+  final parameter Integer integers[4] = {planner_smoothness, Integer(planner_shape), Integer(planner_synchronization), waypoint_count};
   constant Integer boolean_references[0] = fill(0, 0);
   final parameter Integer booleans[0] = fill(0, 0);
   constant Integer input_references[0] = fill(0, 0);
   Real inputs[0] = fill(0.0, 0);
   FMI.Instance fmu = FMI.Instance(folder, "GantryFeedforward", getInstanceName(),
-      "{82fdab2c-6976-249a-72c0-9a97e2a2f3d2}", 0);
+      "{3313e64a-1fa9-0d37-c716-cd88efaeff9b}", 0);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[0] "states of the FMU";
@@ -155,7 +155,7 @@ initial equation
   started = FMI.start(fmu, time, real_references, reals, integer_references, integers,
       boolean_references, booleans);
   begun = FMI.begin(fmu, input_references, inputs, started);
-  {plan_duration} = FMI.reals(fmu, time, x, fill(0, 0), fill(0.0, 0), {37}, started);
+  {plan_duration} = FMI.reals(fmu, time, x, fill(0, 0), fill(0.0, 0), {38}, started);
 equation
   when {initial(), time >= pre(next)} then
     next = FMI.event(fmu, time, x, input_references, inputs, begun);
@@ -174,10 +174,10 @@ equation
       reference_sway_x_rate, reference_sway_y_angle, reference_sway_y_rate, plan_next_event}
       = FMI.reals(fmu, time, x, fill(0, 0),
       fill(0.0, 0),
-      {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24,
-      25, 26, 27, 28, 29, 30, 31, 32, 33, 36}, last);
-  plan_interval = FMI.integer(fmu, 34, last);
-  plan_done = FMI.boolean(fmu, 35, last);
+      {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25,
+      26, 27, 28, 29, 30, 31, 32, 33, 34, 37}, last);
+  plan_interval = FMI.integer(fmu, 35, last);
+  plan_done = FMI.boolean(fmu, 36, last);
   annotation(
     Diagram(coordinateSystem(extent = {{-200, -430}, {200, 430}})),
     Icon(coordinateSystem(extent = {{-200, -430}, {200, 430}}), graphics = {

@@ -6,6 +6,7 @@ import ctypes
 import shutil
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
+from math import prod
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -174,7 +175,9 @@ class Unit(ABC):
         return values, values.ctypes.data_as(ctypes.c_void_p)
 
     def set(self, values: dict[str, Any]) -> None:
-        """Set variables by name; enumerations also by the name of an item, arrays by their values.
+        """Set variables by name; enumerations also by the name of an item.
+
+        An array takes all its values, or those of its first rows: the others stay.
         """
         for name, value in values.items():
             variable = self.variables.get(name)
@@ -184,11 +187,16 @@ class Unit(ABC):
                 raise InputError(f"{self.name}: {name} is of type {variable.type}, not supported")
             numbers = [self._number(variable, v) for v in _flat(value)]
             channel = self.channel([name])
-            if channel.values.size != len(numbers):
+            size = channel.values.size
+            row = prod(int(d.start) for d in variable.dimensions[1:])
+            if len(numbers) > size or len(numbers) % row != 0:
                 raise InputError(
-                    f"{self.name}: {name} takes {channel.values.size} values, got {len(numbers)}"
+                    f"{self.name}: {name} takes up to {size} values in rows of {row}, got "
+                    f"{len(numbers)}"
                 )
-            channel.values[:] = numbers
+            if len(numbers) < size:
+                channel.read()
+            channel.values[: len(numbers)] = numbers
             self._write(variable, channel)
 
     def _write(self, variable: Any, channel: Channel) -> None:

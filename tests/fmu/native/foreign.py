@@ -14,8 +14,7 @@ import tempfile
 from importlib.util import find_spec
 from pathlib import Path
 
-from segfmu.fmu.native import archive as native
-from tests.fmu.native.fuzz import DRIVERS, SPECS
+from tests.fmu.native.fuzz import DRIVERS, SPECS, written
 
 # name -> target of zig, its options, and what runs the program
 PLATFORMS = {
@@ -30,13 +29,12 @@ def program(target: str, options: tuple[str, ...], fmi: int, index: int, folder:
     spec = SPECS[index]
     place = folder / f"{target}-{spec.name}{fmi}"
     place.mkdir()
-    for name, text in native.sources(spec, fmi).items():
-        (place / name).write_bytes(text)
+    written(spec, fmi, place)
     built = place / "fuzz.exe"
     subprocess.run(
         [sys.executable, "-m", "ziglang", "cc", "-target", target, "-std=c99", "-O1", "-w",
          "-ffp-contract=off", *options, f"-I{place}", f"-I{DRIVERS}", DRIVERS / f"fuzz{fmi}.c",
-         *place.glob("*.c"), "-lm", "-o", built],
+         "-lm", "-o", built],
         check=True,
     )
     return built
@@ -54,7 +52,8 @@ def main() -> None:
                     print(f"{name}, {SPECS[index].name}: compiled, not run: no {runner}")
                     continue
                 done = subprocess.run(
-                    [runner, built, SEQUENCES], capture_output=True, text=True, check=False
+                    [runner, built, SEQUENCES, "1", str(built.parent)], capture_output=True,
+                    text=True, check=False,
                 )
                 if done.returncode != 0:
                     raise SystemExit(f"{name}, {SPECS[index].name}: {done.stdout}{done.stderr}")

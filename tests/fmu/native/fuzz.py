@@ -22,37 +22,33 @@ OPTIONS = ("-std=c99", "-g", "-O1", "-ffp-contract=off", "-w", *SANITIZERS)
 SPECS = (gantry_feedforward.native_spec(), gantry_crane.native_spec())
 
 
-def kernels(compiler: str, folder: Path) -> list[Path]:
-    """Object files of the kernels, the same for all programs."""
-    made = []
-    for name in ("kernels.c", "plan.c"):
-        made.append(folder / f"{name}.o")
-        source = Path(native.__file__).parents[2] / "kernels" / "c" / name
-        subprocess.run([compiler, *OPTIONS, "-c", source, "-o", made[-1]], check=True)
-    return made
-
-
-def program(compiler: str, spec: Spec, fmi: int, folder: Path, objects: list[Path]) -> Path:
-    """Compile the driver of a version with all sources of an FMU."""
+def program(compiler: str, spec: Spec, fmi: int, folder: Path) -> Path:
+    """Compile the driver of a version, which includes the FMU, and put its resources beside it."""
     place = folder / f"{spec.name}{fmi}"
     place.mkdir()
-    for name, text in native.sources(spec, fmi).items():
-        (place / name).write_bytes(text)
-    own = [p for p in place.glob("*.c") if p.name not in native.KERNELS]
+    written(spec, fmi, place)
     target = place / "fuzz"
     subprocess.run(
-        [compiler, *OPTIONS, f"-I{place}", f"-I{DRIVERS}", DRIVERS / f"fuzz{fmi}.c", *own,
-         *objects, "-lm", "-o", target],
+        [compiler, *OPTIONS, f"-I{place}", f"-I{DRIVERS}", DRIVERS / f"fuzz{fmi}.c", "-lm", "-o",
+         target],
         check=True,
     )
     return target
 
 
+def written(spec: Spec, fmi: int, place: Path) -> None:
+    """Write the sources and the start values of an FMU into a folder."""
+    for name, content in native.entries(spec, fmi, ()).items():
+        folder, _, own = name.rpartition("/")
+        if folder in ("sources", "resources"):
+            (place / own).write_bytes(content)
+
+
 def run(target: Path, sequences: int, first: int, timeout: float | None = None) -> str:
     """Run a program; returns its summary, raises AssertionError with the report of a crash."""
     done = subprocess.run(
-        [target, str(sequences), str(first)], capture_output=True, text=True, check=False,
-        timeout=timeout,
+        [target, str(sequences), str(first), str(target.parent)], capture_output=True, text=True,
+        check=False, timeout=timeout,
     )
     assert done.returncode == 0, done.stdout + done.stderr
     return done.stdout.strip()
@@ -66,10 +62,9 @@ def main() -> None:
     parser.add_argument("--compiler", default="cc")
     chosen = parser.parse_args()
     with tempfile.TemporaryDirectory() as work:
-        objects = kernels(chosen.compiler, Path(work))
         for fmi in (2, 3):
             for spec in SPECS:
-                target = program(chosen.compiler, spec, fmi, Path(work), objects)
+                target = program(chosen.compiler, spec, fmi, Path(work))
                 print(f"{spec.name}, FMI {fmi}: {run(target, chosen.sequences, chosen.first)}")
 
 

@@ -13,8 +13,7 @@ from fmpy import extract, read_model_description
 from fmpy.fmi2 import FMU2Model, FMU2Slave, fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
 from fmpy.fmi3 import FMU3Model, FMU3Slave, fmi3LogMessageCallback
 
-GROUPS = {"Float64": "Float64", "Int32": "Int32", "Boolean": "Boolean", "Enumeration": "Int64",
-          "UInt64": "UInt64"}
+GROUPS = {"Float64": "Float64", "Int32": "Int32", "Boolean": "Boolean", "Enumeration": "Int64"}
 
 
 class Importer:
@@ -73,12 +72,16 @@ class Importer:
             if not self.three:
                 group = "Integer" if variable.type == "Enumeration" else variable.type
                 getattr(self.fmu, f"set{group}")(reference, flat)
-            elif variable.causality == "structuralParameter":
-                self.fmu.enterConfigurationMode()
-                self.fmu.setUInt64(reference, flat)
-                self.fmu.exitConfigurationMode()
+            elif variable.dimensions:
+                self._set_array(variable, flat)
             else:
                 getattr(self.fmu, f"set{GROUPS[variable.type]}")(reference, flat)
+
+    def _set_array(self, variable: Any, flat: list[float]) -> None:
+        """Its first values; the others stay."""
+        size = int(np.prod([int(d.start) for d in variable.dimensions]))
+        values = self.fmu.getFloat64([variable.valueReference], nValues=size)
+        self.fmu.setFloat64([variable.valueReference], [*flat, *values[len(flat):]])
 
     def set_waypoints(self, table: dict[str, np.ndarray]) -> None:
         """Waypoints as arrays of rows: position, velocity, acceleration, dwell."""

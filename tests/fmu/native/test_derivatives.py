@@ -265,7 +265,7 @@ def test_input_derivatives_have_orders_1_to_3(native_fmus, order: int) -> None:
     with Importer(native_fmus[2][1]) as fmu:
         fmu.initialise()
         with pytest.raises(Exception, match="fmi2SetRealInputDerivatives"):
-            fmu.fmu.setRealInputDerivatives([0], [order], [1.0])
+            fmu.fmu.setRealInputDerivatives([1], [order], [1.0])
         assert f"takes no derivative of order {order}" in fmu.messages[-1]
 
 
@@ -293,5 +293,5 @@ def test_what_has_no_derivative_is_refused(native_fmus) -> None:
                 directional(fmu, [unknown], [known])
             assert f"no derivative of {unknown} by {known}" in fmu.messages[-1]
         with pytest.raises(Exception, match="fmi2GetRealOutputDerivatives"):
-            fmu.fmu.getRealOutputDerivatives([0], [4])
+            fmu.fmu.getRealOutputDerivatives([1], [4])
         assert "force.bridge has no derivative of order 4" in fmu.messages[-1]

@@ -29,7 +29,8 @@ def instantiated(fmu: Importer, kind: int, token: bytes) -> list[str]:
     callbacks.logger = log
     function = fmu.fmu.dll.fmi2Instantiate
     function.restype = ctypes.c_void_p
-    assert not function(b"one", kind, token, b"", ctypes.byref(callbacks), 0, 0)
+    place = (fmu.folder / "resources").as_uri().encode()
+    assert not function(b"one", kind, token, place, ctypes.byref(callbacks), 0, 0)
     return told
 
 

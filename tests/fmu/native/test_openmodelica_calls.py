@@ -155,6 +155,6 @@ def test_time_is_no_variable_of_fmi2_and_the_last_of_fmi3(native_fmus) -> None:
             assert "time" not in two.variables
             assert list(three.variables)[-1] == "time"
             count = len(two.variables)
-            assert [v.valueReference for v in two.variables.values()] == list(range(count))
+            assert [v.valueReference for v in two.variables.values()] == list(range(1, count + 1))
             with pytest.raises(Exception, match="fmi2GetReal"):
-                two.fmu.getReal([count])
+                two.fmu.getReal([count + 1])

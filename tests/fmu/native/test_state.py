@@ -264,13 +264,14 @@ def test_gains_are_tunable_between_steps(native_fmus) -> None:
 @pytest.mark.parametrize(
     ("call", "words"),
     [
-        (lambda f: f.setReal([0], [1.0]), "force.bridge cannot be set at all"),
+        (lambda f: f.setReal([1], [1.0]), "force.bridge cannot be set at all"),
         (lambda f: f.setReal([9999], [1.0]), "no variable with value reference 9999"),
-        (lambda f: f.setInteger([0], [1]), "force.bridge is of type Real"),
-        (lambda f: f.getReal([0]), "not allowed before initialisation"),
+        (lambda f: f.setReal([0], [1.0]), "no variable with value reference 0"),
+        (lambda f: f.setInteger([1], [1]), "force.bridge is of type Real"),
+        (lambda f: f.getReal([1]), "not allowed before initialisation"),
         (lambda f: f.doStep(0.0, 0.1), "not allowed before initialisation"),
         (lambda f: f.exitInitializationMode(), "not allowed before initialisation"),
-        (lambda f: f.setReal([38], [float("nan")]), "must be finite, got nan"),
+        (lambda f: f.setReal([39], [float("nan")]), "must be finite, got nan"),
         (lambda f: f.setupExperiment(startTime=1e300), "the start time must be within"),
     ],
 )

@@ -62,7 +62,7 @@ def build_all(
             for spec in specs:
                 report(f"building {spec.name}.fmu")
                 complete = Path(work) / f"{spec.name}.zip"
-                _pack(_entries(spec, fmi, names), complete)
+                _pack(entries(spec, fmi, names), complete)
                 built.append(folder / f"{spec.name}.fmu")
                 os.replace(complete, built[-1])
     except OSError as error:
@@ -113,21 +113,21 @@ def _packaged(package: str, names: Iterable[str]) -> dict[str, bytes]:
     return {n.rpartition("/")[2]: folder.joinpath(*n.split("/")).read_bytes() for n in names}
 
 
-def _entries(spec: Spec, fmi: int, platforms: Sequence[str]) -> dict[str, bytes]:
+def entries(spec: Spec, fmi: int, platforms: Sequence[str]) -> dict[str, bytes]:
     """All entries of an archive."""
     texts = sources(spec.name, fmi)
-    entries = _described(spec, fmi)
-    entries |= {f"sources/{n}": t for n, t in texts.items()}
+    found = _described(spec, fmi)
+    found |= {f"sources/{n}": t for n, t in texts.items()}
     mark = tables.mark({n: t for n, t in texts.items() if n != "build.h"})
-    entries["resources/start.bin"] = start.content(spec, named(spec.name).largest(), fmi, mark)
+    found["resources/start.bin"] = start.content(spec, named(spec.name).largest(), fmi, mark)
     for name in platforms:
         library = binary(spec.name, texts, name)
         platform = PLATFORMS[name]
         directory = platform.folder if fmi == 2 else platform.name
-        entries[f"binaries/{directory}/{spec.name}{platform.suffix}"] = library
+        found[f"binaries/{directory}/{spec.name}{platform.suffix}"] = library
     if fmi == 2:
-        _join_darwin(spec.name, entries)
-    return entries
+        _join_darwin(spec.name, found)
+    return found
 
 
 def _join_darwin(name: str, entries: dict[str, bytes]) -> None:

@@ -2,13 +2,15 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "fmi2Functions.h"
-#include "model.h"
+/* the whole FMU, so that its tables are at hand */
+#include "fmu.c"
 #include "random.h"
 
-enum { MOST = 6, CALLS = 40 };
+enum { MOST = 6, CALLS = 40, FOLDER = 3 };
 
 static long messages;
+static start_values starts;
+static const char *resources;
 
 static void hear(fmi2ComponentEnvironment environment, fmi2String name, fmi2Status status,
                  fmi2String category, fmi2String message, ...)
@@ -25,7 +27,7 @@ static fmi2Component component;
 static fmi2FMUstate saved;
 static fmi2ValueReference references[MOST];
 static fmi2Real reals[64];
-static fmi2Integer integers[MOST];
+static fmi2Integer wholes[MOST];
 static fmi2String strings[MOST];
 static char *bytes;
 static size_t stored;
@@ -37,8 +39,8 @@ static void choose(void)
     /* mostly one kind of call: values that are fine, or anything */
     int fine = below(3) > 0;
     for (int i = 0; i < MOST; i++) {
-        references[i] = random_reference(MODEL_VARIABLES);
-        integers[i] = random_integer();
+        references[i] = random_reference((int)starts.variables);
+        wholes[i] = random_integer();
     }
     for (int i = 0; i < 64; i++) {
         reals[i] = fine ? unit() : random_real();
@@ -51,7 +53,8 @@ static void instantiate(void)
     int type = below(2);
     exchange = type == fmi2ModelExchange;
     component = fmi2Instantiate(rarely() ? NULL : "one", (fmi2Type)type,
-                                rarely() ? "other" : model_token, NULL,
+                                rarely() ? "other" : starts.token,
+                                rarely() ? NULL : resources,
                                 rarely() ? NULL : &functions, fmi2False, below(2));
     now = 0.0;
 }
@@ -84,10 +87,10 @@ static void load(void)
 /* Set a parameter to something near its start value, or to anything. */
 static void tune(void)
 {
-    fmi2ValueReference one = (fmi2ValueReference)below(MODEL_VARIABLES);
-    const variable *v = &model_variables[one];
+    fmi2ValueReference one = 1 + (fmi2ValueReference)below((int)starts.variables);
+    const variable *v = glue_variable(one);
     if (v->kind == KIND_REAL) {
-        double near = model_real_start[v->offset] * (0.5 + unit()) + (below(3) ? 0.0 : 0.1 * unit());
+        double near = starts.real[v->offset] * (0.5 + unit()) + (below(3) ? 0.0 : 0.1 * unit());
         fmi2Real value = below(8) ? near : random_real();
         fmi2SetReal(component, &one, 1, &value);
     } else {
@@ -106,7 +109,7 @@ static fmi2Status call(int which)
     fmi2Component c = rarely() ? NULL : component;
     fmi2ValueReference *r = rarely() ? NULL : references;
     fmi2Real *v = rarely() ? NULL : reals, more[64] = {0};
-    fmi2Integer *i = rarely() ? NULL : integers;
+    fmi2Integer *i = rarely() ? NULL : wholes;
     size_t n = (size_t)below(MOST), size = rarely() ? (size_t)below(14) : MODEL_STATES;
     fmi2EventInfo info;
     fmi2Boolean flags[2];
@@ -181,6 +184,12 @@ int main(int count, char **arguments)
 {
     long sequences = count > 1 ? atol(arguments[1]) : 1000, calls = 0, errors = 0;
     uint64_t first = count > 2 ? strtoull(arguments[2], NULL, 10) : 1;
+    char message[MESSAGE];
+    resources = count > FOLDER ? arguments[FOLDER] : ".";
+    if (!start_read(resources, &starts, message)) {
+        printf("%s\n", message);
+        return 1;
+    }
     for (long s = 0; s < sequences; s++) {
         random_state = (first + (uint64_t)s) * 0x9E3779B97F4A7C15u | 1;
         instantiate();

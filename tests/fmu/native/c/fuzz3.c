@@ -2,13 +2,15 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "fmi3Functions.h"
-#include "model.h"
+/* the whole FMU, so that its tables are at hand */
+#include "fmu.c"
 #include "random.h"
 
-enum { MOST = 6, CALLS = 40, ROOM = 400 };
+enum { MOST = 6, CALLS = 40, FOLDER = 3, ROOM = 400 };
 
 static long messages;
+static start_values starts;
+static const char *resources;
 static fmi3Instance one;
 static fmi3FMUState saved;
 static fmi3ValueReference references[MOST];
@@ -30,7 +32,7 @@ static void hear(fmi3InstanceEnvironment environment, fmi3Status status, fmi3Str
     messages++;
 }
 
-static void update(fmi3InstanceEnvironment environment, fmi3Float64 time, fmi3Boolean set,
+static void updated(fmi3InstanceEnvironment environment, fmi3Float64 time, fmi3Boolean set,
                    fmi3Boolean get, fmi3Boolean finished, fmi3Boolean may_return,
                    fmi3Boolean *early, fmi3Float64 *asked)
 {
@@ -46,7 +48,7 @@ static void choose(void)
 {
     int fine = below(3) > 0;
     for (int i = 0; i < MOST; i++) {
-        references[i] = random_reference(MODEL_VARIABLES);
+        references[i] = random_reference((int)starts.variables);
     }
     for (int i = 0; i < ROOM; i++) {
         reals[i] = fine ? unit() : random_real();
@@ -56,18 +58,18 @@ static void choose(void)
 
 static void instantiate(void)
 {
-    const char *name = rarely() ? NULL : "one", *token = rarely() ? "other" : model_token;
+    const char *name = rarely() ? NULL : "one", *token = rarely() ? "other" : starts.token;
     exchange = below(2);
     now = 0.0;
     if (exchange) {
-        one = fmi3InstantiateModelExchange(name, token, NULL, false, below(2), NULL,
-                                           rarely() ? NULL : hear);
+        one = fmi3InstantiateModelExchange(name, token, rarely() ? NULL : resources, false,
+                                           below(2), NULL, rarely() ? NULL : hear);
     } else {
         choose();
         one = fmi3InstantiateCoSimulation(
-            name, token, NULL, false, below(2), below(2), below(2), references,
+            name, token, resources, false, below(2), below(2), below(2), references,
             rarely() ? (size_t)below(MOST) : 0, NULL, rarely() ? NULL : hear,
-            below(2) ? NULL : update);
+            below(2) ? NULL : updated);
     }
 }
 
@@ -97,37 +99,26 @@ static void load(void)
 }
 
 /* Number of values of a variable, as the description has it. */
-static size_t elements(fmi3ValueReference reference, const fmi3UInt64 *rows)
+static size_t elements(const variable *v)
 {
-    const variable *v = &model_variables[reference];
-    return v->columns == 0 ? 1 : (size_t)*rows * v->columns;
+    return v->columns == 0 ? 1 : (size_t)(starts.rows * v->columns);
 }
 
 /* Set a parameter to something near its start value, or to anything. */
 static void tune(void)
 {
-    fmi3ValueReference r = (fmi3ValueReference)below(MODEL_VARIABLES), count = 0;
-    fmi3UInt64 rows = 1 + (fmi3UInt64)below(20);
-    while (count < MODEL_VARIABLES && model_variables[count].kind != KIND_COUNT) {
-        count++;
-    }
-    if (below(4) == 0) {
-        fmi3EnterConfigurationMode(one);
-        fmi3SetUInt64(one, &count, 1, &rows, 1);
-        fmi3ExitConfigurationMode(one);
-    }
-    fmi3GetUInt64(one, &count, 1, &rows, 1);
-    const variable *v = &model_variables[r];
+    fmi3ValueReference r = 1 + (fmi3ValueReference)below((int)starts.variables);
+    const variable *v = glue_variable(r);
     fmi3Int64 value = below(8) ? 1 + below(4) : random_integer();
     fmi3Int32 small = (fmi3Int32)value;
     fmi3Boolean truth = below(2);
     switch (v->kind) {
     case KIND_REAL:
-        for (size_t i = 0; i < elements(r, &rows) && i < ROOM; i++) {
-            double near = model_real_start[v->offset + i] * (0.5 + unit());
+        for (size_t i = 0; i < elements(v) && i < ROOM; i++) {
+            double near = starts.real[v->offset + i] * (0.5 + unit());
             reals[i] = below(20) ? near : random_real();
         }
-        fmi3SetFloat64(one, &r, 1, reals, elements(r, &rows));
+        fmi3SetFloat64(one, &r, 1, reals, elements(v));
         break;
     case KIND_INTEGER: fmi3SetInt32(one, &r, 1, &small, 1); break;
     case KIND_BOOLEAN: fmi3SetBoolean(one, &r, 1, &truth, 1); break;
@@ -271,6 +262,12 @@ int main(int count, char **arguments)
 {
     long sequences = count > 1 ? atol(arguments[1]) : 1000, calls = 0, errors = 0;
     uint64_t first = count > 2 ? strtoull(arguments[2], NULL, 10) : 1;
+    char message[MESSAGE];
+    resources = count > FOLDER ? arguments[FOLDER] : ".";
+    if (!start_read(resources, &starts, message)) {
+        printf("%s\n", message);
+        return 1;
+    }
     for (long s = 0; s < sequences; s++) {
         random_state = (first + (uint64_t)s) * 0x9E3779B97F4A7C15u | 1;
         instantiate();

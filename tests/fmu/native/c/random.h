@@ -51,7 +51,7 @@ static int random_integer(void)
 
 static uint32_t random_reference(int variables)
 {
-    return rarely() ? (uint32_t)random_word() : (uint32_t)below(variables);
+    return rarely() ? (uint32_t)random_word() : 1 + (uint32_t)below(variables);
 }
 
 #endif
