@@ -65,15 +65,18 @@ def importer(name: str, fmi: int, folder: Path) -> Path:
 
 
 def arguments(paths: list[Path], fmi: int, name: str, folder: Path) -> list[str]:
-    """Libraries with their tokens, steps, connections by equal names, and the crane's states."""
+    """Libraries, tokens, resources; steps; connections by equal names; the crane's states."""
     words, variables = [], []
     place = PLATFORMS[name].folder if fmi == 2 else name
     for path in paths:
         library = f"binaries/{place}/{path.stem}{PLATFORMS[name].suffix}"
+        unpacked = folder / f"{path.stem}{fmi}"
         with zipfile.ZipFile(path) as archive:
-            target = archive.extract(library, folder / f"{path.stem}{fmi}")
+            target = archive.extract(library, unpacked)
+            archive.extract("resources/start.bin", unpacked)
         found = read_model_description(str(path))
-        words += [target, found.guid]
+        resources = unpacked / "resources"
+        words += [target, found.guid, resources.as_uri() if fmi == 2 else str(resources)]
         variables.append({v.name: v for v in found.modelVariables})
     source, sink = variables
     links = [

@@ -92,18 +92,17 @@ def sources(name: str, fmi: int) -> dict[str, bytes]:
 
 def _unit(texts: Iterable[str]) -> str:
     """The text of the one translation unit: what its sources share is visible nowhere else."""
-    order = [*(n for n in KERNELS if n.endswith(".c")), "variables.c"]
-    order += sorted(n for n in texts if n.endswith(".c") and n not in order)
-    includes = "".join(f'#include "{n}"\n' for n in order if n not in KERNELS)
-    kernels = "".join(f'#include "{n}"\n' for n in order if n in KERNELS)
+    shared = [*(n for n in KERNELS if n.endswith(".c")), "variables.c", "feed.c"]
+    own = sorted(n for n in texts if n.endswith(".c") and n not in shared)
+    first, rest = ("".join(f'#include "{n}"\n' for n in names) for names in (shared, own))
     return (
         f"{tables.BANNER}/* Compile this file alone: it includes all others. Nothing but the "
         "functions of FMI is visible\n   outside; FMI2_FUNCTION_PREFIX, FMI3_FUNCTION_PREFIX go "
         "before their names. */\n"
         "#define SEGFMU_API static\n\n#include \"oldest.h\"\n\n"
-        "/* no model calls all kernels */\n#if defined(__GNUC__)\n#pragma GCC diagnostic push\n"
+        "/* no model calls all of these */\n#if defined(__GNUC__)\n#pragma GCC diagnostic push\n"
         '#pragma GCC diagnostic ignored "-Wunused-function"\n#endif\n'
-        f"{kernels}#if defined(__GNUC__)\n#pragma GCC diagnostic pop\n#endif\n\n{includes}"
+        f"{first}#if defined(__GNUC__)\n#pragma GCC diagnostic pop\n#endif\n\n{rest}"
     )
 
 

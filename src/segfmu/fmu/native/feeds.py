@@ -12,7 +12,7 @@ from segfmu.kernels.records import Record, c_name
 
 def header(records: Sequence[type[Record]]) -> str:
     """The text of feeds.h."""
-    tables = "".join(f"extern const feeds {_name(r)};\n" for r in records)
+    tables = "".join(f"static const feeds {_name(r)};\n" for r in records)
     return (
         f'{BANNER}#ifndef SEGFMU_FEEDS_H\n#define SEGFMU_FEEDS_H\n\n#include "feed.h"\n\n'
         f"{tables}\n#endif\n"
@@ -44,7 +44,7 @@ def _table(spec: Spec, record: type[Record], placed: Layout) -> str:
     lines = ",\n".join(rows)
     return (
         f"static const feed {name}_rows[] = {{\n{lines}\n}};\n"
-        f"const feeds {name} = {{{name}_rows, {len(rows)}}};\n"
+        f"static const feeds {name} = {{{name}_rows, {len(rows)}}};\n"
     )
 
 

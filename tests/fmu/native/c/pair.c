@@ -83,7 +83,7 @@ static void say(void *environment, fmi3Status status, fmi3String category, fmi3S
 }
 #endif
 
-static void create(unit *u, const char *path, const char *token)
+static void create(unit *u, const char *path, const char *token, const char *resources)
 {
     u->library = OPEN(path);
     if (u->library == NULL) {
@@ -93,12 +93,12 @@ static void create(unit *u, const char *path, const char *token)
     void *found = find(u, "fmi2Instantiate");
     fmi2InstantiateTYPE *make = NULL;
     memcpy(&make, &found, sizeof make);
-    u->instance = make("one", fmi2CoSimulation, token, "", &FUNCTIONS, fmi2False, fmi2False);
+    u->instance = make("one", fmi2CoSimulation, token, resources, &FUNCTIONS, fmi2False, fmi2False);
 #else
     void *found = find(u, "fmi3InstantiateCoSimulation");
     fmi3InstantiateCoSimulationTYPE *make = NULL;
     memcpy(&make, &found, sizeof make);
-    u->instance = make("one", token, "", fmi3False, fmi3False, fmi3False, fmi3False, NULL, 0, NULL,
+    u->instance = make("one", token, resources, fmi3False, fmi3False, fmi3False, fmi3False, NULL, 0, NULL,
                        say, NULL);
 #endif
     if (u->instance == NULL) {
@@ -151,8 +151,8 @@ int main(int count, char **words)
     uint32_t from[MOST], to[MOST], seen[MOST];
     double values[MOST];
     size_t links = 0, wanted = 0;
-    int i = 7;
-    if (count < 9) {
+    int i = 9;
+    if (count < 11) {
         fail("arguments", "");
     }
     for (; i < count && strcmp(words[i], ":") != 0 && links < MOST; i++, links++) {
@@ -162,10 +162,10 @@ int main(int count, char **words)
     for (i++; i < count && wanted < MOST; i++, wanted++) {
         seen[wanted] = (uint32_t)strtoul(words[i], NULL, 10);
     }
-    create(&source, words[1], words[2]);
-    create(&sink, words[3], words[4]);
-    long steps = strtol(words[5], NULL, 10);
-    double length = strtod(words[6], NULL);
+    create(&source, words[1], words[2], words[3]);
+    create(&sink, words[4], words[5], words[6]);
+    long steps = strtol(words[7], NULL, 10);
+    double length = strtod(words[8], NULL);
     begin(&source);
     begin(&sink);
     CALL_ALONE(&source, ExitInitializationMode);

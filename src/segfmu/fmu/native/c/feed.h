@@ -26,6 +26,6 @@ static void show_record(const feeds *table, const double record[], model *m);
 static int feed_place(const feeds *table, int64_t offset);
 
 /* The offset of the variable that belongs to a place of a record; there has to be one. */
-int feed_offset(const feeds *table, int place);
+static int feed_offset(const feeds *table, int place);
 
 #endif

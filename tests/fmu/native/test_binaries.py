@@ -1,0 +1,200 @@
+"""Binaries: made once, from a cache, and the same wherever they are made."""
+
+from __future__ import annotations
+
+import hashlib
+import re
+import shutil
+import subprocess
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from segfmu.errors import BuildError
+from segfmu.fmu.gantry_crane import interface as gantry_crane
+from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
+from segfmu.fmu.native import archive, binaries, compilers
+from segfmu.fmu.standard.spec import started
+
+SPECS = (gantry_feedforward.native_spec(), gantry_crane.native_spec())
+SMALL = {"fmu.c": b'#include "part.h"\n#ifdef _WIN32\n__declspec(dllexport)\n#else\n'
+         b'__attribute__((visibility("default")))\n#endif\nint some(void) { return PART; }\n',
+         "part.h": b"#define PART 7\n"}
+needs_compiler = pytest.mark.skipif(not compilers.available(), reason="no C compiler found")
+needs_zig = pytest.mark.skipif(
+    not compilers._has_zig(), reason="needs ziglang, of the extra segfmu[platforms]"
+)
+
+
+@pytest.fixture
+def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """An empty cache."""
+    monkeypatch.setenv("SEGFMU_CACHE", str(tmp_path / "cache"))
+    return tmp_path / "cache"
+
+
+def test_no_source_depends_on_a_mission(tmp_path: Path, native_fmus) -> None:
+    moved = gantry_feedforward.spec(40)
+    values = {"waypoint.count": 40, "crane.payload_mass": 40e3, "planner.shape": "smoothstep"}
+    spec = gantry_feedforward.native_spec(started(moved, values))
+    entries = archive.entries(spec, 2, ())
+    with zipfile.ZipFile(native_fmus[2][0]) as usual:
+        for name in usual.namelist():
+            if name.startswith("sources/"):
+                assert usual.read(name) == entries[name], name
+        assert usual.read("resources/start.bin") != entries["resources/start.bin"]
+
+
+@needs_compiler
+def test_a_library_is_compiled_once(cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    platform = compilers.host()
+    assert platform is not None
+    first = binaries.binary("Some", SMALL, platform)
+    kept = [p for p in cache.iterdir() if not p.name.startswith(".")]
+    assert len(kept) == 1 and kept[0].name.startswith(f"Some-{platform}-")
+    with monkeypatch.context() as patch:
+        patch.setattr(compilers.Compiler, "build", None)
+        assert binaries.binary("Some", SMALL, platform) == first
+    changed = binaries.binary("Some", SMALL | {"part.h": b"#define PART 8\n"}, platform)
+    assert changed != first and len(list(cache.iterdir())) == 2
+
+
+@needs_compiler
+def test_a_damaged_entry_is_made_again(cache: Path) -> None:
+    platform = compilers.host()
+    assert platform is not None
+    first = binaries.binary("Some", SMALL, platform)
+    (entry,) = cache.iterdir()
+    for damaged in (b"", entry.read_bytes()[:-1], b"x" * 2000):
+        entry.write_bytes(damaged)
+        assert binaries.binary("Some", SMALL, platform) == first
+
+
+@needs_compiler
+def test_a_cache_that_cannot_be_written_is_done_without(cache: Path) -> None:
+    platform = compilers.host()
+    assert platform is not None
+    cache.write_text("a file where the folder would be")
+    assert binaries.binary("Some", SMALL, platform)
+
+
+def test_without_compiler_the_way_out_is_told(cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(compilers, "_own", lambda: None)
+    monkeypatch.setattr(compilers, "_has_zig", lambda: False)
+    with pytest.raises(BuildError, match="no C compiler for x86_64-windows; install the extra"):
+        binaries.binary("Some", SMALL, "x86_64-windows")
+
+
+def libraries(folder: Path, platforms: tuple[str, ...]) -> dict[str, str]:
+    """Digests of the libraries of both small and whole programs, built in a folder."""
+    folder.mkdir(parents=True)
+    found = {}
+    for name in platforms:
+        chosen = compilers.compiler(name)
+        for source, text in SMALL.items():
+            (folder / source).write_bytes(text)
+        library = folder / f"Some{chosen.platform.suffix}"
+        chosen.build(folder / "fmu.c", library)
+        found[name] = hashlib.sha256(library.read_bytes()).hexdigest()
+    return found
+
+
+@needs_zig
+def test_the_folder_of_a_build_leaves_no_trace(tmp_path: Path) -> None:
+    platforms = tuple(compilers.PLATFORMS)
+    assert libraries(tmp_path / "one", platforms) == libraries(
+        tmp_path / "another" / "longer" / "place", platforms
+    )
+
+
+@needs_compiler
+def test_linux_binaries_run_on_old_systems(native_fmus, tmp_path: Path) -> None:
+    platform, tool = compilers.host(), shutil.which("objdump")
+    if platform is None or not platform.endswith("linux") or tool is None:
+        pytest.skip("needs Linux and objdump")
+    for fmi in (2, 3):
+        for path in native_fmus[fmi]:
+            place = compilers.PLATFORMS[platform].folder if fmi == 2 else platform
+            with zipfile.ZipFile(path) as fmu:
+                library = fmu.extract(f"binaries/{place}/{path.stem}.so", tmp_path)
+            told = subprocess.run([tool, "-T", library], capture_output=True, text=True, check=True)
+            versions = re.findall(r"GLIBC_([\d.]+)", told.stdout)
+            asked = {tuple(map(int, v.split("."))) for v in versions}
+            assert asked and max(asked) <= (2, 17)
+
+
+PROGRAM = """
+#include <stdio.h>
+#include <string.h>
+#include <stdarg.h>
+#include "fmi2FunctionTypes.h"
+
+#define FMU(name) \\
+    fmi2Component name##_fmi2Instantiate(fmi2String, fmi2Type, fmi2String, fmi2String, \\
+        const fmi2CallbackFunctions *, fmi2Boolean, fmi2Boolean); \\
+    fmi2Status name##_fmi2SetupExperiment(fmi2Component, fmi2Boolean, fmi2Real, fmi2Real, \\
+        fmi2Boolean, fmi2Real); \\
+    fmi2Status name##_fmi2EnterInitializationMode(fmi2Component); \\
+    fmi2Status name##_fmi2ExitInitializationMode(fmi2Component); \\
+    fmi2Status name##_fmi2DoStep(fmi2Component, fmi2Real, fmi2Real, fmi2Boolean); \\
+    void name##_fmi2FreeInstance(fmi2Component);
+FMU(GantryFeedforward)
+FMU(GantryCrane)
+
+static void hear(void *environment, fmi2String name, fmi2Status status, fmi2String category,
+                 fmi2String message, ...)
+{
+    printf("%s\\n", message);
+}
+
+#define STEP(name, token, resources) do { \\
+        fmi2Component c = name##_fmi2Instantiate("one", fmi2CoSimulation, token, resources, \\
+                                                 &functions, 0, 0); \\
+        if (c == NULL || name##_fmi2SetupExperiment(c, 0, 0.0, 0.0, 0, 0.0) != fmi2OK \\
+            || name##_fmi2EnterInitializationMode(c) != fmi2OK \\
+            || name##_fmi2ExitInitializationMode(c) != fmi2OK \\
+            || name##_fmi2DoStep(c, 0.0, 1e-3, fmi2True) != fmi2OK) return 1; \\
+        name##_fmi2FreeInstance(c); \\
+    } while (0)
+
+int main(int count, char **words)
+{
+    fmi2CallbackFunctions functions = {hear, NULL, NULL, NULL, NULL};
+    STEP(GantryFeedforward, words[1], words[2]);
+    STEP(GantryCrane, words[3], words[4]);
+    printf("both stepped\\n");
+    return 0;
+}
+"""
+
+
+@needs_compiler
+def test_both_fmus_link_into_one_program(native_fmus, tmp_path: Path) -> None:
+    compiler = shutil.which("cc")
+    if compiler is None:
+        pytest.skip("no C compiler cc found")
+    objects, words = [], []
+    for path, spec in zip(native_fmus[2], SPECS, strict=True):
+        folder = tmp_path / path.stem
+        with zipfile.ZipFile(path) as fmu:
+            fmu.extractall(folder)
+        objects.append(folder / "fmu.o")
+        subprocess.run(
+            [compiler, "-std=c99", "-Wall", "-Wextra", "-Werror",
+             f"-DFMI2_FUNCTION_PREFIX={path.stem}_", "-c", folder / "sources" / "fmu.c", "-o",
+             objects[-1]],
+            check=True,
+        )
+        root = (folder / "modelDescription.xml").read_text(encoding="utf-8")
+        words += [re.search(r'guid="([^"]+)"', root)[1], str(folder / "resources")]
+        assert spec.name == path.stem
+    (tmp_path / "main.c").write_text(PROGRAM)
+    program = tmp_path / "both"
+    subprocess.run(
+        [compiler, "-std=c99", f"-I{tmp_path / 'GantryCrane' / 'sources'}", tmp_path / "main.c",
+         *objects, "-lm", "-o", program],
+        check=True,
+    )
+    done = subprocess.run([program, *words], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout) == (0, "both stepped\n")
