@@ -265,3 +265,10 @@ def test_an_axis_that_never_moves_waits_for_the_others() -> None:
         trajectory = plan(points, Limits(1.0, 1.0, 1.0, 10.0), **options)
         assert np.ptp(trajectory.axis_waypoint_times[-1]) < 1e-9
         assert not np.ptp(trajectory(np.linspace(0.0, 20.0, 50))[:, 1])
+
+
+@pytest.mark.parametrize("sample_time", [1e-300, 1e-20, 1e9, 1e300])
+def test_sample_times_that_doubles_cannot_count_are_refused(sample_time: float) -> None:
+    points = [Waypoint(0.0), Waypoint(0.3, 0.1), Waypoint(1.0)]
+    with pytest.raises(InputError, match=r"sample_time must be from 1e-9 to 1e6 s"):
+        plan(points, Limits(1.0, 1.0, 4.0, 20.0), sample_time=sample_time)

@@ -95,6 +95,8 @@ PLAN = Messages(
         PlanStatus.DURATION_IN_GAP: "axis {AXIS}: between its moving waypoints it cannot be "
         "prolonged to exactly {VALUE:.9g} s; change the duration, let waypoints rest, or set the "
         "synchronization to waypoints",
+        PlanStatus.SAMPLE_TIME: "sample_time must be from 1e-9 to 1e6 s, or 0 for none, "
+        "got {VALUE:g} s",
         PlanStatus.WAYPOINT_VELOCITY: _beyond("velocity", "m/s"),
         PlanStatus.WAYPOINT_ACCELERATION: _beyond("acceleration", "m/s2"),
         PlanStatus.UNBOUNDED_RAMP: "axis {AXIS}: no limit bounds the duration of an acceleration "

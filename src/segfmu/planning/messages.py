@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from segfmu.errors import InfeasibleError
+from segfmu.errors import InfeasibleError, InputError, SegfmuError
 from segfmu.kernels.messages import PLAN
 from segfmu.kernels.planner.records import PlanStatus, Refusal
 from segfmu.planning.arrays import FloatArray
@@ -23,8 +23,10 @@ DETAILS: dict[int, tuple[str | None, tuple[str, ...]]] = {
 }
 
 
-def infeasible(status: int, report: FloatArray, names: tuple[str, ...]) -> InfeasibleError:
+def refusal(status: int, report: FloatArray, names: tuple[str, ...]) -> SegfmuError:
     """Return the error that belongs to a status and report (Refusal); `names` are the axes'."""
+    if status == PlanStatus.SAMPLE_TIME:
+        return InputError(PLAN.text(status, report.tolist()))
     limit, shown = DETAILS[status]
     place = int(report[Refusal.INTERVAL])
     # a waypoint counts for the interval that ends there

@@ -6,7 +6,7 @@ import numpy as np
 
 from segfmu.kernels import backend
 from segfmu.kernels.trajectory.records import Check, Expansion, Timing
-from segfmu.planning.messages import infeasible
+from segfmu.planning.messages import refusal
 from segfmu.planning.problem import Phases, plan_phases
 from segfmu.planning.request import Request
 from segfmu.planning.trajectory import Trajectory
@@ -23,7 +23,7 @@ def solve(request: Request, tolerance: float) -> tuple[Trajectory, bool]:
     problem = request.problem
     phases = plan_phases(problem)
     if not phases.feasible:
-        raise infeasible(
+        raise refusal(
             phases.status, phases.refusal, request.axis_names
         )
     return _expand(request, phases, tolerance)

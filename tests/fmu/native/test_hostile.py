@@ -144,3 +144,15 @@ def test_a_late_sensor_still_has_room(native_fmus) -> None:
         for i in range(30):
             fmu.step(i * 0.05, 0.05)
         assert np.isfinite(fmu.get("measured.sway.x.angle"))
+
+
+@both
+@pytest.mark.parametrize("value", [1e-20, 1e9])
+def test_a_sample_time_that_cannot_be_counted_is_refused_at_once(
+    native_fmus, fmi: int, value: float
+) -> None:
+    with Importer(native_fmus[fmi][0]) as fmu:
+        fmu.set({"planner.sample_time": value})
+        with pytest.raises(Exception, match=STATUS):
+            fmu.initialise()
+        assert "sample_time must be from" in fmu.messages[-1]

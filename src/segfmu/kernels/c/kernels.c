@@ -8825,6 +8825,12 @@ int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array
     int64_t axis;
     int64_t status;
     report = span_row(&work, INT64_C(46));
+    (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&options, INT64_C(3)));
+    /*counts of samples must be whole numbers, and durations have digits behind a sample*/
+    if (((*cspan_at(&report, INT64_C(2))) > 0.0) && (!((1e-09 <= (*cspan_at(&report, INT64_C(2)))) && ((*cspan_at(&report, INT64_C(2))) <= 1000000.0))))
+    {
+        return -INT64_C(16);
+    }
     smoothness = (int64_t)((*cspan_at(&options, INT64_C(0))));
     shape = (int64_t)((*cspan_at(&options, INT64_C(1))));
     for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))

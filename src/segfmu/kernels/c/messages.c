@@ -65,6 +65,11 @@ bool segfmu_plan_message(
             axis[(int)report[REFUSAL_AXIS]],
             report[REFUSAL_VALUE]);
         return true;
+    case -16:
+        snprintf(text, size,
+            "sample_time must be from 1e-9 to 1e6 s, or 0 for none, got %g s",
+            report[REFUSAL_VALUE]);
+        return true;
     case -7:
         snprintf(text, size,
             "axis %s, waypoint %d: velocity %.6g m/s exceeds the limit %.6g m/s; raise "

@@ -172,6 +172,10 @@ def plan_phases(
     REFUSAL of `work` (PlanWork rows, PlanWork columns).
     """
     report = work[PlanWork.REFUSAL, :]
+    report[Refusal.VALUE] = options[PlanOptions.SAMPLE_TIME]
+    # counts of samples must be whole numbers, and durations have digits behind a sample
+    if report[Refusal.VALUE] > 0.0 and not 1e-9 <= report[Refusal.VALUE] <= 1e6:
+        return PlanStatus.SAMPLE_TIME
     smoothness = int(options[PlanOptions.SMOOTHNESS])
     shape = int(options[PlanOptions.SHAPE])
     for axis in range(axes.shape[0]):

@@ -27,7 +27,7 @@ class PlanStatus(Codes):
     is beyond the limit. UNBOUNDED_RAMP: no limit bounds a ramp. MOVING_DWELL: a dwell at a waypoint
     that moves. OUT_OF_RANGE, CHECK_FAILED: of the C function alone, sizes or choices out of range,
     and a plan that does not pass its check. SAME_WAYPOINTS, NO_VELOCITY_LIMIT,
-    NO_ACCELERATION_LIMIT: of `check_problem`.
+    NO_ACCELERATION_LIMIT: of `check_problem`. SAMPLE_TIME: too short or too long for doubles.
     """
 
     PLANNED = 0
@@ -46,6 +46,7 @@ class PlanStatus(Codes):
     SAME_WAYPOINTS = -13
     NO_VELOCITY_LIMIT = -14
     NO_ACCELERATION_LIMIT = -15
+    SAMPLE_TIME = -16
 
 
 class Braking(Codes):
