@@ -156,3 +156,25 @@ def test_a_sample_time_that_cannot_be_counted_is_refused_at_once(
         with pytest.raises(Exception, match=STATUS):
             fmu.initialise()
         assert "sample_time must be from" in fmu.messages[-1]
+
+
+@both
+def test_log_categories_choose_what_is_told(native_fmus, fmi: int) -> None:
+    def choose(*names: bytes) -> int:
+        function = getattr(fmu.fmu.dll, f"fmi{fmi}SetDebugLogging")
+        given = (ctypes.c_char_p * max(len(names), 1))(*names)
+        return function(ctypes.c_void_p(fmu.fmu.component), 1, ctypes.c_size_t(len(names)), given)
+
+    def refused() -> int:
+        before = len(fmu.messages)
+        with pytest.raises(Exception, match=STATUS):
+            fmu.step(0.0, -1.0)
+        return len(fmu.messages) - before
+
+    with Importer(native_fmus[fmi][0]) as fmu:
+        fmu.initialise()
+        assert refused() == 1
+        assert choose(b"logStatusWarning") == 0 and refused() == 0
+        assert choose(b"logStatusWarning", b"logStatusError") == 0 and refused() == 1
+        assert choose() == 0 and refused() == 1
+        assert choose(b"logNonsense") != 0 and "no log category" in fmu.messages[-1]

@@ -44,8 +44,7 @@ fmi2Status fmi2SetDebugLogging(fmi2Component component, fmi2Boolean on, size_t c
     if (count > 0) {
         GIVEN(categories);
     }
-    c->logging = on != fmi2False;
-    return fmi2OK;
+    return status(glue_choose(c, on != fmi2False, categories, count));
 }
 
 fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, fmi2String resources,

@@ -25,8 +25,7 @@ fmi3Status fmi3SetDebugLogging(fmi3Instance self, fmi3Boolean on, size_t count,
     if (count > 0) {
         GIVEN(categories);
     }
-    c->logging = on;
-    return fmi3OK;
+    return status(glue_choose(c, on, categories, count));
 }
 
 fmi3Instance fmi3InstantiateModelExchange(

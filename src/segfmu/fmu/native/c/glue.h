@@ -33,6 +33,7 @@ struct instance {
     reporter report;
     callback log, update;
     bool logging;
+    unsigned categories;  /* a bit each of those that were chosen; 0: all */
     bool event_mode, early_return;
 };
 
@@ -46,8 +47,12 @@ static bool glue_reserve(instance *c, size_t size);
 /* Back to the start values, mode INSTANTIATED. */
 static void glue_reset(instance *c);
 
-/* Errors and warnings are always reported, the rest where logging is on. */
+/* Errors and warnings are reported unless other categories were chosen, the rest where logging is
+   on. */
 static void glue_log(instance *c, int status, const char *format, ...);
+
+/* Choose what is logged; false for a category that does not exist. */
+static bool glue_choose(instance *c, bool on, const char *const categories[], size_t count);
 
 /* Whether a call is allowed: c exists and is in one of the modes; reports what is wrong. */
 static bool glue_allows(instance *c, int modes, const char *function);

@@ -13,7 +13,8 @@ static const char *const CATEGORIES[] = {
 
 void glue_log(instance *c, int status, const char *format, ...)
 {
-    if (c->report == NULL || (status == STATUS_DISCARD && !c->logging)) {
+    bool chosen = c->categories == 0 || (c->categories & 1u << status) != 0;
+    if (c->report == NULL || !chosen || (status == STATUS_DISCARD && !c->logging)) {
         return;
     }
     char message[2 * MESSAGE];
@@ -22,6 +23,27 @@ void glue_log(instance *c, int status, const char *format, ...)
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
     c->report(c, status, CATEGORIES[status], message);
+}
+
+bool glue_choose(instance *c, bool on, const char *const categories[], size_t count)
+{
+    unsigned chosen = 0;
+    for (size_t i = 0; i < count; i++) {
+        size_t k = 0;
+        while (k < sizeof CATEGORIES / sizeof *CATEGORIES
+               && (categories[i] == NULL || strcmp(categories[i], CATEGORIES[k]) != 0)) {
+            k++;
+        }
+        if (k == sizeof CATEGORIES / sizeof *CATEGORIES) {
+            glue_log(c, STATUS_ERROR, "there is no log category %.80s",
+                     categories[i] == NULL ? "NULL" : categories[i]);
+            return false;
+        }
+        chosen |= 1u << k;
+    }
+    c->logging = on;
+    c->categories = on ? chosen : 0;
+    return true;
 }
 
 bool glue_reserve(instance *c, size_t size)
