@@ -86,6 +86,11 @@ def build(
     platforms: Annotated[
         str, typer.Option(help="Of native binaries: all, or names with commas; else this one.")
     ] = "",
+    waypoints: Annotated[
+        int | None,
+        typer.Option(help="Waypoints that there is room for; 16, or those of the mission.",
+                     min=2, max=256),
+    ] = None,
     modelica: Annotated[
         bool, typer.Option("--modelica", help="Also write a Modelica package with both FMUs.")
     ] = False,
@@ -101,7 +106,10 @@ def build(
         require_modelica(chosen(fmi, backend, platforms))
     task = None if mission is None else load_mission(mission)
     trajectory = None if task is None else _planned(task)
-    paths = _built(output, task, trajectory, fmi=fmi, backend=backend, platforms=platforms)
+    paths = _built(
+        output, task, trajectory, fmi=fmi, backend=backend, platforms=platforms,
+        waypoints=waypoints,
+    )
     for path in paths:
         console.print(f"{path}  {path.stat().st_size / 1024:.0f} KiB", highlight=False)
     if modelica:
@@ -234,17 +242,19 @@ def _samples(task: Mission, trajectory: Trajectory) -> NDArray[np.void]:
 
 def _built(
     folder: Path, task: Mission | None, trajectory: Trajectory | None = None, *, fmi: int = 2,
-    backend: str = "native", platforms: str = "",
+    backend: str = "native", platforms: str = "", waypoints: int | None = None,
 ) -> list[Path]:
     """Build the FMUs of all models, or the two of a mission."""
     from segfmu.fmu.build import build_all
     from segfmu.fmu.choice import chosen
-    from segfmu.validation.scenario import specs
+    from segfmu.validation.scenario import sized, specs
 
     choice = chosen(fmi, backend, platforms)
     if choice.note:
         print(f"segfmu: {choice.note}", file=sys.stderr)
-    interfaces = None if task is None else specs(task, trajectory or _planned(task))
+    interfaces = (
+        sized(waypoints) if task is None else specs(task, trajectory or _planned(task), waypoints)
+    )
     with console.status("building the FMUs") as status:
         return build_all(folder, choice, interfaces, report=status.update)
 

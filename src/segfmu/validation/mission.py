@@ -21,7 +21,8 @@ from segfmu.crane import ActuatorBounds, Crane, plan_actuated
 from segfmu.errors import InputError
 from segfmu.planning import Limits, Trajectory, Waypoint, plan
 
-MAX_WAYPOINTS = 16
+# that the FMUs can have
+MOST_WAYPOINTS = 256
 AXES = ("x", "y", "z")
 
 
@@ -130,7 +131,7 @@ class Mission(_Strict):
     name: Annotated[str, Field(max_length=100), AfterValidator(_printable)] = "mission"
     crane: CraneFile
     limits: LimitsTable
-    waypoints: Annotated[list[WaypointEntry], Field(min_length=2, max_length=MAX_WAYPOINTS)]
+    waypoints: Annotated[list[WaypointEntry], Field(min_length=2, max_length=MOST_WAYPOINTS)]
     smoothness: Annotated[int, Field(ge=4, le=6, strict=True)] = 4
     shape: Literal["plateau", "smoothstep"] = "plateau"
     synchronization: Literal["waypoints", "total", "none"] = "waypoints"

@@ -19,15 +19,29 @@ from segfmu.validation.mission import AXES, Mission
 QUANTITIES = ("position", "velocity", "acceleration")
 
 
-def specs(mission: Mission, trajectory: Trajectory) -> tuple[Spec, Spec]:
-    """Interfaces of both FMUs whose start values are those of a mission."""
+def sized(waypoints: int | None = None) -> tuple[Spec, Spec]:
+    """Interfaces of both FMUs; GantryFeedforward with room for so many waypoints, 16 by default."""
+    return gantry_feedforward.spec(waypoints or gantry_feedforward.WAYPOINTS), gantry_crane.spec()
+
+
+def specs(
+    mission: Mission, trajectory: Trajectory, waypoints: int | None = None
+) -> tuple[Spec, Spec]:
+    """Interfaces of both FMUs whose start values are those of a mission.
+
+    There is room for so many waypoints, 16 by default, or for those of the mission if they are
+    more.
+    """
+    feedforward, crane = sized(
+        max(waypoints or gantry_feedforward.WAYPOINTS, len(mission.waypoints))
+    )
     changes = {
         "stop_time": trajectory.duration + mission.simulation.settle,
         "step_size": mission.simulation.step,
     }
     return (
-        started(gantry_feedforward.spec(), feedforward_values(mission, trajectory), **changes),
-        gantry_crane.held(started(gantry_crane.spec(), crane_values(mission), **changes)),
+        started(feedforward, feedforward_values(mission, trajectory), **changes),
+        gantry_crane.held(started(crane, crane_values(mission), **changes)),
     )
 
 

@@ -85,6 +85,11 @@ def _pack(spec: Spec, work: Path) -> Path:
         raise BuildError(f"{spec.name} has no Python backend; build it natively")
     module, _, base = model.slave.partition(":")
     usual = model.spec()
+    if len(usual.variables) != len(spec.variables):
+        raise BuildError(
+            f"{spec.name}: FMUs of the Python backend have rows for the usual number of waypoints; "
+            "build it natively for more"
+        )
     starts = {
         v.name: v.start
         for v, u in zip(spec.variables, usual.variables, strict=True) if v.start != u.start
