@@ -89,10 +89,12 @@ lock: $(VENV)/installed ## update the packages of all extras and write the lock 
 		--upgrade-strategy eager --editable '.[dev,bench,platforms]'
 	$(BIN)/python -m pip freeze --exclude-editable > requirements-dev.lock
 
-wheel: $(VENV)/installed ## source distribution and wheel, into dist/
-	$(BIN)/python -m build --outdir dist
+wheel: $(VENV)/installed-platforms ## source distribution and wheel with all binaries, into dist/
+	$(BIN)/python -m segfmu.fmu.native.prebuild
+	$(BIN)/python -m build --sdist --outdir dist
+	$(BIN)/python -m build --wheel --outdir dist
 
-check-wheel: $(VENV)/installed ## install the wheel elsewhere and run its commands; PYTHONS="..."
+check-wheel: $(VENV)/installed-platforms ## install the wheel elsewhere and run its commands; PYTHONS="..."
 	$(BIN)/python -m tests.wheel $(PYTHONS)
 
 clean: ## remove the environment and all that was built

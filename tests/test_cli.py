@@ -83,7 +83,7 @@ MALFORMED = {
     "one waypoint": (CRANE + LIMITS + POINTS[: POINTS.rindex("[[")], "waypoints"),
     "too many waypoints": (
         CRANE + LIMITS + "".join(
-            f"[[waypoints]]\nposition = [{i}.0, 0.0, -0.5]\n" for i in range(17)
+            f"[[waypoints]]\nposition = [{i}.0, 0.0, -0.5]\n" for i in range(257)
         ),
         "waypoints",
     ),

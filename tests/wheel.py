@@ -11,10 +11,15 @@ import subprocess
 import sys
 import tarfile
 import tempfile
+import time
 import zipfile
 from pathlib import Path
 
+from segfmu.fmu.native.compilers import PLATFORMS
+
 ROOT = Path(__file__).parents[1]
+# bytes of the wheel, with the binaries of all platforms
+LARGEST = 3_000_000
 SHIPPED = (
     "CHANGELOG.md", "CONTRIBUTING.md", "LICENSE", "Makefile", "README.md", "requirements-dev.lock",
     ".ci/run", "docs/planner.md", "examples/01_plan_a_move.py", "fmus/gantry_crane/README.md",
@@ -34,7 +39,9 @@ print(sys.version.split()[0], "segfmu", segfmu.__version__)
 
 def built(folder: Path) -> tuple[Path, Path]:
     """Build into a folder; returns the source distribution and the wheel made from it."""
-    run(sys.executable, "-m", "build", "--outdir", str(folder), str(ROOT))
+    run(sys.executable, "-m", "segfmu.fmu.native.prebuild")
+    for kind in ("--sdist", "--wheel"):
+        run(sys.executable, "-m", "build", kind, "--outdir", str(folder), str(ROOT))
     (source,), (wheel,) = folder.glob("*.tar.gz"), folder.glob("*.whl")
     return source, wheel
 
@@ -60,12 +67,15 @@ def check_source(source: Path) -> None:
 
 
 def check_wheel(wheel: Path) -> None:
-    """One wheel for every Python from 3.11 on, with one compiled module and no tests."""
+    """One wheel for every Python from 3.11 on: one compiled module, binaries of FMUs, no tests."""
+    assert wheel.stat().st_size < LARGEST, f"{wheel.name} has {wheel.stat().st_size} bytes"
     assert "-cp311-abi3-" in wheel.name, wheel.name
     with zipfile.ZipFile(wheel) as archive:
         names = archive.namelist()
         metadata = archive.read(next(n for n in names if n.endswith("/METADATA"))).decode()
-    modules = [n for n in names if n.endswith((".so", ".pyd"))]
+    fmus = [n for n in names if n.startswith("segfmu/fmu/native/binaries/")]
+    assert len(fmus) == 2 * 2 * len(PLATFORMS), fmus
+    modules = [n for n in names if n.endswith((".so", ".pyd")) and n not in fmus]
     assert len(modules) == 1, modules
     tops = {n.partition("/")[0].partition("-")[0] for n in names}
     assert tops == {"segfmu"}, tops
@@ -87,8 +97,28 @@ def check_commands(wheel: Path, interpreter: str, work: Path) -> None:
     run(segfmu, "build", mission, "--fmi", "3", "--output", "fmi3", folder=work)
     run(segfmu, "build", "--backend", "python", "--output", "python", folder=work)
     run(segfmu, "simulate", mission, "--output", "run", folder=work)
+    check_platforms(commands, work)
     for name in ("plan/plan.csv", "fmi3/GantryCrane.fmu", "python/GantryCrane.fmu", "run/run.csv"):
         assert (work / name).exists(), name
+
+
+def check_platforms(commands: Path, work: Path) -> None:
+    """Native FMUs of all platforms, where no compiler is on the path."""
+    environment = {k: v for k, v in os.environ.items() if not k.startswith("PYTHON")}
+    environment |= {"PATH": str(commands), "SEGFMU_CACHE": str(work / "cache")}
+    for fmi in ("2", "3"):
+        start = time.perf_counter()
+        subprocess.run(
+            [commands / "segfmu", "build", "--platforms", "all", "--fmi", fmi, "-o", f"all{fmi}"],
+            cwd=work, env=environment, check=True, stdout=subprocess.DEVNULL,
+        )
+        seconds = time.perf_counter() - start
+        with zipfile.ZipFile(work / f"all{fmi}" / "GantryCrane.fmu") as archive:
+            folders = {n.split("/")[1] for n in archive.namelist() if n.startswith("binaries/")}
+        # FMI 2.0 has one folder for both processors of macOS
+        assert len(folders) == len(PLATFORMS) - (fmi == "2"), folders
+        print(f"FMI {fmi}, {len(PLATFORMS)} platforms without a compiler: {seconds:.2f} s")
+    assert not (work / "cache").exists()
 
 
 def main() -> None:

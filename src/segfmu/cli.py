@@ -84,7 +84,7 @@ def build(
         str, typer.Option(help="native: C, with sources; python: needs segfmu where it runs.")
     ] = "native",
     platforms: Annotated[
-        str, typer.Option(help="Of native binaries: all, or names with commas; else this one.")
+        str, typer.Option(help="Of native binaries: all, or names with commas; else those at hand.")
     ] = "",
     waypoints: Annotated[
         int | None,
@@ -139,7 +139,7 @@ def simulate(
         task = task.model_copy(update={"simulation": simulation})
     trajectory = _planned(task)
     _require_steps(task, trajectory)
-    feedforward, crane = _built(output, task, trajectory)
+    feedforward, crane = _built(output, task, trajectory, everywhere=False)
     rows = _run(task, trajectory, feedforward, crane)
     from segfmu.cosim import write_csv
     from segfmu.validation.criteria import judge
@@ -243,13 +243,14 @@ def _samples(task: Mission, trajectory: Trajectory) -> NDArray[np.void]:
 def _built(
     folder: Path, task: Mission | None, trajectory: Trajectory | None = None, *, fmi: int = 2,
     backend: str = "native", platforms: str = "", waypoints: int | None = None,
+    everywhere: bool = True,
 ) -> list[Path]:
     """Build the FMUs of all models, or the two of a mission."""
     from segfmu.fmu.build import build_all
     from segfmu.fmu.choice import chosen
     from segfmu.validation.scenario import sized, specs
 
-    choice = chosen(fmi, backend, platforms)
+    choice = chosen(fmi, backend, platforms, everywhere=everywhere)
     if choice.note:
         print(f"segfmu: {choice.note}", file=sys.stderr)
     interfaces = (

@@ -79,3 +79,13 @@ def test_a_universal_binary_holds_both_unchanged() -> None:
         _, _, offset, size, align = struct.unpack_from(">IIIII", found, 8 + 20 * i)
         assert offset % (1 << align) == 0
         assert found[offset : offset + size] == content
+
+
+def test_packaged_binaries_need_no_compiler(monkeypatch) -> None:
+    platforms = tuple(compilers.PLATFORMS)
+    monkeypatch.setattr(choice, "packaged", lambda models: platforms)
+    monkeypatch.setattr(choice, "available", lambda: False)
+    assert choice.chosen(2, "native", "").platforms == platforms
+    here = choice.chosen(2, "native", "", everywhere=False)
+    assert here.native == (compilers.host() in platforms) and here.platforms == ()
+    assert choice.chosen(3, "native", "x86_64-windows").platforms == ("x86_64-windows",)

@@ -5,7 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from segfmu.errors import InputError
-from segfmu.fmu.native.compilers import PLATFORMS, available
+from segfmu.fmu.models import registered
+from segfmu.fmu.native.archive import sources
+from segfmu.fmu.native.binaries import packaged
+from segfmu.fmu.native.compilers import PLATFORMS, available, host
 
 BACKENDS = ("native", "python")
 
@@ -35,8 +38,11 @@ def require_modelica(choice: Choice) -> None:
         )
 
 
-def chosen(fmi: int, backend: str, platforms: str) -> Choice:
-    """The backend asked for, or Python where no C compiler is; `platforms` has commas, or is all.
+def chosen(fmi: int, backend: str, platforms: str, *, everywhere: bool = True) -> Choice:
+    """The backend asked for, or Python where there is neither a binary nor a C compiler.
+
+    `platforms` has commas, or is all. Where it is empty, it is every platform whose binaries come
+    with the package, or else this machine's; not `everywhere`: this machine's.
 
     Raises
     ------
@@ -59,8 +65,11 @@ def chosen(fmi: int, backend: str, platforms: str) -> Choice:
         if fmi == 3 or names:
             raise InputError("--backend python has neither FMI 3 nor platforms; use native")
         return Choice(native=False)
-    if names or fmi == 3 or available():
-        return Choice(True, fmi, names)
+    ready = packaged((m.name, sources(m.name, fmi)) for m in registered())
+    if names or (ready and everywhere):
+        return Choice(True, fmi, names or ready)
+    if fmi == 3 or available() or host() in ready:
+        return Choice(True, fmi)
     return Choice(
         native=False,
         note="no C compiler found; built with the Python backend. Install a C compiler, or the "

@@ -6,6 +6,7 @@ import os
 import tempfile
 import zipfile
 from collections.abc import Callable, Iterable, Sequence
+from functools import cache
 from importlib.metadata import version
 from importlib.resources import files
 from pathlib import Path
@@ -70,6 +71,7 @@ def build_all(
     return built
 
 
+@cache
 def sources(name: str, fmi: int) -> dict[str, bytes]:
     """All sources of a model by their names in the archive, which has them in one folder.
 

@@ -17,7 +17,8 @@ from pathlib import Path
 from platformdirs import user_cache_path
 
 from segfmu.errors import BuildError
-from segfmu.fmu.native.compilers import PLATFORMS, Compiler, compiler, host
+from segfmu.fmu.native.compilers import PLATFORMS, Compiler
+from segfmu.fmu.native.compilers import compiler as compiler_for
 
 # the one translation unit of an FMU, which includes its other sources
 UNIT = "fmu.c"
@@ -27,7 +28,9 @@ DIGEST = hashlib.sha256().digest_size
 KEPT = 64
 
 
-def binary(name: str, texts: Mapping[str, bytes], platform: str) -> bytes:
+def binary(
+    name: str, texts: Mapping[str, bytes], platform: str, *, compiler: Compiler | None = None
+) -> bytes:
     """The shared library of a model, of these sources, for a platform.
 
     Parameters
@@ -38,16 +41,18 @@ def binary(name: str, texts: Mapping[str, bytes], platform: str) -> bytes:
         Sources by their names.
     platform : str
         A name of `PLATFORMS`.
+    compiler : Compiler, optional
+        In place of a packaged binary and of the machine's compiler.
 
     Raises
     ------
     BuildError
         Where there is neither a binary nor a compiler for the platform, or the compiler fails.
     """
-    packaged = _packaged(name, texts, platform)
-    if packaged is not None:
-        return packaged
-    chosen = compiler(platform)
+    ready = None if compiler else _packaged(name, texts, platform)
+    if ready is not None:
+        return ready
+    chosen = compiler or compiler_for(platform)
     path = folder() / _key(name, texts, chosen)
     found = _read(path)
     if found is None:
@@ -56,10 +61,12 @@ def binary(name: str, texts: Mapping[str, bytes], platform: str) -> bytes:
     return found
 
 
-def available(models: Iterable[tuple[str, Mapping[str, bytes]]]) -> bool:
-    """Whether the binaries of some models for this machine are packaged."""
-    name = host()
-    return name is not None and all(_packaged(m, t, name) is not None for m, t in models)
+def packaged(models: Iterable[tuple[str, Mapping[str, bytes]]]) -> tuple[str, ...]:
+    """Platforms whose binaries of all these models, of these sources, come with the package."""
+    given = list(models)
+    return tuple(
+        p for p in PLATFORMS if all(_packaged(name, texts, p) is not None for name, texts in given)
+    )
 
 
 def folder() -> Path:

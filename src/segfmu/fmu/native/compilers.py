@@ -164,6 +164,17 @@ def compiler(name: str) -> Compiler:
     own = _own()
     if name == host() and own is not None:
         return Compiler((own,), PLATFORMS[name], _version(own))
+    return portable(name)
+
+
+def portable(name: str) -> Compiler:
+    """The compiler whose binaries run on old systems of a platform as well.
+
+    Raises
+    ------
+    BuildError
+        Where it is not installed.
+    """
     if not _has_zig():
         raise BuildError(
             f"no C compiler for {name}; install the extra segfmu[platforms], which has ziglang"

@@ -42,9 +42,9 @@ def layout(spec: Spec) -> Layout:
     variables = {v.name: v for v in spec.variables}
     placed = Layout({}, [], [])
     for variable in (*spec.where("input"), *spec.variables):
-        array = member_of.get(variable.name)
-        for name in array.members if array else (variable.name,):
-            if name not in placed.offsets:
+        if variable.name not in placed.offsets:
+            array = member_of.get(variable.name)
+            for name in array.members if array else (variable.name,):
                 _place(variables[name], placed)
     return placed
 
