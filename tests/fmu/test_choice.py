@@ -11,6 +11,12 @@ from segfmu.fmu import choice
 from segfmu.fmu.native import compilers
 
 
+@pytest.fixture(autouse=True)
+def nothing_packaged(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As in a checkout whose wheel was never made."""
+    monkeypatch.setattr(choice, "packaged", lambda models: ())
+
+
 def test_native_is_the_default_where_it_can_be_built(monkeypatch) -> None:
     monkeypatch.setattr(choice, "available", lambda: True)
     assert choice.chosen(2, "native", "") == choice.Choice(native=True)
