@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 from segfmu.fmu.gantry_crane.interface import native_spec, spec
 from segfmu.fmu.model import Model
 from segfmu.kernels.control.records import Estimates, Expected, FlatDesign, Tracking, Uncertainty
@@ -22,7 +24,7 @@ GANTRY_CRANE = Model(
     package="segfmu.fmu.gantry_crane",
     spec=spec,
     native_spec=native_spec,
-    largest=native_spec,
+    largest=cache(native_spec),
     records=(
         Loop, Sensors, Plant, State, Setpoints, Target, PayloadTable, WindNoise, Expected, Tracking,
         Outputs, Accelerations, Estimates, FlatDesign, Uncertainty,

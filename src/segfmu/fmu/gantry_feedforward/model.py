@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 from segfmu.fmu.gantry_feedforward.interface import MOST_WAYPOINTS, native_spec, spec
 from segfmu.fmu.model import Model
 from segfmu.kernels.crane.records import Masses, RopeBounds
@@ -11,7 +13,7 @@ GANTRY_FEEDFORWARD = Model(
     package="segfmu.fmu.gantry_feedforward",
     spec=spec,
     native_spec=native_spec,
-    largest=lambda: native_spec(spec(MOST_WAYPOINTS)),
+    largest=cache(lambda: native_spec(spec(MOST_WAYPOINTS))),
     records=(Masses, RopeBounds),
     slave="segfmu.fmu.gantry_feedforward.slave:FeedforwardSlave",
 )
