@@ -94,16 +94,20 @@ def build(
     modelica: Annotated[
         bool, typer.Option("--modelica", help="Also write a Modelica package with both FMUs.")
     ] = False,
+    ssp: Annotated[
+        bool, typer.Option("--ssp", help="Also write mission.ssp and OspSystemStructure.xml.")
+    ] = False,
 ) -> None:
     """Build GantryFeedforward.fmu and GantryCrane.fmu.
 
     Native FMUs have co-simulation and model exchange; those of the Python backend have FMI 2.0
     co-simulation.
     """
-    from segfmu.fmu.choice import chosen, require_modelica
+    from segfmu.fmu.choice import chosen, require_native
 
-    if modelica:
-        require_modelica(chosen(fmi, backend, platforms))
+    for option, wanted in (("--modelica", modelica), ("--ssp", ssp)):
+        if wanted:
+            require_native(chosen(fmi, backend, platforms), option)
     task = None if mission is None else load_mission(mission)
     trajectory = None if task is None else _planned(task)
     paths = _built(
@@ -112,12 +116,14 @@ def build(
     )
     for path in paths:
         console.print(f"{path}  {path.stat().st_size / 1024:.0f} KiB", highlight=False)
-    if modelica:
-        from segfmu.fmu.modelica.package import write_package
+    if modelica or ssp:
+        from segfmu.fmu.build import describe
         from segfmu.validation.scenario import specs
 
         interfaces = None if task is None or trajectory is None else specs(task, trajectory)
-        console.print(f"{write_package(output, interfaces, paths)}", highlight=False)
+        title = "" if task is None else task.name
+        for path in describe(output, paths, interfaces, title, modelica=modelica, ssp=ssp):
+            console.print(f"{path}", highlight=False)
 
 
 @app.command(epilog="Example: segfmu simulate models/paper.toml --output out")
