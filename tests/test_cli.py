@@ -286,6 +286,15 @@ def test_build_writes_files_for_other_tools(tmp_path, monkeypatch, capsys) -> No
     assert b"waypoint[2]." in values and b"waypoint[3]." not in values
 
 
+def test_a_modelica_package_has_the_fmus_that_were_built(tmp_path, monkeypatch, capsys) -> None:
+    code, _, _ = invoke(
+        monkeypatch, capsys, "build", "-o", str(tmp_path), "--modelica", "--waypoints", "20"
+    )
+    assert code == 0
+    guid = read_model_description(str(tmp_path / "GantryFeedforward.fmu")).guid
+    assert guid in (tmp_path / "Segfmu" / "GantryFeedforward.mo").read_text()
+
+
 @pytest.mark.parametrize("other", [("--fmi", "3"), ("--backend", "python")])
 @pytest.mark.parametrize("option", ["--ssp", "--modelica"])
 def test_files_for_other_tools_are_for_native_fmus_of_fmi_2(
