@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+import zipfile
 from pathlib import Path
 
 import numpy as np
@@ -265,6 +266,43 @@ def test_build_into_a_file_is_refused(tmp_path, monkeypatch, capsys) -> None:
     code, _, error = invoke(monkeypatch, capsys, "build", "-o", str(tmp_path / "taken"))
     assert code == 2
     assert error.count("\n") == 1
+
+
+def test_build_writes_files_for_other_tools(tmp_path, monkeypatch, capsys) -> None:
+    mission = tmp_path / "mission.toml"
+    mission.write_text('name = "over there"\n' + GOOD, encoding="utf-8")
+    out = tmp_path / "out"
+    code, printed, _ = invoke(
+        monkeypatch, capsys, "build", str(mission), "-o", str(out), "--ssp"
+    )
+    assert code == 0
+    names = {"GantryFeedforward.fmu", "GantryCrane.fmu", "mission.ssp", "OspSystemStructure.xml"}
+    assert {p.name for p in out.iterdir()} == names
+    assert all(n in printed.replace("\n", "") for n in names)
+    with zipfile.ZipFile(out / "mission.ssp") as package:
+        assert b'description="over there"' in package.read("SystemStructure.ssd")
+        values = package.read("resources/GantryFeedforward.ssv")
+    assert b'<ssv:Real value="20.0" unit="m/s4" />' in values
+    assert b"waypoint[2]." in values and b"waypoint[3]." not in values
+
+
+def test_a_modelica_package_has_the_fmus_that_were_built(tmp_path, monkeypatch, capsys) -> None:
+    code, _, _ = invoke(
+        monkeypatch, capsys, "build", "-o", str(tmp_path), "--modelica", "--waypoints", "20"
+    )
+    assert code == 0
+    guid = read_model_description(str(tmp_path / "GantryFeedforward.fmu")).guid
+    assert guid in (tmp_path / "Segfmu" / "GantryFeedforward.mo").read_text()
+
+
+@pytest.mark.parametrize("other", [("--fmi", "3"), ("--backend", "python")])
+@pytest.mark.parametrize("option", ["--ssp", "--modelica"])
+def test_files_for_other_tools_are_for_native_fmus_of_fmi_2(
+    other: tuple[str, str], option: str, tmp_path, monkeypatch, capsys
+) -> None:
+    code, _, error = invoke(monkeypatch, capsys, "build", "-o", str(tmp_path), option, *other)
+    assert code == 2 and not list(tmp_path.iterdir())
+    assert error.count("\n") == 1 and f"{option} needs native FMUs of FMI 2" in error
 
 
 def test_campaign_writes_tables_and_maps(monkeypatch, capsys, tmp_path: Path) -> None:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from importlib.metadata import version
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import numpy as np
 import typer
@@ -20,6 +20,10 @@ from segfmu.errors import BuildError, InputError, SegfmuError
 from segfmu.planning import Trajectory
 from segfmu.planning.verify import verify
 from segfmu.validation.mission import Mission, load_mission
+
+if TYPE_CHECKING:
+    from segfmu.fmu.choice import Choice
+    from segfmu.fmu.standard.spec import Spec
 
 app = typer.Typer(
     add_completion=False,
@@ -94,30 +98,33 @@ def build(
     modelica: Annotated[
         bool, typer.Option("--modelica", help="Also write a Modelica package with both FMUs.")
     ] = False,
+    ssp: Annotated[
+        bool, typer.Option("--ssp", help="Also write mission.ssp and OspSystemStructure.xml.")
+    ] = False,
 ) -> None:
     """Build GantryFeedforward.fmu and GantryCrane.fmu.
 
     Native FMUs have co-simulation and model exchange; those of the Python backend have FMI 2.0
     co-simulation.
     """
-    from segfmu.fmu.choice import chosen, require_modelica
+    from segfmu.fmu.build import describe
+    from segfmu.fmu.choice import chosen, require_native
+    from segfmu.validation.scenario import sized, specs
 
-    if modelica:
-        require_modelica(chosen(fmi, backend, platforms))
-    task = None if mission is None else load_mission(mission)
-    trajectory = None if task is None else _planned(task)
-    paths = _built(
-        output, task, trajectory, fmi=fmi, backend=backend, platforms=platforms,
-        waypoints=waypoints,
-    )
+    choice = chosen(fmi, backend, platforms)
+    for option, wanted in (("--modelica", modelica), ("--ssp", ssp)):
+        if wanted:
+            require_native(choice, option)
+    if mission is None:
+        title, interfaces = "", sized(waypoints)
+    else:
+        task = load_mission(mission)
+        title, interfaces = task.name, specs(task, _planned(task), waypoints)
+    paths = _built(output, choice, interfaces)
     for path in paths:
         console.print(f"{path}  {path.stat().st_size / 1024:.0f} KiB", highlight=False)
-    if modelica:
-        from segfmu.fmu.modelica.package import write_package
-        from segfmu.validation.scenario import specs
-
-        interfaces = None if task is None or trajectory is None else specs(task, trajectory)
-        console.print(f"{write_package(output, interfaces, paths)}", highlight=False)
+    for path in describe(output, paths, interfaces, title, modelica=modelica, ssp=ssp):
+        console.print(f"{path}", highlight=False)
 
 
 @app.command(epilog="Example: segfmu simulate models/paper.toml --output out")
@@ -139,13 +146,16 @@ def simulate(
         task = task.model_copy(update={"simulation": simulation})
     trajectory = _planned(task)
     _require_steps(task, trajectory)
-    feedforward, crane = _built(output, task, trajectory, everywhere=False)
-    rows = _run(task, trajectory, feedforward, crane)
     from segfmu.cosim import write_csv
+    from segfmu.fmu.choice import chosen
     from segfmu.validation.criteria import judge
     from segfmu.validation.plots import plot_run, save
     from segfmu.validation.report import run_table
+    from segfmu.validation.scenario import specs
 
+    choice = chosen(2, "native", "", everywhere=False)
+    feedforward, crane = _built(output, choice, specs(task, trajectory))
+    rows = _run(task, trajectory, feedforward, crane)
     write_csv(output / "run.csv", rows)
     save(plot_run(rows, trajectory.waypoint_times, task.name), output / "run.png")
     limits = task.simulation
@@ -240,22 +250,12 @@ def _samples(task: Mission, trajectory: Trajectory) -> NDArray[np.void]:
     return rows
 
 
-def _built(
-    folder: Path, task: Mission | None, trajectory: Trajectory | None = None, *, fmi: int = 2,
-    backend: str = "native", platforms: str = "", waypoints: int | None = None,
-    everywhere: bool = True,
-) -> list[Path]:
-    """Build the FMUs of all models, or the two of a mission."""
+def _built(folder: Path, choice: Choice, interfaces: Sequence[Spec]) -> list[Path]:
+    """Build FMUs of both interfaces."""
     from segfmu.fmu.build import build_all
-    from segfmu.fmu.choice import chosen
-    from segfmu.validation.scenario import sized, specs
 
-    choice = chosen(fmi, backend, platforms, everywhere=everywhere)
     if choice.note:
         print(f"segfmu: {choice.note}", file=sys.stderr)
-    interfaces = (
-        sized(waypoints) if task is None else specs(task, trajectory or _planned(task), waypoints)
-    )
     with console.status("building the FMUs") as status:
         return build_all(folder, choice, interfaces, report=status.update)
 

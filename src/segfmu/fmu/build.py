@@ -1,4 +1,4 @@
-"""FMUs of any models by the backend that was chosen."""
+"""FMUs of any models by the backend that was chosen, and files for other tools."""
 
 from __future__ import annotations
 
@@ -32,3 +32,28 @@ def build_all(
     from segfmu.fmu.python.archive import build_all as build_python
 
     return build_python(folder, report, interfaces)
+
+
+def describe(
+    folder: Path, archives: Sequence[Path], specs: Sequence[Spec] | None, title: str = "", *,
+    modelica: bool = False, ssp: bool = False,
+) -> list[Path]:
+    """Write what lets other tools load both native FMUs of FMI 2.0 as one system.
+
+    `specs` are interfaces with a mission's start values, `title` is its name.
+
+    Raises
+    ------
+    BuildError
+        When the folder cannot be written.
+    """
+    written = []
+    if modelica:
+        from segfmu.fmu.modelica.package import write_package
+
+        written.append(write_package(folder, specs, archives))
+    if ssp:
+        from segfmu.fmu.system import write_system
+
+        written += write_system(folder, archives, specs, title)
+    return written

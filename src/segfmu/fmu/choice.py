@@ -23,8 +23,8 @@ class Choice:
     note: str = ""
 
 
-def require_modelica(choice: Choice) -> None:
-    """Refuse what the classes of the Modelica package cannot run.
+def require_native(choice: Choice, option: str) -> None:
+    """Refuse what files for other tools, which `option` asks for, cannot be written for.
 
     Raises
     ------
@@ -33,7 +33,7 @@ def require_modelica(choice: Choice) -> None:
     """
     if not choice.native or choice.fmi != 2:
         raise InputError(
-            "--modelica needs native FMUs of FMI 2: leave out --fmi and --backend, and install a C "
+            f"{option} needs native FMUs of FMI 2: leave out --fmi and --backend, and install a C "
             "compiler, or the extra segfmu[platforms]"
         )
 

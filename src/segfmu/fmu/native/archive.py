@@ -63,7 +63,7 @@ def build_all(
             for spec in specs:
                 report(f"building {spec.name}.fmu")
                 complete = Path(work) / f"{spec.name}.zip"
-                _pack(entries(spec, fmi, names), complete)
+                pack(entries(spec, fmi, names), complete)
                 built.append(folder / f"{spec.name}.fmu")
                 os.replace(complete, built[-1])
     except OSError as error:
@@ -158,7 +158,8 @@ def _described(spec: Spec, fmi: int) -> dict[str, bytes]:
     return entries
 
 
-def _pack(entries: dict[str, bytes], target: Path) -> None:
+def pack(entries: dict[str, bytes], target: Path) -> None:
+    """Write a zip archive; equal entries give equal bytes."""
     with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED) as archive:
         for name in sorted(entries):
             info = zipfile.ZipInfo(name, DATE)  # type: ignore[arg-type]

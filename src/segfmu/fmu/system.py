@@ -1,0 +1,62 @@
+"""Files with which other tools load both FMUs, connected and with a mission's values."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Sequence
+from importlib.metadata import version
+from pathlib import Path
+
+from segfmu.errors import BuildError
+from segfmu.fmu.models import named
+from segfmu.fmu.native.archive import pack
+from segfmu.fmu.standard import osp, ssp
+from segfmu.fmu.standard.spec import Spec
+from segfmu.fmu.standard.system import System, archive
+
+NAMES = ("GantryFeedforward", "GantryCrane")
+PACKAGE = "mission.ssp"
+STRUCTURE = "OspSystemStructure.xml"
+
+
+def write_system(
+    folder: Path, archives: Sequence[Path], specs: Sequence[Spec] | None = None,
+    title: str = "",
+) -> list[Path]:
+    """Write mission.ssp, and OspSystemStructure.xml beside the archives, into their folder.
+
+    Parameters
+    ----------
+    folder
+        That of the archives.
+    archives
+        Native FMUs of FMI 2.0, GantryFeedforward and GantryCrane.
+    specs
+        Their interfaces; by default with the usual start values.
+    title
+        The mission's name.
+
+    Raises
+    ------
+    BuildError
+        When the folder cannot be written.
+    """
+    models = [named(name) for name in NAMES]
+    source, sink = (
+        m.native_spec(s)
+        for m, s in zip(models, specs or [m.spec() for m in models], strict=True)
+    )
+    system = System(title or "planner and crane", source, sink)
+    entries = ssp.files(system, version("segfmu"))
+    try:
+        for spec, path in zip(system.specs, archives, strict=True):
+            entries[f"{ssp.RESOURCES}/{archive(spec)}"] = path.read_bytes()
+        with tempfile.TemporaryDirectory(prefix="segfmu_", dir=folder) as work:
+            pack(entries, Path(work) / PACKAGE)
+            (Path(work) / STRUCTURE).write_bytes(osp.system_structure(system))
+            for name in (PACKAGE, STRUCTURE):
+                os.replace(Path(work) / name, folder / name)
+    except OSError as error:
+        raise BuildError(f"{folder}: cannot be written: {error.strerror}") from error
+    return [folder / PACKAGE, folder / STRUCTURE]

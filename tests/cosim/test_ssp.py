@@ -1,0 +1,103 @@
+"""mission.ssp and OspSystemStructure.xml as libcosim and Ecos run them, against our master."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from segfmu.cosim import simulate
+from segfmu.fmu.gantry_crane import interface as gantry_crane
+from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
+from segfmu.fmu.standard.spec import Spec, started
+from segfmu.fmu.standard.system import values
+from segfmu.fmu.system import write_system
+from tests.cosim.pair import MISSIONS, SPECS
+from tests.cosim.test_ecos import load
+
+STEP, STOP = 1e-3, 3.0
+LOAD = [f"load.position.{a}" for a in "xyz"]
+TOLERANCE = 1e-9
+
+
+def specs(mission: str) -> tuple[Spec, ...]:
+    """Interfaces whose parameters differ from the start values of the FMUs in the package."""
+    given = ({n: x for n, x in part.items() if not n.startswith("sway.")}
+             for part in MISSIONS[mission])
+    return tuple(
+        replace(started(module.spec(), part), stop_time=STOP, step_size=STEP)
+        for module, part in zip((gantry_feedforward, gantry_crane), given, strict=True)
+    )
+
+
+@pytest.fixture(scope="module", params=MISSIONS)
+def run(request, native_fmus, tmp_path_factory) -> tuple[Path, np.ndarray]:
+    """A folder with all files, and the load's path by our master in parallel coupling."""
+    folder = tmp_path_factory.mktemp("mission")
+    archives = [Path(shutil.copy(p, folder)) for p in native_fmus[2]]
+    wanted = specs(request.param)
+    write_system(folder, archives, wanted)
+    natives = (m.native_spec(s) for m, s in
+               zip((gantry_feedforward, gantry_crane), wanted, strict=True))
+    source, sink = (
+        {v.name: x for v, x in values(s) if v.kind != "Enumeration"} for s in natives
+    )
+    rows = simulate(*archives, stop_time=STOP, step=STEP, source_values=source, sink_values=sink,
+                    coupling="parallel", events=False)
+    return folder, np.array([rows[n][1:] for n in LOAD]).T
+
+
+def compare(found: list[list[float]], expected: np.ndarray) -> None:
+    assert np.abs(np.array(found) - expected).max() <= TOLERANCE
+    assert np.ptp(expected, axis=0)[0] > 0.3
+
+
+def cosim(create: Callable[[], object]) -> list[list[float]]:
+    from libcosimpy.CosimObserver import CosimObserver
+
+    execution = create()
+    observer = CosimObserver.create_last_value()
+    assert execution.add_observer(observer)
+    crane = execution.slave_index_from_instance_name("GantryCrane")
+    references = [SPECS["GantryCrane"].references[n] for n in LOAD]
+    rows = []
+    for _ in range(round(STOP / STEP)):
+        assert execution.step()
+        rows.append(observer.last_real_values(crane, references))
+    assert execution.status().current_time == round(STOP * 1e9)
+    return rows
+
+
+@pytest.mark.parametrize("form", ["SSP", "OSP"])
+def test_libcosim(run, form: str) -> None:
+    pytest.importorskip(
+        "libcosimpy", reason="libcosimpy is not installed; it has wheels for 64-bit Linux on x86"
+    )
+    from libcosimpy.CosimExecution import CosimExecution
+
+    folder, expected = run
+    # neither is told a step: both files have it
+    forms = {
+        "SSP": lambda: CosimExecution.from_ssp_file(str(folder / "mission.ssp")),
+        "OSP": lambda: CosimExecution.from_osp_config_file(str(folder)),
+    }
+    compare(cosim(forms[form]), expected)
+
+
+def test_ecos(run) -> None:
+    library = load()
+    folder, expected = run
+    rows = []
+    with library.EcosSimulation(
+        ssp_path=str(folder / "mission.ssp"), step_size=STEP
+    ) as simulation:
+        assert simulation.init(parameter_set="mission")
+        for _ in range(round(STOP / STEP)):
+            simulation.step()
+            rows.append([simulation.get_real(f"GantryCrane::{n}") for n in LOAD])
+        simulation.terminate()
+    compare(rows, expected)
