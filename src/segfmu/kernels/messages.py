@@ -186,8 +186,10 @@ SETUP = Messages(
         "sensor.sample_time",
         SetupStatus.ROPE_START: "rope.length must start above 0 m, got {VALUE:g}",
         SetupStatus.ROPE_BOUNDS: "rope_min {VALUE:g} m must be less than rope_max {BOUND:g} m",
-        SetupStatus.LENGTHS: "the rope lengths of the feedback, {VALUE:g} to {BOUND:g} m, must be "
-        "ascending; set crane.rope_min and crane.rope_max",
+        SetupStatus.LENGTHS: "rope lengths must be positive and ascending, got {VALUE:g} to "
+        "{BOUND:g} m; set the crane's rope_min and rope_max",
+        SetupStatus.OBSERVER: "the observer has no finite gains between {VALUE:g} and {BOUND:g} m "
+        "of rope; check masses, lags and what it expects",
     },
     {"AXIS": AXES, "DRIVE": DRIVES},
 )

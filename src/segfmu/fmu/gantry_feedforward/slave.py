@@ -5,8 +5,7 @@ from __future__ import annotations
 from math import inf
 from typing import Any
 
-from segfmu.crane import FlatInverse
-from segfmu.fmu.gantry import crane_from
+from segfmu.crane import Crane, FlatInverse
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.python.slave import SpecSlave
 from segfmu.planning import Limits, Trajectory, Waypoint, plan
@@ -74,7 +73,7 @@ class FeedforwardSlave(SpecSlave):
             duration=float(self.value("planner.duration")) or None,
             axis_names=AXES,
         )
-        self._inverse = FlatInverse(crane_from(self.value), trajectory)
+        self._inverse = FlatInverse(Crane.of(self.value), trajectory)
         self._trajectory = trajectory
         self.assign(("plan.duration",), (trajectory.duration,))
         self._evaluate(self.start_time)

@@ -283,8 +283,15 @@ bool segfmu_setup_message(
         return true;
     case 8:
         snprintf(text, size,
-            "the rope lengths of the feedback, %g to %g m, must be ascending; set "
-            "crane.rope_min and crane.rope_max",
+            "rope lengths must be positive and ascending, got %g to %g m; set the "
+            "crane's rope_min and rope_max",
+            report[SETUP_FAULT_VALUE],
+            report[SETUP_FAULT_BOUND]);
+        return true;
+    case 9:
+        snprintf(text, size,
+            "the observer has no finite gains between %g and %g m of rope; check masses, "
+            "lags and what it expects",
             report[SETUP_FAULT_VALUE],
             report[SETUP_FAULT_BOUND]);
         return true;
