@@ -31,7 +31,6 @@ from segfmu.kernels import backend
 from segfmu.kernels.control.records import Estimates
 from segfmu.kernels.crane.records import DRIVES, Axes, State
 from segfmu.kernels.messages import SETUP
-from segfmu.kernels.records import Record
 from segfmu.kernels.rig.records import Outputs, SetupFault, SetupStatus, Target
 from segfmu.kernels.rig.records import Setpoints as SetpointRecord
 
@@ -54,7 +53,7 @@ class CraneSlave(SpecSlave):
     def initialise(self) -> None:
         """Design the feedback and put the crane into its initial state."""
         crane = Crane.of(self.value)
-        state = self._filled(State)
+        state = self.filled(State)
         length, fault = float(state[State.POSITION + Axes.ROPE]), np.zeros(SetupFault.SIZE)
         status = backend.check_rope_bounds(length, 0.0, 0.0, fault)
         if status != SetupStatus.FITS:
@@ -123,21 +122,10 @@ class CraneSlave(SpecSlave):
         if feedback is not None:
             plant.retune(feedback)
 
-    def _filled(self, record: type[Record]) -> Any:
-        """A record of the kernels from the variables that feed it."""
-        filled = np.zeros(record.SIZE)
-        record.fill(filled, self.value)
-        return filled
-
     def _setpoints(self) -> Setpoints:
-        return Setpoints.of(self._filled(SetpointRecord))
+        return Setpoints.of(self.filled(SetpointRecord))
 
     def _show(self, plant: Plant) -> None:
-        self._show_record(Outputs, plant.outputs(self._filled(Target)))
+        self.show(Outputs, plant.outputs(self.filled(Target)))
         if self._tracking is not None:
-            self._show_record(Estimates, self._tracking.estimates)
-
-    def _show_record(self, record: type[Record], values: Any) -> None:
-        for place, name, _ in record.feeds():
-            boolean = self.spec.variable(name).kind == "Boolean"
-            self.assign((name,), (values[place] > 0.0 if boolean else values[place],))
+            self.show(Estimates, self._tracking.estimates)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from segfmu.fmu.gantry_feedforward.interface import MOST_WAYPOINTS, native_spec, spec
 from segfmu.fmu.model import Model
-from segfmu.kernels.crane.records import Masses, RopeBounds
+from segfmu.kernels.crane.records import Feedforward, LoadMotion, Masses, RopeBounds
+from segfmu.kernels.planner.records import LoadLimits, PlanOptions
 
 GANTRY_FEEDFORWARD = Model(
     name="GantryFeedforward",
@@ -12,6 +13,6 @@ GANTRY_FEEDFORWARD = Model(
     spec=spec,
     native_spec=native_spec,
     largest=lambda: native_spec(spec(MOST_WAYPOINTS)),
-    records=(Masses, RopeBounds),
+    records=(Masses, RopeBounds, PlanOptions, LoadLimits, LoadMotion, Feedforward),
     slave="segfmu.fmu.gantry_feedforward.slave:FeedforwardSlave",
 )

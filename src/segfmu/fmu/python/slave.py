@@ -6,12 +6,15 @@ from abc import abstractmethod
 from pathlib import Path
 from typing import Any, ClassVar
 
+import numpy as np
 from pythonfmu import Fmi2Slave
 from pythonfmu.enums import Fmi2Status
 
 from segfmu.errors import InputError, SegfmuError
 from segfmu.fmu.python.release import release_at_exit
 from segfmu.fmu.standard.spec import Spec, Value
+from segfmu.kernels.records import Record
+from segfmu.planning.arrays import FloatArray
 
 KINDS = {
     "real": ("Real",),
@@ -63,6 +66,18 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
         references = self.spec.references
         for name, value in zip(names, values, strict=True):
             self._values[references[name]] = value
+
+    def filled(self, record: type[Record]) -> FloatArray:
+        """A record of the kernels from the variables that feed it."""
+        array = np.zeros(record.SIZE)
+        record.fill(array, self.value)
+        return array
+
+    def show(self, record: type[Record], values: FloatArray) -> None:
+        """Set the variables of a record; a Boolean is true above 0."""
+        for place, name, _ in record.feeds():
+            boolean = self.spec.variable(name).kind == "Boolean"
+            self.assign((name,), (values[place] > 0.0 if boolean else values[place],))
 
     def setup_experiment(
         self, start_time: float, stop_time: float | None, tolerance: float | None
