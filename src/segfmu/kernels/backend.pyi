@@ -292,6 +292,14 @@ def check_rope(
     /,
 ) -> int: ...
 
+def check_range(
+    value: float,
+    least: float,
+    most: float,
+    fault: Floats,
+    /,
+) -> int: ...
+
 def ramp_duration(
     change: float,
     axis: Floats,

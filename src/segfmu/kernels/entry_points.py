@@ -51,6 +51,7 @@ from segfmu.kernels.crane.records import (
 )
 from segfmu.kernels.numerics.records import (
     RandomState,
+    RangeFault,
     Sinusoid,
 )
 from segfmu.kernels.planner.records import (
@@ -235,6 +236,7 @@ ENTRY_POINTS = (
     entry("rig.setup", "check_sensors", sensors=Sensors.SIZE, fault=SetupFault.SIZE),
     entry("rig.setup", "check_rope_bounds", fault=SetupFault.SIZE),
     entry("rig.setup", "check_lengths", lengths=RopeRange.SIZE, fault=SetupFault.SIZE),
+    entry("numerics.range", "check_range", fault=RangeFault.SIZE),
     entry("numerics.noise", "seed_numbers", numbers=RandomState.SIZE),
     entry("numerics.noise", "next_uniform", numbers=RandomState.SIZE),
     entry(

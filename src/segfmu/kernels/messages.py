@@ -19,6 +19,7 @@ from segfmu.kernels.crane.records import (
     RopeDemand,
     RopeFault,
 )
+from segfmu.kernels.numerics.records import AccessFault, AccessStatus, RangeFault, RangeStatus
 from segfmu.kernels.planner.records import PlanStatus, Refusal
 from segfmu.kernels.records import Record
 from segfmu.kernels.rig.records import SensorLimits, SetupFault, SetupStatus
@@ -194,4 +195,18 @@ SETUP = Messages(
     {"AXIS": AXES, "DRIVE": DRIVES},
 )
 
-TABLES = (PLAN, ROPE, PLANT, SETUP)
+# behind the name of a variable
+RANGE = Messages(
+    "range", RangeFault,
+    {
+        RangeStatus.BELOW: "must be at least {LEAST:g}, got {VALUE:g}",
+        RangeStatus.OUTSIDE: "must be at least {LEAST:g} and at most {MOST:g}, got {VALUE:g}",
+    },
+)
+
+ACCESS = Messages(
+    "access", AccessFault,
+    {AccessStatus.NO_VARIABLE: "there is no variable with value reference {REFERENCE:.0f}"},
+)
+
+TABLES = (RANGE, ACCESS, PLAN, ROPE, PLANT, SETUP)

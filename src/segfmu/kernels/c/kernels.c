@@ -5106,6 +5106,22 @@ int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, 
     (*cspan_at(&report, INT64_C(2))) = demand_bound(failed, bounds);
     return failed;
 }
+/*Whether a value is within its range; a `RangeStatus`. No range without an end below. */
+int64_t segfmu_check_range(double value, double least, double most, array_double_1d fault)
+{
+    (*cspan_at(&fault, INT64_C(0))) = value;
+    (*cspan_at(&fault, INT64_C(1))) = least;
+    (*cspan_at(&fault, INT64_C(2))) = most;
+    if ((value >= least) && (value <= most))
+    {
+        return INT64_C(0);
+    }
+    if (most > 1.7976931348623157e+308)
+    {
+        return INT64_C(1);
+    }
+    return INT64_C(2);
+}
 /*Share of the way from the newest to the other point at which to evaluate next, in (0, 1).    */
 /*                                                                                             */
 /*    e_newest, e_other and e_before are the errors at the points, 0 where they are not known. */

@@ -5,6 +5,42 @@
 
 #include "records.h"
 
+bool segfmu_range_message(
+    int64_t status, const double *report, char *text, size_t size)
+{
+    switch (status) {
+    case 1:
+        snprintf(text, size,
+            "must be at least %g, got %g",
+            report[RANGE_FAULT_LEAST],
+            report[RANGE_FAULT_VALUE]);
+        return true;
+    case 2:
+        snprintf(text, size,
+            "must be at least %g and at most %g, got %g",
+            report[RANGE_FAULT_LEAST],
+            report[RANGE_FAULT_MOST],
+            report[RANGE_FAULT_VALUE]);
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool segfmu_access_message(
+    int64_t status, const double *report, char *text, size_t size)
+{
+    switch (status) {
+    case 1:
+        snprintf(text, size,
+            "there is no variable with value reference %.0f",
+            report[ACCESS_FAULT_REFERENCE]);
+        return true;
+    default:
+        return false;
+    }
+}
+
 bool segfmu_plan_message(
     int64_t status, const double *report, char *text, size_t size)
 {

@@ -1038,6 +1038,32 @@ static PyObject *call_check_rope(
     return answer;
 }
 
+static PyObject *call_check_range(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "check_range", .values = values};
+    PyObject *answer = NULL;
+    double in_value;
+    double in_least;
+    double in_most;
+    Py_buffer *in_fault;
+    (void)self;
+    if (take_count(&call, count, 4)
+        && take_float(&call, 0, &in_value)
+        && take_float(&call, 1, &in_least)
+        && take_float(&call, 2, &in_most)
+        && (in_fault = take_array(&call, 3, 1, 'd', true)) != NULL
+        && has_at_least(&call, "fault", 0, in_fault->shape[0], 3)) {
+        answer = PyLong_FromLongLong(segfmu_check_range(
+            in_value,
+            in_least,
+            in_most,
+            (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_ramp_duration(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -2066,6 +2092,7 @@ static PyMethodDef methods[] = {
     {"evaluate_orders", (PyCFunction)(void (*)(void))call_evaluate_orders, METH_FASTCALL, NULL},
     {"check_plan", (PyCFunction)(void (*)(void))call_check_plan, METH_FASTCALL, NULL},
     {"check_rope", (PyCFunction)(void (*)(void))call_check_rope, METH_FASTCALL, NULL},
+    {"check_range", (PyCFunction)(void (*)(void))call_check_range, METH_FASTCALL, NULL},
     {"ramp_duration", (PyCFunction)(void (*)(void))call_ramp_duration, METH_FASTCALL, NULL},
     {"measure_phases", (PyCFunction)(void (*)(void))call_measure_phases, METH_FASTCALL, NULL},
     {"shortest_profile", (PyCFunction)(void (*)(void))call_shortest_profile, METH_FASTCALL, NULL},

@@ -589,6 +589,28 @@ enum {
     RANDOM_STATE_SIZE = 2
 };
 
+enum {
+    RANGE_STATUS_INSIDE = 0,
+    RANGE_STATUS_BELOW = 1,
+    RANGE_STATUS_OUTSIDE = 2
+};
+
+enum {
+    RANGE_FAULT_VALUE = 0,
+    RANGE_FAULT_LEAST = 1,
+    RANGE_FAULT_MOST = 2,
+    RANGE_FAULT_SIZE = 3
+};
+
+enum {
+    ACCESS_STATUS_NO_VARIABLE = 1
+};
+
+enum {
+    ACCESS_FAULT_REFERENCE = 0,
+    ACCESS_FAULT_SIZE = 1
+};
+
 /* kernels/planner/records.py */
 
 enum {

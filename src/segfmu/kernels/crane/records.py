@@ -264,7 +264,7 @@ class Work(Record):
     RATES = field("how they change in it", of=CommandRates)
     LOAD_FORCE = field("force on the load, held", "N", of=Vector)
     STAGES = field("derivatives of the state", size=Stages.SIZE, of=PlantState)
-    TRIAL = field("state at the end of the step that is tried", of=PlantState)
+    TRIAL = field("state to which the step that is tried leads", of=PlantState)
     STEP = field("step to try first, 0: the whole interval; kept for the next call", "s")
     GENERALISED = field("generalised forces", of=GeneralisedForce)
     ACTION = field("what acts", of=StageAction)
