@@ -51,9 +51,8 @@ def of_python(source: str) -> Iterator[str]:
             yield "".join(
                 str(v.value) if isinstance(v, ast.Constant) else " % " for v in node.values
             )
-        elif isinstance(node, ast.Constant) and isinstance(node.value, str):
-            if id(node) not in parts:
-                yield node.value
+        elif isinstance(node, ast.Constant) and id(node) not in parts:
+            yield node.value if isinstance(node.value, str) else ""
 
 
 def of_c(source: str) -> Iterator[str]:
