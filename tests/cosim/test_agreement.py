@@ -9,9 +9,9 @@ import pytest
 
 from segfmu import Crane, FlatInverse, plan
 from segfmu.cosim import simulate
-from segfmu.crane import Plant, Setpoints
+from segfmu.crane import Plant, Rig, Setpoints
 from segfmu.crane.feedback import design
-from segfmu.fmu.gantry_crane.rig_parameters import rig_from, rig_parameters
+from segfmu.fmu.gantry_crane.rig_parameters import rig_parameters
 from tests.fmu.python.test_slaves import LIMITS, POINTS
 
 STEP, STOP = 0.004, 2.0
@@ -45,7 +45,7 @@ def pure(driven: bool, values: dict[str, float], events: bool) -> tuple[list, li
 
     plant = Plant(
         crane, crane.hanging([0.0, 0.0, -0.5]), setpoints(0.0), gains, driven=driven,
-        rig=rig_from(parameters.__getitem__),
+        rig=Rig.of(parameters.__getitem__),
     )
     rows = [(plant.state, plant.measured, plant.drive_force.copy())]
     for i in range(1, round(STOP / STEP) + 1):

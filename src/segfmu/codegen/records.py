@@ -105,7 +105,7 @@ def _section(one: Declared) -> Iterator[str]:
 
 def _row(one: type[Record], name: str, declared: Field) -> str:
     meaning = declared.meaning + (f"; see {declared.of.__name__}" if declared.of else "")
-    variables = ", ".join(f"`{v}`" for v in declared.variables)
+    variables = ", ".join(f"`{v.replace('{}', 'i')}`" for v in declared.variables if v)
     size = str(declared.size) if declared.size else "any"
     cells = (name, str(getattr(one, name)), size, declared.unit, meaning, variables)
     return "| " + " | ".join(cells) + " |"

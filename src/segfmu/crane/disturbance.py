@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Literal
 
 import numpy as np
@@ -14,15 +15,16 @@ from segfmu.crane.checks import (
     require_seed,
     sized,
 )
+from segfmu.crane.variables import Value, build, fed, values
 from segfmu.errors import InputError
 from segfmu.kernels import backend
+from segfmu.kernels.crane.records import Plant
 from segfmu.kernels.numerics.records import RandomState, Sinusoid
+from segfmu.kernels.rig.records import Disturbance, WindNoise
+from segfmu.kernels.rig.records import PayloadChange as Change
 from segfmu.planning.arrays import FloatArray
 
 SHAPES = ("cosine", "sine")
-
-# sines in the noise of the wind
-COMPONENTS = 32
 
 Vector = tuple[float, float, float]
 
@@ -85,24 +87,22 @@ class Wind:
             require_not_negative(f"wind deviation along {axis}", value)
         require_positive("wind bandwidth", self.bandwidth)
         require_seed("wind seed", self.seed)
-        components = np.zeros((COMPONENTS if deviation.any() else 0, Sinusoid.SIZE))
+        components = np.zeros((Disturbance.COMPONENTS if deviation.any() else 0, Sinusoid.SIZE))
         numbers = np.zeros(RandomState.SIZE)
         backend.seed_numbers(self.seed, numbers)
         backend.noise_components(self.bandwidth, deviation, numbers, components)
         object.__setattr__(self, "components", components)
 
     def values(self) -> dict[str, float]:
-        """As the FMU's variables, without those of the noise."""
-        gust = self.gust or Gust(0.0, 1.0, (0.0, 0.0, 0.0))
-        found = {
-            "wind.gust.start": gust.start,
-            "wind.gust.duration": gust.duration if self.gust else 0.0,
-            # the item of the enumeration
-            "wind.gust.shape": 1 + SHAPES.index(gust.shape),
-        }
-        for name, vector in (("constant", self.constant), ("gust.force", gust.force)):
-            found |= {f"wind.{name}.{a}": v for a, v in zip("xyz", vector, strict=True)}
-        return found
+        """As the FMU's variables."""
+        gust = values(self.gust or Gust(0.0, 1.0, (0.0, 0.0, 0.0)), GUST)
+        return values(self, WIND) | gust | ({} if self.gust else {DURATION: 0.0})
+
+    @classmethod
+    def of(cls, value: Value) -> Wind:
+        """From the FMU's variables; `value` gives them by name."""
+        gust = build(Gust, GUST, value) if float(value(DURATION)) > 0.0 else None
+        return build(partial(cls, gust=gust), WIND, value)
 
 
 @dataclass(frozen=True)
@@ -115,3 +115,16 @@ class PayloadChange:
     def __post_init__(self) -> None:
         require_finite("payload change time", self.time)
         require_positive("payload change mass", self.mass)
+
+
+# variables of the classes' fields
+GUST = {
+    "start": fed(Plant, "GUST_START"), "duration": fed(Plant, "GUST_DURATION"),
+    "force": fed(Plant, "GUST_FORCE"), "shape": fed(Plant, "GUST_SHAPE", items=SHAPES),
+}
+WIND = {
+    "constant": fed(Plant, "WIND"), "deviation": fed(WindNoise, "DEVIATION"),
+    "bandwidth": fed(WindNoise, "BANDWIDTH"), "seed": fed(WindNoise, "SEED", whole=True),
+}
+PAYLOAD = {"time": fed(Change, "TIME"), "mass": fed(Change, "MASS")}
+(DURATION,) = GUST["duration"].variables

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from segfmu.crane.checks import require_not_negative, require_positive, sized
+from segfmu.crane.variables import Fed, fed
 from segfmu.errors import InputError
 from segfmu.kernels import backend
-from segfmu.kernels.crane.records import AXES, DRIVES
+from segfmu.kernels.crane.records import AXES, DRIVES, Plant
 from segfmu.kernels.messages import SETUP
 from segfmu.kernels.rig.records import SetupFault, SetupStatus
 
@@ -51,14 +52,6 @@ class Drive:
             if getattr(self, name) is not None:
                 require_positive(f"drive {name}", getattr(self, name))
 
-    def values(self, drive: str) -> dict[str, float]:
-        """As the FMU's variables of a drive."""
-        return {
-            f"drive.{drive}.lag": self.lag,
-            f"drive.{drive}.force_max": self.force_max or 0.0,
-            f"drive.{drive}.acceleration_max": self.acceleration_max or 0.0,
-        }
-
 
 @dataclass(frozen=True)
 class Friction:
@@ -93,14 +86,6 @@ class Friction:
         require_positive("friction width", self.width)
         require_not_negative("friction sway", self.sway)
 
-    def values(self) -> dict[str, float]:
-        """As the FMU's variables."""
-        found = {"friction.width": self.width, "friction.sway.viscous": self.sway}
-        for drive, viscous, coulomb in zip(DRIVES, self.viscous, self.coulomb, strict=True):
-            found[f"friction.{drive}.viscous"] = viscous
-            found[f"friction.{drive}.coulomb"] = coulomb
-        return found
-
 
 @dataclass(frozen=True)
 class TravelLimits:
@@ -133,10 +118,23 @@ class TravelLimits:
         if status != SetupStatus.FITS:
             raise InputError(SETUP.text(status, fault.tolist()))
 
-    def values(self) -> dict[str, float]:
-        """As the FMU's variables."""
-        found = {}
-        for name in AXES:
-            least, most = getattr(self, name) or (-UNLIMITED, UNLIMITED)
-            found[f"travel.{name}.min"], found[f"travel.{name}.max"] = least, most
-        return found
+
+def _stops(axis: int) -> Fed:
+    least, greatest = (Plant.FIELDS[n].variables[axis] for n in ("TRAVEL_MIN", "TRAVEL_MAX"))
+    return Fed((least, greatest), (-UNLIMITED, UNLIMITED))
+
+
+# variables of the classes' fields; of a drive, those of bridge, trolley and hoist
+DRIVE = tuple(
+    {
+        "lag": fed(Plant, "LAG", i),
+        "force_max": fed(Plant, "FORCE_MAX", i, none=(0.0,)),
+        "acceleration_max": fed(Plant, "ACCELERATION_MAX", i, none=(0.0,)),
+    }
+    for i in range(len(DRIVES))
+)
+FRICTION = {
+    "viscous": fed(Plant, "VISCOUS"), "coulomb": fed(Plant, "COULOMB"),
+    "width": fed(Plant, "FRICTION_WIDTH"), "sway": fed(Plant, "SWAY_DAMPING"),
+}
+TRAVEL = {name: _stops(i) for i, name in enumerate(AXES)}

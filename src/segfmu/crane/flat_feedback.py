@@ -20,7 +20,6 @@ from segfmu.crane.parameters import Crane
 from segfmu.kernels import backend
 from segfmu.kernels.control.design import largest_angle, largest_hoist_angle
 from segfmu.kernels.control.records import Gains
-from segfmu.kernels.crane.records import DriveMode, Plant
 from segfmu.planning.arrays import FloatArray
 
 RATIO = 1.1
@@ -45,8 +44,7 @@ def flat_gain(
     """
     hoist = bandwidth if hoist_bandwidth is None else hoist_bandwidth
     gains = np.zeros((Gains.SIZE, Gains.COLUMNS))
-    plant = np.array([*crane.masses, DriveMode.VELOCITY if driven else DriveMode.FORCE])
-    backend.feedback_gains(plant, length, bandwidth, hoist, damping, gains)
+    backend.feedback_gains(crane.plant(driven), length, bandwidth, hoist, damping, gains)
     return gains[Gains.AXES :]
 
 
@@ -95,13 +93,7 @@ def design_flat(
     require_positive("feedback damping", damping)
     require_not_negative("feedback lag", lag)
     lengths = scheduled_lengths(shortest, longest, rows)
-
-    plant = np.zeros(Plant.SIZE)
-    plant[Plant.BRIDGE_MASS : Plant.MODE] = crane.masses
-    plant[Plant.MODE] = DriveMode.VELOCITY if driven else DriveMode.FORCE
-    plant[Plant.LAG : Plant.FORCE_MAX] = lag
     design = np.array([sample_time, ratio, hoist_ratio, damping])
     table = np.zeros((lengths.size, Gains.SIZE, Gains.COLUMNS))
-    for length, gains in zip(lengths.tolist(), table, strict=True):
-        backend.design_flat_gains(plant, design, length, gains)
+    backend.flat_table(crane.plant(driven, lag), design, lengths.size, lengths, table)
     return SwayFeedback(sample_time, lengths, table[:, Gains.AXES :].copy(), crane.payload_mass)

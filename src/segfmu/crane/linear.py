@@ -11,7 +11,11 @@ from scipy.linalg import expm
 
 from segfmu.crane.parameters import Crane
 from segfmu.errors import InputError
+from segfmu.kernels import backend
+from segfmu.kernels.control.records import RopeRange
 from segfmu.kernels.crane.records import Axes, State
+from segfmu.kernels.messages import SETUP
+from segfmu.kernels.rig.records import SetupFault, SetupStatus
 from segfmu.planning.arrays import FloatArray
 
 Masses = tuple[float, float, float, float]
@@ -99,11 +103,16 @@ def scheduled_lengths(shortest: float, longest: float, rows: int = ROWS) -> Floa
     InputError
         For rope lengths that are not positive or not ascending.
     """
-    if not 0.0 < shortest <= longest < np.inf:
-        raise InputError(
-            f"rope lengths must be positive and ascending, got {shortest!r} to {longest!r} m"
-        )
-    if longest == shortest:
-        return np.array([shortest])
-    lengths: FloatArray = np.geomspace(shortest, longest, rows)
-    return lengths
+    ends, fault = np.array([shortest, longest]), np.zeros(SetupFault.SIZE)
+    status = backend.check_lengths(ends, fault)
+    if status != SetupStatus.FITS:
+        raise InputError(SETUP.text(status, fault.tolist()))
+    lengths = np.zeros(rows)
+    return lengths[: backend.table_lengths(shortest, longest, rows, lengths)].copy()
+
+
+def rope_range(crane: Crane, length: float) -> tuple[float, float]:
+    """Ends [m] of a controller's table: the crane's range, or by the rope's length at the start."""
+    found = np.zeros(RopeRange.SIZE)
+    backend.rope_range(length, crane.rope_min or 0.0, crane.rope_max or 0.0, found)
+    return float(found[RopeRange.SHORTEST]), float(found[RopeRange.LONGEST])

@@ -20,12 +20,14 @@ import numpy as np
 from segfmu.crane.checks import require_not_negative, require_positive, sized
 from segfmu.crane.linear import ROWS, scheduled_lengths
 from segfmu.crane.parameters import Crane
+from segfmu.crane.variables import fed, values
 from segfmu.errors import InputError
 from segfmu.kernels import backend
-from segfmu.kernels.control.records import AxisModel, Kalman, Tracking
+from segfmu.kernels.control.records import AxisModel, Expected, Kalman
 from segfmu.kernels.control.records import Observer as Table
 from segfmu.kernels.control.records import Uncertainty as Expectations
-from segfmu.kernels.crane.records import DriveMode, Plant
+from segfmu.kernels.messages import SETUP
+from segfmu.kernels.rig.records import SetupFault, SetupStatus
 from segfmu.planning.arrays import FloatArray
 
 # of the design's work space
@@ -72,18 +74,16 @@ class Uncertainty:
         for name in ("wake", "offset"):
             require_not_negative(f"uncertainty {name}", getattr(self, name))
 
-    def vector(self, gravity: float) -> FloatArray:
-        """The kernels' `Expected`, walks in m/s2; shape (5,)."""
-        walks = self.drift * gravity, self.wind * gravity
-        return np.array([self.position, self.length, self.angle, *walks])
+    @property
+    def vector(self) -> FloatArray:
+        """The kernels' `Uncertainty`, shape (7,)."""
+        packed = np.zeros(Expectations.SIZE)
+        Expectations.fill(packed, values(self, UNCERTAINTY).__getitem__)
+        return packed
 
-    def noise(self, gravity: float, longest: float, sample_time: float) -> FloatArray:
-        """What the kernels' `Tracking` has of this, from WAKE_POSITION on; shape (7,)."""
-        given = np.array([getattr(self, n.lower()) for n in Expectations.FIELDS])
-        tracking = np.zeros(Tracking.SIZE)
-        tracking[Tracking.PERIOD] = sample_time
-        backend.set_noise(given, gravity, longest, tracking)
-        return tracking[Tracking.WAKE_POSITION :]
+
+# variables of the fields
+UNCERTAINTY = {name.lower(): fed(Expectations, name) for name in Expectations.FIELDS}
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,8 +102,7 @@ class Observer:
         Whether measured signals are one sample old.
     table : ndarray, shape (rows, 19, 10)
         The kernels' `Observer` for ascending rope lengths.
-    noise : ndarray, shape (7,)
-        `Uncertainty.noise`.
+    uncertainty : Uncertainty
     """
 
     crane: Crane
@@ -111,7 +110,7 @@ class Observer:
     driven: bool
     delayed: bool
     table: FloatArray
-    noise: FloatArray
+    uncertainty: Uncertainty
 
     @property
     def lengths(self) -> FloatArray:
@@ -163,19 +162,14 @@ def design_observer(
     expected = uncertainty or Uncertainty()
     table = np.zeros((lengths.size, Table.SIZE, Table.COLUMNS))
     work = np.zeros((Kalman.SIZE, WORK_COLUMNS))
-    plant = np.zeros(Plant.SIZE)
-    plant[Plant.BRIDGE_MASS : Plant.MODE] = crane.masses
-    plant[Plant.MODE] = DriveMode.VELOCITY if driven else DriveMode.FORCE
-    plant[Plant.LAG : Plant.FORCE_MAX] = lags
     # what overflows is told below, by interpreted kernels as by compiled ones
     with np.errstate(all="ignore"):
-        walks = expected.vector(crane.gravity)
-        for length, block in zip(lengths, table, strict=True):
-            backend.observer_design(plant, sample_time, float(length), walks, work, block)
-    if not np.isfinite(table).all():
-        raise InputError(
-            f"the observer has no finite gains between {shortest} and {longest} m of rope; check "
-            "masses, lags and what it expects"
+        finite = backend.observer_table(
+            crane.plant(driven, lags), sample_time, expected.vector, lengths.size, lengths,
+            np.zeros(Expected.SIZE), work, table,
         )
-    noise = expected.noise(crane.gravity, longest, sample_time)
-    return Observer(crane, sample_time, driven, delayed, table, noise)
+    if not finite:
+        fault = np.zeros(SetupFault.SIZE)
+        fault[[SetupFault.VALUE, SetupFault.BOUND]] = shortest, longest
+        raise InputError(SETUP.text(SetupStatus.OBSERVER, fault.tolist()))
+    return Observer(crane, sample_time, driven, delayed, table, expected)

@@ -8,8 +8,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from segfmu.crane.checks import require_positive, sized
+from segfmu.crane.variables import Value, build, fed, values
 from segfmu.errors import InputError
 from segfmu.kernels import backend
+from segfmu.kernels.crane.records import DriveMode, Masses, Plant, RopeBounds
 from segfmu.kernels.messages import SETUP
 from segfmu.kernels.rig.records import SetupFault, SetupStatus
 from segfmu.planning.arrays import FloatArray
@@ -66,16 +68,22 @@ class Crane:
             float(self.gravity),
         )
 
+    def plant(self, driven: bool, lag: ArrayLike = 0.0) -> FloatArray:
+        """The kernels' `Plant` with ideal drives but for lags [s], scalar or (3,)."""
+        packed = np.zeros(Plant.SIZE)
+        packed[Plant.BRIDGE_MASS : Plant.MODE] = self.masses
+        packed[Plant.MODE] = DriveMode.VELOCITY if driven else DriveMode.FORCE
+        packed[Plant.LAG : Plant.FORCE_MAX] = lag
+        return packed
+
     def values(self) -> dict[str, float]:
         """As the FMUs' variables; a rope bound of 0 means none."""
-        return {
-            "crane.bridge_mass": self.bridge_mass,
-            "crane.trolley_mass": self.trolley_mass,
-            "crane.payload_mass": self.payload_mass,
-            "crane.gravity": self.gravity,
-            "crane.rope_min": self.rope_min or 0.0,
-            "crane.rope_max": self.rope_max or 0.0,
-        }
+        return values(self, CRANE)
+
+    @classmethod
+    def of(cls, value: Value) -> Crane:
+        """The crane that variables of an FMU describe; `value` gives them by name."""
+        return build(cls, CRANE, value)
 
     def rhs(
         self, state: ArrayLike, force: ArrayLike, load_force: ArrayLike = (0.0, 0.0, 0.0)
@@ -116,3 +124,12 @@ class Crane:
         if z >= 0.0:
             raise InputError(f"position z {z} m must be below the trolley, z < 0")
         return np.array([x, y, -z, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0])
+
+
+# variables of the fields
+CRANE = {
+    "bridge_mass": fed(Masses, "BRIDGE_MASS"), "trolley_mass": fed(Masses, "TROLLEY_MASS"),
+    "payload_mass": fed(Masses, "PAYLOAD_MASS"), "gravity": fed(Masses, "GRAVITY"),
+    "rope_min": fed(RopeBounds, "SHORTEST", none=(0.0,)),
+    "rope_max": fed(RopeBounds, "LONGEST", none=(0.0,)),
+}

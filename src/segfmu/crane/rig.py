@@ -6,11 +6,12 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from segfmu.crane.disturbance import PayloadChange, Wind
-from segfmu.crane.equipment import Drive, Friction, TravelLimits
+from segfmu.crane.disturbance import PAYLOAD, PayloadChange, Wind
+from segfmu.crane.equipment import DRIVE, FRICTION, TRAVEL, Drive, Friction, TravelLimits
 from segfmu.crane.parameters import Crane
-from segfmu.crane.sensors import Sensors
-from segfmu.kernels.crane.records import DRIVES, DriveMode, Plant
+from segfmu.crane.sensors import SENSORS, Sensors
+from segfmu.crane.variables import Value, build, values
+from segfmu.kernels.crane.records import DriveMode, Plant
 from segfmu.planning.arrays import FloatArray
 
 
@@ -50,12 +51,32 @@ class Rig:
 
     def parameters(self, crane: Crane, driven: bool) -> FloatArray:
         """The kernels' `Plant`, shape (37,)."""
-        values = crane.values() | self.friction.values() | self.travel.values()
-        for name, drive in zip(DRIVES, self.drives, strict=True):
-            values |= drive.values(name)
-        values |= self.wind.values()
+        found = crane.values() | values(self.friction, FRICTION) | values(self.travel, TRAVEL)
+        for drive, mapping in zip(self.drives, DRIVE, strict=True):
+            found |= values(drive, mapping)
+        found |= self.wind.values()
         # the item of the enumeration
-        values["drive.mode"] = 1 + (DriveMode.VELOCITY if driven else DriveMode.FORCE)
+        found["drive.mode"] = 1 + (DriveMode.VELOCITY if driven else DriveMode.FORCE)
         packed = np.zeros(Plant.SIZE)
-        Plant.fill(packed, values.__getitem__)
+        Plant.fill(packed, found.__getitem__)
         return packed
+
+    @classmethod
+    def of(cls, value: Value) -> Rig:
+        """The rig that variables of the FMU describe; `value` gives them by name.
+
+        Raises
+        ------
+        InputError
+            For values that do not fit together.
+        """
+        bridge, trolley, hoist = (build(Drive, mapping, value) for mapping in DRIVE)
+        return cls(
+            bridge, trolley, hoist, build(Friction, FRICTION, value),
+            build(TravelLimits, TRAVEL, value), build(Sensors, SENSORS, value), Wind.of(value),
+            tuple(_change(value, i) for i in range(1, int(value("payload.count")) + 1)),
+        )
+
+
+def _change(value: Value, row: int) -> PayloadChange:
+    return build(PayloadChange, PAYLOAD, lambda name: value(name.format(row)))

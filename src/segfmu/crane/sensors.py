@@ -8,11 +8,12 @@ from math import pi
 import numpy as np
 
 from segfmu.crane.checks import require_not_negative, require_positive, require_seed, sized
+from segfmu.crane.variables import fed, values
 from segfmu.errors import InputError
 from segfmu.kernels import backend
 from segfmu.kernels.messages import SETUP
-from segfmu.kernels.rig.records import SIGNALS, SetupFault, SetupStatus
 from segfmu.kernels.rig.records import Sensors as Settings
+from segfmu.kernels.rig.records import SetupFault, SetupStatus
 from segfmu.planning.arrays import FloatArray
 
 Five = tuple[float, float, float, float, float]
@@ -81,16 +82,13 @@ class Sensors:
     def vector(self) -> FloatArray:
         """The kernels' `Sensors`, shape (18,)."""
         packed = np.zeros(Settings.SIZE)
-        Settings.fill(packed, self.values().__getitem__)
+        Settings.fill(packed, values(self, SENSORS).__getitem__)
         return packed
 
-    def values(self) -> dict[str, float]:
-        """As the FMU's variables."""
-        found = {
-            "sensor.sample_time": self.sample_time, "sensor.dead_time": self.dead_time,
-            "sensor.seed": float(self.seed),
-        }
-        for name in ("resolution", "deviation", "offset"):
-            for signal, value in zip(SIGNALS, getattr(self, name), strict=True):
-                found[f"sensor.{signal}.{name}"] = value
-        return found
+
+# variables of the fields
+SENSORS = {
+    "sample_time": fed(Settings, "SAMPLE_TIME"), "dead_time": fed(Settings, "DEAD_TIME"),
+    "resolution": fed(Settings, "RESOLUTION"), "deviation": fed(Settings, "DEVIATION"),
+    "offset": fed(Settings, "OFFSET"), "seed": fed(Settings, "SEED", whole=True),
+}

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from segfmu.kernels.rig.records import Setpoints as Record
 from segfmu.planning.arrays import FloatArray
 
 
@@ -27,6 +28,12 @@ class Setpoints:
     velocity: FloatArray = field(default_factory=lambda: np.zeros(3))
     reference: FloatArray = field(default_factory=lambda: np.zeros(10))
     wind: FloatArray = field(default_factory=lambda: np.zeros(3))
+
+    @classmethod
+    def of(cls, vector: FloatArray) -> Setpoints:
+        """From the kernels' `Setpoints`, shape (19,)."""
+        ends = Record.VELOCITY, Record.REFERENCE, Record.WIND
+        return cls(*np.split(vector, ends))
 
     @property
     def vector(self) -> FloatArray:

@@ -7,14 +7,12 @@ action), limits without windup, and switching without a bump; the tick itself is
 
 from __future__ import annotations
 
-from math import exp
-
 import numpy as np
 from numpy.typing import ArrayLike
 
 from segfmu.crane.checks import require_not_negative, require_positive, sized
 from segfmu.crane.feedback import SwayFeedback
-from segfmu.crane.linear import SIGNS, moved_masses
+from segfmu.crane.linear import SIGNS
 from segfmu.crane.observer import Observer
 from segfmu.errors import InputError
 from segfmu.kernels import backend
@@ -28,15 +26,16 @@ from segfmu.kernels.control.records import (
     Tick,
     Tracker,
     Tracking,
+    TrackingDesign,
+    Uncertainty,
     VelocityCommand,
 )
-from segfmu.kernels.crane.records import Axes, Coordinates, DriveMode, State
+from segfmu.kernels.crane.records import Axes, Coordinates, State
 from segfmu.planning.arrays import FloatArray
 
 # parameters, the observer's table, gains and memory of the kernel
 Arrays = tuple[FloatArray, FloatArray, FloatArray, FloatArray]
 
-UNLIMITED = 1e99
 # s
 FADE = 0.1
 PAYLOAD_TIME = 2.0
@@ -90,19 +89,21 @@ class TrackingController:
         period = observer.sample_time
         self.observer = observer
         own = np.zeros(Tracking.SIZE)
-        own[Tracking.MODE] = DriveMode.VELOCITY if observer.driven else DriveMode.FORCE
-        own[Tracking.PERIOD], own[Tracking.DELAYED] = period, observer.delayed
-        own[Tracking.MASSES : Tracking.GRAVITY] = moved_masses(observer.crane.masses)
-        own[Tracking.GRAVITY] = observer.crane.gravity
-        own[Tracking.PAYLOAD_SHARE] = period / payload_time
-        own[Tracking.WAKE_POSITION :] = observer.noise
-        least, greatest = _limits("lower", lower, -UNLIMITED), _limits("upper", upper, UNLIMITED)
+        own[Tracking.PERIOD] = period
+        design = np.zeros(TrackingDesign.SIZE)
+        design[: Uncertainty.SIZE] = observer.uncertainty.vector
+        design[TrackingDesign.DEAD_TIME] = period if observer.delayed else 0.0
+        design[TrackingDesign.PAYLOAD_TIME] = payload_time
+        backend.set_tracking(
+            observer.crane.plant(observer.driven), design, float(observer.lengths[-1]), own
+        )
+        limits = own[Tracking.LEAST : Tracking.GAINS_PAYLOAD].reshape(2, Axes.SIZE)
+        least, greatest = _limits("lower", lower, limits[0]), _limits("upper", upper, limits[1])
         if (least > greatest).any():
             raise InputError(
                 f"lower must not be above upper, got {least.tolist()} and {greatest.tolist()}"
             )
-        own[Tracking.LEAST : Tracking.GREATEST] = least
-        own[Tracking.GREATEST : Tracking.GAINS_PAYLOAD] = greatest
+        limits[0], limits[1] = least, greatest
         self._parameters = own
         self._memory = np.zeros((Tracker.SIZE, Tracker.COLUMNS))
         self.fade = fade
@@ -146,8 +147,7 @@ class TrackingController:
     def fade(self, value: float) -> None:
         require_not_negative("fade", value)
         self._parameters[Tracking.FADE] = value
-        decay = exp(-self.sample_time / value) if value > 0.0 else 0.0
-        self._parameters[Tracking.DECAY] = decay
+        backend.set_fading(self._parameters)
 
     @property
     def feedback(self) -> SwayFeedback:
@@ -263,5 +263,5 @@ class TrackingController:
         return tick[Tick.CORRECTION, Correction.VALUE : Correction.FADING].copy()
 
 
-def _limits(name: str, value: ArrayLike | None, default: float) -> FloatArray:
-    return np.full(3, default) if value is None else sized(name, value, 3)
+def _limits(name: str, value: ArrayLike | None, default: FloatArray) -> FloatArray:
+    return default if value is None else sized(name, value, 3)

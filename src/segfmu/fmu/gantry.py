@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
-
-from segfmu.crane import Crane
 from segfmu.fmu.standard.spec import Terminal, Variable, parameter
 
 SETPOINTS = Terminal(
@@ -30,11 +26,3 @@ def crane_parameters(which: str) -> list[Variable]:
         parameter("crane.rope_min", 0.16, "m", f"{which}: shortest rope; 0: no bound", minimum=0.0),
         parameter("crane.rope_max", 1.5, "m", f"{which}: longest rope; 0: no bound", minimum=0.0),
     ]
-
-
-def crane_from(value: Callable[[str], Any]) -> Crane:
-    """The crane that parameters describe; a rope bound of 0 means none."""
-    names = ("bridge_mass", "trolley_mass", "payload_mass", "gravity", "rope_min", "rope_max")
-    *masses, shortest, longest = (float(value(f"crane.{name}")) for name in names)
-    bridge, trolley, payload, gravity = masses
-    return Crane(bridge, trolley, payload, gravity, shortest or None, longest or None)

@@ -97,22 +97,6 @@ def feedback_gains(
     /,
 ) -> None: ...
 
-def design_flat_gains(
-    plant: Floats,
-    design: Floats,
-    length: float,
-    gains: Floats,
-    /,
-) -> None: ...
-
-def set_noise(
-    uncertainty: Floats,
-    gravity: float,
-    longest: float,
-    tracking: Floats,
-    /,
-) -> None: ...
-
 def observer_design(
     plant: Floats,
     sample_time: float,
@@ -122,6 +106,43 @@ def observer_design(
     table: Floats,
     /,
 ) -> None: ...
+
+def rope_range(
+    length: float,
+    shortest: float,
+    longest: float,
+    found: Floats,
+    /,
+) -> None: ...
+
+def table_lengths(
+    shortest: float,
+    longest: float,
+    rows: int,
+    lengths: Floats,
+    /,
+) -> int: ...
+
+def flat_table(
+    plant: Floats,
+    design: Floats,
+    rows: int,
+    lengths: Floats,
+    table: Floats,
+    /,
+) -> None: ...
+
+def observer_table(
+    plant: Floats,
+    sample_time: float,
+    uncertainty: Floats,
+    rows: int,
+    lengths: Floats,
+    expected: Floats,
+    work: Floats,
+    table: Floats,
+    /,
+) -> bool: ...
 
 def observer_predict(
     length: float,
@@ -139,6 +160,31 @@ def observer_correct(
     measured: Floats,
     reference: Floats,
     estimate: Floats,
+    /,
+) -> None: ...
+
+def sampled_late(
+    dead_time: float,
+    sample_time: float,
+    /,
+) -> bool: ...
+
+def drive_bound(
+    plant: Floats,
+    axis: int,
+    /,
+) -> float: ...
+
+def set_tracking(
+    plant: Floats,
+    design: Floats,
+    longest: float,
+    tracking: Floats,
+    /,
+) -> None: ...
+
+def set_fading(
+    tracking: Floats,
     /,
 ) -> None: ...
 
@@ -243,6 +289,14 @@ def check_rope(
     bounds: Floats,
     work: Floats,
     report: Floats,
+    /,
+) -> int: ...
+
+def check_range(
+    value: float,
+    least: float,
+    most: float,
+    fault: Floats,
     /,
 ) -> int: ...
 
@@ -445,6 +499,12 @@ def check_rope_bounds(
     length: float,
     shortest: float,
     longest: float,
+    fault: Floats,
+    /,
+) -> int: ...
+
+def check_lengths(
+    lengths: Floats,
     fault: Floats,
     /,
 ) -> int: ...

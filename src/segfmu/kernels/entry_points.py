@@ -20,9 +20,11 @@ from segfmu.kernels.control.records import (
     Gains,
     Kalman,
     Observer,
+    RopeRange,
     Tick,
     Tracker,
     Tracking,
+    TrackingDesign,
     Uncertainty,
 )
 from segfmu.kernels.crane.records import (
@@ -49,6 +51,7 @@ from segfmu.kernels.crane.records import (
 )
 from segfmu.kernels.numerics.records import (
     RandomState,
+    RangeFault,
     Sinusoid,
 )
 from segfmu.kernels.planner.records import (
@@ -159,11 +162,24 @@ ENTRY_POINTS = (
         gains=("lengths", Gains.SIZE, Gains.COLUMNS), correction=Axes.SIZE,
     ),
     entry("control.feedback", "feedback_bandwidth"),
-    entry("control.design", "set_noise", uncertainty=Uncertainty.SIZE, tracking=Tracking.SIZE),
+    entry("control.design", "rope_range", found=RopeRange.SIZE),
+    entry("control.design", "table_lengths", lengths="rows"),
     entry(
-        "control.design", "design_flat_gains", plant=Plant.SIZE, design=FlatDesign.SIZE,
-        gains=(Gains.SIZE, Gains.COLUMNS),
+        "control.design", "flat_table", plant=Plant.SIZE, design=FlatDesign.SIZE, lengths="rows",
+        table=("rows", Gains.SIZE, Gains.COLUMNS),
     ),
+    entry(
+        "control.design", "observer_table", plant=Plant.FORCE_MAX, uncertainty=Uncertainty.SIZE,
+        lengths="rows", expected=Expected.SIZE, work=(Kalman.SIZE, 2 * AxisModel.SIZE),
+        table=("rows", Observer.SIZE, Observer.COLUMNS),
+    ),
+    entry("control.setting", "sampled_late"),
+    entry("control.setting", "drive_bound", plant=Plant.VISCOUS),
+    entry(
+        "control.setting", "set_tracking", plant=Plant.VISCOUS, design=TrackingDesign.SIZE,
+        tracking=Tracking.SIZE,
+    ),
+    entry("control.setting", "set_fading", tracking=Tracking.SIZE),
     entry("control.feedback", "feedback_gains", plant=Plant.LAG, gains=(Gains.SIZE, Gains.COLUMNS)),
     entry(
         "control.kalman", "observer_design", plant=Plant.FORCE_MAX, expected=Expected.SIZE,
@@ -219,6 +235,8 @@ ENTRY_POINTS = (
     entry("rig.setup", "check_lags", plant=Plant.SIZE, fault=SetupFault.SIZE),
     entry("rig.setup", "check_sensors", sensors=Sensors.SIZE, fault=SetupFault.SIZE),
     entry("rig.setup", "check_rope_bounds", fault=SetupFault.SIZE),
+    entry("rig.setup", "check_lengths", lengths=RopeRange.SIZE, fault=SetupFault.SIZE),
+    entry("numerics.range", "check_range", fault=RangeFault.SIZE),
     entry("numerics.noise", "seed_numbers", numbers=RandomState.SIZE),
     entry("numerics.noise", "next_uniform", numbers=RandomState.SIZE),
     entry(

@@ -19,6 +19,7 @@ from segfmu.kernels.crane.records import (
     RopeDemand,
     RopeFault,
 )
+from segfmu.kernels.numerics.records import AccessFault, AccessStatus, RangeFault, RangeStatus
 from segfmu.kernels.planner.records import PlanStatus, Refusal
 from segfmu.kernels.records import Record
 from segfmu.kernels.rig.records import SensorLimits, SetupFault, SetupStatus
@@ -186,10 +187,26 @@ SETUP = Messages(
         "sensor.sample_time",
         SetupStatus.ROPE_START: "rope.length must start above 0 m, got {VALUE:g}",
         SetupStatus.ROPE_BOUNDS: "rope_min {VALUE:g} m must be less than rope_max {BOUND:g} m",
-        SetupStatus.LENGTHS: "the rope lengths of the feedback, {VALUE:g} to {BOUND:g} m, must be "
-        "ascending; set crane.rope_min and crane.rope_max",
+        SetupStatus.LENGTHS: "rope lengths must be positive and ascending, got {VALUE:g} to "
+        "{BOUND:g} m; set the crane's rope_min and rope_max",
+        SetupStatus.OBSERVER: "the observer has no finite gains between {VALUE:g} and {BOUND:g} m "
+        "of rope; check masses, lags and what it expects",
     },
     {"AXIS": AXES, "DRIVE": DRIVES},
 )
 
-TABLES = (PLAN, ROPE, PLANT, SETUP)
+# behind the name of a variable
+RANGE = Messages(
+    "range", RangeFault,
+    {
+        RangeStatus.BELOW: "must be at least {LEAST:g}, got {VALUE:g}",
+        RangeStatus.OUTSIDE: "must be at least {LEAST:g} and at most {MOST:g}, got {VALUE:g}",
+    },
+)
+
+ACCESS = Messages(
+    "access", AccessFault,
+    {AccessStatus.NO_VARIABLE: "there is no variable with value reference {REFERENCE:.0f}"},
+)
+
+TABLES = (RANGE, ACCESS, PLAN, ROPE, PLANT, SETUP)

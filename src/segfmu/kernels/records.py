@@ -40,7 +40,9 @@ class Field:
     of : type of Record, optional
         What names the entries of this field, or of each of its rows.
     variables : tuple of str
-        FMU variables that feed it, one an entry; empty where none does.
+        FMU variables that feed it, one an entry and empty for an entry that none feeds; no
+        variables where none feeds any. Where a record is a row of a table, `{}` stands for the
+        number of the row, from 1.
     base : int
         Value of the variable that is 0 in the record: items of an enumeration count from 1.
     """
@@ -98,19 +100,22 @@ class Record:
         rows = [f.of for f in cls.FIELDS.values() if f.of is not None]
         cls.COLUMNS = max((r.COLUMNS or r.SIZE for r in rows), default=0)
 
-
     @classmethod
     def feeds(cls) -> Iterator[tuple[int, str, int]]:
         """Place, variable and base of all entries that FMU variables feed."""
         for name, declared in cls.FIELDS.items():
             for i, variable in enumerate(declared.variables):
-                yield getattr(cls, name) + i, variable, declared.base
+                if variable:
+                    yield getattr(cls, name) + i, variable, declared.base
 
     @classmethod
-    def fill(cls, record: Any, value: Callable[[str], Any]) -> None:
-        """Fill a record, an array (SIZE,), with the variables that feed it; `value` by name."""
+    def fill(cls, record: Any, value: Callable[[str], Any], row: int = 1) -> None:
+        """Fill a record, an array (SIZE,), with the variables that feed it; `value` by name.
+
+        row : which row of a table the record is, from 1.
+        """
         for place, variable, base in cls.feeds():
-            record[place] = float(value(variable)) - base
+            record[place] = float(value(variable.format(row))) - base
 
 
 def c_name(declared: type) -> str:

@@ -12,7 +12,7 @@ from segfmu.cosim.unit import Unit
 from segfmu.crane import Drive, Friction, Gust, PayloadChange, Rig, Sensors, TravelLimits, Wind
 from segfmu.errors import SimulationError
 from segfmu.fmu.gantry_crane import interface as gantry_crane
-from segfmu.fmu.gantry_crane.rig_parameters import FAR, SIGNALS, rig_from, rig_parameters
+from segfmu.fmu.gantry_crane.rig_parameters import FAR, SIGNALS, rig_parameters
 
 START = {v.name: v.start for v in rig_parameters()}
 
@@ -36,7 +36,7 @@ VALUES = {
 
 def test_ideal_by_default() -> None:
     far = (-FAR, FAR)
-    assert rig_from(START.__getitem__) == Rig(travel=TravelLimits(far, far, far))
+    assert Rig.of(START.__getitem__) == Rig(travel=TravelLimits(far, far, far))
 
 
 def test_every_parameter_finds_its_place() -> None:
@@ -52,7 +52,7 @@ def test_every_parameter_finds_its_place() -> None:
         Wind((0.0, 0.1, 0.0), Gust(1.0, 2.0, (0.0, 0.0, 0.3), "sine"), (0.2, 0.0, 0.0), 4.0, 8),
         (PayloadChange(1.0, 2.0), PayloadChange(3.0, 0.5)),
     )
-    assert rig_from({**START, **VALUES}.__getitem__) == expected
+    assert Rig.of({**START, **VALUES}.__getitem__) == expected
 
 
 def test_signals_are_the_measured_part_of_the_state() -> None:

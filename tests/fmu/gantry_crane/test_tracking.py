@@ -13,13 +13,13 @@ from fmpy import simulate_fmu
 from segfmu import Crane, FlatInverse, plan
 from segfmu.cosim import simulate
 from segfmu.cosim.load import load
-from segfmu.crane import Plant, Setpoints
+from segfmu.crane import Plant, Rig, Setpoints
 from segfmu.crane.flat_feedback import design_flat
 from segfmu.crane.observer import Uncertainty, design_observer
 from segfmu.crane.tracking import TrackingController
 from segfmu.errors import SimulationError
 from segfmu.fmu.gantry_crane import interface as gantry_crane
-from segfmu.fmu.gantry_crane.rig_parameters import rig_from, rig_parameters
+from segfmu.fmu.gantry_crane.rig_parameters import rig_parameters
 from tests.fmu.native.importer import Importer
 from tests.fmu.native.test_agreement import INPUTS, exchange, inputs, steps
 from tests.fmu.native.test_state import restore, run, serialised
@@ -96,7 +96,7 @@ def loop(driven: bool, values: dict[str, float], **options) -> Loop:
     state = np.array([values.get(n, REST[i]) for i, n in enumerate(gantry_crane.STATE)])
     plant = Plant(
         CRANE, state, setpoints(inverse, 0.0), controller, driven=driven,
-        rig=rig_from(parameters.__getitem__),
+        rig=Rig.of(parameters.__getitem__),
     )
     return Loop(plant, controller, inverse)
 

@@ -10,11 +10,11 @@ import pytest
 from fmpy import simulate_fmu
 from scipy.integrate import solve_ivp
 
-from segfmu.crane import FlatInverse, Plant, Setpoints
+from segfmu.crane import FlatInverse, Plant, Rig, Setpoints
 from segfmu.crane.feedback import design
 from segfmu.crane.flat_feedback import design_flat
 from segfmu.fmu.gantry_crane import interface as gantry_crane
-from segfmu.fmu.gantry_crane.rig_parameters import DRIVES, rig_from, rig_parameters
+from segfmu.fmu.gantry_crane.rig_parameters import DRIVES, rig_parameters
 from segfmu.fmu.standard.spec import started
 from segfmu.validation.mission import load_mission
 from segfmu.validation.scenario import crane_values, specs
@@ -113,7 +113,7 @@ def plant_of(task, inverse, values: dict[str, float], driven: bool = False) -> t
     )
     parameters = {v.name: v.start for v in rig_parameters()} | values
     plant = Plant(
-        crane, state, setpoints(0.0), gains, driven=driven, rig=rig_from(parameters.__getitem__),
+        crane, state, setpoints(0.0), gains, driven=driven, rig=Rig.of(parameters.__getitem__),
         enabled=task.simulation.feedback,
     )
     return plant, setpoints

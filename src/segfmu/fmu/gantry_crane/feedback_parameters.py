@@ -10,10 +10,12 @@ import numpy as np
 from segfmu.crane import Crane
 from segfmu.crane.feedback import SwayFeedback, Weights
 from segfmu.crane.flat_feedback import DAMPING, HOIST_RATIO, RATIO
-from segfmu.crane.observer import Uncertainty, design_observer
-from segfmu.crane.tracking import FADE, PAYLOAD_TIME, UNLIMITED, TrackingController
-from segfmu.fmu.gantry_crane.rig_parameters import DRIVES
+from segfmu.crane.observer import UNCERTAINTY, Uncertainty, design_observer
+from segfmu.crane.tracking import FADE, PAYLOAD_TIME, TrackingController
+from segfmu.crane.variables import build
 from segfmu.fmu.standard.spec import Enumeration, Variable, choice, parameter
+from segfmu.kernels import backend
+from segfmu.kernels.crane.records import DRIVES, Axes, Plant
 
 DESIGNS = Enumeration(
     "FeedbackDesign", ("lqr", "flatness"), "how the gains of the feedback come about"
@@ -33,7 +35,6 @@ WEIGHTS = (
     ("position", "carriage and rope position"), ("angle", "sway angles"),
     ("velocity", "carriage and rope velocity"), ("rate", "sway rates"), ("effort", "effort"),
 )
-EXPECTED = ("position", "length", "angle", "drift", "wind", "wake", "offset")
 
 
 def feedback_parameters() -> list[Variable]:
@@ -169,15 +170,16 @@ def tracking_from(
         For values that do not fit together.
     """
     period = feedback.sample_time
-    lag = tuple(float(value(f"drive.{d}.lag")) for d in DRIVES)
+    plant = np.zeros(Plant.SIZE)
+    Plant.fill(plant, value)
+    most = np.array([backend.drive_bound(plant, i) for i in range(Axes.SIZE)])
+    lag = plant[Plant.LAG : Plant.FORCE_MAX].tolist()
     observer = design_observer(
         nominal, sample_time=period, shortest=float(feedback.lengths[0]),
         longest=float(feedback.lengths[-1]), driven=driven, lag=(lag[0], lag[1], lag[2]),
-        delayed=float(value("sensor.dead_time")) >= 0.5 * period,
-        uncertainty=Uncertainty(*(float(value(f"feedback.observer.{n}")) for n in EXPECTED)),
+        delayed=backend.sampled_late(float(value("sensor.dead_time")), period),
+        uncertainty=build(Uncertainty, UNCERTAINTY, value),
     )
-    bound = "acceleration_max" if driven else "force_max"
-    most = np.array([float(value(f"drive.{d}.{bound}")) or UNLIMITED for d in DRIVES])
     return TrackingController(
         observer, feedback, rejection=_rejection(value), lower=-most, upper=most,
         fade=float(value("feedback.fade")), payload_time=float(value("feedback.payload_time")),

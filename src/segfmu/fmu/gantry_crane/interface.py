@@ -7,6 +7,7 @@ from typing import Any
 
 from segfmu.crane import Crane
 from segfmu.crane.feedback import SwayFeedback, design
+from segfmu.crane.linear import rope_range
 from segfmu.crane.plant import TOLERANCE
 from segfmu.fmu.gantry import SETPOINTS, crane_parameters
 from segfmu.fmu.gantry_crane.feedback_parameters import (
@@ -15,7 +16,7 @@ from segfmu.fmu.gantry_crane.feedback_parameters import (
     weight_parameters,
     weights_from,
 )
-from segfmu.fmu.gantry_crane.rig_parameters import DRIVES, rig_parameters
+from segfmu.fmu.gantry_crane.rig_parameters import rig_parameters
 from segfmu.fmu.standard.spec import (
     Array,
     Enumeration,
@@ -29,6 +30,8 @@ from segfmu.fmu.standard.spec import (
     time,
     triple,
 )
+from segfmu.kernels.control.records import GainsRow
+from segfmu.kernels.crane.records import DRIVES
 from segfmu.kernels.rig.records import Outputs
 
 MODES = Enumeration("DriveMode", ("force", "velocity"), "what the drives follow")
@@ -153,9 +156,11 @@ STATES = (*STATE, "energy.drives", "energy.wind", "energy.dissipated")
 
 # What an axis is corrected by, and the places of its gains among the state's ten.
 GAINS = {
-    "bridge": (("position", 0), ("angle", 3), ("velocity", 5), ("rate", 8)),
-    "trolley": (("position", 1), ("angle", 4), ("velocity", 6), ("rate", 9)),
-    "hoist": (("position", 2), ("velocity", 7)),
+    drive: [
+        (name.rpartition(".")[2], place)
+        for place, name in enumerate(GainsRow.FIELDS[drive.upper()].variables) if name
+    ]
+    for drive in DRIVES
 }
 
 
@@ -261,19 +266,14 @@ def _table(starts: dict[str, Any], weights: list[str]) -> list[Variable]:
 
 def _designed(starts: dict[str, Any]) -> tuple[SwayFeedback, bool]:
     """The LQR design for the crane of the start values, and whether it is for velocity drives."""
-    bridge, trolley, payload, gravity = (
-        float(starts[f"crane.{n}"])
-        for n in ("bridge_mass", "trolley_mass", "payload_mass", "gravity")
-    )
-    length = float(starts["rope.length"])
+    true = Crane.of(starts.__getitem__)
+    shortest, longest = rope_range(true, float(starts["rope.length"]))
     driven = MODES.items[int(starts["drive.mode"]) - 1] == "velocity"
-    crane = Crane(
-        bridge, trolley, float(starts["feedback.payload_mass"]) or payload, gravity
-    )
+    payload = float(starts["feedback.payload_mass"]) or true.payload_mass
+    crane = replace(true, payload_mass=payload)
     feedback = design(
         crane, sample_time=float(starts["feedback.sample_time"]),
-        shortest=float(starts["crane.rope_min"]) or 0.2 * length,
-        longest=float(starts["crane.rope_max"]) or 5.0 * length, driven=driven, rows=MOST_ROWS,
+        shortest=shortest, longest=longest, driven=driven, rows=MOST_ROWS,
         weights=weights_from(starts.__getitem__),
     )
     return feedback, driven

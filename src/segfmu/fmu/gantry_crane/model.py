@@ -6,13 +6,13 @@ from functools import cache
 
 from segfmu.fmu.gantry_crane.interface import native_spec, spec
 from segfmu.fmu.model import Model
-from segfmu.kernels.control.records import Estimates, Expected, FlatDesign, Tracking, Uncertainty
+from segfmu.kernels.control.records import Estimates, FlatDesign, GainsRow, Tracking, TrackingDesign
 from segfmu.kernels.crane.records import Plant, State
 from segfmu.kernels.rig.records import (
     Accelerations,
     Loop,
     Outputs,
-    PayloadTable,
+    PayloadChange,
     Sensors,
     Setpoints,
     Target,
@@ -26,8 +26,8 @@ GANTRY_CRANE = Model(
     native_spec=native_spec,
     largest=cache(native_spec),
     records=(
-        Loop, Sensors, Plant, State, Setpoints, Target, PayloadTable, WindNoise, Expected, Tracking,
-        Outputs, Accelerations, Estimates, FlatDesign, Uncertainty,
+        Loop, Sensors, Plant, State, Setpoints, Target, PayloadChange, WindNoise, Tracking,
+        TrackingDesign, Outputs, Accelerations, Estimates, FlatDesign, GainsRow,
     ),
     slave="segfmu.fmu.gantry_crane.slave:CraneSlave",
 )

@@ -1,30 +1,14 @@
-"""GantryCrane's parameters for what is not ideal: `segfmu.crane.Rig` as variables, and back."""
+"""GantryCrane's parameters for what is not ideal: `segfmu.crane.Rig` as variables."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
-
-from segfmu.crane import (
-    Drive,
-    Friction,
-    Gust,
-    PayloadChange,
-    Rig,
-    Sensors,
-    TravelLimits,
-    Wind,
-)
 from segfmu.crane.checks import LARGEST_SEED
+from segfmu.crane.disturbance import SHAPES
 from segfmu.fmu.standard.spec import Enumeration, Variable, choice, parameter
+from segfmu.kernels.crane.records import AXES, DRIVES
+from segfmu.kernels.rig.records import SIGNALS, Disturbance
 
-DRIVES = ("bridge", "trolley", "hoist")
-TRAVEL = ("bridge", "trolley", "rope")
-SIGNALS = (
-    "bridge.position", "trolley.position", "rope.length", "sway.x.angle", "sway.y.angle",
-)
-GUST_SHAPES = Enumeration("GustShape", ("cosine", "sine"), "course of a gust over time")
-PAYLOAD_CHANGES = 4
+GUST_SHAPES = Enumeration("GustShape", SHAPES, "course of a gust over time")
 # end stops so far away that there are none
 FAR = 1e9
 
@@ -82,7 +66,7 @@ def _friction() -> list[Variable]:
 
 def _travel() -> list[Variable]:
     rows = []
-    for axis in TRAVEL:
+    for axis in AXES:
         text = "end stop of the rope's length" if axis == "rope" else f"end stop of the {axis}"
         rows += [
             parameter(f"travel.{axis}.min", -FAR, "m", f"lower {text}"),
@@ -132,10 +116,10 @@ def _payload() -> list[Variable]:
     rows = [
         parameter(
             "payload.count", 0, None, "number of payload changes in use", kind="Integer",
-            minimum=0, maximum=PAYLOAD_CHANGES,
+            minimum=0, maximum=Disturbance.MOST_CHANGES,
         )
     ]
-    for i in range(1, PAYLOAD_CHANGES + 1):
+    for i in range(1, Disturbance.MOST_CHANGES + 1):
         rows += [
             parameter(f"payload[{i}].time", 0.0, "s", "time of a payload change"),
             parameter(f"payload[{i}].mass", 1.0, "kg", "mass of the load from then on",
@@ -150,72 +134,3 @@ def _vector(prefix: str, text: str, minimum: float | None = None) -> list[Variab
 
 def _seed(name: str, text: str) -> Variable:
     return parameter(name, 0, None, text, kind="Integer", minimum=0, maximum=LARGEST_SEED)
-
-
-def rig_from(value: Callable[[str], Any]) -> Rig:
-    """The rig that parameters describe; `value` gives them by name.
-
-    Raises
-    ------
-    InputError
-        For values that do not fit together.
-    """
-
-    def number(name: str) -> float:
-        return float(value(name))
-
-    bridge, trolley, hoist = (
-        Drive(
-            number(f"drive.{d}.lag"), number(f"drive.{d}.force_max") or None,
-            number(f"drive.{d}.acceleration_max") or None,
-        )
-        for d in DRIVES
-    )
-    travel = [(number(f"travel.{a}.min"), number(f"travel.{a}.max")) for a in TRAVEL]
-    changes = range(1, int(value("payload.count")) + 1)
-    return Rig(
-        bridge, trolley, hoist, _friction_from(value), TravelLimits(*travel),
-        _sensors_from(value), _wind_from(value),
-        tuple(
-            PayloadChange(number(f"payload[{i}].time"), number(f"payload[{i}].mass"))
-            for i in changes
-        ),
-    )
-
-
-def _friction_from(value: Callable[[str], Any]) -> Friction:
-    def triple(quantity: str) -> tuple[float, float, float]:
-        bridge, trolley, hoist = (float(value(f"friction.{d}.{quantity}")) for d in DRIVES)
-        return bridge, trolley, hoist
-
-    return Friction(
-        triple("viscous"), triple("coulomb"), float(value("friction.width")),
-        float(value("friction.sway.viscous")),
-    )
-
-
-def _sensors_from(value: Callable[[str], Any]) -> Sensors:
-    def five(quantity: str) -> tuple[float, float, float, float, float]:
-        a, b, c, d, e = (float(value(f"sensor.{name}.{quantity}")) for name in SIGNALS)
-        return a, b, c, d, e
-
-    return Sensors(
-        float(value("sensor.sample_time")), float(value("sensor.dead_time")),
-        five("resolution"), five("deviation"), five("offset"), int(value("sensor.seed")),
-    )
-
-
-def _wind_from(value: Callable[[str], Any]) -> Wind:
-    def vector(prefix: str) -> tuple[float, float, float]:
-        x, y, z = (float(value(f"{prefix}.{a}")) for a in "xyz")
-        return x, y, z
-
-    start, duration = (float(value(f"wind.gust.{n}")) for n in ("start", "duration"))
-    sine = int(value("wind.gust.shape")) == GUST_SHAPES.items.index("sine") + 1
-    gust = None
-    if duration > 0.0:
-        gust = Gust(start, duration, vector("wind.gust.force"), "sine" if sine else "cosine")
-    return Wind(
-        vector("wind.constant"), gust, vector("wind.noise.deviation"),
-        float(value("wind.noise.bandwidth")), int(value("wind.noise.seed")),
-    )

@@ -9,14 +9,14 @@ from typing import Any
 
 import numpy as np
 
-from segfmu.crane import Crane
+from segfmu.crane import Crane, Rig
 from segfmu.crane.feedback import SwayFeedback, design
 from segfmu.crane.flat_feedback import design_flat
+from segfmu.crane.linear import rope_range
 from segfmu.crane.plant import Plant
 from segfmu.crane.setpoints import Setpoints
 from segfmu.crane.tracking import TrackingController
 from segfmu.errors import InputError
-from segfmu.fmu.gantry import crane_from
 from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_crane.feedback_parameters import (
     DESIGNS,
@@ -26,17 +26,14 @@ from segfmu.fmu.gantry_crane.feedback_parameters import (
     tune,
     weights_from,
 )
-from segfmu.fmu.gantry_crane.rig_parameters import DRIVES, rig_from
 from segfmu.fmu.python.slave import SpecSlave
+from segfmu.kernels import backend
 from segfmu.kernels.control.records import Estimates
-from segfmu.kernels.records import Record
-from segfmu.kernels.rig.records import Outputs, Target
+from segfmu.kernels.crane.records import DRIVES, Axes, State
+from segfmu.kernels.messages import SETUP
+from segfmu.kernels.rig.records import Outputs, SetupFault, SetupStatus, Target
+from segfmu.kernels.rig.records import Setpoints as SetpointRecord
 
-STATE = gantry_crane.STATE
-FORCE = tuple(f"force.{d}" for d in DRIVES)
-VELOCITY = tuple(f"velocity.{d}" for d in DRIVES)
-REFERENCE = tuple(f"reference.{name}" for name in STATE)
-WIND = tuple(f"wind.{a}" for a in "xyz")
 ESTIMATE = tuple(v.name for v in estimates())
 POLES = ("bandwidth", "hoist_bandwidth", "damping")
 
@@ -55,14 +52,16 @@ class CraneSlave(SpecSlave):
 
     def initialise(self) -> None:
         """Design the feedback and put the crane into its initial state."""
-        crane = crane_from(self.value)
-        state = self._vector(STATE)
-        if state[2] <= 0.0:
-            raise InputError(f"rope.length must start above 0 m, got {state[2]}")
+        crane = Crane.of(self.value)
+        state = self.filled(State)
+        length, fault = float(state[State.POSITION + Axes.ROPE]), np.zeros(SetupFault.SIZE)
+        status = backend.check_rope_bounds(length, 0.0, 0.0, fault)
+        if status != SetupStatus.FITS:
+            raise InputError(SETUP.text(status, fault.tolist()))
         driven = gantry_crane.MODES.items[int(self.value("drive.mode")) - 1] == "velocity"
         nominal = float(self.value("feedback.payload_mass")) or crane.payload_mass
         expected = replace(crane, payload_mass=nominal)
-        self._design = partial(self._feedback, expected, float(state[2]), driven)
+        self._design = partial(self._feedback, expected, length, driven)
         self._tuned = self._poles()
         feedback = self._design()
         self._tracking = None
@@ -71,14 +70,14 @@ class CraneSlave(SpecSlave):
         self.assign(ESTIMATE, (nominal, *np.zeros(6)))
         self._plant = Plant(
             crane, state, self._setpoints(), self._tracking or feedback, driven=driven,
-            rig=rig_from(self.value), start_time=self.start_time,
+            rig=Rig.of(self.value), start_time=self.start_time,
         )
         self._show(self._plant)
 
     def _feedback(self, crane: Crane, length: float, driven: bool) -> SwayFeedback:
         """Gains over rope length; `crane` has the payload that the feedback is designed for."""
         sample_time = float(self.value("feedback.sample_time"))
-        shortest, longest = crane.rope_min or 0.2 * length, crane.rope_max or 5.0 * length
+        shortest, longest = rope_range(crane, length)
         if self._flat():
             return design_flat(
                 crane, sample_time=sample_time, shortest=shortest, longest=longest,
@@ -123,20 +122,10 @@ class CraneSlave(SpecSlave):
         if feedback is not None:
             plant.retune(feedback)
 
-    def _vector(self, names: tuple[str, ...]) -> Any:
-        return np.array([float(self.value(n)) for n in names])
-
     def _setpoints(self) -> Setpoints:
-        return Setpoints(*(self._vector(n) for n in (FORCE, VELOCITY, REFERENCE, WIND)))
+        return Setpoints.of(self.filled(SetpointRecord))
 
     def _show(self, plant: Plant) -> None:
-        target = np.zeros(Target.SIZE)
-        Target.fill(target, self.value)
-        self._show_record(Outputs, plant.outputs(target))
+        self.show(Outputs, plant.outputs(self.filled(Target)))
         if self._tracking is not None:
-            self._show_record(Estimates, self._tracking.estimates)
-
-    def _show_record(self, record: type[Record], values: Any) -> None:
-        for place, name, _ in record.feeds():
-            boolean = self.spec.variable(name).kind == "Boolean"
-            self.assign((name,), (values[place] > 0.0 if boolean else values[place],))
+            self.show(Estimates, self._tracking.estimates)

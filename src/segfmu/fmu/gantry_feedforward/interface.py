@@ -168,16 +168,17 @@ def native_spec(own: Spec | None = None) -> Spec:
     return replace(
         own,
         variables=(*own.variables, time()),
-        arrays=_arrays(sum(v.name.endswith("].dwell") for v in own.variables)),
+        arrays=arrays(sum(v.name.endswith("].dwell") for v in own.variables)),
         dependencies=tuple((v.name, ("time",)) for v in outputs),
         orders=3,
         terminals=(SETPOINTS,),
     )
 
 
-def _arrays(most: int) -> tuple[Array, ...]:
+def arrays(most: int) -> tuple[Array, ...]:
+    """Positions, velocities, accelerations and dwells of so many waypoints, as arrays."""
     rows = range(1, most + 1)
-    arrays = [
+    vectors = [
         Array(
             f"waypoint.{name}", tuple(f"waypoint[{i}].{name}.{a}" for i in rows for a in "xyz"),
             "waypoint.count", 3, f"{name} of the load at the waypoints",
@@ -186,5 +187,5 @@ def _arrays(most: int) -> tuple[Array, ...]:
     ]
     dwells = tuple(f"waypoint[{i}].dwell" for i in rows)
     return (
-        *arrays, Array("waypoint.dwell", dwells, "waypoint.count", 1, "rest at the waypoints")
+        *vectors, Array("waypoint.dwell", dwells, "waypoint.count", 1, "rest at the waypoints")
     )

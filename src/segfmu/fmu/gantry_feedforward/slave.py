@@ -5,25 +5,17 @@ from __future__ import annotations
 from math import inf
 from typing import Any
 
-from segfmu.crane import FlatInverse
-from segfmu.fmu.gantry import crane_from
+import numpy as np
+
+from segfmu.crane import Crane, FlatInverse
+from segfmu.crane.inverse import ORDERS, VELOCITY
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.python.slave import SpecSlave
+from segfmu.kernels.crane.records import Feedforward, LoadMotion
+from segfmu.kernels.planner.records import LoadLimits, PlanOptions
 from segfmu.planning import Limits, Trajectory, Waypoint, plan
 
 AXES = ("x", "y", "z")
-DERIVATIVES = ("position", "velocity", "acceleration", "jerk", "snap")
-
-FORCE = tuple(f"force.{d}" for d in ("bridge", "trolley", "hoist"))
-VELOCITY = tuple(f"velocity.{d}" for d in ("bridge", "trolley", "hoist"))
-STATE = (
-    "reference.bridge.position", "reference.trolley.position", "reference.rope.length",
-    "reference.sway.x.angle", "reference.sway.y.angle",
-    "reference.bridge.velocity", "reference.trolley.velocity", "reference.rope.velocity",
-    "reference.sway.x.rate", "reference.sway.y.rate",
-)
-ACCELERATION = tuple(f"reference.{p}.acceleration" for p in ("bridge", "trolley", "rope"))
-LOAD = tuple(tuple(f"reference.load.{d}.{a}" for a in AXES) for d in DERIVATIVES)
 
 
 class FeedforwardSlave(SpecSlave):
@@ -62,39 +54,36 @@ class FeedforwardSlave(SpecSlave):
         return len(self.spec.variables)
 
     def _plan(self) -> None:
-        count = int(self.value("waypoint.count"))
-        names = gantry_feedforward.SHAPES.items, gantry_feedforward.SYNCHRONIZATIONS.items
+        options = self.filled(PlanOptions)
         trajectory = plan(
-            [self._waypoint(i) for i in range(1, count + 1)],
+            self._waypoints(),
             self._limits(),
-            smoothness=int(self.value("planner.smoothness")),
-            shape=names[0][int(self.value("planner.shape")) - 1],
-            synchronize=names[1][int(self.value("planner.synchronization")) - 1],
-            sample_time=float(self.value("planner.sample_time")) or None,
-            duration=float(self.value("planner.duration")) or None,
+            smoothness=int(options[PlanOptions.SMOOTHNESS]),
+            shape=gantry_feedforward.SHAPES.items[int(options[PlanOptions.SHAPE])],
+            synchronize=gantry_feedforward.SYNCHRONIZATIONS.items[
+                int(options[PlanOptions.SYNCHRONIZATION])
+            ],
+            sample_time=float(options[PlanOptions.SAMPLE_TIME]) or None,
+            duration=float(options[PlanOptions.DURATION]) or None,
             axis_names=AXES,
         )
-        self._inverse = FlatInverse(crane_from(self.value), trajectory)
+        self._inverse = FlatInverse(Crane.of(self.value), trajectory)
         self._trajectory = trajectory
         self.assign(("plan.duration",), (trajectory.duration,))
         self._evaluate(self.start_time)
 
     def _limits(self) -> Limits:
-        velocity, acceleration = (self._vector(f"limits.{{}}.{d}") for d in DERIVATIVES[1:3])
-        jerk, snap = (
-            [v or inf for v in self._vector(f"limits.{{}}.{d}")] for d in DERIVATIVES[3:]
-        )
-        return Limits(velocity, acceleration, jerk, snap)
+        velocity, acceleration, *others = self.filled(LoadLimits).reshape(len(AXES), -1).T
+        return Limits(velocity, acceleration, *(np.where(c > 0.0, c, inf) for c in others))
 
-    def _waypoint(self, i: int) -> Waypoint:
-        position, velocity, acceleration = (
-            self._vector(f"waypoint[{i}].{d}.{{}}") for d in DERIVATIVES[:3]
-        )
-        dwell = float(self.value(f"waypoint[{i}].dwell"))
-        return Waypoint(position, velocity, acceleration, dwell)
-
-    def _vector(self, pattern: str) -> list[float]:
-        return [float(self.value(pattern.format(a))) for a in AXES]
+    def _waypoints(self) -> list[Waypoint]:
+        count = int(self.value("waypoint.count"))
+        columns = [
+            np.array([float(self.value(n)) for n in array.members[: count * array.columns]])
+            for array in gantry_feedforward.arrays(count)
+        ]
+        rows = (c.reshape(count, -1).tolist() for c in columns)
+        return [Waypoint(p, v, a, dwell) for p, v, a, (dwell,) in zip(*rows, strict=True)]
 
     def _evaluate(self, time: float) -> None:
         inverse, trajectory = self._inverse, self._trajectory
@@ -103,12 +92,8 @@ class FeedforwardSlave(SpecSlave):
         start = float(self.value("planner.start_time"))
         t = time - start
         values = inverse.evaluate(t)
-        self.assign(FORCE, values[:3])
-        self.assign(STATE, values[3:13])
-        self.assign(VELOCITY, values[8:11])
-        self.assign(ACCELERATION, values[13:16])
-        for order, names in enumerate(LOAD):
-            self.assign(names, trajectory(t, order))
+        self.show(Feedforward, np.concatenate([values, values[VELOCITY]]))
+        self.show(LoadMotion, np.concatenate([trajectory(t, order) for order in range(ORDERS)]))
         self.assign(
             ("plan.interval", "plan.done"), (trajectory.interval(t), t >= trajectory.duration)
         )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 from segfmu.errors import BuildError
 from segfmu.fmu.native.tables import BANNER, Layout, layout
@@ -36,16 +37,30 @@ def _table(spec: Spec, record: type[Record], placed: Layout) -> str:
     kinds = {v.name: v.kind for v in spec.variables}
     rows = []
     for place, variable, base in record.feeds():
-        if variable not in kinds:
-            raise BuildError(f"{record.__name__}: {spec.name} has no variable {variable}")
-        whole = "false" if kinds[variable] == "Real" else "true"
-        rows.append(f"    {{{place}, {placed.offsets[variable]}, {base}, {whole}}}")
+        first = variable.format(1)
+        if first not in kinds:
+            raise BuildError(f"{record.__name__}: {spec.name} has no variable {first}")
+        whole = "false" if kinds[first] == "Real" else "true"
+        step = _step(variable, placed)
+        rows.append(f"    {{{place}, {placed.offsets[first]}, {step}, {base}, {whole}}}")
     name = _name(record)
     lines = ",\n".join(rows)
     return (
         f"static const feed {name}_rows[] = {{\n{lines}\n}};\n"
         f"static const feeds {name} = {{{name}_rows, {len(rows)}}};\n"
     )
+
+
+def _step(variable: str, placed: Layout) -> int:
+    """From a variable to that of the next row of a table; 0 where it is in none."""
+    offsets, row = [placed.offsets[variable.format(1)]], 2
+    while "{}" in variable and variable.format(row) in placed.offsets:
+        offsets.append(placed.offsets[variable.format(row)])
+        row += 1
+    steps = {b - a for a, b in pairwise(offsets)} or {0}
+    if len(steps) > 1:
+        raise BuildError(f"the rows of {variable} do not follow each other evenly")
+    return steps.pop()
 
 
 def _name(record: type[Record]) -> str:

@@ -3,15 +3,22 @@
 from __future__ import annotations
 
 from abc import abstractmethod
+from math import inf
 from pathlib import Path
 from typing import Any, ClassVar
 
+import numpy as np
 from pythonfmu import Fmi2Slave
 from pythonfmu.enums import Fmi2Status
 
 from segfmu.errors import InputError, SegfmuError
 from segfmu.fmu.python.release import release_at_exit
 from segfmu.fmu.standard.spec import Spec, Value
+from segfmu.kernels import backend
+from segfmu.kernels.messages import ACCESS, RANGE
+from segfmu.kernels.numerics.records import AccessStatus, RangeFault, RangeStatus
+from segfmu.kernels.records import Record
+from segfmu.planning.arrays import FloatArray
 
 KINDS = {
     "real": ("Real",),
@@ -64,6 +71,18 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
         for name, value in zip(names, values, strict=True):
             self._values[references[name]] = value
 
+    def filled(self, record: type[Record]) -> FloatArray:
+        """A record of the kernels from the variables that feed it."""
+        array = np.zeros(record.SIZE)
+        record.fill(array, self.value)
+        return array
+
+    def show(self, record: type[Record], values: FloatArray) -> None:
+        """Set the variables of a record; a Boolean is true above 0."""
+        for place, name, _ in record.feeds():
+            boolean = self.spec.variable(name).kind == "Boolean"
+            self.assign((name,), (values[place] > 0.0 if boolean else values[place],))
+
     def setup_experiment(
         self, start_time: float, stop_time: float | None, tolerance: float | None
     ) -> None:
@@ -91,11 +110,12 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
             least, most = variable.minimum, variable.maximum
             if variable.enumeration is not None:
                 least, most = 1, len(variable.enumeration.items)
-            if (least is not None and not value >= least) or (
-                most is not None and not value <= most
-            ):
-                bounds = f"at least {least:g}" + ("" if most is None else f" and at most {most:g}")
-                raise InputError(f"{variable.name} must be {bounds}, got {value:g}")
+            if least is None:
+                continue
+            fault = np.zeros(RangeFault.SIZE)
+            status = backend.check_range(value, least, inf if most is None else most, fault)
+            if status != RangeStatus.INSIDE:
+                raise InputError(f"{variable.name} {RANGE.text(status, fault.tolist())}")
 
     def _get(self, kind: str, references: list[int]) -> list[Any]:
         self._check(kind, references)
@@ -109,7 +129,7 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
     def _check(self, kind: str, references: list[int]) -> None:
         for reference in references:
             if reference not in self._values:
-                raise ValueError(f"there is no variable with value reference {reference}")
+                raise ValueError(ACCESS.text(AccessStatus.NO_VARIABLE, [reference]))
             variable = self.spec.variables[reference - 1]
             if variable.kind not in KINDS[kind]:
                 raise TypeError(f"{variable.name} is of type {variable.kind}, not {kind}")

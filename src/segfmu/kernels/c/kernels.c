@@ -20,8 +20,6 @@ static void limit_accelerations(array_double_1d plant, array_double_1d state, ar
 static void driven_derivative(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
 static int64_t table_row(double length, array_double_3d table);
 static double table_share(double length, array_double_3d table, int64_t row);
-static double largest_angle(void);
-static double largest_hoist_angle(void);
 static void matrix_set(int64_t n, double value, array_double_2d a);
 static void matrix_copy(int64_t n, array_double_2d a, array_double_2d c);
 static void matrix_add(int64_t n, double factor, array_double_2d a, array_double_2d c);
@@ -36,6 +34,9 @@ static void kalman_sampled(double sample_time, double drift, double wind, array_
 static double kalman_turn(array_double_2d spread, array_double_2d work);
 static void kalman_gain(int64_t axis, double first, double second, array_double_2d spread, array_double_2d table);
 static void kalman_axis(int64_t axis, double sample_time, array_double_1d expected, array_double_2d work, array_double_2d table);
+static double largest_angle(void);
+static double largest_hoist_angle(void);
+static void design_flat_gains(array_double_1d plant, array_double_1d design, double length, array_double_2d gains);
 static void offset_filter(bool first, double share, array_double_1d signals, array_double_2d states);
 static void offset_signals(array_double_1d measured, double start, array_double_1d signals);
 static double second_difference(int64_t signal, array_double_2d states);
@@ -46,6 +47,7 @@ static void offset_sum(double keep, array_double_1d values, array_double_1d sums
 static void offset_decide(array_double_1d parameters, double length, double noise, array_double_1d sums, array_double_1d estimate);
 static void offset_equations(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory);
 static double offset_estimate(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory);
+static void set_noise(array_double_1d uncertainty, double gravity, double longest, array_double_1d tracking);
 static void track_wake(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory);
 static void track_offset(array_double_1d parameters, array_double_2d tick, array_double_2d memory);
 static void track_start(array_double_1d measured, array_double_1d reference, array_double_2d memory);
@@ -1309,65 +1311,6 @@ void segfmu_feedback_gains(array_double_1d plant, double length, double bandwidt
     (*cspan_at(&hoist, INT64_C(0) + INT64_C(2))) = weight * hoist_bandwidth * hoist_bandwidth;
     (*cspan_at(&hoist, INT64_C(5) + INT64_C(2))) = weight * 2.0 * damping * hoist_bandwidth;
 }
-/*Largest bandwidth of bridge and trolley, in radians in a sample and a lag. */
-static double largest_angle(void)
-{
-    return 0.25;
-}
-/*The same of the hoist, which with two poles instead of four bears more.*/
-static double largest_hoist_angle(void)
-{
-    return 0.5;
-}
-/*Gains (Gains) at a rope length [m].                                                            */
-/*                                                                                               */
-/*    plant: a `Plant` with the mass of the load that the gains are for; lags count for velocity */
-/*    drives alone. design: a `FlatDesign`.                                                      */
-/*                                                                                               */
-void segfmu_design_flat_gains(array_double_1d plant, array_double_1d design, double length, array_double_2d gains)
-{
-    double delay;
-    double lag;
-    int64_t axis;
-    double gravity;
-    double bandwidth;
-    double hoist;
-    delay = (*cspan_at(&design, INT64_C(0)));
-    if ((int64_t)((*cspan_at(&plant, INT64_C(4)))) == INT64_C(1))
-    {
-        lag = 0.0;
-        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-        {
-            lag = span_max(lag, (*cspan_at(&plant, INT64_C(5) + axis)));
-        }
-        delay = delay + lag;
-    }
-    gravity = (*cspan_at(&plant, INT64_C(3)));
-    bandwidth = segfmu_feedback_bandwidth((*cspan_at(&design, INT64_C(1))), length, gravity, delay, largest_angle());
-    hoist = segfmu_feedback_bandwidth((*cspan_at(&design, INT64_C(2))), length, gravity, delay, largest_hoist_angle());
-    segfmu_feedback_gains(plant, length, bandwidth, hoist, (*cspan_at(&design, INT64_C(3))), gains);
-}
-/*Fill in a `Tracking` that has a PERIOD, from WAKE_POSITION on, by an `Uncertainty`.              */
-/*                                                                                                 */
-/*    The bandwidth of the filter that finds the rope's offset is in units of the frequency of the */
-/*    longest rope [m], but no more than half a radian in a sample.                                */
-/*                                                                                                 */
-void segfmu_set_noise(array_double_1d uncertainty, double gravity, double longest, array_double_1d tracking)
-{
-    double wake;
-    double angle;
-    double place;
-    wake = (*cspan_at(&uncertainty, INT64_C(5)));
-    (*cspan_at(&tracking, INT64_C(20))) = wake * (*cspan_at(&uncertainty, INT64_C(0)));
-    (*cspan_at(&tracking, INT64_C(21))) = wake * (*cspan_at(&uncertainty, INT64_C(1)));
-    (*cspan_at(&tracking, INT64_C(22))) = wake * (*cspan_at(&uncertainty, INT64_C(2)));
-    (*cspan_at(&tracking, INT64_C(23))) = (*cspan_at(&uncertainty, INT64_C(6)));
-    (*cspan_at(&tracking, INT64_C(24))) = span_min(4.0 * sqrt(gravity / longest), 0.5 / (*cspan_at(&tracking, INT64_C(1))));
-    angle = (*cspan_at(&uncertainty, INT64_C(2)));
-    place = span_max((*cspan_at(&uncertainty, INT64_C(0))), (*cspan_at(&uncertainty, INT64_C(1))));
-    (*cspan_at(&tracking, INT64_C(25))) = angle * angle / 12.0;
-    (*cspan_at(&tracking, INT64_C(26))) = place * place / 12.0;
-}
 /*a = value times the identity.*/
 static void matrix_set(int64_t n, double value, array_double_2d a)
 {
@@ -1821,6 +1764,119 @@ void segfmu_observer_design(array_double_1d plant, double sample_time, double le
         kalman_axis(axis, sample_time, expected, work, table);
     }
 }
+/*A `RopeRange` by a crane's bounds [m], by its rope's length at the start [m] without them. */
+void segfmu_rope_range(double length, double shortest, double longest, array_double_1d found)
+{
+    (*cspan_at(&found, INT64_C(0))) = shortest;
+    (*cspan_at(&found, INT64_C(1))) = longest;
+    if (!(shortest > 0.0))
+    {
+        (*cspan_at(&found, INT64_C(0))) = 0.2 * length;
+    }
+    if (!(longest > 0.0))
+    {
+        (*cspan_at(&found, INT64_C(1))) = 5.0 * length;
+    }
+}
+/*Rope lengths (rows,) of a table, in equal ratios [m]; returns their number.*/
+/*                                                                           */
+/*    One where both ends are the same.                                      */
+/*                                                                           */
+int64_t segfmu_table_lengths(double shortest, double longest, int64_t rows, array_double_1d lengths)
+{
+    int64_t row;
+    (*cspan_at(&lengths, INT64_C(0))) = shortest;
+    if (!(longest > shortest))
+    {
+        return INT64_C(1);
+    }
+    for (row = INT64_C(1); row < rows - INT64_C(1); row += INT64_C(1))
+    {
+        (*cspan_at(&lengths, row)) = shortest * pow((longest / shortest), ((double)(row) / (double)((rows - INT64_C(1)))));
+    }
+    (*cspan_at(&lengths, rows - INT64_C(1))) = longest;
+    return rows;
+}
+/*Largest bandwidth of bridge and trolley, in radians in a sample and a lag. */
+static double largest_angle(void)
+{
+    return 0.25;
+}
+/*The same of the hoist, which with two poles instead of four bears more.*/
+static double largest_hoist_angle(void)
+{
+    return 0.5;
+}
+/*Gains (Gains) at a rope length [m].                                                            */
+/*                                                                                               */
+/*    plant: a `Plant` with the mass of the load that the gains are for; lags count for velocity */
+/*    drives alone. design: a `FlatDesign`.                                                      */
+/*                                                                                               */
+static void design_flat_gains(array_double_1d plant, array_double_1d design, double length, array_double_2d gains)
+{
+    double delay;
+    double lag;
+    int64_t axis;
+    double gravity;
+    double bandwidth;
+    double hoist;
+    delay = (*cspan_at(&design, INT64_C(0)));
+    if ((int64_t)((*cspan_at(&plant, INT64_C(4)))) == INT64_C(1))
+    {
+        lag = 0.0;
+        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+        {
+            lag = span_max(lag, (*cspan_at(&plant, INT64_C(5) + axis)));
+        }
+        delay = delay + lag;
+    }
+    gravity = (*cspan_at(&plant, INT64_C(3)));
+    bandwidth = segfmu_feedback_bandwidth((*cspan_at(&design, INT64_C(1))), length, gravity, delay, largest_angle());
+    hoist = segfmu_feedback_bandwidth((*cspan_at(&design, INT64_C(2))), length, gravity, delay, largest_hoist_angle());
+    segfmu_feedback_gains(plant, length, bandwidth, hoist, (*cspan_at(&design, INT64_C(3))), gains);
+}
+/*`design_flat_gains` at rope lengths (rows,) [m]; table (rows, 4, 10): a `Gains` a row. */
+void segfmu_flat_table(array_double_1d plant, array_double_1d design, int64_t rows, array_double_1d lengths, array_double_3d table)
+{
+    int64_t row;
+    for (row = INT64_C(0); row < rows; row += INT64_C(1))
+    {
+        design_flat_gains(plant, design, (*cspan_at(&lengths, row)), span_matrix(&table, row));
+    }
+}
+/*`observer_design` at rope lengths (rows,) [m]; whether all of the table is finite.               */
+/*                                                                                                 */
+/*    uncertainty: an `Uncertainty`; expected: work space, an `Expected`; table (rows, 19, 10): an */
+/*    `Observer` a row.                                                                            */
+/*                                                                                                 */
+bool segfmu_observer_table(array_double_1d plant, double sample_time, array_double_1d uncertainty, int64_t rows, array_double_1d lengths, array_double_1d expected, array_double_2d work, array_double_3d table)
+{
+    int64_t i;
+    double gravity;
+    int64_t row;
+    int64_t j;
+    bool finite;
+    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
+    {
+        (*cspan_at(&expected, i)) = (*cspan_at(&uncertainty, i));
+    }
+    gravity = (*cspan_at(&plant, INT64_C(3)));
+    (*cspan_at(&expected, INT64_C(3))) = (*cspan_at(&uncertainty, INT64_C(3))) * gravity;
+    (*cspan_at(&expected, INT64_C(4))) = (*cspan_at(&uncertainty, INT64_C(4))) * gravity;
+    finite = 1;
+    for (row = INT64_C(0); row < rows; row += INT64_C(1))
+    {
+        segfmu_observer_design(plant, sample_time, (*cspan_at(&lengths, row)), expected, work, span_matrix(&table, row));
+        for (i = INT64_C(0); i < INT64_C(19); i += INT64_C(1))
+        {
+            for (j = INT64_C(0); j < INT64_C(10); j += INT64_C(1))
+            {
+                finite = finite && (fabs((*cspan_at(&table, row, i, j))) <= 1.7976931348623157e+308);
+            }
+        }
+    }
+    return finite;
+}
 /*Advance the estimate by a sample under velocity command (3) and held correction (3). */
 void segfmu_observer_predict(double length, array_double_3d table, array_double_1d command, array_double_1d held, array_double_2d estimate, array_double_1d scratch)
 {
@@ -2185,6 +2241,88 @@ static double offset_estimate(array_double_1d parameters, array_double_1d measur
     (*cspan_at(&estimate, INT64_C(5))) = aim + (*cspan_at(&parameters, INT64_C(11))) * (used - aim);
     result = (*cspan_at(&estimate, INT64_C(5)));
     return result;
+}
+/*Whether signals with this dead time [s] count as one sample [s] old. */
+bool segfmu_sampled_late(double dead_time, double sample_time)
+{
+    return dead_time >= 0.5 * sample_time;
+}
+/*Greatest setpoint of a drive of a `Plant`, N or m/s2; 1e99 where there is none.*/
+double segfmu_drive_bound(array_double_1d plant, int64_t axis)
+{
+    double bound;
+    bound = (*cspan_at(&plant, INT64_C(8) + axis));
+    if ((int64_t)((*cspan_at(&plant, INT64_C(4)))) == INT64_C(1))
+    {
+        bound = (*cspan_at(&plant, INT64_C(11) + axis));
+    }
+    if (bound > 0.0)
+    {
+        return bound;
+    }
+    return 1e+99;
+}
+/*Fill in a `Tracking` that has a PERIOD, from WAKE_POSITION on, by an `Uncertainty`.              */
+/*                                                                                                 */
+/*    The bandwidth of the filter that finds the rope's offset is in units of the frequency of the */
+/*    longest rope [m], but no more than half a radian in a sample.                                */
+/*                                                                                                 */
+static void set_noise(array_double_1d uncertainty, double gravity, double longest, array_double_1d tracking)
+{
+    double wake;
+    double angle;
+    double place;
+    wake = (*cspan_at(&uncertainty, INT64_C(5)));
+    (*cspan_at(&tracking, INT64_C(20))) = wake * (*cspan_at(&uncertainty, INT64_C(0)));
+    (*cspan_at(&tracking, INT64_C(21))) = wake * (*cspan_at(&uncertainty, INT64_C(1)));
+    (*cspan_at(&tracking, INT64_C(22))) = wake * (*cspan_at(&uncertainty, INT64_C(2)));
+    (*cspan_at(&tracking, INT64_C(23))) = (*cspan_at(&uncertainty, INT64_C(6)));
+    (*cspan_at(&tracking, INT64_C(24))) = span_min(4.0 * sqrt(gravity / longest), 0.5 / (*cspan_at(&tracking, INT64_C(1))));
+    angle = (*cspan_at(&uncertainty, INT64_C(2)));
+    place = span_max((*cspan_at(&uncertainty, INT64_C(0))), (*cspan_at(&uncertainty, INT64_C(1))));
+    (*cspan_at(&tracking, INT64_C(25))) = angle * angle / 12.0;
+    (*cspan_at(&tracking, INT64_C(26))) = place * place / 12.0;
+}
+/*Fill in what a `Tracking` with a PERIOD has beside switches and gains.                               */
+/*                                                                                                     */
+/*    plant: a `Plant` with the mass of the load that the observer is for; design: a `TrackingDesign`; */
+/*    longest: rope length of the observer [m].                                                        */
+/*                                                                                                     */
+void segfmu_set_tracking(array_double_1d plant, array_double_1d design, double longest, array_double_1d tracking)
+{
+    double period;
+    int64_t axis;
+    double bound;
+    period = (*cspan_at(&tracking, INT64_C(1)));
+    (*cspan_at(&tracking, INT64_C(0))) = (*cspan_at(&plant, INT64_C(4)));
+    (*cspan_at(&tracking, INT64_C(2))) = 0.0;
+    if (segfmu_sampled_late((*cspan_at(&design, INT64_C(7))), period))
+    {
+        (*cspan_at(&tracking, INT64_C(2))) = 1.0;
+    }
+    (*cspan_at(&tracking, INT64_C(3) + INT64_C(0))) = carriage_mass(plant, INT64_C(0));
+    (*cspan_at(&tracking, INT64_C(3) + INT64_C(1))) = carriage_mass(plant, INT64_C(1));
+    (*cspan_at(&tracking, INT64_C(3) + INT64_C(2))) = (*cspan_at(&plant, INT64_C(2)));
+    (*cspan_at(&tracking, INT64_C(6))) = (*cspan_at(&plant, INT64_C(3)));
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        bound = segfmu_drive_bound(plant, axis);
+        (*cspan_at(&tracking, INT64_C(15) + axis)) = bound;
+        (*cspan_at(&tracking, INT64_C(12) + axis)) = -bound;
+    }
+    (*cspan_at(&tracking, INT64_C(19))) = period / (*cspan_at(&design, INT64_C(8)));
+    set_noise(design, (*cspan_at(&plant, INT64_C(3))), longest, tracking);
+}
+/*Fill in the DECAY of a `Tracking` by PERIOD and FADE.*/
+void segfmu_set_fading(array_double_1d tracking)
+{
+    double fade;
+    fade = (*cspan_at(&tracking, INT64_C(10)));
+    (*cspan_at(&tracking, INT64_C(11))) = 0.0;
+    if (fade > 0.0)
+    {
+        (*cspan_at(&tracking, INT64_C(11))) = exp((-(*cspan_at(&tracking, INT64_C(1)))) / fade);
+    }
 }
 /*Wake the feedback at the first deviation that is more than the sensors' steps. */
 /*                                                                               */
@@ -4967,6 +5105,22 @@ int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, 
     (*cspan_at(&report, INT64_C(1))) = worst_value(failed, (*cspan_at(&report, INT64_C(0))), timing, coefficients, offsets, bounds, work);
     (*cspan_at(&report, INT64_C(2))) = demand_bound(failed, bounds);
     return failed;
+}
+/*Whether a value is within its range; a `RangeStatus`. No range without an end below. */
+int64_t segfmu_check_range(double value, double least, double most, array_double_1d fault)
+{
+    (*cspan_at(&fault, INT64_C(0))) = value;
+    (*cspan_at(&fault, INT64_C(1))) = least;
+    (*cspan_at(&fault, INT64_C(2))) = most;
+    if ((value >= least) && (value <= most))
+    {
+        return INT64_C(0);
+    }
+    if (most > 1.7976931348623157e+308)
+    {
+        return INT64_C(1);
+    }
+    return INT64_C(2);
 }
 /*Share of the way from the newest to the other point at which to evaluate next, in (0, 1).    */
 /*                                                                                             */
@@ -10131,6 +10285,21 @@ int64_t segfmu_check_rope_bounds(double length, double shortest, double longest,
     if ((longest > 0.0) && (!(shortest < longest)))
     {
         return INT64_C(7);
+    }
+    return INT64_C(0);
+}
+/*The rope lengths of a table, a `RopeRange`, are positive and do not descend. */
+int64_t segfmu_check_lengths(array_double_1d lengths, array_double_1d fault)
+{
+    double shortest;
+    double longest;
+    shortest = (*cspan_at(&lengths, INT64_C(0)));
+    longest = (*cspan_at(&lengths, INT64_C(1)));
+    (*cspan_at(&fault, INT64_C(2))) = shortest;
+    (*cspan_at(&fault, INT64_C(3))) = longest;
+    if (!((shortest > 0.0) && (shortest <= longest) && (longest <= 1.7976931348623157e+308)))
+    {
+        return INT64_C(8);
     }
     return INT64_C(0);
 }

@@ -19,11 +19,17 @@ SEGFMU_API void segfmu_noise_components(double bandwidth, array_double_1d deviat
 SEGFMU_API void segfmu_feedback_correction(array_double_1d state, array_double_1d reference, array_double_3d gains, array_double_1d correction);
 SEGFMU_API double segfmu_feedback_bandwidth(double ratio, double length, double gravity, double delay, double largest);
 SEGFMU_API void segfmu_feedback_gains(array_double_1d plant, double length, double bandwidth, double hoist_bandwidth, double damping, array_double_2d gains);
-SEGFMU_API void segfmu_design_flat_gains(array_double_1d plant, array_double_1d design, double length, array_double_2d gains);
-SEGFMU_API void segfmu_set_noise(array_double_1d uncertainty, double gravity, double longest, array_double_1d tracking);
 SEGFMU_API void segfmu_observer_design(array_double_1d plant, double sample_time, double length, array_double_1d expected, array_double_2d work, array_double_2d table);
+SEGFMU_API void segfmu_rope_range(double length, double shortest, double longest, array_double_1d found);
+SEGFMU_API int64_t segfmu_table_lengths(double shortest, double longest, int64_t rows, array_double_1d lengths);
+SEGFMU_API void segfmu_flat_table(array_double_1d plant, array_double_1d design, int64_t rows, array_double_1d lengths, array_double_3d table);
+SEGFMU_API bool segfmu_observer_table(array_double_1d plant, double sample_time, array_double_1d uncertainty, int64_t rows, array_double_1d lengths, array_double_1d expected, array_double_2d work, array_double_3d table);
 SEGFMU_API void segfmu_observer_predict(double length, array_double_3d table, array_double_1d command, array_double_1d held, array_double_2d estimate, array_double_1d scratch);
 SEGFMU_API void segfmu_observer_correct(double length, array_double_3d table, array_double_1d measured, array_double_1d reference, array_double_2d estimate);
+SEGFMU_API bool segfmu_sampled_late(double dead_time, double sample_time);
+SEGFMU_API double segfmu_drive_bound(array_double_1d plant, int64_t axis);
+SEGFMU_API void segfmu_set_tracking(array_double_1d plant, array_double_1d design, double longest, array_double_1d tracking);
+SEGFMU_API void segfmu_set_fading(array_double_1d tracking);
 SEGFMU_API void segfmu_track_setpoint(array_double_1d parameters, array_double_3d table, array_double_3d gains, array_double_2d tick, array_double_2d memory);
 SEGFMU_API void segfmu_crane_load_partials(array_double_1d state, array_double_2d partials);
 SEGFMU_API void segfmu_crane_energy_partials(array_double_1d state, array_double_1d masses, array_double_2d partials);
@@ -35,6 +41,7 @@ SEGFMU_API void segfmu_evaluate(array_double_1d times, array_double_2d timing, a
 SEGFMU_API void segfmu_evaluate_orders(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d values);
 SEGFMU_API int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, double tolerance, array_double_2d work);
 SEGFMU_API int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work, array_double_1d report);
+SEGFMU_API int64_t segfmu_check_range(double value, double least, double most, array_double_1d fault);
 SEGFMU_API int64_t segfmu_ramp_duration(double* result_0_0001, double* result_1, double* result_2, double change, array_double_1d axis);
 SEGFMU_API int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result_2_0001, double* result_3, double* result_4, array_double_2d phases, int64_t count, double v, double within_0001, array_double_1d axis);
 SEGFMU_API int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
@@ -61,6 +68,7 @@ SEGFMU_API int64_t segfmu_check_travel(array_double_1d least, array_double_1d gr
 SEGFMU_API int64_t segfmu_check_lags(array_double_1d plant, array_double_1d fault);
 SEGFMU_API int64_t segfmu_check_sensors(array_double_1d sensors, array_double_1d fault);
 SEGFMU_API int64_t segfmu_check_rope_bounds(double length, double shortest, double longest, array_double_1d fault);
+SEGFMU_API int64_t segfmu_check_lengths(array_double_1d lengths, array_double_1d fault);
 SEGFMU_API double segfmu_same_break(double time);
 SEGFMU_API double segfmu_next_plan_event(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends, array_double_2d times);
 SEGFMU_API double segfmu_right_of_break(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends);

@@ -5,6 +5,42 @@
 
 #include "records.h"
 
+bool segfmu_range_message(
+    int64_t status, const double *report, char *text, size_t size)
+{
+    switch (status) {
+    case 1:
+        snprintf(text, size,
+            "must be at least %g, got %g",
+            report[RANGE_FAULT_LEAST],
+            report[RANGE_FAULT_VALUE]);
+        return true;
+    case 2:
+        snprintf(text, size,
+            "must be at least %g and at most %g, got %g",
+            report[RANGE_FAULT_LEAST],
+            report[RANGE_FAULT_MOST],
+            report[RANGE_FAULT_VALUE]);
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool segfmu_access_message(
+    int64_t status, const double *report, char *text, size_t size)
+{
+    switch (status) {
+    case 1:
+        snprintf(text, size,
+            "there is no variable with value reference %.0f",
+            report[ACCESS_FAULT_REFERENCE]);
+        return true;
+    default:
+        return false;
+    }
+}
+
 bool segfmu_plan_message(
     int64_t status, const double *report, char *text, size_t size)
 {
@@ -283,8 +319,15 @@ bool segfmu_setup_message(
         return true;
     case 8:
         snprintf(text, size,
-            "the rope lengths of the feedback, %g to %g m, must be ascending; set "
-            "crane.rope_min and crane.rope_max",
+            "rope lengths must be positive and ascending, got %g to %g m; set the "
+            "crane's rope_min and rope_max",
+            report[SETUP_FAULT_VALUE],
+            report[SETUP_FAULT_BOUND]);
+        return true;
+    case 9:
+        snprintf(text, size,
+            "the observer has no finite gains between %g and %g m of rope; check masses, "
+            "lags and what it expects",
             report[SETUP_FAULT_VALUE],
             report[SETUP_FAULT_BOUND]);
         return true;

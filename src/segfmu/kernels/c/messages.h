@@ -9,6 +9,10 @@
 #include "visible.h"
 
 /* The message of a status and its report; false for a status without one. */
+SEGFMU_API bool segfmu_range_message(
+    int64_t status, const double *report, char *text, size_t size);
+SEGFMU_API bool segfmu_access_message(
+    int64_t status, const double *report, char *text, size_t size);
 SEGFMU_API bool segfmu_plan_message(
     int64_t status, const double *report, char *text, size_t size);
 SEGFMU_API bool segfmu_rope_message(

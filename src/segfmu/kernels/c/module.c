@@ -322,64 +322,6 @@ static PyObject *call_feedback_gains(
     return answer;
 }
 
-static PyObject *call_design_flat_gains(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "design_flat_gains", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_plant;
-    Py_buffer *in_design;
-    double in_length;
-    Py_buffer *in_gains;
-    (void)self;
-    if (take_count(&call, count, 4)
-        && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_design = take_array(&call, 1, 1, 'd', false)) != NULL
-        && take_float(&call, 2, &in_length)
-        && (in_gains = take_array(&call, 3, 2, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 37)
-        && has_at_least(&call, "design", 0, in_design->shape[0], 4)
-        && has_at_least(&call, "gains", 0, in_gains->shape[0], 4)
-        && has_at_least(&call, "gains", 1, in_gains->shape[1], 10)) {
-        segfmu_design_flat_gains(
-            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
-            (array_double_1d){in_design->buf, {in_design->shape[0]}},
-            in_length,
-            (array_double_2d){in_gains->buf, {in_gains->shape[0], in_gains->shape[1]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_set_noise(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "set_noise", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_uncertainty;
-    double in_gravity;
-    double in_longest;
-    Py_buffer *in_tracking;
-    (void)self;
-    if (take_count(&call, count, 4)
-        && (in_uncertainty = take_array(&call, 0, 1, 'd', false)) != NULL
-        && take_float(&call, 1, &in_gravity)
-        && take_float(&call, 2, &in_longest)
-        && (in_tracking = take_array(&call, 3, 1, 'd', true)) != NULL
-        && has_at_least(&call, "uncertainty", 0, in_uncertainty->shape[0], 7)
-        && has_at_least(&call, "tracking", 0, in_tracking->shape[0], 27)) {
-        segfmu_set_noise(
-            (array_double_1d){in_uncertainty->buf, {in_uncertainty->shape[0]}},
-            in_gravity,
-            in_longest,
-            (array_double_1d){in_tracking->buf, {in_tracking->shape[0]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
 static PyObject *call_observer_design(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -413,6 +355,140 @@ static PyObject *call_observer_design(
             (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
             (array_double_2d){in_table->buf, {in_table->shape[0], in_table->shape[1]}});
         answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_rope_range(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "rope_range", .values = values};
+    PyObject *answer = NULL;
+    double in_length;
+    double in_shortest;
+    double in_longest;
+    Py_buffer *in_found;
+    (void)self;
+    if (take_count(&call, count, 4)
+        && take_float(&call, 0, &in_length)
+        && take_float(&call, 1, &in_shortest)
+        && take_float(&call, 2, &in_longest)
+        && (in_found = take_array(&call, 3, 1, 'd', true)) != NULL
+        && has_at_least(&call, "found", 0, in_found->shape[0], 2)) {
+        segfmu_rope_range(
+            in_length,
+            in_shortest,
+            in_longest,
+            (array_double_1d){in_found->buf, {in_found->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_table_lengths(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "table_lengths", .values = values};
+    PyObject *answer = NULL;
+    double in_shortest;
+    double in_longest;
+    int64_t in_rows;
+    Py_buffer *in_lengths;
+    (void)self;
+    if (take_count(&call, count, 4)
+        && take_float(&call, 0, &in_shortest)
+        && take_float(&call, 1, &in_longest)
+        && take_int(&call, 2, &in_rows)
+        && (in_lengths = take_array(&call, 3, 1, 'd', true)) != NULL
+        && has_at_least(&call, "lengths", 0, in_lengths->shape[0], in_rows)) {
+        answer = PyLong_FromLongLong(segfmu_table_lengths(
+            in_shortest,
+            in_longest,
+            in_rows,
+            (array_double_1d){in_lengths->buf, {in_lengths->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_flat_table(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "flat_table", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_plant;
+    Py_buffer *in_design;
+    int64_t in_rows;
+    Py_buffer *in_lengths;
+    Py_buffer *in_table;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_design = take_array(&call, 1, 1, 'd', false)) != NULL
+        && take_int(&call, 2, &in_rows)
+        && (in_lengths = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_table = take_array(&call, 4, 3, 'd', true)) != NULL
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 37)
+        && has_at_least(&call, "design", 0, in_design->shape[0], 4)
+        && has_at_least(&call, "lengths", 0, in_lengths->shape[0], in_rows)
+        && has_at_least(&call, "table", 0, in_table->shape[0], in_rows)
+        && has_at_least(&call, "table", 1, in_table->shape[1], 4)
+        && has_at_least(&call, "table", 2, in_table->shape[2], 10)) {
+        segfmu_flat_table(
+            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
+            (array_double_1d){in_design->buf, {in_design->shape[0]}},
+            in_rows,
+            (array_double_1d){in_lengths->buf, {in_lengths->shape[0]}},
+            (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_observer_table(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "observer_table", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_plant;
+    double in_sample_time;
+    Py_buffer *in_uncertainty;
+    int64_t in_rows;
+    Py_buffer *in_lengths;
+    Py_buffer *in_expected;
+    Py_buffer *in_work;
+    Py_buffer *in_table;
+    (void)self;
+    if (take_count(&call, count, 8)
+        && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
+        && take_float(&call, 1, &in_sample_time)
+        && (in_uncertainty = take_array(&call, 2, 1, 'd', false)) != NULL
+        && take_int(&call, 3, &in_rows)
+        && (in_lengths = take_array(&call, 4, 1, 'd', false)) != NULL
+        && (in_expected = take_array(&call, 5, 1, 'd', true)) != NULL
+        && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
+        && (in_table = take_array(&call, 7, 3, 'd', true)) != NULL
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 8)
+        && has_at_least(&call, "uncertainty", 0, in_uncertainty->shape[0], 7)
+        && has_at_least(&call, "lengths", 0, in_lengths->shape[0], in_rows)
+        && has_at_least(&call, "expected", 0, in_expected->shape[0], 5)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 72)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 16)
+        && has_at_least(&call, "table", 0, in_table->shape[0], in_rows)
+        && has_at_least(&call, "table", 1, in_table->shape[1], 19)
+        && has_at_least(&call, "table", 2, in_table->shape[2], 10)) {
+        answer = PyBool_FromLong(segfmu_observer_table(
+            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
+            in_sample_time,
+            (array_double_1d){in_uncertainty->buf, {in_uncertainty->shape[0]}},
+            in_rows,
+            (array_double_1d){in_lengths->buf, {in_lengths->shape[0]}},
+            (array_double_1d){in_expected->buf, {in_expected->shape[0]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}}));
     }
     release_arguments(&call);
     return answer;
@@ -486,6 +562,92 @@ static PyObject *call_observer_correct(
             (array_double_1d){in_measured->buf, {in_measured->shape[0]}},
             (array_double_1d){in_reference->buf, {in_reference->shape[0]}},
             (array_double_2d){in_estimate->buf, {in_estimate->shape[0], in_estimate->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_sampled_late(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "sampled_late", .values = values};
+    PyObject *answer = NULL;
+    double in_dead_time;
+    double in_sample_time;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && take_float(&call, 0, &in_dead_time)
+        && take_float(&call, 1, &in_sample_time)) {
+        answer = PyBool_FromLong(segfmu_sampled_late(
+            in_dead_time,
+            in_sample_time));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_drive_bound(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "drive_bound", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_plant;
+    int64_t in_axis;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
+        && take_int(&call, 1, &in_axis)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 14)) {
+        answer = PyFloat_FromDouble(segfmu_drive_bound(
+            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
+            in_axis));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_set_tracking(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "set_tracking", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_plant;
+    Py_buffer *in_design;
+    double in_longest;
+    Py_buffer *in_tracking;
+    (void)self;
+    if (take_count(&call, count, 4)
+        && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_design = take_array(&call, 1, 1, 'd', false)) != NULL
+        && take_float(&call, 2, &in_longest)
+        && (in_tracking = take_array(&call, 3, 1, 'd', true)) != NULL
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 14)
+        && has_at_least(&call, "design", 0, in_design->shape[0], 9)
+        && has_at_least(&call, "tracking", 0, in_tracking->shape[0], 27)) {
+        segfmu_set_tracking(
+            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
+            (array_double_1d){in_design->buf, {in_design->shape[0]}},
+            in_longest,
+            (array_double_1d){in_tracking->buf, {in_tracking->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_set_fading(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "set_fading", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_tracking;
+    (void)self;
+    if (take_count(&call, count, 1)
+        && (in_tracking = take_array(&call, 0, 1, 'd', true)) != NULL
+        && has_at_least(&call, "tracking", 0, in_tracking->shape[0], 27)) {
+        segfmu_set_fading(
+            (array_double_1d){in_tracking->buf, {in_tracking->shape[0]}});
         answer = Py_NewRef(Py_None);
     }
     release_arguments(&call);
@@ -871,6 +1033,32 @@ static PyObject *call_check_rope(
             (array_double_1d){in_bounds->buf, {in_bounds->shape[0]}},
             (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
             (array_double_1d){in_report->buf, {in_report->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_check_range(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "check_range", .values = values};
+    PyObject *answer = NULL;
+    double in_value;
+    double in_least;
+    double in_most;
+    Py_buffer *in_fault;
+    (void)self;
+    if (take_count(&call, count, 4)
+        && take_float(&call, 0, &in_value)
+        && take_float(&call, 1, &in_least)
+        && take_float(&call, 2, &in_most)
+        && (in_fault = take_array(&call, 3, 1, 'd', true)) != NULL
+        && has_at_least(&call, "fault", 0, in_fault->shape[0], 3)) {
+        answer = PyLong_FromLongLong(segfmu_check_range(
+            in_value,
+            in_least,
+            in_most,
+            (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
     }
     release_arguments(&call);
     return answer;
@@ -1655,6 +1843,27 @@ static PyObject *call_check_rope_bounds(
     return answer;
 }
 
+static PyObject *call_check_lengths(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "check_lengths", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_lengths;
+    Py_buffer *in_fault;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_lengths = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_fault = take_array(&call, 1, 1, 'd', true)) != NULL
+        && has_at_least(&call, "lengths", 0, in_lengths->shape[0], 2)
+        && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
+        answer = PyLong_FromLongLong(segfmu_check_lengths(
+            (array_double_1d){in_lengths->buf, {in_lengths->shape[0]}},
+            (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_same_break(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -1861,11 +2070,17 @@ static PyMethodDef methods[] = {
     {"feedback_correction", (PyCFunction)(void (*)(void))call_feedback_correction, METH_FASTCALL, NULL},
     {"feedback_bandwidth", (PyCFunction)(void (*)(void))call_feedback_bandwidth, METH_FASTCALL, NULL},
     {"feedback_gains", (PyCFunction)(void (*)(void))call_feedback_gains, METH_FASTCALL, NULL},
-    {"design_flat_gains", (PyCFunction)(void (*)(void))call_design_flat_gains, METH_FASTCALL, NULL},
-    {"set_noise", (PyCFunction)(void (*)(void))call_set_noise, METH_FASTCALL, NULL},
     {"observer_design", (PyCFunction)(void (*)(void))call_observer_design, METH_FASTCALL, NULL},
+    {"rope_range", (PyCFunction)(void (*)(void))call_rope_range, METH_FASTCALL, NULL},
+    {"table_lengths", (PyCFunction)(void (*)(void))call_table_lengths, METH_FASTCALL, NULL},
+    {"flat_table", (PyCFunction)(void (*)(void))call_flat_table, METH_FASTCALL, NULL},
+    {"observer_table", (PyCFunction)(void (*)(void))call_observer_table, METH_FASTCALL, NULL},
     {"observer_predict", (PyCFunction)(void (*)(void))call_observer_predict, METH_FASTCALL, NULL},
     {"observer_correct", (PyCFunction)(void (*)(void))call_observer_correct, METH_FASTCALL, NULL},
+    {"sampled_late", (PyCFunction)(void (*)(void))call_sampled_late, METH_FASTCALL, NULL},
+    {"drive_bound", (PyCFunction)(void (*)(void))call_drive_bound, METH_FASTCALL, NULL},
+    {"set_tracking", (PyCFunction)(void (*)(void))call_set_tracking, METH_FASTCALL, NULL},
+    {"set_fading", (PyCFunction)(void (*)(void))call_set_fading, METH_FASTCALL, NULL},
     {"track_setpoint", (PyCFunction)(void (*)(void))call_track_setpoint, METH_FASTCALL, NULL},
     {"crane_load_partials", (PyCFunction)(void (*)(void))call_crane_load_partials, METH_FASTCALL, NULL},
     {"crane_energy_partials", (PyCFunction)(void (*)(void))call_crane_energy_partials, METH_FASTCALL, NULL},
@@ -1877,6 +2092,7 @@ static PyMethodDef methods[] = {
     {"evaluate_orders", (PyCFunction)(void (*)(void))call_evaluate_orders, METH_FASTCALL, NULL},
     {"check_plan", (PyCFunction)(void (*)(void))call_check_plan, METH_FASTCALL, NULL},
     {"check_rope", (PyCFunction)(void (*)(void))call_check_rope, METH_FASTCALL, NULL},
+    {"check_range", (PyCFunction)(void (*)(void))call_check_range, METH_FASTCALL, NULL},
     {"ramp_duration", (PyCFunction)(void (*)(void))call_ramp_duration, METH_FASTCALL, NULL},
     {"measure_phases", (PyCFunction)(void (*)(void))call_measure_phases, METH_FASTCALL, NULL},
     {"shortest_profile", (PyCFunction)(void (*)(void))call_shortest_profile, METH_FASTCALL, NULL},
@@ -1903,6 +2119,7 @@ static PyMethodDef methods[] = {
     {"check_lags", (PyCFunction)(void (*)(void))call_check_lags, METH_FASTCALL, NULL},
     {"check_sensors", (PyCFunction)(void (*)(void))call_check_sensors, METH_FASTCALL, NULL},
     {"check_rope_bounds", (PyCFunction)(void (*)(void))call_check_rope_bounds, METH_FASTCALL, NULL},
+    {"check_lengths", (PyCFunction)(void (*)(void))call_check_lengths, METH_FASTCALL, NULL},
     {"same_break", (PyCFunction)(void (*)(void))call_same_break, METH_FASTCALL, NULL},
     {"next_plan_event", (PyCFunction)(void (*)(void))call_next_plan_event, METH_FASTCALL, NULL},
     {"right_of_break", (PyCFunction)(void (*)(void))call_right_of_break, METH_FASTCALL, NULL},

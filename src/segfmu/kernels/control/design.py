@@ -1,10 +1,39 @@
-"""Design of the flatness-based feedback, and of the tracking controller's noise thresholds."""
-
-from math import sqrt
+"""Design of the controllers' tables over rope length: lengths, gains in closed form, observer."""
 
 from segfmu.kernels.control.feedback import feedback_bandwidth, feedback_gains
-from segfmu.kernels.control.records import FlatDesign, Tracking, Uncertainty
+from segfmu.kernels.control.kalman import observer_design
+from segfmu.kernels.control.records import (
+    Expected,
+    FlatDesign,
+    Observer,
+    RopeRange,
+    Uncertainty,
+)
 from segfmu.kernels.crane.records import Axes, DriveMode, Plant
+
+
+def rope_range(length: float, shortest: float, longest: float, found: 'float[:]') -> None:
+    """A `RopeRange` by a crane's bounds [m], by its rope's length at the start [m] without them."""
+    found[RopeRange.SHORTEST] = shortest
+    found[RopeRange.LONGEST] = longest
+    if not shortest > 0.0:
+        found[RopeRange.SHORTEST] = 0.2 * length
+    if not longest > 0.0:
+        found[RopeRange.LONGEST] = 5.0 * length
+
+
+def table_lengths(shortest: float, longest: float, rows: int, lengths: 'float[:]') -> int:
+    """Rope lengths (rows,) of a table, in equal ratios [m]; returns their number.
+
+    One where both ends are the same.
+    """
+    lengths[0] = shortest
+    if not longest > shortest:
+        return 1
+    for row in range(1, rows - 1):
+        lengths[row] = shortest * (longest / shortest) ** (row / (rows - 1))
+    lengths[rows - 1] = longest
+    return rows
 
 
 def largest_angle() -> float:
@@ -41,23 +70,38 @@ def design_flat_gains(
     feedback_gains(plant, length, bandwidth, hoist, design[FlatDesign.DAMPING], gains)
 
 
-def set_noise(
-    uncertainty: 'float[:]', gravity: float, longest: float, tracking: 'float[:]'
+def flat_table(
+    plant: 'float[:]', design: 'float[:]', rows: int, lengths: 'float[:]', table: 'float[:,:,:]'
 ) -> None:
-    """Fill in a `Tracking` that has a PERIOD, from WAKE_POSITION on, by an `Uncertainty`.
+    """`design_flat_gains` at rope lengths (rows,) [m]; table (rows, 4, 10): a `Gains` a row."""
+    for row in range(rows):
+        design_flat_gains(plant, design, lengths[row], table[row, :, :])
 
-    The bandwidth of the filter that finds the rope's offset is in units of the frequency of the
-    longest rope [m], but no more than half a radian in a sample.
+
+def observer_table(
+    plant: 'float[:]',
+    sample_time: float,
+    uncertainty: 'float[:]',
+    rows: int,
+    lengths: 'float[:]',
+    expected: 'float[:]',
+    work: 'float[:,:]',
+    table: 'float[:,:,:]',
+) -> bool:
+    """`observer_design` at rope lengths (rows,) [m]; whether all of the table is finite.
+
+    uncertainty: an `Uncertainty`; expected: work space, an `Expected`; table (rows, 19, 10): an
+    `Observer` a row.
     """
-    wake = uncertainty[Uncertainty.WAKE]
-    tracking[Tracking.WAKE_POSITION] = wake * uncertainty[Uncertainty.POSITION]
-    tracking[Tracking.WAKE_LENGTH] = wake * uncertainty[Uncertainty.LENGTH]
-    tracking[Tracking.WAKE_ANGLE] = wake * uncertainty[Uncertainty.ANGLE]
-    tracking[Tracking.OFFSET_EXPECTED] = uncertainty[Uncertainty.OFFSET]
-    tracking[Tracking.OFFSET_BANDWIDTH] = min(
-        4.0 * sqrt(gravity / longest), 0.5 / tracking[Tracking.PERIOD]
-    )
-    angle = uncertainty[Uncertainty.ANGLE]
-    place = max(uncertainty[Uncertainty.POSITION], uncertainty[Uncertainty.LENGTH])
-    tracking[Tracking.ANGLE_VARIANCE] = angle * angle / 12.0
-    tracking[Tracking.POSITION_VARIANCE] = place * place / 12.0
+    for i in range(Expected.SIZE):
+        expected[i] = uncertainty[i]
+    gravity = plant[Plant.GRAVITY]
+    expected[Expected.DRIFT] = uncertainty[Uncertainty.DRIFT] * gravity
+    expected[Expected.WIND] = uncertainty[Uncertainty.WIND] * gravity
+    finite = True
+    for row in range(rows):
+        observer_design(plant, sample_time, lengths[row], expected, work, table[row, :, :])
+        for i in range(Observer.SIZE):
+            for j in range(Observer.COLUMNS):
+                finite = finite and abs(table[row, i, j]) <= 1.7976931348623157e308
+    return finite

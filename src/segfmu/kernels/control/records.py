@@ -44,6 +44,29 @@ class Gains(Record):
     AXES = field("gains of bridge, trolley and hoist, by the errors of the state", size=3, of=State)
 
 
+def _gains(drive: str, axis: int) -> list[str]:
+    """Variables of a row of gains: one an entry of the state, where it has to do with the axis."""
+    names = [""] * State.SIZE
+    for name, quantity in (
+        ("POSITION", "position"), ("ANGLE", "angle"), ("VELOCITY", "velocity"), ("RATE", "rate")
+    ):
+        if axis < State.FIELDS[name].size:
+            names[getattr(State, name) + axis] = f"feedback.table[{{}}].{drive}.{quantity}"
+    return names
+
+
+class GainsRow(Record):
+    """A row of an FMU's table of gains: a `Gains` with its rows one behind the other."""
+
+    LENGTH = field(
+        "rope length, the first entry", "m", size=State.SIZE,
+        variables=["feedback.table[{}].length", *[""] * (State.SIZE - 1)],
+    )
+    BRIDGE = field("gains of the bridge", size=State.SIZE, variables=_gains("bridge", 0))
+    TROLLEY = field("gains of the trolley", size=State.SIZE, variables=_gains("trolley", 1))
+    HOIST = field("gains of the hoist", size=State.SIZE, variables=_gains("hoist", 2))
+
+
 class Estimate(Record):
     """Deviation of an axis from its reference; the load is at position + length * angle."""
 
@@ -148,7 +171,7 @@ class Tracking(Record):
     WAKE_ANGLE = field("deviation of an angle up to which nothing is corrected", "rad")
     OFFSET_EXPECTED = field(
         "expected standard deviation of the length sensor's offset over the rope's length; 0: "
-        "none is estimated", variables=("feedback.observer.offset",),
+        "none is estimated",
     )
     OFFSET_BANDWIDTH = field("bandwidth of the offset's filter", "rad/s")
     ANGLE_VARIANCE = field("variance of the angles' noise", "rad2")
@@ -302,3 +325,19 @@ class Uncertainty(Expected):
         "standard deviation of the length sensor's offset over the rope's length",
         variables=(f"{OBSERVER}.offset",),
     )
+
+
+class TrackingDesign(Uncertainty):
+    """What a `Tracking` follows from, beside its own variables and the nominal crane."""
+
+    DEAD_TIME = field("from sampling to the signal", "s", variables=("sensor.dead_time",))
+    PAYLOAD_TIME = field(
+        "time constant of the payload's estimate", "s", variables=("feedback.payload_time",)
+    )
+
+
+class RopeRange(Record):
+    """Rope lengths between which a controller's table lies."""
+
+    SHORTEST = field("least rope length", "m")
+    LONGEST = field("greatest rope length", "m")

@@ -7,6 +7,11 @@ DRIVES = ("bridge", "trolley", "hoist")
 AXES = ("bridge", "trolley", "rope")
 
 
+def _load(name: str) -> list[str]:
+    """Variables of a derivative of the load's position."""
+    return [f"reference.load.{name}.{a}" for a in "xyz"]
+
+
 class DriveMode(Codes):
     """What the drives follow."""
 
@@ -168,9 +173,35 @@ class Compensation(Record):
 class FlatInverse(Record):
     """Results of the flat inverse."""
 
-    FORCE = field("forces of the drives", "N", size=3)
-    STATE = field("state of the crane", size=State.SIZE, of=State)
-    ACCELERATION = field("second derivatives of the coordinates", size=Coordinates.SIZE)
+    FORCE = field(
+        "forces of the drives", "N", size=3, variables=[f"force.{d}" for d in DRIVES]
+    )
+    STATE = field(
+        "state of the crane", size=State.SIZE, of=State,
+        variables=[f"reference.{v}" for f in State.FIELDS.values() for v in f.variables],
+    )
+    ACCELERATION = field(
+        "second derivatives of the coordinates", size=Coordinates.SIZE,
+        variables=[*(f"reference.{a}.acceleration" for a in AXES), "", ""],
+    )
+
+
+class Feedforward(FlatInverse):
+    """What feedforward gives a crane: results of the flat inverse, and velocities as setpoints."""
+
+    VELOCITY = field(
+        "velocities of the drives", "m/s", size=3, variables=[f"velocity.{d}" for d in DRIVES]
+    )
+
+
+class LoadMotion(Record):
+    """Position of the load and its derivatives, triples of the directions in space."""
+
+    POSITION = field("position", "m", size=3, variables=_load("position"))
+    VELOCITY = field("velocity", "m/s", size=3, variables=_load("velocity"))
+    ACCELERATION = field("acceleration", "m/s2", size=3, variables=_load("acceleration"))
+    JERK = field("jerk", "m/s3", size=3, variables=_load("jerk"))
+    SNAP = field("snap", "m/s4", size=3, variables=_load("snap"))
 
 
 class Load(Record):
@@ -233,7 +264,7 @@ class Work(Record):
     RATES = field("how they change in it", of=CommandRates)
     LOAD_FORCE = field("force on the load, held", "N", of=Vector)
     STAGES = field("derivatives of the state", size=Stages.SIZE, of=PlantState)
-    TRIAL = field("state at the end of the step that is tried", of=PlantState)
+    TRIAL = field("state to which the step that is tried leads", of=PlantState)
     STEP = field("step to try first, 0: the whole interval; kept for the next call", "s")
     GENERALISED = field("generalised forces", of=GeneralisedForce)
     ACTION = field("what acts", of=StageAction)

@@ -1,6 +1,6 @@
 """Records of the numerics."""
 
-from segfmu.kernels.records import Record, field
+from segfmu.kernels.records import Codes, Record, field
 
 
 class Stages(Record):
@@ -28,3 +28,31 @@ class RandomState(Record):
 
     FIRST = field("of the first generator")
     SECOND = field("of the second generator")
+
+
+class RangeStatus(Codes):
+    """Whether a value is in its range. BELOW: no, and the range has no end above."""
+
+    INSIDE = 0
+    BELOW = 1
+    OUTSIDE = 2
+
+
+class RangeFault(Record):
+    """A value that is not in its range."""
+
+    VALUE = field("the value")
+    LEAST = field("least value of the range")
+    MOST = field("greatest value of the range")
+
+
+class AccessStatus(Codes):
+    """Why a variable cannot be read or set."""
+
+    NO_VARIABLE = 1
+
+
+class AccessFault(Record):
+    """A variable that cannot be read or set."""
+
+    REFERENCE = field("value reference")

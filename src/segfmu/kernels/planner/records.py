@@ -64,11 +64,31 @@ class Braking(Codes):
 class PlanOptions(Record):
     """How to plan."""
 
-    SMOOTHNESS = field("n, 2 to 6: how often the trajectory is continuously differentiable")
-    SHAPE = field("of the ramps, see Shape")
-    SYNCHRONIZATION = field("of the axes, see Synchronization")
-    SAMPLE_TIME = field("intervals last a multiple of it; 0: any time", "s")
-    DURATION = field("in total; 0: the shortest", "s")
+    SMOOTHNESS = field(
+        "n, 2 to 6: how often the trajectory is continuously differentiable",
+        variables=("planner.smoothness",),
+    )
+    SHAPE = field("of the ramps, see Shape", variables=("planner.shape",), base=1)
+    SYNCHRONIZATION = field(
+        "of the axes, see Synchronization", variables=("planner.synchronization",), base=1
+    )
+    SAMPLE_TIME = field(
+        "intervals last a multiple of it; 0: any time", "s", variables=("planner.sample_time",)
+    )
+    DURATION = field("in total; 0: the shortest", "s", variables=("planner.duration",))
+
+
+def _limits(axis: str) -> list[str]:
+    """Variables of the limits of an axis, from the velocity on."""
+    return [f"limits.{axis}.{n}" for n in ("velocity", "acceleration", "jerk", "snap")]
+
+
+class LoadLimits(Record):
+    """Limits of a load's velocity, acceleration, jerk and snap along each axis; 0 where absent."""
+
+    X = field("limits c_1 .. c_4 along x", size=4, variables=_limits("x"))
+    Y = field("limits c_1 .. c_4 along y", size=4, variables=_limits("y"))
+    Z = field("limits c_1 .. c_4 along z", size=4, variables=_limits("z"))
 
 
 class WaypointState(Record):

@@ -43,7 +43,7 @@ class SetupStatus(Codes):
     EMPTY_TRAVEL: an axis has no room between its end stops. NO_LAG: without lag, the acceleration
     of a velocity drive does not follow from its setpoint. NOT_SAMPLED, SHORT_SAMPLE,
     LONG_DEAD_TIME: of the sensors. ROPE_START: the rope has no length. ROPE_BOUNDS: its bounds are
-    not ascending, LENGTHS: nor are those of the feedback.
+    not ascending. LENGTHS, OBSERVER: of a controller's table, the observer's is not finite.
     """
 
     FITS = 0
@@ -55,6 +55,7 @@ class SetupStatus(Codes):
     ROPE_START = 6
     ROPE_BOUNDS = 7
     LENGTHS = 8
+    OBSERVER = 9
 
 
 class SetupFault(Record):
@@ -111,17 +112,15 @@ class Settings(Record):
 class PayloadChange(Record):
     """A change of the load."""
 
-    TIME = field("from when on", "s")
-    MASS = field("mass of the load", "kg")
+    TIME = field("from when on", "s", variables=("payload[{}].time",))
+    MASS = field("mass of the load", "kg", variables=("payload[{}].mass",))
 
 
-class PayloadTable(Record):
-    """Changes of the load, as many as an FMU has room for."""
+class Disturbance(Codes):
+    """Changes of the load that an FMU has room for, and sines in the noise of the wind."""
 
-    CHANGES = field(
-        "change after change, see PayloadChange", size=4 * PayloadChange.SIZE,
-        variables=[f"payload[{i}].{n}" for i in range(1, 5) for n in ("time", "mass")],
-    )
+    MOST_CHANGES = 4
+    COMPONENTS = 32
 
 
 class WindNoise(Record):
@@ -132,6 +131,7 @@ class WindNoise(Record):
         variables=[f"wind.noise.deviation.{a}" for a in "xyz"],
     )
     BANDWIDTH = field("largest frequency", "Hz", variables=("wind.noise.bandwidth",))
+    SEED = field("seed of the noise", variables=("wind.noise.seed",))
 
 
 class Target(Record):

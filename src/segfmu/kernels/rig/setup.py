@@ -1,5 +1,6 @@
 """Whether the parameters of a rig fit together. Statuses are those of SetupStatus."""
 
+from segfmu.kernels.control.records import RopeRange
 from segfmu.kernels.crane.records import Axes, DriveMode, Plant
 from segfmu.kernels.rig.records import SensorLimits, Sensors, SetupFault, SetupStatus
 
@@ -54,4 +55,15 @@ def check_rope_bounds(length: float, shortest: float, longest: float, fault: 'fl
     fault[SetupFault.BOUND] = longest
     if longest > 0.0 and not shortest < longest:
         return SetupStatus.ROPE_BOUNDS
+    return SetupStatus.FITS
+
+
+def check_lengths(lengths: 'float[:]', fault: 'float[:]') -> int:
+    """The rope lengths of a table, a `RopeRange`, are positive and do not descend."""
+    shortest = lengths[RopeRange.SHORTEST]
+    longest = lengths[RopeRange.LONGEST]
+    fault[SetupFault.VALUE] = shortest
+    fault[SetupFault.BOUND] = longest
+    if not (shortest > 0.0 and shortest <= longest and longest <= 1.7976931348623157e308):
+        return SetupStatus.LENGTHS
     return SetupStatus.FITS

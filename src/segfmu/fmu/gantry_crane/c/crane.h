@@ -8,14 +8,14 @@
 
 /* numbers of rows that there is room for, and sizes of the tables' parts for a rope length */
 enum {
-    COMPONENTS = 32, CHANGES = PAYLOAD_TABLE_SIZE / PAYLOAD_CHANGE_SIZE, MOST_LENGTHS = MODEL_ROWS,
+    COMPONENTS = DISTURBANCE_COMPONENTS, CHANGES = DISTURBANCE_MOST_CHANGES, MOST_LENGTHS = MODEL_ROWS,
     GAINS_BLOCK = GAINS_SIZE * GAINS_COLUMNS, OBSERVER_BLOCK = OBSERVER_SIZE * OBSERVER_COLUMNS
 };
 
 typedef struct {
     model base;
     double settings[SETTINGS_SIZE * SETTINGS_COLUMNS], setpoints[SETPOINTS_SIZE];
-    double changes[PAYLOAD_TABLE_SIZE], components[COMPONENTS * SINUSOID_SIZE];
+    double changes[CHANGES * PAYLOAD_CHANGE_SIZE], components[COMPONENTS * SINUSOID_SIZE];
     double gains[MOST_LENGTHS * GAINS_BLOCK];
     /* of source measured: the observer's table, and what the controller remembers */
     double observer[MOST_LENGTHS * OBSERVER_BLOCK];
@@ -95,12 +95,9 @@ static inline double nominal_payload(const crane *m)
     return payload > 0.0 ? payload : m->base.real[V_CRANE_PAYLOAD_MASS];
 }
 
-/* The least and greatest rope length of the closed form and the observer; false with a message
-   where there is none. */
-static bool crane_rope_range(const crane *m, double range[2], char message[MESSAGE]);
-
-/* A rope length of their tables, in equal ratios. */
-static double crane_node(const double range[2], int64_t row);
+/* The rope lengths of the closed form and the observer, and how many; 0 with a message where they do
+   not fit. */
+static int64_t crane_lengths(const crane *m, double lengths[MOST_LENGTHS], char message[MESSAGE]);
 
 /* The `Plant` with the load that feedback and observer are for. */
 static void crane_nominal(crane *m, double plant[PLANT_SIZE]);

@@ -5,17 +5,9 @@
 #include "feeds.h"
 #include "say.h"
 
-/* The table, whose columns are those of one axis each. */
+/* The table. */
 static bool read_table(crane *m, char message[MESSAGE])
 {
-    static const struct { int first, axis, count, places[4]; } axes[] = {
-        {V_FEEDBACK_TABLE_BRIDGE, AXES_BRIDGE, 4,
-         {STATE_POSITION, STATE_ANGLE, STATE_VELOCITY, STATE_RATE}},
-        {V_FEEDBACK_TABLE_TROLLEY, AXES_TROLLEY, 4,
-         {STATE_POSITION + 1, STATE_ANGLE + 1, STATE_VELOCITY + 1, STATE_RATE + 1}},
-        {V_FEEDBACK_TABLE_HOIST, AXES_ROPE, 2, {STATE_POSITION + 2, STATE_VELOCITY + 2}}
-    };
-    const double *real = m->base.real;
     if (m->base.integer[V_FEEDBACK_TABLE_MODE] != m->base.integer[V_DRIVE_MODE]) {
         return say(message, "the gains of feedback.table are for the other drive.mode; set "
                    "feedback.design to flatness, or gains for this mode and feedback.table.mode");
@@ -23,18 +15,12 @@ static bool read_table(crane *m, char message[MESSAGE])
     m->count_lengths = m->base.integer[V_FEEDBACK_TABLE_COUNT];
     memset(m->gains, 0, sizeof m->gains);
     for (int64_t row = 0; row < m->count_lengths; row++) {
-        const double *length = &real[V_FEEDBACK_TABLE_LENGTH + row];
         double *block = m->gains + row * GAINS_BLOCK;
-        if (row > 0 && !(length[0] > length[-1])) {
+        feed_row(&feeds_gains_row, &m->base, row, block);
+        if (row > 0 && !(block[GAINS_ROW_LENGTH] > block[GAINS_ROW_LENGTH - GAINS_BLOCK])) {
             return say(message, "feedback.table[%d].length %g m must be above that of the row "
-                       "before, %g m", (int)row + 1, length[0], length[-1]);
-        }
-        block[GAINS_LENGTH * GAINS_COLUMNS] = length[0];
-        for (int a = 0; a < 3; a++) {
-            for (int k = 0; k < axes[a].count; k++) {
-                block[(GAINS_AXES + axes[a].axis) * GAINS_COLUMNS + axes[a].places[k]] =
-                    real[axes[a].first + row * axes[a].count + k];
-            }
+                       "before, %g m", (int)row + 1, block[GAINS_ROW_LENGTH],
+                       block[GAINS_ROW_LENGTH - GAINS_BLOCK]);
         }
     }
     return true;
@@ -43,18 +29,16 @@ static bool read_table(crane *m, char message[MESSAGE])
 /* The closed form over rope lengths in equal ratios. */
 static bool design_flat(crane *m, char message[MESSAGE])
 {
-    double plant[PLANT_SIZE], design[FLAT_DESIGN_SIZE], range[2];
-    if (!crane_rope_range(m, range, message)) {
+    double plant[PLANT_SIZE], design[FLAT_DESIGN_SIZE], lengths[MOST_LENGTHS];
+    int64_t count = crane_lengths(m, lengths, message);
+    if (count == 0) {
         return false;
     }
     crane_nominal(m, plant);
     feed_record(&feeds_flat_design, &m->base, design);
-    m->count_lengths = range[1] > range[0] ? MOST_LENGTHS : 1;
-    for (int64_t row = 0; row < m->count_lengths; row++) {
-        segfmu_design_flat_gains(
-            vector(plant, PLANT_SIZE), vector(design, FLAT_DESIGN_SIZE), crane_node(range, row),
-            matrix(m->gains + row * GAINS_BLOCK, GAINS_SIZE, GAINS_COLUMNS));
-    }
+    m->count_lengths = count;
+    segfmu_flat_table(vector(plant, PLANT_SIZE), vector(design, FLAT_DESIGN_SIZE), count,
+                      vector(lengths, MOST_LENGTHS), gains_of(m));
     return true;
 }
 

@@ -1,27 +1,22 @@
 /* GantryCrane: crane and rope lengths that the tables of gains and of the observer are for. */
-#include <math.h>
 #include <string.h>
 
 #include "crane.h"
 #include "messages.h"
 
-bool crane_rope_range(const crane *m, double range[2], char message[MESSAGE])
+int64_t crane_lengths(const crane *m, double lengths[MOST_LENGTHS], char message[MESSAGE])
 {
     const double *real = m->base.real;
-    double shortest = real[V_CRANE_ROPE_MIN], longest = real[V_CRANE_ROPE_MAX];
-    range[0] = shortest > 0.0 ? shortest : 0.2 * real[V_ROPE_LENGTH];
-    range[1] = longest > 0.0 ? longest : 5.0 * real[V_ROPE_LENGTH];
-    double fault[SETUP_FAULT_SIZE] = {0.0};
-    fault[SETUP_FAULT_VALUE] = range[0];
-    fault[SETUP_FAULT_BOUND] = range[1];
-    return range[0] <= range[1]
-        || !segfmu_setup_message(SETUP_STATUS_LENGTHS, fault, message, MESSAGE);
-}
-
-double crane_node(const double range[2], int64_t row)
-{
-    double share = (double)row / (MOST_LENGTHS - 1);
-    return row == MOST_LENGTHS - 1 ? range[1] : range[0] * pow(range[1] / range[0], share);
+    double fault[SETUP_FAULT_SIZE] = {0.0}, range[ROPE_RANGE_SIZE];
+    segfmu_rope_range(real[V_ROPE_LENGTH], real[V_CRANE_ROPE_MIN], real[V_CRANE_ROPE_MAX],
+                      vector(range, ROPE_RANGE_SIZE));
+    int64_t status = segfmu_check_lengths(vector(range, ROPE_RANGE_SIZE),
+                                          vector(fault, SETUP_FAULT_SIZE));
+    if (segfmu_setup_message(status, fault, message, MESSAGE)) {
+        return 0;
+    }
+    return segfmu_table_lengths(range[ROPE_RANGE_SHORTEST], range[ROPE_RANGE_LONGEST],
+                                MOST_LENGTHS, vector(lengths, MOST_LENGTHS));
 }
 
 void crane_nominal(crane *m, double plant[PLANT_SIZE])

@@ -93,21 +93,25 @@ static double of_norm(const crane *m, const known_place *k)
     return sum;
 }
 
-static double of_energy(const crane *m, int output, const known_place *k)
+/* Of an output that is an energy, or changes at events alone; false where it is neither. */
+static bool of_energy(const crane *m, int output, const known_place *k, double *value)
 {
     static const double gained[WORKS] = {1.0, 1.0, -1.0};
+    const double kinetic = of_state(m->energy_partials, ENERGIES_KINETIC, k);
+    const double potential = of_state(m->energy_partials, ENERGIES_POTENTIAL, k);
     switch (output) {
-    case OUTPUTS_KINETIC: return of_state(m->energy_partials, ENERGIES_KINETIC, k);
-    case OUTPUTS_POTENTIAL: return of_state(m->energy_partials, ENERGIES_POTENTIAL, k);
-    case OUTPUTS_WORK: return k->energy == 0 || k->energy == 1 ? 1.0 : 0.0;
-    case OUTPUTS_DRIVE_WORK: return k->energy == 0;
-    case OUTPUTS_WIND_WORK: return k->energy == 1;
-    case OUTPUTS_DISSIPATED: return k->energy == 2;
+    case OUTPUTS_KINETIC: *value = kinetic; return true;
+    case OUTPUTS_POTENTIAL: *value = potential; return true;
+    case OUTPUTS_WORK: *value = k->energy == 0 || k->energy == 1; return true;
+    case OUTPUTS_DRIVE_WORK: *value = k->energy == 0; return true;
+    case OUTPUTS_WIND_WORK: *value = k->energy == 1; return true;
+    case OUTPUTS_DISSIPATED: *value = k->energy == 2; return true;
     case OUTPUTS_IMBALANCE:
-        return of_state(m->energy_partials, ENERGIES_KINETIC, k)
-            + of_state(m->energy_partials, ENERGIES_POTENTIAL, k)
-            - (k->energy < 0 ? 0.0 : gained[k->energy]);
-    default: return 0.0;
+        *value = kinetic + potential - (k->energy < 0 ? 0.0 : gained[k->energy]);
+        return true;
+    case OUTPUTS_PAYLOAD:
+    case OUTPUTS_PAYLOAD_MASS: *value = 0.0; return true;
+    default: return false;
     }
 }
 
@@ -154,31 +158,38 @@ static bool of_forces(const crane *m, const variable *unknown, int output, const
     return true;
 }
 
-/* Of an output or state derivative by one variable; `rig`: it follows from forces. */
-static double of_unknown(const crane *m, const variable *unknown, const known_place *k, bool *rig)
+/* Of an output that follows from the state; false where it does not. */
+static bool of_place(const crane *m, int output, const known_place *k, double *value)
 {
-    int which, output = feed_place(&feeds_outputs, unknown->offset);
-    double value;
-    *rig = of_forces(m, unknown, output, k, &value);
-    if (*rig) {
-        return value;
-    }
+    int which;
     if (among(output, OUTPUTS_STATE, STATE_SIZE, &which)) {
-        return k->column == which;
+        *value = k->column == which;
+    } else if (among(output, OUTPUTS_MEASURED, COORDINATES_SIZE, &which)) {
+        *value = of_signal(m, which, k);
+    } else if (among(output, OUTPUTS_LOAD_POSITION, VECTOR_SIZE, &which)) {
+        *value = of_state(m->load_partials, LOAD_PARTIALS_POSITION + which, k);
+    } else if (among(output, OUTPUTS_LOAD_VELOCITY, VECTOR_SIZE, &which)) {
+        *value = of_state(m->load_partials, LOAD_PARTIALS_VELOCITY + which, k);
+    } else if (among(output, OUTPUTS_ERROR, VECTOR_SIZE, &which)) {
+        *value = of_error(m, which, k);
+    } else if (output == OUTPUTS_ERROR_NORM) {
+        *value = of_norm(m, k);
+    } else {
+        return false;
     }
-    if (among(output, OUTPUTS_MEASURED, COORDINATES_SIZE, &which)) {
-        return of_signal(m, which, k);
-    }
-    if (among(output, OUTPUTS_LOAD_POSITION, VECTOR_SIZE, &which)) {
-        return of_state(m->load_partials, LOAD_PARTIALS_POSITION + which, k);
-    }
-    if (among(output, OUTPUTS_LOAD_VELOCITY, VECTOR_SIZE, &which)) {
-        return of_state(m->load_partials, LOAD_PARTIALS_VELOCITY + which, k);
-    }
-    if (among(output, OUTPUTS_ERROR, VECTOR_SIZE, &which)) {
-        return of_error(m, which, k);
-    }
-    return output == OUTPUTS_ERROR_NORM ? of_norm(m, k) : of_energy(m, output, k);
+    return true;
+}
+
+/* Of an output or state derivative by one variable; `rig`: it follows from forces. False for a
+   continuous output whose derivatives nothing here gives. */
+static bool of_unknown(const crane *m, const variable *unknown, const known_place *k, bool *rig,
+                       double *value)
+{
+    int output = feed_place(&feeds_outputs, unknown->offset);
+    *value = 0.0;
+    *rig = of_forces(m, unknown, output, k, value);
+    return *rig || of_place(m, output, k, value) || of_energy(m, output, k, value)
+        || !unknown->differentiable;
 }
 
 bool model_partial(model *base, const variable *unknown, const variable *known, double *value)
@@ -186,12 +197,8 @@ bool model_partial(model *base, const variable *unknown, const variable *known, 
     crane *m = (crane *)base;
     known_place k;
     bool rig;
-    if (base->interface != MODEL_EXCHANGE || unknown->kind != KIND_REAL || !unknown->calculated
-        || !find_known(m, known, &k) || !differentiate(m)) {
-        return false;
-    }
-    *value = of_unknown(m, unknown, &k, &rig);
-    return true;
+    return base->interface == MODEL_EXCHANGE && unknown->kind == KIND_REAL && unknown->calculated
+        && find_known(m, known, &k) && differentiate(m) && of_unknown(m, unknown, &k, &rig, value);
 }
 
 /* Make the kernel's work space that of the present time; the step's report stays. */
@@ -211,6 +218,15 @@ static void settle(crane *m)
     memcpy(now, report, sizeof report);
 }
 
+/* The partial derivative of an output that has one. */
+static double partial_of(const crane *m, const variable *output, const known_place *k)
+{
+    bool rig;
+    double value;
+    of_unknown(m, output, k, &rig, &value);
+    return value;
+}
+
 bool model_output_derivative(model *base, const variable *output, int64_t order, double *value)
 {
     crane *m = (crane *)base;
@@ -222,28 +238,26 @@ bool model_output_derivative(model *base, const variable *output, int64_t order,
     smooth = differentiate(m) && crane_follows(m);
     const int commands = driven(m) ? SETPOINTS_VELOCITY : SETPOINTS_FORCE;
     known_place k = {-1, -1, -1};
-    *value = of_unknown(m, output, &k, &rig);
-    if (rig && !smooth) {
+    if (!of_unknown(m, output, &k, &rig, value) || (rig && !smooth)) {
         return false;
     }
     double sum = 0.0;
     for (k.column = 0; k.column < STATE_SIZE; k.column++) {
-        sum += of_unknown(m, output, &k, &rig) * m->derivative[k.column];
+        sum += partial_of(m, output, &k) * m->derivative[k.column];
     }
     for (int i = 0; i < AXES_SIZE; i++) {
         k.column = RIG_VARIABLES_COMMAND + i;
-        sum += of_unknown(m, output, &k, &rig)
-            * m->slope[feed_offset(&feeds_setpoints, commands + i)];
+        sum += partial_of(m, output, &k) * m->slope[feed_offset(&feeds_setpoints, commands + i)];
     }
     k.column = RIG_VARIABLES_TIME;
-    sum += of_unknown(m, output, &k, &rig);
+    sum += partial_of(m, output, &k);
     k.column = -1;
     for (k.energy = 0; k.energy < WORKS; k.energy++) {
-        sum += of_unknown(m, output, &k, &rig) * m->derivative[STATE_SIZE + k.energy];
+        sum += partial_of(m, output, &k) * m->derivative[STATE_SIZE + k.energy];
     }
     k.energy = -1;
     for (k.reference = 0; k.reference < VECTOR_SIZE; k.reference++) {
-        sum += of_unknown(m, output, &k, &rig)
+        sum += partial_of(m, output, &k)
             * m->slope[feed_offset(&feeds_target, TARGET_LOAD + k.reference)];
     }
     *value = sum;

@@ -40,12 +40,14 @@ static void set_disturbances(crane *m)
         noisy = noisy || noise[WIND_NOISE_DEVIATION + i] != 0.0;
     }
     m->count_components = noisy ? COMPONENTS : 0;
-    segfmu_seed_numbers(m->base.integer[V_WIND_NOISE_SEED], vector(numbers, RANDOM_STATE_SIZE));
+    segfmu_seed_numbers((int64_t)noise[WIND_NOISE_SEED], vector(numbers, RANDOM_STATE_SIZE));
     segfmu_noise_components(noise[WIND_NOISE_BANDWIDTH],
                             vector(noise + WIND_NOISE_DEVIATION, VECTOR_SIZE),
                             vector(numbers, RANDOM_STATE_SIZE), components_of(m));
     m->count_changes = m->base.integer[V_PAYLOAD_COUNT];
-    feed_record(&feeds_payload_table, &m->base, m->changes);
+    for (int64_t row = 0; row < m->count_changes; row++) {
+        feed_row(&feeds_payload_change, &m->base, row, m->changes + row * PAYLOAD_CHANGE_SIZE);
+    }
 }
 
 bool crane_set_up(crane *m, char message[MESSAGE])

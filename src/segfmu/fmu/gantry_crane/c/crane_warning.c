@@ -4,11 +4,8 @@
 #include <string.h>
 
 #include "crane.h"
+#include "feeds.h"
 #include "say.h"
-
-/* the whole table lies side by side */
-enum { TABLE = V_FEEDBACK_TABLE_HOIST + 2 * MOST_LENGTHS - V_FEEDBACK_TABLE_LENGTH };
-typedef char table_is_one_block[TABLE == 11 * MOST_LENGTHS ? 1 : -1];
 
 /* Whether two values differ by more than what text leaves of a number. */
 static bool set_apart(double one, double other)
@@ -29,8 +26,8 @@ static void find_changed(const crane *m, const double start[], char names[MESSAG
         {V_CRANE_BRIDGE_MASS, "crane.bridge_mass"}, {V_CRANE_TROLLEY_MASS, "crane.trolley_mass"},
         {V_CRANE_GRAVITY, "crane.gravity"}, {V_FEEDBACK_SAMPLE_TIME, "feedback.sample_time"}
     };
-    const double *real = m->base.real, *lengths = &real[V_FEEDBACK_TABLE_LENGTH];
-    double longest = lengths[m->base.integer[V_FEEDBACK_TABLE_COUNT] - 1];
+    const double *real = m->base.real, *shortest = m->gains + GAINS_ROW_LENGTH;
+    const double *longest = shortest + (m->count_lengths - 1) * GAINS_BLOCK;
     names[0] = '\0';
     for (size_t i = 0; i < sizeof made_for / sizeof *made_for; i++) {
         if (set_apart(real[made_for[i].place], start[made_for[i].place])) {
@@ -41,18 +38,17 @@ static void find_changed(const crane *m, const double start[], char names[MESSAG
         add_name(names, real[V_FEEDBACK_PAYLOAD_MASS] > 0.0 ? "feedback.payload_mass"
                                                             : "crane.payload_mass");
     }
-    if (real[V_ROPE_LENGTH] < lengths[0] || real[V_ROPE_LENGTH] > longest) {
+    if (real[V_ROPE_LENGTH] < *shortest || real[V_ROPE_LENGTH] > *longest) {
         add_name(names, "rope.length");
     }
 }
 
 bool model_warning(const model *base, const double start[], char message[MESSAGE])
 {
-    const double *table = &base->real[V_FEEDBACK_TABLE_LENGTH];
     char names[MESSAGE];
     /* a table that was set is for the crane of who has set it */
     if (base->integer[V_FEEDBACK_DESIGN] == 2
-        || memcmp(table, &start[V_FEEDBACK_TABLE_LENGTH], TABLE * sizeof *table) != 0) {
+        || !feed_same(&feeds_gains_row, base, MOST_LENGTHS, start)) {
         return false;
     }
     find_changed((const crane *)base, start, names);

@@ -3,6 +3,7 @@
 #define SEGFMU_FEEDFORWARD_H
 
 #include "arrays.h"
+#include "feeds.h"
 #include "messages.h"
 #include "model.h"
 #include "records.h"
@@ -10,7 +11,8 @@
 
 /* orders of the load's motion that are shown, and derivatives that have a limit */
 enum {
-    AXES = VECTOR_SIZE, ORDERS = 5, LIMITS = 4, MOST_SMOOTHNESS = 6, RESULTS = FLAT_INVERSE_SIZE,
+    AXES = VECTOR_SIZE, ORDERS = LOAD_MOTION_SIZE / AXES, LIMITS = LOAD_LIMITS_Y - LOAD_LIMITS_X, MOST_SMOOTHNESS = 6,
+    RESULTS = FEEDFORWARD_SIZE,
     MOST_POINTS = MODEL_ROWS
 };
 

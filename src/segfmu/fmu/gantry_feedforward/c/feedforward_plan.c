@@ -55,25 +55,24 @@ static void note_events(feedforward *m, const segfmu_trajectory *found)
 }
 
 /* Limits as the planner takes them, (axes, n + 1). */
-static void gather_limits(const double *real, int64_t smoothness, double *table)
+static void gather_limits(const model *base, int64_t smoothness, double *table)
 {
+    double limits[LOAD_LIMITS_SIZE];
+    feed_record(&feeds_load_limits, base, limits);
     for (int axis = 0; axis < AXES; axis++) {
         for (int64_t i = 0; i <= smoothness; i++) {
-            const double *own = &real[V_LIMITS_X_VELOCITY + axis * LIMITS];
-            table[axis * (smoothness + 1) + i] = i < LIMITS ? own[i] : 0.0;
+            table[axis * (smoothness + 1) + i] = i < LIMITS ? limits[axis * LIMITS + i] : 0.0;
         }
     }
 }
 
 /* Proof that the load stays below the trolley, the rope taut, and its length within its range. */
-static bool require_rope(const segfmu_trajectory *t, const double *real, char message[MESSAGE])
+static bool require_rope(const segfmu_trajectory *t, const model *base, char message[MESSAGE])
 {
     enum { WIDTH = 12 };
     const int64_t width = 2 * t->smoothness;
     double space[ROPE_WORK_SIZE * (4 * WIDTH - 5)], fault[ROPE_FAULT_SIZE], bounds[ROPE_BOUNDS_SIZE];
-    bounds[ROPE_BOUNDS_GRAVITY] = real[V_CRANE_GRAVITY];
-    bounds[ROPE_BOUNDS_SHORTEST] = real[V_CRANE_ROPE_MIN];
-    bounds[ROPE_BOUNDS_LONGEST] = real[V_CRANE_ROPE_MAX];
+    feed_record(&feeds_rope_bounds, base, bounds);
     int64_t status = segfmu_check_rope(
         matrix((double *)t->timing, t->pieces, 2),
         matrix((double *)t->coefficients, t->pieces, width), offsets_of(t),
@@ -85,20 +84,20 @@ static bool require_rope(const segfmu_trajectory *t, const double *real, char me
 bool feedforward_plan(feedforward *m, char message[MESSAGE])
 {
     const double *real = m->base.real;
-    const int64_t *integer = m->base.integer;
-    double limits[AXES * (MOST_SMOOTHNESS + 1)];
+    double limits[AXES * (MOST_SMOOTHNESS + 1)], options[PLAN_OPTIONS_SIZE];
+    feed_record(&feeds_plan_options, &m->base, options);
     segfmu_problem problem = {
-        integer[V_WAYPOINT_COUNT], AXES, integer[V_PLANNER_SMOOTHNESS],
-        integer[V_PLANNER_SHAPE] - 1, integer[V_PLANNER_SYNCHRONIZATION] - 1,
-        real[V_PLANNER_SAMPLE_TIME], real[V_PLANNER_DURATION],
+        m->base.integer[V_WAYPOINT_COUNT], AXES, (int64_t)options[PLAN_OPTIONS_SMOOTHNESS],
+        (int64_t)options[PLAN_OPTIONS_SHAPE], (int64_t)options[PLAN_OPTIONS_SYNCHRONIZATION],
+        options[PLAN_OPTIONS_SAMPLE_TIME], options[PLAN_OPTIONS_DURATION],
         &real[V_WAYPOINT_POSITION], &real[V_WAYPOINT_VELOCITY], &real[V_WAYPOINT_ACCELERATION],
         &real[V_WAYPOINT_DWELL], limits
     };
     segfmu_trajectory found;
-    gather_limits(real, problem.smoothness, limits);
+    gather_limits(&m->base, problem.smoothness, limits);
     int status = segfmu_plan(&problem, m->space, &found);
     if (segfmu_plan_message(status, found.report, message, MESSAGE)
-        || !require_rope(&found, real, message)) {
+        || !require_rope(&found, &m->base, message)) {
         return false;
     }
     compact(m, &found);

@@ -6,27 +6,6 @@
 
 static const double model_nominals[MODEL_STATES + 1] = {0.0};
 
-/* Where the outputs are that the flat inverse gives: forces, state, carriage's accelerations. */
-static const uint16_t RESULT_OFFSETS[RESULTS - 2] = {
-    V_FORCE_BRIDGE, V_FORCE_TROLLEY, V_FORCE_HOIST,
-    V_REFERENCE_BRIDGE_POSITION, V_REFERENCE_TROLLEY_POSITION, V_REFERENCE_ROPE_LENGTH,
-    V_REFERENCE_SWAY_X_ANGLE, V_REFERENCE_SWAY_Y_ANGLE,
-    V_REFERENCE_BRIDGE_VELOCITY, V_REFERENCE_TROLLEY_VELOCITY, V_REFERENCE_ROPE_VELOCITY,
-    V_REFERENCE_SWAY_X_RATE, V_REFERENCE_SWAY_Y_RATE,
-    V_REFERENCE_BRIDGE_ACCELERATION, V_REFERENCE_TROLLEY_ACCELERATION,
-    V_REFERENCE_ROPE_ACCELERATION
-};
-/* first of the three velocities among the results */
-enum { RATES = FLAT_INVERSE_STATE + STATE_VELOCITY };
-
-/* What is read or written as one array lies side by side. */
-#define SIDE_BY_SIDE(first, last, count) \
-    typedef char first##_is_first[(last) - (first) == (count) - 1 ? 1 : -1]
-SIDE_BY_SIDE(V_VELOCITY_BRIDGE, V_VELOCITY_HOIST, 3);
-SIDE_BY_SIDE(V_REFERENCE_LOAD_POSITION_X, V_REFERENCE_LOAD_SNAP_Z, ORDERS * AXES);
-SIDE_BY_SIDE(V_CRANE_BRIDGE_MASS, V_CRANE_ROPE_MAX, 6);
-SIDE_BY_SIDE(V_LIMITS_X_VELOCITY, V_LIMITS_Z_SNAP, 4 * AXES);
-
 size_t model_least(void)
 {
     return sizeof(feedforward);
@@ -150,56 +129,46 @@ static void evaluate(const segfmu_trajectory *t, double time, int64_t orders, do
         offsets_of(t), vector((double *)t->ends, AXES), matrix(values, orders, AXES));
 }
 
+/* The velocities of the flat inverse's results as setpoints. */
+static void add_setpoints(double results[RESULTS])
+{
+    for (int i = 0; i < AXES_SIZE; i++) {
+        results[FEEDFORWARD_VELOCITY + i] = results[FEEDFORWARD_STATE + STATE_VELOCITY + i];
+    }
+}
+
 bool model_evaluate(model *base, char message[MESSAGE])
 {
     feedforward *m = (feedforward *)base;
-    double *real = base->real, *load = &real[V_REFERENCE_LOAD_POSITION_X];
     const segfmu_trajectory trajectory = feedforward_trajectory(m);
-    double results[RESULTS];
+    double load[LOAD_MOTION_SIZE], masses[MASSES_SIZE], results[RESULTS];
     (void)message;
     memset(m->derived, 0, sizeof m->derived);
     evaluate(&trajectory, base->real[V_TIME] - base->real[V_PLANNER_START_TIME], ORDERS, load);
+    feed_record(&feeds_masses, base, masses);
     segfmu_crane_flat_inverse(
-        matrix(load, ORDERS, AXES), vector(&real[V_CRANE_BRIDGE_MASS], MASSES_SIZE),
+        matrix(load, ORDERS, AXES), vector(masses, MASSES_SIZE),
         vector(results, AXES_SIZE), vector(results + FLAT_INVERSE_STATE, STATE_SIZE),
         vector(results + FLAT_INVERSE_ACCELERATION, COORDINATES_SIZE));
-    for (int i = 0; i < RESULTS - 2; i++) {
-        real[RESULT_OFFSETS[i]] = results[i];
-    }
-    for (int i = 0; i < 3; i++) {
-        real[V_VELOCITY_BRIDGE + i] = results[RATES + i];
-    }
+    add_setpoints(results);
+    show_record(&feeds_load_motion, load, base);
+    show_record(&feeds_feedforward, results, base);
     return true;
-}
-
-/* The place of an output among the results of the flat inverse, or -1. */
-static int place_of(const variable *output)
-{
-    for (int i = 0; i < 3; i++) {
-        if (output->offset == V_VELOCITY_BRIDGE + i) {
-            return RATES + i;
-        }
-    }
-    for (int i = 0; i < RESULTS - 2; i++) {
-        if (output->offset == RESULT_OFFSETS[i]) {
-            return i;
-        }
-    }
-    return -1;
 }
 
 /* Derivatives of what the flat inverse gives, kept until the time changes. */
 static const double *derivatives(feedforward *m, const segfmu_trajectory *t, double time,
                                  int64_t order)
 {
-    const double *crane = &m->base.real[V_CRANE_BRIDGE_MASS];
-    double flat[(ORDERS + MODEL_ORDERS) * AXES], work[FLAT_SERIES_SIZE * (MODEL_ORDERS + 3)];
+    double masses[MASSES_SIZE], flat[(ORDERS + MODEL_ORDERS) * AXES], work[FLAT_SERIES_SIZE * (MODEL_ORDERS + 3)];
     double *found = m->derivatives[order - 1];
     if (!m->derived[order - 1]) {
         evaluate(t, time, ORDERS + order, flat);
+        feed_record(&feeds_masses, &m->base, masses);
         segfmu_flat_derivatives(
-            matrix(flat, ORDERS + order, AXES), order, vector((double *)crane, MASSES_SIZE),
+            matrix(flat, ORDERS + order, AXES), order, vector(masses, MASSES_SIZE),
             matrix(work, FLAT_SERIES_SIZE, MODEL_ORDERS + 3), vector(found, RESULTS));
+        add_setpoints(found);
         m->derived[order - 1] = 1;
     }
     return found;
@@ -213,8 +182,9 @@ bool model_output_derivative(model *base, const variable *output, int64_t order,
     double time = segfmu_right_of_break(
         base->real[V_TIME], base->real[V_PLANNER_START_TIME], timing_of(&t), offsets_of(&t),
         vector((double *)t.ends, AXES));
-    int load = (int)output->offset - V_REFERENCE_LOAD_POSITION_X, place = place_of(output);
-    if (load >= 0 && load < ORDERS * AXES) {
+    int load = feed_place(&feeds_load_motion, output->offset);
+    int place = feed_place(&feeds_feedforward, output->offset);
+    if (load >= 0) {
         double values[AXES];
         segfmu_value(&t, time, load / AXES + order, values);
         *value = values[load % AXES];

@@ -1,13 +1,30 @@
 /* Records of the kernels from variables, and variables from records. */
 #include "feed.h"
 
-void feed_record(const feeds *table, const model *m, double record[])
+void feed_row(const feeds *table, const model *m, int64_t row, double record[])
 {
     for (int64_t i = 0; i < table->count; i++) {
         const feed *f = &table->rows[i];
-        record[f->place] = f->whole ? (double)(m->integer[f->offset] - f->base)
-                                    : m->real[f->offset];
+        int64_t offset = f->offset + row * f->step;
+        record[f->place] = f->whole ? (double)(m->integer[offset] - f->base) : m->real[offset];
     }
+}
+
+void feed_record(const feeds *table, const model *m, double record[])
+{
+    feed_row(table, m, 0, record);
+}
+
+bool feed_same(const feeds *table, const model *m, int64_t rows, const double real[])
+{
+    for (int64_t i = 0; i < rows * table->count; i++) {
+        const feed *f = &table->rows[i % table->count];
+        int64_t offset = f->offset + i / table->count * f->step;
+        if (!f->whole && m->real[offset] != real[offset]) {
+            return false;
+        }
+    }
+    return true;
 }
 
 void show_record(const feeds *table, const double record[], model *m)

@@ -7,6 +7,7 @@
 typedef struct {
     uint16_t place;   /* in the record */
     uint16_t offset;  /* of the variable, in `real` or `integer` */
+    uint16_t step;    /* to that of the next row, where the record is a row of a table */
     uint8_t base;     /* value of the variable that is 0 in the record */
     bool whole;       /* the variable is in `integer` */
 } feed;
@@ -18,6 +19,13 @@ typedef struct {
 
 /* Fill a record; what no variable feeds stays. */
 static void feed_record(const feeds *table, const model *m, double record[]);
+
+/* Fill a record that is a row of a table, counted from 0. */
+static void feed_row(const feeds *table, const model *m, int64_t row, double record[]);
+
+/* Whether all real variables of a table with so many rows have these values, which are laid out as
+   `real`. */
+static bool feed_same(const feeds *table, const model *m, int64_t rows, const double real[]);
 
 /* Set the variables of a record; a Boolean is true above 0. */
 static void show_record(const feeds *table, const double record[], model *m);

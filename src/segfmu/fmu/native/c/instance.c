@@ -1,5 +1,8 @@
 /* Instances: their life, modes and messages. */
+#include "arrays.h"
 #include "glue.h"
+#include "messages.h"
+#include "records.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -188,18 +191,14 @@ void glue_set_time(instance *c, double time)
 
 bool glue_in_range(instance *c, const variable *v, double value, const char *what)
 {
-    double most = v->counts ? (double)c->start.rows : v->most;
-    if (value >= v->least && value <= most) {
-        return true;
+    char message[MESSAGE] = "";
+    double most = v->counts ? (double)c->start.rows : v->most, fault[RANGE_FAULT_SIZE];
+    int64_t status = segfmu_check_range(value, v->least, most, vector(fault, RANGE_FAULT_SIZE));
+    if (segfmu_range_message(status, fault, message, MESSAGE)) {
+        glue_log(c, STATUS_ERROR, "%s: %s %s", what, v->name, message);
+        return false;
     }
-    if (isinf(most)) {
-        glue_log(c, STATUS_ERROR, "%s: %s must be at least %g, got %g", what, v->name, v->least,
-                 value);
-    } else {
-        glue_log(c, STATUS_ERROR, "%s: %s must be at least %g and at most %g, got %g", what,
-                 v->name, v->least, most, value);
-    }
-    return false;
+    return true;
 }
 
 size_t glue_elements_of(const instance *c, const variable *v)

@@ -3,6 +3,8 @@
 #include <string.h>
 
 #include "glue.h"
+#include "messages.h"
+#include "records.h"
 
 /* Modes in which a variable may be set. */
 static int modes_of(const instance *c, uint8_t setting)
@@ -34,8 +36,10 @@ static bool usable(instance *c, const char *function, const uint32_t references[
     size_t elements = 0;
     for (size_t i = 0; i < count; i++) {
         if (references[i] < 1 || references[i] > c->start.variables) {
-            glue_log(c, STATUS_ERROR, "%s: there is no variable with value reference %u", function,
-                     (unsigned)references[i]);
+            const double fault[ACCESS_FAULT_SIZE] = {references[i]};
+            char message[MESSAGE];
+            segfmu_access_message(ACCESS_STATUS_NO_VARIABLE, fault, message, MESSAGE);
+            glue_log(c, STATUS_ERROR, "%s: %s", function, message);
             return false;
         }
         const variable *v = glue_variable(references[i]);

@@ -1,0 +1,86 @@
+"""Dataclasses from variables of an FMU and back: each field belongs to a field of a record.
+
+The names of variables stand in the kernels' records alone. A class says once which of them its
+fields are, so the Python simulation and the slave on PythonFMU fill the same records.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any, TypeVar
+
+from segfmu.kernels.records import Record
+
+T = TypeVar("T")
+Value = Callable[[str], Any]
+
+
+@dataclass(frozen=True)
+class Fed:
+    """What a field of a dataclass has of an FMU's variables.
+
+    Attributes
+    ----------
+    variables : tuple of str
+        One a number of the field.
+    none : tuple of float
+        Their values where the field is None; empty where it cannot be.
+    items : tuple of str
+        Of an enumeration, whose values count from 1.
+    whole : bool
+        The field is an integer.
+    """
+
+    variables: tuple[str, ...]
+    none: tuple[float, ...] = ()
+    items: tuple[str, ...] = ()
+    whole: bool = False
+
+    def numbers(self, field: Any) -> tuple[float, ...]:
+        """Values of the variables for a value of the field."""
+        if field is None:
+            return self.none
+        if self.items:
+            return (1 + self.items.index(field),)
+        return tuple(field) if len(self.variables) > 1 else (field,)
+
+    def field(self, value: Value) -> Any:
+        """The value of the field for values of the variables, by name."""
+        numbers = tuple(float(value(v)) for v in self.variables)
+        if numbers == self.none:
+            return None
+        if self.items:
+            return self.items[int(numbers[0]) - 1]
+        if self.whole:
+            return int(numbers[0])
+        return numbers if len(numbers) > 1 else numbers[0]
+
+
+def fed(
+    record: type[Record],
+    name: str,
+    entry: int | None = None,
+    *,
+    none: tuple[float, ...] = (),
+    items: tuple[str, ...] = (),
+    whole: bool = False,
+) -> Fed:
+    """A field of a record, or one entry of it, as a field of a dataclass; the rest as in `Fed`."""
+    variables = record.FIELDS[name].variables
+    chosen = variables if entry is None else variables[entry : entry + 1]
+    return Fed(chosen, none, items, whole)
+
+
+def values(own: Any, mapping: Mapping[str, Fed]) -> dict[str, float]:
+    """Values of the variables by name for a dataclass."""
+    return {
+        v: number
+        for name, f in mapping.items()
+        for v, number in zip(f.variables, f.numbers(getattr(own, name)), strict=True)
+    }
+
+
+def build(kind: Callable[..., T], mapping: Mapping[str, Fed], value: Value) -> T:
+    """A dataclass from the values of variables; `value` gives them by name."""
+    return kind(**{name: f.field(value) for name, f in mapping.items()})

@@ -1,0 +1,15 @@
+"""Ranges of parameters."""
+
+from segfmu.kernels.numerics.records import RangeFault, RangeStatus
+
+
+def check_range(value: float, least: float, most: float, fault: 'float[:]') -> int:
+    """Whether a value is within its range; a `RangeStatus`. No range without an end below."""
+    fault[RangeFault.VALUE] = value
+    fault[RangeFault.LEAST] = least
+    fault[RangeFault.MOST] = most
+    if value >= least and value <= most:
+        return RangeStatus.INSIDE
+    if most > 1.7976931348623157e308:
+        return RangeStatus.BELOW
+    return RangeStatus.OUTSIDE
