@@ -20,7 +20,7 @@ import numpy as np
 from segfmu.crane.checks import require_not_negative, require_positive, sized
 from segfmu.crane.linear import ROWS, scheduled_lengths
 from segfmu.crane.parameters import Crane
-from segfmu.crane.variables import fed, values
+from segfmu.crane.variables import fed, filled, values
 from segfmu.errors import InputError
 from segfmu.kernels import backend
 from segfmu.kernels.control.records import AxisModel, Expected, Kalman
@@ -77,9 +77,7 @@ class Uncertainty:
     @property
     def vector(self) -> FloatArray:
         """The kernels' `Uncertainty`, shape (7,)."""
-        packed = np.zeros(Expectations.SIZE)
-        Expectations.fill(packed, values(self, UNCERTAINTY).__getitem__)
-        return packed
+        return filled(Expectations, values(self, UNCERTAINTY).__getitem__)
 
 
 # variables of the fields

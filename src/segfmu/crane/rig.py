@@ -10,7 +10,7 @@ from segfmu.crane.disturbance import PAYLOAD, PayloadChange, Wind
 from segfmu.crane.equipment import DRIVE, FRICTION, TRAVEL, Drive, Friction, TravelLimits
 from segfmu.crane.parameters import Crane
 from segfmu.crane.sensors import SENSORS, Sensors
-from segfmu.crane.variables import Value, build, values
+from segfmu.crane.variables import Value, build, filled, values
 from segfmu.kernels.crane.records import DriveMode, Plant
 from segfmu.planning.arrays import FloatArray
 
@@ -57,9 +57,7 @@ class Rig:
         found |= self.wind.values()
         # the item of the enumeration
         found["drive.mode"] = 1 + (DriveMode.VELOCITY if driven else DriveMode.FORCE)
-        packed = np.zeros(Plant.SIZE)
-        Plant.fill(packed, found.__getitem__)
-        return packed
+        return filled(Plant, found.__getitem__)
 
     @classmethod
     def of(cls, value: Value) -> Rig:

@@ -8,7 +8,7 @@ from math import pi
 import numpy as np
 
 from segfmu.crane.checks import require_not_negative, require_positive, require_seed, sized
-from segfmu.crane.variables import fed, values
+from segfmu.crane.variables import fed, filled, values
 from segfmu.errors import InputError
 from segfmu.kernels import backend
 from segfmu.kernels.messages import SETUP
@@ -81,9 +81,7 @@ class Sensors:
     @property
     def vector(self) -> FloatArray:
         """The kernels' `Sensors`, shape (18,)."""
-        packed = np.zeros(Settings.SIZE)
-        Settings.fill(packed, values(self, SENSORS).__getitem__)
-        return packed
+        return filled(Settings, values(self, SENSORS).__getitem__)
 
 
 # variables of the fields

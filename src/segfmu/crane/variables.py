@@ -10,7 +10,10 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
+import numpy as np
+
 from segfmu.kernels.records import Record
+from segfmu.planning.arrays import FloatArray
 
 T = TypeVar("T")
 Value = Callable[[str], Any]
@@ -79,6 +82,13 @@ def values(own: Any, mapping: Mapping[str, Fed]) -> dict[str, float]:
         for name, f in mapping.items()
         for v, number in zip(f.variables, f.numbers(getattr(own, name)), strict=True)
     }
+
+
+def filled(record: type[Record], value: Value) -> FloatArray:
+    """A record, shape (SIZE,), from the variables that feed it; `value` gives them by name."""
+    array = np.zeros(record.SIZE)
+    record.fill(array, value)
+    return array
 
 
 def build(kind: Callable[..., T], mapping: Mapping[str, Fed], value: Value) -> T:

@@ -163,6 +163,12 @@ def observer_correct(
     /,
 ) -> None: ...
 
+def nominal_payload(
+    expected: float,
+    payload: float,
+    /,
+) -> float: ...
+
 def sampled_late(
     dead_time: float,
     sample_time: float,

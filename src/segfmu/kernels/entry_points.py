@@ -173,6 +173,7 @@ ENTRY_POINTS = (
         lengths="rows", expected=Expected.SIZE, work=(Kalman.SIZE, 2 * AxisModel.SIZE),
         table=("rows", Observer.SIZE, Observer.COLUMNS),
     ),
+    entry("control.setting", "nominal_payload"),
     entry("control.setting", "sampled_late"),
     entry("control.setting", "drive_bound", plant=Plant.VISCOUS),
     entry(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -12,10 +13,12 @@ from segfmu.crane.feedback import SwayFeedback, Weights
 from segfmu.crane.flat_feedback import DAMPING, HOIST_RATIO, RATIO
 from segfmu.crane.observer import UNCERTAINTY, Uncertainty, design_observer
 from segfmu.crane.tracking import FADE, PAYLOAD_TIME, TrackingController
-from segfmu.crane.variables import build
+from segfmu.crane.variables import build, filled
 from segfmu.fmu.standard.spec import Enumeration, Variable, choice, parameter
 from segfmu.kernels import backend
-from segfmu.kernels.crane.records import DRIVES, Axes, Plant
+from segfmu.kernels.control.records import Tracking, TrackingDesign
+from segfmu.kernels.crane.records import DRIVES, Axes, DriveMode, Plant
+from segfmu.planning.arrays import FloatArray
 
 DESIGNS = Enumeration(
     "FeedbackDesign", ("lqr", "flatness"), "how the gains of the feedback come about"
@@ -157,8 +160,15 @@ def estimates() -> list[Variable]:
     ]
 
 
+def nominal_from(value: Callable[[str], Any]) -> Crane:
+    """The crane with the load that the feedback is designed for; `value` gives values by name."""
+    own = Crane.of(value)
+    expected = float(value("feedback.payload_mass"))
+    return replace(own, payload_mass=backend.nominal_payload(expected, own.payload_mass))
+
+
 def tracking_from(
-    value: Callable[[str], Any], nominal: Crane, feedback: SwayFeedback, driven: bool
+    value: Callable[[str], Any], nominal: Crane, feedback: SwayFeedback
 ) -> TrackingController:
     """The controller that parameters describe; `value` gives them by name.
 
@@ -169,21 +179,22 @@ def tracking_from(
     InputError
         For values that do not fit together.
     """
-    period = feedback.sample_time
-    plant = np.zeros(Plant.SIZE)
-    Plant.fill(plant, value)
+    plant, design, own = (filled(r, value) for r in (Plant, TrackingDesign, Tracking))
     most = np.array([backend.drive_bound(plant, i) for i in range(Axes.SIZE)])
-    lag = plant[Plant.LAG : Plant.FORCE_MAX].tolist()
+    bridge, trolley, hoist = plant[Plant.LAG : Plant.FORCE_MAX].tolist()
     observer = design_observer(
-        nominal, sample_time=period, shortest=float(feedback.lengths[0]),
-        longest=float(feedback.lengths[-1]), driven=driven, lag=(lag[0], lag[1], lag[2]),
-        delayed=backend.sampled_late(float(value("sensor.dead_time")), period),
+        nominal, sample_time=feedback.sample_time, shortest=float(feedback.lengths[0]),
+        longest=float(feedback.lengths[-1]), driven=plant[Plant.MODE] == DriveMode.VELOCITY,
+        lag=(bridge, trolley, hoist),
+        delayed=backend.sampled_late(
+            float(design[TrackingDesign.DEAD_TIME]), feedback.sample_time
+        ),
         uncertainty=build(Uncertainty, UNCERTAINTY, value),
     )
     return TrackingController(
-        observer, feedback, rejection=_rejection(value), lower=-most, upper=most,
-        fade=float(value("feedback.fade")), payload_time=float(value("feedback.payload_time")),
-        enabled=bool(value("feedback.enabled")),
+        observer, feedback, rejection=_rejection(own), lower=-most, upper=most,
+        fade=float(own[Tracking.FADE]), payload_time=float(design[TrackingDesign.PAYLOAD_TIME]),
+        enabled=bool(own[Tracking.ENABLED]),
     )
 
 
@@ -191,13 +202,14 @@ def tune(
     controller: TrackingController, value: Callable[[str], Any], feedback: SwayFeedback | None
 ) -> None:
     """Take over the tunable parameters and new gains; what stays the same is no switching."""
+    own = filled(Tracking, value)
     if feedback is not None:
         controller.feedback = feedback
-    controller.fade = float(value("feedback.fade"))
-    controller.enabled = bool(value("feedback.enabled"))
-    if controller.rejection != _rejection(value):
-        controller.rejection = _rejection(value)
+    controller.fade = float(own[Tracking.FADE])
+    controller.enabled = bool(own[Tracking.ENABLED])
+    if controller.rejection != _rejection(own):
+        controller.rejection = _rejection(own)
 
 
-def _rejection(value: Callable[[str], Any]) -> tuple[float, float]:
-    return float(value("feedback.rejection.carriage")), float(value("feedback.rejection.load"))
+def _rejection(own: FloatArray) -> tuple[float, float]:
+    return float(own[Tracking.REJECTED_DRIFT]), float(own[Tracking.REJECTED_WIND])

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from segfmu.crane import Crane
 from segfmu.crane.feedback import SwayFeedback, design
 from segfmu.crane.linear import rope_range
 from segfmu.crane.plant import TOLERANCE
@@ -13,6 +12,7 @@ from segfmu.fmu.gantry import SETPOINTS, crane_parameters
 from segfmu.fmu.gantry_crane.feedback_parameters import (
     estimates,
     feedback_parameters,
+    nominal_from,
     weight_parameters,
     weights_from,
 )
@@ -266,11 +266,9 @@ def _table(starts: dict[str, Any], weights: list[str]) -> list[Variable]:
 
 def _designed(starts: dict[str, Any]) -> tuple[SwayFeedback, bool]:
     """The LQR design for the crane of the start values, and whether it is for velocity drives."""
-    true = Crane.of(starts.__getitem__)
-    shortest, longest = rope_range(true, float(starts["rope.length"]))
+    crane = nominal_from(starts.__getitem__)
+    shortest, longest = rope_range(crane, float(starts["rope.length"]))
     driven = MODES.items[int(starts["drive.mode"]) - 1] == "velocity"
-    payload = float(starts["feedback.payload_mass"]) or true.payload_mass
-    crane = replace(true, payload_mass=payload)
     feedback = design(
         crane, sample_time=float(starts["feedback.sample_time"]),
         shortest=shortest, longest=longest, driven=driven, rows=MOST_ROWS,

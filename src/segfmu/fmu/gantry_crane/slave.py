@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -21,21 +20,19 @@ from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_crane.feedback_parameters import (
     DESIGNS,
     SOURCES,
-    estimates,
+    nominal_from,
     tracking_from,
     tune,
     weights_from,
 )
 from segfmu.fmu.python.slave import SpecSlave
 from segfmu.kernels import backend
-from segfmu.kernels.control.records import Estimates
-from segfmu.kernels.crane.records import DRIVES, Axes, State
+from segfmu.kernels.control.records import Estimates, FlatDesign
+from segfmu.kernels.crane.records import Axes, DriveMode, State
+from segfmu.kernels.crane.records import Plant as Parameters
 from segfmu.kernels.messages import SETUP
-from segfmu.kernels.rig.records import Outputs, SetupFault, SetupStatus, Target
+from segfmu.kernels.rig.records import Loop, Outputs, SetupFault, SetupStatus, Target
 from segfmu.kernels.rig.records import Setpoints as SetpointRecord
-
-ESTIMATE = tuple(v.name for v in estimates())
-POLES = ("bandwidth", "hoist_bandwidth", "damping")
 
 
 class CraneSlave(SpecSlave):
@@ -58,16 +55,15 @@ class CraneSlave(SpecSlave):
         status = backend.check_rope_bounds(length, 0.0, 0.0, fault)
         if status != SetupStatus.FITS:
             raise InputError(SETUP.text(status, fault.tolist()))
-        driven = gantry_crane.MODES.items[int(self.value("drive.mode")) - 1] == "velocity"
-        nominal = float(self.value("feedback.payload_mass")) or crane.payload_mass
-        expected = replace(crane, payload_mass=nominal)
+        driven = self.filled(Parameters)[Parameters.MODE] == DriveMode.VELOCITY
+        expected = nominal_from(self.value)
         self._design = partial(self._feedback, expected, length, driven)
         self._tuned = self._poles()
         feedback = self._design()
         self._tracking = None
         if SOURCES.items[int(self.value("feedback.source")) - 1] == "measured":
-            self._tracking = tracking_from(self.value, expected, feedback, driven)
-        self.assign(ESTIMATE, (nominal, *np.zeros(6)))
+            self._tracking = tracking_from(self.value, expected, feedback)
+        self.show(Estimates, np.array([expected.payload_mass, *np.zeros(6)]))
         self._plant = Plant(
             crane, state, self._setpoints(), self._tracking or feedback, driven=driven,
             rig=Rig.of(self.value), start_time=self.start_time,
@@ -76,19 +72,19 @@ class CraneSlave(SpecSlave):
 
     def _feedback(self, crane: Crane, length: float, driven: bool) -> SwayFeedback:
         """Gains over rope length; `crane` has the payload that the feedback is designed for."""
-        sample_time = float(self.value("feedback.sample_time"))
         shortest, longest = rope_range(crane, length)
+        chosen = self.filled(FlatDesign)
         if self._flat():
+            lags = self.filled(Parameters)[Parameters.LAG : Parameters.FORCE_MAX]
             return design_flat(
-                crane, sample_time=sample_time, shortest=shortest, longest=longest,
-                ratio=float(self.value("feedback.bandwidth")),
-                hoist_ratio=float(self.value("feedback.hoist_bandwidth")),
-                damping=float(self.value("feedback.damping")), driven=driven,
-                lag=max(float(self.value(f"drive.{d}.lag")) for d in DRIVES) if driven else 0.0,
+                crane, sample_time=float(chosen[FlatDesign.PERIOD]), shortest=shortest,
+                longest=longest, ratio=float(chosen[FlatDesign.BANDWIDTH]),
+                hoist_ratio=float(chosen[FlatDesign.HOIST_BANDWIDTH]),
+                damping=float(chosen[FlatDesign.DAMPING]), driven=driven, lag=float(lags.max()),
             )
         return design(
-            crane, sample_time=sample_time, shortest=shortest, longest=longest,
-            weights=weights_from(self.value), driven=driven,
+            crane, sample_time=float(chosen[FlatDesign.PERIOD]), shortest=shortest,
+            longest=longest, weights=weights_from(self.value), driven=driven,
         )
 
     def advance(self, time: float, step: float) -> None:
@@ -102,8 +98,7 @@ class CraneSlave(SpecSlave):
 
     def _poles(self) -> tuple[float, ...]:
         """The tunable parameters that gains follow from; none of design lqr."""
-        names = POLES if self._flat() else ()
-        return tuple(float(self.value(f"feedback.{n}")) for n in names)
+        return tuple(self.filled(FlatDesign).tolist()) if self._flat() else ()
 
     def _flat(self) -> bool:
         return DESIGNS.items[int(self.value("feedback.design")) - 1] == "flatness"
@@ -117,8 +112,8 @@ class CraneSlave(SpecSlave):
         if self._tracking is not None:
             tune(self._tracking, self.value, feedback)
             return
-        plant.fade = float(self.value("feedback.fade"))
-        plant.enabled = bool(self.value("feedback.enabled"))
+        loop = self.filled(Loop)
+        plant.fade, plant.enabled = float(loop[Loop.FADE]), bool(loop[Loop.ENABLED])
         if feedback is not None:
             plant.retune(feedback)
 

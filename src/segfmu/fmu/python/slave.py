@@ -11,6 +11,7 @@ import numpy as np
 from pythonfmu import Fmi2Slave
 from pythonfmu.enums import Fmi2Status
 
+from segfmu.crane.variables import filled
 from segfmu.errors import InputError, SegfmuError
 from segfmu.fmu.python.release import release_at_exit
 from segfmu.fmu.standard.spec import Spec, Value
@@ -73,9 +74,7 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
 
     def filled(self, record: type[Record]) -> FloatArray:
         """A record of the kernels from the variables that feed it."""
-        array = np.zeros(record.SIZE)
-        record.fill(array, self.value)
-        return array
+        return filled(record, self.value)
 
     def show(self, record: type[Record], values: FloatArray) -> None:
         """Set the variables of a record; a Boolean is true above 0."""

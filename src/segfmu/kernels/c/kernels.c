@@ -2242,6 +2242,15 @@ static double offset_estimate(array_double_1d parameters, array_double_1d measur
     result = (*cspan_at(&estimate, INT64_C(5)));
     return result;
 }
+/*Mass [kg] of the load that feedback and observer are for; expected 0: the crane's own. */
+double segfmu_nominal_payload(double expected, double payload)
+{
+    if (expected > 0.0)
+    {
+        return expected;
+    }
+    return payload;
+}
 /*Whether signals with this dead time [s] count as one sample [s] old. */
 bool segfmu_sampled_late(double dead_time, double sample_time)
 {

@@ -26,6 +26,7 @@ SEGFMU_API void segfmu_flat_table(array_double_1d plant, array_double_1d design,
 SEGFMU_API bool segfmu_observer_table(array_double_1d plant, double sample_time, array_double_1d uncertainty, int64_t rows, array_double_1d lengths, array_double_1d expected, array_double_2d work, array_double_3d table);
 SEGFMU_API void segfmu_observer_predict(double length, array_double_3d table, array_double_1d command, array_double_1d held, array_double_2d estimate, array_double_1d scratch);
 SEGFMU_API void segfmu_observer_correct(double length, array_double_3d table, array_double_1d measured, array_double_1d reference, array_double_2d estimate);
+SEGFMU_API double segfmu_nominal_payload(double expected, double payload);
 SEGFMU_API bool segfmu_sampled_late(double dead_time, double sample_time);
 SEGFMU_API double segfmu_drive_bound(array_double_1d plant, int64_t axis);
 SEGFMU_API void segfmu_set_tracking(array_double_1d plant, array_double_1d design, double longest, array_double_1d tracking);

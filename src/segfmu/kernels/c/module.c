@@ -568,6 +568,25 @@ static PyObject *call_observer_correct(
     return answer;
 }
 
+static PyObject *call_nominal_payload(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "nominal_payload", .values = values};
+    PyObject *answer = NULL;
+    double in_expected;
+    double in_payload;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && take_float(&call, 0, &in_expected)
+        && take_float(&call, 1, &in_payload)) {
+        answer = PyFloat_FromDouble(segfmu_nominal_payload(
+            in_expected,
+            in_payload));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_sampled_late(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -2077,6 +2096,7 @@ static PyMethodDef methods[] = {
     {"observer_table", (PyCFunction)(void (*)(void))call_observer_table, METH_FASTCALL, NULL},
     {"observer_predict", (PyCFunction)(void (*)(void))call_observer_predict, METH_FASTCALL, NULL},
     {"observer_correct", (PyCFunction)(void (*)(void))call_observer_correct, METH_FASTCALL, NULL},
+    {"nominal_payload", (PyCFunction)(void (*)(void))call_nominal_payload, METH_FASTCALL, NULL},
     {"sampled_late", (PyCFunction)(void (*)(void))call_sampled_late, METH_FASTCALL, NULL},
     {"drive_bound", (PyCFunction)(void (*)(void))call_drive_bound, METH_FASTCALL, NULL},
     {"set_tracking", (PyCFunction)(void (*)(void))call_set_tracking, METH_FASTCALL, NULL},

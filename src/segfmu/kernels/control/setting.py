@@ -7,6 +7,13 @@ from segfmu.kernels.crane.drives import carriage_mass
 from segfmu.kernels.crane.records import Axes, DriveMode, Plant
 
 
+def nominal_payload(expected: float, payload: float) -> float:
+    """Mass [kg] of the load that feedback and observer are for; expected 0: the crane's own."""
+    if expected > 0.0:
+        return expected
+    return payload
+
+
 def sampled_late(dead_time: float, sample_time: float) -> bool:
     """Whether signals with this dead time [s] count as one sample [s] old."""
     return dead_time >= 0.5 * sample_time

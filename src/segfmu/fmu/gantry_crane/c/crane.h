@@ -91,8 +91,8 @@ static inline bool driven(const crane *m)
 /* kg; of the load that feedback and observer are for */
 static inline double nominal_payload(const crane *m)
 {
-    double payload = m->base.real[V_FEEDBACK_PAYLOAD_MASS];
-    return payload > 0.0 ? payload : m->base.real[V_CRANE_PAYLOAD_MASS];
+    const double *real = m->base.real;
+    return segfmu_nominal_payload(real[V_FEEDBACK_PAYLOAD_MASS], real[V_CRANE_PAYLOAD_MASS]);
 }
 
 /* The rope lengths of the closed form and the observer, and how many; 0 with a message where they do

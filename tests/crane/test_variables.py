@@ -1,0 +1,63 @@
+"""Data classes from variables and back: no field is forgotten, every value returns."""
+
+from __future__ import annotations
+
+from dataclasses import fields
+
+import pytest
+
+from segfmu.crane import (
+    Crane,
+    Drive,
+    Friction,
+    Gust,
+    PayloadChange,
+    Rig,
+    Sensors,
+    TravelLimits,
+    Wind,
+)
+from segfmu.crane.disturbance import GUST, PAYLOAD, WIND
+from segfmu.crane.equipment import DRIVE, FRICTION, TRAVEL
+from segfmu.crane.observer import UNCERTAINTY, Uncertainty
+from segfmu.crane.parameters import CRANE
+from segfmu.crane.sensors import SENSORS
+from segfmu.crane.variables import build, values
+from segfmu.kernels.crane.records import Plant
+
+CASES = [
+    (CRANE, Crane(2.0, 1.0, 0.5, 9.8, None, 1.5)),
+    (FRICTION, Friction((1.0, 2.0, 3.0), (4.0, 5.0, 6.0), 0.02, 0.1)),
+    (TRAVEL, TravelLimits((-1.0, 2.0), None, (0.1, 0.9))),
+    (SENSORS, Sensors(0.01, 0.02, (1e-3,) * 5, (1e-4,) * 5, (0.1, 0.2, 0.3, 0.4, 0.5), 7)),
+    (GUST, Gust(1.0, 2.0, (0.1, 0.2, 0.3), "sine")),
+    (PAYLOAD, PayloadChange(1.0, 2.0)),
+    (UNCERTAINTY, Uncertainty(1e-3, 2e-3, 3e-3, 0.4, 0.5, 6.0, 0.07)),
+    *((mapping, Drive(0.1, None, 2.0)) for mapping in DRIVE),
+]
+
+
+@pytest.mark.parametrize(("mapping", "own"), CASES, ids=lambda c: type(c).__name__)
+def test_every_field_returns(mapping, own) -> None:
+    assert set(mapping) == {f.name for f in fields(own) if f.init}
+    assert build(type(own), mapping, values(own, mapping).__getitem__) == own
+
+
+@pytest.mark.parametrize("gust", [None, Gust(1.0, 2.0, (0.1, 0.2, 0.3))])
+def test_wind_with_and_without_a_gust(gust: Gust | None) -> None:
+    assert {*WIND, "gust"} == {f.name for f in fields(Wind) if f.init}
+    own = Wind((0.1, 0.2, 0.3), gust, (0.4, 0.5, 0.6), 2.0, 9)
+    assert Wind.of(own.values().__getitem__) == own
+
+
+def test_variables_of_drives_are_their_own() -> None:
+    names = [v for mapping in DRIVE for f in mapping.values() for v in f.variables]
+    assert len(set(names)) == len(names) == 9
+
+
+def test_all_that_is_fed_into_the_plant_comes_from_a_class() -> None:
+    own = Rig(hoist=Drive(0.3), wind=Wind((0.1, 0.0, 0.0)))
+    # a variable without a field would be missing here
+    found = own.parameters(Crane(2.0, 1.0, 0.5), driven=True)
+    assert found[Plant.LAG : Plant.FORCE_MAX].tolist() == [0.0, 0.0, 0.3]
+    assert found[Plant.WIND : Plant.GUST_START].tolist() == [0.1, 0.0, 0.0]

@@ -1,0 +1,91 @@
+"""Parameters of the tracking controller, against what they mean."""
+
+from __future__ import annotations
+
+from math import exp
+
+import numpy as np
+import pytest
+
+from segfmu.kernels.control.design import rope_range, table_lengths
+from segfmu.kernels.control.records import RopeRange, Tracking, TrackingDesign
+from segfmu.kernels.control.setting import (
+    drive_bound,
+    nominal_payload,
+    sampled_late,
+    set_fading,
+    set_tracking,
+)
+from segfmu.kernels.crane.records import DriveMode, Plant
+
+pytestmark = pytest.mark.interpreted
+
+PERIOD, LONGEST = 0.02, 1.5
+
+
+def plant(mode: int) -> np.ndarray:
+    found = np.zeros(Plant.SIZE)
+    found[: Plant.LAG] = 2.2, 1.155, 1.0, 9.81, mode
+    found[Plant.FORCE_MAX : Plant.ACCELERATION_MAX] = 4.0, 0.0, 6.0
+    found[Plant.ACCELERATION_MAX : Plant.VISCOUS] = 0.0, 0.5, 0.6
+    return found
+
+
+def tracking(mode: int, dead_time: float) -> np.ndarray:
+    found, design = np.zeros(Tracking.SIZE), np.zeros(TrackingDesign.SIZE)
+    found[Tracking.PERIOD] = PERIOD
+    design[: TrackingDesign.WAKE] = 1e-4, 2e-4, 1e-3, 0.3, 0.1
+    design[TrackingDesign.WAKE :] = 2.0, 0.05, dead_time, 4.0
+    set_tracking(plant(mode), design, LONGEST, found)
+    return found
+
+
+@pytest.mark.parametrize("mode", [DriveMode.FORCE, DriveMode.VELOCITY])
+def test_tracking_follows_from_crane_and_expectations(mode: int) -> None:
+    found = tracking(mode, 0.0)
+    assert found[Tracking.MODE] == mode
+    assert found[Tracking.MASSES : Tracking.GRAVITY] == pytest.approx([3.355, 1.155, 1.0])
+    assert found[Tracking.GRAVITY] == 9.81
+    most = [4.0, 1e99, 6.0] if mode == DriveMode.FORCE else [1e99, 0.5, 0.6]
+    assert found[Tracking.GREATEST : Tracking.GAINS_PAYLOAD].tolist() == most
+    assert found[Tracking.LEAST : Tracking.GREATEST].tolist() == [-m for m in most]
+    assert [drive_bound(plant(mode), i) for i in range(3)] == most
+    assert found[Tracking.PAYLOAD_SHARE] == PERIOD / 4.0
+    assert found[Tracking.WAKE_ANGLE] == 2e-3
+    assert found[Tracking.POSITION_VARIANCE] == pytest.approx(4e-8 / 12.0)
+
+
+@pytest.mark.parametrize(("dead_time", "late"), [(0.0, 0), (0.009, 0), (0.01, 1), (0.02, 1)])
+def test_half_a_sample_counts_as_late(dead_time: float, late: int) -> None:
+    assert tracking(DriveMode.FORCE, dead_time)[Tracking.DELAYED] == late
+    assert sampled_late(dead_time, PERIOD) == late
+
+
+@pytest.mark.parametrize("fade", [0.0, 0.1])
+def test_a_switching_step_decays(fade: float) -> None:
+    found = tracking(DriveMode.FORCE, 0.0)
+    found[Tracking.FADE] = fade
+    set_fading(found)
+    assert found[Tracking.DECAY] == (exp(-PERIOD / fade) if fade else 0.0)
+
+
+def test_no_expected_payload_is_that_of_the_crane() -> None:
+    assert nominal_payload(0.0, 1.5) == 1.5
+    assert nominal_payload(2.0, 1.5) == 2.0
+
+
+@pytest.mark.parametrize(
+    ("bounds", "expected"), [((0.16, 1.5), (0.16, 1.5)), ((0.0, 0.0), (0.1, 2.5))]
+)
+def test_a_table_without_bounds_is_about_the_start(bounds, expected) -> None:
+    found = np.zeros(RopeRange.SIZE)
+    rope_range(0.5, *bounds, found)
+    assert found.tolist() == list(expected)
+
+
+def test_lengths_of_a_table_meet_both_ends() -> None:
+    lengths = np.zeros(17)
+    assert table_lengths(0.16, 1.5, 17, lengths) == 17
+    assert lengths[[0, -1]].tolist() == [0.16, 1.5]
+    assert np.ptp(lengths[1:] / lengths[:-1]) < 1e-14
+    assert table_lengths(0.5, 0.5, 17, lengths) == 1
