@@ -209,4 +209,4 @@ ACCESS = Messages(
     {AccessStatus.NO_VARIABLE: "there is no variable with value reference {REFERENCE:.0f}"},
 )
 
-TABLES = (RANGE, ACCESS, PLAN, ROPE, PLANT, SETUP)
+TABLES = (PLAN, ROPE, PLANT, SETUP, RANGE, ACCESS)

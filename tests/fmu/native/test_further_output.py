@@ -15,21 +15,22 @@ from segfmu.fmu.native.archive import build_all
 from segfmu.fmu.standard.spec import Spec, output
 from tests.fmu.native.importer import Importer
 
-NAME = "load.speed"
+MODEL, NAME = "FurtherCrane", "load.speed"
 
 
 def further(own: Spec | None = None) -> Spec:
     """The interface of GantryCrane with one more continuous output."""
     known = native_spec(own or spec())
     *others, time = known.variables
-    return replace(known, variables=(*others, output(NAME, "m/s", "speed of the load"), time))
+    speed = output(NAME, "m/s", "speed of the load")
+    return replace(known, name=MODEL, variables=(*others, speed, time))
 
 
 @pytest.fixture(scope="module", params=[2, 3])
 def built(request, tmp_path_factory) -> Path:
     with pytest.MonkeyPatch.context() as patch:
-        model = replace(GANTRY_CRANE, native_spec=further, largest=further)
-        patch.setitem(models._registered, GANTRY_CRANE.name, model)
+        model = replace(GANTRY_CRANE, name=MODEL, native_spec=further, largest=further)
+        patch.setitem(models._registered, MODEL, model)
         folder = tmp_path_factory.mktemp("further")
         return build_all([further()], folder, fmi=request.param)[0]
 

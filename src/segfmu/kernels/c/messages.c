@@ -5,42 +5,6 @@
 
 #include "records.h"
 
-bool segfmu_range_message(
-    int64_t status, const double *report, char *text, size_t size)
-{
-    switch (status) {
-    case 1:
-        snprintf(text, size,
-            "must be at least %g, got %g",
-            report[RANGE_FAULT_LEAST],
-            report[RANGE_FAULT_VALUE]);
-        return true;
-    case 2:
-        snprintf(text, size,
-            "must be at least %g and at most %g, got %g",
-            report[RANGE_FAULT_LEAST],
-            report[RANGE_FAULT_MOST],
-            report[RANGE_FAULT_VALUE]);
-        return true;
-    default:
-        return false;
-    }
-}
-
-bool segfmu_access_message(
-    int64_t status, const double *report, char *text, size_t size)
-{
-    switch (status) {
-    case 1:
-        snprintf(text, size,
-            "there is no variable with value reference %.0f",
-            report[ACCESS_FAULT_REFERENCE]);
-        return true;
-    default:
-        return false;
-    }
-}
-
 bool segfmu_plan_message(
     int64_t status, const double *report, char *text, size_t size)
 {
@@ -330,6 +294,42 @@ bool segfmu_setup_message(
             "lags and what it expects",
             report[SETUP_FAULT_VALUE],
             report[SETUP_FAULT_BOUND]);
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool segfmu_range_message(
+    int64_t status, const double *report, char *text, size_t size)
+{
+    switch (status) {
+    case 1:
+        snprintf(text, size,
+            "must be at least %g, got %g",
+            report[RANGE_FAULT_LEAST],
+            report[RANGE_FAULT_VALUE]);
+        return true;
+    case 2:
+        snprintf(text, size,
+            "must be at least %g and at most %g, got %g",
+            report[RANGE_FAULT_LEAST],
+            report[RANGE_FAULT_MOST],
+            report[RANGE_FAULT_VALUE]);
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool segfmu_access_message(
+    int64_t status, const double *report, char *text, size_t size)
+{
+    switch (status) {
+    case 1:
+        snprintf(text, size,
+            "there is no variable with value reference %.0f",
+            report[ACCESS_FAULT_REFERENCE]);
         return true;
     default:
         return false;

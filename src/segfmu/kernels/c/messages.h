@@ -9,10 +9,6 @@
 #include "visible.h"
 
 /* The message of a status and its report; false for a status without one. */
-SEGFMU_API bool segfmu_range_message(
-    int64_t status, const double *report, char *text, size_t size);
-SEGFMU_API bool segfmu_access_message(
-    int64_t status, const double *report, char *text, size_t size);
 SEGFMU_API bool segfmu_plan_message(
     int64_t status, const double *report, char *text, size_t size);
 SEGFMU_API bool segfmu_rope_message(
@@ -20,6 +16,10 @@ SEGFMU_API bool segfmu_rope_message(
 SEGFMU_API bool segfmu_plant_message(
     int64_t status, const double *report, char *text, size_t size);
 SEGFMU_API bool segfmu_setup_message(
+    int64_t status, const double *report, char *text, size_t size);
+SEGFMU_API bool segfmu_range_message(
+    int64_t status, const double *report, char *text, size_t size);
+SEGFMU_API bool segfmu_access_message(
     int64_t status, const double *report, char *text, size_t size);
 
 #endif
