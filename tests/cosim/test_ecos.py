@@ -37,7 +37,9 @@ def load() -> Any:
     return ecospy
 
 
-def ecos(paths: tuple[Path, Path], *values: dict[str, Any]) -> dict[str, np.ndarray]:
+def ecos(
+    paths: tuple[Path, Path], *values: dict[str, Any], step: float = STEP, stop: float = STOP
+) -> dict[str, np.ndarray]:
     """All real outputs of both FMUs at every communication point after the first."""
     library = load()
     names = [(s, v.name) for s, spec in SPECS.items() for v in spec.where("output")
@@ -51,9 +53,9 @@ def ecos(paths: tuple[Path, Path], *values: dict[str, Any]) -> dict[str, np.ndar
         for signal in SIGNALS:
             structure.make_real_connection(*(f"{s}::{signal}" for s in SPECS))
         assert structure.add_parameter_set("given", given)
-        with library.EcosSimulation(structure=structure, step_size=STEP) as simulation:
+        with library.EcosSimulation(structure=structure, step_size=step) as simulation:
             assert simulation.init(parameter_set="given")
-            for _ in range(round(STOP / STEP)):
+            for _ in range(round(stop / step)):
                 simulation.step()
                 rows.append([simulation.get_real(f"{s}::{n}") for s, n in names])
             simulation.terminate()
