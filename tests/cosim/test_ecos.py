@@ -10,6 +10,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from segfmu.fmu.build import build_all
+from segfmu.fmu.choice import Choice
+from segfmu.fmu.native.compilers import available
 from tests.cosim.pair import MISSIONS, SIGNALS, SPECS, STEP, STOP, compare
 
 # Of FMI 3.0, Ecos knows scalars only, and sets whole numbers with the function of another type.
@@ -66,3 +69,14 @@ def ecos(
 def test_ecos_gives_what_our_master_gives(native_fmus, case: str) -> None:
     version, values = CASES[case]
     compare(ecos(native_fmus[version], *values), native_fmus[2], values)
+
+
+@pytest.mark.skipif(not available(), reason="native FMUs need a C compiler; none was found")
+@pytest.mark.parametrize("fmi", (2, 3))
+def test_choices_arrive_as_integers(tmp_path: Path, fmi: int) -> None:
+    first, second = build_all(tmp_path, Choice(True, fmi, numbered=True))
+    values = ({"planner.shape": 1}, {"drive.mode": 2, "feedback.design": 2})
+    found = ecos((first, second), *values)
+    compare(found, (first, second), values)
+    plain = ecos((first, second), {}, {})
+    assert np.abs(found["load.position.x"] - plain["load.position.x"]).max() > 1e-3

@@ -14,6 +14,9 @@ import numpy as np
 import pytest
 
 from segfmu.cosim import simulate
+from segfmu.fmu.build import build_all
+from segfmu.fmu.choice import Choice
+from segfmu.fmu.native.compilers import available
 from tests.cosim.pair import MISSIONS, SIGNALS, SPECS, STEP, STOP, compare
 
 # libcosim has no enumerations, so missions have none
@@ -82,3 +85,20 @@ def test_parallel_coupling_has_an_error_of_first_order(native_fmus) -> None:
     coarse, fine = error("parallel", 0.005), error("parallel", 0.00125)
     assert coarse / fine == pytest.approx(4.0, rel=0.15)
     assert error("sequential", 0.005) < 0.2 * coarse
+
+
+@pytest.fixture(scope="module")
+def numbered_fmus(tmp_path_factory) -> tuple[Path, Path]:
+    """Archives in which integers are in place of enumerations."""
+    first, second = build_all(tmp_path_factory.mktemp("numbered"), Choice(True, numbered=True))
+    return first, second
+
+
+@pytest.mark.skipif(not available(), reason="native FMUs need a C compiler; none was found")
+def test_choices_arrive_as_integers(numbered_fmus) -> None:
+    values = ({"planner.shape": 1, "waypoint.count": 3}, {"drive.mode": 2, "feedback.design": 2})
+    found = libcosim(numbered_fmus, *values)
+    compare(found, numbered_fmus, values)
+    assert np.abs(found["force.bridge"]).max() > 0.1
+    plain = libcosim(numbered_fmus, {}, {})
+    assert np.abs(found["load.position.x"] - plain["load.position.x"]).max() > 1e-3

@@ -61,6 +61,8 @@ class Start:
 
     def warning(self, crane: Crane, enabled: bool) -> str | None:
         """What the user ought to know of the start; feedback that is enabled corrects at once."""
+        if not self._given:
+            return None
         status = self._judged(crane)
         if not enabled or status == StartStatus.FITS:
             status = backend.check_start_rope(

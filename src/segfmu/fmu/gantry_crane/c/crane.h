@@ -124,8 +124,8 @@ static bool crane_place(crane *m, double state[STATE_SIZE], char message[MESSAGE
 /* Before a step: start again where the reference was not given at initialisation, but is now. */
 static bool crane_replace(crane *m, char message[MESSAGE]);
 
-/* Whether the state at the start is far from its reference, or its rope from its range, with a
-   message. */
+/* Whether the state at the start is far from a reference that was given, or its rope outside its
+   range, with a message. */
 static bool crane_misfit(const crane *m, char message[MESSAGE]);
 static bool crane_out_of_range(const crane *m, char message[MESSAGE]);
 

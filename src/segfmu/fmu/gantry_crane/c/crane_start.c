@@ -100,5 +100,5 @@ bool crane_out_of_range(const crane *m, char message[MESSAGE])
                                              m->base.real[V_CRANE_ROPE_MIN],
                                              m->base.real[V_CRANE_ROPE_MAX],
                                              vector(fault, START_FAULT_SIZE));
-    return segfmu_start_message(status, fault, message, MESSAGE);
+    return m->base.given && segfmu_start_message(status, fault, message, MESSAGE);
 }
