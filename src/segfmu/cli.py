@@ -95,6 +95,9 @@ def build(
         typer.Option(help="Waypoints that there is room for; 16, or those of the mission.",
                      min=2, max=256),
     ] = None,
+    enumerations: Annotated[
+        str, typer.Option(help="Type of choices: enumeration, or integer for importers without.")
+    ] = "enumeration",
     modelica: Annotated[
         bool, typer.Option("--modelica", help="Also write a Modelica package with both FMUs.")
     ] = False,
@@ -111,7 +114,7 @@ def build(
     from segfmu.fmu.choice import chosen, require_native
     from segfmu.validation.scenario import sized, specs
 
-    choice = chosen(fmi, backend, platforms)
+    choice = chosen(fmi, backend, platforms, enumerations=enumerations)
     for option, wanted in (("--modelica", modelica), ("--ssp", ssp)):
         if wanted:
             require_native(choice, option)

@@ -10,6 +10,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from segfmu.fmu.build import build_all
+from segfmu.fmu.choice import Choice
+from segfmu.fmu.native.compilers import available
 from tests.cosim.pair import MISSIONS, SIGNALS, SPECS, STEP, STOP, compare
 
 # Of FMI 3.0, Ecos knows scalars only, and sets whole numbers with the function of another type.
@@ -37,7 +40,9 @@ def load() -> Any:
     return ecospy
 
 
-def ecos(paths: tuple[Path, Path], *values: dict[str, Any]) -> dict[str, np.ndarray]:
+def ecos(
+    paths: tuple[Path, Path], *values: dict[str, Any], step: float = STEP, stop: float = STOP
+) -> dict[str, np.ndarray]:
     """All real outputs of both FMUs at every communication point after the first."""
     library = load()
     names = [(s, v.name) for s, spec in SPECS.items() for v in spec.where("output")
@@ -51,9 +56,9 @@ def ecos(paths: tuple[Path, Path], *values: dict[str, Any]) -> dict[str, np.ndar
         for signal in SIGNALS:
             structure.make_real_connection(*(f"{s}::{signal}" for s in SPECS))
         assert structure.add_parameter_set("given", given)
-        with library.EcosSimulation(structure=structure, step_size=STEP) as simulation:
+        with library.EcosSimulation(structure=structure, step_size=step) as simulation:
             assert simulation.init(parameter_set="given")
-            for _ in range(round(STOP / STEP)):
+            for _ in range(round(stop / step)):
                 simulation.step()
                 rows.append([simulation.get_real(f"{s}::{n}") for s, n in names])
             simulation.terminate()
@@ -64,3 +69,14 @@ def ecos(paths: tuple[Path, Path], *values: dict[str, Any]) -> dict[str, np.ndar
 def test_ecos_gives_what_our_master_gives(native_fmus, case: str) -> None:
     version, values = CASES[case]
     compare(ecos(native_fmus[version], *values), native_fmus[2], values)
+
+
+@pytest.mark.skipif(not available(), reason="native FMUs need a C compiler; none was found")
+@pytest.mark.parametrize("fmi", (2, 3))
+def test_choices_arrive_as_integers(tmp_path: Path, fmi: int) -> None:
+    first, second = build_all(tmp_path, Choice(True, fmi, numbered=True))
+    values = ({"planner.shape": 1}, {"drive.mode": 2, "feedback.design": 2})
+    found = ecos((first, second), *values)
+    compare(found, (first, second), values)
+    plain = ecos((first, second), {}, {})
+    assert np.abs(found["load.position.x"] - plain["load.position.x"]).max() > 1e-3

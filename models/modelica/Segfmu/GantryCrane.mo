@@ -119,6 +119,8 @@ model GantryCrane "Dynamics of a 3-DOF gantry crane from Lagrange's equations, d
   parameter Real crane_rope_min(unit = "m", min = 0.0) = 0.16 "true crane: shortest rope; 0: no bound" annotation(Dialog(tab = "crane"));
   parameter Real crane_rope_max(unit = "m", min = 0.0) = 1.5 "true crane: longest rope; 0: no bound" annotation(Dialog(tab = "crane"));
   parameter Types.DriveMode drive_mode = Types.DriveMode.force "what the drives follow" annotation(Dialog(tab = "drive"));
+  parameter Boolean start_on_reference = true "start where the reference is at initialisation; start values of the state are then deviations, counted from the start values of the reference" annotation(Dialog(tab = "start"));
+  parameter Real setpoint_lead(unit = "s", min = 0.0) = 0.0 "that of GantryFeedforward; above 0, inputs set after a step are those of the end of the next one, and no reference for the errors yet" annotation(Dialog(tab = "setpoint"));
   parameter Real drive_bridge_lag(unit = "s", min = 0.0) = 0.0 "time constant of the bridge drive in mode velocity; 0: none" annotation(Dialog(tab = "drive"));
   parameter Real drive_bridge_force_max(unit = "N", min = 0.0) = 0.0 "largest force of the bridge drive; 0: no bound" annotation(Dialog(tab = "drive"));
   parameter Real drive_bridge_acceleration_max(unit = "m/s2", min = 0.0) = 0.0 "largest acceleration of the bridge drive in mode velocity; 0: no bound" annotation(Dialog(tab = "drive"));
@@ -267,63 +269,63 @@ model GantryCrane "Dynamics of a 3-DOF gantry crane from Lagrange's equations, d
   Real sway_y_acceleration(unit = "rad/s2", displayUnit = "deg/s2") "acceleration of sway.y";
   Real power_drives(unit = "W", nominal = 10.0) "power of all drives";
 protected
-  constant Integer feedback_table_length_references[17] = {169, 180, 191, 202, 213, 224, 235, 246, 257, 268, 279, 290, 301, 312, 323, 334, 345};
-  constant Integer feedback_table_bridge_references[17, 4] = [170, 171, 172, 173;
-      181, 182, 183, 184;
-      192, 193, 194, 195;
-      203, 204, 205, 206;
-      214, 215, 216, 217;
-      225, 226, 227, 228;
-      236, 237, 238, 239;
-      247, 248, 249, 250;
-      258, 259, 260, 261;
-      269, 270, 271, 272;
-      280, 281, 282, 283;
-      291, 292, 293, 294;
-      302, 303, 304, 305;
-      313, 314, 315, 316;
-      324, 325, 326, 327;
-      335, 336, 337, 338;
-      346, 347, 348, 349];
-  constant Integer feedback_table_trolley_references[17, 4] = [174, 175, 176, 177;
-      185, 186, 187, 188;
-      196, 197, 198, 199;
-      207, 208, 209, 210;
-      218, 219, 220, 221;
-      229, 230, 231, 232;
-      240, 241, 242, 243;
-      251, 252, 253, 254;
-      262, 263, 264, 265;
-      273, 274, 275, 276;
-      284, 285, 286, 287;
-      295, 296, 297, 298;
-      306, 307, 308, 309;
-      317, 318, 319, 320;
-      328, 329, 330, 331;
-      339, 340, 341, 342;
-      350, 351, 352, 353];
-  constant Integer feedback_table_hoist_references[17, 2] = [178, 179;
-      189, 190;
-      200, 201;
-      211, 212;
-      222, 223;
-      233, 234;
-      244, 245;
-      255, 256;
-      266, 267;
-      277, 278;
-      288, 289;
-      299, 300;
-      310, 311;
-      321, 322;
-      332, 333;
-      343, 344;
-      354, 355];
-  final parameter Integer real_references[:] = cat(1, {23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 76, 77, 78, 79, 80, 81, 83, 84, 85, 86, 87, 88, 89,
-      90, 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 109, 110,
-      111, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 126, 127, 128,
-      130, 131, 132, 133, 134, 135, 136, 139, 140, 141, 142, 143, 144, 145, 146, 149, 150, 151,
-      152, 153, 155, 156, 157, 158, 159, 160, 161, 162, 163, 164, 165, 168},
+  constant Integer feedback_table_length_references[17] = {171, 182, 193, 204, 215, 226, 237, 248, 259, 270, 281, 292, 303, 314, 325, 336, 347};
+  constant Integer feedback_table_bridge_references[17, 4] = [172, 173, 174, 175;
+      183, 184, 185, 186;
+      194, 195, 196, 197;
+      205, 206, 207, 208;
+      216, 217, 218, 219;
+      227, 228, 229, 230;
+      238, 239, 240, 241;
+      249, 250, 251, 252;
+      260, 261, 262, 263;
+      271, 272, 273, 274;
+      282, 283, 284, 285;
+      293, 294, 295, 296;
+      304, 305, 306, 307;
+      315, 316, 317, 318;
+      326, 327, 328, 329;
+      337, 338, 339, 340;
+      348, 349, 350, 351];
+  constant Integer feedback_table_trolley_references[17, 4] = [176, 177, 178, 179;
+      187, 188, 189, 190;
+      198, 199, 200, 201;
+      209, 210, 211, 212;
+      220, 221, 222, 223;
+      231, 232, 233, 234;
+      242, 243, 244, 245;
+      253, 254, 255, 256;
+      264, 265, 266, 267;
+      275, 276, 277, 278;
+      286, 287, 288, 289;
+      297, 298, 299, 300;
+      308, 309, 310, 311;
+      319, 320, 321, 322;
+      330, 331, 332, 333;
+      341, 342, 343, 344;
+      352, 353, 354, 355];
+  constant Integer feedback_table_hoist_references[17, 2] = [180, 181;
+      191, 192;
+      202, 203;
+      213, 214;
+      224, 225;
+      235, 236;
+      246, 247;
+      257, 258;
+      268, 269;
+      279, 280;
+      290, 291;
+      301, 302;
+      312, 313;
+      323, 324;
+      334, 335;
+      345, 346;
+      356, 357];
+  final parameter Integer real_references[:] = cat(1, {23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 76, 77, 78, 79, 80, 81, 84, 85, 86, 87, 88, 89, 90,
+      91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 111,
+      112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 126, 127, 128, 129,
+      130, 132, 133, 134, 135, 136, 137, 138, 141, 142, 143, 144, 145, 146, 147, 148, 151, 152,
+      153, 154, 155, 157, 158, 159, 160, 161, 162, 163, 164, 165, 166, 167, 170},
       feedback_table_length_references[1:feedback_table_count],
       FMI.references(feedback_table_bridge_references, feedback_table_count),
       FMI.references(feedback_table_trolley_references, feedback_table_count),
@@ -331,8 +333,8 @@ protected
   final parameter Real reals[:] = cat(1, {bridge_position_start, trolley_position_start, rope_length_start, sway_x_angle_start,
       sway_y_angle_start, bridge_velocity_start, trolley_velocity_start, rope_velocity_start,
       sway_x_rate_start, sway_y_rate_start, crane_bridge_mass, crane_trolley_mass,
-      crane_payload_mass, crane_gravity, crane_rope_min, crane_rope_max, drive_bridge_lag,
-      drive_bridge_force_max, drive_bridge_acceleration_max, drive_trolley_lag,
+      crane_payload_mass, crane_gravity, crane_rope_min, crane_rope_max, setpoint_lead,
+      drive_bridge_lag, drive_bridge_force_max, drive_bridge_acceleration_max, drive_trolley_lag,
       drive_trolley_force_max, drive_trolley_acceleration_max, drive_hoist_lag,
       drive_hoist_force_max, drive_hoist_acceleration_max, friction_bridge_viscous,
       friction_bridge_coulomb, friction_trolley_viscous, friction_trolley_coulomb,
@@ -359,12 +361,12 @@ protected
       FMI.rows(feedback_table_bridge),
       FMI.rows(feedback_table_trolley),
       FMI.rows(feedback_table_hoist));
-  constant Integer integer_references[9] = {82, 108, 129, 137, 138, 148, 154, 166, 167};
+  constant Integer integer_references[9] = {82, 110, 131, 139, 140, 150, 156, 168, 169};
   final parameter Integer integers[9] = {Integer(drive_mode), sensor_seed, Integer(wind_gust_shape), wind_noise_seed, payload_count,
       Integer(feedback_design), Integer(feedback_source), feedback_table_count,
       Integer(feedback_table_mode)};
-  constant Integer boolean_references[1] = {147};
-  final parameter Integer booleans[1] = {if feedback_enabled then 1 else 0};
+  constant Integer boolean_references[2] = {83, 149};
+  final parameter Integer booleans[2] = {if start_on_reference then 1 else 0, if feedback_enabled then 1 else 0};
   constant Integer input_references[22] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22};
   Interfaces.RealInput force_bridge_used;
   Interfaces.RealInput force_trolley_used;
@@ -396,7 +398,7 @@ protected
       reference_sway_y_rate_used, reference_load_position_x_used, reference_load_position_y_used,
       reference_load_position_z_used, wind_x_used, wind_y_used, wind_z_used};
   FMI.Instance fmu = FMI.Instance(folder, "GantryCrane", getInstanceName(),
-      "{53100c31-6c00-463f-d2a4-3c02b6652de3}", 13);
+      "{a45482b3-f4a0-04a8-8ab0-398e01dc5b0f}", 13);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[13](each stateSelect = StateSelect.always, each nominal = 0.1) "states of the FMU";
@@ -510,7 +512,7 @@ equation
       = FMI.reals(fmu, time, x, {1, 2, 3, 4, 5, 6, 20, 21, 22},
       {force_bridge_used, force_trolley_used, force_hoist_used, velocity_bridge_used,
       velocity_trolley_used, velocity_hoist_used, wind_x_used, wind_y_used, wind_z_used},
-      {48, 50, 51, 53, 54, 56, 57, 67, 68, 356, 357, 358, 359, 360, 361}, last);
+      {48, 50, 51, 53, 54, 56, 57, 67, 68, 358, 359, 360, 361, 362, 363}, last);
   drive_bridge_saturated = FMI.boolean(fmu, 49, last);
   drive_trolley_saturated = FMI.boolean(fmu, 52, last);
   drive_hoist_saturated = FMI.boolean(fmu, 55, last);

@@ -24,6 +24,9 @@ from segfmu.errors import InputError
 # results of both FMUs take 0.7 kB a step
 MAX_STEPS = 2_000_000
 
+# parameter of the source by which its outputs are ahead of time
+LEAD = "setpoint.lead"
+
 Coupling = Literal["sequential", "parallel", "derivatives"]
 
 
@@ -55,13 +58,15 @@ def simulate(
     coupling : str, optional
         By default "derivatives" where both FMUs have what it needs, else "sequential".
         "sequential": the sink's step has the inputs of its end, an error of second order in the
-        step; "parallel": those of its beginning, an error of first order; "derivatives" (FMI 2.0):
-        those of its beginning and their derivatives, as many as the source tells: k of them make
-        an error of order k + 1.
+        step; "parallel": those of its beginning, an error of first order, or none beside that of
+        "sequential" where the source has a parameter `setpoint.lead` as long as the step;
+        "derivatives" (FMI 2.0): those of its beginning and their derivatives, as many as the source
+        tells: k of them make an error of order k + 1.
     events : bool
         Steps end at the source's events as well: in FMI 3.0 it returns early, in FMI 2.0 its output
         `plan.next_event` names them. Without, what a signal does behind a kink within a step is
-        seen at the end of that step.
+        seen at the end of that step. Steps in parallel that `setpoint.lead` makes up for have to
+        be equal, so they end at no events.
     progress : callable
         Gets the share done, now and then.
 
@@ -84,7 +89,9 @@ def simulate(
     # fmpy is loaded where FMUs run, not where missions are only planned or built
     from segfmu.cosim.load import load
 
-    with load(source, leads=events) as first, load(sink) as second:
+    lead = bool((source_values or {}).get(LEAD))
+    ahead = lead and coupling == "parallel"
+    with load(source, leads=events and not ahead) as first, load(sink) as second:
         first.set(dict(source_values or {}))
         second.set(dict(sink_values or {}))
         for unit in (first, second):
@@ -94,18 +101,22 @@ def simulate(
             coupling = "derivatives" if has_derivatives else "sequential"
         order = max(1, first.order) if coupling == "derivatives" else 0
         link = Link(first, second, order=order)
+        # a source with a lead is ahead from the end of its initialisation on
+        if lead:
+            link.transfer()
         first.exit_initialization()
-        link.transfer()
+        if not lead:
+            link.transfer()
         second.exit_initialization()
-        second.read_outputs()
         table = Table(times, first, second)
+        _read(first, second, link, ahead)
         table.record(0)
         points = times.tolist()
         for i in range(1, times.size):
             time, end = points[i - 1], points[i]
             while time < end:
-                time = _step(time, end, first, second, link, coupling == "sequential")
-            second.read_outputs()
+                time = _step(time, end, first, second, link, None if ahead else coupling)
+            _read(first, second, link, ahead)
             table.record(i)
             if i % 100 == 0:
                 progress(i / (times.size - 1))
@@ -113,18 +124,31 @@ def simulate(
     return table.rows
 
 
+def _read(first: Unit, second: Unit, link: Link, ahead: bool) -> None:
+    """Read the outputs of a communication point; then hand on those that are ahead of it.
+
+    In this order, as the sink measures its errors against the inputs that it has.
+    """
+    second.read_outputs()
+    if ahead:
+        link.transfer()
+
+
 def _step(
-    time: float, end: float, first: Unit, second: Unit, link: Link, sequential: bool
+    time: float, end: float, first: Unit, second: Unit, link: Link, coupling: Coupling | None
 ) -> float:
-    """A step of both units towards `end`; returns the time reached, that of an event or `end`."""
+    """A step of both units towards `end`; returns the time reached, that of an event or `end`.
+
+    Without a coupling, the outputs are handed on by the caller.
+    """
     link.transfer_slopes()
     reached = first.step(time, first.next_end(time, end))
-    if sequential:
+    if coupling == "sequential":
         link.transfer()
     second.step(time, reached)
-    if first.meet_event() and sequential:
+    if first.meet_event() and coupling == "sequential":
         first.read_outputs()
-    if not sequential:
+    if coupling in ("parallel", "derivatives"):
         link.transfer()
     return reached
 

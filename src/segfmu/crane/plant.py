@@ -100,6 +100,7 @@ class Plant:
         require_positive("controller sample_time", controller.sample_time)
         rig = rig or Rig()
         self._controller = controller
+        self._status: int = PlantStatus.DONE
         self._settings = np.zeros((Settings.SIZE, Settings.COLUMNS))
         self._loop = self._settings[Settings.LOOP, : Loop.SIZE]
         self._loop[Loop.CORRECTOR] = _corrector(controller)
@@ -160,6 +161,11 @@ class Plant:
         """Time reached [s]."""
         clock = self._memory[Memory.CLOCK]
         return float(clock[Clock.START] + clock[Clock.REACHED])
+
+    @property
+    def ending(self) -> tuple[int, float]:
+        """The `PlantStatus` of the last step, and when [s] it was met where it is not DONE."""
+        return self._status, float(self._memory[Memory.CLOCK, Clock.EVENT])
 
     @property
     def state(self) -> FloatArray:
@@ -260,9 +266,10 @@ class Plant:
             )
             if status == RigStatus.TICK:
                 self._sample()
+        self._status = status
         if status != PlantStatus.DONE:
             memory = self._memory
-            time = float(memory[Memory.CLOCK, Clock.EVENT])
+            _, time = self.ending
             raise SimulationError(
                 failure(status, time, memory[Memory.STATE], memory[Memory.PLANT])
             )

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from segfmu.fmu.choice import Choice
 from segfmu.fmu.models import named, registered
-from segfmu.fmu.standard.spec import Spec
+from segfmu.fmu.standard.spec import Spec, numbered
 
 
 def build_all(
@@ -25,13 +25,13 @@ def build_all(
     if choice.native:
         from segfmu.fmu.native.archive import build_all as build_native
 
-        natives = [named(s.name).native_spec(s) for s in interfaces]
+        natives = [_typed(named(s.name).native_spec(s), choice) for s in interfaces]
         return build_native(
             natives, folder, fmi=choice.fmi, platforms=choice.platforms, report=report
         )
     from segfmu.fmu.python.archive import build_all as build_python
 
-    return build_python(folder, report, interfaces)
+    return build_python(folder, report, [_typed(s, choice) for s in interfaces])
 
 
 def describe(
@@ -57,3 +57,7 @@ def describe(
 
         written += write_system(folder, archives, specs, title)
     return written
+
+
+def _typed(spec: Spec, choice: Choice) -> Spec:
+    return numbered(spec) if choice.numbered else spec

@@ -11,16 +11,21 @@ from segfmu.fmu.native.binaries import packaged
 from segfmu.fmu.native.compilers import PLATFORMS, available, host
 
 BACKENDS = ("native", "python")
+ENUMERATIONS = ("enumeration", "integer")
 
 
 @dataclass(frozen=True)
 class Choice:
-    """A backend, its platforms (the host's where there are none), and what the user must know."""
+    """A backend, its platforms (the host's where there are none), and what the user must know.
+
+    `numbered` makes enumerations integers.
+    """
 
     native: bool
     fmi: int = 2
     platforms: tuple[str, ...] = ()
     note: str = ""
+    numbered: bool = False
 
 
 def require_native(choice: Choice, option: str) -> None:
@@ -29,8 +34,12 @@ def require_native(choice: Choice, option: str) -> None:
     Raises
     ------
     InputError
-        For other FMUs than native ones of FMI 2.0.
+        For other FMUs than native ones of FMI 2.0 with enumerations.
     """
+    if choice.numbered:
+        raise InputError(
+            f"{option} has enumerations that arrive: leave out --enumerations integer"
+        )
     if not choice.native or choice.fmi != 2:
         raise InputError(
             f"{option} needs native FMUs of FMI 2: leave out --fmi and --backend, and install a C "
@@ -38,7 +47,10 @@ def require_native(choice: Choice, option: str) -> None:
         )
 
 
-def chosen(fmi: int, backend: str, platforms: str, *, everywhere: bool = True) -> Choice:
+def chosen(
+    fmi: int, backend: str, platforms: str, *, everywhere: bool = True,
+    enumerations: str = "enumeration",
+) -> Choice:
     """The backend asked for, or Python where there is neither a binary nor a C compiler.
 
     `platforms` has commas, or is all. Where it is empty, it is every platform whose binaries come
@@ -53,6 +65,11 @@ def chosen(fmi: int, backend: str, platforms: str, *, everywhere: bool = True) -
         raise InputError(f"--fmi must be 2 or 3, got {fmi}")
     if backend not in BACKENDS:
         raise InputError(f"--backend must be one of {', '.join(BACKENDS)}, got {backend!r}")
+    if enumerations not in ENUMERATIONS:
+        raise InputError(
+            f"--enumerations must be one of {', '.join(ENUMERATIONS)}, got {enumerations!r}"
+        )
+    numbered = enumerations == "integer"
     names = tuple(PLATFORMS) if platforms == "all" else tuple(
         n.strip() for n in platforms.split(",") if n.strip()
     )
@@ -64,14 +81,14 @@ def chosen(fmi: int, backend: str, platforms: str, *, everywhere: bool = True) -
     if backend == "python":
         if fmi == 3 or names:
             raise InputError("--backend python has neither FMI 3 nor platforms; use native")
-        return Choice(native=False)
+        return Choice(native=False, numbered=numbered)
     ready = packaged((m.name, sources(m.name, fmi)) for m in registered())
     if names or (ready and everywhere):
-        return Choice(True, fmi, names or ready)
+        return Choice(True, fmi, names or ready, numbered=numbered)
     if fmi == 3 or available() or host() in ready:
-        return Choice(True, fmi)
+        return Choice(True, fmi, numbered=numbered)
     return Choice(
-        native=False,
+        native=False, numbered=numbered,
         note="no C compiler found; built with the Python backend. Install a C compiler, or the "
         "extra segfmu[platforms]",
     )

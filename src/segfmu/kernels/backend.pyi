@@ -515,6 +515,44 @@ def check_lengths(
     /,
 ) -> int: ...
 
+def start_state(
+    own: Floats,
+    held: Floats,
+    reference: Floats,
+    state: Floats,
+    /,
+) -> None: ...
+
+def check_start(
+    state: Floats,
+    reference: Floats,
+    fault: Floats,
+    /,
+) -> int: ...
+
+def judge_start(
+    state: Floats,
+    reference: Floats,
+    gravity: float,
+    fault: Floats,
+    /,
+) -> int: ...
+
+def check_start_rope(
+    length: float,
+    shortest: float,
+    longest: float,
+    fault: Floats,
+    /,
+) -> int: ...
+
+def is_elsewhere(
+    before: Floats,
+    reference: Floats,
+    step: float,
+    /,
+) -> int: ...
+
 def same_break(
     time: float,
     /,

@@ -76,6 +76,7 @@ from segfmu.kernels.rig.records import (
     Setpoints,
     Settings,
     SetupFault,
+    StartFault,
     Target,
 )
 from segfmu.kernels.trajectory.records import Check, Expansion, Timing
@@ -238,6 +239,18 @@ ENTRY_POINTS = (
     entry("rig.setup", "check_rope_bounds", fault=SetupFault.SIZE),
     entry("rig.setup", "check_lengths", lengths=RopeRange.SIZE, fault=SetupFault.SIZE),
     entry("numerics.range", "check_range", fault=RangeFault.SIZE),
+    entry(
+        "rig.start", "start_state", own=State.SIZE, held=State.SIZE, reference=State.SIZE,
+        state=State.SIZE,
+    ),
+    entry(
+        "rig.start", "check_start", state=State.SIZE, reference=State.SIZE, fault=StartFault.SIZE
+    ),
+    entry(
+        "rig.start", "judge_start", state=State.SIZE, reference=State.SIZE, fault=StartFault.SIZE
+    ),
+    entry("rig.start", "check_start_rope", fault=StartFault.SIZE),
+    entry("rig.start", "is_elsewhere", before=State.SIZE, reference=State.SIZE),
     entry("numerics.noise", "seed_numbers", numbers=RandomState.SIZE),
     entry("numerics.noise", "next_uniform", numbers=RandomState.SIZE),
     entry(

@@ -18,11 +18,18 @@ from segfmu.kernels.crane.records import (
     PlantStatus,
     RopeDemand,
     RopeFault,
+    State,
 )
 from segfmu.kernels.numerics.records import AccessFault, AccessStatus, RangeFault, RangeStatus
 from segfmu.kernels.planner.records import PlanStatus, Refusal
 from segfmu.kernels.records import Record
-from segfmu.kernels.rig.records import SensorLimits, SetupFault, SetupStatus
+from segfmu.kernels.rig.records import (
+    SensorLimits,
+    SetupFault,
+    SetupStatus,
+    StartFault,
+    StartStatus,
+)
 
 PLACE = re.compile(r"\{([A-Z_]+)(?:\+(\d))?(?::((?:\.\d+)?[fg]))?\}")
 
@@ -209,4 +216,25 @@ ACCESS = Messages(
     {AccessStatus.NO_VARIABLE: "there is no variable with value reference {REFERENCE:.0f}"},
 )
 
-TABLES = (PLAN, ROPE, PLANT, SETUP, RANGE, ACCESS)
+_FAR = "{PLACE} started at {VALUE:g}, its reference at {BOUND:g}"
+_NEAR = (
+    "set start.on_reference to true and connect the reference at initialisation, or start values "
+    "that fit the first waypoint"
+)
+
+START = Messages(
+    "start", StartFault,
+    {
+        StartStatus.NO_ROPE: "rope.length must start above 0 m, got {VALUE:g}; its reference "
+        "starts at {BOUND:g} m, see start.on_reference",
+        StartStatus.SWAY: "{PLACE} must start within 90 degrees, got {VALUE:g} rad",
+        StartStatus.FAR: f"{_FAR}; {_NEAR}",
+        StartStatus.FAILED: f"at {{TIME:.3f}} s: the crane left the range of its equations; "
+        f"{_FAR}; {_NEAR}",
+        StartStatus.RANGE: "{PLACE} starts at {VALUE:g} m, outside crane.rope_min and "
+        "crane.rope_max, here {BOUND:g} m",
+    },
+    {"PLACE": tuple(v for f in State.FIELDS.values() for v in f.variables)},
+)
+
+TABLES = (PLAN, ROPE, PLANT, SETUP, RANGE, ACCESS, START)

@@ -125,6 +125,17 @@ def spec() -> Spec:
             *_outputs(),
             *crane_parameters("true crane"),
             choice("drive.mode", MODES, "force", "what the drives follow"),
+            parameter(
+                "start.on_reference", True, None,
+                "start where the reference is at initialisation; start values of the state are "
+                "then deviations, counted from the start values of the reference",
+                kind="Boolean",
+            ),
+            parameter(
+                "setpoint.lead", 0.0, "s",
+                "that of GantryFeedforward; above 0, inputs set after a step are those of the end "
+                "of the next one, and no reference for the errors yet", minimum=0.0,
+            ),
             *rig_parameters(),
             *feedback_parameters(),
         ),

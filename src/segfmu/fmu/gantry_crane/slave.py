@@ -7,6 +7,7 @@ from functools import partial
 from typing import Any
 
 import numpy as np
+from pythonfmu.enums import Fmi2Status
 
 from segfmu.crane import Crane, Rig
 from segfmu.crane.feedback import SwayFeedback, design
@@ -15,7 +16,7 @@ from segfmu.crane.linear import rope_range
 from segfmu.crane.plant import Plant
 from segfmu.crane.setpoints import Setpoints
 from segfmu.crane.tracking import TrackingController
-from segfmu.errors import InputError
+from segfmu.errors import SimulationError
 from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_crane.feedback_parameters import (
     DESIGNS,
@@ -25,14 +26,17 @@ from segfmu.fmu.gantry_crane.feedback_parameters import (
     tune,
     weights_from,
 )
+from segfmu.fmu.gantry_crane.start import Start
 from segfmu.fmu.python.slave import SpecSlave
-from segfmu.kernels import backend
 from segfmu.kernels.control.records import Estimates, FlatDesign
 from segfmu.kernels.crane.records import Axes, DriveMode, State
 from segfmu.kernels.crane.records import Plant as Parameters
-from segfmu.kernels.messages import SETUP
-from segfmu.kernels.rig.records import Loop, Outputs, SetupFault, SetupStatus, Target
+from segfmu.kernels.rig.records import Loop, Outputs, Target
 from segfmu.kernels.rig.records import Setpoints as SetpointRecord
+from segfmu.planning.arrays import FloatArray
+
+# places of the reference among setpoints
+REFERENCE = slice(SetpointRecord.REFERENCE, SetpointRecord.REFERENCE + State.SIZE)
 
 
 class CraneSlave(SpecSlave):
@@ -46,15 +50,18 @@ class CraneSlave(SpecSlave):
         self._tracking: TrackingController | None = None
         self._design: Callable[[], SwayFeedback] | None = None
         self._tuned: tuple[float, ...] = ()
+        self._start: Start | None = None
+        # whether inputs were set before the end of initialisation, and whether a step was made
+        self._given = self._stepped = False
 
     def initialise(self) -> None:
         """Design the feedback and put the crane into its initial state."""
         crane = Crane.of(self.value)
-        state = self.filled(State)
-        length, fault = float(state[State.POSITION + Axes.ROPE]), np.zeros(SetupFault.SIZE)
-        status = backend.check_rope_bounds(length, 0.0, 0.0, fault)
-        if status != SetupStatus.FITS:
-            raise InputError(SETUP.text(status, fault.tolist()))
+        if self._start is None:
+            self._start = self._begin()
+        state = self._start.state(self._reference(), self._given)
+        self.show(State, state)
+        length = float(state[State.POSITION + Axes.ROPE])
         driven = self.filled(Parameters)[Parameters.MODE] == DriveMode.VELOCITY
         expected = nominal_from(self.value)
         self._design = partial(self._feedback, expected, length, driven)
@@ -69,6 +76,30 @@ class CraneSlave(SpecSlave):
             rig=Rig.of(self.value), start_time=self.start_time,
         )
         self._show(self._plant)
+        warning = self._start.warning(crane, bool(self.value("feedback.enabled")))
+        if warning:
+            self.log(warning, Fmi2Status.warning)
+
+    def _begin(self) -> Start:
+        """Start values, before outputs take their places."""
+        held = np.zeros(SetpointRecord.SIZE)
+        SetpointRecord.fill(
+            held, lambda n: self.starts.get(n, self.spec.variable(n).start or 0.0)
+        )
+        return Start(
+            self.filled(State), held[REFERENCE], bool(self.value("start.on_reference"))
+        )
+
+    def _reference(self) -> FloatArray:
+        return self.filled(SetpointRecord)[REFERENCE]
+
+    def _set(self, kind: str, references: list[int], values: list[Any]) -> None:
+        if self._plant is None:
+            self._given |= any(
+                self.spec.variables[r - 1].causality == "input"
+                for r in references if 0 < r <= len(self.spec.variables)
+            )
+        super()._set(kind, references, values)
 
     def _feedback(self, crane: Crane, length: float, driven: bool) -> SwayFeedback:
         """Gains over rope length; `crane` has the payload that the feedback is designed for."""
@@ -89,12 +120,28 @@ class CraneSlave(SpecSlave):
 
     def advance(self, time: float, step: float) -> None:
         """Step the plant to the setpoints now set."""
-        plant = self._plant
-        if plant is None:
-            raise AssertionError("a step before the end of initialisation")
+        plant, start = self._ready(step)
         self._tune(plant)
-        plant.step(step, self._setpoints())
+        try:
+            plant.step(step, self._setpoints())
+        except SimulationError:
+            status, when = plant.ending
+            reason = start.failure(Crane.of(self.value), status, when, when - self.start_time)
+            if reason is None:
+                raise
+            raise SimulationError(reason) from None
         self._show(plant)
+
+    def _ready(self, step: float) -> tuple[Plant, Start]:
+        """The plant, which starts again where the first step is the first to have a reference."""
+        if self._start is None:
+            raise AssertionError("a step before the end of initialisation")
+        late = not (self._stepped or self._given)
+        self._stepped = True
+        if late and self._start.is_late(self._reference(), step):
+            self.initialise()
+        assert self._plant is not None
+        return self._plant, self._start
 
     def _poles(self) -> tuple[float, ...]:
         """The tunable parameters that gains follow from; none of design lqr."""

@@ -132,6 +132,11 @@ def _planner() -> list[Variable]:
             "planner.duration", 0.0, "s", "duration to take; 0: the shortest one", minimum=0.0
         ),
         parameter("planner.start_time", 0.0, "s", "time at which the motion starts"),
+        parameter(
+            "setpoint.lead", 0.0, "s",
+            "all outputs are those of so much later, from the end of initialisation on: the "
+            "communication step of importers that couple in parallel", minimum=0.0,
+        ),
     ]
 
 

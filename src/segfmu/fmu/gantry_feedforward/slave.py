@@ -27,15 +27,16 @@ class FeedforwardSlave(SpecSlave):
         super().__init__(**kwargs)
         self._inverse: FlatInverse | None = None
         self._trajectory: Trajectory | None = None
-        self._initialising = False
+        self._initialising = self._planned = False
 
     def enter_initialization_mode(self) -> None:
         self._initialising = True
 
     def initialise(self) -> None:
-        """Plan and invert; the outputs take their values at the start time."""
+        """Plan and invert; from here on the outputs are ahead by the lead."""
         self._plan()
         self._initialising = False
+        self._evaluate(self.start_time)
 
     def advance(self, time: float, step: float) -> None:
         """Evaluate at the end of the step."""
@@ -49,11 +50,18 @@ class FeedforwardSlave(SpecSlave):
             self._plan()
         return super()._get(kind, references)
 
+    def _set(self, kind: str, references: list[int], values: list[Any]) -> None:
+        self._planned = False
+        super()._set(kind, references, values)
+
     @property
     def _size(self) -> int:
         return len(self.spec.variables)
 
     def _plan(self) -> None:
+        """Plan, unless nothing was set since the last time."""
+        if self._planned:
+            return
         options = self.filled(PlanOptions)
         trajectory = plan(
             self._waypoints(),
@@ -71,6 +79,7 @@ class FeedforwardSlave(SpecSlave):
         self._trajectory = trajectory
         self.assign(("plan.duration",), (trajectory.duration,))
         self._evaluate(self.start_time)
+        self._planned = True
 
     def _limits(self) -> Limits:
         velocity, acceleration, *others = self.filled(LoadLimits).reshape(len(AXES), -1).T
@@ -89,7 +98,8 @@ class FeedforwardSlave(SpecSlave):
         inverse, trajectory = self._inverse, self._trajectory
         if inverse is None or trajectory is None:
             raise AssertionError("a step before the end of initialisation")
-        start = float(self.value("planner.start_time"))
+        lead = 0.0 if self._initialising else float(self.value("setpoint.lead"))
+        start = float(self.value("planner.start_time")) - lead
         t = time - start
         values = inverse.evaluate(t)
         self.show(Feedforward, np.concatenate([values, values[VELOCITY]]))

@@ -75,7 +75,8 @@ def _interfaces(root: ET.Element, spec: Spec, sources: tuple[str, ...] | None) -
         return
     common |= {"canGetAndSetFMUstate": "true", "canSerializeFMUstate": "true"}
     steps |= {
-        "canInterpolateInputs": "true" if spec.where("input") else "false",
+        # also without inputs: PyFMI extrapolates only where every FMU says so
+        "canInterpolateInputs": "true",
         "maxOutputDerivativeOrder": str(spec.orders),
     }
     accepts = {} if spec.states else {"completedIntegratorStepNotNeeded": "true"}

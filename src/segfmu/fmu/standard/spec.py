@@ -152,6 +152,24 @@ def started(spec: Spec, values: Mapping[str, Value | str], **changes: Any) -> Sp
     return replace(spec, variables=variables, **changes)
 
 
+def numbered(spec: Spec) -> Spec:
+    """A specification with integers in place of enumerations, for importers without them.
+
+    The description of each says what its numbers mean.
+    """
+
+    def number(v: Variable) -> Variable:
+        if v.enumeration is None:
+            return v
+        items = ", ".join(f"{i}: {item}" for i, item in enumerate(v.enumeration.items, 1))
+        return replace(
+            v, kind="Integer", enumeration=None, minimum=1, maximum=len(v.enumeration.items),
+            description=f"{v.description} ({items})",
+        )
+
+    return replace(spec, variables=tuple(map(number, spec.variables)))
+
+
 def output(
     name: str, unit: str | None, description: str, *, nominal: float | None = None,
     start: float | None = None, kind: Kind = "Real",

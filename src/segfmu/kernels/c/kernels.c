@@ -10312,6 +10312,140 @@ int64_t segfmu_check_lengths(array_double_1d lengths, array_double_1d fault)
     }
     return INT64_C(0);
 }
+/*The state at the start (State,), as far from its reference as its start values say.                  */
+/*                                                                                                     */
+/*    own: start values of the state; held: those of the reference; reference: its values at the       */
+/*    start. What has the reference for a start value already does not deviate from it, so that models */
+/*    in which both follow a moved waypoint stay right. A reference without a rope is none: importers  */
+/*    write zeros to inputs that they do not use.                                                      */
+/*                                                                                                     */
+void segfmu_start_state(array_double_1d own, array_double_1d held, array_double_1d reference, array_double_1d state)
+{
+    bool none;
+    int64_t i;
+    bool there;
+    none = (*cspan_at(&reference, INT64_C(0) + INT64_C(2))) <= 0.0;
+    for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
+    {
+        there = fabs((*cspan_at(&own, i)) - (*cspan_at(&reference, i))) <= 1e-09 * (1.0 + fabs((*cspan_at(&own, i))));
+        if (none || there || ((*cspan_at(&reference, i)) == (*cspan_at(&held, i))))
+        {
+            (*cspan_at(&state, i)) = (*cspan_at(&own, i));
+        }
+        else
+        {
+            (*cspan_at(&state, i)) = (*cspan_at(&reference, i)) + ((*cspan_at(&own, i)) - (*cspan_at(&held, i)));
+        }
+    }
+}
+/*The rope has a length and the load hangs below the trolley, in a state (State,). */
+int64_t segfmu_check_start(array_double_1d state, array_double_1d reference, array_double_1d fault)
+{
+    int64_t rope;
+    int64_t i;
+    rope = INT64_C(0) + INT64_C(2);
+    (*cspan_at(&fault, INT64_C(0))) = rope;
+    (*cspan_at(&fault, INT64_C(1))) = (*cspan_at(&state, rope));
+    (*cspan_at(&fault, INT64_C(2))) = (*cspan_at(&reference, rope));
+    if (!((*cspan_at(&state, rope)) > 0.0))
+    {
+        return INT64_C(1);
+    }
+    for (i = INT64_C(3); i < INT64_C(5); i += INT64_C(1))
+    {
+        (*cspan_at(&fault, INT64_C(0))) = i;
+        (*cspan_at(&fault, INT64_C(1))) = (*cspan_at(&state, i));
+        if (!(fabs((*cspan_at(&state, i))) < 1.5707963267948966))
+        {
+            return INT64_C(2);
+        }
+    }
+    return INT64_C(0);
+}
+/*Whether a state (State,) that can be is near its reference, on the crane's own scale.    */
+/*                                                                                         */
+/*    That is a quarter of the rope's length, 45 degrees, and these by the pendulum's time */
+/*    sqrt(length / gravity) for rates. Without a rope, the reference is none.             */
+/*                                                                                         */
+int64_t segfmu_judge_start(array_double_1d state, array_double_1d reference, double gravity, array_double_1d fault)
+{
+    double length;
+    double farthest;
+    int64_t i;
+    double scale;
+    double distance;
+    int64_t status;
+    length = (*cspan_at(&reference, INT64_C(0) + INT64_C(2)));
+    if (length <= 0.0)
+    {
+        return INT64_C(0);
+    }
+    farthest = 1.0;
+    status = INT64_C(0);
+    for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
+    {
+        scale = 0.8;
+        if ((i < INT64_C(3)) || ((i >= INT64_C(5)) && (i < INT64_C(8))))
+        {
+            scale = 0.25 * length;
+        }
+        if (i >= INT64_C(5))
+        {
+            scale = scale * sqrt(gravity / length);
+        }
+        distance = fabs((*cspan_at(&state, i)) - (*cspan_at(&reference, i))) / scale;
+        if (distance > farthest)
+        {
+            farthest = distance;
+            (*cspan_at(&fault, INT64_C(0))) = i;
+            (*cspan_at(&fault, INT64_C(1))) = (*cspan_at(&state, i));
+            (*cspan_at(&fault, INT64_C(2))) = (*cspan_at(&reference, i));
+            status = INT64_C(3);
+        }
+    }
+    return status;
+}
+/*The rope starts within its bounds [m]; a bound of 0 is none. */
+int64_t segfmu_check_start_rope(double length, double shortest, double longest, array_double_1d fault)
+{
+    (*cspan_at(&fault, INT64_C(0))) = INT64_C(0) + INT64_C(2);
+    (*cspan_at(&fault, INT64_C(1))) = length;
+    (*cspan_at(&fault, INT64_C(2))) = shortest;
+    if (length < shortest)
+    {
+        return INT64_C(5);
+    }
+    (*cspan_at(&fault, INT64_C(2))) = longest;
+    if ((longest > 0.0) && (length > longest))
+    {
+        return INT64_C(5);
+    }
+    return INT64_C(0);
+}
+/*1 where a reference (State,) is not what moves in the first step [s] from the one before.*/
+/*                                                                                         */
+/*    So it is where an importer hands on values only after initialisation.                */
+/*                                                                                         */
+int64_t segfmu_is_elsewhere(array_double_1d before, array_double_1d reference, double step)
+{
+    int64_t i;
+    double moved;
+    double small;
+    if ((*cspan_at(&reference, INT64_C(0) + INT64_C(2))) <= 0.0)
+    {
+        return INT64_C(0);
+    }
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        moved = 2.0 * step * fabs((*cspan_at(&reference, INT64_C(5) + i)));
+        small = 0.001 * fabs((*cspan_at(&reference, INT64_C(0) + INT64_C(2))));
+        if (fabs((*cspan_at(&reference, INT64_C(0) + i)) - (*cspan_at(&before, INT64_C(0) + i))) > moved + small)
+        {
+            return INT64_C(1);
+        }
+    }
+    return INT64_C(0);
+}
 /*First time after `time` [s] at which a piece of any axis begins or its last one ends.*/
 /*                                                                                     */
 /*    1e300 if there is none.                                                          */

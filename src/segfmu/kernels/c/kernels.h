@@ -70,6 +70,11 @@ SEGFMU_API int64_t segfmu_check_lags(array_double_1d plant, array_double_1d faul
 SEGFMU_API int64_t segfmu_check_sensors(array_double_1d sensors, array_double_1d fault);
 SEGFMU_API int64_t segfmu_check_rope_bounds(double length, double shortest, double longest, array_double_1d fault);
 SEGFMU_API int64_t segfmu_check_lengths(array_double_1d lengths, array_double_1d fault);
+SEGFMU_API void segfmu_start_state(array_double_1d own, array_double_1d held, array_double_1d reference, array_double_1d state);
+SEGFMU_API int64_t segfmu_check_start(array_double_1d state, array_double_1d reference, array_double_1d fault);
+SEGFMU_API int64_t segfmu_judge_start(array_double_1d state, array_double_1d reference, double gravity, array_double_1d fault);
+SEGFMU_API int64_t segfmu_check_start_rope(double length, double shortest, double longest, array_double_1d fault);
+SEGFMU_API int64_t segfmu_is_elsewhere(array_double_1d before, array_double_1d reference, double step);
 SEGFMU_API double segfmu_same_break(double time);
 SEGFMU_API double segfmu_next_plan_event(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends, array_double_2d times);
 SEGFMU_API double segfmu_right_of_break(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends);

@@ -335,3 +335,52 @@ bool segfmu_access_message(
         return false;
     }
 }
+
+bool segfmu_start_message(
+    int64_t status, const double *report, char *text, size_t size)
+{
+    static const char *const place[] = {"bridge.position", "trolley.position", "rope.length", "sway.x.angle", "sway.y.angle", "bridge.velocity", "trolley.velocity", "rope.velocity", "sway.x.rate", "sway.y.rate"};
+    switch (status) {
+    case 1:
+        snprintf(text, size,
+            "rope.length must start above 0 m, got %g; its reference starts at %g m, see "
+            "start.on_reference",
+            report[START_FAULT_VALUE],
+            report[START_FAULT_BOUND]);
+        return true;
+    case 2:
+        snprintf(text, size,
+            "%s must start within 90 degrees, got %g rad",
+            place[(int)report[START_FAULT_PLACE]],
+            report[START_FAULT_VALUE]);
+        return true;
+    case 3:
+        snprintf(text, size,
+            "%s started at %g, its reference at %g; set start.on_reference to true and "
+            "connect the reference at initialisation, or start values that fit the first "
+            "waypoint",
+            place[(int)report[START_FAULT_PLACE]],
+            report[START_FAULT_VALUE],
+            report[START_FAULT_BOUND]);
+        return true;
+    case 4:
+        snprintf(text, size,
+            "at %.3f s: the crane left the range of its equations; %s started at %g, its "
+            "reference at %g; set start.on_reference to true and connect the reference "
+            "at initialisation, or start values that fit the first waypoint",
+            report[START_FAULT_TIME],
+            place[(int)report[START_FAULT_PLACE]],
+            report[START_FAULT_VALUE],
+            report[START_FAULT_BOUND]);
+        return true;
+    case 5:
+        snprintf(text, size,
+            "%s starts at %g m, outside crane.rope_min and crane.rope_max, here %g m",
+            place[(int)report[START_FAULT_PLACE]],
+            report[START_FAULT_VALUE],
+            report[START_FAULT_BOUND]);
+        return true;
+    default:
+        return false;
+    }
+}

@@ -21,5 +21,7 @@ SEGFMU_API bool segfmu_range_message(
     int64_t status, const double *report, char *text, size_t size);
 SEGFMU_API bool segfmu_access_message(
     int64_t status, const double *report, char *text, size_t size);
+SEGFMU_API bool segfmu_start_message(
+    int64_t status, const double *report, char *text, size_t size);
 
 #endif

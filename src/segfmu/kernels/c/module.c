@@ -1883,6 +1883,139 @@ static PyObject *call_check_lengths(
     return answer;
 }
 
+static PyObject *call_start_state(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "start_state", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_own;
+    Py_buffer *in_held;
+    Py_buffer *in_reference;
+    Py_buffer *in_state;
+    (void)self;
+    if (take_count(&call, count, 4)
+        && (in_own = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_held = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_reference = take_array(&call, 2, 1, 'd', false)) != NULL
+        && (in_state = take_array(&call, 3, 1, 'd', true)) != NULL
+        && has_at_least(&call, "own", 0, in_own->shape[0], 10)
+        && has_at_least(&call, "held", 0, in_held->shape[0], 10)
+        && has_at_least(&call, "reference", 0, in_reference->shape[0], 10)
+        && has_at_least(&call, "state", 0, in_state->shape[0], 10)) {
+        segfmu_start_state(
+            (array_double_1d){in_own->buf, {in_own->shape[0]}},
+            (array_double_1d){in_held->buf, {in_held->shape[0]}},
+            (array_double_1d){in_reference->buf, {in_reference->shape[0]}},
+            (array_double_1d){in_state->buf, {in_state->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_check_start(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "check_start", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_state;
+    Py_buffer *in_reference;
+    Py_buffer *in_fault;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_reference = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_fault = take_array(&call, 2, 1, 'd', true)) != NULL
+        && has_at_least(&call, "state", 0, in_state->shape[0], 10)
+        && has_at_least(&call, "reference", 0, in_reference->shape[0], 10)
+        && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
+        answer = PyLong_FromLongLong(segfmu_check_start(
+            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+            (array_double_1d){in_reference->buf, {in_reference->shape[0]}},
+            (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_judge_start(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "judge_start", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_state;
+    Py_buffer *in_reference;
+    double in_gravity;
+    Py_buffer *in_fault;
+    (void)self;
+    if (take_count(&call, count, 4)
+        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_reference = take_array(&call, 1, 1, 'd', false)) != NULL
+        && take_float(&call, 2, &in_gravity)
+        && (in_fault = take_array(&call, 3, 1, 'd', true)) != NULL
+        && has_at_least(&call, "state", 0, in_state->shape[0], 10)
+        && has_at_least(&call, "reference", 0, in_reference->shape[0], 10)
+        && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
+        answer = PyLong_FromLongLong(segfmu_judge_start(
+            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+            (array_double_1d){in_reference->buf, {in_reference->shape[0]}},
+            in_gravity,
+            (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_check_start_rope(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "check_start_rope", .values = values};
+    PyObject *answer = NULL;
+    double in_length;
+    double in_shortest;
+    double in_longest;
+    Py_buffer *in_fault;
+    (void)self;
+    if (take_count(&call, count, 4)
+        && take_float(&call, 0, &in_length)
+        && take_float(&call, 1, &in_shortest)
+        && take_float(&call, 2, &in_longest)
+        && (in_fault = take_array(&call, 3, 1, 'd', true)) != NULL
+        && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
+        answer = PyLong_FromLongLong(segfmu_check_start_rope(
+            in_length,
+            in_shortest,
+            in_longest,
+            (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_is_elsewhere(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "is_elsewhere", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_before;
+    Py_buffer *in_reference;
+    double in_step;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && (in_before = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_reference = take_array(&call, 1, 1, 'd', false)) != NULL
+        && take_float(&call, 2, &in_step)
+        && has_at_least(&call, "before", 0, in_before->shape[0], 10)
+        && has_at_least(&call, "reference", 0, in_reference->shape[0], 10)) {
+        answer = PyLong_FromLongLong(segfmu_is_elsewhere(
+            (array_double_1d){in_before->buf, {in_before->shape[0]}},
+            (array_double_1d){in_reference->buf, {in_reference->shape[0]}},
+            in_step));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_same_break(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -2140,6 +2273,11 @@ static PyMethodDef methods[] = {
     {"check_sensors", (PyCFunction)(void (*)(void))call_check_sensors, METH_FASTCALL, NULL},
     {"check_rope_bounds", (PyCFunction)(void (*)(void))call_check_rope_bounds, METH_FASTCALL, NULL},
     {"check_lengths", (PyCFunction)(void (*)(void))call_check_lengths, METH_FASTCALL, NULL},
+    {"start_state", (PyCFunction)(void (*)(void))call_start_state, METH_FASTCALL, NULL},
+    {"check_start", (PyCFunction)(void (*)(void))call_check_start, METH_FASTCALL, NULL},
+    {"judge_start", (PyCFunction)(void (*)(void))call_judge_start, METH_FASTCALL, NULL},
+    {"check_start_rope", (PyCFunction)(void (*)(void))call_check_start_rope, METH_FASTCALL, NULL},
+    {"is_elsewhere", (PyCFunction)(void (*)(void))call_is_elsewhere, METH_FASTCALL, NULL},
     {"same_break", (PyCFunction)(void (*)(void))call_same_break, METH_FASTCALL, NULL},
     {"next_plan_event", (PyCFunction)(void (*)(void))call_next_plan_event, METH_FASTCALL, NULL},
     {"right_of_break", (PyCFunction)(void (*)(void))call_right_of_break, METH_FASTCALL, NULL},

@@ -824,6 +824,23 @@ enum {
 };
 
 enum {
+    START_STATUS_FITS = 0,
+    START_STATUS_NO_ROPE = 1,
+    START_STATUS_SWAY = 2,
+    START_STATUS_FAR = 3,
+    START_STATUS_FAILED = 4,
+    START_STATUS_RANGE = 5
+};
+
+enum {
+    START_FAULT_PLACE = 0,
+    START_FAULT_VALUE = 1,
+    START_FAULT_BOUND = 2,
+    START_FAULT_TIME = 3,
+    START_FAULT_SIZE = 4
+};
+
+enum {
     LOOP_CORRECTOR = 0,
     LOOP_PERIOD = 1,
     LOOP_ENABLED = 2,

@@ -66,6 +66,30 @@ class SetupFault(Record):
     VALUE = field("value that does not fit")
     BOUND = field("what it does not fit to")
 
+class StartStatus(Codes):
+    """What is wrong with the state at the start; `StartFault` says where.
+
+    NO_ROPE: the rope has no length. SWAY: the load does not hang below the trolley. FAR: the state
+    is far from its reference, FAILED: and the crane has failed soon after. RANGE: the rope is
+    outside its bounds.
+    """
+
+    FITS = 0
+    NO_ROPE = 1
+    SWAY = 2
+    FAR = 3
+    FAILED = 4
+    RANGE = 5
+
+
+class StartFault(Record):
+    """A component of the state at the start that does not fit."""
+
+    PLACE = field("component of the state, from 0")
+    VALUE = field("its value")
+    BOUND = field("that of its reference, or its bound")
+    TIME = field("when the crane failed", "s")
+
 
 class Loop(Record):
     """Settings of the sampled loop."""

@@ -21,6 +21,10 @@ typedef struct {
     double observer[MOST_LENGTHS * OBSERVER_BLOCK];
     double tracker[TRACKER_SIZE * TRACKER_COLUMNS];
     double derivative[MODEL_STATES];
+    /* of the start: start values of the state, the state that follows from them, the setpoints, and
+       how far it is from its reference */
+    double own[STATE_SIZE], shown[STATE_SIZE], begun[SETPOINTS_SIZE], misfit[START_FAULT_SIZE];
+    int64_t placed, stepped, fit;
     /* co-simulation: inputs at the end of the last step, and their slopes in it */
     double input[MODEL_INPUTS], slope[MODEL_INPUTS];
     /* by state, commands, wind and time, see kernels/rig/partials.py; of load and energies by state */
@@ -113,6 +117,17 @@ static bool crane_set_up(crane *m, char message[MESSAGE]);
 
 /* The gains, from the table or in closed form. */
 static bool crane_set_gains(crane *m, char message[MESSAGE]);
+
+/* Find the state at the start; false with a message where there is none. */
+static bool crane_place(crane *m, double state[STATE_SIZE], char message[MESSAGE]);
+
+/* Before a step: start again where the reference was not given at initialisation, but is now. */
+static bool crane_replace(crane *m, char message[MESSAGE]);
+
+/* Whether the state at the start is far from a reference that was given, or its rope outside its
+   range, with a message. */
+static bool crane_misfit(const crane *m, char message[MESSAGE]);
+static bool crane_out_of_range(const crane *m, char message[MESSAGE]);
 
 /* The inputs as setpoints. */
 static void crane_read_inputs(crane *m);

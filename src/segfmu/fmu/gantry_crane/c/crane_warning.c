@@ -1,4 +1,5 @@
-/* GantryCrane: whether the table of gains, made at the build, fits the crane that is set. */
+/* GantryCrane: whether the start fits its reference, and the table of gains, made at the build, the
+   crane that is set. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -45,15 +46,17 @@ static void find_changed(const crane *m, const double start[], char names[MESSAG
 
 bool model_warning(const model *base, const double start[], char message[MESSAGE])
 {
-    char names[MESSAGE];
-    /* a table that was set is for the crane of who has set it */
-    if (base->integer[V_FEEDBACK_DESIGN] == 2
-        || !feed_same(&feeds_gains_row, base, MOST_LENGTHS, start)) {
-        return false;
+    char names[MESSAGE] = "";
+    if (crane_misfit((const crane *)base, message)) {
+        return true;
     }
-    find_changed((const crane *)base, start, names);
+    /* a table that was set is for the crane of who has set it */
+    if (base->integer[V_FEEDBACK_DESIGN] != 2
+        && feed_same(&feeds_gains_row, base, MOST_LENGTHS, start)) {
+        find_changed((const crane *)base, start, names);
+    }
     if (names[0] == '\0') {
-        return false;
+        return crane_out_of_range((const crane *)base, message);
     }
     say(message, "the gains of feedback.table, design lqr, were made for other values of %s; set "
         "feedback.design to flatness, or build the FMU with these values", names);

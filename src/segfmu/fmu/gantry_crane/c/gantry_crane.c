@@ -142,13 +142,12 @@ bool model_initialise(model *base, char message[MESSAGE])
     crane *m = (crane *)base;
     double state[STATE_SIZE];
     m->rows = 0;
-    if (!crane_set_up(m, message)) {
+    crane_read_inputs(m);
+    if (!crane_place(m, state, message) || !crane_set_up(m, message)) {
         return false;
     }
     const double *sensors = setting(m, SETTINGS_SENSORS);
     m->rows = segfmu_rig_rows(sensors[SENSORS_SAMPLE_TIME], sensors[SENSORS_DEAD_TIME]);
-    crane_read_inputs(m);
-    feed_record(&feeds_state, base, state);
     segfmu_rig_start(
         settings_of(m), changes_of(m), vector(state, STATE_SIZE),
         vector(m->setpoints, SETPOINTS_SIZE), base->real[V_TIME], memory_of(m));
@@ -163,7 +162,7 @@ bool model_initialise(model *base, char message[MESSAGE])
 bool model_advance(model *base, double time, char message[MESSAGE])
 {
     crane *m = (crane *)base;
-    if (base->tuned && !crane_set_gains(m, message)) {
+    if (!crane_replace(m, message) || (base->tuned && !crane_set_gains(m, message))) {
         return false;
     }
     crane_follow_inputs(m, time);
@@ -215,6 +214,19 @@ bool model_event(model *base, char message[MESSAGE])
 
 /* ---- outputs ---- */
 
+/* Where the load shall be now. Between steps, inputs that are ahead are those of the next step's end,
+   and the reference of the present is what they have come to in the last one. */
+static void read_target(crane *m, double target[TARGET_SIZE])
+{
+    feed_record(&feeds_target, &m->base, target);
+    if (in_exchange(m) || m->base.real[V_SETPOINT_LEAD] <= 0.0) {
+        return;
+    }
+    for (int64_t i = 0; i < feeds_target.count; i++) {
+        target[feeds_target.rows[i].place] = m->input[feeds_target.rows[i].offset];
+    }
+}
+
 bool model_evaluate(model *base, char message[MESSAGE])
 {
     crane *m = (crane *)base;
@@ -228,7 +240,7 @@ bool model_evaluate(model *base, char message[MESSAGE])
             segfmu_rig_signals(settings_of(m), crane_elapsed(m), memory_of(m));
         }
     }
-    feed_record(&feeds_target, base, target);
+    read_target(m, target);
     segfmu_rig_outputs(vector(target, TARGET_SIZE), memory_of(m), vector(balance, BALANCE_SIZE),
                        vector(outputs, OUTPUTS_SIZE));
     segfmu_tracking_estimates(vector(setting(m, SETTINGS_TRACKING), TRACKING_SIZE), tracker_of(m),

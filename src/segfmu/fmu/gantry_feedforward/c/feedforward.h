@@ -21,7 +21,8 @@ typedef struct {
     int64_t points, smoothness, pieces;
     double duration;
     double events[MOST_POINTS + 1];  /* s, ascending: arrival at the waypoints, end */
-    double upcoming;                 /* s; the next event of the plan, infinite after the last */
+    double ahead;                    /* s; outputs are those of so much later */
+    double upcoming;                 /* s; the next event of the outputs, infinite after the last */
     int64_t derived[MODEL_ORDERS];   /* whether these derivatives are those of the present time */
     double derivatives[MODEL_ORDERS][RESULTS];
     double space[];                  /* timing, coefficients, offsets, times, ends */

@@ -74,23 +74,37 @@ bool model_warning(const model *m, const double start[], char message[MESSAGE])
 
 /* ---- events ---- */
 
-double model_next_event(const model *base)
-{
-    return ((const feedforward *)base)->upcoming;
-}
-
 static array_double_2d timing_of(const segfmu_trajectory *t)
 {
     return matrix((double *)t->timing, t->pieces, 2);
+}
+
+/* s by which the outputs are ahead. At initialisation they are those of the start, where the crane
+   begins; from then on the lead counts. */
+static double lead_of(const feedforward *m)
+{
+    return m->base.running ? m->base.real[V_SETPOINT_LEAD] : 0.0;
+}
+
+/* The time at which the outputs begin to move. */
+static double beginning(const feedforward *m)
+{
+    return m->base.real[V_PLANNER_START_TIME] - lead_of(m);
 }
 
 static double upcoming(const feedforward *m)
 {
     const segfmu_trajectory t = feedforward_trajectory(m);
     double next = segfmu_next_plan_event(
-        m->base.real[V_TIME], m->base.real[V_PLANNER_START_TIME], timing_of(&t), offsets_of(&t),
+        m->base.real[V_TIME], beginning(m), timing_of(&t), offsets_of(&t),
         vector((double *)t.ends, AXES), matrix((double *)t.times, t.points, AXES));
     return next < 1e300 ? next : INFINITY;
+}
+
+double model_next_event(const model *base)
+{
+    const feedforward *m = (const feedforward *)base;
+    return m->ahead == lead_of(m) ? m->upcoming : upcoming(m);
 }
 
 bool model_event(model *base, char message[MESSAGE])
@@ -99,7 +113,8 @@ bool model_event(model *base, char message[MESSAGE])
     (void)message;
     double time = base->real[V_TIME], latest = time + segfmu_same_break(time);
     int64_t passed = 0;
-    while (passed < m->points && m->events[passed] <= latest) {
+    m->ahead = lead_of(m);
+    while (passed < m->points && m->events[passed] - m->ahead <= latest) {
         passed++;
     }
     /* the last event is the end, the one before it the arrival at the last waypoint */
@@ -107,15 +122,22 @@ bool model_event(model *base, char message[MESSAGE])
     base->integer[V_PLAN_INTERVAL] = passed + 1 < intervals ? passed + 1 : intervals;
     base->integer[V_PLAN_DONE] = passed == m->points;
     m->upcoming = upcoming(m);
-    base->real[V_PLAN_NEXT_EVENT] = fmin(m->upcoming, m->events[m->points - 1]);
+    base->real[V_PLAN_NEXT_EVENT] = fmin(m->upcoming, m->events[m->points - 1] - m->ahead);
     return true;
+}
+
+/* The lead counts from the end of initialisation on, where no importer asks for an event. */
+static void begin_lead(feedforward *m, char message[MESSAGE])
+{
+    if (m->ahead != lead_of(m)) {
+        model_event(&m->base, message);
+    }
 }
 
 bool model_advance(model *base, double time, char message[MESSAGE])
 {
-    (void)base;
     (void)time;
-    (void)message;
+    begin_lead((feedforward *)base, message);
     return true;
 }
 
@@ -142,9 +164,9 @@ bool model_evaluate(model *base, char message[MESSAGE])
     feedforward *m = (feedforward *)base;
     const segfmu_trajectory trajectory = feedforward_trajectory(m);
     double load[LOAD_MOTION_SIZE], masses[MASSES_SIZE], results[RESULTS];
-    (void)message;
+    begin_lead(m, message);
     memset(m->derived, 0, sizeof m->derived);
-    evaluate(&trajectory, base->real[V_TIME] - base->real[V_PLANNER_START_TIME], ORDERS, load);
+    evaluate(&trajectory, base->real[V_TIME] - beginning(m), ORDERS, load);
     feed_record(&feeds_masses, base, masses);
     segfmu_crane_flat_inverse(
         matrix(load, ORDERS, AXES), vector(masses, MASSES_SIZE),
@@ -180,7 +202,7 @@ bool model_output_derivative(model *base, const variable *output, int64_t order,
     feedforward *m = (feedforward *)base;
     const segfmu_trajectory t = feedforward_trajectory(m);
     double time = segfmu_right_of_break(
-        base->real[V_TIME], base->real[V_PLANNER_START_TIME], timing_of(&t), offsets_of(&t),
+        base->real[V_TIME], beginning(m), timing_of(&t), offsets_of(&t),
         vector((double *)t.ends, AXES));
     int load = feed_place(&feeds_load_motion, output->offset);
     int place = feed_place(&feeds_feedforward, output->offset);

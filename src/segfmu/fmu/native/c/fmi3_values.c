@@ -29,12 +29,12 @@ WITHOUT(UInt64)
 WITHOUT(String)
 
 /* Whole numbers and truth values: all of them scalars. */
-#define WHOLE(Type, kind)                                                                         \
+#define WHOLE(Type, kinds)                                                                        \
     fmi3Status fmi3Get##Type(fmi3Instance c, const fmi3ValueReference references[], size_t count, \
                              fmi3##Type values[], size_t size)                                    \
     {                                                                                             \
         ALLOW(READABLE);                                                                          \
-        if (!glue_readable(c, __func__, references, count, values, size, 1 << (kind))) {          \
+        if (!glue_readable(c, __func__, references, count, values, size, kinds)) {                \
             return fmi3Error;                                                                     \
         }                                                                                         \
         for (size_t i = 0; i < count; i++) {                                                      \
@@ -46,7 +46,7 @@ WITHOUT(String)
                              const fmi3##Type values[], size_t size)                              \
     {                                                                                             \
         ALLOW(MODE_ANY);                                                                          \
-        if (!glue_settable(c, __func__, references, count, values, size, 1 << (kind))) {          \
+        if (!glue_settable(c, __func__, references, count, values, size, kinds)) {                \
             return fmi3Error;                                                                     \
         }                                                                                         \
         for (size_t i = 0; i < count; i++) {                                                      \
@@ -57,9 +57,10 @@ WITHOUT(String)
         return fmi3OK;                                                                            \
     }
 
-WHOLE(Int32, KIND_INTEGER)
-WHOLE(Int64, KIND_ENUMERATION)
-WHOLE(Boolean, KIND_BOOLEAN)
+/* descriptions may have enumerations as integers */
+WHOLE(Int32, 1 << KIND_INTEGER | 1 << KIND_ENUMERATION)
+WHOLE(Int64, 1 << KIND_ENUMERATION)
+WHOLE(Boolean, 1 << KIND_BOOLEAN)
 
 fmi3Status fmi3GetFloat64(fmi3Instance self, const fmi3ValueReference references[], size_t count,
                           fmi3Float64 values[], size_t size)

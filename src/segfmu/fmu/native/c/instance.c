@@ -69,6 +69,7 @@ static void start(instance *c, int interface)
     memset(c->model, 0, c->capacity);
     memcpy(c->model->real, c->start.real, sizeof c->model->real);
     memcpy(c->model->integer, c->start.integer, sizeof c->model->integer);
+    memcpy(c->model->held, c->start.real, MODEL_INPUTS * sizeof *c->model->held);
     c->model->mode = MODE_INSTANTIATED;
     c->model->interface = interface;
 }

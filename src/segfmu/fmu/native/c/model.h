@@ -52,8 +52,11 @@ typedef struct {
     int64_t evaluated;    /* outputs follow from the present time, states and inputs */
     int64_t tuned;        /* a tunable parameter was set */
     int64_t starting;     /* fixed parameters can be set in event mode, as before initialisation */
+    int64_t running;      /* initialisation is over */
+    int64_t given;        /* inputs were set before that */
     int64_t stops;        /* there is a stop time */
     double start, stop;   /* s */
+    double held[MODEL_INPUTS + 1];   /* start values of the inputs, in the order of `real` */
     double step_start;    /* s; of the communication step under way */
     double step_end;
     /* derivatives of the inputs at the beginning of the step, where they are given */

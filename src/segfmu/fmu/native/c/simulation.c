@@ -123,6 +123,8 @@ bool glue_initialise(instance *c)
         if (model_warning(c->model, c->start.real, message)) {
             glue_log(c, STATUS_WARNING, "%s", message);
         }
+        c->model->running = 1;
+        c->model->evaluated = 0;
         return true;
     }
     c->model->mode = MODE_FAILED;

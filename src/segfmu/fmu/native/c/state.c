@@ -90,7 +90,9 @@ static bool sound_values(const instance *c, const model *m)
             return false;
         }
     }
-    return m->interface == c->model->interface && fabs(m->start) <= LATEST
+    return m->interface == c->model->interface
+        && memcmp(m->held, c->start.real, MODEL_INPUTS * sizeof *m->held) == 0
+        && fabs(m->start) <= LATEST
         && fabs(m->real[V_TIME]) <= LATEST && isfinite(m->stop) && isfinite(m->step_start)
         && isfinite(m->step_end);
 }
@@ -105,7 +107,8 @@ static bool sound(const instance *c, const model *m, size_t size)
     bool ready = m->initialised || starting
         || (m->mode & (MODE_RUNNING | MODE_TERMINATED)) == 0;
     return mode && ready && is_truth(m->initialised) && is_truth(m->starting)
-        && is_truth(m->evaluated) && is_truth(m->stops) && is_truth(m->sloped) && is_truth(m->tuned)
+        && is_truth(m->evaluated) && is_truth(m->stops) && is_truth(m->running)
+        && is_truth(m->given) && is_truth(m->sloped) && is_truth(m->tuned)
         && sound_values(c, m) && model_sound(m, size);
 }
 

@@ -115,6 +115,13 @@ static void touch(instance *c, int settings)
     if ((c->model->mode & MODE_RUNNING) == 0 || (settings & 1 << SET_FIXED) != 0) {
         c->model->initialised = 0;
     }
+    if ((settings & 1 << SET_INPUT) != 0) {
+        c->model->given |= !c->model->running;
+        /* OpenModelica sets inputs after initialisation, where the start can follow from them */
+        if (c->model->starting && !c->model->given) {
+            c->model->initialised = 0;
+        }
+    }
     c->model->tuned |= (settings & 1 << SET_TUNABLE) != 0;
     c->model->evaluated = 0;
 }
