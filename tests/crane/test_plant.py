@@ -116,7 +116,7 @@ def test_work_and_energy_balance() -> None:
 
 
 @pytest.mark.parametrize(
-    ("sway", "words"), [(0.0, "the rope's length came to zero"), (0.05, "a sway angle came to 90")]
+    ("sway", "words"), [(0.0, "the rope length reached zero"), (0.05, "a sway angle reached 90")]
 )
 def test_failure_names_what_and_when(sway: float, words: str) -> None:
     falling = plant(sway, enabled=False)

@@ -1,9 +1,9 @@
-"""The master: two FMUs, the first one's outputs are the second one's inputs by their names.
+"""The master: couples two FMUs, connecting outputs of the first to inputs of the second by name.
 
-In every communication step the source steps first and its outputs at the end of the step are
-handed to the sink, which then makes the same step. In parallel, as most importers do it, both step
-with the values of the step before and the outputs are handed on afterwards; derivatives at the
-beginning of the step may go with them. Steps also end at the source's events.
+Sequential: in every communication step the source steps first; the sink then makes the same step
+with the source's outputs at the end of the step. Parallel, as in most importers: both step with the
+values of the previous step; derivatives at the beginning of the step may be passed too. Steps also
+end at the source's events.
 """
 
 from __future__ import annotations
@@ -45,25 +45,25 @@ def simulate(
     Parameters
     ----------
     source, sink : Path
-        Co-simulation FMUs of FMI 2.0 or 3.0. Outputs of the source are connected to the inputs of
-        the sink that have the same name.
+        Co-simulation FMUs of FMI 2.0 or 3.0. Outputs of the source are connected to inputs of the
+        sink with the same name.
     stop_time, step, start_time : float
-        [s]; the last step is shorter where the step does not divide the time.
+        [s]; the last step is shorter if the step does not divide the time.
     source_values, sink_values : mapping of str to number or str
-        Parameters, start values and constant inputs; enumerations by the name of an item, arrays
+        Parameters, start values and constant inputs; enumerations by the name of an item; arrays
         of FMI 3.0 after their sizes.
     coupling : str, optional
-        By default "derivatives" where both FMUs have what it needs, else "sequential".
-        "sequential": the sink's step has the inputs of its end, an error of second order in the
-        step; "parallel": those of its beginning, an error of first order; "derivatives" (FMI 2.0):
-        those of its beginning and their derivatives, as many as the source tells: k of them make
-        an error of order k + 1.
+        Inputs of the sink during a step. "sequential": values at the end of the step, an error of
+        second order in the step. "parallel": values at its beginning, an error of first order.
+        "derivatives" (FMI 2.0): values at its beginning and k derivatives, as many as the source
+        has, an error of order k + 1. Default: "derivatives" if both FMUs support it, else
+        "sequential".
     events : bool
-        Steps end at the source's events as well: in FMI 3.0 it returns early, in FMI 2.0 its output
-        `plan.next_event` names them. Without, what a signal does behind a kink within a step is
-        seen at the end of that step.
+        Steps also end at the source's events: in FMI 3.0 it returns early, in FMI 2.0 its output
+        `plan.next_event` gives their times. Otherwise the sink sees the effect of a kink within a
+        step only at the end of that step.
     progress : callable
-        Gets the share done, now and then.
+        Called with the share done from time to time.
 
     Returns
     -------
@@ -73,15 +73,15 @@ def simulate(
     Raises
     ------
     InputError
-        For values and files that are not usable.
+        For invalid values and files.
     SimulationError
-        When an FMU reports an error, with its message.
+        If an FMU reports an error, with its message.
     """
     if coupling is not None and coupling not in get_args(Coupling):
         allowed = " or ".join(get_args(Coupling))
         raise InputError(f"coupling must be {allowed}, got {coupling!r}")
     times = _times(start_time, stop_time, step)
-    # fmpy is loaded where FMUs run, not where missions are only planned or built
+    # loaded here, so that planning and building do not need fmpy
     from segfmu.cosim.load import load
 
     with load(source, leads=events) as first, load(sink) as second:
@@ -116,7 +116,7 @@ def simulate(
 def _step(
     time: float, end: float, first: Unit, second: Unit, link: Link, sequential: bool
 ) -> float:
-    """A step of both units towards `end`; returns the time reached, that of an event or `end`."""
+    """A step of both units towards `end`; returns the time reached: `end`, or an earlier event."""
     link.transfer_slopes()
     reached = first.step(time, first.next_end(time, end))
     if sequential:

@@ -220,7 +220,7 @@ def test_what_cannot_be_planned_is_told_and_can_be_corrected(native_fmus, values
 @pytest.mark.parametrize(
     ("values", "words"),
     [
-        ({"rope.length": 0.0}, "rope.length must start above 0 m"),
+        ({"rope.length": 0.0}, "the start value of rope.length must be above 0 m"),
         ({"drive.mode": "velocity"}, "feedback.table are for the other drive.mode"),
         ({"sensor.dead_time": 0.1}, "set sensor.sample_time above 0 s"),
         ({"travel.bridge.min": 2e9}, "travel.bridge: min 2e+09 m must be below max"),
