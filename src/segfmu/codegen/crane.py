@@ -159,7 +159,7 @@ def _driven() -> str:
         "crane_driven(\n    state: 'float[:]', carriage: 'float[:]', "
         "generalized_force: 'float[:]',\n    load_force: 'float[:]',"
         "\n    masses: 'float[:]', derivative: 'float[:]', force: 'float[:]',\n)",
-        "The same for given accelerations of bridge, trolley and rope; force: what they need.",
+        "The same for given accelerations of bridge, trolley and rope, with the forces they need.",
         inputs,
         outputs,
     )

@@ -1,8 +1,8 @@
 """kernels/*.py -> kernels/c/kernels.c and kernels.h, translated by Pyccel.
 
-All kernels become one C file. Functions other than the entry points are static, so that a C compiler
-can inline them. The hand-written span.h replaces Pyccel's span library by the few operations that
-occur; the generator fails at any other.
+All kernels become one C file. Functions other than the entry points are static, so that a C
+compiler can inline them. The hand-written span.h replaces Pyccel's span library by the few
+operations that occur; the generator fails at any other.
 """
 
 from __future__ import annotations

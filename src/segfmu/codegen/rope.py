@@ -35,8 +35,8 @@ from segfmu.kernels.numerics.polynomials import (
 
 MARGIN_DOC = """Put the polynomial of a demand into work[RopeWork.DEMAND, :]; returns its length.
 
-    bound: what the load is to stay below the trolley [m], what is to be left of gravity [m/s2], or
-    the rope's length [m].
+    bound: least distance below the trolley [m], least remainder of gravity [m/s2], or rope length
+    [m].
     """
 
 WIDTH = sp.Symbol("width", integer=True)
@@ -53,7 +53,7 @@ class _Products:
         self._counts = dict.fromkeys(LOAD, WIDTH) | dict.fromkeys(PULL, WIDTH - 2)
 
     def form(self, expression: sp.Expr, row: sp.Symbol | None = None) -> sp.Symbol:
-        """Form an expression in a row, or in the next one that is free; returns the row."""
+        """Compute an expression in a row, or in the next free one; returns the row."""
         if expression in self._counts:
             return expression
         row = row or self._free.pop(0)

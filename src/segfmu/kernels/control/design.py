@@ -37,12 +37,12 @@ def table_lengths(shortest: float, longest: float, rows: int, lengths: 'float[:]
 
 
 def largest_angle() -> float:
-    """Largest bandwidth of bridge and trolley, in radians in a sample and a lag."""
+    """Largest bandwidth of bridge and trolley times the sum of period and lag [rad]."""
     return 0.25
 
 
 def largest_hoist_angle() -> float:
-    """The same of the hoist, which with two poles instead of four bears more."""
+    """The same for the hoist; two poles instead of four tolerate more."""
     return 0.5
 
 
@@ -51,8 +51,8 @@ def design_flat_gains(
 ) -> None:
     """Gains (Gains) at a rope length [m].
 
-    plant: a `Plant` with the mass of the load that the gains are for; lags count for velocity
-    drives alone. design: a `FlatDesign`.
+    plant: a `Plant` with the design payload; its lags are used for velocity drives only. design: a
+    `FlatDesign`.
     """
     delay = design[FlatDesign.PERIOD]
     if int(plant[Plant.MODE]) == DriveMode.VELOCITY:
