@@ -88,11 +88,11 @@ def build(
         str, typer.Option(help="native: C, with sources; python: needs segfmu at run time.")
     ] = "native",
     platforms: Annotated[
-        str, typer.Option(help="Of native binaries: all, or names with commas; else those at hand.")
+        str, typer.Option(help="Of native binaries: all, or names with commas; default: available.")
     ] = "",
     waypoints: Annotated[
         int | None,
-        typer.Option(help="Waypoints that there is room for; 16, or those of the mission.",
+        typer.Option(help="Maximum number of waypoints; default: 16, or that of the mission.",
                      min=2, max=256),
     ] = None,
     modelica: Annotated[

@@ -160,7 +160,7 @@ def design_observer(
     expected = uncertainty or Uncertainty()
     table = np.zeros((lengths.size, Table.SIZE, Table.COLUMNS))
     work = np.zeros((Kalman.SIZE, WORK_COLUMNS))
-    # what overflows is told below, by interpreted kernels as by compiled ones
+    # overflow is reported below, for interpreted and compiled kernels alike
     with np.errstate(all="ignore"):
         finite = backend.observer_table(
             crane.plant(driven, lags), sample_time, expected.vector, lengths.size, lengths,

@@ -77,7 +77,7 @@ class Crane:
         return packed
 
     def values(self) -> dict[str, float]:
-        """As the FMUs' variables; a rope bound of 0 means none."""
+        """As FMU variables; a rope bound of 0 means none."""
         return values(self, CRANE)
 
     @classmethod

@@ -40,9 +40,9 @@ class Field:
     of : type of Record, optional
         Record of the entries of this field, or of each of its rows.
     variables : tuple of str
-        FMU variables that feed it, one an entry and empty for an entry that none feeds; no
-        variables where none feeds any. Where a record is a row of a table, `{}` stands for the
-        number of the row, from 1.
+        FMU variables that feed it, one per entry, with an empty name for an entry without one;
+        empty if none feeds any. In a record that is a row of a table, `{}` stands for the number
+        of the row, from 1.
     base : int
         Value of the variable that is 0 in the record; items of an enumeration count from 1.
     """

@@ -36,7 +36,7 @@ from segfmu.kernels.rig.records import Setpoints as SetpointRecord
 
 
 class CraneSlave(SpecSlave):
-    """The slave: a thin shell around `segfmu.crane.plant.Plant`."""
+    """The slave; it uses `segfmu.crane.plant.Plant`."""
 
     spec = gantry_crane.spec()
 
@@ -48,7 +48,7 @@ class CraneSlave(SpecSlave):
         self._tuned: tuple[float, ...] = ()
 
     def initialise(self) -> None:
-        """Design the feedback and put the crane into its initial state."""
+        """Design the feedback and set the initial state."""
         crane = Crane.of(self.value)
         state = self.filled(State)
         length, fault = float(state[State.POSITION + Axes.ROPE]), np.zeros(SetupFault.SIZE)
@@ -104,7 +104,7 @@ class CraneSlave(SpecSlave):
         return DESIGNS.items[int(self.value("feedback.design")) - 1] == "flatness"
 
     def _tune(self, plant: Plant) -> None:
-        """Take over the tunable parameters."""
+        """Apply the tunable parameters."""
         feedback = None
         if self._design is not None and self._poles() != self._tuned:
             self._tuned = self._poles()

@@ -1765,7 +1765,7 @@ void segfmu_observer_design(array_double_1d plant, double sample_time, double le
         kalman_axis(axis, sample_time, expected, work, table);
     }
 }
-/*A `RopeRange` by a crane's bounds [m], by its rope's length at the start [m] without them. */
+/*A `RopeRange` from a crane's bounds [m], or else from the rope length at the start [m].*/
 void segfmu_rope_range(double length, double shortest, double longest, array_double_1d found)
 {
     (*cspan_at(&found, INT64_C(0))) = shortest;
@@ -1779,9 +1779,9 @@ void segfmu_rope_range(double length, double shortest, double longest, array_dou
         (*cspan_at(&found, INT64_C(1))) = 5.0 * length;
     }
 }
-/*Rope lengths (rows,) of a table, in equal ratios [m]; returns their number.*/
+/*Rope lengths (rows,) [m] of a table, in equal ratios; returns their number.*/
 /*                                                                           */
-/*    One where both ends are the same.                                      */
+/*    It is 1 if both ends are equal.                                        */
 /*                                                                           */
 int64_t segfmu_table_lengths(double shortest, double longest, int64_t rows, array_double_1d lengths)
 {
@@ -1836,7 +1836,7 @@ static void design_flat_gains(array_double_1d plant, array_double_1d design, dou
     hoist = segfmu_feedback_bandwidth((*cspan_at(&design, INT64_C(2))), length, gravity, delay, largest_hoist_angle());
     segfmu_feedback_gains(plant, length, bandwidth, hoist, (*cspan_at(&design, INT64_C(3))), gains);
 }
-/*`design_flat_gains` at rope lengths (rows,) [m]; table (rows, 4, 10): a `Gains` a row. */
+/*`design_flat_gains` at rope lengths (rows,) [m]; table (rows, 4, 10): one `Gains` per row. */
 void segfmu_flat_table(array_double_1d plant, array_double_1d design, int64_t rows, array_double_1d lengths, array_double_3d table)
 {
     int64_t row;
@@ -1845,10 +1845,10 @@ void segfmu_flat_table(array_double_1d plant, array_double_1d design, int64_t ro
         design_flat_gains(plant, design, (*cspan_at(&lengths, row)), span_matrix(&table, row));
     }
 }
-/*`observer_design` at rope lengths (rows,) [m]; whether all of the table is finite.               */
+/*`observer_design` at rope lengths (rows,) [m]; returns whether the whole table is finite.        */
 /*                                                                                                 */
-/*    uncertainty: an `Uncertainty`; expected: work space, an `Expected`; table (rows, 19, 10): an */
-/*    `Observer` a row.                                                                            */
+/*    uncertainty: an `Uncertainty`; expected: work space, an `Expected`; table (rows, 19, 10): one*/
+/*    `Observer` per row.                                                                          */
 /*                                                                                                 */
 bool segfmu_observer_table(array_double_1d plant, double sample_time, array_double_1d uncertainty, int64_t rows, array_double_1d lengths, array_double_1d expected, array_double_2d work, array_double_3d table)
 {

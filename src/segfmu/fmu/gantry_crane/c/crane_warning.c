@@ -1,4 +1,4 @@
-/* GantryCrane: whether the table of gains, made at the build, fits the crane that is set. */
+/* GantryCrane: warning if the table of gains, designed at the build, does not match the parameters. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -7,7 +7,7 @@
 #include "feeds.h"
 #include "say.h"
 
-/* Whether two values differ by more than what text leaves of a number. */
+/* Whether two values differ by more than the rounding of numbers as text. */
 static bool set_apart(double one, double other)
 {
     return fabs(one - other) > 1e-9 * (fabs(one) + fabs(other));
@@ -19,7 +19,7 @@ static void add_name(char names[MESSAGE], const char *name)
     snprintf(names + used, MESSAGE - used, "%s%s", used > 0 ? ", " : "", name);
 }
 
-/* The parameters that have other values than those that the table was made for. */
+/* The parameters whose values differ from those for which the table was designed. */
 static void find_changed(const crane *m, const double start[], char names[MESSAGE])
 {
     static const struct { int place; const char *name; } made_for[] = {
@@ -46,7 +46,7 @@ static void find_changed(const crane *m, const double start[], char names[MESSAG
 bool model_warning(const model *base, const double start[], char message[MESSAGE])
 {
     char names[MESSAGE];
-    /* a table that was set is for the crane of who has set it */
+    /* a table set by the user is assumed to match the parameters */
     if (base->integer[V_FEEDBACK_DESIGN] == 2
         || !feed_same(&feeds_gains_row, base, MOST_LENGTHS, start)) {
         return false;
