@@ -132,6 +132,7 @@ def test_states_of_another_build_are_refused(native_fmus, tmp_path: Path, monkey
         return {n: t + b"/* changed */\n" if n == "records.h" else t for n, t in texts.items()}
 
     monkeypatch.setattr(native, "_packaged", changed)
+    monkeypatch.setattr(native, "sources", native.sources.__wrapped__)  # its cache has the old ones
     path, = native.build_all([gantry_feedforward.native_spec()], tmp_path)
     with Importer(native_fmus[2][0]) as old, Importer(path) as new:
         assert old.description.guid == new.description.guid
