@@ -337,4 +337,4 @@ def test_campaign_refuses_wrong_files_folders_and_jobs(monkeypatch, capsys, tmp_
         str(tmp_path / "mission.toml" / "out"),
     )
     assert code == 2
-    assert err.count("\n") == 1 and "cannot be made" in err
+    assert err.count("\n") == 1 and "cannot create this folder" in err

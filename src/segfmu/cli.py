@@ -30,7 +30,7 @@ app = typer.Typer(
     no_args_is_help=True,
     rich_markup_mode="markdown",
     help="Plan a crane load's motion, build the FMUs, co-simulate and judge them.\n\n"
-    "Exit codes: 0 done, 1 infeasible or judged as failed, 2 unusable input.",
+    "Exit codes: 0 success, 1 infeasible plan or failed verdict, 2 invalid input.",
 )
 console = Console()
 
@@ -78,21 +78,21 @@ def plan(
 def build(
     mission: Annotated[
         Path | None,
-        typer.Argument(help="Mission file (TOML) whose values the FMUs start with."),
+        typer.Argument(help="Mission file (TOML) with the FMUs' start values."),
     ] = None,
     output: Annotated[
         Path, typer.Option("--output", "-o", help="Folder for the two archives.")
     ] = Path("fmus/dist"),
     fmi: Annotated[int, typer.Option(help="Version of the standard, 2 or 3.")] = 2,
     backend: Annotated[
-        str, typer.Option(help="native: C, with sources; python: needs segfmu where it runs.")
+        str, typer.Option(help="native: C, with sources; python: needs segfmu at run time.")
     ] = "native",
     platforms: Annotated[
-        str, typer.Option(help="Of native binaries: all, or names with commas; else those at hand.")
+        str, typer.Option(help="Of native binaries: all, or names with commas; default: available.")
     ] = "",
     waypoints: Annotated[
         int | None,
-        typer.Option(help="Waypoints that there is room for; 16, or those of the mission.",
+        typer.Option(help="Maximum number of waypoints; default: 16, or that of the mission.",
                      min=2, max=256),
     ] = None,
     enumerations: Annotated[
@@ -107,8 +107,8 @@ def build(
 ) -> None:
     """Build GantryFeedforward.fmu and GantryCrane.fmu.
 
-    Native FMUs have co-simulation and model exchange; those of the Python backend have FMI 2.0
-    co-simulation.
+    Native FMUs support co-simulation and model exchange; those of the Python backend support FMI
+    2.0 co-simulation.
     """
     from segfmu.fmu.build import describe
     from segfmu.fmu.choice import chosen, require_native
@@ -137,10 +137,10 @@ def simulate(
         Path, typer.Option("--output", "-o", help="Folder for FMUs, run.csv and plots.")
     ] = Path("out"),
     step: Annotated[
-        float | None, typer.Option(help="Communication step [s] in place of the mission's.")
+        float | None, typer.Option(help="Communication step [s]; default: the mission's.")
     ] = None,
 ) -> None:
-    """Build the FMUs, co-simulate a mission, write results and judge them."""
+    """Build the FMUs, co-simulate a mission, write and judge the results."""
     task = load_mission(mission)
     if step is not None:
         if not 0.0 < step <= 0.1:
@@ -175,10 +175,10 @@ def campaign(
     output: Annotated[
         Path, typer.Option("--output", "-o", help="Folder for tables (CSV, JSON) and maps (PNG).")
     ] = Path("out"),
-    jobs: Annotated[int, typer.Option(help="Processes.", min=1, max=64)] = 1,
-    coarse: Annotated[bool, typer.Option("--coarse", help="Maps of few points.")] = False,
+    jobs: Annotated[int, typer.Option(help="Number of processes.", min=1, max=64)] = 1,
+    coarse: Annotated[bool, typer.Option("--coarse", help="Maps with few points.")] = False,
 ) -> None:
-    """Compare six methods of control under every disturbance; map move times and eigenvalues."""
+    """Compare six control methods under every disturbance; map move times and eigenvalues."""
     task = load_mission(mission)
     trajectory = _planned(task)
     _require_steps(task, trajectory)
@@ -207,14 +207,14 @@ def campaign(
 
 
 def _planned(task: Mission) -> Trajectory:
-    """Plan, and let the flat inverse refuse what the crane cannot do."""
+    """Plan, and check by the flat inverse that the crane can follow."""
     trajectory = task.plan()
     FlatInverse(task.build_crane(), trajectory)
     return trajectory
 
 
 def _require_steps(task: Mission, trajectory: Trajectory) -> None:
-    """Refuse missions of so many steps that no machine can keep their results."""
+    """Refuse missions whose results would not fit in memory."""
     from segfmu.cosim import require_steps
 
     settings = task.simulation
@@ -279,7 +279,7 @@ def _run(
 
 @contextmanager
 def _one_line_errors() -> Iterator[None]:
-    """Turn segfmu's errors into one line on stderr and an exit code."""
+    """Print segfmu's errors as one line on stderr and set the exit code."""
     try:
         yield
     except SegfmuError as error:

@@ -1,10 +1,10 @@
 """The exceptions of segfmu.
 
     SegfmuError
-    ├── InputError        a value that no computation can accept (type, range, shape, key)
-    ├── InfeasibleError   a plan that the limits, the crane or the rope do not admit
+    ├── InputError        an invalid value (type, range, shape, key)
+    ├── InfeasibleError   a plan that breaks limits of the load, the crane or the rope
     ├── BuildError        an FMU that cannot be built (compiler, template, archive)
-    └── SimulationError   a co-simulation that an FMU or the master had to stop
+    └── SimulationError   a co-simulation that an FMU or the master stopped
 
 Every message is one line: what is wrong, where (axis, waypoint interval), the value, the
 limit, and the way out.
@@ -14,15 +14,15 @@ from __future__ import annotations
 
 
 class SegfmuError(Exception):
-    """Base of every error that segfmu raises for a reason its user can act on."""
+    """Base of all errors of segfmu that its users can act on."""
 
 
 class InputError(SegfmuError, ValueError):
-    """A value that no computation can accept: wrong type, shape, range or key."""
+    """An invalid value: wrong type, shape, range or key."""
 
 
 class InfeasibleError(SegfmuError):
-    """A plan that the limits, the crane or the rope do not admit.
+    """A plan that breaks limits of the load, the crane or the rope.
 
     Attributes
     ----------
@@ -33,9 +33,9 @@ class InfeasibleError(SegfmuError):
     limit : str or None
         Name of the limit, for example ``"velocity"``.
     value, bound : float or None
-        What would be needed and what is allowed, SI units.
+        Required and allowed value, SI units.
     time : float or None
-        Time of the violation [s], where one exists.
+        Time of the violation [s], if there is one.
     """
 
     def __init__(
@@ -63,4 +63,4 @@ class BuildError(SegfmuError):
 
 
 class SimulationError(SegfmuError):
-    """A co-simulation that an FMU or the master had to stop."""
+    """A co-simulation that an FMU or the master stopped."""

@@ -51,6 +51,6 @@ def test_both_languages_say_the_same(library: ctypes.CDLL, table: Messages) -> N
 
 
 def test_words_of_the_caller_take_the_place_of_the_tables_own() -> None:
-    plan = TABLES[0]
+    plan = next(table for table in TABLES if table.name == "plan")
     said = plan.text(-9, REPORTS[2], AXIS=("left", "right"))
     assert said.startswith("axis right: no limit bounds")

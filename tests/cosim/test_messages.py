@@ -148,7 +148,7 @@ def test_a_flood_of_different_texts_ends_in_a_count(caplog) -> None:
     assert len(caplog.records) == MOST_TEXTS
     messages.close()
     assert [r.getMessage() for r in caplog.records[MOST_TEXTS:]] == [
-        f"FMU: {2 * MOST_TEXTS} further messages were left out"
+        f"FMU: {2 * MOST_TEXTS} further messages were omitted"
     ]
 
 

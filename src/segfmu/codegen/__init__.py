@@ -1,1 +1,1 @@
-"""SymPy -> typed Python: the only writer of generated files."""
+"""Generators of all generated files: SymPy to Python, kernels to C, records to enums and docs."""

@@ -17,7 +17,7 @@ from segfmu.codegen.files import write
 
 
 def main() -> None:
-    """The crane's equations first: the kernels in C contain them."""
+    """Write the crane's equations first, because the C kernels contain them."""
     for source in (crane, partials, series, rope):
         write(source.TARGET, source.generate())
     for name, text in (native.generate() | extension.generate() | messages.generate()).items():

@@ -1,4 +1,4 @@
-"""kernels/**/*.py -> one module of functions, in which names of records are their integers."""
+"""kernels/**/*.py -> one module of functions, with integers in place of record names."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ PACKAGE = "segfmu.kernels"
 
 
 def modules() -> list[str]:
-    """Kernel modules below `segfmu.kernels`, each behind those that it imports."""
+    """Kernel modules below `segfmu.kernels`, each after those that it imports."""
     paths = sorted(KERNELS.glob("*/*.py"))
     names = [f"{p.parent.name}.{p.stem}" for p in paths if p.stem not in ("__init__", "records")]
     ordered: list[str] = []
@@ -78,7 +78,7 @@ def resolved(name: str) -> str:
     source = text(name)
     lines = source.splitlines(keepends=True)
     parsed = ast.parse(source)
-    # from the end, so that places found before stay valid
+    # from the end, so that the other positions stay valid
     for node, value in sorted(_places(name, parsed), key=lambda p: _position(p[0]), reverse=True):
         row = lines[node.lineno - 1].encode()
         spelt = repr(value).encode()

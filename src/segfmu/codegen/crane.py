@@ -1,8 +1,8 @@
 """SymPy -> kernels/crane/_crane.py: `python -m segfmu.codegen`.
 
 Common subexpressions are eliminated over all results of a function; every function is plain
-typed Python that writes into arrays of its caller. Powers become products and square roots, whose
-results are the same on every platform, which those of pow are not.
+typed Python that writes into arrays of its caller. Powers become products and square roots, because
+their results, unlike those of pow, are the same on every platform.
 """
 
 from __future__ import annotations
@@ -64,7 +64,7 @@ Steps = list[tuple[sp.Symbol, sp.Expr]]
 
 
 def _named_bases(expression: sp.Expr, names: Iterator[sp.Symbol]) -> tuple[Steps, sp.Expr]:
-    """Give a name to every base that a product repeats; returns the names and the rest."""
+    """Name every base that a product repeats; returns the names and the rest."""
     named: Steps = []
 
     def name(power: sp.Pow) -> sp.Expr:
@@ -118,7 +118,7 @@ def state_inputs(s: lagrangian.Symbols) -> list[tuple[sp.Expr, str]]:
 
 
 def mass_inputs(symbols: Sequence[sp.Symbol]) -> list[tuple[sp.Expr, str]]:
-    """Where masses and gravity are found."""
+    """Expressions for masses and gravity."""
     return [(symbol, f"masses[{i}]") for i, symbol in enumerate(symbols)]
 
 
@@ -159,7 +159,7 @@ def _driven() -> str:
         "crane_driven(\n    state: 'float[:]', carriage: 'float[:]', "
         "generalized_force: 'float[:]',\n    load_force: 'float[:]',"
         "\n    masses: 'float[:]', derivative: 'float[:]', force: 'float[:]',\n)",
-        "The same for given accelerations of bridge, trolley and rope; force: what they need.",
+        "The same for given accelerations of bridge, trolley and rope, with the forces they need.",
         inputs,
         outputs,
     )

@@ -76,7 +76,7 @@ def _take(function: Function, index: int, name: str, annotation: str) -> str:
 
 
 def _checks(function: Function, extents: dict[str, tuple[Extent, ...]]) -> list[str]:
-    """Conditions that the extents of the arrays are what the kernel relies on."""
+    """Conditions on the extents of the arrays that the kernel relies on."""
     counts = {name: f"in_{name}" for name, kind in function.arguments if kind == "int"}
     known = dict(counts)
     rows, later = [], []

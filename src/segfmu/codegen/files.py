@@ -7,7 +7,7 @@ from pathlib import Path
 
 
 def write(target: Path, text: str) -> None:
-    """Write a file beside its place, then put it there."""
+    """Write a temporary file, then rename it to the path."""
     temporary = target.with_suffix(".tmp")
     temporary.write_text(text, encoding="utf-8")
     os.replace(temporary, target)

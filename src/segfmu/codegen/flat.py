@@ -1,4 +1,4 @@
-"""Symbols that the generators from crane/flatness.py share."""
+"""Symbols shared by the generators that use crane/flatness.py."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ PULL = sp.Matrix(sp.symbols("w_x w_y w_z", real=True))
 
 
 def derivatives_of_load(values: sp.Matrix) -> Iterator[tuple[int, int, sp.Expr]]:
-    """For values that are each a derivative of the load's position and a constant: its order, axis
-    and the constant."""
+    """Order, axis and constant of values that are a derivative of the load's position plus a
+    constant."""
     flat = flatness.flat_symbols()
     for value in values:
         (symbol,) = value.free_symbols & set(flat)
@@ -25,5 +25,5 @@ def derivatives_of_load(values: sp.Matrix) -> Iterator[tuple[int, int, sp.Expr]]
 
 
 def place(field: str, index: int) -> str:
-    """Text of the place of an entry of a record's field."""
+    """Text of the index of an entry of a record's field."""
     return f"{field} + {index}" if index else field

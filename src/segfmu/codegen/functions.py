@@ -1,4 +1,4 @@
-"""What the translated kernels take, give back and write to, read from their annotations."""
+"""Arguments, results and written arrays of the translated kernels, from their annotations."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from segfmu.codegen.amalgam import modules, tree
 
 @dataclass(frozen=True)
 class Function:
-    """A kernel: names and annotations of its arguments, and of what it returns.
+    """A kernel: names and annotations of its arguments, and annotations of its results.
 
-    `written` has the arrays that it changes.
+    `written` names the arrays that it changes.
     """
 
     name: str
@@ -25,11 +25,11 @@ class Function:
 
 
 def functions() -> list[Function]:
-    """All kernels; later ones use earlier ones, so what they write to is known in time."""
+    """All kernels, in an order in which the arrays written by called kernels are known."""
     known: dict[str, Function] = {}
     for module in modules():
         nodes = [node for node in tree(module).body if isinstance(node, ast.FunctionDef)]
-        # within a module a function may use a later one: twice finds what both write to
+        # within a module a function may call a later one, so two passes are needed
         for node in nodes + nodes:
             known[node.name] = _function(node, known)
     return list(known.values())
@@ -55,14 +55,14 @@ def _annotation(node: ast.expr | None) -> str:
 
 
 def _written(node: ast.FunctionDef, known: dict[str, Function]) -> Iterator[str]:
-    """Arrays that a function writes to, itself, through a view or through what it calls."""
+    """Arrays that a function writes to, directly, through a view or through a call."""
     views: dict[str, str] = {}
     for part in ast.walk(node):
         if isinstance(part, ast.Assign):
             target = part.targets[0]
             if isinstance(target, ast.Name) and isinstance(part.value, ast.Subscript):
                 base = _base(part.value)
-                # a view of a view is one of the array
+                # a view of a view is a view of the array
                 views[target.id] = views.get(base, base)
     for part in ast.walk(node):
         if isinstance(part, ast.Assign) and isinstance(part.targets[0], ast.Subscript):

@@ -1,4 +1,4 @@
-"""kernels/messages.py -> kernels/c/messages.c and messages.h: one function a table of texts."""
+"""kernels/messages.py -> kernels/c/messages.c and messages.h: one function per table of texts."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def _function(table: Messages) -> Iterator[str]:
 
 
 def _printed(table: Messages, text: str) -> tuple[str, list[str]]:
-    """The format of printf, and what it takes."""
+    """The format of printf, and its arguments."""
     values = []
 
     def place(found: re.Match[str]) -> str:
@@ -74,7 +74,7 @@ def _printed(table: Messages, text: str) -> tuple[str, list[str]]:
 
 
 def _parts(text: str) -> list[str]:
-    """A long text in parts that end with words."""
+    """A long text, split between words."""
     parts = [""]
     for word in re.findall(r"\S+ ?", text):
         if len(parts[-1]) + len(word) > WIDTH:

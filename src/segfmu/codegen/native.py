@@ -1,8 +1,8 @@
 """kernels/*.py -> kernels/c/kernels.c and kernels.h, translated by Pyccel.
 
-All kernels become one C file: functions are static but for the entry points, so that a C compiler
-can inline them, and one archive of an FMU holds one source. Pyccel's span library is replaced by
-the few operations that occur, in the hand-written span.h; anything else fails here.
+All kernels become one C file. Functions other than the entry points are static, so that a C
+compiler can inline them. The hand-written span.h replaces Pyccel's span library by the few
+operations that occur; the generator fails at any other.
 """
 
 from __future__ import annotations
@@ -94,7 +94,7 @@ def _spans(text: str) -> str:
 
 
 def _static(text: str) -> str:
-    """Make all functions static but for the entry points; drop the rules around comments."""
+    """Make all functions static except the entry points; remove the rules around comments."""
     text = re.sub(r"/\*[._]+\*/\n", "", text)
 
     def storage(match: re.Match[str]) -> str:

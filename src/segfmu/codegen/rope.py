@@ -1,8 +1,8 @@
-"""SymPy -> kernels/crane/_rope.py: what the proof about the rope needs of crane/flatness.py.
+"""SymPy -> kernels/crane/_rope.py: the polynomials for the check of the rope.
 
-The rope's length l is a fraction. Its numerator's sign and its denominator's are those of the first
-two demands; with a bound L, the other two are the signs of L^2 denominator^2 - numerator^2 and of
-its negative. All four are polynomials in time where the load's position is one.
+The rope length l is a fraction. The first two demands are on the signs of its numerator and its
+denominator; with a bound L, the other two are on the sign of L^2 denominator^2 - numerator^2 and of
+its negative. If the load's position is a polynomial in time, all four are.
 """
 
 from __future__ import annotations
@@ -35,8 +35,8 @@ from segfmu.kernels.numerics.polynomials import (
 
 MARGIN_DOC = """Put the polynomial of a demand into work[RopeWork.DEMAND, :]; returns its length.
 
-    bound: what the load is to stay below the trolley [m], what is to be left of gravity [m/s2], or
-    the rope's length [m].
+    bound: least distance below the trolley [m], least remainder of gravity [m/s2], or rope length
+    [m].
     """
 
 WIDTH = sp.Symbol("width", integer=True)
@@ -45,7 +45,7 @@ MARGIN = sp.Symbol("margin")
 
 
 class _Products:
-    """Statements that form polynomials by products, with the number of their coefficients."""
+    """Statements that compute polynomials by products, and their numbers of coefficients."""
 
     def __init__(self) -> None:
         self.lines: list[str] = []
@@ -53,7 +53,7 @@ class _Products:
         self._counts = dict.fromkeys(LOAD, WIDTH) | dict.fromkeys(PULL, WIDTH - 2)
 
     def form(self, expression: sp.Expr, row: sp.Symbol | None = None) -> sp.Symbol:
-        """Form an expression in a row, or in the next one that is free; returns the row."""
+        """Compute an expression in a row, or in the next free one; returns the row."""
         if expression in self._counts:
             return expression
         row = row or self._free.pop(0)
@@ -92,7 +92,7 @@ def _fraction() -> tuple[sp.Expr, sp.Expr]:
 
 
 def _positions() -> tuple[sp.Expr, sp.Expr]:
-    """What must be positive: the numerator but for its root, which is, and the denominator."""
+    """The factors that must be positive: numerator without its positive root, and denominator."""
     numerator, denominator = _fraction()
     return numerator / flatness.pull_size(PULL), denominator
 

@@ -33,5 +33,5 @@ def _stub(function: Function) -> str:
     taken = "".join(f"    {n}: {ARRAYS.get(kind, kind)},\n" for n, kind in function.arguments)
     results = ", ".join(function.results) or "None"
     given = f"tuple[{results}]" if function.is_tuple else results
-    # no names: the compiled functions take their arguments by place
+    # positional only, as the compiled functions are
     return f"\ndef {function.name}(\n{taken}    /,\n) -> {given}: ...\n"

@@ -1,4 +1,4 @@
-"""Co-simulation of FMUs by a small master on fmpy."""
+"""Co-simulation of FMUs by a small master based on fmpy."""
 
 from segfmu.cosim.master import require_steps, simulate
 from segfmu.cosim.result import write_csv

@@ -1,4 +1,4 @@
-"""Variables of an FMU that are read or written in one call."""
+"""Variables of an FMU, read or written in one call."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from numpy.typing import NDArray
 
 @dataclass(frozen=True)
 class Channel:
-    """A fixed list of variables of one type, and the memory to read or write them at once.
+    """A fixed list of variables of one type, and a buffer to read or write them at once.
 
     Attributes
     ----------
     values : ndarray, shape (n,)
-        That memory; of the type that the FMU has for the variables.
+        The buffer; its type is that of the FMU's variables.
     read, write : callable
-        Fetch the variables into the memory, and set them from it; SimulationError when the FMU
+        Get the variables into the buffer, and set them from it; SimulationError if the FMU
         refuses.
     """
 

@@ -1,4 +1,4 @@
-"""Equal names: outputs of one unit are the inputs of the other."""
+"""Connections by name: outputs of one unit to inputs of the other."""
 
 from __future__ import annotations
 
@@ -12,22 +12,22 @@ from segfmu.errors import InputError
 
 
 class Link:
-    """Hands outputs of one unit on to the inputs of another that have the same names.
+    """Passes outputs of one unit to the inputs of another with the same names.
 
-    Outputs that are handed on lie side by side where they are read, and the other unit sets its
-    inputs from there: nothing is copied where both have the same type of value.
+    The other unit sets its inputs from the buffer into which the outputs are read: nothing is
+    copied if both have the same type of value.
 
     Parameters
     ----------
     first, second : Unit
         Source and sink.
     order : int
-        Up to which derivatives of real outputs are handed on; 0: none.
+        Highest derivative of real outputs that is passed on; 0: none.
 
     Raises
     ------
     InputError
-        Where types of output and input differ.
+        If the types of output and input differ.
     """
 
     def __init__(self, first: Unit, second: Unit, *, order: int) -> None:
@@ -55,12 +55,12 @@ class Link:
             self._slopes = [slopes.read, second.input_slopes(reals, order, slopes.values).write]
 
     def transfer_slopes(self) -> None:
-        """Hand on the derivatives at the beginning of a step; they hold until its end."""
+        """Pass on the derivatives at the beginning of a step; they hold until its end."""
         for call in self._slopes:
             call()
 
     def transfer(self) -> None:
-        """Read all outputs of the first unit and hand them on."""
+        """Read all outputs of the first unit and pass them on."""
         self._read()
         for taken, given in self._conversions:
             taken[:] = given

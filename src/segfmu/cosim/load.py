@@ -17,14 +17,14 @@ from segfmu.errors import InputError
 
 
 def load(path: Path, *, leads: bool = False) -> Unit:
-    """Unpack and instantiate an FMU for co-simulation; one that leads may end steps at its events.
+    """Unpack and instantiate an FMU for co-simulation; a leading one may end steps at its events.
 
     Raises
     ------
     InputError
-        When it is not a readable FMU with co-simulation of FMI 2.0 or 3.0.
+        If it is not a readable FMU with co-simulation of FMI 2.0 or 3.0.
     SimulationError
-        When it cannot be instantiated, with its message.
+        If it cannot be instantiated, with its message.
     """
     folder = Path(tempfile.mkdtemp(prefix="segfmu_fmu_"))
     try:
@@ -54,7 +54,7 @@ def _describe(path: Path, folder: Path) -> Any:
 
 
 def _runs(name: str) -> bool:
-    """Whether a file of an archive may be needed to run it here."""
+    """Whether this machine may need a file of the archive to run it."""
     top, _, below = name.partition("/")
     if top == "binaries":
         return below.split("/")[0] in (platform, platform_tuple)

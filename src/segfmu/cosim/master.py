@@ -1,9 +1,9 @@
-"""The master: two FMUs, the first one's outputs are the second one's inputs by their names.
+"""The master: couples two FMUs, connecting outputs of the first to inputs of the second by name.
 
-In every communication step the source steps first and its outputs at the end of the step are
-handed to the sink, which then makes the same step. In parallel, as most importers do it, both step
-with the values of the step before and the outputs are handed on afterwards; derivatives at the
-beginning of the step may go with them. Steps also end at the source's events.
+Sequential: in every communication step the source steps first; the sink then makes the same step
+with the source's outputs at the end of the step. Parallel, as in most importers: both step with the
+values of the previous step; derivatives at the beginning of the step may be passed too. Steps also
+end at the source's events.
 """
 
 from __future__ import annotations
@@ -48,12 +48,12 @@ def simulate(
     Parameters
     ----------
     source, sink : Path
-        Co-simulation FMUs of FMI 2.0 or 3.0. Outputs of the source are connected to the inputs of
-        the sink that have the same name.
+        Co-simulation FMUs of FMI 2.0 or 3.0. Outputs of the source are connected to inputs of the
+        sink with the same name.
     stop_time, step, start_time : float
-        [s]; the last step is shorter where the step does not divide the time.
+        [s]; the last step is shorter if the step does not divide the time.
     source_values, sink_values : mapping of str to number or str
-        Parameters, start values and constant inputs; enumerations by the name of an item, arrays
+        Parameters, start values and constant inputs; enumerations by the name of an item; arrays
         of FMI 3.0 after their sizes.
     coupling : str, optional
         By default "derivatives" where both FMUs have what it needs, else "sequential".
@@ -68,7 +68,7 @@ def simulate(
         seen at the end of that step. Steps in parallel that `setpoint.lead` makes up for have to
         be equal, so they end at no events.
     progress : callable
-        Gets the share done, now and then.
+        Called with the share done from time to time.
 
     Returns
     -------
@@ -78,15 +78,15 @@ def simulate(
     Raises
     ------
     InputError
-        For values and files that are not usable.
+        For invalid values and files.
     SimulationError
-        When an FMU reports an error, with its message.
+        If an FMU reports an error, with its message.
     """
     if coupling is not None and coupling not in get_args(Coupling):
         allowed = " or ".join(get_args(Coupling))
         raise InputError(f"coupling must be {allowed}, got {coupling!r}")
     times = _times(start_time, stop_time, step)
-    # fmpy is loaded where FMUs run, not where missions are only planned or built
+    # loaded here, so that planning and building do not need fmpy
     from segfmu.cosim.load import load
 
     lead = bool((source_values or {}).get(LEAD))

@@ -1,4 +1,4 @@
-"""What FMUs say: records of the logger `segfmu.cosim`, each text once, and lines on stderr."""
+"""Messages of FMUs: records of the logger `segfmu.cosim`, each text once, and lines on stderr."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from contextlib import contextmanager
 
 LOGGER = logging.getLogger("segfmu.cosim")
 
-# fmi2Status, fmi3Status: what a status above the first means to the caller; the last is "pending"
+# fmi2Status, fmi3Status: level of each status; the last is "pending"
 OK, WARNING, DISCARD, ERROR, FATAL = range(5)
 LEVELS = (logging.INFO, logging.WARNING, logging.WARNING, logging.ERROR, logging.CRITICAL,
           logging.INFO)
@@ -18,16 +18,16 @@ CATEGORIES = {
     "logStatusWarning": logging.WARNING, "logStatusDiscard": logging.WARNING,
     "logStatusError": logging.ERROR, "logStatusFatal": logging.CRITICAL,
 }
-# different texts of one FMU that become records; a time in a text makes each of them different
+# limit of different texts per FMU, because texts with a time are all different
 MOST_TEXTS = 100
 
 
 class Messages:
     """The messages of one FMU.
 
-    Every text is logged when it comes first, and how often it came when all is over. A record's
-    text begins with the FMU's name, which is its attribute `fmu` as well; its level follows from
-    status and category, whichever is worse.
+    A text is logged when it first comes; its count is logged at the end. A record's text begins
+    with the FMU's name, which is also its attribute `fmu`. Its level follows from status or
+    category, whichever is worse.
 
     Parameters
     ----------
@@ -42,7 +42,7 @@ class Messages:
         self._reasons: list[str] = []
 
     def hear(self, status: int, category: bytes | None, message: bytes | None) -> None:
-        """Take a message as the FMU's callback gives it; what is no UTF-8 is replaced."""
+        """Take a message from the FMU's callback; invalid UTF-8 is replaced."""
         text = (message or b"").decode("utf-8", "replace").strip()
         if not text:
             return
@@ -59,16 +59,16 @@ class Messages:
             self._log(*key)
 
     def reason(self) -> str | None:
-        """What the FMU said of the error that ended the simulation, in one line."""
+        """The FMU's message for the error that ended the simulation, in one line."""
         return self._reasons[0].splitlines()[-1] if self._reasons else None
 
     def close(self) -> None:
-        """Log how often the texts came that were repeated, and how many were left out."""
+        """Log the counts of repeated texts, and how many were omitted."""
         for (level, text), count in self._counts.items():
             if count > 1:
                 self._log(level, f"said {count} times: {text}")
         if self._left_out:
-            self._log(logging.WARNING, f"{self._left_out} further messages were left out")
+            self._log(logging.WARNING, f"{self._left_out} further messages were omitted")
         self._counts.clear()
         self._left_out = 0
 
@@ -77,7 +77,7 @@ class Messages:
 
 
 class _Lines(logging.Handler):
-    """Keeps records as lines `warning: GantryCrane: ...`, with their levels."""
+    """Collects records as lines `warning: GantryCrane: ...`, with their levels."""
 
     def __init__(self) -> None:
         super().__init__(logging.INFO)
@@ -85,16 +85,16 @@ class _Lines(logging.Handler):
 
     def emit(self, record: logging.LogRecord) -> None:
         words = " ".join(record.getMessage().split())
-        # what would steer a terminal is shown as an escape
+        # control characters are shown as escapes
         shown = "".join(c if c.isprintable() else ascii(c)[1:-1] for c in words)
         self.kept.append((record.levelno, f"{record.levelname.lower()}: {shown}"))
 
 
 @contextmanager
 def on_stderr() -> Iterator[None]:
-    """Show at the end what FMUs have said, a line a message on stderr.
+    """Print the messages of FMUs at the end, one line each, on stderr.
 
-    An error that ends the simulation is in its exception; lines of errors appear without one.
+    Errors are printed only if no exception ends the simulation, as it contains them.
     """
     lines = _Lines()
     before, propagates = LOGGER.level, LOGGER.propagate

@@ -16,12 +16,12 @@ from segfmu.errors import InputError
 
 @contextmanager
 def replacing(path: Path) -> Iterator[Path]:
-    """Give a path beside `path` to write to; it takes the place of `path` when all went well.
+    """Give a temporary path beside `path` to write to; on success it replaces `path`.
 
     Raises
     ------
     InputError
-        When the file cannot be written.
+        If the file cannot be written.
     """
     temporary = path.with_name(f"{path.name}.part")
     try:

@@ -1,4 +1,4 @@
-"""Rows of a co-simulation's result: gathered in blocks, one a type and unit."""
+"""Rows of a co-simulation's result, collected in blocks, one per type and unit."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from segfmu.cosim.unit import Unit, alike
 # types of values -> those of a result's columns
 COLUMNS: dict[type, type] = {float: np.float64, int: np.int32, bool: np.bool_}
 
-# rows that are gathered before they go to the result's columns
+# rows in a block before it is copied to the result's columns
 BLOCK = 256
 
 
@@ -43,7 +43,7 @@ class Table:
         ]
 
     def record(self, i: int) -> None:
-        """Take the outputs, as they were read last, for row `i`; rows come one after the other."""
+        """Store the outputs that were read last as row `i`; rows must be consecutive."""
         place = i % BLOCK
         for block, values in self._blocks:
             block[place] = values

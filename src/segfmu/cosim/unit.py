@@ -17,12 +17,12 @@ from segfmu.cosim.channel import Channel
 from segfmu.cosim.messages import ERROR, FATAL, OK, WARNING, Messages
 from segfmu.errors import InputError, SimulationError
 
-# s; times that differ by less are the same
+# s; times that differ by less are equal
 INSTANT = 1e-9
 
 
 class Unit(ABC):
-    """An instantiated co-simulation FMU; a context manager that frees it on every path.
+    """An instantiated co-simulation FMU; a context manager that always frees it.
 
     Parameters
     ----------
@@ -39,7 +39,7 @@ class Unit(ABC):
         Names and values of all outputs after `observe`, by type.
     """
 
-    # types of the standard -> what values are in Python and in a result
+    # types of the standard -> types in Python and in a result
     TYPES: ClassVar[dict[str, type]]
     # functions of fmpy's instance that end a simulation and free it
     fmu: Any
@@ -64,12 +64,12 @@ class Unit(ABC):
     def channel(self, names: Sequence[str], values: NDArray[Any] | None = None) -> Channel:
         """A channel for some variables of one type, at least one; arrays one at a time.
 
-        It takes `values` as its memory where they are of the FMU's type.
+        It uses `values` as its buffer if they are of the FMU's type.
 
         Raises
         ------
         InputError
-            When `values` are more or fewer than the variables have.
+            If the number of `values` is not that of the variables.
         """
 
     @abstractmethod
@@ -79,19 +79,19 @@ class Unit(ABC):
         Raises
         ------
         InputError
-            When the FMU does not tell derivatives.
+            If the FMU does not provide derivatives.
         """
 
     @abstractmethod
     def input_slopes(
         self, names: Sequence[str], order: int, values: NDArray[np.float64]
     ) -> Channel:
-        """Derivatives of some real inputs, from the first to an order, with `values` as memory.
+        """Derivatives of some real inputs, from the first to an order, with `values` as buffer.
 
         Raises
         ------
         InputError
-            When the FMU takes no derivatives.
+            If the FMU takes no derivatives.
         """
 
     @abstractmethod
@@ -104,11 +104,11 @@ class Unit(ABC):
 
     @abstractmethod
     def next_end(self, time: float, end: float) -> float:
-        """Where a step to `end` should end: there, or at an event before that is known of."""
+        """Where a step to `end` should end: there, or at an earlier known event."""
 
     @abstractmethod
     def step(self, time: float, end: float) -> float:
-        """Step to `end`, or to an event before; returns the time reached."""
+        """Step to `end`, or to an earlier event; returns the time reached."""
 
     @abstractmethod
     def meet_event(self) -> bool:
@@ -116,7 +116,7 @@ class Unit(ABC):
 
     @property
     def order(self) -> int:
-        """Highest order of the derivatives that it tells of its outputs."""
+        """Highest order of its output derivatives."""
         return int(self.description.coSimulation.maxOutputDerivativeOrder or 0)
 
     @property
@@ -130,30 +130,30 @@ class Unit(ABC):
         Raises
         ------
         SimulationError
-            With what it was doing and its own message, when it reports an error.
+            If it reports an error, with the action and its own message.
         """
         try:
             return function(*arguments, **named)
         except Exception as error:
-            # fmpy raises bare exceptions beside its own
+            # fmpy raises bare exceptions too
             raise self.failure(doing, error) from None
 
     def failure(self, doing: str, error: Exception) -> SimulationError:
-        """The error of a call that went wrong, in the FMU's own words where it has some."""
+        """The error of a failed call, with the FMU's own message if there is one."""
         self._worst = max(self._worst, getattr(error, "status", ERROR))
         return SimulationError(
             f"{self.name} could not {doing}: {self.messages.reason() or error}"
         )
 
     def refusal(self, doing: str, function: str, status: int) -> SimulationError:
-        """The error of a function of the FMU that returned a status above a warning's."""
+        """The error of an FMU function whose status is worse than a warning."""
         from fmpy.fmi1 import FMICallException
 
         return self.failure(doing, FMICallException(function, status))
 
     def prepared(self, doing: str, name: str, *arguments: Any) -> Callable[[], None]:
-        """A call of the FMU's function `name` with arguments of ctypes that stay the same."""
-        # fmpy's own way of calling takes as long as the FMU does
+        """A call of the FMU's function `name` with fixed ctypes arguments."""
+        # a call through fmpy takes as long as the FMU itself
         function = self.fmu.dll[name]
 
         def call() -> None:
@@ -166,7 +166,7 @@ class Unit(ABC):
     def memory(
         self, kind: Any, size: int, values: NDArray[Any] | None
     ) -> tuple[NDArray[Any], ctypes.c_void_p]:
-        """`values` where they are of the type `kind`, else new ones, and where they begin."""
+        """`values` if they are of the type `kind`, else new ones, and their pointer."""
         if values is not None and values.size != size:
             raise InputError(f"{self.name}: {size} values are connected to {values.size}")
         if values is None or values.dtype != kind:
@@ -224,11 +224,11 @@ class Unit(ABC):
         return int(number)
 
     def kind(self, name: str) -> type:
-        """What a variable's values are: float, int or bool."""
+        """Type of a variable's values: float, int or bool."""
         return self.TYPES[self.variables[name].type]
 
     def outputs(self) -> list[str]:
-        """Names of the outputs that are no arrays, real ones first."""
+        """Names of the scalar outputs, real ones first."""
         order = (float, int, bool)
         found = [
             v for v in self.variables.values()
@@ -237,7 +237,7 @@ class Unit(ABC):
         return [v.name for v in sorted(found, key=lambda v: order.index(self.TYPES[v.type]))]
 
     def observe(self, leading: Sequence[str] = ()) -> None:
-        """Prepare to read all outputs, a channel a type, in which `leading` ones come first."""
+        """Prepare to read all outputs, one channel per type, with `leading` ones first."""
         places = {name: i for i, name in enumerate(leading)}
         for names in alike(self.outputs(), self):
             ordered = sorted(names, key=lambda n: places.get(n, len(places)))
@@ -249,7 +249,7 @@ class Unit(ABC):
             channel.read()
 
     def observed_values(self, names: Sequence[str]) -> NDArray[Any]:
-        """Where outputs that follow each other in `observed` are found once they are read."""
+        """The part of the buffers in `observed` that holds consecutive outputs."""
         own, channel = next(o for o in self.observed if names[0] in o[0])
         place = own.index(names[0])
         return channel.values[place:place + len(names)]

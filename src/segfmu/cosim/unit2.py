@@ -1,4 +1,4 @@
-"""FMI 2.0: a unit whose inputs may have derivatives, and whose next event is one of its outputs."""
+"""FMI 2.0: a unit with input derivatives and an output for the time of its next event."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from segfmu.cosim.messages import WARNING
 from segfmu.cosim.unit import INSTANT, Unit
 from segfmu.errors import InputError
 
-# the output that tells the time of the next event, where an FMU has it
+# output with the time of the next event, if an FMU has it
 NEXT_EVENT = "plan.next_event"
 
 
@@ -139,5 +139,5 @@ class Unit2(Unit):
         return end
 
     def meet_event(self) -> bool:
-        """Events are met within steps."""
+        """FMI 2.0 co-simulation handles events within steps."""
         return False

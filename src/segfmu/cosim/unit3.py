@@ -1,4 +1,4 @@
-"""FMI 3.0: a unit that may return early from a step, at an event."""
+"""FMI 3.0: a unit that may return early from a step at an event."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The gantry crane: equations of motion, flat inverse, real plant, control, and its baselines."""
+"""The gantry crane: equations of motion, flat inverse, plant, control, and control baselines."""
 
 from segfmu.crane.actuators import ActuatedPlan, ActuatorBounds, plan_actuated
 from segfmu.crane.controller import Controller

@@ -1,8 +1,8 @@
-"""Plans that a crane's drives can follow: limits scaled until every bound of the drives holds.
+"""Plans that a crane's drives can follow: limits scaled until all bounds of the drives hold.
 
-Scaling the limit c_i of the i-th derivative by lambda^i is scaling time by 1 / lambda (section
-3.2), so one number slows a plan down consistently. The largest lambda up to 1 is sought at which
-drive forces, velocities, accelerations and sway angles of the flat inverse keep their bounds.
+Scaling the limit c_i of the i-th derivative by lambda^i scales time by 1 / lambda (section 3.2), so
+one number slows a plan down. The result is the largest lambda up to 1 at which drive forces,
+velocities, accelerations and sway angles of the flat inverse keep their bounds.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from segfmu.planning.waypoint import Waypoint
 DRIVES = ("bridge", "trolley", "hoist")
 QUANTITIES = ("force", "velocity", "acceleration", "sway_angle")
 UNITS = ("N", "m/s", "m/s2", "rad")
-# place of the first sway angle among the bounds
+# index of the first sway angle among the bounds
 ANGLES = 3 * len(DRIVES)
 SAMPLES = 1501
 SLOWEST = 1e-3
@@ -36,7 +36,7 @@ TOLERANCE = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class ActuatorBounds:
-    """What the drives of a crane can do, each bound the same in both directions.
+    """Bounds of a crane's drives, the same in both directions.
 
     Parameters
     ----------
@@ -48,7 +48,7 @@ class ActuatorBounds:
     Raises
     ------
     InputError
-        For values that are not positive and other shapes.
+        For values that are not positive and for other shapes.
     """
 
     force: FloatArray
@@ -80,15 +80,15 @@ class ActuatorBounds:
 
 @dataclass(frozen=True, eq=False)
 class ActuatedPlan:
-    """A trajectory within the bounds, and what bounds it.
+    """A trajectory within the bounds, and its active bound.
 
     Attributes
     ----------
     trajectory : Trajectory
     scale : float
-        lambda; the limits planned with are lambda^i c_i.
+        lambda; the plan's limits are lambda^i c_i.
     active : str or None
-        The bound that is met, such as "trolley force"; None where the limits alone rule.
+        The active bound, such as "trolley force"; None if only the limits are active.
     usage : ndarray, shape (11,)
         Peaks over bounds of forces, velocities, accelerations (bridge, trolley, hoist) and of the
         two sway angles.
@@ -107,7 +107,7 @@ def plan_actuated(
     bounds: ActuatorBounds,
     **options: Any,
 ) -> ActuatedPlan:
-    """Plan the load's trajectory within limits and within what the crane's drives can do.
+    """Plan the load's trajectory within limits and within the bounds of the crane's drives.
 
     Parameters
     ----------
@@ -121,8 +121,8 @@ def plan_actuated(
     Raises
     ------
     InputError, InfeasibleError
-        As `plan` and `FlatInverse` do, and where no slowing down meets the bounds; the error names
-        the bound, what it takes at the slowest plan, and the time.
+        As `plan` and `FlatInverse`; InfeasibleError also if no slower plan keeps the bounds. It
+        names the bound, the value that the slowest plan needs, and the time.
     """
     if not isinstance(bounds, ActuatorBounds):
         raise InputError(f"bounds must be an ActuatorBounds, got {type(bounds).__name__}")
@@ -153,7 +153,7 @@ def _slower(
     options: dict[str, Any],
     fastest: ActuatedPlan,
 ) -> ActuatedPlan:
-    """The first plan within the bounds, each one 10 % slower than the one before."""
+    """The first plan within the bounds, slowed down by 10 % at a time."""
     last, scale = fastest, 1.0
     while scale > SLOWEST:
         scale *= 0.9
@@ -195,11 +195,11 @@ def _quantities(inverse: FlatInverse, times: FloatArray) -> FloatArray:
 
 
 def _peaks(inverse: FlatInverse, bounds: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Peak of every quantity and its time; refined where it comes near its bound."""
+    """Peak of every quantity and its time; refined if it is near its bound."""
     end = inverse.trajectory.duration
     times = np.linspace(0.0, end, SAMPLES)
-    # it loads a module that frees memory twice when an embedded interpreter ends, SciPy's _uarray;
-    # an FMU on PythonFMU ends that of its importer
+    # imported late: it loads SciPy's _uarray, which frees memory twice when an embedded interpreter
+    # ends, as that of an FMU on PythonFMU does
     from scipy.optimize import minimize_scalar
 
     values = _quantities(inverse, times)
@@ -233,6 +233,6 @@ def _unmet(
     unit = UNITS[min(worst // 3, 3)]
     return InfeasibleError(
         f"{_name(worst)} needs {value:.6g} {unit} at {float(moments[worst]):.3f} s, the bound is "
-        f"{bound:.6g} {unit}; {reason}; raise the bound or slow the waypoints down",
+        f"{bound:.6g} {unit}; {reason}; raise the bound or lower the waypoints' velocities",
         limit=_name(worst), value=value, bound=bound, time=float(moments[worst]),
     )

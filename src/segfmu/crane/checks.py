@@ -1,4 +1,4 @@
-"""Checks of numbers that users give."""
+"""Checks of the user's numbers."""
 
 from __future__ import annotations
 

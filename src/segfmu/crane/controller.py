@@ -1,4 +1,4 @@
-"""What the plant needs of a controller."""
+"""The interface between plant and controller."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class Controller(Protocol):
 
         It is added to the force setpoints [N]; in velocity mode it is an acceleration [m/s2],
         whose integral is added to the velocity setpoints. The plant calls this at every tick, also
-        while the correction is not used, so that an observer inside goes on.
+        while the correction is switched off, so that an observer inside keeps running.
 
         Parameters
         ----------
@@ -32,5 +32,5 @@ class Controller(Protocol):
         reference : ndarray, shape (10,)
             Reference state.
         feedforward : ndarray, shape (3,)
-            What the correction is added to: force setpoints, or slopes of the velocity setpoints.
+            Force setpoints, or slopes of the velocity setpoints; the correction is added to them.
         """

@@ -1,4 +1,4 @@
-"""What happens to a crane from outside: wind on the load, payload changes."""
+"""Disturbances of a crane: wind on the load, payload changes."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class Gust:
     force : tuple of 3 float
         Peak along x, y, z [N].
     shape : {"cosine", "sine"}
-        1 - cosine, (1 - cos(2 pi s)) / 2, or half a sine, sin(pi s), of the share s of the time.
+        1 - cosine, (1 - cos(2 pi s)) / 2, or half a sine, sin(pi s); s is time over duration.
     """
 
     start: float
@@ -58,7 +58,7 @@ class Gust:
 
 @dataclass(frozen=True)
 class Wind:
-    """Force of the wind on the load, a function of time alone.
+    """Force of the wind on the load, a function of time only.
 
     Parameters
     ----------
@@ -68,9 +68,9 @@ class Wind:
     deviation : tuple of 3 float
         Standard deviations of the noise [N].
     bandwidth : float
-        Frequency [Hz] up to which the noise has a flat spectrum, and above which it has none.
+        The spectrum of the noise is flat up to this frequency [Hz] and zero above it.
     seed : int
-        Of the noise; the same seed gives the same wind, whatever the steps are.
+        Of the noise; the same seed gives the same wind with any step.
     """
 
     constant: Vector = (0.0, 0.0, 0.0)
@@ -107,7 +107,7 @@ class Wind:
 
 @dataclass(frozen=True)
 class PayloadChange:
-    """The load's mass becomes `mass` [kg] at `time` [s]; what joins has the load's velocity."""
+    """The load's mass becomes `mass` [kg] at `time` [s]; added mass has the load's velocity."""
 
     time: float
     mass: float

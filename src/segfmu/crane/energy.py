@@ -11,7 +11,7 @@ from segfmu.kernels import backend
 
 @dataclass(frozen=True)
 class EnergyBalance:
-    """Energies [J]; those beside kinetic and potential since the start.
+    """Energies [J]; all but kinetic and potential count from the start.
 
     kinetic + potential = initial + drives + wind + payload - dissipated
 
@@ -24,9 +24,9 @@ class EnergyBalance:
     drives, wind : float
         Work of drives and of wind.
     payload : float
-        Energy that payload changes brought (pick) or took (drop).
+        Energy added (pick) or removed (drop) by payload changes.
     dissipated : float
-        By friction and by the damping of the sway.
+        By friction and sway damping.
     """
 
     kinetic: float
@@ -39,5 +39,5 @@ class EnergyBalance:
 
     @property
     def imbalance(self) -> float:
-        """What the balance misses by integration and rounding [J]."""
+        """Error of the balance by integration and rounding [J]."""
         return float(backend.rig_imbalance(np.array(astuple(self))))

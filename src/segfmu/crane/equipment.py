@@ -1,4 +1,4 @@
-"""What a real crane's mechanics add: drives with lag and bounds, friction, end stops."""
+"""Mechanics of a real crane: drives with lag and bounds, friction, end stops."""
 
 from __future__ import annotations
 
@@ -22,15 +22,15 @@ class Drive:
     """Drive of one axis.
 
     In force mode it applies its force setpoint, up to `force_max`. In velocity mode it is the
-    frequency converter of section 4.4: lag v' = v* - v, where |v'| stays within
-    `acceleration_max`; the force is what that takes. Where it would take more than `force_max`,
-    the drive applies `force_max` and its velocity falls behind.
+    frequency converter of section 4.4: lag v' = v* - v, with |v'| at most `acceleration_max`, and
+    its force follows from this motion. If that force exceeds `force_max`, the drive applies
+    `force_max` and its velocity falls behind.
 
     Parameters
     ----------
     lag : float
-        Time constant of the velocity loop [s]; 0: none, the setpoint is followed exactly, and
-        after a time at a bound within the step that follows.
+        Time constant of the velocity loop [s]. With 0 the velocity equals the setpoint; after
+        saturation it reaches it within the next step.
     force_max : float, optional
         Largest force in either direction [N].
     acceleration_max : float, optional
@@ -39,7 +39,7 @@ class Drive:
     Raises
     ------
     InputError
-        For a negative lag and bounds that are not positive.
+        For a negative lag and for bounds that are not positive.
     """
 
     lag: float = 0.0
@@ -70,7 +70,7 @@ class Friction:
     Raises
     ------
     InputError
-        For negative coefficients and a width that is not positive.
+        For negative coefficients and for a width that is not positive.
     """
 
     viscous: tuple[float, float, float] = (0.0, 0.0, 0.0)
@@ -91,17 +91,17 @@ class Friction:
 class TravelLimits:
     """End stops [m]: least and greatest position of bridge and trolley, and length of the rope.
 
-    A crane that reaches one ends the simulation with an error; it never passes silently.
+    Reaching one ends the simulation with an error.
 
     Parameters
     ----------
     bridge, trolley, rope : tuple of 2 float, optional
-        None where there is no limit.
+        None for no end stop.
 
     Raises
     ------
     InputError
-        For a range that is empty.
+        For an empty range.
     """
 
     bridge: tuple[float, float] | None = None

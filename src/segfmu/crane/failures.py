@@ -1,4 +1,4 @@
-"""What the statuses of the kernels mean, in words."""
+"""Messages for the statuses of the plant."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from segfmu.planning.arrays import FloatArray
 
 
 def failure(status: int, time: float, state: FloatArray, parameters: FloatArray) -> str:
-    """One line for a status other than 0; state and parameters are those of the kernel."""
+    """One line for a status other than 0, from the kernel's state and parameters."""
     fault = np.zeros(PlantFault.SIZE)
     kind = backend.plant_failure(status, time, state, parameters, fault)
     text: str = PLANT.text(kind, fault.tolist())

@@ -1,9 +1,9 @@
 """Sway feedback Delta u = -K(l) (x - x*) of section 4.4: sampled LQR, scheduled.
 
-The schedule is over rope length and, in force mode, payload; with velocity drives the payload has
-no effect on the motion. Each design is discretised with a zero-order hold over the period.
-The weights are those of the crane made dimensionless with the rope length l and the pendulum's
-frequency sqrt(g / l), so that one set of weights suits every crane.
+Gains are scheduled by rope length and, in force mode, by payload; with velocity drives the payload
+has no effect on the motion. Each design is discretised with a zero-order hold over the period. The
+weights apply to the crane made dimensionless with the rope length l and the pendulum's frequency
+sqrt(g / l), so that one set of weights suits every crane.
 """
 
 from __future__ import annotations
@@ -27,10 +27,10 @@ from segfmu.errors import InputError
 from segfmu.kernels.control.records import Gains
 from segfmu.planning.arrays import FloatArray, finite_vector
 
-# effort that counts as one, over the moved weight
+# unit of the effort, as a multiple of the moved weight
 EFFORT = 3.0
 
-# weights without which a gain does not exist, or nothing holds its place
+# these weights must be positive: without them no gain exists, or nothing holds the position
 NEEDED = ("position", "effort", "rope")
 
 
@@ -38,8 +38,8 @@ NEEDED = ("position", "effort", "rope")
 class Weights:
     """Weights of the dimensionless design: carriage position, sway, their rates, and effort.
 
-    `rope` is that of the rope's length; 9 gives the hoist, which does not wait for the pendulum,
-    a bandwidth of three times the pendulum's frequency.
+    `rope` weights the rope's length; 9 gives the hoist a bandwidth of three times the pendulum's
+    frequency, which does not limit it.
     """
 
     position: float = 1.0
@@ -70,9 +70,9 @@ class SwayFeedback:
         From the state error to the corrections of the three forces [N], or in velocity mode of
         the three accelerations [m/s2].
     payload : float
-        That the gains are for [kg].
+        Design payload [kg].
     table : ndarray, shape (rows, 4, 10)
-        Lengths and gains as the kernels take them, a `Gains` a row.
+        Lengths and gains for the kernels, one `Gains` per row.
     """
 
     sample_time: float
@@ -105,8 +105,8 @@ def gain(
         riccati = solve_discrete_are(ad, bd, state_cost, effort)
     except (np.linalg.LinAlgError, ValueError) as error:
         raise InputError(
-            f"no gain at a rope of {length:.6g} m for {weights}: {error}; raise the weights of "
-            "angle and rate"
+            f"no gain at a rope of {length:.6g} m exists for {weights}: {error}; raise the weights "
+            "of angle and rate"
         ) from None
     found: FloatArray = np.linalg.solve(
         effort + bd.T @ riccati @ bd, bd.T @ riccati @ ad
@@ -147,14 +147,14 @@ class PayloadSchedule:
     payloads : ndarray, shape (payloads,)
         [kg], ascending.
     tables : tuple of SwayFeedback
-        One a payload, over the same rope lengths.
+        One per payload, over the same rope lengths.
     """
 
     payloads: FloatArray
     tables: tuple[SwayFeedback, ...]
 
     def at(self, payload: float) -> SwayFeedback:
-        """Gains for a payload [kg]: linear between the tables', constant outside."""
+        """Gains for a payload [kg]: linear between the tables, constant outside."""
         last = self.payloads.size - 1
         place = float(np.interp(payload, self.payloads, np.arange(last + 1.0)))
         row = min(int(place), max(last - 1, 0))
@@ -175,7 +175,7 @@ def design_schedule(
     weights: Weights | None = None,
     driven: bool = False,
 ) -> PayloadSchedule:
-    """Design gain tables for payloads [kg], ascending, which replace the crane's.
+    """Design gain tables for ascending payloads [kg] in place of the crane's.
 
     Raises
     ------

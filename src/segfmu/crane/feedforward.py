@@ -1,9 +1,9 @@
-"""Feedforward compensation of what is known of the drives: their lag, and friction.
+"""Feedforward compensation of known drive lag and friction.
 
-The flat inverse is that of the ideal crane. A drive of first order with lag T follows a velocity
-v exactly under the setpoint v + T v'; the acceleration v' of bridge, trolley and rope is one of
-the inverse's results, since it uses the plan's fourth derivative. Friction is added to the forces
-that the inverse finds, the rope's acceleration is in them.
+The flat inverse is that of the ideal crane. A first-order drive with lag T follows a velocity v
+exactly if its setpoint is v + T v'. The inverse gives the accelerations v' of bridge, trolley and
+rope, because it uses the plan's fourth derivative. Friction is added to the inverse's forces, which
+already include the rope's acceleration.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ Three = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class Compensation:
-    """What is known of the drives of bridge, trolley and hoist.
+    """Known lag and friction of the drives of bridge, trolley and hoist.
 
     Parameters
     ----------
@@ -38,7 +38,7 @@ class Compensation:
     Raises
     ------
     InputError
-        For negative values and a width that is not positive.
+        For negative values and for a width that is not positive.
     """
 
     lag: Three = (0.0, 0.0, 0.0)
@@ -77,7 +77,7 @@ class Compensation:
 
 
 class Feedforward:
-    """Setpoints of a planned motion for a crane whose drives are not ideal.
+    """Setpoints of a planned motion for a crane with real drives.
 
     Parameters
     ----------

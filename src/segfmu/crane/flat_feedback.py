@@ -1,12 +1,12 @@
 """Feedback with closed-form gains: poles of the flat output's error by bandwidth and damping.
 
 About rest the load's position is a chain of four integrators behind each horizontal drive, and the
-rope's length one of two behind the hoist. `feedback_gains` gives each error the
-poles chosen here; no Riccati equation is solved, so the same table can be made anywhere.
+rope's length a chain of two behind the hoist. `feedback_gains` places the poles of each error. No
+Riccati equation is solved, so every platform computes the same table.
 
-The design is in continuous time and knows no lag. Both delay the loop, which leaves the poles in
-place as long as the bandwidth times the delay is small: the bandwidth is a ratio to the pendulum's
-frequency sqrt(g / l), and held below LARGEST radians in a sample and a lag where the rope is short.
+The design is in continuous time and ignores lag. Sampling and lag delay the loop, but the poles
+stay in place if bandwidth times delay is small. So the bandwidth is a ratio to the pendulum's
+frequency sqrt(g / l), and its product with the sum of period and lag is at most LARGEST.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ RATIO = 1.1
 HOIST_RATIO = 3.0
 DAMPING = 1.0
 
-# radians in a sample and a lag
+# bandwidth times the sum of period and lag [rad]
 LARGEST, HOIST_LARGEST = largest_angle(), largest_hoist_angle()
 
 
@@ -74,18 +74,18 @@ def design_flat(
     ratio : float
         Bandwidth over the pendulum's frequency sqrt(g / l).
     hoist_ratio : float
-        That of the hoist, which does not wait for the pendulum.
+        The same for the hoist, which the pendulum does not limit.
     damping : float
         Of all poles.
     lag : float
-        Largest lag of velocity drives [s], which bounds the bandwidths.
+        Largest lag of velocity drives [s]; it limits the bandwidths.
     driven : bool
-        Corrections are accelerations, else forces.
+        True: corrections are accelerations; False: forces.
 
     Raises
     ------
     InputError
-        For values that are not positive, and a negative lag.
+        For values that are not positive and for a negative lag.
     """
     require_positive("sample_time", sample_time)
     require_positive("feedback ratio", ratio)

@@ -1,10 +1,10 @@
 """The flat inverse (7) of the crane: the load's position determines everything (E7, E8).
 
-This is its only statement. From it codegen writes the inverse itself (kernels/crane/_crane.py), its
+It is stated only here. From it codegen writes the inverse itself (kernels/crane/_crane.py), its
 time derivatives of any order (_series.py) and the demands on the rope (_rope.py).
 
-With w = p'' + g e_z the rope pulls along w: F_l = -m_p |w|, the unit vector from trolley to load
-is -w / |w|, and the trolley lies where the rope meets its height, z = 0. Rates and accelerations
+With w = p'' + g e_z the rope pulls along w: F_l = -m_p |w|. The unit vector from trolley to load is
+-w / |w|, and the trolley is where the line of the rope reaches z = 0. Rates and accelerations
 follow by total differentiation, which needs p up to its fourth derivative in all three axes.
 """
 
@@ -44,7 +44,7 @@ def pull_size(w: sp.Matrix) -> sp.Expr:
 
 
 def rope_length(load: sp.Matrix, w: sp.Matrix) -> sp.Expr:
-    """Length of the rope [m] from the load's position and w."""
+    """Rope length [m] from the load's position and w."""
     return -load[2] * pull_size(w) / w[2]
 
 
@@ -66,7 +66,7 @@ def forces(
 ) -> sp.Matrix:
     """Drive forces F_x, F_y, F_l [N], shape (3, 1).
 
-    acceleration is that of the coordinates, and masses are those of bridge, trolley and payload.
+    `acceleration` is that of the coordinates; `masses` are those of bridge, trolley and payload.
     """
     bridge_mass, trolley_mass, payload_mass = masses
     return sp.Matrix(

@@ -15,7 +15,7 @@ from segfmu.planning.arrays import FloatArray
 
 ORDERS = 5
 
-# of what `FlatInverse.evaluate` gives; ANGLE: both sway angles
+# columns of `FlatInverse.evaluate`; ANGLE: both sway angles
 FORCE = slice(Results.FORCE, Results.STATE)
 STATE = slice(Results.STATE, Results.ACCELERATION)
 ANGLE = slice(Results.STATE + State.ANGLE, Results.STATE + State.VELOCITY)
@@ -38,8 +38,8 @@ class FlatInverse:
     InputError
         For a trajectory without exactly three axes.
     InfeasibleError
-        When the load reaches the trolley's height, the rope goes slack or leaves its range;
-        the error has the time.
+        If the load reaches the trolley's height, or the rope goes slack or leaves its range; the
+        error gives the time.
     """
 
     def __init__(self, crane: Crane, trajectory: LoadTrajectory) -> None:

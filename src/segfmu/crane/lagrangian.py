@@ -2,7 +2,7 @@
 
 Coordinates q = (x_t, y_t, l, phi_x, phi_y). The bridge moves in x and carries the trolley, which
 moves in y (E6). F_l is the generalised force that lengthens the rope; tension is negative (E8).
-Beside the drive forces, every coordinate has a generalised force, and the load one in space.
+Besides the drive forces, every coordinate has a generalised force, and a force acts on the load.
 """
 
 from __future__ import annotations
@@ -80,7 +80,7 @@ def residual(s: Symbols, acceleration: sp.Matrix) -> sp.Matrix:
 
 
 def is_solution(s: Symbols, acceleration: sp.Matrix) -> bool:
-    """Whether accelerations satisfy (20), in exact arithmetic at a point in general position."""
+    """Whether accelerations satisfy (20), checked in exact arithmetic at a generic point."""
     phi_x, phi_y = s.q[3], s.q[4]
     angles = {
         sp.sin(phi_x): sp.Rational(3, 5), sp.cos(phi_x): sp.Rational(4, 5),
@@ -95,8 +95,8 @@ def is_solution(s: Symbols, acceleration: sp.Matrix) -> bool:
 def _suspension(s: Symbols) -> tuple[sp.Matrix, sp.Matrix, sp.Matrix]:
     """Columns d p / d (l, phi_x, phi_y), their Gram matrix, and the velocity-dependent part of p''.
 
-    The columns are orthogonal, so the Gram matrix is diagonal: this is what makes the equations
-    solvable for the accelerations without inverting the mass matrix.
+    The columns are orthogonal, so the Gram matrix is diagonal. Therefore the equations can be
+    solved for the accelerations without inverting the mass matrix.
     """
     jacobian = load_position(s.q).jacobian(s.q)
     columns = jacobian[:, 2:]
@@ -113,8 +113,8 @@ def _gravity(s: Symbols) -> sp.Matrix:
 def accelerations(s: Symbols) -> sp.Matrix:
     """Solve (20) for the second derivatives of q, shape (5, 1).
 
-    The last three equations do not contain the carriage's inertia and give the load's
-    acceleration; the first two then give the carriage's.
+    The last three equations do not contain the carriage's inertia; they give the load's
+    acceleration. The first two then give the carriage's.
     """
     columns, gram, coriolis = _suspension(s)
     rope = columns * gram.inv() * s.force[2:, :]
@@ -133,8 +133,8 @@ def accelerations(s: Symbols) -> sp.Matrix:
 def driven_accelerations(s: Symbols, carriage: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix]:
     """Motion with prescribed accelerations of bridge, trolley and rope.
 
-    Returns the five accelerations and the drive forces that the prescription needs; the sway
-    torques s.force[3:] and the force on the load still act freely.
+    Returns the five accelerations and the drive forces for the prescribed motion; the sway torques
+    s.force[3:] and the force on the load still act.
     """
     columns, gram, coriolis = _suspension(s)
     moved = sp.Matrix([carriage[0], carriage[1], 0]) + columns[:, 0] * carriage[2] + coriolis

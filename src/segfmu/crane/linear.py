@@ -1,7 +1,7 @@
 """The crane linearised about the load hanging at rest, and sampled.
 
-It decouples into bridge with phi_x, trolley with phi_y, and hoist. Where an axis stands alone its
-sway angle is counted such that the load is at position + l * angle.
+It decouples into bridge with phi_x, trolley with phi_y, and hoist. In the equations of one axis,
+the sign of the sway angle is such that the load is at position + l * angle.
 """
 
 from __future__ import annotations
@@ -20,14 +20,14 @@ from segfmu.planning.arrays import FloatArray
 
 Masses = tuple[float, float, float, float]
 
-# of phi_x and phi_y in the load's position
+# signs of phi_x and phi_y in the load's position
 SIGNS = (1.0, -1.0)
 
 ROWS = 17
 
 
 def moved_masses(masses: Masses) -> FloatArray:
-    """Masses that the drives of bridge, trolley and hoist move [kg]; masses as `Crane.masses`."""
+    """Masses [kg] moved by the drives of bridge, trolley and hoist, from `Crane.masses`."""
     bridge, trolley, payload, _ = masses
     return np.array([bridge + trolley, trolley, payload])
 
@@ -42,7 +42,7 @@ def linearised(crane: Crane, length: float, driven: bool) -> tuple[FloatArray, F
 
 
 def matrices(masses: Masses, length: float, driven: bool) -> tuple[FloatArray, FloatArray]:
-    """`linearised` for masses that no `Crane` has; a load of 0 kg has no hoist to speak of."""
+    """`linearised` for any masses; with a load of 0 kg the hoist's equation is meaningless."""
     payload, gravity = masses[2:]
     moved = moved_masses(masses)
     a = np.zeros((State.SIZE, State.SIZE))
@@ -78,16 +78,16 @@ def sampled(a: FloatArray, b: FloatArray, sample_time: float) -> tuple[FloatArra
 def lagged(
     a: FloatArray, b: FloatArray, lag: FloatArray, driven: bool
 ) -> tuple[FloatArray, FloatArray]:
-    """A (13, 13) and B (13, 3) with velocity commands as further states.
+    """A (13, 13) and B (13, 3) with velocity commands as additional states.
 
-    A command's rate is the acceleration asked for; the drive follows it with its lag [s], (3,):
+    The input is the rate of the command; the drive follows the command with its lag [s], (3,):
     v' = (command - v) / lag. Without lag, or in force mode, a command has no effect and stays 0.
     """
     own, size = State.SIZE, State.SIZE + Axes.SIZE
     extended, inputs = np.zeros((size, size)), np.zeros((size, Axes.SIZE))
     extended[:own, :own], inputs[:own] = a, b
     for axis in np.flatnonzero(np.asarray(lag) > 0.0) if driven else ():
-        # what the carriage's acceleration did, the drive's now does
+        # the drive's acceleration takes the place of the carriage's
         extended[:own, own + axis] = b[:, axis] / lag[axis]
         extended[:own, State.VELOCITY + axis] -= b[:, axis] / lag[axis]
         inputs[:own, axis] = 0.0

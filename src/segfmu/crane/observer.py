@@ -1,13 +1,13 @@
 """Observer: velocities, rates and unknown disturbances from measured positions and angles.
 
 A steady-state Kalman filter for each axis of the crane linearised about rest, in deviations from
-the reference, scheduled by rope length. Beside the axis' own states it has two random walks: an
-acceleration that acts on the carriage or rope (friction, wrong masses), and one that acts on the
-load (wind). As many disturbances as measured signals make the control free of offset (U. Maeder,
-F. Borrelli, M. Morari, Linear offset-free model predictive control, Automatica 45 (2009)).
+the reference, scheduled by rope length. Besides the states of the axis it has two random walks: an
+acceleration of the carriage or rope (friction, wrong masses), and one of the load (wind). With as
+many disturbances as measured signals the control is free of offset (U. Maeder, F. Borrelli,
+M. Morari, Linear offset-free model predictive control, Automatica 45 (2009)).
 
-The design is kernels/control/kalman.py, so that native FMUs have it too; the run-time update is
-kernels/control/observer.py.
+kernels/control/kalman.py designs it, also in native FMUs; kernels/control/observer.py updates it at
+run time.
 """
 
 from __future__ import annotations
@@ -30,29 +30,29 @@ from segfmu.kernels.messages import SETUP
 from segfmu.kernels.rig.records import SetupFault, SetupStatus
 from segfmu.planning.arrays import FloatArray
 
-# of the design's work space
+# shape of the design's work space
 WORK_COLUMNS = 2 * AxisModel.SIZE
 
 
 @dataclass(frozen=True)
 class Uncertainty:
-    """What the observer expects.
+    """Assumed uncertainty of sensors and disturbances.
 
     Parameters
     ----------
     position, length, angle : float
         Quantisation steps of the carriages' positions [m], the rope's length [m] and the sway
-        angles [rad]; their errors are taken as evenly distributed, hence step^2 / 12.
+        angles [rad]; errors are assumed uniformly distributed, with variance step^2 / 12.
     drift, wind : float
-        Random walks of the disturbances, of carriages and rope, and of the load: standard
-        deviation after one second, as a multiple of gravity. More makes the observer faster and
+        Random walks of the disturbances of carriages and rope, and of the load: standard deviation
+        after one second, as a multiple of gravity. Larger values make the observer faster and
         noisier.
     wake : float
-        A controller acts from the first time on at which a signal is further from its reference
-        than this many of the steps: less may be rounding, and is left alone. 0: from the start.
+        The controller starts to act when a signal first deviates from its reference by more than
+        this many quantisation steps; smaller deviations may be rounding. 0: from the start.
     offset : float
-        Standard deviation of the zero of the rope's sensor, as a share of the rope's length: how
-        far a controller may correct that length by how the load swings. 0: not at all.
+        Standard deviation of the rope sensor's zero, as a share of the rope's length; it limits how
+        far the controller corrects the measured length. 0: no correction.
 
     Raises
     ------
@@ -139,7 +139,7 @@ def design_observer(
     shortest, longest : float
         Rope lengths [m].
     driven : bool
-        Velocity drives: corrections are accelerations, else forces.
+        True: velocity drives, corrections are accelerations; False: forces.
     lag : tuple of 3 float
         Lags of the velocity drives [s].
     delayed : bool
@@ -149,8 +149,8 @@ def design_observer(
     Raises
     ------
     InputError
-        For a period or rope lengths that are not positive, negative lags, and numbers so large or
-        small that no finite gains come out.
+        For a period or rope lengths that are not positive, for negative lags, and for numbers so
+        large or small that the gains are not finite.
     """
     require_positive("sample_time", sample_time)
     lags = sized("lag", lag, 3)
@@ -160,7 +160,7 @@ def design_observer(
     expected = uncertainty or Uncertainty()
     table = np.zeros((lengths.size, Table.SIZE, Table.COLUMNS))
     work = np.zeros((Kalman.SIZE, WORK_COLUMNS))
-    # what overflows is told below, by interpreted kernels as by compiled ones
+    # overflow is reported below, for interpreted and compiled kernels alike
     with np.errstate(all="ignore"):
         finite = backend.observer_table(
             crane.plant(driven, lags), sample_time, expected.vector, lengths.size, lengths,

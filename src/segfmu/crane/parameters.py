@@ -1,4 +1,4 @@
-"""The crane as its users describe it."""
+"""The parameters of the crane."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ from segfmu.planning.arrays import FloatArray
 class Crane:
     """Masses, gravity and rope range of a 3-DOF gantry crane (Fig. 5).
 
-    The bridge moves in x and carries the trolley, which moves in y (errata E6): the mass that
-    moves in x is bridge_mass + trolley_mass, in y trolley_mass.
+    The bridge moves in x and carries the trolley, which moves in y (errata E6). The mass moved in
+    x is bridge_mass + trolley_mass, in y it is trolley_mass.
 
     Parameters
     ----------
@@ -31,7 +31,7 @@ class Crane:
     gravity : float
         [m/s2], positive.
     rope_min, rope_max : float, optional
-        Range of the rope length [m]; None where there is no bound.
+        Range of the rope length [m]; None for no bound.
 
     Raises
     ------
@@ -77,7 +77,7 @@ class Crane:
         return packed
 
     def values(self) -> dict[str, float]:
-        """As the FMUs' variables; a rope bound of 0 means none."""
+        """As FMU variables; a rope bound of 0 means none."""
         return values(self, CRANE)
 
     @classmethod

@@ -1,9 +1,9 @@
-"""The controlled crane as a stepping object: controller, drives, dynamics, sensors.
+"""Step-by-step simulation of the controlled crane: controller, drives, dynamics, sensors.
 
-One class serves the pure Python simulation and the FMU. Setpoints and references are given at
-the end of each step and taken as linear in time since the end of the step before. The integration
-stops exactly at the ticks of controller and sensors, at payload changes and at the ends of a gust,
-so that nothing depends on the steps. All of it is kernels/rig/rig.py; here are its arrays.
+One class serves the Python simulation and the FMU on PythonFMU. Setpoints and references are given
+for the end of each step; within a step they are linear in time. The integration stops exactly at
+the ticks of controller and sensors, at payload changes and at the ends of a gust, so the result
+does not depend on the step. The computation is in kernels/rig/rig.py; this class holds its arrays.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ from segfmu.planning.arrays import FloatArray
 
 TOLERANCE = 1e-10
 
-# in place of the tables and of the memory that a controller does not have
+# stands for tables and memory of a controller without them
 NO_OBSERVER = np.zeros((1, Observer.SIZE, Observer.COLUMNS))
 NO_GAINS = np.zeros((1, Gains.SIZE, Gains.COLUMNS))
 NO_TRACKER = np.zeros((Tracker.SIZE, Tracker.COLUMNS))
@@ -71,17 +71,16 @@ class Plant:
     enabled : bool
         Whether the correction acts; may be changed between steps.
     fade : float
-        Time constant [s] with which such a change, or other gains, fade in; 0 lets the correction
-        jump.
+        Time constant [s] of a change of `enabled` or of gains; with 0 the correction jumps.
     rig : Rig, optional
-        What is not ideal; everything is by default.
+        Real equipment and disturbances; ideal by default.
     start_time : float
         [s]
 
     Raises
     ------
     InputError
-        For a controller's sample time that is not positive and a negative fade.
+        If the controller's sample time is not positive or the fade is negative.
     """
 
     def __init__(
@@ -138,18 +137,18 @@ class Plant:
         self._loop[Loop.FADE] = value
 
     def retune(self, feedback: SwayFeedback) -> None:
-        """Go on with other gains on the true state.
+        """Replace the gains on the true state.
 
         Raises
         ------
         InputError
-            For another period, and where another controller corrects.
+            For another period, and if the controller is not a SwayFeedback.
         """
         own = self._controller
         if not isinstance(own, SwayFeedback) or own.sample_time != feedback.sample_time:
             raise InputError(
-                "retune replaces gains on the true state by gains of the same period, got "
-                f"{feedback.sample_time} s and {own.sample_time} s of {type(own).__name__}"
+                "retune needs a SwayFeedback controller and gains of its sample_time; got gains of "
+                f"{feedback.sample_time} s, the {type(own).__name__} has {own.sample_time} s"
             )
         self._controller = feedback
         correction = self._memory[Memory.CORRECTION]
@@ -190,7 +189,7 @@ class Plant:
 
     @property
     def rope_force(self) -> float:
-        """Force on the rope [N], tension is negative."""
+        """Force on the rope [N]; tension is negative."""
         return float(self._memory[Memory.REPORT, Report.ROPE_FORCE])
 
     @property
@@ -200,7 +199,7 @@ class Plant:
 
     @property
     def friction_power(self) -> float:
-        """Power that friction dissipates [W]."""
+        """Power dissipated by friction [W]."""
         return float(self._memory[Memory.REPORT, Report.FRICTION_POWER])
 
     @property
@@ -242,7 +241,7 @@ class Plant:
         return EnergyBalance(*values.tolist())
 
     def outputs(self, target: FloatArray) -> FloatArray:
-        """The kernels' `Outputs`; target: where the load shall be (3,) [m]."""
+        """The kernels' `Outputs`; target: reference position of the load (3,) [m]."""
         found = np.zeros(Outputs.SIZE)
         backend.rig_outputs(target, self._memory, np.zeros(Balance.SIZE), found)
         return found
@@ -253,8 +252,8 @@ class Plant:
         Raises
         ------
         SimulationError
-            When the crane reaches an end stop or leaves the range of its equations; names what
-            happened and when. The plant stays at the last state before.
+            If the crane reaches an end stop or leaves the range of its equations; the message says
+            what happened and when. The plant keeps the last valid state.
         """
         table, gains, tracker = self._tables()
         vector = setpoints.vector
@@ -275,7 +274,7 @@ class Plant:
             )
 
     def _sample(self) -> None:
-        """Ask a controller that is no kernel for its correction."""
+        """Get the correction of a controller written in Python."""
         memory = self._memory
         assert not isinstance(self._controller, SwayFeedback)
         value = self._controller.sample(
@@ -288,13 +287,13 @@ class Plant:
         backend.switch_correction(self._settings, memory)
 
     def _report(self, place: int) -> FloatArray:
-        """A triple of what the kernel reports; a copy."""
+        """A triple of the kernel's report; a copy."""
         return self._memory[Memory.REPORT, place : place + Axes.SIZE].copy()
 
     def _tables(self) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """The observer's table, gains and the tracking controller's memory; or empty ones.
+        """The observer's table, the gains and the tracking controller's memory, or empty arrays.
 
-        The parameters of a tracking controller, which may have changed, become those of the rig.
+        Also copies the parameters of a tracking controller to the rig, as they may have changed.
         """
         own = self._controller
         if type(own) is TrackingController:
@@ -306,7 +305,7 @@ class Plant:
 
 
 def _corrector(controller: Controller | SwayFeedback) -> int:
-    """Which of the kernel's controllers this one is; what a class derives may be anything."""
+    """The kernel's code for this controller; a subclass counts as the caller's own."""
     if isinstance(controller, SwayFeedback):
         return Corrector.STATE
     return Corrector.TRACKING if type(controller) is TrackingController else Corrector.CALLER

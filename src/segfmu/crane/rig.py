@@ -1,4 +1,4 @@
-"""All that separates a real crane from the ideal one, each part by itself; none by default."""
+"""Equipment and disturbances of a real crane; by default it is ideal."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """Refusal of trajectories along which the rope goes slack or leaves its range.
 
-The proof is kernels/crane/rope.py.
+kernels/crane/rope.py does the check.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from segfmu.planning.arrays import FloatArray
 
 
 class LoadTrajectory(Protocol):
-    """What the inverse needs of a trajectory of the load."""
+    """The interface of a load trajectory that the inverse needs."""
 
     @property
     def axes(self) -> int:
@@ -31,7 +31,7 @@ class LoadTrajectory(Protocol):
 
     @property
     def smoothness(self) -> int:
-        """How often it is continuously differentiable."""
+        """n: the trajectory is n times continuously differentiable."""
 
     def __call__(self, t: ArrayLike, derivative: int = 0) -> FloatArray:
         """Value of a derivative, shape (..., axes)."""
@@ -46,7 +46,7 @@ def require_rope(crane: Crane, trajectory: LoadTrajectory) -> None:
     Raises
     ------
     InfeasibleError
-        With the time from which on this fails, and the worst value after it.
+        With the first time of a violation, and the worst value after it.
     """
     pieces = [trajectory.pieces(axis) for axis in range(3)]
     timing = np.concatenate([np.column_stack(p[:2]) for p in pieces])

@@ -21,7 +21,7 @@ NONE: Five = (0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 def resolution(counts: float, travel: float = 2.0 * pi) -> float:
-    """Width of a step of an encoder with `counts` a revolution, which moves `travel` [m or rad].
+    """Quantisation step of an encoder with `counts` per revolution and `travel` [m or rad].
 
     Raises
     ------
@@ -35,27 +35,27 @@ def resolution(counts: float, travel: float = 2.0 * pi) -> float:
 
 @dataclass(frozen=True)
 class Sensors:
-    """What separates the measured signals from the state; five values each, [m] and [rad].
+    """Errors of the measured signals; five values each, [m] and [rad].
 
     Parameters
     ----------
     sample_time : float
         Period [s]; 0: continuous.
     dead_time : float
-        From sampling to availability [s]; until the first sample is there, it is used early.
+        From sampling to availability [s]; the first sample is available at once.
     resolution : tuple of 5 float
         Width of a quantisation step; 0: none.
     deviation : tuple of 5 float
         Standard deviation of the noise of every sample.
     offset : tuple of 5 float
-        Measured minus true value; the third one makes the rope seem longer than it is.
+        Measured minus true value.
     seed : int
         Of the noise.
 
     Raises
     ------
     InputError
-        For negative values, and noise or dead time without a sample time.
+        For negative values, and for noise or dead time without a sample time.
     """
 
     sample_time: float = 0.0

@@ -1,4 +1,4 @@
-"""What a crane follows."""
+"""Setpoints of a crane."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from segfmu.planning.arrays import FloatArray
 
 @dataclass(frozen=True, eq=False)
 class Setpoints:
-    """What the crane follows at one time.
+    """Setpoints, reference and wind at one time.
 
     Attributes
     ----------
@@ -21,7 +21,7 @@ class Setpoints:
     reference : ndarray, shape (10,)
         Reference state.
     wind : ndarray, shape (3,)
-        Force on the load [N] beside the wind of the rig, held over the step.
+        Force on the load [N] in addition to the rig's wind, held over the step.
     """
 
     force: FloatArray = field(default_factory=lambda: np.zeros(3))

@@ -1,9 +1,9 @@
 """Baselines to compare with: the trapezoidal velocity profile, and input shaping.
 
-An input shaper replaces a motion by a sum of delayed shares of it, such that a pendulum of known
-frequency and damping is at rest after the last share: ZV (N. C. Singer, W. P. Seering,
-Preshaping command inputs to reduce system vibration, J. Dyn. Sys. Meas. Control 112 (1990)), and
-ZVD, for which the residual's derivative by the frequency vanishes as well.
+An input shaper replaces a motion by a weighted sum of delayed copies, such that a pendulum of known
+frequency and damping is at rest after the last one: ZV (N. C. Singer, W. P. Seering, Preshaping
+command inputs to reduce system vibration, J. Dyn. Sys. Meas. Control 112 (1990)). For ZVD the
+residual's derivative with respect to the frequency is zero too.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ class Motion(Protocol):
 
     @property
     def duration(self) -> float:
-        """Time [s] from which on it rests."""
+        """Time [s] at which it comes to rest."""
 
     def __call__(self, t: ArrayLike, derivative: int = 0) -> FloatArray:
         """Position, velocity or acceleration at times t, the shape of t."""
@@ -83,7 +83,7 @@ class Trapezoid:
         for sign, edge in edges:
             since = np.clip(times - edge, 0.0, None)
             if derivative == 0:
-                # past the end nothing may be left of the rounding
+                # no rounding error may remain after the end
                 since = np.minimum(since, self.duration - edge)
                 value += sign * self._acceleration * since**2 / 2.0
             elif derivative == 1:
@@ -110,7 +110,7 @@ class Shaper:
     shares: FloatArray
 
     def residual(self, frequency: float, damping: float = 0.0) -> float:
-        """Residual oscillation of a pendulum [rad/s], as a share of that without the shaper."""
+        """Residual oscillation of a pendulum [rad/s], relative to that without shaper."""
         require_positive("frequency", frequency)
         decay = damping * frequency
         damped = frequency * sqrt(1.0 - damping**2)
@@ -124,7 +124,7 @@ def zv(frequency: float, damping: float = 0.0) -> Shaper:
     Raises
     ------
     InputError
-        For a frequency that is not positive and a damping outside 0 <= damping < 1.
+        For a frequency that is not positive and for a damping outside 0 <= damping < 1.
     """
     ratio, half = _decay(frequency, damping)
     return Shaper(np.array([0.0, half]), np.array([1.0, ratio]) / (1.0 + ratio))
@@ -138,7 +138,7 @@ def zvd(frequency: float, damping: float = 0.0) -> Shaper:
 
 
 def _decay(frequency: float, damping: float) -> tuple[float, float]:
-    """Decay over half an oscillation, and the time that it takes [s]."""
+    """Decay over half an oscillation, and its duration [s]."""
     require_positive("frequency", frequency)
     if not 0.0 <= damping < 1.0:
         raise InputError(f"damping must be a ratio from 0 to below 1, got {damping!r}")
@@ -147,7 +147,7 @@ def _decay(frequency: float, damping: float) -> tuple[float, float]:
 
 
 class Shaped:
-    """A motion behind a shaper.
+    """A shaped motion.
 
     Parameters
     ----------

@@ -1,8 +1,8 @@
 """Stability of the sampled closed loop: its largest eigenvalue over rope length and payload.
 
-The plant is the linearised crane with velocity drives of first order, sampled exactly. The
-controller is the one that runs: its transition is read from the kernel `track_setpoint` column by
-column, so observer, schedule, disturbance rejection and dead time are all in.
+The plant is the linearised crane with first-order velocity drives, sampled exactly. The transition
+of the controller is computed column by column by calling the kernel `track_setpoint`, so it
+includes observer, schedule, disturbance rejection and dead time.
 """
 
 from __future__ import annotations
@@ -29,10 +29,10 @@ from segfmu.kernels.crane.records import Axes, Coordinates, State
 from segfmu.kernels.records import field
 from segfmu.planning.arrays import FloatArray
 
-# of the nominal payload: what the hook weighs, which the hoist moves when there is no load
+# mass of the hook, which the hoist moves without load, as a share of the nominal payload
 HOOK = 0.05
 
-# deviations by which the controller is read [m], [rad] and their rates
+# deviation for the columns of the transition [m], [rad] and their rates
 PROBE = 1e-6
 
 
@@ -64,19 +64,19 @@ def largest_eigenvalue(
     Parameters
     ----------
     controller : TrackingController
-        Its observer has the nominal crane, the mode of the drives, and the dead time.
+        Its observer gives the nominal crane, the drive mode and the dead time.
     length : float
         Rope length [m].
     payload : float
-        True payload [kg], down to 0; a hoist with force drive moves at least HOOK of the nominal
-        one, as a rope with nothing on it is not a system.
+        True payload [kg], 0 or more; a hoist with force drive moves at least HOOK times the nominal
+        payload, because its equation needs a mass.
     lag : array_like, shape (3,)
         True lags of the velocity drives [s].
 
     Raises
     ------
     InputError
-        For a length that is not positive, a negative payload or lag.
+        For a length that is not positive, and for a negative payload or lag.
     """
     require_positive("length", length)
     require_not_negative("payload", payload)
@@ -87,7 +87,7 @@ def largest_eigenvalue(
     effect = observer.table[0, Table.BRIDGE :, AxisTable.COMMAND].reshape(3, Estimate.SIZE)
     commanded = (effect != 0.0).any(axis=1)
     if observer.driven:
-        # a command that the observer reckons with is a state, however fast the drive is
+        # a command that the observer uses is a state, even if the drive has no lag
         lags[commanded] = np.maximum(lags[commanded], 1e-3 * observer.sample_time)
     bridge, trolley, nominal, gravity = observer.crane.masses
     a, b = matrices((bridge, trolley, payload, gravity), length, observer.driven)
@@ -143,7 +143,7 @@ def _loop(
 def _respond(
     controller: TrackingController, start: FloatArray, rest: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """The states of `_loop` after a tick, but for the plant's own, and the correction."""
+    """The controller's states of `_loop` after a tick, and the correction."""
     observer, feedback = controller.observer, controller.feedback
     reference = rest[: State.SIZE].copy()
     true = start[: Coordinates.SIZE]

@@ -1,8 +1,7 @@
 """The tracking controller: from measured signals to corrections of the setpoints, sampled.
 
-Observer, scheduled feedback, rejection of the estimated disturbances (which is the integral
-action), limits without windup, and switching without a bump; the tick itself is the kernel
-`track_setpoint`.
+Observer, scheduled feedback, rejection of the estimated disturbances (the integral action), limits
+without windup, and bumpless switching. The kernel `track_setpoint` computes a tick.
 """
 
 from __future__ import annotations
@@ -46,10 +45,10 @@ REJECTED = slice(Tracking.REJECTED_DRIFT, Tracking.ENABLED)
 
 
 class TrackingController:
-    """Corrections (3,) that keep a crane at its reference, from measured signals alone.
+    """Corrections (3,) that keep a crane at its reference, from measured signals only.
 
-    The correction is a force [N] to add to the force setpoints or, where the observer is for
-    velocity drives, an acceleration [m/s2] whose integral is added to the velocity setpoints.
+    The correction is a force [N] to add to the force setpoints or, if the observer is for velocity
+    drives, an acceleration [m/s2] whose integral is added to the velocity setpoints.
 
     Parameters
     ----------
@@ -57,12 +56,12 @@ class TrackingController:
     feedback : SwayFeedback
         Gains, of the same period.
     rejection : tuple of 2 float
-        Shares, 0 to 1, of the estimated disturbance of carriages and rope, and of the load, that
-        are rejected. 1 leaves no lasting error of the load's position, 0 is the plain feedback.
+        Rejected shares, 0 to 1, of the estimated disturbances: of carriages and rope, and of the
+        load. 1 leaves no lasting error of the load's position, 0 is the plain feedback.
     lower, upper : array_like, shape (3,), optional
         Least and greatest setpoint, feedforward included [N] or [m/s2].
     fade : float
-        Time constant [s] of changes by switching; 0 lets the correction jump.
+        Time constant [s] of the transition after switching; with 0 the correction jumps.
     payload_time : float
         Time constant [s] of the payload's estimate, in force mode.
     enabled : bool
@@ -70,7 +69,7 @@ class TrackingController:
     Raises
     ------
     InputError
-        For periods that differ, shares outside 0 to 1, empty limits or a negative fade.
+        For different periods, shares outside 0 to 1, empty limits or a negative fade.
     """
 
     def __init__(
@@ -129,7 +128,7 @@ class TrackingController:
 
     @property
     def enabled(self) -> bool:
-        """Whether corrections are made; the observer always goes on."""
+        """Whether corrections act; the observer always runs."""
         return bool(self._parameters[Tracking.ENABLED])
 
     @enabled.setter
@@ -140,7 +139,7 @@ class TrackingController:
 
     @property
     def fade(self) -> float:
-        """Time constant [s] of changes by switching; may be changed while running."""
+        """Time constant [s] of the transition after switching; may be changed while running."""
         return float(self._parameters[Tracking.FADE])
 
     @fade.setter
@@ -167,7 +166,7 @@ class TrackingController:
 
     @property
     def rejection(self) -> tuple[float, float]:
-        """Shares of the disturbances that are rejected; may be changed while running."""
+        """Rejected shares of the disturbances; may be changed while running."""
         drift, wind = self._parameters[REJECTED].tolist()
         return drift, wind
 
@@ -203,7 +202,7 @@ class TrackingController:
 
     @property
     def offset(self) -> float:
-        """What is added to the measured length of the rope [m]."""
+        """Correction added to the measured rope length [m]."""
         offset = self._memory[Tracker.OFFSET + OffsetMemory.ESTIMATE, OffsetEstimate.USED]
         return float(offset)
 
@@ -215,10 +214,10 @@ class TrackingController:
         return found
 
     def reset(self, deviation: ArrayLike | None = None) -> None:
-        """Forget the past.
+        """Reset the memory.
 
-        Positions and angles start at the first measured ones, velocities and rates at those of a
-        deviation of the state, (10,), if it is given.
+        Positions and angles start at the first measured values, velocities and rates at those of
+        `deviation` (10,), the deviation of the state, if given.
         """
         self._memory[:] = 0.0
         if deviation is not None:
@@ -228,7 +227,7 @@ class TrackingController:
             estimate[:2, Estimate.RATE] = SIGNS * value[State.RATE : State.SIZE]
 
     def _switch(self) -> None:
-        """Tell the kernel that something was switched, so that the change fades in."""
+        """Mark a switch, so that the kernel lets the change fade in."""
         self._memory[Tracker.COMMAND, VelocityCommand.SWITCHED] = 1.0
 
     def sample(
@@ -245,13 +244,13 @@ class TrackingController:
         time : float
             [s]; ticks are a period apart.
         measured : ndarray, shape (5,)
-            Bridge, trolley, rope length and the two sway angles; one sample old if the observer
-            is for that.
+            Bridge, trolley, rope length and the two sway angles; one sample old if the observer is
+            designed for delayed signals.
         reference : ndarray, shape (10,)
             Reference state at this tick.
         feedforward : ndarray, shape (3,), optional
-            What the correction is added to, forces [N] or accelerations [m/s2]; it counts for the
-            limits alone.
+            Forces [N] or accelerations [m/s2] to which the correction is added; only the limits use
+            it.
         """
         tick = np.zeros((Tick.SIZE, Tick.COLUMNS))
         tick[Tick.SIGNALS, : Coordinates.SIZE] = measured

@@ -1,7 +1,7 @@
-"""Dataclasses from variables of an FMU and back: each field belongs to a field of a record.
+"""Conversion between dataclasses and FMU variables, by the fields of the kernels' records.
 
-The names of variables stand in the kernels' records alone. A class says once which of them its
-fields are, so the Python simulation and the slave on PythonFMU fill the same records.
+Only the records name the variables. A class declares once which of them its fields are, so the
+Python simulation and the slave on PythonFMU fill the same records.
 """
 
 from __future__ import annotations
@@ -21,14 +21,14 @@ Value = Callable[[str], Any]
 
 @dataclass(frozen=True)
 class Fed:
-    """What a field of a dataclass has of an FMU's variables.
+    """The FMU variables of a field of a dataclass.
 
     Attributes
     ----------
     variables : tuple of str
-        One a number of the field.
+        One per number of the field.
     none : tuple of float
-        Their values where the field is None; empty where it cannot be.
+        Their values if the field is None; empty if it cannot be None.
     items : tuple of str
         Of an enumeration, whose values count from 1.
     whole : bool

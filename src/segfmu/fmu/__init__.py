@@ -1,1 +1,1 @@
-"""FMUs: one folder a model, and what all of them share."""
+"""FMUs: one folder per model, and the code that all models share."""

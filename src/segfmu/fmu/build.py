@@ -1,4 +1,4 @@
-"""FMUs of any models by the backend that was chosen, and files for other tools."""
+"""Build FMUs with the chosen backend, and files for other tools."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def describe(
     folder: Path, archives: Sequence[Path], specs: Sequence[Spec] | None, title: str = "", *,
     modelica: bool = False, ssp: bool = False,
 ) -> list[Path]:
-    """Write what lets other tools load both native FMUs of FMI 2.0 as one system.
+    """Write the files with which other tools load both native FMUs of FMI 2.0 as one system.
 
     `specs` are interfaces with a mission's start values, `title` is its name.
 

@@ -29,7 +29,7 @@ class Choice:
 
 
 def require_native(choice: Choice, option: str) -> None:
-    """Refuse what files for other tools, which `option` asks for, cannot be written for.
+    """Refuse `option`, which asks for files for other tools, if the FMUs do not support it.
 
     Raises
     ------
@@ -42,7 +42,7 @@ def require_native(choice: Choice, option: str) -> None:
         )
     if not choice.native or choice.fmi != 2:
         raise InputError(
-            f"{option} needs native FMUs of FMI 2: leave out --fmi and --backend, and install a C "
+            f"{option} needs native FMUs of FMI 2: omit --fmi and --backend, and install a C "
             "compiler, or the extra segfmu[platforms]"
         )
 
@@ -53,13 +53,13 @@ def chosen(
 ) -> Choice:
     """The backend asked for, or Python where there is neither a binary nor a C compiler.
 
-    `platforms` has commas, or is all. Where it is empty, it is every platform whose binaries come
-    with the package, or else this machine's; not `everywhere`: this machine's.
+    `platforms` is a list with commas, or "all". If empty: all platforms whose binaries come with
+    the package, else this machine's; without `everywhere`: this machine's.
 
     Raises
     ------
     InputError
-        For choices that do not exist or do not fit together.
+        For choices that do not exist or exclude each other.
     """
     if fmi not in (2, 3):
         raise InputError(f"--fmi must be 2 or 3, got {fmi}")

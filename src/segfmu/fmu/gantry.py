@@ -1,4 +1,4 @@
-"""What both FMUs of the gantry crane have: parameters `crane.*`, and the bus that connects them."""
+"""Shared by both FMUs of the gantry crane: parameters `crane.*`, and the bus that connects them."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ SETPOINTS = Terminal(
 
 
 def crane_parameters(which: str) -> list[Variable]:
-    """`crane.*`, the same in both FMUs; `which` crane it is goes into the descriptions."""
+    """`crane.*`, the same in both FMUs; `which` names the crane in the descriptions."""
     masses = (
         ("bridge_mass", 2.2, "mass of the bridge, which moves in x together with the trolley"),
         ("trolley_mass", 1.155, "mass of the trolley, which moves in y on the bridge"),

@@ -1,4 +1,4 @@
-"""What makes a model: one declaration in its folder, from which everything else follows."""
+"""The declaration of a model, stated in its folder; everything else follows from it."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from segfmu.kernels.records import Record
 
 @dataclass(frozen=True)
 class Model:
-    """A model of which FMUs are built.
+    """A model from which FMUs are built.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""All models that FMUs can be built of. A further one is one more entry here."""
+"""The registered models. A further model is one more entry here."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ _registered: dict[str, Model] = {}
 
 
 def register(model: Model) -> None:
-    """Make a model known to builds of both backends.
+    """Register a model for both backends.
 
     Raises
     ------
     BuildError
-        For a name that another model has.
+        If another model has its name.
     """
     if _registered.setdefault(model.name, model) is not model:
         raise BuildError(f"there is a model {model.name} already; give this one another name")
@@ -33,7 +33,7 @@ def named(name: str) -> Model:
     Raises
     ------
     BuildError
-        Where there is none.
+        If there is none.
     """
     if name not in _registered:
         raise BuildError(f"model must be one of {', '.join(_registered)}, got {name!r}")

@@ -1,8 +1,8 @@
-"""The entry points of the kernels that other layers call: compiled, or else interpreted.
+"""The entry points of the kernels for other layers: compiled if possible, else interpreted.
 
-Both give the same numbers. The compiled ones exist where a C compiler was found when the package
-was installed; SEGFMU_INTERPRETED=1 in the environment turns them off. What is here is listed in
-entry_points.py, and typed in the generated backend.pyi.
+Both give the same numbers. The compiled ones exist if a C compiler was found when the package was
+installed; SEGFMU_INTERPRETED=1 in the environment turns them off. entry_points.py lists the entry
+points, the generated backend.pyi has their types.
 """
 
 import os

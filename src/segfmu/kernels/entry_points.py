@@ -2,9 +2,8 @@
 
 An extent is an integer, a name, or an expression of names. A name takes its value from the first
 dimension that has it; other dimensions of the same name must have the same extent. Integers,
-integer arguments and expressions are what a dimension has at least. The compiled
-extension checks them, so that an array that is too small raises IndexError, as the interpreted
-kernel does, and is not overrun.
+integer arguments and expressions are lower bounds. The compiled extension checks the extents: an
+array that is too small raises IndexError, as with the interpreted kernel, and is not overrun.
 """
 
 from __future__ import annotations
@@ -94,7 +93,7 @@ class EntryPoint:
 
 
 def entry(module: str, name: str, /, **extents: Extent | tuple[Extent, ...]) -> EntryPoint:
-    """Declare an entry point; the extent of a vector stands alone."""
+    """Declare an entry point; give the extent of a vector without a tuple."""
     return EntryPoint(
         module, name, {n: e if isinstance(e, tuple) else (e,) for n, e in extents.items()}
     )

@@ -1,8 +1,8 @@
-"""What the statuses and reports of kernels mean, in words: every message stands here alone.
+"""Messages for the statuses and reports of the kernels; each message is stated here only.
 
 A text names fields of the kernel's report in braces: `{VALUE:.6g}` is a number, `{INTERVAL+1}` an
-integer that counts from 1, `{AXIS}` one of a tuple of words where the table has words for it.
-Python fills the texts in itself; for C, `python -m segfmu.codegen` writes c/messages.c from them.
+integer counted from 1, `{AXIS}` a word if the table has words for that field. Python formats the
+texts itself; for C, `python -m segfmu.codegen` writes c/messages.c from them.
 """
 
 from __future__ import annotations
@@ -43,10 +43,10 @@ class Messages:
     name : str
         Of the function in C.
     report : type of Record
-        Whose fields the texts name.
+        The texts name its fields.
     texts : dict of int to str
     words : dict of str to tuple of str
-        For fields that count something with names.
+        Words in place of the numbers of a field.
     """
 
     name: str
@@ -55,7 +55,7 @@ class Messages:
     words: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
     def text(self, status: int, report: Sequence[float], **words: tuple[str, ...]) -> str:
-        """The message of a status; `words` take the place of the table's own."""
+        """The message of a status; `words` override those of the table."""
         named = {**self.words, **words}
 
         def value(place: re.Match[str]) -> str:
@@ -70,7 +70,7 @@ class Messages:
 
 _INTERVAL = "axis {AXIS}, waypoints {INTERVAL+1} -> {INTERVAL+2}: "
 _BRAKING = (
-    " acceleration {VALUE:.6g} m/s2 passes the velocity limit {BOUND:.6g} m/s; lower the velocity "
+    " acceleration {VALUE:.6g} m/s2 exceeds the velocity limit {BOUND:.6g} m/s; lower the velocity "
     "or the acceleration of waypoint "
 )
 
@@ -96,11 +96,11 @@ PLAN = Messages(
         PlanStatus.NO_PROFILE: f"{_INTERVAL}no profile within the limits was found; raise the "
         "limits or change the velocities of the two waypoints",
         PlanStatus.NO_COMMON_DURATION: "waypoints {INTERVAL+1} -> {INTERVAL+2}: no common duration "
-        "of the axes found; change the velocities of waypoint {INTERVAL+2} or set the "
+        "of the axes was found; change the velocities of waypoint {INTERVAL+2} or set the "
         "synchronization to none",
         PlanStatus.DURATION_TOO_SHORT: "duration {BOUND:.9g} s is shorter than the shortest plan, "
         "{VALUE:.9g} s; raise duration or the limits",
-        PlanStatus.DURATION_IN_GAP: "axis {AXIS}: between its moving waypoints it cannot be "
+        PlanStatus.DURATION_IN_GAP: "axis {AXIS}: the motion between moving waypoints cannot be "
         "prolonged to exactly {VALUE:.9g} s; change the duration, let waypoints rest, or set the "
         "synchronization to waypoints",
         PlanStatus.SAMPLE_TIME: "sample_time must be from 1e-9 to 1e6 s, or 0 for none, "
@@ -110,13 +110,13 @@ PLAN = Messages(
         PlanStatus.UNBOUNDED_RAMP: "axis {AXIS}: no limit bounds the duration of an acceleration "
         "ramp; give limits.jerk or a higher one",
         PlanStatus.MOVING_DWELL: "axis {AXIS}, waypoint {INTERVAL+1}: a dwell needs a waypoint at "
-        "rest; leave out its velocity and acceleration, or the dwell",
-        PlanStatus.OUT_OF_RANGE: "the number of waypoints or a choice of the planner is out of "
+        "rest; omit its velocity and acceleration, or the dwell",
+        PlanStatus.OUT_OF_RANGE: "the number of waypoints or an option of the planner is out of "
         "range",
-        PlanStatus.CHECK_FAILED: "the profile found misses a limit or a waypoint by over 1e-9 "
-        "(relative); the problem is too badly scaled, bring limits and distances closer together",
-        PlanStatus.SAME_WAYPOINTS: "waypoints {INTERVAL+1} and {INTERVAL+2} are the same; leave "
-        "one out, or give it a dwell",
+        PlanStatus.CHECK_FAILED: "the plan breaks a limit or misses a waypoint by more than 1e-9 "
+        "(relative): the problem is badly scaled; choose limits and distances of similar size",
+        PlanStatus.SAME_WAYPOINTS: "waypoints {INTERVAL+1} and {INTERVAL+2} are the same; "
+        "omit one, or give the first a dwell",
         PlanStatus.NO_VELOCITY_LIMIT: _limit("velocity"),
         PlanStatus.NO_ACCELERATION_LIMIT: _limit("acceleration"),
     },
@@ -126,7 +126,7 @@ PLAN = Messages(
 
 def _rope(name: str, unit: str, limit: str, remedy: str) -> str:
     return (
-        f"at {{TIME:.3f}} s: {name} passes {limit}, {{BOUND:.6g}} {unit}, and comes to "
+        f"at {{TIME:.3f}} s: {name} passes {limit}, {{BOUND:.6g}} {unit}, and reaches "
         f"{{WORST:.6g}} {unit}; {remedy}"
     )
 
@@ -167,8 +167,8 @@ def _stopped(kind: str) -> str:
 PLANT = Messages(
     "plant", PlantFault,
     {
-        PlantStatus.SWAY_ANGLE: _out_of_range("a sway angle came to 90 degrees"),
-        PlantStatus.ROPE_LENGTH: _out_of_range("the rope's length came to zero"),
+        PlantStatus.SWAY_ANGLE: _out_of_range("a sway angle reached 90 degrees"),
+        PlantStatus.ROPE_LENGTH: _out_of_range("the rope length reached zero"),
         PlantStatus.STEP_TOO_SMALL: _out_of_range("the integration steps became too small"),
         PlantStatus.NOT_FINITE: _out_of_range("a value is not finite"),
         PlantStatus.SLACK_ROPE: _out_of_range("the rope went slack"),
@@ -183,16 +183,16 @@ SETUP = Messages(
     {
         SetupStatus.EMPTY_TRAVEL: "travel.{AXIS}: min {VALUE:g} m must be below max {BOUND:g} m",
         SetupStatus.NO_LAG: "in model exchange with drive.mode velocity, drive.{DRIVE}.lag "
-        "must be above 0 s, as without lag the acceleration does not follow from the setpoints; "
+        "must be above 0 s (without lag the setpoints do not determine the acceleration); "
         "set a lag, or use co-simulation",
-        SetupStatus.NOT_SAMPLED: "sensor noise and dead_time belong to samples: set "
+        SetupStatus.NOT_SAMPLED: "sensor noise and dead_time need sampled signals: set "
         "sensor.sample_time above 0 s",
         SetupStatus.SHORT_SAMPLE: "sensor.sample_time must be 0 or at least {BOUND:g} s, got "
         "{VALUE:g} s",
         SetupStatus.LONG_DEAD_TIME: "sensor.dead_time {VALUE:g} s is longer than "
         f"{SensorLimits.MOST_SAMPLES} samples of {{BOUND:g}} s; lower it or raise "
         "sensor.sample_time",
-        SetupStatus.ROPE_START: "rope.length must start above 0 m, got {VALUE:g}",
+        SetupStatus.ROPE_START: "the start value of rope.length must be above 0 m, got {VALUE:g} m",
         SetupStatus.ROPE_BOUNDS: "rope_min {VALUE:g} m must be less than rope_max {BOUND:g} m",
         SetupStatus.LENGTHS: "rope lengths must be positive and ascending, got {VALUE:g} to "
         "{BOUND:g} m; set the crane's rope_min and rope_max",

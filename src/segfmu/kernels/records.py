@@ -1,21 +1,21 @@
-"""Names for the places of the flat arrays that kernels pass on.
+"""Names for the entries of the kernels' flat arrays.
 
-A record names the entries of an array, or the rows of one with two dimensions. It is declared once,
-and from it come the indices in the kernels, the C enumerations of c/records.h, the mapping from an
-FMU's variables, and docs/records.md:
+A record names the entries of an array, or the rows of one with two dimensions. It is declared once.
+The indices in the kernels, the C enumerations of c/records.h, the mapping from an FMU's variables,
+and docs/records.md all follow from it:
 
     class Clock(Record):
         "Times of a rig."
         START = field("time of the start", "s")
         STOPS = field("end stops of bridge and trolley", "m", size=2)
 
-`Clock.START` is 0, `Clock.STOPS` is 1 and `Clock.SIZE` is 3: plain integers, which the translator
-to C puts in place of the names. A kernel writes `clock[Clock.STOPS + axis]`, and for an array whose
-rows are named `memory[Memory.CLOCK, Clock.START]`.
+`Clock.START` is 0, `Clock.STOPS` is 1 and `Clock.SIZE` is 3: plain integers, with which the
+translator to C replaces the names. A kernel writes `clock[Clock.STOPS + axis]`, and for an array
+with named rows `memory[Memory.CLOCK, Clock.START]`.
 
 A record that derives from another one begins with its fields, so an array of the longer one can be
-passed where the shorter one is expected. Where fields are rows, `COLUMNS` is the length of the
-longest row.
+passed where the shorter one is expected. If fields are rows, `COLUMNS` is the length of the longest
+row.
 """
 
 from __future__ import annotations
@@ -38,13 +38,13 @@ class Field:
     size : int
         Entries, or rows.
     of : type of Record, optional
-        What names the entries of this field, or of each of its rows.
+        Record of the entries of this field, or of each of its rows.
     variables : tuple of str
-        FMU variables that feed it, one an entry and empty for an entry that none feeds; no
-        variables where none feeds any. Where a record is a row of a table, `{}` stands for the
-        number of the row, from 1.
+        FMU variables that feed it, one per entry, with an empty name for an entry without one;
+        empty if none feeds any. In a record that is a row of a table, `{}` stands for the number
+        of the row, from 1.
     base : int
-        Value of the variable that is 0 in the record: items of an enumeration count from 1.
+        Value of the variable that is 0 in the record; items of an enumeration count from 1.
     """
 
     meaning: str
@@ -64,9 +64,9 @@ def field(
     variables: Sequence[str] = (),
     base: int = 0,
 ) -> Any:
-    """Declare a field; in the finished record its name is the place of its first entry.
+    """Declare a field; in the finished record its name is the index of its first entry.
 
-    Parameters are those of `Field`. Type checkers take the name for what it becomes.
+    Parameters are those of `Field`. The return type is that of the finished name.
     """
     if variables and len(variables) != size:
         raise AssertionError(f"{meaning}: {len(variables)} variables for {size} entries")
@@ -74,7 +74,7 @@ def field(
 
 
 class Record:
-    """Base of all records: fields in the order of their places, those of the base first.
+    """Base of all records: fields in the order of their indices, those of the base first.
 
     Attributes
     ----------
@@ -82,7 +82,7 @@ class Record:
     SIZE : int
         Entries, or rows.
     COLUMNS : int
-        Entries of the longest row where fields are rows that have names for their entries; else 0.
+        Entries of the longest row, if fields are rows with named entries; else 0.
     """
 
     FIELDS: ClassVar[dict[str, Field]] = {}
@@ -102,7 +102,7 @@ class Record:
 
     @classmethod
     def feeds(cls) -> Iterator[tuple[int, str, int]]:
-        """Place, variable and base of all entries that FMU variables feed."""
+        """Index, variable and base of all entries that FMU variables feed."""
         for name, declared in cls.FIELDS.items():
             for i, variable in enumerate(declared.variables):
                 if variable:
@@ -119,12 +119,12 @@ class Record:
 
 
 def c_name(declared: type) -> str:
-    """The name of a record or of codes in C, which its fields begin with."""
+    """The C prefix of the fields of a record or of codes."""
     return re.sub(r"(?<=[a-z])(?=[A-Z])", "_", declared.__name__).upper()
 
 
 class Codes:
-    """Base of enumerations that kernels pass as numbers: names with integer values."""
+    """Base of enumerations in kernels: names with integer values."""
 
     @classmethod
     def items(cls) -> dict[str, int]:

@@ -1,4 +1,4 @@
-"""The planner's object face: waypoints and limits in, a verified trajectory out."""
+"""The planner's Python interface: waypoints and limits in, a verified trajectory out."""
 
 from segfmu.planning.limits import Limits
 from segfmu.planning.planner import plan

@@ -21,7 +21,7 @@ def finite_vector(name: str, value: ArrayLike) -> FloatArray:
     if array.ndim == 0:
         array = array.reshape(1)
     if array.ndim != 1 or array.size == 0:
-        raise InputError(f"{name} must be one number an axis, not an array of shape {array.shape}")
+        raise InputError(f"{name} must be one number per axis, not an array of shape {array.shape}")
     if not all(map(isfinite, array.tolist())):
         raise InputError(f"{name} must be finite, got {array.tolist()}")
     array.flags.writeable = False
@@ -29,13 +29,13 @@ def finite_vector(name: str, value: ArrayLike) -> FloatArray:
 
 
 def limit_values(name: str, value: ArrayLike | None, *, required: bool) -> FloatArray:
-    """Return one limit as positive numbers, 0-d or (axes,); infinity or None means absent (0)."""
+    """Return a limit as positive numbers, 0-d or (axes,); None or infinity becomes 0: absent."""
     if value is None and not required:
         return ABSENT
     array = _numbers(name, [inf if v is None else v for v in value]
                      if isinstance(value, list | tuple) else inf if value is None else value)
     if array.ndim > 1 or array.size == 0:
-        raise InputError(f"{name} must be a number or one an axis, got shape {array.shape}")
+        raise InputError(f"{name} must be a number or one per axis, got shape {array.shape}")
     values = array.ravel().tolist()
     if not all(v > 0.0 for v in values):
         raise InputError(f"{name} must be greater than 0, got {array.tolist()}")

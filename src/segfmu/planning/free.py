@@ -1,9 +1,9 @@
-"""Velocities and accelerations of waypoints that leave them free.
+"""Choice of free waypoint velocities and accelerations.
 
-The start is a sound guess: pass in the direction of the chords where they agree, at a speed that
-the shorter of them admits, and rest where they turn. Then sweeps of a compass search over one
-waypoint at a time shorten the two intervals next to it. What comes out is never slower than resting
-at every free waypoint, as that plan is compared last.
+First guess: where both chords have the same direction, pass along it at a speed that the shorter
+chord admits; where they reverse, rest. A compass search over one waypoint at a time then shortens
+the two adjacent intervals. A second search starts from rest at every free waypoint, so the result
+is never slower than resting there.
 """
 
 from __future__ import annotations
@@ -19,14 +19,14 @@ from segfmu.planning.request import Request
 from segfmu.planning.waypoint import Waypoint
 
 SWEEPS = 4
-# in units of the limit; every sweep leaves out one more of the first
+# in units of the limit; every sweep omits one more of the first
 STEPS = (0.3, 0.1, 0.03, 0.01, 0.003, 0.001)
 
 
 def choose_states(request: Request) -> Request:
-    """A request whose free velocities and accelerations (NaN) have become numbers.
+    """A request with numbers for its free velocities and accelerations (NaN).
 
-    The first and the last waypoint, and those with a dwell, rest where they are free.
+    Free states of the first and the last waypoint, and of those with a dwell, become rest.
     """
     problem = request.problem
     free = np.isnan(problem.states)
@@ -46,7 +46,7 @@ def choose_states(request: Request) -> Request:
 
 
 def _fastest(resting: Problem, free: FloatArray) -> FloatArray:
-    """The states of the fastest plan that the search finds; `resting` is where it begins."""
+    """The states of the fastest plan found; the search starts at `resting` as well."""
     search = _Search(free, resting)
     candidates = [resting.states, search.improve(_guess(resting, free))]
     if np.isfinite(search.total(resting.states)):
@@ -55,13 +55,13 @@ def _fastest(resting: Problem, free: FloatArray) -> FloatArray:
 
 
 def _duration(problem: Problem) -> float:
-    """Duration of the plan exactly as asked for, infinite where there is none."""
+    """Duration of the plan exactly as requested, infinite if there is none."""
     phases = plan_phases(problem)
     return float(phases.durations.sum(axis=0).max()) if phases.feasible else float("inf")
 
 
 def _guess(resting: Problem, free: FloatArray) -> FloatArray:
-    """Velocities along the chords, at most what half of the shorter chord admits."""
+    """Velocities along the chords, limited by braking within half of the shorter chord."""
     guess = resting.states.copy()
     velocity_limit, acceleration_limit = resting.limits[:, 0], resting.limits[:, 1]
     chords = np.diff(guess[:, :, WaypointState.POSITION], axis=0)
@@ -69,7 +69,7 @@ def _guess(resting: Problem, free: FloatArray) -> FloatArray:
         before, after = chords[i - 1], chords[i]
         shorter = np.minimum(np.abs(before), np.abs(after))
         speed = np.minimum(0.9 * velocity_limit, np.sqrt(acceleration_limit * shorter))
-        # the axes share the time of the slowest one, so their speeds are in proportion
+        # all axes take the time of the slowest one, so their speeds are proportional
         slowest = float(np.max(shorter / np.maximum(speed, 1e-12)))
         share = shorter / max(slowest, 1e-12)
         passing = before * after > 0.0
@@ -98,7 +98,7 @@ class _Search:
         return total_duration(Problem(states, self.dwells, self.limits, self.options))
 
     def improve(self, states: FloatArray) -> FloatArray:
-        """Sweep until nothing gets shorter; infeasible guesses are drawn towards rest first."""
+        """Sweep until nothing gets shorter; infeasible guesses are first moved towards rest."""
         states = states.copy()
         for _ in range(8):
             if np.isfinite(self.total(states)):
@@ -136,9 +136,9 @@ class _Search:
         states[point, axis, field] = window[1, axis, field]
 
     def _window(self, window: FloatArray, dwells: FloatArray, best: float) -> float:
-        """Duration of two intervals, infinite where the axes apart already take `best`.
+        """Duration of two intervals, infinite if a single axis already takes `best`.
 
-        A common duration can lie beyond a gap, which is far more work to find.
+        This avoids the search for a common duration, which is expensive beyond a gap.
         """
         phases = plan_phases(Problem(window, dwells, self.limits, self.apart))
         if not phases.feasible:

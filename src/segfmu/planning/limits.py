@@ -1,4 +1,4 @@
-"""The output constraints (8): one bound a derivative, the same in both directions."""
+"""The output constraints (8): one limit per derivative, the same in both directions."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class Limits:
     velocity, acceleration : array_like, scalar or shape (axes,)
         Required, finite and positive.
     jerk, snap, crackle, pop : array_like, scalar or shape (axes,), optional
-        Positive; None or infinity where a derivative is not bounded.
+        Positive; None or infinity if a derivative is not limited.
 
     Raises
     ------
@@ -68,20 +68,20 @@ class Limits:
         Raises
         ------
         InputError
-            When a limit is given for a derivative that the smoothness leaves unbounded.
+            For a limit of a derivative that is unbounded at this smoothness.
         """
         table = np.zeros((axes, smoothness + 1))
         for i, (name, values) in enumerate(zip(NAMES, self._all(), strict=True)):
             if values.ndim == 1 and values.size not in (1, axes):
                 raise InputError(
                     f"limits.{name} has {values.size} values for {axes} axes; "
-                    "give one value, or one an axis"
+                    "give one value, or one per axis"
                 )
             if i <= smoothness:
                 table[:, i] = values
             elif values.any():
                 raise InputError(
-                    f"limits.{name} cannot be kept with smoothness {smoothness}, where this "
-                    f"derivative is not bounded; raise smoothness to {i} or leave the limit out"
+                    f"limits.{name} cannot be kept with smoothness {smoothness}, which leaves this "
+                    f"derivative unbounded; raise smoothness to {i} or omit the limit"
                 )
         return table

@@ -1,4 +1,4 @@
-"""Refusals of the planning kernels as errors."""
+"""Errors for refused plans."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from segfmu.kernels.messages import PLAN
 from segfmu.kernels.planner.records import PlanStatus, Refusal
 from segfmu.planning.arrays import FloatArray
 
-# what `InfeasibleError` says beside the message: the limit, and which of these it has
+# attributes of `InfeasibleError` for a status: the limit, and which of these are set
 AXIS, INTERVAL, WAYPOINT, VALUE, BOUND = "axis", "interval", "waypoint", "value", "bound"
 DETAILS: dict[int, tuple[str | None, tuple[str, ...]]] = {
     PlanStatus.START_BRAKING: ("velocity", (AXIS, INTERVAL, BOUND)),
@@ -24,12 +24,12 @@ DETAILS: dict[int, tuple[str | None, tuple[str, ...]]] = {
 
 
 def refusal(status: int, report: FloatArray, names: tuple[str, ...]) -> SegfmuError:
-    """Return the error that belongs to a status and report (Refusal); `names` are the axes'."""
+    """Return the error for a status and report (Refusal); `names` are those of the axes."""
     if status == PlanStatus.SAMPLE_TIME:
         return InputError(PLAN.text(status, report.tolist()))
     limit, shown = DETAILS[status]
     place = int(report[Refusal.INTERVAL])
-    # a waypoint counts for the interval that ends there
+    # a waypoint belongs to the interval that ends there
     interval = place + 1 if INTERVAL in shown else max(place, 1) if WAYPOINT in shown else None
     return InfeasibleError(
         PLAN.text(status, report.tolist(), AXIS=names),

@@ -1,7 +1,7 @@
 """`plan`: waypoints and limits in, a verified trajectory out (section 3 of the paper).
 
-The arguments become a request (request.py); its free states are chosen (free.py); phases are
-planned and expanded (solver.py, problem.py); the trajectory is judged (verify.py).
+request.py checks the arguments; free.py chooses the free states; problem.py and solver.py plan the
+phases and expand them to polynomials; verify.py checks the trajectory.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ def plan(
     waypoints : sequence of Waypoint
         At least two, all with the same number of axes.
     limits : Limits
-        Bounds on the derivatives; one of those from jerk on has to be given.
+        Limits of the derivatives; at least one from jerk on is required.
     smoothness : int
         n of the paper, 2 to 6: the trajectory is n times continuously differentiable.
     shape : {"plateau", "smoothstep"}
@@ -51,7 +51,7 @@ def plan(
     sample_time : float, optional
         Round the duration of every waypoint interval up to a multiple of it [s].
     duration : float, optional
-        Total duration to take [s], dwells included.
+        Requested total duration [s], dwells included.
     position_min, position_max : array_like, scalar or shape (axes,), optional
         Range that no axis may leave [m]; checked exactly.
     axis_names : sequence of str, optional
@@ -64,9 +64,9 @@ def plan(
     Raises
     ------
     InputError
-        For arguments that no plan can be made of.
+        For invalid arguments.
     InfeasibleError
-        When the limits do not admit the plan; names axis, waypoint interval and limit.
+        If no plan keeps the limits; names axis, waypoint interval and limit.
     """
     request = choose_states(
         checked_request(

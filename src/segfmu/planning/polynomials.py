@@ -1,7 +1,7 @@
-"""Exact extrema of piecewise polynomials; shares nothing with the planner but the pieces.
+"""Exact extrema of piecewise polynomials, independent of the planner.
 
-A polynomial on [0, h] lies in the hull of its Bernstein coefficients, which settles most pieces
-at once; where the hull is not enough, the roots of the derivative are.
+A polynomial on [0, h] lies in the hull of its Bernstein coefficients, which decides most pieces
+at once; the others need the roots of the derivative.
 """
 
 from __future__ import annotations

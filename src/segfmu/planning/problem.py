@@ -1,4 +1,4 @@
-"""What to plan as arrays, and the phases that the kernels make of it."""
+"""The planning problem as arrays, and its phases from the kernels."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ SYNCHRONIZATIONS = tuple(name.lower() for name in Synchronization.items())
 
 @dataclass(frozen=True)
 class Options:
-    """How to plan; sample_time and duration [s] are 0 where not asked for."""
+    """Options of the planner; sample_time and duration [s] are 0 if not requested."""
 
     smoothness: int
     shape: str
@@ -64,7 +64,7 @@ class Problem:
 
 @dataclass(frozen=True, eq=False)
 class Phases:
-    """What the kernel `plan_phases` gives back and writes (kernels/planner/records.py).
+    """Results of the kernel `plan_phases` (kernels/planner/records.py).
 
     Attributes
     ----------
@@ -110,7 +110,7 @@ def plan_phases(problem: Problem) -> Phases:
 
 
 def total_duration(problem: Problem) -> float:
-    """Sum of all intervals' durations [s], over all axes unless they meet; infinite: no plan."""
+    """Sum of the intervals' durations [s], over all axes unless synchronised; inf: no plan."""
     phases = plan_phases(problem)
     if not phases.feasible:
         return float("inf")

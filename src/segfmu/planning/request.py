@@ -22,7 +22,7 @@ SMOOTHNESS = range(2, 7)
 
 @dataclass(frozen=True, eq=False)
 class Request:
-    """What was asked for.
+    """A request to the planner.
 
     Attributes
     ----------
@@ -38,7 +38,7 @@ class Request:
     problem: Problem
 
     def require_different(self) -> None:
-        """Raise InputError unless waypoints that follow each other differ in what doubles tell."""
+        """Raise InputError unless consecutive waypoints differ within double precision."""
         report = np.zeros(Refusal.SIZE)
         status = backend.check_problem(self.problem.states, self.problem.limits, report)
         if status == PlanStatus.SAME_WAYPOINTS:
@@ -55,7 +55,7 @@ def checked_request(
     duration: float | None,
     axis_names: Sequence[str] | None,
 ) -> Request:
-    """Return a request of the arguments of `plan`, which raises what is raised here."""
+    """Return the request for the arguments of `plan`; raises InputError as documented there."""
     points = _checked_waypoints(waypoints)
     axes = points[0].axes
     names = _names(axis_names, axes)
@@ -77,7 +77,7 @@ def checked_request(
 
 
 def position_bounds(name: str, given: ArrayLike, axes: int) -> FloatArray:
-    """Bounds of the position [m], one an axis."""
+    """Bounds of the position [m], one per axis."""
     bounds = finite_vector(name, given)
     if bounds.size not in (1, axes):
         raise InputError(f"{name} has {bounds.size} values for {axes} axes")

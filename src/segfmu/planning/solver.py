@@ -1,4 +1,4 @@
-"""A request whose states are all numbers -> its trajectory."""
+"""From a request without free states to its trajectory."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from segfmu.planning.trajectory import Trajectory
 
 
 def solve(request: Request, tolerance: float) -> tuple[Trajectory, bool]:
-    """Plan and expand a trajectory; True where the kernels prove it within the tolerance.
+    """Plan and expand a trajectory; True if the kernels prove that it keeps the tolerance.
 
     Raises
     ------
     InfeasibleError
-        When the limits do not admit the plan.
+        If no plan keeps the limits.
     """
     problem = request.problem
     phases = plan_phases(problem)

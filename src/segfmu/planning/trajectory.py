@@ -1,4 +1,4 @@
-"""The planned trajectory: piecewise polynomials, evaluated and judged exactly."""
+"""The planned trajectory: piecewise polynomials, with exact values and extrema."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class Trajectory:
     Attributes
     ----------
     waypoints, limits, smoothness, shape
-        What was planned.
+        Arguments of `plan`.
     timing : ndarray, shape (pieces, 2)
         Start and length of the polynomial pieces, axis after axis [s].
     coefficients : ndarray, shape (pieces, 2 * smoothness)
@@ -115,9 +115,9 @@ class Trajectory:
     def events(self) -> FloatArray:
         """Times [s], ascending, at which a step of a simulation should end, shape (events,).
 
-        The last axis' arrival at each waypoint, the end of the motion, and the bounds of all
-        polynomial pieces, where derivatives of the crane's forces jump: the first one at
-        smoothness 4.
+        These are the last axis' arrival at each waypoint, the end of the motion, and the ends of
+        all polynomial pieces, where a derivative of the crane's forces jumps: at smoothness 4 the
+        first one.
         """
         times = [self.next_event(-1.0)]
         while times[-1] < np.inf:
@@ -125,7 +125,7 @@ class Trajectory:
         return np.array(times[:-1])
 
     def next_event(self, t: float) -> float:
-        """First of the `events` after a time t [s], infinite after the last one."""
+        """First of the `events` after a time t [s]; infinite after the last one."""
         time = backend.next_plan_event(
             float(t), 0.0, self.timing, self.offsets, self.axis_durations,
             self.axis_waypoint_times,
@@ -133,7 +133,7 @@ class Trajectory:
         return float(time) if time < 1e300 else np.inf
 
     def interval(self, t: float) -> int:
-        """Waypoint interval, from 1, that is active at time t (a dwell belongs to the next)."""
+        """Waypoint interval, from 1, at time t (a dwell belongs to the next interval)."""
         passed = int(np.searchsorted(self.waypoint_times, t, side="right"))
         return min(max(passed, 1), len(self.waypoints) - 1)
 

@@ -1,6 +1,6 @@
-"""The independent judge of a trajectory: exact extrema, waypoints and continuity.
+"""Independent verification of a trajectory: exact extrema, waypoints and continuity.
 
-It reads only the polynomial pieces, never how they came about.
+It reads only the polynomial pieces, nothing from the planner.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ def verify(trajectory: Trajectory) -> Verification:
     """Measure a trajectory against its limits, its waypoints and its smoothness."""
     if not isinstance(trajectory, Trajectory):
         raise InputError(f"trajectory must be a plan, got {type(trajectory).__name__}")
-    # beyond the range of floating point the figures are inf or nan, and nan does not pass
+    # overflow gives inf or nan, and nan does not pass
     with np.errstate(all="ignore"):
         return _measured(trajectory)
 
@@ -139,12 +139,12 @@ def require(trajectory: Trajectory) -> None:
         name, unit = NAMES[order], UNITS[order]
         value, bound = float(found.peaks[order, axis]), float(found.limits[order, axis])
         raise InfeasibleError(
-            f"axis {trajectory.axis_names[axis]}: the profile found reaches {name} "
+            f"axis {trajectory.axis_names[axis]}: the plan reaches {name} "
             f"{value:.9g} {unit}, limit {bound:.9g} {unit}; raise limits.{name}",
             axis=axis, limit=name, value=value, bound=bound,
         )
     raise InfeasibleError(
-        f"the profile found misses a waypoint by {found.waypoint_error:.3g} or jumps by "
-        f"{float(found.jumps.max()):.3g} (relative); the problem is too badly scaled, "
-        "bring limits and distances closer together"
+        f"the plan misses a waypoint by {found.waypoint_error:.3g} or jumps by "
+        f"{float(found.jumps.max()):.3g} (relative): the problem is badly scaled; "
+        "choose limits and distances of similar size"
     )

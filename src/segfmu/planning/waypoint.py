@@ -1,4 +1,4 @@
-"""A point that the trajectory passes, with the state it has there: P_j of section 3."""
+"""A point that the trajectory passes in a given state: P_j of section 3."""
 
 from __future__ import annotations
 
@@ -20,15 +20,16 @@ class Waypoint:
     position : array_like, shape (axes,)
         Position [m].
     velocity, acceleration : array_like, shape (axes,), or "free", optional
-        State at the point [m/s, m/s2]; rest if left out. With "free", or None for one of the
-        axes, `plan` chooses what is fast; until then it is NaN. The higher derivatives are zero.
+        State at the point [m/s, m/s2]; rest by default. With "free", or None for single axes,
+        `plan` chooses a state that makes the move short; before planning it is NaN. The higher
+        derivatives are zero.
     dwell : float
-        Time to stay [s]; only at a point at rest.
+        Time to rest there [s]; only if the point is at rest.
 
     Raises
     ------
     InputError
-        For shapes that differ and for numbers that are not finite.
+        For different shapes and for numbers that are not finite.
     """
 
     position: FloatArray
@@ -50,7 +51,7 @@ class Waypoint:
             if vector.size != values.size:
                 raise InputError(
                     f"{name} has {vector.size} values, position has {values.size}; "
-                    "give one value an axis"
+                    "give one value per axis"
                 )
             object.__setattr__(self, name, vector)
         rest = finite_vector("dwell", dwell)
@@ -65,7 +66,7 @@ class Waypoint:
 
 
 def _state(name: str, given: ArrayLike | str | None, axes: int) -> FloatArray:
-    """Finite numbers, and NaN where the state is free."""
+    """Finite numbers; NaN for a free state."""
     if given is None:
         return finite_vector(name, np.zeros(axes))
     if isinstance(given, str):

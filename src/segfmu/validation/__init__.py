@@ -1,1 +1,1 @@
-"""Missions as files, the judgement of a run, and its tables and plots."""
+"""Mission files, the verdict on a run, and its tables and plots."""

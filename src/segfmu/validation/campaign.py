@@ -1,4 +1,4 @@
-"""The campaign: every disturbance meets every method, and the feedback is judged by it.
+"""The campaign: every method under every disturbance, and a verdict on the feedback.
 
 Metrics, units and the verdict are defined in docs/campaign.md.
 """
@@ -33,13 +33,13 @@ from segfmu.validation.methods import (
 )
 from segfmu.validation.mission import Mission
 
-# the load is settled within this distance of its final position [m]
+# the load has settled within this distance of its final position [m]
 SETTLED = 5e-3
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """What one method made of one disturbance; NaN where the run did not reach its end.
+    """Result of one method under one disturbance; NaN if the run ended early.
 
     Attributes
     ----------
@@ -55,12 +55,12 @@ class Outcome:
     last_sway : float
         The same within the last pendulum period of the run [deg].
     settling_time : float
-        From the start until the load stays within SETTLED of its final position [s]; infinite
-        where it does not within the run.
+        From the start until the load stays within SETTLED of its final position [s]; infinite if
+        it does not within the run.
     peak_force_bridge, peak_force_trolley, peak_force_hoist : float
         [N]
     failure : str
-        Why the run ended early; empty where it did not.
+        Why the run ended early; empty if it did not.
     """
 
     mode: str
@@ -87,19 +87,19 @@ def run_campaign(
     jobs: int = 1,
     progress: Callable[[float], None] = lambda _: None,
 ) -> list[Outcome]:
-    """Every method under every disturbance, in the order of modes, disturbances, methods.
+    """Run every method under every disturbance, in the order of modes, disturbances, methods.
 
     Parameters
     ----------
     mission : Mission
-        Its actuators and feedback settings do not matter here; step and settling time do.
+        Its actuators and feedback settings are not used; its step and settling time are.
     modes : iterable of str
         "velocity", "force".
     disturbances, methods
     jobs : int
         Processes.
     progress : callable
-        Gets the share done.
+        Called with the share done.
     """
     columns = [(mode, method) for mode in modes for method in methods]
     work = partial(_column, mission, mission.plan(), disturbances)
@@ -117,12 +117,12 @@ def run_campaign(
 
 
 def _pool(jobs: int) -> ProcessPoolExecutor | _Here:
-    # spawn: a progress bar has a thread, with which a fork may hang
+    # spawn: fork may hang because the progress bar has a thread
     return ProcessPoolExecutor(jobs, get_context("spawn")) if jobs > 1 else _Here()
 
 
 class _Here:
-    """Stands for a pool where one process is enough."""
+    """Takes the place of a pool if one process is enough."""
 
     def __enter__(self) -> _Here:
         return self

@@ -33,23 +33,23 @@ DISTANCES = (0.02, 1.2)
 
 
 def require_folder(folder: Path) -> None:
-    """Make a folder, before a minute of computing for it.
+    """Make a folder; done first, because the campaign takes a minute.
 
     Raises
     ------
     InputError
-        When it cannot be made.
+        If it cannot be made.
     """
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise InputError(f"{folder}: cannot be made: {error.strerror}") from None
+        raise InputError(f"{folder}: cannot create this folder: {error.strerror}") from None
 
 
 def write_tables(
     folder: Path, name: str, outcomes: Sequence[Outcome], comparisons: Sequence[Comparison]
 ) -> None:
-    """Write campaign.csv, campaign.json, verdict.csv, and a picture a mode.
+    """Write campaign.csv, campaign.json, verdict.csv, and one picture per mode.
 
     Raises
     ------
@@ -86,7 +86,7 @@ def write_maps(folder: Path, mission: Mission, trajectory: Trajectory, coarse: b
 
 
 def write_rows(path: Path, rows: Sequence[Any]) -> None:
-    """Write dataclasses of one kind as CSV; the file appears when it is complete.
+    """Write dataclasses of one type as CSV; the file appears when it is complete.
 
     Raises
     ------
@@ -103,7 +103,7 @@ def write_rows(path: Path, rows: Sequence[Any]) -> None:
 def write_json(
     path: Path, name: str, outcomes: Iterable[Outcome], comparisons: Iterable[Comparison]
 ) -> None:
-    """Write outcomes and verdict as JSON, what is not finite as null.
+    """Write outcomes and verdict as JSON, with null for non-finite numbers.
 
     Raises
     ------

@@ -69,7 +69,7 @@ def _number(value: float) -> str:
 
 
 def plot_move_times(rows: NDArray[np.void], limits: tuple[float, float]) -> Figure:
-    """Time gained on ZV and ZVD by the plan, tuned for each rope and with one setting for all."""
+    """Time saved against ZV and ZVD by the plan, tuned for each move and with one setting."""
     heights, distances = np.unique(rows["height"]), np.unique(rows["distance"])
     figure, panels = plt.subplots(
         2, 2, figsize=(11, 8), layout="constrained", sharex=True, sharey=True

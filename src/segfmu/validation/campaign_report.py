@@ -12,7 +12,7 @@ from segfmu.validation.verdict import ERROR_FACTOR, SWAY_FACTOR, Comparison
 
 COLUMNS = ("T \\[s]", "RMS \\[mm]", "peak \\[mm]", "sway \\[deg]", "rest \\[s]", "F \\[N]")
 
-# ratios beyond say no more
+# larger ratios are shown as "> this"
 LARGEST_FACTOR = 1000.0
 
 
@@ -43,7 +43,7 @@ def _cells(o: Outcome) -> list[str]:
 
 
 def verdict_table(comparisons: Iterable[Comparison]) -> Table:
-    """What the feedback adds, and whether that is what is demanded."""
+    """Gain by the feedback, and the verdict."""
     table = Table(
         title=f"feedback against feedforward alone; demanded: {ERROR_FACTOR:g}x in RMS error, "
         f"{SWAY_FACTOR:g}x in residual sway, and worse nowhere",
@@ -63,7 +63,7 @@ def verdict_table(comparisons: Iterable[Comparison]) -> Table:
 
 
 def factor(ratio: float) -> str:
-    """A ratio for the eye: - where there is nothing to gain."""
+    """A ratio as text; - if there is nothing to gain."""
     if isnan(ratio):
         return "-"
     if ratio > LARGEST_FACTOR:

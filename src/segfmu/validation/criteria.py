@@ -1,4 +1,4 @@
-"""Judgement of a co-simulated mission: tracking, residual sway, peaks."""
+"""Verdict on a co-simulated mission: tracking, residual sway, peaks."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ RATES = {"bridge": "bridge.velocity", "trolley": "trolley.velocity", "hoist": "r
 
 @dataclass(frozen=True)
 class Criteria:
-    """What a run is judged by.
+    """The measures of a run and their tolerances.
 
     Attributes
     ----------
@@ -54,7 +54,7 @@ def judge(
     Raises
     ------
     InputError
-        When the run ends before the plan does.
+        If the run ends before the plan does.
     """
     after = rows["time"] >= duration - 1e-9
     if not after.any():

@@ -1,4 +1,4 @@
-"""What the campaign does to a crane: each disturbance by itself, and all at once."""
+"""Disturbances of the campaign: each one alone, and all at once."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ SAMPLE_TIME = 0.01
 INTECO = Friction(viscous=(100.0, 82.0, 75.0), coulomb=(5.0, 7.5, 10.0))
 COMPENSATED = 0.5
 
-# encoders of 4096 counts a revolution; one of carriage and winch moves a quarter of a metre
+# encoders of 4096 counts per revolution; carriages and winch travel 0.25 m per revolution
 COUNTS = 4096.0
 TRAVEL = 0.25
 ENCODERS = (resolution(COUNTS, TRAVEL),) * 3 + (resolution(COUNTS),) * 2
 
-# gust along x and along y, as a share of the load's weight; start as a share of the plan, and [s]
+# gust along x and along y, relative to the load's weight; start relative to the plan; duration [s]
 GUST = 0.1
 GUST_START = 0.2
 GUST_DURATION = 0.5
@@ -32,7 +32,7 @@ GUST_DURATION = 0.5
 
 @dataclass(frozen=True)
 class Disturbance:
-    """One row of the campaign; by default nothing is disturbed.
+    """A disturbance of the campaign; none by default.
 
     Attributes
     ----------
@@ -46,13 +46,13 @@ class Disturbance:
     rope : float
         True rope length at the start over the nominal one, minus 1.
     rope_measured : bool
-        Whether the encoder of the rope tells of that; otherwise its zero is off by as much.
+        Whether the rope's encoder measures that; otherwise its zero is wrong by as much.
     friction : bool
-        Friction of the INTECO rig, of which the feedforward knows half.
+        Friction of the INTECO rig; the feedforward compensates half of it.
     encoder, dead_time : bool
-        Quantised signals; signals one sample old. The controller is made for both.
+        Quantised signals; signals one sample old. The controller is designed for both.
     demanded : bool
-        Whether the feedback has to be better by the verdict's factors, not only not worse.
+        Whether the verdict requires its factors, not only "not worse".
     """
 
     name: str
@@ -68,7 +68,7 @@ class Disturbance:
 
     @property
     def blind(self) -> bool:
-        """Whether the load's height is off by what no sensor tells."""
+        """Whether the load's height has an error that no sensor measures."""
         return self.rope != 0.0 and not self.rope_measured
 
 
@@ -94,15 +94,15 @@ DISTURBANCES = (
 
 @dataclass(frozen=True, eq=False)
 class Case:
-    """A disturbance as it meets one crane.
+    """A disturbance applied to one crane.
 
     Attributes
     ----------
     crane : Crane
-        The true one.
+        The true crane.
     rig : Rig
     compensation : Compensation
-        What is known of the drives.
+        Known lag and friction of the drives.
     deviation : ndarray, shape (10,)
         Of the state at the start.
     """
@@ -116,9 +116,9 @@ class Case:
 def meet(
     disturbance: Disturbance, crane: Crane, length: float, duration: float, driven: bool
 ) -> Case:
-    """A disturbance of a nominal crane that starts with a rope length [m] on a plan of a duration.
+    """Apply a disturbance to a nominal crane, for a plan's first rope length [m] and duration [s].
 
-    The velocity drives lag, which is known; the end stops of the rope are the crane's.
+    The velocity drives have a known lag; the end stops of the rope are the crane's.
     """
     lag = LAG if driven else 0.0
     share = COMPENSATED if disturbance.friction else 0.0

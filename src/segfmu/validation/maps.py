@@ -1,12 +1,11 @@
 """Maps of the campaign: move times against shaped trapezoids, and eigenvalues of the loop.
 
-Move times. A carriage may move with a velocity V and an acceleration A. The load is to go a
-distance d at a constant height h below it, from rest to rest without residual sway. A trapezoid
-takes T(d, V, A); the shapers ZV and ZVD add half and one period pi sqrt(h / g), and keep both
-limits. The plan is that of the planner with V and A as the load's limits; the carriage is then at
-y + h y'' / g, exactly, and its velocity y' + h y''' / g and acceleration y'' + h y'''' / g must
-keep V and A as well. Jerk and snap are scaled by A sqrt(g / h) and A g / h, which makes the
-problem one without dimensions, and chosen for the least time by search.
+Move times. A carriage has a velocity limit V and an acceleration limit A. The load moves a distance
+d at a constant height h below it, from rest to rest without residual sway. A trapezoid takes T(d,
+V, A); the shapers ZV and ZVD add half and one period 2 pi sqrt(h / g), and keep both limits. The
+planner takes V and A as limits of the load; the carriage is then exactly at y + h y'' / g, and its
+velocity y' + h y''' / g and acceleration y'' + h y'''' / g must keep V and A too. A search over
+jerk and snap finds the least time; they are made dimensionless by A sqrt(g / h) and A g / h.
 """
 
 from __future__ import annotations
@@ -30,7 +29,7 @@ from segfmu.validation.methods import MODES, tracking_controller
 
 SHAPES = ("plateau", "smoothstep")
 
-# jerk and snap without dimensions: first search, and the refinements around its best
+# dimensionless jerk and snap: first search, and refinements around its best
 COARSE = np.geomspace(0.3, 2.0, 9)
 FINE = (np.geomspace(0.87, 1.15, 5), np.geomspace(0.97, 1.03, 5))
 
@@ -43,7 +42,7 @@ PAYLOADS = 2.0
 
 @dataclass(frozen=True)
 class Setting:
-    """Jerk and snap limits without dimensions, and the shape of the ramps."""
+    """Dimensionless jerk and snap limits, and the shape of the ramps."""
 
     shape: str
     jerk: float
@@ -65,7 +64,7 @@ class Setting:
 def carriage_usage(
     trajectory: Trajectory, limits: tuple[float, float], height: float, gravity: float
 ) -> float:
-    """Largest of the carriage's velocity and acceleration over their limits."""
+    """Largest ratio of the carriage's velocity and acceleration to their limits."""
     times = np.linspace(0.0, trajectory.duration, SAMPLES)
     lever = height / gravity
     peaks = [
@@ -83,7 +82,7 @@ def fastest(
     Raises
     ------
     InfeasibleError
-        When no setting of the search keeps the limits.
+        If no setting of the search keeps the limits.
     """
     best: tuple[float, Setting | None] = (np.inf, None)
 
@@ -117,9 +116,9 @@ def move_times(
 ) -> NDArray[np.void]:
     """Times [s] of plan, trapezoid, ZV and ZVD for every height and distance [m].
 
-    `plan` has jerk and snap tuned for the height and the distance, as a shaper is for the height.
-    `fixed` has one jerk and snap for all, the fastest for the longest rope; it keeps the
-    carriage's limits with shorter ropes too, as the lever h / g is shorter.
+    `plan` has jerk and snap tuned for height and distance, as a shaper is for the height. `fixed`
+    has one jerk and snap for all, the fastest for the longest rope; it also keeps the carriage's
+    limits with shorter ropes, because the factor h / g is smaller.
 
     Returns
     -------

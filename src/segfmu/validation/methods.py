@@ -1,8 +1,9 @@
-"""What the campaign compares: three baselines, the feedforward, and two feedbacks on top of it.
+"""Methods of the campaign: three baselines, the feedforward, and the feedforward with two
+feedbacks.
 
-A baseline moves bridge, trolley and rope from waypoint to waypoint, each on a trapezoid of
-velocity, and stops at every one, as a trapezoid cannot pass a waypoint that all axes meet at speed.
-It expects the load straight below. ZV and ZVD shape bridge and trolley for the mean rope length.
+A baseline moves bridge, trolley and rope from waypoint to waypoint with trapezoidal velocities. It
+stops at each waypoint, because trapezoids of several axes cannot pass one together while moving. It
+assumes the load straight below. ZV and ZVD shape bridge and trolley for the mean rope length.
 """
 
 from __future__ import annotations
@@ -30,24 +31,24 @@ from segfmu.validation.mission import AXES, Mission
 
 MODES = ("velocity", "force")
 
-# what the observer reckons with: the encoders' steps, whether signals are rounded or not
+# the observer assumes the encoders' steps, whether signals are quantised or not
 EXPECTED = Uncertainty(position=ENCODERS[0], length=ENCODERS[2], angle=ENCODERS[3])
 
-# where a crane's file has no rope range: of the rope lengths of the move
+# rope range relative to the rope lengths of the move, if the crane file has none
 MARGIN = 0.2
 
 
 @dataclass(frozen=True)
 class Method:
-    """One column of the campaign.
+    """A method of the campaign.
 
     Attributes
     ----------
     name : str
     shaper : callable, optional
-        From a frequency [rad/s] to the shaper of a baseline.
+        Makes the shaper of a baseline for a frequency [rad/s].
     planned : bool
-        Whether the plan and its feedforward are followed.
+        Whether it follows the plan and its feedforward.
     feedback : str
         "", "LQR" or "flatness".
     """
@@ -70,7 +71,7 @@ METHODS = (
 
 
 class Legs:
-    """Trapezoids one after the other.
+    """Consecutive trapezoids.
 
     Parameters
     ----------
@@ -101,7 +102,7 @@ class Legs:
 
 @dataclass(frozen=True, eq=False)
 class Course:
-    """What a crane is told at times, and where its load belongs.
+    """Setpoints of a crane over time, and the reference of its load.
 
     Attributes
     ----------
@@ -162,7 +163,7 @@ def baseline_motions(
 
 
 def _frequency(crane: Crane, length: float, axis: int, driven: bool) -> float:
-    """Of the load [rad/s] below a carriage that keeps its velocity, or its force."""
+    """Of the load [rad/s] below a carriage with prescribed velocity, or force."""
     share = 0.0 if driven else crane.payload_mass / moved_masses(crane.masses)[axis]
     return sqrt(crane.gravity / length * (1.0 + float(share)))
 
@@ -175,7 +176,7 @@ def baseline_course(
 ) -> Course:
     """A baseline with its load straight below.
 
-    The forces are those that move carriage and load as one, hence their centre of mass exactly.
+    The forces would move carriage and load as one body, so they move their centre of mass exactly.
     """
     position, velocity, acceleration = (
         np.stack([motion(times, d) for motion in motions], axis=-1) for d in range(3)
@@ -190,7 +191,7 @@ def baseline_course(
 
 
 def rope_range(crane: Crane, trajectory: Trajectory) -> tuple[float, float]:
-    """Rope lengths that the controllers are made for [m]."""
+    """Design range of rope lengths for the controllers [m]."""
     heights = -np.array(trajectory.extrema(0))[:, 2]
     return (
         crane.rope_min or float(heights.min()) * (1.0 - MARGIN),
@@ -224,7 +225,7 @@ def _observer(
 def tracking_controller(
     crane: Crane, kind: str, driven: bool, ropes: tuple[float, float], delayed: bool = False
 ) -> TrackingController:
-    """Observer and gains, "LQR" or "flatness", for a nominal crane; the designs are kept."""
+    """Observer and gains, "LQR" or "flatness", for a nominal crane; the designs are cached."""
     return TrackingController(
         _observer(crane, driven, ropes, delayed), _gains(crane, kind, driven, ropes)
     )

@@ -1,4 +1,4 @@
-"""Mission and crane files (TOML), validated: one clear line for whatever is wrong."""
+"""Mission and crane files (TOML), validated; an error is one line."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ AXES = ("x", "y", "z")
 
 
 def _number(value: Any) -> Any:
-    """Refuse booleans and strings where numbers belong; TOML tells them apart."""
+    """Refuse booleans and strings in place of numbers."""
     if isinstance(value, bool | str):
         raise ValueError("must be a number")
     return value
@@ -35,7 +35,7 @@ def _number(value: Any) -> Any:
 
 Number = Annotated[float, BeforeValidator(_number)]
 Positive = Annotated[Number, Field(gt=0.0)]
-# the least is that of the FMUs, the greatest keeps the design of gains within floating point
+# the least is that of the FMUs; the greatest avoids overflow in the design of gains
 Quantity = Annotated[Number, Field(ge=1e-9, le=1e9)]
 NotNegative = Annotated[Number, Field(ge=0.0)]
 Triple = Annotated[list[Number], Field(min_length=3, max_length=3)]
@@ -44,7 +44,7 @@ PositivePair = Annotated[list[Positive], Field(min_length=2, max_length=2)]
 
 
 def _state(value: Any) -> Any:
-    """Words other than "free" are refused here, so that the message does not list both kinds."""
+    """Refuse words other than "free" here, so that the message does not list both types."""
     if isinstance(value, str) and value != "free":
         raise ValueError('must be three numbers or "free"')
     return value
@@ -54,7 +54,7 @@ State = Annotated[Triple | Literal["free"], BeforeValidator(_state)]
 
 
 def _printable(text: str) -> str:
-    """Titles of tables and plots are of one line, without control characters."""
+    """Check a title of tables and plots: one line, no control characters."""
     if not text.isprintable():
         raise ValueError("must be one line of printable characters")
     return text
@@ -76,7 +76,7 @@ class CraneFile(_Strict):
 
 
 class AxisLimits(_Strict):
-    """Limits of one axis; absent from jerk on means unbounded."""
+    """Limits of one axis; from jerk on, an absent limit means unbounded."""
 
     velocity: Positive
     acceleration: Positive
@@ -93,7 +93,7 @@ class LimitsTable(_Strict):
 
 
 class WaypointEntry(_Strict):
-    """One waypoint; rest where velocity and acceleration are left out, chosen where "free"."""
+    """One waypoint; by default at rest; the planner chooses a "free" velocity or acceleration."""
 
     position: Triple
     velocity: State = [0.0, 0.0, 0.0]
@@ -204,7 +204,7 @@ def _read(path: Path) -> dict[str, Any]:
     except UnicodeDecodeError:
         raise InputError(f"{path}: not a text file in UTF-8") from None
     except (ValueError, RecursionError) as error:
-        # beside what tomllib refuses: numbers of thousands of digits, paths with a null character
+        # not only TOML errors: numbers with thousands of digits, paths with a null character
         raise InputError(f"{path}: not valid TOML: {error}".splitlines()[0]) from None
 
 
@@ -227,7 +227,7 @@ def _first_problem(error: ValidationError) -> str:
 
 
 def _check_waypoints(mission: Mission) -> None:
-    """What can be told without planning: waypoint states against their limits, repetitions."""
+    """Checks before planning: waypoint states against their limits, repeated waypoints."""
     for i, entry in enumerate(mission.waypoints, 1):
         for axis, name in enumerate(AXES):
             limits = getattr(mission.limits, name)

@@ -36,7 +36,7 @@ def save(figure: Figure, path: Path) -> None:
 
 
 def plot_plan(trajectory: Trajectory, title: str) -> Figure:
-    """Position and its derivatives, as shares of their limits where there are some."""
+    """Position and its derivatives, relative to their limits if there are any."""
     figure, panels = plt.subplots(
         len(QUANTITIES), 1, sharex=True, figsize=(9, 11), layout="constrained"
     )

@@ -46,10 +46,9 @@ def specs(
 
 
 def feedforward_values(mission: Mission, trajectory: Trajectory) -> dict[str, float | str]:
-    """Parameters of GantryFeedforward: what the mission's trajectory was planned with.
+    """Parameters of GantryFeedforward: the arguments of the mission's trajectory.
 
-    Waypoint states that the mission leaves free, and limits that its actuators scale, are those of
-    the trajectory.
+    Free waypoint states, and limits scaled for the actuators, come from the trajectory.
     """
     values = _crane_values(mission)
     for name in ("velocity", "acceleration", "jerk", "snap"):
@@ -104,7 +103,7 @@ def run(
     trajectory: Trajectory,
     progress: Callable[[float], None] = lambda _: None,
 ) -> NDArray[np.void]:
-    """Co-simulate a mission and its trajectory, to whose duration the settling time is added."""
+    """Co-simulate a mission for the duration of its trajectory plus the settling time."""
     return simulate(
         feedforward,
         crane,

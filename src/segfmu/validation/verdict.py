@@ -1,4 +1,4 @@
-"""Judgement of a campaign: what the feedback adds to the feedforward."""
+"""Verdict on a campaign: the gain by feedback over feedforward alone."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from segfmu.validation.methods import FEEDFORWARD
 ERROR_FACTOR = 3.0
 SWAY_FACTOR = 10.0
 
-# below these nothing is disturbed, and nothing is worse [m], [deg]
+# smaller errors count as zero: nothing to gain, nothing worse [m], [deg]
 SMALL_ERROR = 1e-4
 SMALL_SWAY = 0.01
 
@@ -28,9 +28,9 @@ class Comparison:
     mode, disturbance, method : str
     error_ratio, sway_ratio : float
         RMS tracking error and residual sway of the feedforward over those with the feedback;
-        infinite where only the feedforward's run failed, NaN where both are small.
+        infinite if only the feedforward's run failed, NaN if both are small.
     demanded : bool
-        Whether the factors are asked for.
+        Whether the factors are required.
     worse : bool
     """
 
@@ -44,7 +44,7 @@ class Comparison:
 
     @property
     def reached(self) -> bool:
-        """Whether it is not worse and, where demanded, better by both factors."""
+        """Whether it is not worse and, if demanded, better by both factors."""
         missed = self.error_ratio < ERROR_FACTOR or self.sway_ratio < SWAY_FACTOR
         return not self.worse and not (self.demanded and missed)
 
@@ -52,9 +52,9 @@ class Comparison:
 def compare(
     outcomes: Iterable[Outcome], disturbances: Iterable[Disturbance] = DISTURBANCES
 ) -> list[Comparison]:
-    """Every outcome with a feedback against that of the feedforward alone.
+    """Compare every outcome with feedback with that of the feedforward alone.
 
-    Where the load's height is off by what no sensor tells, the horizontal error is compared.
+    If the load's height has an error that no sensor measures, the horizontal error is compared.
     """
     rows = {row.name: row for row in disturbances}
     found = list(outcomes)
@@ -83,7 +83,7 @@ def _compared(alone: Outcome, aided: Outcome, row: Disturbance) -> Comparison:
 
 
 def _ratio(pair: list[float], small: float) -> float:
-    """First over second; NaN where the first one is small, as there is nothing to gain."""
+    """First over second; NaN if the first one is small: there is nothing to gain."""
     alone, aided = pair
     if alone <= small:
         return nan

@@ -132,6 +132,7 @@ def test_states_of_another_build_are_refused(native_fmus, tmp_path: Path, monkey
         return {n: t + b"/* changed */\n" if n == "records.h" else t for n, t in texts.items()}
 
     monkeypatch.setattr(native, "_packaged", changed)
+    monkeypatch.setattr(native, "sources", native.sources.__wrapped__)  # its cache has the old ones
     path, = native.build_all([gantry_feedforward.native_spec()], tmp_path)
     with Importer(native_fmus[2][0]) as old, Importer(path) as new:
         assert old.description.guid == new.description.guid
@@ -220,7 +221,7 @@ def test_what_cannot_be_planned_is_told_and_can_be_corrected(native_fmus, values
 @pytest.mark.parametrize(
     ("values", "words"),
     [
-        ({"rope.length": 0.0}, "rope.length must start above 0 m"),
+        ({"rope.length": 0.0}, "the start value of rope.length must be above 0 m"),
         ({"drive.mode": "velocity"}, "feedback.table are for the other drive.mode"),
         ({"sensor.dead_time": 0.1}, "set sensor.sample_time above 0 s"),
         ({"travel.bridge.min": 2e9}, "travel.bridge: min 2e+09 m must be below max"),

@@ -87,8 +87,8 @@ def test_model_exchange_names_the_velocity_drive_without_a_lag(native_fmus, fmi:
                 unit.initialise()
             assert unit.messages == [
                 f"initialisation failed: in model exchange with drive.mode velocity, "
-                f"drive.{drive}.lag must be above 0 s, as without lag the acceleration does not "
-                "follow from the setpoints; set a lag, or use co-simulation"
+                f"drive.{drive}.lag must be above 0 s (without lag the setpoints do not "
+                "determine the acceleration); set a lag, or use co-simulation"
             ]
     # both ways out
     assert said(path, values | lags, "ModelExchange") == said(path, values) == []

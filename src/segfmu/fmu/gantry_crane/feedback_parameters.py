@@ -77,7 +77,7 @@ def _design() -> list[Variable]:
 
 
 def weight_parameters() -> list[Variable]:
-    """Of design lqr; a native FMU has the table of gains that they lead to instead."""
+    """Of design lqr; a native FMU has the resulting table of gains instead."""
     return [
         parameter(
             f"feedback.weight.{name}", 1.0, None,
@@ -88,12 +88,12 @@ def weight_parameters() -> list[Variable]:
 
 
 def weights_from(value: Callable[[str], Any]) -> Weights:
-    """The weights of the LQR design that parameters give; `value` gives them by name.
+    """The weights of the LQR design from the parameters; `value` gives one by name.
 
     Raises
     ------
     InputError
-        For weights without a design.
+        For weights for which no design exists.
     """
     return Weights(*(float(value(f"feedback.weight.{name}")) for name, _ in WEIGHTS))
 
@@ -143,7 +143,7 @@ def _tracking() -> list[Variable]:
 
 
 def estimates() -> list[Variable]:
-    """What source measured finds; constant between the ticks of the feedback."""
+    """Estimates of source measured; constant between the ticks of the feedback."""
     rows = [("estimate.payload_mass", "kg", "estimated mass of the load in drive.mode force")]
     rows += [
         (f"estimate.disturbance.{n}", "m/s2", f"estimated unknown acceleration of the {n}")
@@ -170,14 +170,14 @@ def nominal_from(value: Callable[[str], Any]) -> Crane:
 def tracking_from(
     value: Callable[[str], Any], nominal: Crane, feedback: SwayFeedback
 ) -> TrackingController:
-    """The controller that parameters describe; `value` gives them by name.
+    """The controller from the parameters; `value` gives one by name.
 
     The observer is for the nominal crane and the rope lengths of the feedback.
 
     Raises
     ------
     InputError
-        For values that do not fit together.
+        For inconsistent values.
     """
     plant, design, own = (filled(r, value) for r in (Plant, TrackingDesign, Tracking))
     most = np.array([backend.drive_bound(plant, i) for i in range(Axes.SIZE)])

@@ -35,7 +35,7 @@ from segfmu.kernels.crane.records import DRIVES
 from segfmu.kernels.rig.records import Outputs
 
 MODES = Enumeration("DriveMode", ("force", "velocity"), "what the drives follow")
-# of the rope lengths in the table of gains
+# rope lengths in the table of gains
 MOST_ROWS = 17
 
 # Names of the state's ten components, in the kernels' order.
@@ -88,7 +88,7 @@ def _outputs() -> list[Variable]:
 
 
 def _further(listed: set[str]) -> list[Variable]:
-    """Outputs of the record that have no text of their own here: as the record describes them."""
+    """Outputs that are not described here, with the texts of their record."""
     return [
         output(name, declared.unit or None, declared.meaning)
         for declared in Outputs.FIELDS.values()
@@ -145,9 +145,9 @@ def spec() -> Spec:
 
 
 def held(own: Spec) -> Spec:
-    """With start values of the inputs that hold the crane where its start values put it.
+    """Add start values of the inputs that hold the crane in its initial position.
 
-    So an importer that connects nothing sees the load hang at rest, not fall.
+    If an importer connects nothing, the load hangs at rest instead of falling.
     """
     starts: dict[str, Any] = {v.name: v.start for v in own.variables}
     place = [starts[name] for name in STATE[:3]]
@@ -165,7 +165,7 @@ RATES = (
 )
 STATES = (*STATE, "energy.drives", "energy.wind", "energy.dissipated")
 
-# What an axis is corrected by, and the places of its gains among the state's ten.
+# Correction of each axis, and the indices of its gains among the ten states.
 GAINS = {
     drive: [
         (name.rpartition(".")[2], place)
@@ -178,13 +178,13 @@ GAINS = {
 def native_spec(own: Spec | None = None) -> Spec:
     """The interface of the native GantryCrane, from that of `spec` or with other start values.
 
-    The weights of the LQR design give way to the table of its gains, made here for the crane and
-    with the weights of the start values; names of the derivatives and of time are added.
+    The table of gains takes the place of the weights of the LQR design; it is designed here with
+    the start values of crane and weights. Names of the derivatives and of time are added.
 
     Raises
     ------
     InputError
-        For weights without a design.
+        For weights for which no design exists.
     """
     own = own or spec()
     weights = [v.name for v in weight_parameters()]
@@ -211,7 +211,7 @@ def native_spec(own: Spec | None = None) -> Spec:
 
 
 def _dependencies() -> tuple[tuple[str, tuple[str, ...]], ...]:
-    """What unknowns of model exchange depend on at one time: states, inputs that act, time."""
+    """Dependencies of the unknowns of model exchange: states, inputs with direct effect, time."""
     forces = tuple(f"force.{d}" for d in DRIVES) + tuple(f"velocity.{d}" for d in DRIVES)
     winds = tuple(f"wind.{a}" for a in "xyz")
     acting = (*STATE, *forces, *winds, "time")
@@ -234,7 +234,7 @@ def _dependencies() -> tuple[tuple[str, tuple[str, ...]], ...]:
 
 
 def _table(starts: dict[str, Any], weights: list[str]) -> list[Variable]:
-    """The table of gains; its description tells the weights, which are no variables any more."""
+    """The table of gains; its description lists the weights, which are no variables here."""
     feedback, driven = _designed(starts)
     used = len(feedback.lengths)
     told = ", ".join(f"{n.rpartition('.')[2]} {starts[n]!r}" for n in weights)

@@ -1,4 +1,4 @@
-"""GantryCrane's parameters for what is not ideal: `segfmu.crane.Rig` as variables."""
+"""GantryCrane's parameters of the real equipment: `segfmu.crane.Rig` as variables."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from segfmu.kernels.crane.records import AXES, DRIVES
 from segfmu.kernels.rig.records import SIGNALS, Disturbance
 
 GUST_SHAPES = Enumeration("GustShape", SHAPES, "course of a gust over time")
-# end stops so far away that there are none
+# position of an end stop that stands for none
 FAR = 1e9
 
 

@@ -40,7 +40,7 @@ REFERENCE = slice(SetpointRecord.REFERENCE, SetpointRecord.REFERENCE + State.SIZ
 
 
 class CraneSlave(SpecSlave):
-    """The slave: a thin shell around `segfmu.crane.plant.Plant`."""
+    """The slave; it uses `segfmu.crane.plant.Plant`."""
 
     spec = gantry_crane.spec()
 
@@ -55,7 +55,7 @@ class CraneSlave(SpecSlave):
         self._given = self._stepped = False
 
     def initialise(self) -> None:
-        """Design the feedback and put the crane into its initial state."""
+        """Design the feedback and set the initial state."""
         crane = Crane.of(self.value)
         if self._start is None:
             self._start = self._begin()
@@ -151,7 +151,7 @@ class CraneSlave(SpecSlave):
         return DESIGNS.items[int(self.value("feedback.design")) - 1] == "flatness"
 
     def _tune(self, plant: Plant) -> None:
-        """Take over the tunable parameters."""
+        """Apply the tunable parameters."""
         feedback = None
         if self._design is not None and self._poles() != self._tuned:
             self._tuned = self._poles()

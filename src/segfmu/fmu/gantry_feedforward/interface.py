@@ -17,7 +17,7 @@ from segfmu.fmu.standard.spec import (
     triple,
 )
 
-# that a plan can have, and that an FMU has by default
+# waypoints: largest number in a plan, and default of an FMU
 MOST_WAYPOINTS = 256
 WAYPOINTS = 16
 

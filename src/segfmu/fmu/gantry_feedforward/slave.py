@@ -19,7 +19,7 @@ AXES = ("x", "y", "z")
 
 
 class FeedforwardSlave(SpecSlave):
-    """The slave; its outputs are functions of time and parameters alone."""
+    """The slave; its outputs depend only on time and parameters."""
 
     spec = gantry_feedforward.spec()
 
@@ -43,7 +43,7 @@ class FeedforwardSlave(SpecSlave):
         self._evaluate(time + step)
 
     def _get(self, kind: str, references: list[int]) -> list[Any]:
-        """In initialisation mode an importer may ask for outputs: plan when it does."""
+        """Plan if the importer asks for outputs in initialisation mode."""
         asked = (self.spec.variables[r - 1] for r in references if 0 < r <= self._size)
         causalities = {v.causality for v in asked}
         if self._initialising and not causalities.isdisjoint({"output", "calculatedParameter"}):

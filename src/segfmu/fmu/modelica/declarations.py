@@ -1,4 +1,4 @@
-"""What users see of a Modelica class for an FMU: connectors, parameters, calculated values."""
+"""The public part of a Modelica class for an FMU: connectors, parameters, calculated values."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ def parameters(spec: Spec) -> list[str]:
 
 
 def settable(spec: Spec) -> list[Variable]:
-    """Parameters, and start values of what is calculated later."""
+    """Parameters, and start values of calculated variables."""
     return [v for v in spec.variables if v.initial == "exact"]
 
 
@@ -123,7 +123,7 @@ def _table(spec: Spec, array: Array) -> list[str]:
 
 
 def others(spec: Spec) -> list[str]:
-    """What the FMU calculates beside its outputs."""
+    """Calculated values of the FMU other than outputs."""
     lines = []
     for v in spec.where("calculatedParameter", "local"):
         fixed = "final parameter " if v.causality == "calculatedParameter" else ""

@@ -8,7 +8,7 @@ from itertools import groupby
 from segfmu.fmu.modelica.names import title
 from segfmu.fmu.standard.spec import Spec, Variable
 
-# of an icon, and from one connector to the next
+# size of an icon, and distance between connectors
 HALF_WIDTH, DISTANCE, HALF_CONNECTOR = 200, 20, 8
 
 
@@ -34,7 +34,7 @@ def extent(x: int, y: int, half_width: int, half_height: int | None = None) -> s
 
 
 def half_height(spec: Spec) -> int:
-    """Half the height of an icon that has room for all connectors of its fuller edge."""
+    """Half the height of an icon with room for all connectors of its fuller edge."""
     rows = max(_rows(spec.where("input")), _rows(spec.where("output")))
     return rows * DISTANCE // 2 + DISTANCE
 

@@ -1,8 +1,8 @@
 """A Modelica class that runs one FMU, from its interface specification.
 
-The class has the connectors and parameters of the specification. The FMU is an external object, and
-all that its functions return is written as a function of time, states and inputs, so that tools can
-order, repeat and differentiate numerically what they like. Events are those that the FMU names.
+The class has the connectors and parameters of the specification. The FMU is an external object. All
+its results are functions of time, states and inputs, so that tools can order, repeat and
+numerically differentiate the calls. The FMU gives the times of events.
 """
 
 from __future__ import annotations
@@ -132,9 +132,10 @@ def _discrete_parameters(spec: Spec) -> list[str]:
 
 
 def _calls(spec: Spec) -> list[tuple[tuple[str, ...], list[Variable]]]:
-    """Real outputs by the inputs that they follow from at one time.
+    """Real outputs, grouped by the inputs with direct effect on them.
 
-    In one call they would all follow from all inputs, and a controller would close algebraic loops.
+    In one call all outputs would depend on all inputs, and a controller would close algebraic
+    loops.
     """
     inputs = {v.name for v in spec.where("input")}
     found: dict[tuple[str, ...], list[Variable]] = {}

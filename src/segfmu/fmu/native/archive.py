@@ -40,7 +40,7 @@ VERSIONS = {
 }
 LICENCE = files("segfmu.fmu.standard").joinpath("license.txt")
 DARWIN = ("x86_64-darwin", "aarch64-darwin")
-# of every entry of an archive, so that equal content gives equal bytes
+# date of every entry of an archive, so that equal content gives equal bytes
 DATE = (*(int(fmi2.GENERATED[i:j]) for i, j in ((0, 4), (5, 7), (8, 10))), 0, 0, 0)
 
 
@@ -48,7 +48,7 @@ def build_all(
     specs: Sequence[Spec], folder: Path, *, fmi: int = 2, platforms: Sequence[str] = (),
     report: Callable[[str], None] = lambda _: None,
 ) -> list[Path]:
-    """Build archives into a folder, for the host's platform where none is given.
+    """Build archives into a folder, by default for the host's platform.
 
     Raises
     ------

@@ -34,7 +34,7 @@ class Platform:
 
     @property
     def options(self) -> tuple[str, ...]:
-        """All options that are the platform's own."""
+        """All options of the platform."""
         return *self.compile, *self.link
 
 
@@ -138,7 +138,7 @@ def universal(slices: dict[str, bytes]) -> bytes:
 
 
 def host() -> str | None:
-    """The name of the platform this runs on; None where it is none of ours."""
+    """The name of the platform this runs on; None if it is not supported."""
     machine = {"amd64": "x86_64", "arm64": "aarch64"}.get(
         platform.machine().lower(), platform.machine().lower()
     )
@@ -187,7 +187,7 @@ def portable(name: str) -> Compiler:
 
 
 def _version(command: str) -> str:
-    """What a compiler says of itself."""
+    """The version text of a compiler."""
     done = subprocess.run(
         [command, "--version"], capture_output=True, text=True, errors="replace", check=False
     )

@@ -1,4 +1,4 @@
-"""Which variables feed the kernels' records, as tables in C: from the records' declarations."""
+"""C tables of the variables that feed the kernels' records, from the records' declarations."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def source(spec: Spec, records: Sequence[type[Record]]) -> str:
     Raises
     ------
     BuildError
-        For a record that no variable of the specification feeds as it says.
+        If a record names a variable that the specification does not have.
     """
     placed = layout(spec)
     tables = "\n".join(_table(spec, r, placed) for r in records)

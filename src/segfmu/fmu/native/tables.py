@@ -1,9 +1,9 @@
 """The table of an FMU's variables in C, from its interface specification.
 
-Every variable has a place in one of two arrays, `real` and `integer`; the members of an FMI 3.0
-array lie side by side. variables.h names the places, variables.c says of every value reference
-where its value is, of which kind, in which range, and when it may be set. build.h has a mark of all
-sources. None of them depends on start values, which are in start.bin.
+Every variable has an index in one of two arrays, `real` and `integer`; the elements of an FMI 3.0
+array are adjacent. variables.h names the indices. variables.c gives index, kind and range of every
+value reference, and when it may be set. build.h has a hash of all sources. None of them depends on
+start values, which are in start.bin.
 """
 
 from __future__ import annotations

@@ -369,7 +369,7 @@ void segfmu_crane_rhs(array_double_1d state, array_double_1d generalized_force, 
     (*cspan_at(&derivative, INT64_C(8))) = (-c3) * (c12 * c28 + c19 * c2 + c26 * c27);
     (*cspan_at(&derivative, INT64_C(9))) = c10 * ((-c27) * c7 + c28 * c9);
 }
-/*The same for given accelerations of bridge, trolley and rope; force: what they need. */
+/*The same for given accelerations of bridge, trolley and rope, with the forces they need. */
 void segfmu_crane_driven(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative, array_double_1d force)
 {
     double l;
@@ -828,7 +828,7 @@ void segfmu_seed_numbers(int64_t seed, array_double_1d numbers)
     other = seed * INT64_C(69069) + INT64_C(12345);
     (*cspan_at(&numbers, INT64_C(0))) = 1.0 + seed - span_floor_div(seed, INT64_C(2147483562)) * INT64_C(2147483562);
     (*cspan_at(&numbers, INT64_C(1))) = 1.0 + other - span_floor_div(other, INT64_C(2147483398)) * INT64_C(2147483398);
-    /*neighbouring seeds start alike*/
+    /*similar seeds give similar first numbers, so skip some*/
     for (Dummy_0000 = INT64_C(0); Dummy_0000 < INT64_C(20); Dummy_0000 += INT64_C(1))
     {
         segfmu_next_uniform(numbers);
@@ -848,7 +848,7 @@ static double next_normal(array_double_1d numbers)
 /*    deviation (3,): standard deviations along x, y, z [N]; components (count, 7): a `Sinusoid` a   */
 /*    row, a sine with a random phase.                                                               */
 /*    Spectral representation of M. Shinozuka and C.-M. Jan, J. Sound Vib. 25 (1972); the frequencies*/
-/*    lie at random in equal bands, so that the noise has no period.                                 */
+/*    are random within equal bands, so that the noise has no period.                                */
 /*                                                                                                   */
 void segfmu_noise_components(double bandwidth, array_double_1d deviation, array_double_1d numbers, array_double_2d components)
 {
@@ -885,7 +885,7 @@ static double friction_force(array_double_1d plant, int64_t axis, double velocit
     }
     return friction;
 }
-/*Force of a gust over its greatest one, at a share of its duration. */
+/*Force of a gust relative to its peak, at a share of its duration.*/
 static double gust_factor(double shape, double share)
 {
     if ((share <= 0.0) || (share >= 1.0))
@@ -933,12 +933,12 @@ static void wind_force(array_double_1d plant, array_double_2d components, double
         }
     }
 }
-/*Whether a magnitude is above a bound by more than rounding; 0 is no bound. */
+/*Whether a magnitude exceeds a bound by more than rounding; 0 is no bound.*/
 static bool exceeds(double value, double bound)
 {
     return (bound > 0.0) && (fabs(value) > bound * (1.0 + 1e-12));
 }
-/*A value within plus and minus a bound. */
+/*A value, limited to plus and minus a bound.*/
 static double limited(double value, double bound)
 {
     return span_min(span_max(value, -bound), bound);
@@ -979,7 +979,7 @@ static void driven_forces(array_double_1d plant, array_double_1d state, array_do
         (*cspan_at(&action, INT64_C(0) + i)) = (*cspan_at(&action, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(18), i));
     }
 }
-/*Mass [kg] that a drive moves beside the load.*/
+/*Mass [kg] that a drive moves in addition to the load.*/
 static double carriage_mass(array_double_1d masses, int64_t axis)
 {
     double result;
@@ -995,7 +995,7 @@ static double carriage_mass(array_double_1d masses, int64_t axis)
     }
     return 0.0;
 }
-/*At which bound a drive has to be under the present changes: -1, 0 or 1.*/
+/*The bound at which a drive must be for the present changes: -1, 1, or 0 for none.*/
 static double limit_side(array_double_1d plant, int64_t axis, array_double_1d action, array_double_1d limit)
 {
     double change;
@@ -1007,7 +1007,7 @@ static double limit_side(array_double_1d plant, int64_t axis, array_double_1d ac
     change = (*cspan_at(&limit, INT64_C(3) + axis));
     if (side != 0.0)
     {
-        /*it may only lag behind what was demanded of it*/
+        /*it may only lag behind its demand*/
         if (side * change > 0.0)
         {
             return 0.0;
@@ -1031,7 +1031,7 @@ static double limit_side(array_double_1d plant, int64_t axis, array_double_1d ac
     }
     return -1.0;
 }
-/*Force [N] from what a drive's demand needs to the bound on its side. */
+/*Difference [N] from a drive's demanded force to the bound on its side. */
 static double missing_force(array_double_1d plant, int64_t axis, array_double_1d action, array_double_1d limit)
 {
     double bound;
@@ -1040,11 +1040,11 @@ static double missing_force(array_double_1d plant, int64_t axis, array_double_1d
     result = bound - (*cspan_at(&action, INT64_C(0) + axis));
     return result;
 }
-/*Changes that bring the drives with a side to their bounds and leave the others alone.          */
-/*                                                                                               */
-/*    Forces change by (M + m e e') times the changes: M are the carriages' masses, m the load's,*/
-/*    and e is the rope's direction, as the load resists along the rope alone.                   */
-/*                                                                                               */
+/*Acceleration changes that bring the drives with a side to their bounds; 0 for the others.            */
+/*                                                                                                     */
+/*    Forces change by (M + m e e') times the changes, with the carriages' masses M, the load's mass m */
+/*    and the rope's direction e: the load resists only along the rope.                                */
+/*                                                                                                     */
 static void change_accelerations(array_double_1d plant, array_double_1d action, array_double_1d limit)
 {
     double payload;
@@ -1097,10 +1097,10 @@ static void change_accelerations(array_double_1d plant, array_double_1d action, 
 }
 /*Reduce accelerations until no drive needs more than its largest force.                             */
 /*                                                                                                   */
-/*    A drive is at its bound and lags behind its demand, or it has its demand: a complementarity    */
+/*    A drive either meets its demand, or it is at its bound and lags behind: a complementarity      */
 /*    problem in three unknowns with a positive definite matrix, solved by K. G. Murty's least-index */
-/*    pivoting (Linear Algebra and its Applications 7, 1974). action: an `Action`, what the demand   */
-/*    needs; its flags are set where the bound acts. limit: a `ForceLimit`.                          */
+/*    pivoting (Linear Algebra and its Applications 7, 1974). action: an `Action` with the demanded  */
+/*    forces; its flags are set for drives at their bound. limit: a `ForceLimit`.                    */
 /*                                                                                                   */
 static void limit_accelerations(array_double_1d plant, array_double_1d state, array_double_1d action, array_double_1d acceleration, array_double_1d limit)
 {
@@ -1147,10 +1147,11 @@ static void limit_accelerations(array_double_1d plant, array_double_1d state, ar
         }
     }
 }
-/*Derivative of the crane under velocity demands, without lag acceleration demands.              */
-/*                                                                                               */
-/*    work has the demands, the torques on the sway angles, wind and friction; it gets what acts.*/
-/*                                                                                               */
+/*Derivative of the crane under velocity demands, without lag acceleration demands.                */
+/*                                                                                                 */
+/*    work contains the demands, the torques on the sway angles, wind and friction; the forces and */
+/*    accelerations that act are written to it.                                                    */
+/*                                                                                                 */
 static void driven_derivative(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative)
 {
     array_double_1d action;
@@ -1182,7 +1183,7 @@ static void driven_derivative(array_double_1d plant, array_double_1d state, arra
         }
     }
 }
-/*Block of a table before which or at which a rope length lies; 0 .. blocks - 2. */
+/*Last block of a table at or below a rope length; 0 .. blocks - 2.*/
 static int64_t table_row(double length, array_double_3d table)
 {
     int64_t row;
@@ -1238,20 +1239,20 @@ void segfmu_feedback_correction(array_double_1d state, array_double_1d reference
         (*cspan_at(&correction, i)) = -total;
     }
 }
-/*Bandwidth [rad/s]: `ratio` pendulum frequencies, at most `largest` radians in a delay [s]. */
+/*Bandwidth [rad/s]: `ratio` pendulum frequencies, at most `largest` [rad] over a delay [s]. */
 double segfmu_feedback_bandwidth(double ratio, double length, double gravity, double delay, double largest)
 {
     return span_min(ratio * sqrt(gravity / length), largest / delay);
 }
-/*Gains (4, 10), a `Gains`, that give the flat output's error chosen poles; closed form.             */
-/*                                                                                                   */
-/*    plant: masses and drive mode of a `Plant`. About the load hanging at rest, with the sway angle */
-/*    counted such that the load is at p = x_t + l phi: p'' = -g phi and p'''' = (g / l) (g phi + a) */
-/*    under the carriage's acceleration a. The error of p is given the characteristic polynomial     */
-/*    (s^2 + 2 D w s + w^2)^2, that of the rope s^2 + 2 D w s + w^2, each with its bandwidth w       */
-/*    [rad/s], and the damping D. The corrections are accelerations of velocity drives; otherwise    */
-/*    forces, which also cancel the rope's pull on the carriage.                                     */
-/*                                                                                                   */
+/*Gains (4, 10), a `Gains`, that place the poles of the flat output's error; closed form.              */
+/*                                                                                                     */
+/*    plant: masses and drive mode of a `Plant`. About the load hanging at rest, with the sign of the  */
+/*    sway angle such that the load is at p = x_t + l phi: p'' = -g phi and p'''' = (g / l) (g phi +   */
+/*    a) for the carriage's acceleration a. The error of p has the characteristic polynomial (s^2 + 2  */
+/*    D w s + w^2)^2, that of the rope s^2 + 2 D w s + w^2, each with its bandwidth w [rad/s], and the */
+/*    damping D. For velocity drives the corrections are accelerations; otherwise they are forces,     */
+/*    which also cancel the rope's pull on the carriage.                                               */
+/*                                                                                                     */
 void segfmu_feedback_gains(array_double_1d plant, double length, double bandwidth, double hoist_bandwidth, double damping, array_double_2d gains)
 {
     bool driven;
@@ -1445,7 +1446,7 @@ static void matrix_reduce(int64_t n, int64_t columns, int64_t pivot, array_doubl
         }
     }
 }
-/*b = a^-1 b for b with so many columns, by elimination; a is used up. */
+/*b = a^-1 b for b with `columns` columns, by elimination; overwrites a. */
 static void matrix_solve(int64_t n, int64_t columns, array_double_2d a, array_double_2d b)
 {
     int64_t pivot;
@@ -1472,7 +1473,7 @@ static void matrix_solve(int64_t n, int64_t columns, array_double_2d a, array_do
         }
     }
 }
-/*Derivatives (8, 8) of six states and two inputs by themselves; length of the rope [m]. */
+/*System matrix (8, 8) of six states and two inputs at a rope length [m].*/
 static void kalman_model(int64_t axis, array_double_1d plant, double length, array_double_2d model)
 {
     double mass;
@@ -1549,10 +1550,10 @@ static void kalman_series(double part, double drift, double wind, array_double_2
         matrix_add(INT64_C(6), part / n, product, term);
     }
 }
-/*Transition (8, 8) over a sample, and what the walks add to the covariance (6, 6).            */
-/*                                                                                             */
-/*    Taylor series over a part of the sample that is short, then doubled; work: a `ModelWork`.*/
-/*                                                                                             */
+/*Transition (8, 8) over a sample, and the covariance (6, 6) added by the walks.           */
+/*                                                                                         */
+/*    Taylor series over a short fraction of the sample, then doubled; work: a `ModelWork`.*/
+/*                                                                                         */
 static void kalman_sampled(double sample_time, double drift, double wind, array_double_2d model, array_double_2d transition, array_double_2d covariance, array_double_2d work)
 {
     double size;
@@ -1682,7 +1683,7 @@ static void kalman_gain(int64_t axis, double first, double second, array_double_
         (*cspan_at(&row, INT64_C(9))) = (a * (*cspan_at(&spread, i, INT64_C(1))) - b * (*cspan_at(&spread, i, INT64_C(0)))) / determinant;
     }
 }
-/*An axis' rows of the table for the model in work, a `Kalman`.*/
+/*The rows of an axis in the table, for the model in work, a `Kalman`. */
 static void kalman_axis(int64_t axis, double sample_time, array_double_1d expected, array_double_2d work, array_double_2d table)
 {
     array_double_2d transition;
@@ -1744,11 +1745,11 @@ static void kalman_axis(int64_t axis, double sample_time, array_double_1d expect
         }
     }
 }
-/*One rope length's part (19, 10) of the observer's table, an `Observer`.                            */
-/*                                                                                                   */
-/*    plant: the nominal crane, of whose `Plant` masses, drive mode and lags count; sample_time [s]; */
-/*    length [m]; work (72, 16): a `Kalman`.                                                         */
-/*                                                                                                   */
+/*One rope length's part (19, 10) of the observer's table, an `Observer`.                              */
+/*                                                                                                     */
+/*    plant: masses, drive mode and lags of the nominal crane, a `Plant`; sample_time [s]; length [m]; */
+/*    work (72, 16): a `Kalman`.                                                                       */
+/*                                                                                                     */
 void segfmu_observer_design(array_double_1d plant, double sample_time, double length, array_double_1d expected, array_double_2d work, array_double_2d table)
 {
     int64_t j;
@@ -1764,7 +1765,7 @@ void segfmu_observer_design(array_double_1d plant, double sample_time, double le
         kalman_axis(axis, sample_time, expected, work, table);
     }
 }
-/*A `RopeRange` by a crane's bounds [m], by its rope's length at the start [m] without them. */
+/*A `RopeRange` from a crane's bounds [m], or else from the rope length at the start [m].*/
 void segfmu_rope_range(double length, double shortest, double longest, array_double_1d found)
 {
     (*cspan_at(&found, INT64_C(0))) = shortest;
@@ -1778,9 +1779,9 @@ void segfmu_rope_range(double length, double shortest, double longest, array_dou
         (*cspan_at(&found, INT64_C(1))) = 5.0 * length;
     }
 }
-/*Rope lengths (rows,) of a table, in equal ratios [m]; returns their number.*/
+/*Rope lengths (rows,) [m] of a table, in equal ratios; returns their number.*/
 /*                                                                           */
-/*    One where both ends are the same.                                      */
+/*    It is 1 if both ends are equal.                                        */
 /*                                                                           */
 int64_t segfmu_table_lengths(double shortest, double longest, int64_t rows, array_double_1d lengths)
 {
@@ -1797,21 +1798,21 @@ int64_t segfmu_table_lengths(double shortest, double longest, int64_t rows, arra
     (*cspan_at(&lengths, rows - INT64_C(1))) = longest;
     return rows;
 }
-/*Largest bandwidth of bridge and trolley, in radians in a sample and a lag. */
+/*Largest bandwidth of bridge and trolley times the sum of period and lag [rad]. */
 static double largest_angle(void)
 {
     return 0.25;
 }
-/*The same of the hoist, which with two poles instead of four bears more.*/
+/*The same for the hoist; two poles instead of four tolerate more. */
 static double largest_hoist_angle(void)
 {
     return 0.5;
 }
-/*Gains (Gains) at a rope length [m].                                                            */
-/*                                                                                               */
-/*    plant: a `Plant` with the mass of the load that the gains are for; lags count for velocity */
-/*    drives alone. design: a `FlatDesign`.                                                      */
-/*                                                                                               */
+/*Gains (Gains) at a rope length [m].                                                                */
+/*                                                                                                   */
+/*    plant: a `Plant` with the design payload; its lags are used for velocity drives only. design: a*/
+/*    `FlatDesign`.                                                                                  */
+/*                                                                                                   */
 static void design_flat_gains(array_double_1d plant, array_double_1d design, double length, array_double_2d gains)
 {
     double delay;
@@ -1835,7 +1836,7 @@ static void design_flat_gains(array_double_1d plant, array_double_1d design, dou
     hoist = segfmu_feedback_bandwidth((*cspan_at(&design, INT64_C(2))), length, gravity, delay, largest_hoist_angle());
     segfmu_feedback_gains(plant, length, bandwidth, hoist, (*cspan_at(&design, INT64_C(3))), gains);
 }
-/*`design_flat_gains` at rope lengths (rows,) [m]; table (rows, 4, 10): a `Gains` a row. */
+/*`design_flat_gains` at rope lengths (rows,) [m]; table (rows, 4, 10): one `Gains` per row. */
 void segfmu_flat_table(array_double_1d plant, array_double_1d design, int64_t rows, array_double_1d lengths, array_double_3d table)
 {
     int64_t row;
@@ -1844,10 +1845,10 @@ void segfmu_flat_table(array_double_1d plant, array_double_1d design, int64_t ro
         design_flat_gains(plant, design, (*cspan_at(&lengths, row)), span_matrix(&table, row));
     }
 }
-/*`observer_design` at rope lengths (rows,) [m]; whether all of the table is finite.               */
+/*`observer_design` at rope lengths (rows,) [m]; returns whether the whole table is finite.        */
 /*                                                                                                 */
-/*    uncertainty: an `Uncertainty`; expected: work space, an `Expected`; table (rows, 19, 10): an */
-/*    `Observer` a row.                                                                            */
+/*    uncertainty: an `Uncertainty`; expected: work space, an `Expected`; table (rows, 19, 10): one*/
+/*    `Observer` per row.                                                                          */
 /*                                                                                                 */
 bool segfmu_observer_table(array_double_1d plant, double sample_time, array_double_1d uncertainty, int64_t rows, array_double_1d lengths, array_double_1d expected, array_double_2d work, array_double_3d table)
 {
@@ -1982,7 +1983,7 @@ static void offset_filter(bool first, double share, array_double_1d signals, arr
         }
     }
 }
-/*Place of the load and direction of the rope from the coordinates (5).*/
+/*Position of the load and direction of the rope from the coordinates (5). */
 static void offset_signals(array_double_1d measured, double start, array_double_1d signals)
 {
     double phi_x;
@@ -2042,7 +2043,7 @@ static int64_t offset_residual(double* result_0_0001, double* result_1_0001, int
     (*result_1_0001) = drop * across - turn * down;
     return 0;
 }
-/*Variances of residual and factor by the noise of the sensors, white before the filter. */
+/*Variances of residual and factor due to sensor noise, white before the filter. */
 static int64_t offset_noise(double* result_0, double* result_1_0001, array_double_1d parameters, double length)
 {
     double w;
@@ -2063,7 +2064,7 @@ static int64_t offset_noise(double* result_0, double* result_1_0001, array_doubl
     (*result_1_0001) = share * fifth * (*cspan_at(&parameters, INT64_C(25)));
     return 0;
 }
-/*Take their slow means off an axis' three values; share: of what is new.*/
+/*Subtract the slow means from an axis' three values; share: weight of the new values. */
 static void offset_centre(int64_t axis, double share, array_double_1d values, array_double_1d means)
 {
     int64_t i;
@@ -2075,7 +2076,7 @@ static void offset_centre(int64_t axis, double share, array_double_1d values, ar
         (*cspan_at(&values, i)) = (*cspan_at(&values, i)) - (*cspan_at(&means, k));
     }
 }
-/*Add one axis' residual, factor and instrument to the sums, of which a share is kept. */
+/*Add one axis' residual, factor and instrument to the sums, after scaling them by `keep`. */
 static void offset_sum(double keep, array_double_1d values, array_double_1d sums)
 {
     double residual;
@@ -2093,11 +2094,11 @@ static void offset_sum(double keep, array_double_1d values, array_double_1d sums
     (*cspan_at(&sums, INT64_C(4))) = keep * (*cspan_at(&sums, INT64_C(4))) + square * factor * factor;
     (*cspan_at(&sums, INT64_C(5))) = keep * (*cspan_at(&sums, INT64_C(5))) + square;
 }
-/*Offset and deviation by the sums; which offset is to be used.                                        */
+/*Offset and deviation from the sums, and the offset to use.                                           */
 /*                                                                                                     */
-/*    One that has been five deviations for five of the filter's time constants is; it stays until the */
-/*    data speak against it. In less time wind is too often shaped like the plan by chance. sums: an   */
-/*    `OffsetSums`, estimate: an `OffsetEstimate`.                                                     */
+/*    An offset is used after it has exceeded five deviations for five of the filter's time constants, */
+/*    and until the data contradict it. In a shorter time wind too often resembles the plan by chance. */
+/*    sums: an `OffsetSums`, estimate: an `OffsetEstimate`.                                            */
 /*                                                                                                     */
 static void offset_decide(array_double_1d parameters, double length, double noise, array_double_1d sums, array_double_1d estimate)
 {
@@ -2115,8 +2116,8 @@ static void offset_decide(array_double_1d parameters, double length, double nois
     offset = (*cspan_at(&sums, INT64_C(0))) / (*cspan_at(&sums, INT64_C(1)));
     left = (*cspan_at(&sums, INT64_C(2))) - 2.0 * offset * (*cspan_at(&sums, INT64_C(3)));
     left = left + offset * offset * (*cspan_at(&sums, INT64_C(4)));
-    /*what remains may be little by chance, but not less than the sensors' noise, of which a small*/
-    /*part is as slow as the plan*/
+    /*the residual may be small by chance, but not below the part of the sensors' noise that is as*/
+    /*slow as the plan*/
     least = noise * (*cspan_at(&sums, INT64_C(5))) / 16.0;
     deviation = sqrt(samples * (span_max(left, 0.0) + least)) / (*cspan_at(&sums, INT64_C(1)));
     (*cspan_at(&estimate, INT64_C(0))) = offset;
@@ -2186,7 +2187,7 @@ static void offset_equations(array_double_1d parameters, array_double_1d measure
         {
             (*cspan_at(&means, INT64_C(6) + axis)) = residual;
         }
-        /*the filter starts as if all had rested before, which a swaying load did not*/
+        /*the filter assumes rest before the start, but the load may sway*/
         settling = (*cspan_at(&filtered, INT64_C(3), INT64_C(6)));
         equation = span_row(&memory, INT64_C(12) + axis);
         (*cspan_at(&equation, INT64_C(0))) = residual - (*cspan_at(&means, INT64_C(6) + axis)) * settling;
@@ -2227,7 +2228,7 @@ static double offset_estimate(array_double_1d parameters, array_double_1d measur
     }
     if (power > 9.0 * factor_noise)
     {
-        /*a plan that swings the load less than the sensors' noise teaches nothing*/
+        /*a planned swing below the sensors' noise contains no information*/
         step = (*cspan_at(&parameters, INT64_C(24))) * (*cspan_at(&parameters, INT64_C(1)));
         offset_sum(1.0 - step / 60.0, span_row(&memory, INT64_C(12)), sums);
         offset_sum(1.0, span_row(&memory, INT64_C(12) + INT64_C(1)), sums);
@@ -2333,10 +2334,10 @@ void segfmu_set_fading(array_double_1d tracking)
         (*cspan_at(&tracking, INT64_C(11))) = exp((-(*cspan_at(&tracking, INT64_C(1)))) / fade);
     }
 }
-/*Wake the feedback at the first deviation that is more than the sensors' steps. */
-/*                                                                               */
-/*    Until then there is nothing to correct that a rounded signal could show.   */
-/*                                                                               */
+/*Wake the feedback at the first deviation above the sensors' quantisation.*/
+/*                                                                         */
+/*    Until then the deviation may be rounding.                            */
+/*                                                                         */
 static void track_wake(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory)
 {
     int64_t i;
@@ -2381,7 +2382,7 @@ static void track_offset(array_double_1d parameters, array_double_2d tick, array
     {
         offset = offset_estimate(parameters, measured, span_row(&tick, INT64_C(1)), offsets);
     }
-    /*a better known length is no motion of the rope*/
+    /*a correction of the length is no motion of the rope*/
     hoist = span_row(&memory, INT64_C(0) + INT64_C(2));
     (*cspan_at(&hoist, INT64_C(0))) = (*cspan_at(&hoist, INT64_C(0))) + (offset - before);
     length = INT64_C(0) + INT64_C(2);
@@ -2455,18 +2456,18 @@ static void track_observe(array_double_1d parameters, array_double_3d table, arr
         (*cspan_at(&before, i)) = (*cspan_at(&reference, i));
     }
 }
-/*Whether corrections are made: they are enabled, and a deviation has woken them.*/
+/*Whether corrections act: enabled, and a deviation has woken the feedback.*/
 static bool track_acts(array_double_1d parameters, array_double_2d memory)
 {
     bool result;
     result = ((*cspan_at(&parameters, INT64_C(9))) > 0.5) && ((*cspan_at(&memory, INT64_C(4), INT64_C(6))) > 0.5);
     return result;
 }
-/*Estimated deviation from where the disturbances are balanced.                                  */
-/*                                                                                               */
-/*    A load pushed by an acceleration w hangs at the angle w / g; its position is right with the*/
-/*    carriage at -l w / g, and its height with a rope longer by l (w / g)^2 / 2.                */
-/*                                                                                               */
+/*Estimated deviation from the state that balances the disturbances.                           */
+/*                                                                                             */
+/*    A load pushed by an acceleration w hangs at the angle w / g. Its position is right if the*/
+/*    carriage is at -l w / g, and its height if the rope is longer by l (w / g)^2 / 2.        */
+/*                                                                                             */
 static void track_deviation(array_double_1d parameters, array_double_2d memory)
 {
     double length;
@@ -2502,7 +2503,7 @@ static void track_deviation(array_double_1d parameters, array_double_2d memory)
         (*cspan_at(&deviation, INT64_C(8) + i)) = sign * (*cspan_at(&estimate, INT64_C(3)));
         slant = slant + 0.5 * length * angle * angle;
     }
-    /*the first argument's length chooses the gains, the difference is the deviation*/
+    /*the length of the first argument selects the gains, the difference is the deviation*/
     (*cspan_at(&target, INT64_C(0) + INT64_C(2))) = length - (*cspan_at(&deviation, INT64_C(0) + INT64_C(2))) + slant;
     (*cspan_at(&deviation, INT64_C(0) + INT64_C(2))) = length;
 }
@@ -2548,7 +2549,7 @@ static void track_law(array_double_1d parameters, array_double_3d gains, array_d
             (*cspan_at(&correction, i)) = 0.0;
             if (driven)
             {
-                /*a velocity that the feedback has added must not stay*/
+                /*the velocity added by the feedback must return to zero*/
                 added = (*cspan_at(&memory, INT64_C(3), INT64_C(0) + i));
                 fade = span_max((*cspan_at(&parameters, INT64_C(10))), (*cspan_at(&parameters, INT64_C(1))));
                 (*cspan_at(&correction, i)) = (-added) / fade;
@@ -2563,7 +2564,7 @@ static void track_law(array_double_1d parameters, array_double_3d gains, array_d
         track_forces(parameters, memory, correction);
     }
 }
-/*The rope's acceleration that its force asked for, within limits; estimate of the payload.*/
+/*The rope's acceleration for the limited force; update of the payload's estimate. */
 static void track_hoist(array_double_1d parameters, array_double_2d memory)
 {
     double gravity;
@@ -2583,10 +2584,10 @@ static void track_hoist(array_double_1d parameters, array_double_2d memory)
         (*cspan_at(&memory, INT64_C(5), INT64_C(3))) = span_min(span_max(share, -0.98), 9.0);
     }
 }
-/*Correction of the setpoints at a tick, held until the next one; its value goes to `tick`.*/
-/*                                                                                         */
-/*    What the correction is added to counts for the limits alone.                         */
-/*                                                                                         */
+/*Compute the correction at a tick, held until the next one, and write it to `tick`. */
+/*                                                                                   */
+/*    Only the limits use the setpoints to which it is added.                        */
+/*                                                                                   */
 void segfmu_track_setpoint(array_double_1d parameters, array_double_3d table, array_double_3d gains, array_double_2d tick, array_double_2d memory)
 {
     array_double_1d correction;
@@ -2606,14 +2607,14 @@ void segfmu_track_setpoint(array_double_1d parameters, array_double_3d table, ar
         feedforward = (*cspan_at(&tick, INT64_C(2), i));
         if ((*cspan_at(&memory, INT64_C(3), INT64_C(4))) > 0.5)
         {
-            /*bumpless: what a switch would jump by fades out instead*/
+            /*bumpless: the jump at a switch is added and fades out*/
             (*cspan_at(&step, INT64_C(0) + i)) = (*cspan_at(&held, INT64_C(3) + i)) - (*cspan_at(&correction, i));
         }
         (*cspan_at(&step, INT64_C(0) + i)) = (*cspan_at(&parameters, INT64_C(11))) * (*cspan_at(&step, INT64_C(0) + i));
         total = feedforward + (*cspan_at(&correction, i)) + (*cspan_at(&step, INT64_C(0) + i));
         total = span_min(span_max(total, (*cspan_at(&parameters, INT64_C(12) + i))), (*cspan_at(&parameters, INT64_C(15) + i)));
         (*cspan_at(&correction, i)) = total - feedforward;
-        /*the observer gets what remains within the limits, so nothing winds up*/
+        /*the observer gets the limited correction, so nothing winds up*/
         (*cspan_at(&held, INT64_C(3) + i)) = (*cspan_at(&correction, i));
         (*cspan_at(&held, INT64_C(0) + i)) = (*cspan_at(&correction, i));
     }
@@ -3706,8 +3707,8 @@ static void rope_pull(double gravity, int64_t width, array_double_2d work)
 }
 /*Put the polynomial of a demand into work[RopeWork.DEMAND, :]; returns its length.                  */
 /*                                                                                                   */
-/*    bound: what the load is to stay below the trolley [m], what is to be left of gravity [m/s2], or*/
-/*    the rope's length [m].                                                                         */
+/*    bound: least distance below the trolley [m], least remainder of gravity [m/s2], or rope length */
+/*    [m].                                                                                           */
 /*                                                                                                   */
 static int64_t rope_margin(int64_t demand, double bound, int64_t width, array_double_2d work)
 {
@@ -3797,7 +3798,7 @@ static double series_factorial(int64_t order)
     }
     return product;
 }
-/*Series of a function whose derivatives stand in a column of values, from a row on. */
+/*Series of a function from its derivatives in a column of `values`, from a row on.*/
 static void series_of_derivatives(array_double_2d values, int64_t first, int64_t column, int64_t count, array_double_1d found)
 {
     double scale;
@@ -3812,7 +3813,7 @@ static void series_of_derivatives(array_double_2d values, int64_t first, int64_t
         (*cspan_at(&found, i)) = (*cspan_at(&values, first + i, column)) / scale;
     }
 }
-/*The derivative of an order that a series stands for. */
+/*The derivative of an order, from a series. */
 static double series_derivative(array_double_1d a, int64_t order)
 {
     double result;
@@ -4018,8 +4019,8 @@ void segfmu_flat_derivatives(array_double_2d flat, int64_t order, array_double_1
 }
 /*Velocity setpoints, and forces in place, of bridge, trolley and hoist (3 each).                    */
 /*                                                                                                   */
-/*    velocity and acceleration [m/s], [m/s2] are those that shall happen; known: a `Compensation`. A*/
-/*    lag v' = (v* - v) / T follows v exactly under v* = v + T v'; friction viscous v + coulomb      */
+/*    velocity and acceleration [m/s], [m/s2] are the planned ones; known: a `Compensation`. A drive */
+/*    with lag, v' = (v* - v) / T, follows v exactly if v* = v + T v'; friction viscous v + coulomb  */
 /*    tanh(v / width) is added to the forces.                                                        */
 /*                                                                                                   */
 void segfmu_compensate_setpoints(array_double_1d velocity, array_double_1d acceleration, array_double_1d known, array_double_1d force, array_double_1d setpoint)
@@ -4037,10 +4038,10 @@ void segfmu_compensate_setpoints(array_double_1d velocity, array_double_1d accel
         (*cspan_at(&force, i)) = (*cspan_at(&force, i)) + viscous + coulomb;
     }
 }
-/*Fill in PlantFault for a status other than DONE at a time [s], for messages.   */
-/*                                                                               */
-/*    Returns the status of the kind, BELOW_TRAVEL or ABOVE_TRAVEL for any axis. */
-/*                                                                               */
+/*Fill in PlantFault for a status other than DONE at a time [s], for messages.       */
+/*                                                                                   */
+/*    Returns the status without the axis: BELOW_TRAVEL or ABOVE_TRAVEL for any axis.*/
+/*                                                                                   */
 int64_t segfmu_plant_failure(int64_t status, double time, array_double_1d state, array_double_1d plant, array_double_1d fault)
 {
     int64_t axis;
@@ -4085,11 +4086,11 @@ static double stage_node(int64_t stage)
     }
     return 1.0;
 }
-/*First components of the state at a stage behind the first: state + h sum a_ij k_j.             */
-/*                                                                                               */
-/*    k: a row for each of the `Stages`; trial: the result. Every sum is written out, so that its*/
-/*    terms stay in registers; the state of the last stage is that at the step's end.            */
-/*                                                                                               */
+/*First components of the state at a stage after the first: state + h sum a_ij k_j.                  */
+/*                                                                                                   */
+/*    k: one row per stage (`Stages`); trial: the result. Every sum is written out, so that its terms*/
+/*    stay in registers. The last stage is the end of the step.                                      */
+/*                                                                                                   */
 static void stage_state(int64_t stage, double h, int64_t count, array_double_1d state, array_double_2d k, array_double_1d trial)
 {
     double a0;
@@ -4166,10 +4167,10 @@ static void stage_state(int64_t stage, double h, int64_t count, array_double_1d 
         }
     }
 }
-/*Largest difference of the fifth- and the fourth-order state, relative where that is above 1. */
-/*                                                                                             */
-/*    A difference that is not finite counts as 1e100.                                         */
-/*                                                                                             */
+/*Largest difference of the fifth- and fourth-order states, relative to values above 1.*/
+/*                                                                                     */
+/*    A difference that is not finite counts as 1e100.                                 */
+/*                                                                                     */
 static double step_error(double h, int64_t count, array_double_1d start, array_double_1d end, array_double_2d k)
 {
     double e0;
@@ -4203,17 +4204,17 @@ static double step_error(double h, int64_t count, array_double_1d start, array_d
     }
     return error;
 }
-/*Factor from a step, whose error was found, to the next one.*/
+/*Ratio of the next step to this one, from this one's error. */
 static double next_step(double error, double tolerance)
 {
-    /*most steps are cut short by their interval's end, and far from what the tolerance allows*/
+    /*most steps are shortened by their interval's end, with errors far below the tolerance*/
     if (5300.0 * error > tolerance)
     {
         return span_min(5.0, span_max(0.2, 0.9 * pow((tolerance / error), 0.2)));
     }
     return 5.0;
 }
-/*Whether the first values are numbers that can be computed with.*/
+/*Whether the first values are finite and below 1e100. */
 static bool all_finite(array_double_1d values, int64_t count)
 {
     int64_t i;
@@ -4226,7 +4227,7 @@ static bool all_finite(array_double_1d values, int64_t count)
     }
     return 1;
 }
-/*Powers of drives, wind and friction [W]: the derivatives of the works. */
+/*Powers of drives, wind and friction [W]: the derivatives of their work.*/
 static void plant_powers(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative)
 {
     array_double_1d wind;
@@ -4238,7 +4239,7 @@ static void plant_powers(array_double_1d plant, array_double_1d state, array_dou
     double power;
     double lost;
     wind = span_row(&work, INT64_C(14));
-    /*without wind, it does no work, whatever the load's velocity is*/
+    /*no wind, no work: skips the load's velocity*/
     calm = ((*cspan_at(&wind, INT64_C(0))) == 0.0) && ((*cspan_at(&wind, INT64_C(1))) == 0.0) && ((*cspan_at(&wind, INT64_C(2))) == 0.0);
     if (!calm)
     {
@@ -4295,7 +4296,7 @@ static void plant_derivative(array_double_1d plant, array_double_2d components, 
     }
     plant_powers(plant, state, work, derivative);
 }
-/*Take the last stage of a step, at its end, as the first one of the next step.*/
+/*Use the last stage of a step, at its end, as the first stage of the next step. */
 static void reuse_last_stage(array_double_2d work)
 {
     array_double_1d action;
@@ -4325,14 +4326,14 @@ static double try_step(array_double_1d plant, array_double_2d components, double
     trial = span_row(&work, INT64_C(10));
     for (stage = INT64_C(1); stage < INT64_C(7); stage += INT64_C(1))
     {
-        /*the works have no part in the derivatives*/
+        /*the derivatives do not depend on the work*/
         count = INT64_C(10);
         if (stage == INT64_C(6))
         {
             count = INT64_C(13);
         }
         stage_state(stage, h, count, state, stages, trial);
-        /*a stage out of all bounds is a step that was much too long*/
+        /*values beyond all bounds: the step was much too long*/
         if (!all_finite(trial, count))
         {
             return 1e+100;
@@ -4359,7 +4360,7 @@ static int64_t plant_status(array_double_1d plant, array_double_1d state, double
     }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        /*resting at the very limit is allowed*/
+        /*rest exactly at the limit is allowed*/
         if ((*cspan_at(&state, INT64_C(0) + i)) < (*cspan_at(&plant, INT64_C(22) + i)) - 1e-09)
         {
             return INT64_C(6) + i;
@@ -4375,7 +4376,7 @@ static int64_t plant_status(array_double_1d plant, array_double_1d state, double
     }
     return INT64_C(0);
 }
-/*Take over the state that was tried, and report what acts in it.*/
+/*Accept the trial state, and report the forces in it. */
 static void accept_step(array_double_1d state, array_double_2d work, double elapsed, array_double_1d report)
 {
     array_double_1d action;
@@ -4397,14 +4398,14 @@ static void accept_step(array_double_1d state, array_double_2d work, double elap
     (*cspan_at(&report, INT64_C(8))) = (*cspan_at(&work, INT64_C(3) + INT64_C(6), INT64_C(12)));
     (*cspan_at(&report, INT64_C(9))) = elapsed;
 }
-/*Advance the state, in place, by a duration [s] from a time [s] on.                                   */
-/*                                                                                                     */
-/*    tolerance: relative and absolute error of a step. report: a `Report`; what was at a bound in the */
-/*    communication step is left to the caller.                                                        */
-/*                                                                                                     */
-/*    Returns a `PlantStatus`. What has a status is approached until within 0.1 us of it; the state is */
-/*    the last one without. For stiff friction, STEP_TOO_SMALL also stands for too many steps.         */
-/*                                                                                                     */
+/*Advance the state, in place, by a duration [s] from a time [s] on.                                 */
+/*                                                                                                   */
+/*    tolerance: relative and absolute error of a step. report: a `Report`; the caller collects the  */
+/*    drives that were at a bound in the communication step.                                         */
+/*                                                                                                   */
+/*    Returns a `PlantStatus`. A failure is located to 0.1 us; the state is the last valid one. With */
+/*    stiff friction, STEP_TOO_SMALL also means too many steps.                                      */
+/*                                                                                                   */
 int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d components, double time, array_double_1d state, double duration, double tolerance, array_double_2d work, array_double_1d report)
 {
     int64_t i;
@@ -4429,7 +4430,7 @@ int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d components, 
     plant_derivative(plant, components, time, 0.0, state, work, span_row(&work, INT64_C(3) + INT64_C(6)));
     reuse_last_stage(work);
     t = 0.0;
-    /*what a step was before is a better guess than an interval that may hold many*/
+    /*the previous step is a better guess than the interval, which may need many steps*/
     planned = (*cspan_at(&work, INT64_C(11), INT64_C(0)));
     if (planned <= 0.0)
     {
@@ -4470,7 +4471,7 @@ int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d components, 
         accept_step(state, work, t, report);
         if (last)
         {
-            /*cut short by the interval's end, it tells less than the step planned before*/
+            /*a step shortened by the interval's end is a worse guess than the step planned before*/
             (*cspan_at(&work, INT64_C(11), INT64_C(0))) = span_max(h, planned);
             return INT64_C(0);
         }
@@ -4478,7 +4479,7 @@ int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d components, 
     }
     return INT64_C(3);
 }
-/*The row of first .. last - 1 whose piece holds `time`, by bisection. */
+/*The row of first .. last - 1 whose piece contains `time`, by bisection.*/
 static int64_t find_piece(double time, array_double_2d timing, int64_t first, int64_t last)
 {
     int64_t upper;
@@ -4521,10 +4522,10 @@ static double evaluate_piece(array_double_2d coefficients, int64_t row, int64_t 
     }
     return value;
 }
-/*Time since the start of a piece, at most its length.                           */
-/*                                                                               */
-/*    Where the clock is coarser than a piece is long, the piece must not go on. */
-/*                                                                               */
+/*Time since the start of a piece, at most its length.                                 */
+/*                                                                                     */
+/*    The clock may be coarser than the length of a piece, which must not be exceeded. */
+/*                                                                                     */
 static double local_time(double time, array_double_2d timing, int64_t row)
 {
     double result;
@@ -4657,10 +4658,10 @@ static void split_hull(array_double_2d hull, int64_t row, int64_t count)
         (*cspan_at(&hull, row, r)) = (*cspan_at(&hull, row + INT64_C(1), INT64_C(0)));
     }
 }
-/*Whether a polynomial given by the Bernstein coefficients hull[0, :] keeps a limit. */
-/*                                                                                   */
-/*    hull is work space with rows of `Hull`, 40 of them.                            */
-/*                                                                                   */
+/*Whether a polynomial with the Bernstein coefficients hull[0, :] keeps a limit. */
+/*                                                                               */
+/*    hull is work space with 40 rows of `Hull`.                                 */
+/*                                                                               */
 static bool within(array_double_2d hull, int64_t count, double limit)
 {
     int64_t rows;
@@ -4682,7 +4683,7 @@ static bool within(array_double_2d hull, int64_t count, double limit)
             largest = span_max(largest, fabs((*cspan_at(&hull, row, i))));
             total = total + fabs((*cspan_at(&hull, row, i)));
         }
-        /*the sum is for values that are no numbers, which no comparison holds for*/
+        /*the sum detects NaN, for which every comparison is false*/
         if ((largest <= limit) && (total <= count * limit))
         {
             rows = rows - INT64_C(1);
@@ -4735,7 +4736,7 @@ static bool check_piece(int64_t row, bool joined, double length, array_double_2d
             jump = fabs((*cspan_at(&hull, INT64_C(0), INT64_C(0))) - (*cspan_at(&work, INT64_C(40), d)));
             (*cspan_at(&work, INT64_C(42), d)) = span_max((*cspan_at(&work, INT64_C(42), d)), jump);
         }
-        /*not max(), which a value that is no number would leave as it is*/
+        /*not max(), which would ignore NaN*/
         if (!(fabs((*cspan_at(&hull, INT64_C(0), INT64_C(0)))) < 1e+300))
         {
             return 0;
@@ -4794,13 +4795,13 @@ static bool check_axis(int64_t first, int64_t last, array_double_2d timing, arra
     result = (*cspan_at(&work, INT64_C(41), INT64_C(0))) < 1e+300;
     return result;
 }
-/*Judge the pieces of every axis: 0, or 1 + the first axis that is not surely right.               */
-/*                                                                                                 */
-/*    Limits hold up to the relative tolerance, the derivatives 0 .. n are continuous up to it (in */
-/*    units of the range of the position, at least 1 m, and of the peaks of the others), and the   */
-/*    waypoints are met up to it. Arrays as in `expand_plan`; limits[axis, i] is c_{i+1}, 0 where  */
-/*    absent; work (Check rows, Check columns).                                                    */
-/*                                                                                                 */
+/*Check the pieces of every axis: 0, or 1 + the first axis that may be wrong.                        */
+/*                                                                                                   */
+/*    Up to the relative tolerance, limits hold, the derivatives 0 .. n are continuous (in units of  */
+/*    the range of the position, at least 1 m, and of the peaks of the others), and the trajectory   */
+/*    passes the waypoints. Arrays as in `expand_plan`; limits[axis, i] is c_{i+1}, 0 if absent; work*/
+/*    (Check rows, Check columns).                                                                   */
+/*                                                                                                   */
 int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, double tolerance, array_double_2d work)
 {
     int64_t width;
@@ -4827,7 +4828,7 @@ int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_d
         }
         for (j = INT64_C(0); j < points + INT64_C(1); j += INT64_C(1))
         {
-            /*the last waypoint is met on arrival and, after its dwell, at the end*/
+            /*the last waypoint is checked on arrival and, after its dwell, at the end*/
             point = span_min_int(j, points - INT64_C(1));
             row = find_piece((*cspan_at(&times, j, axis)), timing, first, last);
             local = local_time((*cspan_at(&times, j, axis)), timing, row);
@@ -4848,7 +4849,7 @@ int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_d
     }
     return INT64_C(0);
 }
-/*First end of a piece of any of three axes after a time, or the time if there is none.*/
+/*First end of a piece of any axis after a time, or the time itself if there is none.*/
 static double interval_end(double time, array_double_2d timing, array_int64_t_1d offsets)
 {
     int64_t axis;
@@ -4873,7 +4874,7 @@ static double interval_end(double time, array_double_2d timing, array_int64_t_1d
     }
     return until;
 }
-/*Position and pull of all axes in an interval's local time; an axis that has ended stays. */
+/*Position and pull of all axes in an interval's local time; an axis rests after its end.*/
 static void interval_pieces(double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work)
 {
     int64_t width;
@@ -4909,7 +4910,7 @@ static void interval_pieces(double time, double until, array_double_2d timing, a
     }
     rope_pull(gravity, width, work);
 }
-/*Bound of what a demand bounds: height [m], acceleration downwards [m/s2] or length [m].*/
+/*Bound of a demand: height [m], downward acceleration [m/s2] or length [m]. */
 static double demand_bound(int64_t demand, array_double_1d bounds)
 {
     double result;
@@ -4930,7 +4931,7 @@ static double demand_bound(int64_t demand, array_double_1d bounds)
     }
     return 0.0;
 }
-/*Put a demand's polynomial into work[RopeWork.DEMAND, :]; its length, 0: no such demand.*/
+/*Write a demand's polynomial to work[RopeWork.DEMAND, :]; returns its length, 0: no demand. */
 static int64_t rope_demand(int64_t demand, array_double_1d bounds, int64_t width, array_double_2d work)
 {
     double tolerance;
@@ -4960,10 +4961,10 @@ static int64_t rope_demand(int64_t demand, array_double_1d bounds, int64_t width
     result = rope_margin(demand, bound * (1.0 - tolerance), width, work);
     return result;
 }
-/*Where, as a share of the interval, a demand is first not proved to be zero or more.  */
-/*                                                                                     */
-/*    -1: nowhere. Hulls are reversed, so that the first half of an interval is on top.*/
-/*                                                                                     */
+/*First share of the interval at which a demand is not proved to hold; -1: it holds. */
+/*                                                                                   */
+/*    Hulls are reversed, so that the first half of an interval is on top.           */
+/*                                                                                   */
 static double first_negative(int64_t count, double length, array_double_2d work)
 {
     int64_t start;
@@ -5017,7 +5018,7 @@ static double first_negative(int64_t count, double length, array_double_2d work)
     }
     return -1.0;
 }
-/*What a demand bounds, at a local time of the interval: height, fall or length. */
+/*Value bounded by a demand at a local time: height, downward acceleration or length.*/
 static double value_at(int64_t demand, double local, double gravity, int64_t width, array_double_2d work)
 {
     double z;
@@ -5030,7 +5031,7 @@ static double value_at(int64_t demand, double local, double gravity, int64_t wid
     w_z = evaluate_piece(work, INT64_C(3) + INT64_C(2), width - INT64_C(2), local, INT64_C(0));
     return rope_value(demand, gravity, z, w_x, w_y, w_z);
 }
-/*The worst of samples, 33 an interval, of what a demand bounds from a time on.*/
+/*Worst value bounded by a demand from a time on, of 33 samples per interval.*/
 static double worst_value(int64_t demand, double first, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work)
 {
     double gravity;
@@ -5067,12 +5068,13 @@ static double worst_value(int64_t demand, double first, array_double_2d timing, 
     }
     return sign * worst;
 }
-/*Check a trajectory x, y, z; pieces as in kernels/trajectory/evaluate.py, pieces rise in time.    */
+/*Check a trajectory x, y, z, with pieces as in kernels/trajectory/evaluate.py in order of         */
+/*    time.                                                                                        */
 /*                                                                                                 */
 /*    bounds (RopeBounds.SIZE); work (RopeWork.SIZE, 4 width - 5 or more) for pieces of `width`    */
-/*    coefficients, 4 or more. Returns the first demand of RopeDemand that is not met, or 0. report*/
-/*    (RopeFault): of the load's height [m], of its acceleration downwards [m/s2], or of the rope's*/
-/*    length [m].                                                                                  */
+/*    coefficients, 4 or more. Returns the first violated demand of RopeDemand, or 0. report       */
+/*    (RopeFault): for the load's height [m], its downward acceleration [m/s2], or the rope length */
+/*    [m].                                                                                         */
 /*                                                                                                 */
 int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work, array_double_1d report)
 {
@@ -5131,7 +5133,7 @@ int64_t segfmu_check_range(double value, double least, double most, array_double
     }
     return INT64_C(2);
 }
-/*Share of the way from the newest to the other point at which to evaluate next, in (0, 1).    */
+/*Next point to evaluate, as a share in (0, 1) of the way from the newest to the other point.  */
 /*                                                                                             */
 /*    e_newest, e_other and e_before are the errors at the points, 0 where they are not known. */
 /*                                                                                             */
@@ -5201,8 +5203,8 @@ static int64_t slowest_root(double* result_0, double* result_1_0001, double chan
     (*result_1_0001) = slowest / (exponent * change);
     return 0;
 }
-/*Duration of the ramp for an acceleration change >= 0, that of its jerk rise [s], and the */
-/*    derivative of the duration with the change (0 for no change, where it is not finite).*/
+/*Duration of the ramp for an acceleration change >= 0, duration of its jerk rise [s], and the     */
+/*    derivative of the former with respect to the change (0 for no change, where it is infinite). */
 int64_t segfmu_ramp_duration(double* result_0_0001, double* result_1, double* result_2, double change, array_double_1d axis)
 {
     double slope;
@@ -5380,7 +5382,7 @@ static int64_t curved_part(double* result_0, double* result_1, double* result_2,
     {
         if (s > 0.5)
         {
-            /*the rise is symmetric: what is gained from s on follows from what is gained to 1 - s*/
+            /*the rise is symmetric: the gain from s on follows from the gain up to 1 - s*/
             snap_plateau_half(&value, &slope, &integral, 1.0 - s, axis);
             snap_plateau_half(&middle, &rate, &half, 0.5, axis);
             whole = 2.0 * half + 0.125;
@@ -5411,11 +5413,11 @@ static int64_t curved_part(double* result_0, double* result_1, double* result_2,
     (*result_2) = integral * s;
     return 0;
 }
-/*The s in [0, upper] at which the increasing curved part, 1/2 at `upper`, has the given value.    */
-/*                                                                                                 */
-/*    Close enough for an extremum, of which an error in s has only its square. The curved part is */
-/*    nearly a square at its upper end.                                                            */
-/*                                                                                                 */
+/*The s in [0, upper] at which the increasing curved part, 1/2 at `upper`, has the given value.      */
+/*                                                                                                   */
+/*    The accuracy suffices for an extremum, whose error is of second order in that of s. The curved */
+/*    part is nearly a square at its upper end.                                                      */
+/*                                                                                                   */
 static double invert_curved_part(double value, double upper, array_double_1d axis)
 {
     double low;
@@ -5501,7 +5503,7 @@ static double ramp_extreme_velocity(double v, double a, double b, double duratio
     result = ramp_extreme_velocity_first_half(v, a, b, duration, rise, axis);
     return result;
 }
-/*The value, or 0 where it is so small against its scale that its powers would underflow.*/
+/*The value, or 0 if it is so small relative to its scale that its powers would underflow. */
 static double flush_tiny(double value, double scale)
 {
     if (fabs(value) <= 1e-30 * scale)
@@ -5510,12 +5512,12 @@ static double flush_tiny(double value, double scale)
     }
     return value;
 }
-/*A boundary value, zero where it is tiny, clamped where it passes its limit by rounding.*/
+/*A boundary value, set to zero if tiny, clamped if it exceeds its limit by rounding.*/
 static double boundary_value(double value, double limit)
 {
     return span_min(span_max(flush_tiny(value, limit), -limit), limit);
 }
-/*Append the ramp from a to b whose duration was solved for; nothing if it has none.             */
+/*Append the ramp from a to b with a computed duration; nothing if that is zero.                 */
 /*                                                                                               */
 /*    The change follows from the duration, not from b - a: the rounding error of that difference*/
 /*    would be large against a small change, and break the limits of the ramp.                   */
@@ -5644,7 +5646,7 @@ static void reverse_phases(array_double_2d phases, int64_t first, int64_t count)
         (*cspan_at(&phases, i, INT64_C(2))) = -end;
     }
 }
-/*Copy a boundary problem (Problem) without what rounding leaves of zeros and of limits. */
+/*Copy a boundary problem (Problem), rounding tiny values to zero and to limits. */
 static void boundary_problem(array_double_1d problem, array_double_1d axis, array_double_1d cleaned)
 {
     double velocity;
@@ -5658,11 +5660,11 @@ static void boundary_problem(array_double_1d problem, array_double_1d axis, arra
     (*cspan_at(&cleaned, INT64_C(4))) = flush_tiny((*cspan_at(&problem, INT64_C(4))), velocity * velocity / acceleration);
     (*cspan_at(&cleaned, INT64_C(5))) = (*cspan_at(&problem, INT64_C(5)));
 }
-/*Duration, distance, end velocity, lowest and highest velocity of a list of phases.                 */
-/*                                                                                                   */
-/*    v is the velocity at the start. Peaks inside of ramps are left out where they are surely within*/
-/*    +-`within`.                                                                                    */
-/*                                                                                                   */
+/*Duration, distance, end velocity, lowest and highest velocity of a list of phases.           */
+/*                                                                                             */
+/*    v is the velocity at the start. Peaks inside ramps are ignored if they are surely within */
+/*    +-`within`.                                                                              */
+/*                                                                                             */
 int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result_2_0001, double* result_3, double* result_4, array_double_2d phases, int64_t count, double v, double within_0001, array_double_1d axis)
 {
     double total;
@@ -5726,7 +5728,7 @@ static double peak_past_zero(double v, double a, double level, array_double_1d a
     result = ramp_extreme_velocity(v, a, level, duration, rise, axis);
     return result;
 }
-/*The level next to zero past which a ramp from a > 0 keeps the velocity limit [m/s2]. */
+/*The level nearest to zero to which a ramp from a > 0 keeps the velocity limit [m/s2].*/
 /*                                                                                     */
 /*    v is the velocity at its start. Returns 1 if there is no such level.             */
 /*                                                                                     */
@@ -5788,11 +5790,11 @@ static double level_past_zero(double v, double a, array_double_1d axis)
     }
     return inside;
 }
-/*Phases from (v, a) to zero acceleration; their number (-1: the limit does not admit them).     */
-/*                                                                                               */
-/*    Also returns duration, distance and end velocity. Where the way back from a level past zero*/
-/*    passes the limit on the other side, it is braked in turn.                                  */
-/*                                                                                               */
+/*Phases from (v, a) to zero acceleration; their number (-1: none keeps the limit).            */
+/*                                                                                             */
+/*    Also returns duration, distance and end velocity. If the ramp back from a level past zero*/
+/*    exceeds the limit on the other side, it is braked in turn.                               */
+/*                                                                                             */
 static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, array_double_1d axis, array_double_2d phases)
 {
     double velocity_limit;
@@ -5844,11 +5846,11 @@ static int64_t brake(int64_t* result_0, double* result_1, double* result_2, doub
     (*result_3) = 0.0;
     return 0;
 }
-/*Write the problem that braking leaves: of none (0), the first (1), the last (2), both (3).   */
-/*                                                                                             */
-/*    Returns the number of phases that braking takes and their duration. The number is one of */
-/*    `Braking` where there is no such problem. `trial` is work space.                         */
-/*                                                                                             */
+/*Write the problem that remains after braking none (0), the first (1), last (2), both (3).      */
+/*                                                                                               */
+/*    Returns the number of braking phases and their duration. The number is one of `Braking` if */
+/*    there is no such problem. `trial` is work space.                                           */
+/*                                                                                               */
 static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d trial, array_double_1d rest)
 {
     int64_t first;
@@ -5911,7 +5913,7 @@ static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant,
     (*result_1) = spent;
     return 0;
 }
-/*Put what a variant brakes around the phases of the rest; returns the number of phases. */
+/*Add a variant's braking phases to the others; returns the number of phases.*/
 static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d trial)
 {
     int64_t first;
@@ -5951,11 +5953,11 @@ static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, 
     }
     return count;
 }
-/*The level of `solve_level` where the durations of both ramps are linear in their change.           */
-/*                                                                                                   */
-/*    slope level^2 + constant level = gain + slope (a^2 + b^2) / 2 - constant (a + b) / 2; -1 where */
-/*    that has no root.                                                                              */
-/*                                                                                                   */
+/*The level of `solve_level` where the durations of both ramps are linear in their change.             */
+/*                                                                                                     */
+/*    slope level^2 + constant level = gain + slope (a^2 + b^2) / 2 - constant (a + b) / 2; -1 if that */
+/*    has no root.                                                                                     */
+/*                                                                                                     */
 static double linear_level(double gain, double a, double b, array_double_1d axis)
 {
     double slope;
@@ -6024,7 +6026,7 @@ static int64_t root_level(double* result_0, double* result_1, double gain, doubl
         if (rate > 0.0)
         {
             newton = t - error / rate;
-            /*at the root the step may round to nothing, which a bracket would not admit*/
+            /*at the root the step may round to zero, outside the open bracket*/
             if (fabs(newton - t) <= 4e-16 * t)
             {
                 (*result_0) = t;
@@ -6092,7 +6094,7 @@ static int64_t solve_level(double* result_0_0001, double* result_1_0001, double*
     least = 0.5 * (a + low) * t_low + 0.5 * (low + b) * t_end;
     if (gain <= least)
     {
-        /*a rounding error short of the lowest level is that level*/
+        /*up to rounding, this is the lowest level*/
         if (gain < least - 1e-14 * (fabs(gain) + fabs(least)))
         {
             (*result_0_0001) = 0.0;
@@ -6167,13 +6169,13 @@ static int64_t member_distance(double* result_0_0001, double* result_1, array_do
     (*result_1) = y;
     return 0;
 }
-/*Write one member of the canonical family (Family) from (V, A) to (W, B).                           */
-/*                                                                                                   */
-/*    p is the duration of the last ramp, from the second level up to B; beyond LAST_RAMP, where that*/
-/*    level is the negative acceleration limit, it goes on as the hold there. The first level is at  */
-/*    most HIGHEST: the acceleration limit, or less to keep the velocity down between the levels, but*/
-/*    not less than A and B. Returns duration [s] (-1: no such member) and distance [m].             */
-/*                                                                                                   */
+/*Write one member of the canonical family (Family) from (V, A) to (W, B).                             */
+/*                                                                                                     */
+/*    p is the duration of the last ramp, from the second level up to B. Above LAST_RAMP that level is */
+/*    the negative acceleration limit, and the excess is the duration of its hold. The first level is  */
+/*    at most HIGHEST: the acceleration limit, or less to limit the velocity between the levels, but   */
+/*    not less than A and B. Returns duration [s] (-1: no such member) and distance [m].               */
+/*                                                                                                     */
 static int64_t canonical_member(double* result_0, double* result_1, double p, array_double_1d family, array_double_1d axis)
 {
     double a;
@@ -6249,11 +6251,11 @@ static int64_t append_velocity_change(array_double_2d phases, int64_t count, dou
     result = append_change(phases, count, sign * level, 0.0, axis);
     return result;
 }
-/*The paper's form with a given cruise velocity, the cruise itself left out.                   */
-/*                                                                                             */
-/*    Returns the number of phases (-1: a velocity change does not exist), the row before which*/
-/*    the cruise belongs, duration and distance.                                               */
-/*                                                                                             */
+/*The paper's form with a given cruise velocity, without the cruise itself.                        */
+/*                                                                                                 */
+/*    Returns the number of phases (-1: a velocity change does not exist), the row before which to */
+/*    insert the cruise, duration and distance.                                                    */
+/*                                                                                                 */
 static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_2, double* result_3, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis)
 {
     double v;
@@ -6311,7 +6313,7 @@ static int64_t with_cruise(array_double_2d phases, double cruise, array_double_1
         return span_max_int(count, INT64_C(0));
     }
     hold = (distance - y) / cruise;
-    /*shorter than rounding: no cruise, and what it misses is judged by its caller*/
+    /*shorter than rounding: no cruise; the caller checks the remaining error*/
     if ((hold < 0.0) && (fabs(distance - y) > 1e-13 * fabs(distance)))
     {
         return INT64_C(0);
@@ -6319,11 +6321,11 @@ static int64_t with_cruise(array_double_2d phases, double cruise, array_double_1
     result = insert_hold(phases, count, row, 0.0, hold);
     return result;
 }
-/*The paper's form whose cruise velocity, below the limit, makes the cruise vanish.              */
-/*                                                                                               */
-/*    Searched between the two limits, of which one falls short of the distance and the other one*/
-/*    is too far; by bisection where the form does not exist.                                    */
-/*                                                                                               */
+/*The paper's form with the cruise velocity, below the limit, that makes the cruise vanish.            */
+/*                                                                                                     */
+/*    The search goes between the two limits, one of which falls short of the distance while the other */
+/*    exceeds it; it bisects where the form does not exist.                                            */
+/*                                                                                                     */
 static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, array_double_1d axis)
 {
     double distance;
@@ -6403,7 +6405,7 @@ static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, ar
         lower = other;
         upper = newest;
     }
-    /*the side whose rounding error a short cruise can make up*/
+    /*the side whose rounding error a short cruise can compensate*/
     cruise = lower;
     if (cruise < 0.0)
     {
@@ -6412,11 +6414,11 @@ static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, ar
     result = with_cruise(phases, cruise, problem, axis);
     return result;
 }
-/*The paper's form around the velocity that one ramp to zero reaches from one end, or 0.         */
-/*                                                                                               */
-/*    The distance has a kink there, which can be the only member that covers it: a state on the */
-/*    way of another profile leads to such problems.                                             */
-/*                                                                                               */
+/*The paper's form with the velocity that one ramp to zero reaches from one end, or 0.               */
+/*                                                                                                   */
+/*    The distance has a kink there, and this member can be the only one that covers the distance, as*/
+/*    for boundary states taken from another profile.                                                */
+/*                                                                                                   */
 static int64_t direct_form(array_double_2d phases, bool from_start, array_double_1d problem, array_double_1d axis)
 {
     double v;
@@ -6564,7 +6566,7 @@ static double bracketed_root(double lower, double upper, double f_lower, double 
         }
         newest = p;
         e_newest = error;
-        /*what rounding leaves of a sum whose terms may cancel*/
+        /*rounding error of a sum whose terms may cancel*/
         if (fabs(error) <= 2e-15 * (fabs(target) + speed * duration))
         {
             break;
@@ -6578,10 +6580,10 @@ static double bracketed_root(double lower, double upper, double f_lower, double 
 }
 /*Search the members whose second level lies between the end acceleration and zero.                    */
 /*                                                                                                     */
-/*    f_start is the value of the first member, t_zero the parameter of the second level zero. Returns */
-/*    the parameter or -1, and t_zero if the family goes on there, else -1: a positive second level    */
-/*    gains velocity, which can leave no room for the first one. Where the motion starts backwards the */
-/*    distance can rise and fall again, so the members between are looked at.                          */
+/*    f_start is the value of the first member, t_zero the parameter at which the second level is      */
+/*    zero. Returns the parameter or -1, and t_zero if the family continues there, else -1: a positive */
+/*    second level gains velocity, so there may be no first level. If the motion starts backwards, the */
+/*    distance can rise and fall again, so the members between are searched too.                       */
 /*                                                                                                     */
 static int64_t first_window(double* result_0, double* result_1_0001, double f_start, double t_zero, array_double_1d family, array_double_1d axis)
 {
@@ -6642,11 +6644,11 @@ static int64_t first_window(double* result_0, double* result_1_0001, double f_st
     (*result_1_0001) = going_on;
     return 0;
 }
-/*Parameter of a member that covers less than the first one, f_start, and just the target.           */
-/*                                                                                                   */
-/*    -1 if there is none. Going on for longer covers less distance while the velocity in between is */
-/*    negative.                                                                                      */
-/*                                                                                                   */
+/*Parameter of a member that covers the target, which is less than f_start of the first one.     */
+/*                                                                                               */
+/*    -1 if there is none. A longer motion covers less distance while the velocity in between is */
+/*    negative.                                                                                  */
+/*                                                                                               */
 static double shorter_member(double f_start, array_double_1d family, array_double_1d axis)
 {
     int64_t samples;
@@ -6674,7 +6676,7 @@ static double shorter_member(double f_start, array_double_1d family, array_doubl
     }
     return -1.0;
 }
-/*First parameter beyond t_zero that has a member, where t_zero has none.*/
+/*First parameter beyond t_zero with a member, if t_zero has none. */
 static double second_window(double t_zero, array_double_1d family, array_double_1d axis)
 {
     double upper;
@@ -6696,7 +6698,7 @@ static double second_window(double t_zero, array_double_1d family, array_double_
     result = window_edge(INT64_C(80), upper, t_zero, family, axis);
     return result;
 }
-/*Parameter beyond `lower`, whose member covers f_lower, that covers the target, or -1.*/
+/*Parameter beyond `lower` that covers the target, or -1; `lower` covers f_lower.*/
 static double farther_member(double lower, double f_lower, array_double_1d family, array_double_1d axis)
 {
     double upper;
@@ -6704,7 +6706,7 @@ static double farther_member(double lower, double f_lower, array_double_1d famil
     double f_upper;
     double duration;
     double result;
-    /*where the last acceleration is at its limit, the last ramp is no scale of the family*/
+    /*if the last acceleration is at its limit, the last ramp cannot scale the family*/
     upper = span_max((*cspan_at(&family, INT64_C(5))), (*cspan_at(&axis, INT64_C(9))));
     if (upper <= lower)
     {
@@ -6745,7 +6747,7 @@ static double canonical_search(array_double_1d family, array_double_1d axis)
     {
         return -1.0;
     }
-    /*a target that only rounding keeps from the first member is met by it*/
+    /*the first member covers the target up to rounding*/
     if (fabs(f_lower - target) <= 1e-14 * (fabs(target) + (fabs(v) + fabs(w)) * duration))
     {
         return 0.0;
@@ -6781,13 +6783,13 @@ static double canonical_search(array_double_1d family, array_double_1d axis)
     p = farther_member(lower, f_lower, family, axis);
     return p;
 }
-/*Parameter of the canonical member number MEMBER of the target value, or -1.                        */
-/*                                                                                                   */
-/*    Neither duration nor distance is monotone along the family: the duration falls and rises again */
-/*    where a first level that takes long to come back from is traded for a shorter one, the distance*/
-/*    while the velocity in between is negative. So the members are looked at one by one, up to nine */
-/*    times SCALE.                                                                                   */
-/*                                                                                                   */
+/*Parameter of the canonical member number MEMBER of the target value, or -1.                          */
+/*                                                                                                     */
+/*    Neither duration nor distance is monotone along the family. The duration falls and rises again   */
+/*    as a first level with a long way back gives way to a shorter one; the distance does so while the */
+/*    velocity in between is negative. So the search steps through the members, up to nine times       */
+/*    SCALE.                                                                                           */
+/*                                                                                                     */
 static double member_search(array_double_1d family, array_double_1d axis)
 {
     double target;
@@ -6852,12 +6854,12 @@ static double member_search(array_double_1d family, array_double_1d axis)
     }
     return -1.0;
 }
-/*Set the canonical family (Family) of a problem on a branch 0 .. 3, by the distance.                */
-/*                                                                                                   */
-/*    Reversal (1, 2) exchanges the boundary states, mirroring (2, 3) their signs; together they     */
-/*    reduce every branch to the canonical one. The first member that covers the distance is searched*/
-/*    for, see `set_member`.                                                                         */
-/*                                                                                                   */
+/*Set the canonical family (Family) of a problem on a branch 0 .. 3, by the distance.              */
+/*                                                                                                 */
+/*    Reversal (1, 2) exchanges the boundary states, mirroring (2, 3) changes their signs; together*/
+/*    they reduce every branch to the canonical one. By default the first member that covers the   */
+/*    distance is searched for, see `set_member`.                                                  */
+/*                                                                                                 */
 static void set_family(int64_t branch, array_double_1d problem, array_double_1d axis, array_double_1d family)
 {
     bool reverse;
@@ -6906,10 +6908,10 @@ static void set_family(int64_t branch, array_double_1d problem, array_double_1d 
     (*cspan_at(&family, INT64_C(11))) = -1.0;
     (*cspan_at(&family, INT64_C(12))) = last_ramp;
 }
-/*Search a family for one member of several: from 0 the number of it.                          */
-/*                                                                                             */
-/*    `by_time` it lasts `time` [s]; else it covers the distance, and `time` scales the search.*/
-/*                                                                                             */
+/*Set which of several members to search for: its number, from 0.                                    */
+/*                                                                                                   */
+/*    With `by_time` it lasts `time` [s]; else it covers the distance, and `time` scales the search. */
+/*                                                                                                   */
 static void set_member(int64_t member, double time, bool by_time, array_double_1d family)
 {
     (*cspan_at(&family, INT64_C(11))) = member;
@@ -6920,10 +6922,10 @@ static void set_member(int64_t member, double time, bool by_time, array_double_1
         (*cspan_at(&family, INT64_C(10))) = time;
     }
 }
-/*Write the member that a family is searched for; the number of phases, -1 if there is none. */
-/*                                                                                           */
-/*    highest [m/s2] bounds the first level.                                                 */
-/*                                                                                           */
+/*Write the member of a family that is searched for; its number of phases, -1 if none. */
+/*                                                                                     */
+/*    highest [m/s2] bounds the first level.                                           */
+/*                                                                                     */
 static int64_t merged_form(array_double_2d phases, double highest, array_double_1d family, array_double_1d axis)
 {
     double p;
@@ -6971,10 +6973,10 @@ static int64_t merged_form(array_double_2d phases, double highest, array_double_
     }
     return count;
 }
-/*By how much phases that start with velocity v pass the velocity limit [m/s]; below 0: not. */
-/*                                                                                           */
-/*    Peaks within +-limit_kept inside of ramps may be left out.                             */
-/*                                                                                           */
+/*Excess over the velocity limit [m/s] of phases that start with velocity v; below 0: none.*/
+/*                                                                                         */
+/*    Peaks inside ramps may be ignored if they are within +-limit_kept.                   */
+/*                                                                                         */
 static double velocity_excess(array_double_2d phases, int64_t count, double v, double limit_kept, array_double_1d axis)
 {
     double duration;
@@ -6987,11 +6989,11 @@ static double velocity_excess(array_double_2d phases, int64_t count, double v, d
     result = span_max(highest, -lowest) - (*cspan_at(&axis, INT64_C(2)));
     return result;
 }
-/*A first level whose member keeps the velocity limit, and one above it that does not.             */
-/*                                                                                                 */
-/*    Returns both and by how much they pass the limit less a billionth; -1 first if there is none.*/
-/*    Below some level there may be no member, or one that passes the limit on the other side.     */
-/*                                                                                                 */
+/*A first level whose member keeps the velocity limit, and one above it that does not.                 */
+/*                                                                                                     */
+/*    Returns both and their excess over the limit less a billionth; the first is -1 if there is none. */
+/*    Below some level there may be no member, or one that exceeds the limit on the other side.        */
+/*                                                                                                     */
 static int64_t level_within(double* result_0, double* result_1_0001, double* result_2_0001, double* result_3_0001, double outside, double e_outside, array_double_2d phases, array_double_1d family, array_double_1d axis)
 {
     double velocity_limit;
@@ -7074,8 +7076,7 @@ static double highest_within(double inside, double outside, double e_inside, dou
     before = outside;
     e_before = e_outside;
     newest_inside = 1;
-    /*a boundary state can hold the excess near zero, whatever the level; then it only says whether*/
-    /*the limit is kept*/
+    /*a boundary state can keep the excess near zero at any level; then only its sign is used*/
     constant = 0;
     probing = 0;
     steps = INT64_C(0);
@@ -7149,13 +7150,13 @@ static double highest_within(double inside, double outside, double e_inside, dou
     }
     return inside;
 }
-/*The merged form that keeps the velocity limit; the number of phases.                           */
-/*                                                                                               */
-/*    It is -1 where there is no merged form, 0 where none keeps the limit.                      */
-/*                                                                                               */
-/*    Between its levels the velocity has a peak. Where that passes the limit, the first level is*/
-/*    lowered, and held, until the peak is at the limit less a billionth.                        */
-/*                                                                                               */
+/*The merged form that keeps the velocity limit; the number of phases.                         */
+/*                                                                                             */
+/*    It is -1 if there is no merged form, 0 if none keeps the limit.                          */
+/*                                                                                             */
+/*    Between its levels the velocity has a peak. If that exceeds the limit, the first level is*/
+/*    lowered and held (tempered), so that the peak is at the limit less a billionth.          */
+/*                                                                                             */
 static int64_t tempered_form(array_double_2d phases, array_double_1d family, array_double_1d axis)
 {
     double velocity_limit;
@@ -7202,7 +7203,7 @@ static int64_t tempered_form(array_double_2d phases, array_double_1d family, arr
     count = merged_form(phases, inside, family, axis);
     return count;
 }
-/*Duration [s] of phases that meet the boundary within the velocity limit; -1: they do not.*/
+/*Duration [s] of phases that join the boundary states within the velocity limit, else -1. */
 static double valid_duration(array_double_2d phases, int64_t count, array_double_1d problem, array_double_1d axis)
 {
     double limit;
@@ -7231,7 +7232,7 @@ static double valid_duration(array_double_2d phases, int64_t count, array_double
     }
     return duration;
 }
-/*Longer than the paper's form with cruise needs for velocity changes and distance [s].*/
+/*Upper bound [s] for the duration of the paper's form with cruise.*/
 static double usual_duration(array_double_1d problem, array_double_1d axis)
 {
     double limit;
@@ -7242,7 +7243,7 @@ static double usual_duration(array_double_1d problem, array_double_1d axis)
     result = 4.0 * change + fabs((*cspan_at(&problem, INT64_C(4)))) / limit;
     return result;
 }
-/*The forms that nothing is shorter than, one ramp or cruise at the limit; 0 if none holds.*/
+/*The optimal forms, one ramp or cruise at the limit; 0 if none is valid.*/
 static int64_t fastest_between(array_double_2d phases, array_double_1d problem, array_double_1d axis)
 {
     double v;
@@ -7259,7 +7260,7 @@ static int64_t fastest_between(array_double_2d phases, array_double_1d problem, 
     w = (*cspan_at(&problem, INT64_C(2)));
     b = (*cspan_at(&problem, INT64_C(3)));
     velocity_limit = (*cspan_at(&axis, INT64_C(2)));
-    /*nothing is faster than one ramp: phase I.1 alone, where the points are consistent*/
+    /*nothing is faster than one ramp (phase I.1 alone), if it joins the boundary states*/
     count = append_change(phases, INT64_C(0), a, b, axis);
     if (count > INT64_C(0))
     {
@@ -7283,11 +7284,11 @@ static int64_t fastest_between(array_double_2d phases, array_double_1d problem, 
     }
     return INT64_C(0);
 }
-/*The shortest candidate between two boundary states taken as they are; 0 if none holds.       */
-/*                                                                                             */
-/*    The first attempt (0) is for the forms that nothing is shorter than; the second one takes*/
-/*    those that keep the velocity limit at some price. Returns the number of phases.          */
-/*                                                                                             */
+/*The shortest candidate between two boundary states, without braking; 0 if none is valid.         */
+/*                                                                                                 */
+/*    The first attempt (0) tries the optimal forms; the second one tries those that take longer to*/
+/*    keep the velocity limit. Returns the number of phases.                                       */
+/*                                                                                                 */
 static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     array_double_2d trial;
@@ -7344,7 +7345,7 @@ static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_d
     }
     return best;
 }
-/*Whether the state at the start is that at the end. */
+/*Whether start and end states are equal.*/
 static bool is_done(array_double_1d problem)
 {
     bool result;
@@ -7355,7 +7356,7 @@ static bool is_done(array_double_1d problem)
     result = (*cspan_at(&problem, INT64_C(1))) == (*cspan_at(&problem, INT64_C(3)));
     return result;
 }
-/*`shortest_profile` where boundary accelerations are braked, or the limit has its price.*/
+/*`shortest_profile` with braking, and with forms that take longer to keep the limit.*/
 static int64_t shortest_braked(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
 {
     array_double_2d trial;
@@ -7378,7 +7379,7 @@ static int64_t shortest_braked(array_double_1d problem, array_double_1d axis, ar
     for (variant = INT64_C(1); variant < INT64_C(8); variant += INT64_C(1))
     {
         /*variants 0 to 3: braking none, the first, the last or both of the accelerations to zero;*/
-        /*4 to 7 the same with the second attempt, of which the last three are the way out*/
+        /*4 to 7 the same with the second attempt; the last three are the fallback*/
         if ((variant > INT64_C(4)) && (best > INT64_C(0)) && (shortest <= usual))
         {
             break;
@@ -7435,7 +7436,7 @@ int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, a
     count = shortest_braked(asked, axis, phases, work);
     return count;
 }
-/*Sort a duration later than `after` into the first column of ends; the latest falls out.*/
+/*Insert a duration above `after` in the sorted first column of ends; the longest drops out. */
 static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends)
 {
     int64_t place;
@@ -7466,10 +7467,10 @@ static int64_t insert_end(double duration, double after, int64_t count, array_do
     }
     return count;
 }
-/*Duration of the paper's form, if `covering` with the cruise that it takes to the distance. */
-/*                                                                                           */
-/*    1e300 where there is no such form.                                                     */
-/*                                                                                           */
+/*Duration of the paper's form; if `covering`, with the cruise that covers the distance. */
+/*                                                                                       */
+/*    1e300 if there is no such form.                                                    */
+/*                                                                                       */
 static double cruise_time(double cruise, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases)
 {
     int64_t count;
@@ -7524,10 +7525,10 @@ static double turning_time(double lower, double upper, bool covering, array_doub
     }
     return span_min(t_p, t_q);
 }
-/*Insert the durations at which the paper's form turns, over all cruise velocities.        */
-/*                                                                                         */
-/*    `spent` is what braking takes, `count` the number of durations; returns the new one. */
-/*                                                                                         */
+/*Insert the minima of the paper's form's duration over all cruise velocities.                     */
+/*                                                                                                 */
+/*    `spent` is the duration of braking, `count` the number of durations; returns the new number. */
+/*                                                                                                 */
 static int64_t turning_ends(bool covering, double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count)
 {
     array_double_2d phases;
@@ -7568,10 +7569,10 @@ static int64_t turning_ends(bool covering, double spent, double after, array_dou
     }
     return count;
 }
-/*Insert the durations of all candidates of the shortest profile that cover the distance.  */
-/*                                                                                         */
-/*    `spent` is what braking takes, `count` the number of durations; returns the new one. */
-/*                                                                                         */
+/*Insert the durations of all candidates of the shortest profile that cover the distance.          */
+/*                                                                                                 */
+/*    `spent` is the duration of braking, `count` the number of durations; returns the new number. */
+/*                                                                                                 */
 static int64_t covering_ends(double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count)
 {
     array_double_2d phases;
@@ -7630,10 +7631,10 @@ static int64_t covering_ends(double spent, double after, array_double_1d problem
     }
     return count;
 }
-/*Write the earliest durations after a given one at which a gap can end; their number.               */
+/*Write the shortest durations above a given one at which a gap can end; returns their number.       */
 /*                                                                                                   */
-/*    They come in rising order, in the first column of the rows GAP_ENDS of `work`, as many as there*/
-/*    are rows.                                                                                      */
+/*    They are in ascending order in the first column of the rows GAP_ENDS of `work`, at most one per*/
+/*    row.                                                                                           */
 /*                                                                                                   */
 static int64_t gap_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
@@ -7662,11 +7663,11 @@ static int64_t gap_ends(double after, array_double_1d problem, array_double_1d a
     }
     return count;
 }
-/*The paper's form with the cruise that makes it last the problem's duration.              */
-/*                                                                                         */
-/*    Returns the number of phases, the distance, and the duration of the cruise, which is */
-/*    negative where the form takes longer; the number is -1 where it does not exist.      */
-/*                                                                                         */
+/*The paper's form with the cruise that makes it last the problem's duration.                          */
+/*                                                                                                     */
+/*    Returns the number of phases, the distance, and the duration of the cruise, which is negative if */
+/*    the form takes longer; the number is -1 if the form does not exist.                              */
+/*                                                                                                     */
 static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis)
 {
     int64_t count;
@@ -7689,12 +7690,11 @@ static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* re
     (*result_2) = hold;
     return 0;
 }
-/*A cruise velocity that leaves a cruise and, if there is one, passes the distance.                  */
-/*                                                                                                   */
-/*    The cruise velocity `middle` leaves a cruise and covers y; from there the search goes to the   */
-/*    velocity limit on the side of the distance. Without such a velocity, the last one that leaves a*/
-/*    cruise is returned.                                                                            */
-/*                                                                                                   */
+/*A possible cruise velocity that, if there is one, covers at least the distance.                      */
+/*                                                                                                     */
+/*    The velocity `middle` is possible and covers y; the search goes from there to the velocity limit */
+/*    on the side of the distance. If there is no such velocity, the last possible one is returned.    */
+/*                                                                                                     */
 static double cruise_range(array_double_2d phases, double middle, double y, array_double_1d problem, array_double_1d axis)
 {
     double distance;
@@ -7736,11 +7736,11 @@ static double cruise_range(array_double_2d phases, double middle, double y, arra
     }
     return inside;
 }
-/*Keep the trial profile if it is the nearest one below or above the distance.                       */
-/*                                                                                                   */
-/*    It has to last the problem's duration. The phases go to the cell, what is known of them to the */
-/*    row NEAREST of `work`.                                                                         */
-/*                                                                                                   */
+/*Keep the trial profile if it is the nearest one below or above the distance.                         */
+/*                                                                                                     */
+/*    It must last the problem's duration. The phases go to the cell, their number and distance to the */
+/*    row NEAREST of `work`.                                                                           */
+/*                                                                                                     */
 static void keep_nearest(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
     array_double_2d trial;
@@ -7815,10 +7815,10 @@ static double keep_cruise(double cruise, array_double_1d problem, array_double_1
     keep_nearest(count, problem, axis, cell, work);
     return y;
 }
-/*Close in on the cruise velocity that covers the distance.                        */
-/*                                                                                 */
-/*    e_lower and e_upper are by how much the two velocities pass the distance [m].*/
-/*                                                                                 */
+/*Search for the cruise velocity that covers the distance.                   */
+/*                                                                           */
+/*    e_lower and e_upper are the excess distances of the two velocities [m].*/
+/*                                                                           */
 static void between_cruises(double lower, double upper, double e_lower, double e_upper, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
     double distance;
@@ -7873,7 +7873,7 @@ static void between_cruises(double lower, double upper, double e_lower, double e
         e_newest = error;
     }
 }
-/*Bisect between a velocity that leaves a cruise and one that does not.*/
+/*Bisect between a possible cruise velocity and an impossible one. */
 static double cruise_edge(double inside, double outside, array_double_2d phases, array_double_1d problem, array_double_1d axis)
 {
     int64_t i;
@@ -7896,10 +7896,7 @@ static double cruise_edge(double inside, double outside, array_double_2d phases,
     }
     return inside;
 }
-/*Nearest profiles with a cruise, looked for over all cruise velocities. */
-/*                                                                       */
-/*    Those that leave a cruise can form several windows.                */
-/*                                                                       */
+/*Nearest profiles with a cruise, over all windows of possible cruise velocities.*/
 static void scan_cruises(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
     array_double_2d trial;
@@ -7966,7 +7963,7 @@ static void stretch_phases(array_double_2d phases, int64_t count, double factor)
         (*cspan_at(&phases, i, INT64_C(3))) = (*cspan_at(&phases, i, INT64_C(3))) / (factor * factor);
     }
 }
-/*Remove the rounding error of the total duration, which two averaged profiles must share. */
+/*Remove the rounding error of the total duration: two averaged profiles need the same.*/
 static void fit_duration(array_double_2d phases, int64_t count, double target)
 {
     double total;
@@ -8007,7 +8004,7 @@ static void timed_merged(array_double_1d problem, array_double_1d axis, array_do
         }
     }
 }
-/*Nearest profiles below and above the distance, from boundary states taken as they are. */
+/*Nearest profiles below and above the distance, without braking.*/
 static void timed_between(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
     array_double_2d trial;
@@ -8053,7 +8050,7 @@ static double nearest_weight(array_double_1d problem, array_double_1d axis, arra
     distance = (*cspan_at(&problem, INT64_C(4)));
     below = (*cspan_at(&nearest, INT64_C(1)));
     above = (*cspan_at(&nearest, INT64_C(3)));
-    /*one profile is enough when it misses the distance by no more than rounding*/
+    /*one profile is enough if it covers the distance up to rounding*/
     tiny = 1e-14 * (fabs(distance) + (*cspan_at(&axis, INT64_C(2))) * (*cspan_at(&problem, INT64_C(5))));
     if (above - distance <= tiny)
     {
@@ -8065,7 +8062,7 @@ static double nearest_weight(array_double_1d problem, array_double_1d axis, arra
     }
     return 0.0;
 }
-/*Put what a variant brakes around both profiles, and give them the duration exactly.*/
+/*Add a variant's braking phases to both profiles, and give them the exact duration. */
 static void surround_nearest(int64_t variant, array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
     array_double_2d trial;
@@ -8088,11 +8085,11 @@ static void surround_nearest(int64_t variant, array_double_1d axis, array_double
     fit_duration(above, count, (*cspan_at(&problem, INT64_C(5))));
     (*cspan_at(&nearest, INT64_C(2))) = count;
 }
-/*Two profiles of a cell's problem (Cell) that last `target` [s] and enclose the distance.           */
-/*                                                                                                   */
-/*    Returns the weight of the second one, or -1 where that duration is not feasible. The motion is */
-/*    (1 - weight) * BELOW + weight * ABOVE; the counts of phases are in the row NEAREST of `work`.  */
-/*                                                                                                   */
+/*Two profiles of a cell's problem (Cell) that last `target` [s] and enclose the distance.         */
+/*                                                                                                 */
+/*    Returns the weight of the second one, or -1 if that duration is not feasible. The motion is  */
+/*    (1 - weight) * BELOW + weight * ABOVE; the counts of phases are in the row NEAREST of `work`.*/
+/*                                                                                                 */
 double segfmu_timed_profile(double target, array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
     array_double_2d trial;
@@ -8190,7 +8187,7 @@ static void set_stretched(double target, bool resting, array_double_2d cell, arr
     int64_t count;
     phases = span_rows(&cell, INT64_C(0), INT64_C(13));
     shortest = (*cspan_at(&cell, INT64_C(27), INT64_C(0)));
-    /*the shortest profile may still be there, from the first step of planning*/
+    /*the shortest profile may still be stored, from the first step of planning*/
     duration = 0.0;
     if ((*cspan_at(&cell, INT64_C(27), INT64_C(4))) == 0.0)
     {
@@ -8213,7 +8210,7 @@ static void set_stretched(double target, bool resting, array_double_2d cell, arr
         stretch_phases(phases, count, target / duration);
     }
 }
-/*Write a profile of the given duration [s]; False when that duration is not feasible. */
+/*Write a profile of the given duration [s]; False if that duration is not feasible. */
 static bool set_duration(double target, array_double_2d cell, array_double_1d axis, array_double_2d work)
 {
     double shortest;
@@ -8264,11 +8261,11 @@ static double first_feasible(double outside, double inside, array_double_2d cell
     }
     return inside;
 }
-/*The end of the gap that holds the infeasible duration `start` [s]; -1 if none is found.              */
-/*                                                                                                     */
-/*    The durations at which gaps can end are tried one after the other. Should a duration just before */
-/*    one of them be feasible as well, or none of them, the end is searched for.                       */
-/*                                                                                                     */
+/*The end of the gap that contains the infeasible duration `start` [s]; -1 if none is found.   */
+/*                                                                                             */
+/*    The durations at which gaps can end are tried in turn. If a slightly shorter duration is */
+/*    feasible too, or none of them is feasible, the end is searched for.                      */
+/*                                                                                             */
 static double next_feasible(double start, array_double_2d cell, array_double_1d axis, array_double_2d work)
 {
     double after;
@@ -8327,9 +8324,9 @@ static double round_up(double duration, double sample_time)
     }
     return (int64_t)ceil(duration / sample_time - 1e-09) * sample_time;
 }
-/*The shortest duration >= start [s] that the cells first .. last - 1 all meet; -1 if none.*/
+/*The shortest duration >= start [s] feasible for the cells first .. last - 1; -1 if none. */
 /*                                                                                         */
-/*    They belong to one interval. Their profiles of that duration are written.            */
+/*    The cells belong to one interval. Their profiles of that duration are written.       */
 /*                                                                                         */
 static double common_duration(double start, double sample_time, int64_t first, int64_t last, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
@@ -8621,19 +8618,19 @@ static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, arr
         (*cspan_at(&axis, INT64_C(14))) = slope;
         for (e = INT64_C(2); e < k + INT64_C(2); e += INT64_C(1))
         {
-            /*where the root of the order e is no longer than the linear duration*/
+            /*the change above which the root of order e is not longer than the linear duration*/
             change = pow(((*cspan_at(&axis, INT64_C(18) + e - INT64_C(1))) / pow(slope, (double)(e))), (1.0 / (e - INT64_C(1))));
             (*cspan_at(&axis, INT64_C(13))) = span_max((*cspan_at(&axis, INT64_C(13))), change);
         }
     }
     return bounded;
 }
-/*Set the ramp parameters of an axis whose limits are set (Axis).                                      */
-/*                                                                                                     */
-/*    share is that of a plateau which each of its rises takes when no limit bounds that rise: the     */
-/*    smaller, the faster, and the larger the derivatives that are not bounded. `work` has two rows of */
-/*    2 smoothness numbers or more. Returns False where no limit bounds the ramp.                      */
-/*                                                                                                     */
+/*Set the ramp parameters of an axis whose limits are set (Axis).                                    */
+/*                                                                                                   */
+/*    share: duration of each rise relative to its ramp, if no limit bounds the rise. A smaller share*/
+/*    makes faster ramps with larger unbounded derivatives. `work` has two rows of 2 smoothness      */
+/*    numbers or more. Returns False if no limit bounds the ramp.                                    */
+/*                                                                                                   */
 bool segfmu_ramp_parameters(double share, array_double_1d axis, array_double_2d work)
 {
     int64_t smoothness;
@@ -8666,7 +8663,7 @@ bool segfmu_ramp_parameters(double share, array_double_1d axis, array_double_2d 
     }
     return bounded;
 }
-/*PlanStatus when a waypoint breaks a limit or dwells while moving.*/
+/*PlanStatus of a waypoint that breaks a limit or has a dwell while moving.*/
 static int64_t check_waypoints(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_1d report)
 {
     int64_t j;
@@ -8703,10 +8700,10 @@ static int64_t check_waypoints(array_double_3d states, array_double_1d dwells, a
     }
     return INT64_C(0);
 }
-/*What the intervals of one axis leave of the target duration [s].           */
-/*                                                                           */
-/*    Also returns the sum [s] and the number of those that can be prolonged.*/
-/*                                                                           */
+/*Target duration [s] minus the intervals of one axis.                               */
+/*                                                                                   */
+/*    Also returns the sum [s] and the number of the intervals that can be prolonged.*/
+/*                                                                                   */
 static int64_t time_left(double* result_0, double* result_1, int64_t* result_2, int64_t first, int64_t step, double target, array_double_3d cells)
 {
     double rest;
@@ -8730,12 +8727,12 @@ static int64_t time_left(double* result_0, double* result_1, int64_t* result_2, 
     (*result_2) = count;
     return 0;
 }
-/*Prolong the intervals of the axes first .. last - 1, in proportion, to `target` [s] in sum.          */
-/*                                                                                                     */
-/*    Intervals that take no time share it equally. An interval whose share lies in a gap jumps to the */
-/*    end of the gap when there is time for it, and else keeps its duration. False when time is left   */
-/*    that no interval takes.                                                                          */
-/*                                                                                                     */
+/*Prolong the intervals of the axes first .. last - 1, in proportion, to `target` [s] in total.      */
+/*                                                                                                   */
+/*    Intervals of zero duration share it equally. If the new duration of an interval lies in a gap, */
+/*    it goes to the end of the gap if time permits, else it keeps its duration. False if no interval*/
+/*    can take the remaining time.                                                                   */
+/*                                                                                                   */
 static bool distribute(int64_t first, int64_t last, double target, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
     int64_t step;
@@ -8797,7 +8794,7 @@ static bool distribute(int64_t first, int64_t last, double target, array_double_
     }
     return 0;
 }
-/*Write the profiles of the durations that were settled on; False if one is infeasible.*/
+/*Write the profiles of the final durations; False if one is infeasible. */
 static bool rewrite_intervals(int64_t first, int64_t last, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
     int64_t j;
@@ -8870,10 +8867,10 @@ static int64_t plan_axis(int64_t axis, double share, array_double_2d axes, array
     }
     return INT64_C(0);
 }
-/*Bring the axes first .. last - 1 to common durations in every interval, where they shall.  */
-/*                                                                                           */
-/*    Returns the sum of all intervals' durations [s]; -1 where there is no common duration. */
-/*                                                                                           */
+/*Give the axes first .. last - 1 common durations in every interval, if requested.      */
+/*                                                                                       */
+/*    Returns the sum of all intervals' durations [s]; -1 if there is no common duration.*/
+/*                                                                                       */
 static double meet_intervals(int64_t first, int64_t last, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
     double sample_time;
@@ -8907,7 +8904,7 @@ static double meet_intervals(int64_t first, int64_t last, array_double_1d option
     }
     return total;
 }
-/*Bring the shortest profiles to common durations; status as in `plan_phases`. */
+/*Give the shortest profiles common durations; status as in `plan_phases`. */
 static int64_t synchronize_plan(array_double_1d dwells, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
     array_double_1d report;
@@ -8973,12 +8970,12 @@ static int64_t synchronize_plan(array_double_1d dwells, array_double_1d options,
     }
     return INT64_C(0);
 }
-/*Plan all intervals. Returns PLANNED or why it is refused (PlanStatus).                             */
+/*Plan all intervals. Returns PLANNED or the reason of a refusal (PlanStatus).                       */
 /*                                                                                                   */
 /*    m waypoints, k axes: states (m, k, WaypointState), dwells (m,) [s], limits (k, smoothness + 1) */
 /*    with 0 for absent, options (PlanOptions,). Written: axes (k, Axis), and cells ((m - 1) k, Cell */
-/*    rows, Cell columns), axis after axis in interval after interval; and of a refusal the row      */
-/*    REFUSAL of `work` (PlanWork rows, PlanWork columns).                                           */
+/*    rows, Cell columns), all axes of the first interval, then of the next; after a refusal also the*/
+/*    row REFUSAL of `work` (PlanWork rows, PlanWork columns).                                       */
 /*                                                                                                   */
 int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
@@ -9011,7 +9008,7 @@ int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array
         status = plan_axis(axis, 0.1, axes, cells, work);
         if ((status == -INT64_C(1)) || (status == -INT64_C(2)))
         {
-            /*braking just fails: the steepest ramps decide whether the limits admit it*/
+            /*braking fails by little: the steepest ramps decide whether it is feasible*/
             status = plan_axis(axis, 0.004, axes, cells, work);
         }
         if (status < INT64_C(0))
@@ -9022,15 +9019,15 @@ int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array
     status = synchronize_plan(dwells, options, axes, cells, work);
     return status;
 }
-/*Whether two numbers are further apart than doubles of that size, or of 1, can be.*/
+/*Whether two numbers differ by more than rounding, relative to their size or to 1.*/
 static bool differ(double before, double value)
 {
     return !(fabs(value - before) <= 1e-15 * span_max(fabs(value), 1.0));
 }
-/*PLANNED, or what is wrong (PlanStatus), with a report (Refusal).                               */
+/*PLANNED, or the error (PlanStatus), with a report (Refusal).                                   */
 /*                                                                                               */
 /*    m waypoints, k axes: states (m, k, WaypointState), limits (k, 2 or more) from velocity on. */
-/*    Waypoints that follow each other must differ in something that doubles can tell.           */
+/*    Consecutive waypoints must differ within double precision.                                 */
 /*                                                                                               */
 int64_t segfmu_check_problem(array_double_3d states, array_double_2d limits, array_double_1d report)
 {
@@ -9072,7 +9069,7 @@ int64_t segfmu_check_problem(array_double_3d states, array_double_2d limits, arr
     }
     return INT64_C(0);
 }
-/*Rows of memory; samples younger than the dead time, the new one, and one for rounding. */
+/*Rows of memory, for the samples within the dead time, the new one, and one for rounding. */
 static int64_t sensing_rows(double sample_time, double dead_time)
 {
     int64_t samples;
@@ -9083,11 +9080,11 @@ static int64_t sensing_rows(double sample_time, double dead_time)
     samples = (int64_t)ceil(dead_time / sample_time) + INT64_C(2);
     return INT64_C(4) + span_floor_div((samples + INT64_C(6) - INT64_C(1)), INT64_C(6));
 }
-/*Measured coordinates (5) of a state: offset, noise, quantisation.                                  */
-/*                                                                                                   */
-/*    numbers (2): state of the random numbers. Where there is noise, five of them are used, so that */
-/*    the noise of one sensor does not depend on that of the others.                                 */
-/*                                                                                                   */
+/*Measured coordinates (5) of a state: offset, noise, quantisation.                                */
+/*                                                                                                 */
+/*    numbers (2): state of the random numbers. If any sensor has noise, five numbers are drawn, so*/
+/*    that the noise of one sensor does not depend on the others.                                  */
+/*                                                                                                 */
 void segfmu_measure_state(array_double_1d state, array_double_1d sensors, array_double_1d numbers, array_double_1d measured)
 {
     bool noisy;
@@ -9107,7 +9104,7 @@ void segfmu_measure_state(array_double_1d state, array_double_1d sensors, array_
             value = value + (*cspan_at(&sensors, INT64_C(8) + i)) * next_normal(numbers);
         }
         step = (*cspan_at(&sensors, INT64_C(13) + i));
-        /*a step that is too small for the digits of the value would not change it*/
+        /*a step below the value's precision would not change it*/
         if (fabs(value) < 1000000000000000.0 * step)
         {
             value = (int64_t)floor(value / step + 0.5) * step;
@@ -9126,7 +9123,7 @@ static double next_sample(array_double_1d sensors, array_double_2d memory)
     result = (*cspan_at(&memory, INT64_C(0), INT64_C(0))) * (*cspan_at(&sensors, INT64_C(0)));
     return result;
 }
-/*Number of samples for which the ring has room. */
+/*Capacity of the ring in samples. */
 static int64_t ring_size(array_double_2d memory)
 {
     int64_t result;
@@ -9144,7 +9141,7 @@ static int64_t ring_place(int64_t* result_0, int64_t* result_1_0001, int64_t num
     (*result_1_0001) = INT64_C(6) * (span_floor_mod(sample, INT64_C(6)));
     return 0;
 }
-/*Take the samples that are available at a time out of the ring; the first one at once.*/
+/*Take the samples available at a time from the ring; the first one at once. */
 static void deliver_samples(array_double_1d sensors, double time, array_double_2d memory)
 {
     array_double_1d queue;
@@ -9170,7 +9167,7 @@ static void deliver_samples(array_double_1d sensors, double time, array_double_2
         (*cspan_at(&queue, INT64_C(3))) = 1.0;
     }
 }
-/*Put the sample that is due into the ring.*/
+/*Store the sample that is due in the ring.*/
 static void take_sample(array_double_1d sensors, array_double_1d state, array_double_2d memory)
 {
     array_double_1d queue;
@@ -9193,7 +9190,7 @@ static void take_sample(array_double_1d sensors, array_double_1d state, array_do
     (*cspan_at(&queue, INT64_C(0))) = (*cspan_at(&queue, INT64_C(0))) + 1.0;
     (*cspan_at(&queue, INT64_C(2))) = (*cspan_at(&queue, INT64_C(2))) + 1.0;
 }
-/*Forget the past and take the first sample. */
+/*Reset the memory and take the first sample.*/
 static void start_sensing(array_double_1d sensors, array_double_1d state, array_double_2d memory)
 {
     int64_t i;
@@ -9222,7 +9219,7 @@ static void sense_signals(array_double_1d sensors, double time, array_double_1d 
         (*cspan_at(&measured, i)) = (*cspan_at(&memory, INT64_C(2), i));
     }
 }
-/*Times [s] that differ by less are the same; sums of steps are rounded. */
+/*Times [s] that differ by less are equal, because sums of steps are rounded.*/
 static double time_tolerance(array_double_2d settings)
 {
     double result;
@@ -9316,7 +9313,7 @@ static double mechanical_energy(array_double_2d memory)
     result = (*cspan_at(&energy, INT64_C(0))) + (*cspan_at(&energy, INT64_C(1)));
     return result;
 }
-/*Give the load the mass that it has from a time [s] on. */
+/*Set the mass of the load that is valid from a time [s] on. */
 static void change_payload(array_double_2d settings, array_double_2d changes, double time, array_double_2d memory)
 {
     int64_t chosen;
@@ -9388,7 +9385,7 @@ static double setpoint_at(array_double_1d setpoints, int64_t i, double share, ar
     result = last + ((*cspan_at(&setpoints, i)) - last + bend * (share - 1.0)) * share;
     return result;
 }
-/*Taylor coefficients of a setpoint at a share of the step, by time: slope, square, cube.*/
+/*Taylor coefficients over time of a setpoint at a share of the step: slope, square, cube. */
 static int64_t setpoint_rates(double* result_0_0001, double* result_1, double* result_2_0001, array_double_1d setpoints, int64_t i, double share, double duration, array_double_2d memory)
 {
     double square;
@@ -9412,7 +9409,7 @@ static bool controller_due(array_double_2d settings, array_double_2d memory)
     result = next_tick(settings, memory) <= present_time(memory) + time_tolerance(settings);
     return result;
 }
-/*What the controller gets at the tick that is due.*/
+/*Prepare the controller's inputs for the tick that is due.*/
 static void prepare_tick(array_double_2d settings, array_double_1d setpoints, double duration, array_double_2d memory)
 {
     array_double_1d clock;
@@ -9448,10 +9445,10 @@ static void prepare_tick(array_double_2d settings, array_double_1d setpoints, do
         }
     }
 }
-/*Switch the new correction on or off; the jump of a change fades out.                                 */
-/*                                                                                                     */
-/*    Callers that correct by themselves call it after they have put their correction into the memory. */
-/*                                                                                                     */
+/*Switch the new correction on or off; the jump at a change fades out.                           */
+/*                                                                                               */
+/*    A caller with a controller of its own calls it after writing its correction to the memory. */
+/*                                                                                               */
 void segfmu_switch_correction(array_double_2d settings, array_double_2d memory)
 {
     array_double_1d loop;
@@ -9483,7 +9480,7 @@ void segfmu_switch_correction(array_double_2d settings, array_double_2d memory)
             (*cspan_at(&correction, INT64_C(0) + i)) = 0.0;
             if (is_driven(memory))
             {
-                /*a velocity that was added must not stay*/
+                /*the added velocity must return to zero*/
                 fade = span_max((*cspan_at(&loop, INT64_C(4))), (*cspan_at(&loop, INT64_C(1))));
                 (*cspan_at(&correction, INT64_C(0) + i)) = (-(*cspan_at(&memory, INT64_C(9), i))) / fade;
             }
@@ -9501,7 +9498,7 @@ void segfmu_switch_correction(array_double_2d settings, array_double_2d memory)
     }
     (*cspan_at(&correction, INT64_C(6))) = acts;
 }
-/*The correction at a tick; the tracking controller's observer goes on when it is off. */
+/*The correction at a tick; the tracking controller's observer runs even if it is off. */
 static void correct_setpoints(array_double_2d settings, array_double_3d table, array_double_3d gains, array_double_2d tracker, array_double_2d memory)
 {
     if ((int64_t)((*cspan_at(&settings, INT64_C(0), INT64_C(0)))) == INT64_C(2))
@@ -9514,7 +9511,7 @@ static void correct_setpoints(array_double_2d settings, array_double_3d table, a
     }
     segfmu_switch_correction(settings, memory);
 }
-/*Command of a drive, and the coefficients of the time elapsed in it.*/
+/*Command of a drive, and its coefficients over the elapsed time.*/
 static void set_command(int64_t axis, double value, double slope, double square, double cube, array_double_2d memory)
 {
     (*cspan_at(&memory, INT64_C(13) + INT64_C(0), axis)) = value;
@@ -9522,7 +9519,7 @@ static void set_command(int64_t axis, double value, double slope, double square,
     (*cspan_at(&memory, INT64_C(13) + INT64_C(1), INT64_C(3) + axis)) = square;
     (*cspan_at(&memory, INT64_C(13) + INT64_C(1), INT64_C(6) + axis)) = cube;
 }
-/*Commands of velocity drives now and their rates until a time; advances what is added.*/
+/*Commands of velocity drives and their rates until a time; advances the added velocities. */
 static void command_velocities(array_double_1d setpoints, double duration, double until, array_double_2d memory)
 {
     double done;
@@ -9550,7 +9547,7 @@ static void command_velocities(array_double_1d setpoints, double duration, doubl
         set_command(i, command, slope + correction, square, cube, memory);
         if ((*cspan_at(&memory, INT64_C(5), INT64_C(5) + i)) == 0.0)
         {
-            /*at the end it has its setpoint, wherever a bound has left it before*/
+            /*at the end it has its setpoint, even after saturation*/
             end = setpoint_at(setpoints, velocity, until / duration, memory);
             end = end + (*cspan_at(&memory, INT64_C(9), i));
             acceleration = (end - (*cspan_at(&memory, INT64_C(4), INT64_C(5) + i))) / length;
@@ -9633,11 +9630,11 @@ static double added_velocity(int64_t axis, double time, array_double_2d memory)
     result = (*cspan_at(&memory, INT64_C(9), axis)) + correction * held;
     return result;
 }
-/*Take samples, change the payload and correct the setpoints where it is due at a time.            */
-/*                                                                                                 */
-/*    What the setpoints' slopes are is not known, so with velocity drives the limits of a tracking*/
-/*    controller count for its correction alone.                                                   */
-/*                                                                                                 */
+/*Take samples, change the payload and correct the setpoints if due at a time.                 */
+/*                                                                                             */
+/*    The slopes of the setpoints are unknown, so with velocity drives the limits of a tracking*/
+/*    controller apply to its correction only.                                                 */
+/*                                                                                             */
 void segfmu_rig_event(array_double_2d settings, array_double_2d changes, array_double_3d table, array_double_3d gains, array_double_2d tracker, array_double_1d setpoints, double time, array_double_2d memory)
 {
     array_double_1d clock;
@@ -9660,10 +9657,10 @@ void segfmu_rig_event(array_double_2d settings, array_double_2d changes, array_d
         correct_setpoints(settings, table, gains, tracker, memory);
     }
 }
-/*Derivative of the state (13) at a time; the report of the memory is that of the plant. */
-/*                                                                                       */
-/*    Returns a `PlantStatus`.                                                           */
-/*                                                                                       */
+/*Derivative of the state (13) at a time; the plant's report goes to the memory. */
+/*                                                                               */
+/*    Returns a `PlantStatus`.                                                   */
+/*                                                                               */
 int64_t segfmu_rig_rates(array_double_2d components, array_double_1d setpoints, double time, array_double_2d memory, array_double_1d derivative)
 {
     array_double_2d work;
@@ -9698,12 +9695,12 @@ int64_t segfmu_rig_rates(array_double_2d components, array_double_1d setpoints, 
     result = plant_status(span_row(&memory, INT64_C(5)), span_row(&memory, INT64_C(4)), (*cspan_at(&work, INT64_C(13), INT64_C(6))));
     return result;
 }
-/*Rows of memory for sensors with these times [s]. */
+/*Rows of memory for the sensors' sample time and dead time [s]. */
 int64_t segfmu_rig_rows(double sample_time, double dead_time)
 {
     return INT64_C(33) + sensing_rows(sample_time, dead_time);
 }
-/*Put a state (10) and the setpoints at the start [s] into the memory and forget the past. */
+/*Reset the memory to a state (10) and the setpoints at the start [s]. */
 void segfmu_rig_start(array_double_2d settings, array_double_2d changes, array_double_1d state, array_double_1d setpoints, double start, array_double_2d memory)
 {
     int64_t row;
@@ -9739,13 +9736,13 @@ void segfmu_rig_start(array_double_2d settings, array_double_2d changes, array_d
     start_sensing(span_row(&settings, INT64_C(1)), span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(33), memory.shape[INT64_C(0)]));
     update_signals(settings, 0.0, memory);
 }
-/*Advance by a duration [s] to the given setpoints; returns the status.                              */
-/*                                                                                                   */
-/*    A `PlantStatus`: the state is the last one without, and the step may be tried again. Or        */
-/*    `RigStatus.TICK`, where the caller corrects: the first rows of memory are a `Tick` without its */
-/*    correction; the caller puts that there, calls `switch_correction`, and then `rig_step` again   */
-/*    with the same arguments.                                                                       */
-/*                                                                                                   */
+/*Advance by a duration [s] to the given setpoints; returns the status.                                */
+/*                                                                                                     */
+/*    The status is a `PlantStatus`: after a failure the state is the last valid one, and the step may */
+/*    be tried again. Or it is `RigStatus.TICK`, if the caller has the controller: the first rows of   */
+/*    memory are a `Tick` without correction; the caller writes the correction there, calls            */
+/*    `switch_correction`, and then `rig_step` again with the same arguments.                          */
+/*                                                                                                     */
 int64_t segfmu_rig_step(array_double_2d settings, array_double_2d components, array_double_2d changes, array_double_3d table, array_double_3d gains, array_double_2d tracker, array_double_1d setpoints, double duration, array_double_2d memory)
 {
     array_double_1d clock;
@@ -9753,7 +9750,7 @@ int64_t segfmu_rig_step(array_double_2d settings, array_double_2d components, ar
     double until;
     int64_t status;
     clock = span_row(&memory, INT64_C(6));
-    /*before anything that remembers, such as an observer, has seen it*/
+    /*checked before it changes any memory, such as the observer's*/
     if ((!(fabs(duration) < 1e+100)) || (!all_finite(setpoints, INT64_C(19))))
     {
         (*cspan_at(&clock, INT64_C(5))) = (*cspan_at(&clock, INT64_C(0))) + (*cspan_at(&clock, INT64_C(1)));
@@ -9816,7 +9813,7 @@ void segfmu_rig_balance(array_double_2d memory, array_double_1d balance)
     (*cspan_at(&balance, INT64_C(5))) = (*cspan_at(&energy, INT64_C(3)));
     (*cspan_at(&balance, INT64_C(6))) = (*cspan_at(&state, INT64_C(12)));
 }
-/*What the balance misses by integration and rounding [J]. */
+/*Error of the balance by integration and rounding [J].*/
 double segfmu_rig_imbalance(array_double_1d balance)
 {
     double gained;
@@ -9826,7 +9823,7 @@ double segfmu_rig_imbalance(array_double_1d balance)
     kept = (*cspan_at(&balance, INT64_C(0))) + (*cspan_at(&balance, INT64_C(1))) - (*cspan_at(&balance, INT64_C(2)));
     return kept - gained;
 }
-/*The load's motion, and its distance from where it shall be.*/
+/*The load's motion, and its distance from the reference.*/
 static void load_outputs(array_double_1d target, array_double_2d memory, array_double_1d outputs)
 {
     array_double_2d load;
@@ -9846,7 +9843,7 @@ static void load_outputs(array_double_1d target, array_double_2d memory, array_d
     }
     (*cspan_at(&outputs, INT64_C(24))) = sqrt(square);
 }
-/*What drives, rope and surroundings do. */
+/*Forces and powers of drives, rope and wind.*/
 static void drive_outputs(array_double_2d memory, array_double_1d outputs)
 {
     array_double_1d report;
@@ -9863,7 +9860,7 @@ static void drive_outputs(array_double_2d memory, array_double_1d outputs)
     (*cspan_at(&outputs, INT64_C(45))) = (*cspan_at(&report, INT64_C(8)));
     (*cspan_at(&outputs, INT64_C(35))) = (*cspan_at(&memory, INT64_C(5), INT64_C(2)));
 }
-/*Write Outputs; target: where the load shall be (Target), balance (Balance): work space.*/
+/*Write Outputs; target: reference of the load (Target), balance (Balance): work space.*/
 void segfmu_rig_outputs(array_double_1d target, array_double_2d memory, array_double_1d balance, array_double_1d outputs)
 {
     array_double_1d state;
@@ -9889,7 +9886,7 @@ void segfmu_rig_outputs(array_double_1d target, array_double_2d memory, array_do
     (*cspan_at(&outputs, INT64_C(42))) = (*cspan_at(&balance, INT64_C(6)));
     (*cspan_at(&outputs, INT64_C(43))) = segfmu_rig_imbalance(balance);
 }
-/*Write what a tracking controller (Tracking, Tracker) has found (Estimates).*/
+/*Write the estimates (Estimates) of a tracking controller (Tracking, Tracker).*/
 void segfmu_tracking_estimates(array_double_1d parameters, array_double_2d tracker, array_double_1d estimates)
 {
     int64_t i;
@@ -9923,7 +9920,7 @@ static double friction_slope(array_double_1d plant, int64_t axis, double velocit
 static double gust_rate(double shape, double share)
 {
     double angle;
-    /*both shapes are sines of the share: their rate is the shape a quarter on*/
+    /*both shapes are sines of the share: their rate is the shape a quarter period later*/
     angle = full_circle() * share;
     if ((int64_t)(shape) == INT64_C(1))
     {
@@ -9963,7 +9960,7 @@ static double wind_slope(array_double_1d plant, array_double_2d components, doub
     }
     return slope;
 }
-/*Add to a row of partial derivatives what the sway damping does by the sway rates.*/
+/*Add the effect of the sway damping to a row of partial derivatives by the sway rates.*/
 static void add_damping(array_double_1d plant, array_double_1d by, array_double_1d row)
 {
     int64_t j;
@@ -10021,7 +10018,7 @@ static void forced_partials(array_double_1d plant, array_double_1d state, array_
     (*cspan_at(&rope, hoist)) = (*cspan_at(&partials, INT64_C(5) + INT64_C(2), hoist));
     (*cspan_at(&rope, velocity)) = -friction_slope(plant, INT64_C(2), (*cspan_at(&state, velocity)));
 }
-/*Accelerations of the drives under velocity commands; false where one is at its force.*/
+/*Accelerations of the drives under velocity commands; false if one is at its force bound. */
 static bool demand_partials(array_double_1d plant, array_double_1d state, array_double_2d rig, array_double_1d command, array_double_2d partials)
 {
     array_double_1d action;
@@ -10053,7 +10050,7 @@ static bool demand_partials(array_double_1d plant, array_double_1d state, array_
     }
     return 1;
 }
-/*The same under velocity commands; false where a drive is at its largest force. */
+/*The same under velocity commands; false if a drive is at its largest force.*/
 static bool driven_partials(array_double_1d plant, array_double_1d state, array_double_2d rig, array_double_2d work, array_double_2d partials)
 {
     int64_t first;
@@ -10071,7 +10068,7 @@ static bool driven_partials(array_double_1d plant, array_double_1d state, array_
         return 0;
     }
     crane_driven_partials(state, span_row(&rig, INT64_C(17)), span_row(&rig, INT64_C(12)), span_row(&rig, INT64_C(14)), plant, work);
-    /*angles and forces lie side by side in both*/
+    /*angles and forces are adjacent in both*/
     first = INT64_C(0) + INT64_C(3);
     for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
     {
@@ -10152,10 +10149,10 @@ static void power_partials(array_double_1d plant, array_double_1d state, array_d
         (*cspan_at(&lost, i)) = 2.0 * (*cspan_at(&plant, INT64_C(21))) * (*cspan_at(&state, i));
     }
 }
-/*All partial derivatives at a time [s] since the start.                                         */
-/*                                                                                               */
-/*    False where a velocity drive is at its largest force: there they jump with its neighbours'.*/
-/*                                                                                               */
+/*All partial derivatives at a time [s] since the start.                 */
+/*                                                                       */
+/*    False if a velocity drive is at its largest force: there they jump.*/
+/*                                                                       */
 bool segfmu_rig_partials(array_double_2d components, double time, array_double_2d memory, array_double_2d work, array_double_2d partials)
 {
     array_double_1d plant;
@@ -10216,7 +10213,7 @@ bool segfmu_rig_partials(array_double_2d components, double time, array_double_2
     }
     return 1;
 }
-/*Every axis has room between its end stops [m], least and greatest (Axes,). */
+/*Check that the end stops of every axis [m], least and greatest (Axes,), are ascending. */
 int64_t segfmu_check_travel(array_double_1d least, array_double_1d greatest, array_double_1d fault)
 {
     int64_t axis;
@@ -10232,7 +10229,7 @@ int64_t segfmu_check_travel(array_double_1d least, array_double_1d greatest, arr
     }
     return INT64_C(0);
 }
-/*Accelerations of velocity drives follow from the setpoints, as model exchange needs it.*/
+/*Check that velocity drives have a lag, which model exchange needs. */
 int64_t segfmu_check_lags(array_double_1d plant, array_double_1d fault)
 {
     int64_t axis;
@@ -10249,7 +10246,7 @@ int64_t segfmu_check_lags(array_double_1d plant, array_double_1d fault)
     }
     return INT64_C(0);
 }
-/*Noise and dead time belong to samples, and samples on their way find room. */
+/*Check that noise and dead time have a sample time, and that the ring can hold the samples. */
 int64_t segfmu_check_sensors(array_double_1d sensors, array_double_1d fault)
 {
     double sample_time;
@@ -10281,7 +10278,7 @@ int64_t segfmu_check_sensors(array_double_1d sensors, array_double_1d fault)
     }
     return INT64_C(0);
 }
-/*The rope has a length [m] at the start, and bounds that ascend; a bound of 0 is none.*/
+/*Check that the rope starts above 0 m and its bounds are ascending; a bound of 0 is none. */
 int64_t segfmu_check_rope_bounds(double length, double shortest, double longest, array_double_1d fault)
 {
     (*cspan_at(&fault, INT64_C(2))) = length;
@@ -10481,15 +10478,15 @@ static double next_break(double time, array_double_2d timing, array_int64_t_1d o
     }
     return following;
 }
-/*Events that differ by less [s] are the same; clocks are coarser late.*/
+/*Events that differ by less [s] are the same; late times have a coarser resolution. */
 double segfmu_same_break(double time)
 {
     return 1e-08 + 1e-14 * fabs(time);
 }
 /*First event after `time` of a plan that begins at `start`; 1e300 if there is none.               */
 /*                                                                                                 */
-/*    Events are the last axis' arrival at a waypoint, the end of the motion, and the breaks of all*/
-/*    pieces, where derivatives of the crane's forces jump: the first one at smoothness 4.         */
+/*    Events are the last axis' arrival at a waypoint, the end of the motion, and the starts of all*/
+/*    pieces, where a derivative of the crane's forces jumps: at smoothness 4 the first one.       */
 /*                                                                                                 */
 double segfmu_next_plan_event(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends, array_double_2d times)
 {
@@ -10523,20 +10520,20 @@ double segfmu_next_plan_event(double time, double start, array_double_2d timing,
     {
         piece_end = start + piece_end;
     }
-    /*of a start that is far away the clock may be too coarse to tell a break from the present*/
+    /*long after the start, the clock may be too coarse to separate a break from the present*/
     if ((event <= piece_end + segfmu_same_break(time)) || (piece_end <= time))
     {
         return event;
     }
     return piece_end;
 }
-/*Time since `start`, just behind the break where it is at one: all axes on the next piece.*/
+/*Time since `start`; at a break, just after it, so that all axes are on the next piece. */
 double segfmu_right_of_break(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends)
 {
     double local;
     double behind;
     local = time - start;
-    /*an axis that has come to its end is still on its last piece there*/
+    /*at its end an axis is still on its last piece*/
     behind = local + segfmu_same_break(time);
     if (next_break(local - segfmu_same_break(time), timing, offsets, ends) <= behind)
     {
@@ -10544,10 +10541,10 @@ double segfmu_right_of_break(double time, double start, array_double_2d timing, 
     }
     return local;
 }
-/*Close the piece in `row`: add position to jerk from `state`, which is advanced.*/
-/*                                                                               */
-/*    state (PieceState) is that at the start of the piece. Returns row + 1.     */
-/*                                                                               */
+/*Complete the piece in `row`: add position to jerk from `state`, and advance `state`. */
+/*                                                                                     */
+/*    state (PieceState) is that at the start of the piece. Returns row + 1.           */
+/*                                                                                     */
 static int64_t append_piece(double duration, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_1d state)
 {
     int64_t width;
@@ -10748,7 +10745,7 @@ int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, array_double
     }
     return row;
 }
-/*Rows that `expand_plan` needs: seven a phase, one a dwell, and the spare ones. */
+/*Rows that `expand_plan` needs: seven per phase, one per dwell, and the spare ones. */
 int64_t segfmu_count_pieces(array_double_2d axes, array_double_3d cells)
 {
     int64_t i;
@@ -10782,10 +10779,11 @@ static void shift_piece(array_double_2d coefficients, int64_t source, double t, 
         (*cspan_at(&coefficients, target, i)) = (*cspan_at(&coefficients, target, i)) + weight * value;
     }
 }
-/*Average the pieces in the spare rows, from the time `now` [s]; returns the row after them.         */
-/*                                                                                                   */
-/*    They are (1 - weight) * those up to the row `middle` + weight * those from there up to `last`. */
-/*                                                                                                   */
+/*Average the pieces in the spare rows, from the time `now` [s]; returns the row after them.     */
+/*                                                                                               */
+/*    The result is (1 - weight) * pieces before the row `middle` + weight * pieces from there to*/
+/*    `last`.                                                                                    */
+/*                                                                                               */
 static int64_t merge_pieces(double weight, double now, int64_t middle, int64_t last, array_double_2d timing, array_double_2d coefficients, int64_t row)
 {
     int64_t a;

@@ -13,7 +13,7 @@ bool segfmu_plan_message(
     case -1:
         snprintf(text, size,
             "axis %s, waypoints %d -> %d: braking the first acceleration %.6g m/s2 "
-            "passes the velocity limit %.6g m/s; lower the velocity or the acceleration "
+            "exceeds the velocity limit %.6g m/s; lower the velocity or the acceleration "
             "of waypoint %d or raise limits.velocity",
             axis[(int)report[REFUSAL_AXIS]],
             (int)report[REFUSAL_INTERVAL] + 1,
@@ -25,7 +25,7 @@ bool segfmu_plan_message(
     case -2:
         snprintf(text, size,
             "axis %s, waypoints %d -> %d: building up the last acceleration %.6g m/s2 "
-            "passes the velocity limit %.6g m/s; lower the velocity or the acceleration "
+            "exceeds the velocity limit %.6g m/s; lower the velocity or the acceleration "
             "of waypoint %d or raise limits.velocity",
             axis[(int)report[REFUSAL_AXIS]],
             (int)report[REFUSAL_INTERVAL] + 1,
@@ -44,7 +44,7 @@ bool segfmu_plan_message(
         return true;
     case -4:
         snprintf(text, size,
-            "waypoints %d -> %d: no common duration of the axes found; change the "
+            "waypoints %d -> %d: no common duration of the axes was found; change the "
             "velocities of waypoint %d or set the synchronization to none",
             (int)report[REFUSAL_INTERVAL] + 1,
             (int)report[REFUSAL_INTERVAL] + 2,
@@ -59,7 +59,7 @@ bool segfmu_plan_message(
         return true;
     case -6:
         snprintf(text, size,
-            "axis %s: between its moving waypoints it cannot be prolonged to exactly "
+            "axis %s: the motion between moving waypoints cannot be prolonged to exactly "
             "%.9g s; change the duration, let waypoints rest, or set the synchronization "
             "to waypoints",
             axis[(int)report[REFUSAL_AXIS]],
@@ -96,23 +96,23 @@ bool segfmu_plan_message(
         return true;
     case -10:
         snprintf(text, size,
-            "axis %s, waypoint %d: a dwell needs a waypoint at rest; leave out its "
-            "velocity and acceleration, or the dwell",
+            "axis %s, waypoint %d: a dwell needs a waypoint at rest; omit its velocity "
+            "and acceleration, or the dwell",
             axis[(int)report[REFUSAL_AXIS]],
             (int)report[REFUSAL_INTERVAL] + 1);
         return true;
     case -11:
         snprintf(text, size,
-            "the number of waypoints or a choice of the planner is out of range");
+            "the number of waypoints or an option of the planner is out of range");
         return true;
     case -12:
         snprintf(text, size,
-            "the profile found misses a limit or a waypoint by over 1e-9 (relative); the "
-            "problem is too badly scaled, bring limits and distances closer together");
+            "the plan breaks a limit or misses a waypoint by more than 1e-9 (relative): "
+            "the problem is badly scaled; choose limits and distances of similar size");
         return true;
     case -13:
         snprintf(text, size,
-            "waypoints %d and %d are the same; leave one out, or give it a dwell",
+            "waypoints %d and %d are the same; omit one, or give the first a dwell",
             (int)report[REFUSAL_INTERVAL] + 1,
             (int)report[REFUSAL_INTERVAL] + 2);
         return true;
@@ -139,7 +139,7 @@ bool segfmu_rope_message(
     switch (status) {
     case 1:
         snprintf(text, size,
-            "at %.3f s: load height z passes the trolley's height, %.6g m, and comes to "
+            "at %.3f s: load height z passes the trolley's height, %.6g m, and reaches "
             "%.6g m; lower the waypoints",
             report[ROPE_FAULT_TIME],
             report[ROPE_FAULT_BOUND],
@@ -148,14 +148,14 @@ bool segfmu_rope_message(
     case 2:
         snprintf(text, size,
             "at %.3f s: downward acceleration of the load passes gravity, where the rope "
-            "goes slack, %.6g m/s2, and comes to %.6g m/s2; lower limits.z.acceleration",
+            "goes slack, %.6g m/s2, and reaches %.6g m/s2; lower limits.z.acceleration",
             report[ROPE_FAULT_TIME],
             report[ROPE_FAULT_BOUND],
             report[ROPE_FAULT_WORST]);
         return true;
     case 3:
         snprintf(text, size,
-            "at %.3f s: rope length passes rope_max, %.6g m, and comes to %.6g m; raise "
+            "at %.3f s: rope length passes rope_max, %.6g m, and reaches %.6g m; raise "
             "the waypoints or rope_max",
             report[ROPE_FAULT_TIME],
             report[ROPE_FAULT_BOUND],
@@ -163,7 +163,7 @@ bool segfmu_rope_message(
         return true;
     case 4:
         snprintf(text, size,
-            "at %.3f s: rope length passes rope_min, %.6g m, and comes to %.6g m; lower "
+            "at %.3f s: rope length passes rope_min, %.6g m, and reaches %.6g m; lower "
             "the waypoints or rope_min",
             report[ROPE_FAULT_TIME],
             report[ROPE_FAULT_BOUND],
@@ -181,13 +181,13 @@ bool segfmu_plant_message(
     switch (status) {
     case 1:
         snprintf(text, size,
-            "at %.3f s: a sway angle came to 90 degrees; check the setpoints, the masses "
+            "at %.3f s: a sway angle reached 90 degrees; check the setpoints, the masses "
             "and the friction",
             report[PLANT_FAULT_TIME]);
         return true;
     case 2:
         snprintf(text, size,
-            "at %.3f s: the rope's length came to zero; check the setpoints, the masses "
+            "at %.3f s: the rope length reached zero; check the setpoints, the masses "
             "and the friction",
             report[PLANT_FAULT_TIME]);
         return true;
@@ -247,15 +247,15 @@ bool segfmu_setup_message(
         return true;
     case 2:
         snprintf(text, size,
-            "in model exchange with drive.mode velocity, drive.%s.lag must be above 0 s, "
-            "as without lag the acceleration does not follow from the setpoints; set a "
-            "lag, or use co-simulation",
+            "in model exchange with drive.mode velocity, drive.%s.lag must be above 0 s "
+            "(without lag the setpoints do not determine the acceleration); set a lag, "
+            "or use co-simulation",
             drive[(int)report[SETUP_FAULT_DRIVE]]);
         return true;
     case 3:
         snprintf(text, size,
-            "sensor noise and dead_time belong to samples: set sensor.sample_time above "
-            "0 s");
+            "sensor noise and dead_time need sampled signals: set sensor.sample_time "
+            "above 0 s");
         return true;
     case 4:
         snprintf(text, size,
@@ -272,7 +272,7 @@ bool segfmu_setup_message(
         return true;
     case 6:
         snprintf(text, size,
-            "rope.length must start above 0 m, got %g",
+            "the start value of rope.length must be above 0 m, got %g m",
             report[SETUP_FAULT_VALUE]);
         return true;
     case 7:

@@ -13,7 +13,7 @@ from segfmu.kernels.crane.records import Axes, DriveMode, Plant
 
 
 def rope_range(length: float, shortest: float, longest: float, found: 'float[:]') -> None:
-    """A `RopeRange` by a crane's bounds [m], by its rope's length at the start [m] without them."""
+    """A `RopeRange` from a crane's bounds [m], or else from the rope length at the start [m]."""
     found[RopeRange.SHORTEST] = shortest
     found[RopeRange.LONGEST] = longest
     if not shortest > 0.0:
@@ -23,9 +23,9 @@ def rope_range(length: float, shortest: float, longest: float, found: 'float[:]'
 
 
 def table_lengths(shortest: float, longest: float, rows: int, lengths: 'float[:]') -> int:
-    """Rope lengths (rows,) of a table, in equal ratios [m]; returns their number.
+    """Rope lengths (rows,) [m] of a table, in equal ratios; returns their number.
 
-    One where both ends are the same.
+    It is 1 if both ends are equal.
     """
     lengths[0] = shortest
     if not longest > shortest:
@@ -37,12 +37,12 @@ def table_lengths(shortest: float, longest: float, rows: int, lengths: 'float[:]
 
 
 def largest_angle() -> float:
-    """Largest bandwidth of bridge and trolley, in radians in a sample and a lag."""
+    """Largest bandwidth of bridge and trolley times the sum of period and lag [rad]."""
     return 0.25
 
 
 def largest_hoist_angle() -> float:
-    """The same of the hoist, which with two poles instead of four bears more."""
+    """The same for the hoist; two poles instead of four tolerate more."""
     return 0.5
 
 
@@ -51,8 +51,8 @@ def design_flat_gains(
 ) -> None:
     """Gains (Gains) at a rope length [m].
 
-    plant: a `Plant` with the mass of the load that the gains are for; lags count for velocity
-    drives alone. design: a `FlatDesign`.
+    plant: a `Plant` with the design payload; its lags are used for velocity drives only. design: a
+    `FlatDesign`.
     """
     delay = design[FlatDesign.PERIOD]
     if int(plant[Plant.MODE]) == DriveMode.VELOCITY:
@@ -73,7 +73,7 @@ def design_flat_gains(
 def flat_table(
     plant: 'float[:]', design: 'float[:]', rows: int, lengths: 'float[:]', table: 'float[:,:,:]'
 ) -> None:
-    """`design_flat_gains` at rope lengths (rows,) [m]; table (rows, 4, 10): a `Gains` a row."""
+    """`design_flat_gains` at rope lengths (rows,) [m]; table (rows, 4, 10): one `Gains` per row."""
     for row in range(rows):
         design_flat_gains(plant, design, lengths[row], table[row, :, :])
 
@@ -88,10 +88,10 @@ def observer_table(
     work: 'float[:,:]',
     table: 'float[:,:,:]',
 ) -> bool:
-    """`observer_design` at rope lengths (rows,) [m]; whether all of the table is finite.
+    """`observer_design` at rope lengths (rows,) [m]; returns whether the whole table is finite.
 
-    uncertainty: an `Uncertainty`; expected: work space, an `Expected`; table (rows, 19, 10): an
-    `Observer` a row.
+    uncertainty: an `Uncertainty`; expected: work space, an `Expected`; table (rows, 19, 10): one
+    `Observer` per row.
     """
     for i in range(Expected.SIZE):
         expected[i] = uncertainty[i]

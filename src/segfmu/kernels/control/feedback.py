@@ -1,6 +1,7 @@
 """Evaluation of the gain-scheduled sway feedback, and the gains of the flatness-based one.
 
-Tables over rope length are blocks, ascending in the rope length that is their first entry.
+A table over rope length is a stack of blocks in ascending order of the rope length, their first
+entry.
 """
 
 from math import sqrt
@@ -11,7 +12,7 @@ from segfmu.kernels.crane.records import Axes, DriveMode, Plant, State
 
 
 def table_row(length: float, table: 'float[:,:,:]') -> int:
-    """Block of a table before which or at which a rope length lies; 0 .. blocks - 2."""
+    """Last block of a table at or below a rope length; 0 .. blocks - 2."""
     row = 0
     while row + 2 < table.shape[0] and length > table[row + 1, Gains.LENGTH, 0]:
         row = row + 1
@@ -50,7 +51,7 @@ def feedback_correction(
 def feedback_bandwidth(
     ratio: float, length: float, gravity: float, delay: float, largest: float
 ) -> float:
-    """Bandwidth [rad/s]: `ratio` pendulum frequencies, at most `largest` radians in a delay [s]."""
+    """Bandwidth [rad/s]: `ratio` pendulum frequencies, at most `largest` [rad] over a delay [s]."""
     return min(ratio * sqrt(gravity / length), largest / delay)
 
 
@@ -62,14 +63,14 @@ def feedback_gains(
     damping: float,
     gains: 'float[:,:]',
 ) -> None:
-    """Gains (4, 10), a `Gains`, that give the flat output's error chosen poles; closed form.
+    """Gains (4, 10), a `Gains`, that place the poles of the flat output's error; closed form.
 
-    plant: masses and drive mode of a `Plant`. About the load hanging at rest, with the sway angle
-    counted such that the load is at p = x_t + l phi: p'' = -g phi and p'''' = (g / l) (g phi + a)
-    under the carriage's acceleration a. The error of p is given the characteristic polynomial
-    (s^2 + 2 D w s + w^2)^2, that of the rope s^2 + 2 D w s + w^2, each with its bandwidth w
-    [rad/s], and the damping D. The corrections are accelerations of velocity drives; otherwise
-    forces, which also cancel the rope's pull on the carriage.
+    plant: masses and drive mode of a `Plant`. About the load hanging at rest, with the sign of the
+    sway angle such that the load is at p = x_t + l phi: p'' = -g phi and p'''' = (g / l) (g phi +
+    a) for the carriage's acceleration a. The error of p has the characteristic polynomial (s^2 + 2
+    D w s + w^2)^2, that of the rope s^2 + 2 D w s + w^2, each with its bandwidth w [rad/s], and the
+    damping D. For velocity drives the corrections are accelerations; otherwise they are forces,
+    which also cancel the rope's pull on the carriage.
     """
     driven = int(plant[Plant.MODE]) == DriveMode.VELOCITY
     gravity = plant[Plant.GRAVITY]

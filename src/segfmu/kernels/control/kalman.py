@@ -2,14 +2,15 @@
 
 The states of an axis are an `Estimate`: position, sway angle, their rates, an acceleration of the
 carriage or rope, an acceleration of the load; the last two are random walks. The inputs are a
-velocity command, which the second one makes a ramp, and the correction: a force on the carriage, or
-for velocity drives and the hoist an acceleration.
+velocity command, whose rate is the correction, and the correction: a force on the carriage, or an
+acceleration for velocity drives and for the hoist.
 
-`expected` (5) is an `Expected`; the errors of the sensors are distributed evenly over their steps.
+`expected` (5) is an `Expected`; sensor errors are uniformly distributed over the quantisation
+steps.
 
-The steady covariance X = A X (1 + G X)^-1 A^T + Q comes by doubling, which squares the error in
-every turn: E. K.-W. Chu, H.-Y. Fan, W.-W. Lin, Int. J. Control 77 (2004). Matrices are blocks of
-eight rows of a work space with 16 columns.
+The steady covariance X = A X (1 + G X)^-1 A^T + Q is found by doubling, which squares the error in
+every iteration: E. K.-W. Chu, H.-Y. Fan, W.-W. Lin, Int. J. Control 77 (2004). Matrices are blocks
+of eight rows of a work space with 16 columns.
 """
 
 from segfmu.kernels.control.records import (
@@ -36,7 +37,7 @@ from segfmu.kernels.numerics.matrices import (
 
 
 def kalman_model(axis: int, plant: 'float[:]', length: float, model: 'float[:,:]') -> None:
-    """Derivatives (8, 8) of six states and two inputs by themselves; length of the rope [m]."""
+    """System matrix (8, 8) of six states and two inputs at a rope length [m]."""
     mass = carriage_mass(plant, axis)
     gravity = plant[Plant.GRAVITY]
     lag = plant[Plant.LAG + axis]
@@ -72,9 +73,9 @@ def kalman_sampled(
     covariance: 'float[:,:]',
     work: 'float[:,:]',
 ) -> None:
-    """Transition (8, 8) over a sample, and what the walks add to the covariance (6, 6).
+    """Transition (8, 8) over a sample, and the covariance (6, 6) added by the walks.
 
-    Taylor series over a part of the sample that is short, then doubled; work: a `ModelWork`.
+    Taylor series over a short fraction of the sample, then doubled; work: a `ModelWork`.
     """
     size = 0.0
     for i in range(AxisModel.SIZE):
@@ -197,7 +198,7 @@ def kalman_axis(
     work: 'float[:,:]',
     table: 'float[:,:]',
 ) -> None:
-    """An axis' rows of the table for the model in work, a `Kalman`."""
+    """The rows of an axis in the table, for the model in work, a `Kalman`."""
     transition = work[Kalman.TRANSITION:Kalman.SPREAD, :]
     spread = work[Kalman.SPREAD:Kalman.MODEL, :]
     transposed = work[Kalman.TRANSPOSED:Kalman.INFORMATION, :]
@@ -243,8 +244,8 @@ def observer_design(
 ) -> None:
     """One rope length's part (19, 10) of the observer's table, an `Observer`.
 
-    plant: the nominal crane, of whose `Plant` masses, drive mode and lags count; sample_time [s];
-    length [m]; work (72, 16): a `Kalman`.
+    plant: masses, drive mode and lags of the nominal crane, a `Plant`; sample_time [s]; length [m];
+    work (72, 16): a `Kalman`.
     """
     for j in range(AxisTable.SIZE):
         table[Observer.LENGTH, j] = 0.0

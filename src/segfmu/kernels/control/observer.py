@@ -1,7 +1,7 @@
-"""One tick of the observer: deviations of the crane from its reference, out of measured ones.
+"""One tick of the observer: estimates the crane's deviation from its reference from the signals.
 
-estimate (3, 6 or more): an `Estimate` an axis. table (rows, 19, 10): an `Observer` a rope length,
-which has for each axis a row for each entry of the estimate: an `AxisTable`.
+estimate (3, 6 or more): one `Estimate` per axis. table (rows, 19, 10): one `Observer` per rope
+length; for each axis it has one row per entry of the estimate, an `AxisTable`.
 """
 
 from segfmu.kernels.control.feedback import table_row, table_share

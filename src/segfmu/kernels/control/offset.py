@@ -1,29 +1,28 @@
-"""The unknown offset of the rope's sensor, learnt from how the load swings.
+"""The unknown offset of the rope's length sensor, estimated from the swing of the load.
 
-The true length is the measured one plus an offset D, and the load at r + D e, with r its place by
-the measured length and e the rope's direction. Rope and weight are all that acts on it beside the
-wind, so its acceleration, less gravity's, lies along the rope; linear in D, whatever the drives,
-their friction and the payload do:
+The true length is the measured one plus an offset D. The load is at r + D e: r is its position by
+the measured length, e the rope's direction. Only rope, weight and wind act on the load. So its
+acceleration without gravity is parallel to the rope, except for wind; this is linear in D and
+independent of drives, friction and payload:
 
     (r'' + g e_z) x e + D e'' x e = wind x e / m
 
-r, e and the products' factors go through the same filter, three equal lags, so the second
-derivatives are differences of its states, and what the filter does to products is taken off as far
-as the reference has it too; slow means, of constant wind or a tilted sensor, are taken off as well.
+r, e and the factors of the products pass the same filter, three equal lags, so second derivatives
+are differences of its states. The filter's error in products is removed as far as the reference has
+the same error. Slow means, from constant wind or a tilted sensor, are removed too.
 
-Wind and noise swing the load themselves, so they go with the offset's factor, and least squares
-would take them for an offset. The factor of the reference is as good as the measured one when it
-comes to the plan's swinging and knows nothing of wind, friction and noise: it is the instrument z
-of an instrumental-variable estimate from residuals r and measured factors f,
+Wind and noise swing the load, so they are correlated with the offset's factor, and least squares
+would mistake them for an offset. The factor computed from the reference contains the planned swing,
+but no wind, friction or noise. It is the instrument z of an instrumental-variable estimate from
+residuals r and measured factors f,
 
     D = sum z r / sum z f,  variance of D = C sum z^2 (r - D f)^2 / (sum z f)^2,
 
-both axes together. C samples, two of the filter's time constants, of what remains count as one, as
-wind is coloured. An offset explains
-all of the residual on both axes, and wind that is not shaped like the plan hardly any. Filter and
-estimate are those of P. C. Young, Recursive Estimation and Time-Series Analysis, Springer 1984; the
-variance by the remaining residuals is that of H. White, Econometrica 48 (1980), for samples whose
-errors differ.
+over both axes. C residuals, two of the filter's time constants, count as one sample, because wind
+is coloured. An offset explains the whole residual on both axes; wind unlike the plan explains
+hardly any. Filter and estimate are those of P. C. Young, Recursive Estimation and Time-Series
+Analysis, Springer 1984; the variance is that of H. White, Econometrica 48 (1980), for
+heteroscedastic errors.
 
 `parameters` is a `Tracking`, `memory` (15, 10) an `OffsetMemory`.
 """
@@ -61,7 +60,7 @@ def offset_filter(first: bool, share: float, signals: 'float[:]', states: 'float
 
 
 def offset_signals(measured: 'float[:]', start: float, signals: 'float[:]') -> None:
-    """Place of the load and direction of the rope from the coordinates (5)."""
+    """Position of the load and direction of the rope from the coordinates (5)."""
     phi_x = measured[Coordinates.ANGLE]
     phi_y = measured[Coordinates.ANGLE + 1]
     signals[OffsetSignals.DIRECTION + Vector.X] = sin(phi_x)
@@ -101,7 +100,7 @@ def offset_residual(
 
 
 def offset_noise(parameters: 'float[:]', length: float) -> 'tuple[float, float]':
-    """Variances of residual and factor by the noise of the sensors, white before the filter."""
+    """Variances of residual and factor due to sensor noise, white before the filter."""
     w = parameters[Tracking.OFFSET_BANDWIDTH]
     gravity = parameters[Tracking.GRAVITY]
     share = parameters[Tracking.PERIOD] / 16.0
@@ -113,7 +112,7 @@ def offset_noise(parameters: 'float[:]', length: float) -> 'tuple[float, float]'
 
 
 def offset_centre(axis: int, share: float, values: 'float[:]', means: 'float[:]') -> None:
-    """Take their slow means off an axis' three values; share: of what is new."""
+    """Subtract the slow means from an axis' three values; share: weight of the new values."""
     for i in range(OffsetEquation.SIZE):
         k = OffsetMeans.AXES + OffsetEquation.SIZE * axis + i
         means[k] = means[k] + share * (values[i] - means[k])
@@ -121,7 +120,7 @@ def offset_centre(axis: int, share: float, values: 'float[:]', means: 'float[:]'
 
 
 def offset_sum(keep: float, values: 'float[:]', sums: 'float[:]') -> None:
-    """Add one axis' residual, factor and instrument to the sums, of which a share is kept."""
+    """Add one axis' residual, factor and instrument to the sums, after scaling them by `keep`."""
     residual = values[OffsetEquation.RESIDUAL]
     factor = values[OffsetEquation.FACTOR]
     instrument = values[OffsetEquation.INSTRUMENT]
@@ -137,11 +136,11 @@ def offset_sum(keep: float, values: 'float[:]', sums: 'float[:]') -> None:
 def offset_decide(
     parameters: 'float[:]', length: float, noise: float, sums: 'float[:]', estimate: 'float[:]'
 ) -> None:
-    """Offset and deviation by the sums; which offset is to be used.
+    """Offset and deviation from the sums, and the offset to use.
 
-    One that has been five deviations for five of the filter's time constants is; it stays until the
-    data speak against it. In less time wind is too often shaped like the plan by chance. sums: an
-    `OffsetSums`, estimate: an `OffsetEstimate`.
+    An offset is used after it has exceeded five deviations for five of the filter's time constants,
+    and until the data contradict it. In a shorter time wind too often resembles the plan by chance.
+    sums: an `OffsetSums`, estimate: an `OffsetEstimate`.
     """
     period = parameters[Tracking.PERIOD]
     bandwidth = parameters[Tracking.OFFSET_BANDWIDTH]
@@ -149,8 +148,8 @@ def offset_decide(
     offset = sums[OffsetSums.ZR] / sums[OffsetSums.ZF]
     left = sums[OffsetSums.ZZRR] - 2.0 * offset * sums[OffsetSums.ZZRF]
     left = left + offset * offset * sums[OffsetSums.ZZFF]
-    # what remains may be little by chance, but not less than the sensors' noise, of which a small
-    # part is as slow as the plan
+    # the residual may be small by chance, but not below the part of the sensors' noise that is as
+    # slow as the plan
     least = noise * sums[OffsetSums.ZZ] / 16.0
     deviation = sqrt(samples * (max(left, 0.0) + least)) / sums[OffsetSums.ZF]
     estimate[OffsetEstimate.FOUND] = offset
@@ -193,7 +192,7 @@ def offset_equations(
         residual = expected - seen
         if first:
             means[OffsetMeans.START + axis] = residual
-        # the filter starts as if all had rested before, which a swaying load did not
+        # the filter assumes rest before the start, but the load may sway
         settling = filtered[OffsetFilter.THIRD, OffsetSignals.START]
         equation = memory[OffsetMemory.EQUATIONS + axis, :]
         equation[OffsetEquation.RESIDUAL] = residual - means[OffsetMeans.START + axis] * settling
@@ -218,7 +217,7 @@ def offset_estimate(
         instrument = memory[OffsetMemory.EQUATIONS + axis, OffsetEquation.INSTRUMENT]
         power = power + instrument * instrument
     if power > 9.0 * factor_noise:
-        # a plan that swings the load less than the sensors' noise teaches nothing
+        # a planned swing below the sensors' noise contains no information
         step = parameters[Tracking.OFFSET_BANDWIDTH] * parameters[Tracking.PERIOD]
         offset_sum(1.0 - step / 60.0, memory[OffsetMemory.EQUATIONS, :], sums)
         offset_sum(1.0, memory[OffsetMemory.EQUATIONS + 1, :], sums)

@@ -4,9 +4,9 @@
 the observer's, gains the feedback's.
 
 The force on the rope holds the load's weight, so a wrong payload is a large disturbance, and it
-changes what a force does. Both are cured by asking for an acceleration v of the rope and applying
-the estimated mass to v and to gravity; v is zero on average when that mass is right, and moves
-the estimate otherwise. The loop is then the same for every payload.
+changes the effect of a force. Therefore the feedback computes an acceleration v of the rope, and
+the force is the estimated mass times v and gravity. v is zero on average if that mass is right;
+otherwise it moves the estimate. The loop is then the same for every payload.
 """
 
 from segfmu.kernels.control.feedback import feedback_correction
@@ -29,9 +29,9 @@ from segfmu.kernels.crane.records import Axes, Coordinates, DriveMode, State
 def track_wake(
     parameters: 'float[:]', measured: 'float[:]', reference: 'float[:]', memory: 'float[:,:]'
 ) -> None:
-    """Wake the feedback at the first deviation that is more than the sensors' steps.
+    """Wake the feedback at the first deviation above the sensors' quantisation.
 
-    Until then there is nothing to correct that a rounded signal could show.
+    Until then the deviation may be rounding.
     """
     for i in range(Coordinates.SIZE):
         tolerance = parameters[Tracking.WAKE_POSITION]
@@ -53,7 +53,7 @@ def track_offset(parameters: 'float[:]', tick: 'float[:,:]', memory: 'float[:,:]
         offset = offset_estimate(parameters, measured, memory[Tracker.REFERENCE, :], offsets)
     else:
         offset = offset_estimate(parameters, measured, tick[Tick.REFERENCE, :], offsets)
-    # a better known length is no motion of the rope
+    # a correction of the length is no motion of the rope
     hoist = memory[Tracker.ESTIMATE + Axes.ROPE, :]
     hoist[Estimate.POSITION] = hoist[Estimate.POSITION] + (offset - before)
     length = Coordinates.POSITION + Axes.ROPE
@@ -104,15 +104,15 @@ def track_observe(
 
 
 def track_acts(parameters: 'float[:]', memory: 'float[:,:]') -> bool:
-    """Whether corrections are made: they are enabled, and a deviation has woken them."""
+    """Whether corrections act: enabled, and a deviation has woken the feedback."""
     return parameters[Tracking.ENABLED] > 0.5 and memory[Tracker.HELD, Held.AWAKE] > 0.5
 
 
 def track_deviation(parameters: 'float[:]', memory: 'float[:,:]') -> None:
-    """Estimated deviation from where the disturbances are balanced.
+    """Estimated deviation from the state that balances the disturbances.
 
-    A load pushed by an acceleration w hangs at the angle w / g; its position is right with the
-    carriage at -l w / g, and its height with a rope longer by l (w / g)^2 / 2.
+    A load pushed by an acceleration w hangs at the angle w / g. Its position is right if the
+    carriage is at -l w / g, and its height if the rope is longer by l (w / g)^2 / 2.
     """
     length = memory[Tracker.SIGNALS, Coordinates.POSITION + Axes.ROPE]
     deviation = memory[Tracker.DEVIATION, :]
@@ -132,7 +132,7 @@ def track_deviation(parameters: 'float[:]', memory: 'float[:,:]') -> None:
         deviation[State.ANGLE + i] = sign * (estimate[Estimate.ANGLE] - angle)
         deviation[State.RATE + i] = sign * estimate[Estimate.RATE]
         slant = slant + 0.5 * length * angle * angle
-    # the first argument's length chooses the gains, the difference is the deviation
+    # the length of the first argument selects the gains, the difference is the deviation
     target[State.POSITION + Axes.ROPE] = length - deviation[State.POSITION + Axes.ROPE] + slant
     deviation[State.POSITION + Axes.ROPE] = length
 
@@ -146,7 +146,7 @@ def track_law(
         for i in range(3):
             correction[i] = 0.0
             if driven:
-                # a velocity that the feedback has added must not stay
+                # the velocity added by the feedback must return to zero
                 added = memory[Tracker.COMMAND, VelocityCommand.VELOCITY + i]
                 fade = max(parameters[Tracking.FADE], parameters[Tracking.PERIOD])
                 correction[i] = -added / fade
@@ -178,7 +178,7 @@ def track_forces(
 
 
 def track_hoist(parameters: 'float[:]', memory: 'float[:,:]') -> None:
-    """The rope's acceleration that its force asked for, within limits; estimate of the payload."""
+    """The rope's acceleration for the limited force; update of the payload's estimate."""
     gravity = parameters[Tracking.GRAVITY]
     held = memory[Tracker.HELD, :]
     share = memory[Tracker.FADING, Fading.PAYLOAD]
@@ -197,9 +197,9 @@ def track_setpoint(
     tick: 'float[:,:]',
     memory: 'float[:,:]',
 ) -> None:
-    """Correction of the setpoints at a tick, held until the next one; its value goes to `tick`.
+    """Compute the correction at a tick, held until the next one, and write it to `tick`.
 
-    What the correction is added to counts for the limits alone.
+    Only the limits use the setpoints to which it is added.
     """
     correction = tick[Tick.CORRECTION, :]
     held = memory[Tracker.HELD, :]
@@ -210,7 +210,7 @@ def track_setpoint(
     for i in range(3):
         feedforward = tick[Tick.ADDED_TO, i]
         if memory[Tracker.COMMAND, VelocityCommand.SWITCHED] > 0.5:
-            # bumpless: what a switch would jump by fades out instead
+            # bumpless: the jump at a switch is added and fades out
             step[Fading.STEP + i] = held[Held.CORRECTION + i] - correction[i]
         step[Fading.STEP + i] = parameters[Tracking.DECAY] * step[Fading.STEP + i]
         total = feedforward + correction[i] + step[Fading.STEP + i]
@@ -218,7 +218,7 @@ def track_setpoint(
             max(total, parameters[Tracking.LEAST + i]), parameters[Tracking.GREATEST + i]
         )
         correction[i] = total - feedforward
-        # the observer gets what remains within the limits, so nothing winds up
+        # the observer gets the limited correction, so nothing winds up
         held[Held.CORRECTION + i] = correction[i]
         held[Held.INPUT + i] = correction[i]
     if int(parameters[Tracking.MODE]) == DriveMode.FORCE:

@@ -79,7 +79,7 @@ def crane_driven(
     load_force: 'float[:]',
     masses: 'float[:]', derivative: 'float[:]', force: 'float[:]',
 ) -> None:
-    """The same for given accelerations of bridge, trolley and rope; force: what they need."""
+    """The same for given accelerations of bridge, trolley and rope, with the forces they need."""
     l = state[2]
     phi_x = state[3]
     phi_y = state[4]

@@ -25,8 +25,8 @@ def rope_pull(gravity: float, width: int, work: 'float[:,:]') -> None:
 def rope_margin(demand: int, bound: float, width: int, work: 'float[:,:]') -> int:
     """Put the polynomial of a demand into work[RopeWork.DEMAND, :]; returns its length.
 
-    bound: what the load is to stay below the trolley [m], what is to be left of gravity [m/s2], or
-    the rope's length [m].
+    bound: least distance below the trolley [m], least remainder of gravity [m/s2], or rope length
+    [m].
     """
     z = work[RopeWork.LOAD + 2, :]
     w_x = work[RopeWork.PULL, :]

@@ -1,4 +1,4 @@
-"""Feedforward compensation of what is known: drive lag and friction."""
+"""Feedforward compensation of known drive lag and friction."""
 
 from math import tanh
 
@@ -14,8 +14,8 @@ def compensate_setpoints(
 ) -> None:
     """Velocity setpoints, and forces in place, of bridge, trolley and hoist (3 each).
 
-    velocity and acceleration [m/s], [m/s2] are those that shall happen; known: a `Compensation`. A
-    lag v' = (v* - v) / T follows v exactly under v* = v + T v'; friction viscous v + coulomb
+    velocity and acceleration [m/s], [m/s2] are the planned ones; known: a `Compensation`. A drive
+    with lag, v' = (v* - v) / T, follows v exactly if v* = v + T v'; friction viscous v + coulomb
     tanh(v / width) is added to the forces.
     """
     width = known[Compensation.FRICTION_WIDTH]

@@ -1,4 +1,4 @@
-"""What acts on the crane beside gravity: drives with bounds, friction, wind.
+"""Forces on the crane in addition to gravity: drives with bounds, friction, wind.
 
 `plant` is a `Plant`, `work` a `Work`, see crane/records.py.
 """
@@ -30,7 +30,7 @@ def friction_force(plant: 'float[:]', axis: int, velocity: float) -> float:
 
 
 def gust_factor(shape: float, share: float) -> float:
-    """Force of a gust over its greatest one, at a share of its duration."""
+    """Force of a gust relative to its peak, at a share of its duration."""
     if share <= 0.0 or share >= 1.0:
         return 0.0
     if int(shape) == GustShape.SINE:
@@ -59,12 +59,12 @@ def wind_force(
 
 
 def exceeds(value: float, bound: float) -> bool:
-    """Whether a magnitude is above a bound by more than rounding; 0 is no bound."""
+    """Whether a magnitude exceeds a bound by more than rounding; 0 is no bound."""
     return bound > 0.0 and abs(value) > bound * (1.0 + 1e-12)
 
 
 def limited(value: float, bound: float) -> float:
-    """A value within plus and minus a bound."""
+    """A value, limited to plus and minus a bound."""
     return min(max(value, -bound), bound)
 
 
@@ -90,7 +90,8 @@ def driven_derivative(
 ) -> None:
     """Derivative of the crane under velocity demands, without lag acceleration demands.
 
-    work has the demands, the torques on the sway angles, wind and friction; it gets what acts.
+    work contains the demands, the torques on the sway angles, wind and friction; the forces and
+    accelerations that act are written to it.
     """
     action = work[Work.ACTION, :]
     for i in range(3):
@@ -134,10 +135,10 @@ def limit_accelerations(
 ) -> None:
     """Reduce accelerations until no drive needs more than its largest force.
 
-    A drive is at its bound and lags behind its demand, or it has its demand: a complementarity
+    A drive either meets its demand, or it is at its bound and lags behind: a complementarity
     problem in three unknowns with a positive definite matrix, solved by K. G. Murty's least-index
-    pivoting (Linear Algebra and its Applications 7, 1974). action: an `Action`, what the demand
-    needs; its flags are set where the bound acts. limit: a `ForceLimit`.
+    pivoting (Linear Algebra and its Applications 7, 1974). action: an `Action` with the demanded
+    forces; its flags are set for drives at their bound. limit: a `ForceLimit`.
     """
     phi_x = state[State.ANGLE]
     phi_y = state[State.ANGLE + 1]
@@ -164,7 +165,7 @@ def limit_accelerations(
 
 
 def carriage_mass(masses: 'float[:]', axis: int) -> float:
-    """Mass [kg] that a drive moves beside the load."""
+    """Mass [kg] that a drive moves in addition to the load."""
     if axis == Axes.BRIDGE:
         return masses[Plant.BRIDGE_MASS] + masses[Plant.TROLLEY_MASS]
     if axis == Axes.TROLLEY:
@@ -173,11 +174,11 @@ def carriage_mass(masses: 'float[:]', axis: int) -> float:
 
 
 def limit_side(plant: 'float[:]', axis: int, action: 'float[:]', limit: 'float[:]') -> float:
-    """At which bound a drive has to be under the present changes: -1, 0 or 1."""
+    """The bound at which a drive must be for the present changes: -1, 1, or 0 for none."""
     side = limit[ForceLimit.SIDE + axis]
     change = limit[ForceLimit.CHANGE + axis]
     if side != 0.0:
-        # it may only lag behind what was demanded of it
+        # it may only lag behind its demand
         if side * change > 0.0:
             return 0.0
         return side
@@ -194,16 +195,16 @@ def limit_side(plant: 'float[:]', axis: int, action: 'float[:]', limit: 'float[:
 
 
 def missing_force(plant: 'float[:]', axis: int, action: 'float[:]', limit: 'float[:]') -> float:
-    """Force [N] from what a drive's demand needs to the bound on its side."""
+    """Difference [N] from a drive's demanded force to the bound on its side."""
     bound = limit[ForceLimit.SIDE + axis] * plant[Plant.FORCE_MAX + axis]
     return bound - action[Action.FORCE + axis]
 
 
 def change_accelerations(plant: 'float[:]', action: 'float[:]', limit: 'float[:]') -> None:
-    """Changes that bring the drives with a side to their bounds and leave the others alone.
+    """Acceleration changes that bring the drives with a side to their bounds; 0 for the others.
 
-    Forces change by (M + m e e') times the changes: M are the carriages' masses, m the load's,
-    and e is the rope's direction, as the load resists along the rope alone.
+    Forces change by (M + m e e') times the changes, with the carriages' masses M, the load's mass m
+    and the rope's direction e: the load resists only along the rope.
     """
     payload = plant[Plant.PAYLOAD_MASS]
     total = 0.0

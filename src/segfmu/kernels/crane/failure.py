@@ -1,4 +1,4 @@
-"""What a status of the plant is about."""
+"""Details of a failure of the plant."""
 
 from segfmu.kernels.crane.records import Plant, PlantFault, PlantStatus, State
 
@@ -8,7 +8,7 @@ def plant_failure(
 ) -> int:
     """Fill in PlantFault for a status other than DONE at a time [s], for messages.
 
-    Returns the status of the kind, BELOW_TRAVEL or ABOVE_TRAVEL for any axis.
+    Returns the status without the axis: BELOW_TRAVEL or ABOVE_TRAVEL for any axis.
     """
     fault[PlantFault.TIME] = time
     if status < PlantStatus.BELOW_TRAVEL:

@@ -68,9 +68,9 @@ def plant_derivative(
 def plant_powers(
     plant: 'float[:]', state: 'float[:]', work: 'float[:,:]', derivative: 'float[:]'
 ) -> None:
-    """Powers of drives, wind and friction [W]: the derivatives of the works."""
+    """Powers of drives, wind and friction [W]: the derivatives of their work."""
     wind = work[Work.WIND, :]
-    # without wind, it does no work, whatever the load's velocity is
+    # no wind, no work: skips the load's velocity
     calm = wind[0] == 0.0 and wind[1] == 0.0 and wind[2] == 0.0
     if not calm:
         crane_load(state, work[Work.LOAD:Work.LOAD + Load.SIZE, :])
@@ -91,7 +91,7 @@ def plant_powers(
 
 
 def reuse_last_stage(work: 'float[:,:]') -> None:
-    """Take the last stage of a step, at its end, as the first one of the next step."""
+    """Use the last stage of a step, at its end, as the first stage of the next step."""
     action = work[Work.ACTION, :]
     for i in range(PlantState.SIZE):
         work[Work.STAGES, i] = work[Work.STAGES + Stages.K7, i]
@@ -115,12 +115,12 @@ def try_step(
     stages = work[Work.STAGES:Work.STAGES + Stages.SIZE, :]
     trial = work[Work.TRIAL, :]
     for stage in range(1, Stages.SIZE):
-        # the works have no part in the derivatives
+        # the derivatives do not depend on the work
         count = State.SIZE
         if stage == Stages.K7:
             count = PlantState.SIZE
         stage_state(stage, h, count, state, stages, trial)
-        # a stage out of all bounds is a step that was much too long
+        # values beyond all bounds: the step was much too long
         if not all_finite(trial, count):
             return 1e100
         plant_derivative(
@@ -142,11 +142,11 @@ def plant_advance(
 ) -> int:
     """Advance the state, in place, by a duration [s] from a time [s] on.
 
-    tolerance: relative and absolute error of a step. report: a `Report`; what was at a bound in the
-    communication step is left to the caller.
+    tolerance: relative and absolute error of a step. report: a `Report`; the caller collects the
+    drives that were at a bound in the communication step.
 
-    Returns a `PlantStatus`. What has a status is approached until within 0.1 us of it; the state is
-    the last one without. For stiff friction, STEP_TOO_SMALL also stands for too many steps.
+    Returns a `PlantStatus`. A failure is located to 0.1 us; the state is the last valid one. With
+    stiff friction, STEP_TOO_SMALL also means too many steps.
     """
     for i in range(Report.STEP_SATURATED):
         report[i] = 0.0
@@ -158,7 +158,7 @@ def plant_advance(
     )
     reuse_last_stage(work)
     t = 0.0
-    # what a step was before is a better guess than an interval that may hold many
+    # the previous step is a better guess than the interval, which may need many steps
     planned = work[Work.STEP, 0]
     if planned <= 0.0:
         planned = duration
@@ -185,7 +185,7 @@ def plant_advance(
         h = h * next_step(error, tolerance)
         accept_step(state, work, t, report)
         if last:
-            # cut short by the interval's end, it tells less than the step planned before
+            # a step shortened by the interval's end is a worse guess than the step planned before
             work[Work.STEP, 0] = max(h, planned)
             return PlantStatus.DONE
         reuse_last_stage(work)
@@ -195,7 +195,7 @@ def plant_advance(
 def accept_step(
     state: 'float[:]', work: 'float[:,:]', elapsed: float, report: 'float[:]'
 ) -> None:
-    """Take over the state that was tried, and report what acts in it."""
+    """Accept the trial state, and report the forces in it."""
     action = work[Work.ACTION, :]
     for i in range(PlantState.SIZE):
         state[i] = work[Work.TRIAL, i]
@@ -217,7 +217,7 @@ def plant_status(plant: 'float[:]', state: 'float[:]', rope_force: float) -> int
     if state[Coordinates.POSITION + Axes.ROPE] <= 0.0:
         return PlantStatus.ROPE_LENGTH
     for i in range(3):
-        # resting at the very limit is allowed
+        # rest exactly at the limit is allowed
         if state[Coordinates.POSITION + i] < plant[Plant.TRAVEL_MIN + i] - 1e-9:
             return PlantStatus.BELOW_TRAVEL + i
         if state[Coordinates.POSITION + i] > plant[Plant.TRAVEL_MAX + i] + 1e-9:

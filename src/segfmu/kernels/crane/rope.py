@@ -1,10 +1,9 @@
-"""Proof that the rope stays taut and within its range along a trajectory of the load.
+"""Check that the rope stays taut and within its range along a trajectory of the load.
 
-Each demand of `RopeDemand` is a polynomial in time that must not become negative; crane/flatness.py
-gives it (errata E7), and codegen forms it in _rope.py. A polynomial lies in the hull of its
-Bernstein coefficients; where the hull is too wide, the interval is halved. Nothing is sampled, so
-nothing is missed between samples. An interval is a time in which no axis goes from one of its
-pieces to the next.
+Each demand of `RopeDemand` is a polynomial in time that must not become negative; codegen derives
+it from crane/flatness.py (errata E7) and writes it to _rope.py. A polynomial lies in the hull of
+its Bernstein coefficients; if the hull is too wide, the interval is halved. Nothing is sampled, so
+nothing is missed between samples. An interval is a time between changes of piece on any axis.
 """
 
 from segfmu.kernels.crane._rope import rope_margin, rope_pull, rope_value
@@ -23,12 +22,13 @@ def check_rope(
     work: 'float[:,:]',
     report: 'float[:]',
 ) -> int:
-    """Check a trajectory x, y, z; pieces as in kernels/trajectory/evaluate.py, pieces rise in time.
+    """Check a trajectory x, y, z, with pieces as in kernels/trajectory/evaluate.py in order of
+    time.
 
     bounds (RopeBounds.SIZE); work (RopeWork.SIZE, 4 width - 5 or more) for pieces of `width`
-    coefficients, 4 or more. Returns the first demand of RopeDemand that is not met, or 0. report
-    (RopeFault): of the load's height [m], of its acceleration downwards [m/s2], or of the rope's
-    length [m].
+    coefficients, 4 or more. Returns the first violated demand of RopeDemand, or 0. report
+    (RopeFault): for the load's height [m], its downward acceleration [m/s2], or the rope length
+    [m].
     """
     none = RopeDemand.NOT_TOO_SHORT + 1
     time = timing[offsets[0], Timing.START]
@@ -58,7 +58,7 @@ def check_rope(
 
 
 def demand_bound(demand: int, bounds: 'float[:]') -> float:
-    """Bound of what a demand bounds: height [m], acceleration downwards [m/s2] or length [m]."""
+    """Bound of a demand: height [m], downward acceleration [m/s2] or length [m]."""
     if demand == RopeDemand.TAUT:
         return bounds[RopeBounds.GRAVITY]
     if demand == RopeDemand.NOT_TOO_LONG:
@@ -69,7 +69,7 @@ def demand_bound(demand: int, bounds: 'float[:]') -> float:
 
 
 def rope_demand(demand: int, bounds: 'float[:]', width: int, work: 'float[:,:]') -> int:
-    """Put a demand's polynomial into work[RopeWork.DEMAND, :]; its length, 0: no such demand."""
+    """Write a demand's polynomial to work[RopeWork.DEMAND, :]; returns its length, 0: no demand."""
     tolerance = 1e-9
     bound = demand_bound(demand, bounds)
     if demand == RopeDemand.BELOW_TROLLEY:
@@ -84,7 +84,7 @@ def rope_demand(demand: int, bounds: 'float[:]', width: int, work: 'float[:,:]')
 
 
 def interval_end(time: float, timing: 'float[:,:]', offsets: 'int[:]') -> float:
-    """First end of a piece of any of three axes after a time, or the time if there is none."""
+    """First end of a piece of any axis after a time, or the time itself if there is none."""
     until = time
     for axis in range(3):
         last = offsets[axis + 1]
@@ -106,7 +106,7 @@ def interval_pieces(
     gravity: float,
     work: 'float[:,:]',
 ) -> None:
-    """Position and pull of all axes in an interval's local time; an axis that has ended stays."""
+    """Position and pull of all axes in an interval's local time; an axis rests after its end."""
     width = coefficients.shape[1]
     middle = 0.5 * (time + until)
     for axis in range(3):
@@ -125,9 +125,9 @@ def interval_pieces(
 
 
 def first_negative(count: int, length: float, work: 'float[:,:]') -> float:
-    """Where, as a share of the interval, a demand is first not proved to be zero or more.
+    """First share of the interval at which a demand is not proved to hold; -1: it holds.
 
-    -1: nowhere. Hulls are reversed, so that the first half of an interval is on top.
+    Hulls are reversed, so that the first half of an interval is on top.
     """
     start = work.shape[1] - 2
     depth = work.shape[1] - 1
@@ -162,7 +162,7 @@ def first_negative(count: int, length: float, work: 'float[:,:]') -> float:
 def value_at(
     demand: int, local: float, gravity: float, width: int, work: 'float[:,:]'
 ) -> float:
-    """What a demand bounds, at a local time of the interval: height, fall or length."""
+    """Value bounded by a demand at a local time: height, downward acceleration or length."""
     z = evaluate_piece(work, RopeWork.LOAD + 2, width, local, 0)
     w_x = evaluate_piece(work, RopeWork.PULL, width - 2, local, 0)
     w_y = evaluate_piece(work, RopeWork.PULL + 1, width - 2, local, 0)
@@ -179,7 +179,7 @@ def worst_value(
     bounds: 'float[:]',
     work: 'float[:,:]',
 ) -> float:
-    """The worst of samples, 33 an interval, of what a demand bounds from a time on."""
+    """Worst value bounded by a demand from a time on, of 33 samples per interval."""
     gravity = bounds[RopeBounds.GRAVITY]
     width = coefficients.shape[1]
     sign = 1.0

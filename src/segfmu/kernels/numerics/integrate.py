@@ -25,10 +25,10 @@ def stage_node(stage: int) -> float:
 def stage_state(
     stage: int, h: float, count: int, state: 'float[:]', k: 'float[:,:]', trial: 'float[:]'
 ) -> None:
-    """First components of the state at a stage behind the first: state + h sum a_ij k_j.
+    """First components of the state at a stage after the first: state + h sum a_ij k_j.
 
-    k: a row for each of the `Stages`; trial: the result. Every sum is written out, so that its
-    terms stay in registers; the state of the last stage is that at the step's end.
+    k: one row per stage (`Stages`); trial: the result. Every sum is written out, so that its terms
+    stay in registers. The last stage is the end of the step.
     """
     if stage == Stages.K2:
         a0 = h * (1.0 / 5.0)
@@ -76,7 +76,7 @@ def stage_state(
 def step_error(
     h: float, count: int, start: 'float[:]', end: 'float[:]', k: 'float[:,:]'
 ) -> float:
-    """Largest difference of the fifth- and the fourth-order state, relative where that is above 1.
+    """Largest difference of the fifth- and fourth-order states, relative to values above 1.
 
     A difference that is not finite counts as 1e100.
     """
@@ -98,15 +98,15 @@ def step_error(
 
 
 def next_step(error: float, tolerance: float) -> float:
-    """Factor from a step, whose error was found, to the next one."""
-    # most steps are cut short by their interval's end, and far from what the tolerance allows
+    """Ratio of the next step to this one, from this one's error."""
+    # most steps are shortened by their interval's end, with errors far below the tolerance
     if 5300.0 * error > tolerance:
         return min(5.0, max(0.2, 0.9 * (tolerance / error) ** 0.2))
     return 5.0
 
 
 def all_finite(values: 'float[:]', count: int) -> bool:
-    """Whether the first values are numbers that can be computed with."""
+    """Whether the first values are finite and below 1e100."""
     for i in range(count):
         if not abs(values[i]) < 1e100:
             return False

@@ -75,7 +75,7 @@ def matrix_reduce(n: int, columns: int, pivot: int, a: 'float[:,:]', b: 'float[:
 
 
 def matrix_solve(n: int, columns: int, a: 'float[:,:]', b: 'float[:,:]') -> None:
-    """b = a^-1 b for b with so many columns, by elimination; a is used up."""
+    """b = a^-1 b for b with `columns` columns, by elimination; overwrites a."""
     for pivot in range(n):
         matrix_reduce(n, columns, pivot, a, b)
     for step in range(n):

@@ -20,7 +20,7 @@ def seed_numbers(seed: int, numbers: 'float[:]') -> None:
     other = seed * 69069 + 12345
     numbers[RandomState.FIRST] = 1.0 + seed - (seed // 2147483562) * 2147483562
     numbers[RandomState.SECOND] = 1.0 + other - (other // 2147483398) * 2147483398
-    # neighbouring seeds start alike
+    # similar seeds give similar first numbers, so skip some
     for _ in range(20):
         next_uniform(numbers)
 
@@ -51,7 +51,7 @@ def noise_components(
     deviation (3,): standard deviations along x, y, z [N]; components (count, 7): a `Sinusoid` a
     row, a sine with a random phase.
     Spectral representation of M. Shinozuka and C.-M. Jan, J. Sound Vib. 25 (1972); the frequencies
-    lie at random in equal bands, so that the noise has no period.
+    are random within equal bands, so that the noise has no period.
     """
     count = components.shape[0]
     for i in range(count):

@@ -1,15 +1,15 @@
-"""One step of a bracketed root search, for searches that evaluate in their own way.
+"""One step of a bracketed root search; the caller evaluates the function.
 
 Chandrupatla's method (Advances in Engineering Software 28, 145-149, 1997): inverse quadratic
-interpolation where the last three points make it safe, bisection elsewhere. The caller keeps the
-newest point, the other one, on the other side of the root, and the one before them.
+interpolation if the last three points make it safe, else bisection. The caller keeps the newest
+point, the other end of the bracket, and the point before them.
 """
 
 
 def root_share(
     newest: float, other: float, before: float, e_newest: float, e_other: float, e_before: float
 ) -> float:
-    """Share of the way from the newest to the other point at which to evaluate next, in (0, 1).
+    """Next point to evaluate, as a share in (0, 1) of the way from the newest to the other point.
 
     e_newest, e_other and e_before are the errors at the points, 0 where they are not known.
     """

@@ -1,6 +1,6 @@
-"""Arithmetic with truncated Taylor series, which gives derivatives of any order exactly.
+"""Arithmetic with truncated Taylor series, for exact derivatives of any order.
 
-A series is an array of coefficients: derivative over factorial. Every function forms the first
+A series is an array of coefficients: derivative over factorial. Every function computes the first
 `count` coefficients of its result; `found` may be an operand of sum, difference and negative only.
 """
 
@@ -18,7 +18,7 @@ def series_factorial(order: int) -> float:
 def series_of_derivatives(
     values: 'float[:,:]', first: int, column: int, count: int, found: 'float[:]'
 ) -> None:
-    """Series of a function whose derivatives stand in a column of values, from a row on."""
+    """Series of a function from its derivatives in a column of `values`, from a row on."""
     scale = 1.0
     for i in range(count):
         if i > 1:
@@ -27,7 +27,7 @@ def series_of_derivatives(
 
 
 def series_derivative(a: 'float[:]', order: int) -> float:
-    """The derivative of an order that a series stands for."""
+    """The derivative of an order, from a series."""
     return series_factorial(order) * a[order]
 
 

@@ -1,9 +1,9 @@
-"""Bringing a boundary acceleration to zero without passing the velocity limit.
+"""Bring a boundary acceleration to zero without exceeding the velocity limit.
 
-One ramp to zero is the obvious way. Where that ends beyond the velocity limit, a ramp past zero and
-back can still stay within it: it crosses zero while its jerk is high, and so gains less before.
-If no level beyond zero helps, no profile of ramps keeps the limit and the problem is refused; what
-comes after the acceleration is zero can always be planned (docs/planner.md).
+One ramp to zero is the simplest way. If it ends beyond the velocity limit, a ramp past zero and
+back can still keep the limit: it crosses zero while its jerk is high, and so gains less velocity
+before. If no level beyond zero helps, no profile of ramps keeps the limit, and the problem is
+refused. From zero acceleration on, a plan always exists (docs/planner.md).
 """
 
 from segfmu.kernels.planner.phases import append_change, copy_phases, measure_phases, reverse_phases
@@ -21,7 +21,7 @@ def peak_past_zero(v: float, a: float, level: float, axis: 'float[:]') -> float:
 
 
 def level_past_zero(v: float, a: float, axis: 'float[:]') -> float:
-    """The level next to zero past which a ramp from a > 0 keeps the velocity limit [m/s2].
+    """The level nearest to zero to which a ramp from a > 0 keeps the velocity limit [m/s2].
 
     v is the velocity at its start. Returns 1 if there is no such level.
     """
@@ -57,10 +57,10 @@ def level_past_zero(v: float, a: float, axis: 'float[:]') -> float:
 def brake(
     v: float, a: float, axis: 'float[:]', phases: 'float[:,:]'
 ) -> 'tuple[int, float, float, float]':
-    """Phases from (v, a) to zero acceleration; their number (-1: the limit does not admit them).
+    """Phases from (v, a) to zero acceleration; their number (-1: none keeps the limit).
 
-    Also returns duration, distance and end velocity. Where the way back from a level past zero
-    passes the limit on the other side, it is braked in turn.
+    Also returns duration, distance and end velocity. If the ramp back from a level past zero
+    exceeds the limit on the other side, it is braked in turn.
     """
     velocity_limit = axis[Axis.VELOCITY]
     count = 0
@@ -91,10 +91,10 @@ def braked(
     trial: 'float[:,:]',
     rest: 'float[:]',
 ) -> 'tuple[int, float]':
-    """Write the problem that braking leaves: of none (0), the first (1), the last (2), both (3).
+    """Write the problem that remains after braking none (0), the first (1), last (2), both (3).
 
-    Returns the number of phases that braking takes and their duration. The number is one of
-    `Braking` where there is no such problem. `trial` is work space.
+    Returns the number of braking phases and their duration. The number is one of `Braking` if
+    there is no such problem. `trial` is work space.
     """
     first = 0
     last = 0
@@ -137,7 +137,7 @@ def surround(
     axis: 'float[:]',
     trial: 'float[:,:]',
 ) -> int:
-    """Put what a variant brakes around the phases of the rest; returns the number of phases."""
+    """Add a variant's braking phases to the others; returns the number of phases."""
     if variant % 2 == 1:
         first, duration, y, end = brake(problem[Problem.V], problem[Problem.A], axis, trial)
         for j in range(count):

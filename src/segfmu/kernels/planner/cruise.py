@@ -1,7 +1,7 @@
 """The paper's form (Fig. 3): a velocity change over one level, a cruise, a second velocity change.
 
-Its cruise velocity is given, found such that the cruise vanishes, or that which one ramp to zero
-reaches from either end.
+The cruise velocity is given, or such that the cruise has zero duration, or the velocity that one
+ramp to zero acceleration reaches from either end.
 """
 
 from segfmu.kernels.numerics.roots import root_share
@@ -38,10 +38,10 @@ def append_velocity_change(
 def cruise_form(
     phases: 'float[:,:]', cruise: float, problem: 'float[:]', axis: 'float[:]'
 ) -> 'tuple[int, int, float, float]':
-    """The paper's form with a given cruise velocity, the cruise itself left out.
+    """The paper's form with a given cruise velocity, without the cruise itself.
 
-    Returns the number of phases (-1: a velocity change does not exist), the row before which
-    the cruise belongs, duration and distance.
+    Returns the number of phases (-1: a velocity change does not exist), the row before which to
+    insert the cruise, duration and distance.
     """
     v = problem[Problem.V]
     row = append_velocity_change(phases, 0, v, problem[Problem.A], cruise, axis)
@@ -66,17 +66,17 @@ def with_cruise(
     if count < 0 or cruise == 0.0:
         return max(count, 0)
     hold = (distance - y) / cruise
-    # shorter than rounding: no cruise, and what it misses is judged by its caller
+    # shorter than rounding: no cruise; the caller checks the remaining error
     if hold < 0.0 and abs(distance - y) > 1e-13 * abs(distance):
         return 0
     return insert_hold(phases, count, row, 0.0, hold)
 
 
 def slower_cruise(phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]') -> int:
-    """The paper's form whose cruise velocity, below the limit, makes the cruise vanish.
+    """The paper's form with the cruise velocity, below the limit, that makes the cruise vanish.
 
-    Searched between the two limits, of which one falls short of the distance and the other one
-    is too far; by bisection where the form does not exist.
+    The search goes between the two limits, one of which falls short of the distance while the other
+    exceeds it; it bisects where the form does not exist.
     """
     distance = problem[Problem.DISTANCE]
     newest = -axis[Axis.VELOCITY]
@@ -118,7 +118,7 @@ def slower_cruise(phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]') -
     if not falls_short:
         lower = other
         upper = newest
-    # the side whose rounding error a short cruise can make up
+    # the side whose rounding error a short cruise can compensate
     cruise = lower
     if cruise < 0.0:
         cruise = upper
@@ -128,10 +128,10 @@ def slower_cruise(phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]') -
 def direct_form(
     phases: 'float[:,:]', from_start: bool, problem: 'float[:]', axis: 'float[:]'
 ) -> int:
-    """The paper's form around the velocity that one ramp to zero reaches from one end, or 0.
+    """The paper's form with the velocity that one ramp to zero reaches from one end, or 0.
 
-    The distance has a kink there, which can be the only member that covers it: a state on the
-    way of another profile leads to such problems.
+    The distance has a kink there, and this member can be the only one that covers the distance, as
+    for boundary states taken from another profile.
     """
     v = problem[Problem.V]
     a = problem[Problem.A]

@@ -1,9 +1,9 @@
 """The durations at which a gap between feasible durations can end.
 
-Outside a gap the profiles of one duration cover distances on both sides of the one asked for. At
-its end either the nearest of them covers just that distance, and so is a member of the families
-that the shortest profile is taken from, or profiles of a new kind begin there: a family whose
-duration falls and rises again begins where it turns.
+Outside a gap, profiles of the same duration cover distances on both sides of the required one. A
+gap ends in one of two ways. Either a profile covers exactly the required distance; then it belongs
+to the families of the shortest profile. Or a new kind of profile begins to exist, at the minimum of
+the duration over a family.
 """
 
 from segfmu.kernels.planner.braking import braked
@@ -14,7 +14,7 @@ from segfmu.kernels.planner.records import Axis, PlanWork, Problem
 
 
 def insert_end(duration: float, after: float, count: int, ends: 'float[:,:]') -> int:
-    """Sort a duration later than `after` into the first column of ends; the latest falls out."""
+    """Insert a duration above `after` in the sorted first column of ends; the longest drops out."""
     if duration <= after:
         return count
     place = count
@@ -38,9 +38,9 @@ def cruise_time(
     axis: 'float[:]',
     phases: 'float[:,:]',
 ) -> float:
-    """Duration of the paper's form, if `covering` with the cruise that it takes to the distance.
+    """Duration of the paper's form; if `covering`, with the cruise that covers the distance.
 
-    1e300 where there is no such form.
+    1e300 if there is no such form.
     """
     count, row, duration, y = cruise_form(phases, cruise, problem, axis)
     rest = problem[Problem.DISTANCE] - y
@@ -90,9 +90,9 @@ def turning_ends(
     work: 'float[:,:]',
     count: int,
 ) -> int:
-    """Insert the durations at which the paper's form turns, over all cruise velocities.
+    """Insert the minima of the paper's form's duration over all cruise velocities.
 
-    `spent` is what braking takes, `count` the number of durations; returns the new one.
+    `spent` is the duration of braking, `count` the number of durations; returns the new number.
     """
     phases = work[PlanWork.TRIAL:PlanWork.BEST, :]
     ends = work[PlanWork.GAP_ENDS:PlanWork.NEAREST, :]
@@ -125,7 +125,7 @@ def covering_ends(
 ) -> int:
     """Insert the durations of all candidates of the shortest profile that cover the distance.
 
-    `spent` is what braking takes, `count` the number of durations; returns the new one.
+    `spent` is the duration of braking, `count` the number of durations; returns the new number.
     """
     phases = work[PlanWork.TRIAL:PlanWork.BEST, :]
     ends = work[PlanWork.GAP_ENDS:PlanWork.NEAREST, :]
@@ -159,10 +159,10 @@ def covering_ends(
 def gap_ends(
     after: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> int:
-    """Write the earliest durations after a given one at which a gap can end; their number.
+    """Write the shortest durations above a given one at which a gap can end; returns their number.
 
-    They come in rising order, in the first column of the rows GAP_ENDS of `work`, as many as there
-    are rows.
+    They are in ascending order in the first column of the rows GAP_ENDS of `work`, at most one per
+    row.
     """
     trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
     rest = work[PlanWork.REST, :]

@@ -1,8 +1,8 @@
 """One waypoint interval: profiles of its axes, on a common duration.
 
-What belongs to axis i in interval j is the row block cells[j * axes + i] (Cell). Its first list of
-phases is the profile or, where two profiles are averaged (synchronize.py), the one that falls
-short; the weight is the share of the second one.
+The results of axis i in interval j are cells[j * axes + i] (Cell). Its first list of phases is the
+profile or, if two profiles are averaged (synchronize.py), the one that falls short; the weight is
+the share of the second one.
 """
 
 from math import ceil
@@ -47,7 +47,7 @@ def set_stretched(
     """Write the shortest profile, stretched from rest to rest to the target duration [s]."""
     phases = cell[Cell.BELOW:Cell.ABOVE, :]
     shortest = cell[Cell.RESULT, Interval.SHORTEST]
-    # the shortest profile may still be there, from the first step of planning
+    # the shortest profile may still be stored, from the first step of planning
     duration = 0.0
     if cell[Cell.RESULT, Interval.ABOVE_COUNT] == 0.0:
         for i in range(int(cell[Cell.RESULT, Interval.BELOW_COUNT])):
@@ -64,7 +64,7 @@ def set_stretched(
 def set_duration(
     target: float, cell: 'float[:,:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> bool:
-    """Write a profile of the given duration [s]; False when that duration is not feasible."""
+    """Write a profile of the given duration [s]; False if that duration is not feasible."""
     shortest = cell[Cell.RESULT, Interval.SHORTEST]
     if target < shortest * (1.0 - 1e-13):
         return False
@@ -84,10 +84,10 @@ def set_duration(
 def next_feasible(
     start: float, cell: 'float[:,:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> float:
-    """The end of the gap that holds the infeasible duration `start` [s]; -1 if none is found.
+    """The end of the gap that contains the infeasible duration `start` [s]; -1 if none is found.
 
-    The durations at which gaps can end are tried one after the other. Should a duration just before
-    one of them be feasible as well, or none of them, the end is searched for.
+    The durations at which gaps can end are tried in turn. If a slightly shorter duration is
+    feasible too, or none of them is feasible, the end is searched for.
     """
     after = start
     for sweep in range(8):
@@ -148,9 +148,9 @@ def common_duration(
     cells: 'float[:,:,:]',
     work: 'float[:,:]',
 ) -> float:
-    """The shortest duration >= start [s] that the cells first .. last - 1 all meet; -1 if none.
+    """The shortest duration >= start [s] feasible for the cells first .. last - 1; -1 if none.
 
-    They belong to one interval. Their profiles of that duration are written.
+    The cells belong to one interval. Their profiles of that duration are written.
     """
     duration = start
     for i in range(first, last):

@@ -1,12 +1,12 @@
 """The merged profile (no cruise): two acceleration levels, found by a bracketed root.
 
-I.2 and II.1 of the paper's profile merge into one ramp between the levels; (15a-g) then have no
-closed form and the position is met by a root in one unknown (end of section 3.1).
+I.2 and II.1 of the paper's profile merge into one ramp between the levels. Then (15a-g) have no
+closed form, and a root in one unknown gives the position (end of section 3.1).
 
-Mirroring the position and reversing the time reduce every case to one canonical family: the
-first level is the higher one and not below zero or the initial acceleration, the second level
-falls from the end acceleration, and the first one follows from the velocity balance, which is
-monotone there because ramps never take longer in proportion to a larger change.
+Mirroring the position and reversing the time reduce every case to one canonical family. Its first
+level is the higher one, and not below zero or the initial acceleration. Its second level falls from
+the end acceleration. The first level follows from the velocity balance, which is monotone because
+the ratio of a ramp's duration to its change never grows with the change.
 """
 
 from math import sqrt
@@ -34,7 +34,7 @@ def solve_level(
     t_end, rise, slope = ramp_duration(low - b, axis)
     least = 0.5 * (a + low) * t_low + 0.5 * (low + b) * t_end
     if gain <= least:
-        # a rounding error short of the lowest level is that level
+        # up to rounding, this is the lowest level
         if gain < least - 1e-14 * (abs(gain) + abs(least)):
             return 0.0, -1.0, low
         return t_low, 0.0, low
@@ -51,8 +51,8 @@ def solve_level(
 def linear_level(gain: float, a: float, b: float, axis: 'float[:]') -> float:
     """The level of `solve_level` where the durations of both ramps are linear in their change.
 
-    slope level^2 + constant level = gain + slope (a^2 + b^2) / 2 - constant (a + b) / 2; -1 where
-    that has no root.
+    slope level^2 + constant level = gain + slope (a^2 + b^2) / 2 - constant (a + b) / 2; -1 if that
+    has no root.
     """
     slope = axis[Axis.LINEAR_SLOPE]
     half = 0.5 * axis[Axis.LINEAR_CONSTANT]
@@ -91,7 +91,7 @@ def root_level(
         following = 0.5 * (lower + upper)
         if rate > 0.0:
             newton = t - error / rate
-            # at the root the step may round to nothing, which a bracket would not admit
+            # at the root the step may round to zero, outside the open bracket
             if abs(newton - t) <= 4e-16 * t:
                 return t, level
             reached = first + second
@@ -136,9 +136,9 @@ def member_distance(family: 'float[:]', axis: 'float[:]') -> 'tuple[float, float
 def canonical_member(p: float, family: 'float[:]', axis: 'float[:]') -> 'tuple[float, float]':
     """Write one member of the canonical family (Family) from (V, A) to (W, B).
 
-    p is the duration of the last ramp, from the second level up to B; beyond LAST_RAMP, where that
-    level is the negative acceleration limit, it goes on as the hold there. The first level is at
-    most HIGHEST: the acceleration limit, or less to keep the velocity down between the levels, but
+    p is the duration of the last ramp, from the second level up to B. Above LAST_RAMP that level is
+    the negative acceleration limit, and the excess is the duration of its hold. The first level is
+    at most HIGHEST: the acceleration limit, or less to limit the velocity between the levels, but
     not less than A and B. Returns duration [s] (-1: no such member) and distance [m].
     """
     a = family[Family.A]

@@ -24,9 +24,9 @@ def set_family(
 ) -> None:
     """Set the canonical family (Family) of a problem on a branch 0 .. 3, by the distance.
 
-    Reversal (1, 2) exchanges the boundary states, mirroring (2, 3) their signs; together they
-    reduce every branch to the canonical one. The first member that covers the distance is searched
-    for, see `set_member`.
+    Reversal (1, 2) exchanges the boundary states, mirroring (2, 3) changes their signs; together
+    they reduce every branch to the canonical one. By default the first member that covers the
+    distance is searched for, see `set_member`.
     """
     reverse = branch == 1 or branch == 2
     mirror = branch >= 2
@@ -62,9 +62,9 @@ def set_family(
 
 
 def set_member(member: int, time: float, by_time: bool, family: 'float[:]') -> None:
-    """Search a family for one member of several: from 0 the number of it.
+    """Set which of several members to search for: its number, from 0.
 
-    `by_time` it lasts `time` [s]; else it covers the distance, and `time` scales the search.
+    With `by_time` it lasts `time` [s]; else it covers the distance, and `time` scales the search.
     """
     family[Family.MEMBER] = member
     family[Family.SCALE] = max(family[Family.LAST_RAMP], 0.1 * time)
@@ -76,7 +76,7 @@ def set_member(member: int, time: float, by_time: bool, family: 'float[:]') -> N
 def merged_form(
     phases: 'float[:,:]', highest: float, family: 'float[:]', axis: 'float[:]'
 ) -> int:
-    """Write the member that a family is searched for; the number of phases, -1 if there is none.
+    """Write the member of a family that is searched for; its number of phases, -1 if none.
 
     highest [m/s2] bounds the first level.
     """
@@ -109,9 +109,9 @@ def merged_form(
 def velocity_excess(
     phases: 'float[:,:]', count: int, v: float, limit_kept: float, axis: 'float[:]'
 ) -> float:
-    """By how much phases that start with velocity v pass the velocity limit [m/s]; below 0: not.
+    """Excess over the velocity limit [m/s] of phases that start with velocity v; below 0: none.
 
-    Peaks within +-limit_kept inside of ramps may be left out.
+    Peaks inside ramps may be ignored if they are within +-limit_kept.
     """
     duration, y, end, lowest, highest = measure_phases(phases, count, v, limit_kept, axis)
     return max(highest, -lowest) - axis[Axis.VELOCITY]
@@ -126,8 +126,8 @@ def level_within(
 ) -> 'tuple[float, float, float, float]':
     """A first level whose member keeps the velocity limit, and one above it that does not.
 
-    Returns both and by how much they pass the limit less a billionth; -1 first if there is none.
-    Below some level there may be no member, or one that passes the limit on the other side.
+    Returns both and their excess over the limit less a billionth; the first is -1 if there is none.
+    Below some level there may be no member, or one that exceeds the limit on the other side.
     """
     velocity_limit = axis[Axis.VELOCITY]
     v = family[Family.START_VELOCITY]
@@ -170,8 +170,7 @@ def highest_within(
     before = outside
     e_before = e_outside
     newest_inside = True
-    # a boundary state can hold the excess near zero, whatever the level; then it only says whether
-    # the limit is kept
+    # a boundary state can keep the excess near zero at any level; then only its sign is used
     constant = False
     probing = False
     steps = 0
@@ -223,10 +222,10 @@ def highest_within(
 def tempered_form(phases: 'float[:,:]', family: 'float[:]', axis: 'float[:]') -> int:
     """The merged form that keeps the velocity limit; the number of phases.
 
-    It is -1 where there is no merged form, 0 where none keeps the limit.
+    It is -1 if there is no merged form, 0 if none keeps the limit.
 
-    Between its levels the velocity has a peak. Where that passes the limit, the first level is
-    lowered, and held, until the peak is at the limit less a billionth.
+    Between its levels the velocity has a peak. If that exceeds the limit, the first level is
+    lowered and held (tempered), so that the peak is at the limit less a billionth.
     """
     velocity_limit = axis[Axis.VELOCITY]
     count = merged_form(phases, axis[Axis.ACCELERATION], family, axis)

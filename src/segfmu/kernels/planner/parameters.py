@@ -3,9 +3,9 @@
 A ramp takes the acceleration from one level to another, as in (11a-d). Two shapes exist:
 
 * smoothstep (shape 0): the paper's polynomial Psi of (12) with k = n - 2 (errata E1, E2);
-* plateau (shape 1): the jerk rises with the polynomial of order k - 1, stays, and falls. Where
-  no limit above the snap is given, the snap has a plateau in the same way: within each rise of
-  the jerk it rises with the polynomial of order k - 2 in a share of the time, stays, and falls.
+* plateau (shape 1): the jerk rises with the polynomial of order k - 1, stays, and falls. If no
+  limit above the snap is given, the snap has a plateau too: within each rise of the jerk it rises
+  with the polynomial of order k - 2 in a share of the time, stays, and falls.
 
 Both are symmetric, so a ramp from a to b lasting tau gains the velocity (a + b) / 2 * tau and,
 from (15), the distance v tau + a tau^2 / 2 + (b - a) (tau^2 / 8 + V / 2), where V is the
@@ -14,13 +14,13 @@ variance of the jerk seen as a density in time: tau^2 / (4 (2 k + 3)) for the po
 rise. That density has the variance R = 1 / (4 (2 k + 1)) or, with a plateau of the snap whose rise
 takes the share s, R = (1 - s)^2 / 12 + s^2 / (4 (2 k - 1)).
 
-The duration of a ramp respects every limit c_3 .. c_{n+1} (errata E3). Its parameters are fields
-of the record `Axis`, set once per axis by `ramp_parameters`: the ramp, or with a plateau its rise,
-lasts at least (q_e * change)^(1/e) for each e from 1 on, and from a change of LINEAR_FROM on the
-jerk limit rules and the duration is linear in the change. CURVE is a polynomial in the share s of
-the duration of the curved part: the acceleration as a share of the change (smoothstep), or the
-acceleration gained in a rise as a share of jerk * rise (plateau), or with a plateau of the snap
-that of its rise.
+The duration of a ramp respects every limit c_3 .. c_{n+1} (errata E3). Its parameters are fields of
+the record `Axis`, set once per axis by `ramp_parameters`: the ramp, or with a plateau its rise,
+lasts at least (q_e * change)^(1/e) for each e from 1 on. From a change of LINEAR_FROM on the jerk
+limit determines the duration, which is then linear in the change. CURVE is a polynomial in the
+share s of the duration of the curved part. For smoothstep it is the acceleration relative to the
+change; for plateau the acceleration gained in a rise relative to jerk * rise; with a plateau of the
+snap the same for the snap's rise.
 """
 
 from segfmu.kernels.planner.ramp import ramp_duration
@@ -43,9 +43,9 @@ def axis_limits(
 def ramp_parameters(share: float, axis: 'float[:]', work: 'float[:,:]') -> bool:
     """Set the ramp parameters of an axis whose limits are set (Axis).
 
-    share is that of a plateau which each of its rises takes when no limit bounds that rise: the
-    smaller, the faster, and the larger the derivatives that are not bounded. `work` has two rows of
-    2 smoothness numbers or more. Returns False where no limit bounds the ramp.
+    share: duration of each rise relative to its ramp, if no limit bounds the rise. A smaller share
+    makes faster ramps with larger unbounded derivatives. `work` has two rows of 2 smoothness
+    numbers or more. Returns False if no limit bounds the ramp.
     """
     smoothness = int(axis[Axis.SMOOTHNESS])
     shape = int(axis[Axis.SHAPE])
@@ -82,7 +82,7 @@ def smoothstep_parameters(axis: 'float[:]', psi: 'float[:]', peaks: 'float[:]') 
         axis[Axis.LINEAR_FROM] = 0.0
         axis[Axis.LINEAR_SLOPE] = slope
         for e in range(2, k + 2):
-            # where the root of the order e is no longer than the linear duration
+            # the change above which the root of order e is not longer than the linear duration
             change = (axis[Axis.POWERS + e - 1] / slope**e) ** (1.0 / (e - 1))
             axis[Axis.LINEAR_FROM] = max(axis[Axis.LINEAR_FROM], change)
     return bounded

@@ -6,21 +6,21 @@ from segfmu.kernels.planner.records import Axis, Phase, Problem
 
 
 def flush_tiny(value: float, scale: float) -> float:
-    """The value, or 0 where it is so small against its scale that its powers would underflow."""
+    """The value, or 0 if it is so small relative to its scale that its powers would underflow."""
     if abs(value) <= 1e-30 * scale:
         return 0.0
     return value
 
 
 def boundary_value(value: float, limit: float) -> float:
-    """A boundary value, zero where it is tiny, clamped where it passes its limit by rounding."""
+    """A boundary value, set to zero if tiny, clamped if it exceeds its limit by rounding."""
     return min(max(flush_tiny(value, limit), -limit), limit)
 
 
 def append_ramp(
     phases: 'float[:,:]', count: int, a: float, b: float, duration: float, axis: 'float[:]'
 ) -> int:
-    """Append the ramp from a to b whose duration was solved for; nothing if it has none.
+    """Append the ramp from a to b with a computed duration; nothing if that is zero.
 
     The change follows from the duration, not from b - a: the rounding error of that difference
     would be large against a small change, and break the limits of the ramp.
@@ -112,7 +112,7 @@ def reverse_phases(phases: 'float[:,:]', first: int, count: int) -> None:
 
 
 def boundary_problem(problem: 'float[:]', axis: 'float[:]', cleaned: 'float[:]') -> None:
-    """Copy a boundary problem (Problem) without what rounding leaves of zeros and of limits."""
+    """Copy a boundary problem (Problem), rounding tiny values to zero and to limits."""
     velocity = axis[Axis.VELOCITY]
     acceleration = axis[Axis.ACCELERATION]
     cleaned[Problem.V] = boundary_value(problem[Problem.V], velocity)
@@ -130,7 +130,7 @@ def measure_phases(
 ) -> 'tuple[float, float, float, float, float]':
     """Duration, distance, end velocity, lowest and highest velocity of a list of phases.
 
-    v is the velocity at the start. Peaks inside of ramps are left out where they are surely within
+    v is the velocity at the start. Peaks inside ramps are ignored if they are surely within
     +-`within`.
     """
     total = 0.0

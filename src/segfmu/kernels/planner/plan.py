@@ -22,7 +22,7 @@ from segfmu.kernels.planner.records import (
 def check_waypoints(
     states: 'float[:,:,:]', dwells: 'float[:]', axes: 'float[:,:]', report: 'float[:]'
 ) -> int:
-    """PlanStatus when a waypoint breaks a limit or dwells while moving."""
+    """PlanStatus of a waypoint that breaks a limit or has a dwell while moving."""
     for j in range(states.shape[0]):
         for i in range(axes.shape[0]):
             velocity = states[j, i, WaypointState.VELOCITY]
@@ -46,9 +46,9 @@ def check_waypoints(
 def time_left(
     first: int, step: int, target: float, cells: 'float[:,:,:]'
 ) -> 'tuple[float, float, int]':
-    """What the intervals of one axis leave of the target duration [s].
+    """Target duration [s] minus the intervals of one axis.
 
-    Also returns the sum [s] and the number of those that can be prolonged.
+    Also returns the sum [s] and the number of the intervals that can be prolonged.
     """
     rest = target
     base = 0.0
@@ -69,11 +69,11 @@ def distribute(
     cells: 'float[:,:,:]',
     work: 'float[:,:]',
 ) -> bool:
-    """Prolong the intervals of the axes first .. last - 1, in proportion, to `target` [s] in sum.
+    """Prolong the intervals of the axes first .. last - 1, in proportion, to `target` [s] in total.
 
-    Intervals that take no time share it equally. An interval whose share lies in a gap jumps to the
-    end of the gap when there is time for it, and else keeps its duration. False when time is left
-    that no interval takes.
+    Intervals of zero duration share it equally. If the new duration of an interval lies in a gap,
+    it goes to the end of the gap if time permits, else it keeps its duration. False if no interval
+    can take the remaining time.
     """
     step = axes.shape[0]
     for j in range(first, cells.shape[0], step):
@@ -108,7 +108,7 @@ def distribute(
 def rewrite_intervals(
     first: int, last: int, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float[:,:]'
 ) -> bool:
-    """Write the profiles of the durations that were settled on; False if one is infeasible."""
+    """Write the profiles of the final durations; False if one is infeasible."""
     for j in range(0, cells.shape[0], axes.shape[0]):
         for i in range(first, last):
             duration = cells[j + i, Cell.RESULT, Interval.DURATION]
@@ -164,12 +164,12 @@ def plan_phases(
     cells: 'float[:,:,:]',
     work: 'float[:,:]',
 ) -> int:
-    """Plan all intervals. Returns PLANNED or why it is refused (PlanStatus).
+    """Plan all intervals. Returns PLANNED or the reason of a refusal (PlanStatus).
 
     m waypoints, k axes: states (m, k, WaypointState), dwells (m,) [s], limits (k, smoothness + 1)
     with 0 for absent, options (PlanOptions,). Written: axes (k, Axis), and cells ((m - 1) k, Cell
-    rows, Cell columns), axis after axis in interval after interval; and of a refusal the row
-    REFUSAL of `work` (PlanWork rows, PlanWork columns).
+    rows, Cell columns), all axes of the first interval, then of the next; after a refusal also the
+    row REFUSAL of `work` (PlanWork rows, PlanWork columns).
     """
     report = work[PlanWork.REFUSAL, :]
     report[Refusal.VALUE] = options[PlanOptions.SAMPLE_TIME]
@@ -187,7 +187,7 @@ def plan_phases(
     for axis in range(axes.shape[0]):
         status = plan_axis(axis, 0.1, axes, cells, work)
         if status == PlanStatus.START_BRAKING or status == PlanStatus.END_BRAKING:
-            # braking just fails: the steepest ramps decide whether the limits admit it
+            # braking fails by little: the steepest ramps decide whether it is feasible
             status = plan_axis(axis, 0.004, axes, cells, work)
         if status < 0:
             return status
@@ -202,9 +202,9 @@ def meet_intervals(
     cells: 'float[:,:,:]',
     work: 'float[:,:]',
 ) -> float:
-    """Bring the axes first .. last - 1 to common durations in every interval, where they shall.
+    """Give the axes first .. last - 1 common durations in every interval, if requested.
 
-    Returns the sum of all intervals' durations [s]; -1 where there is no common duration.
+    Returns the sum of all intervals' durations [s]; -1 if there is no common duration.
     """
     sample_time = options[PlanOptions.SAMPLE_TIME]
     meeting = int(options[PlanOptions.SYNCHRONIZATION]) == Synchronization.WAYPOINTS
@@ -230,7 +230,7 @@ def synchronize_plan(
     cells: 'float[:,:,:]',
     work: 'float[:,:]',
 ) -> int:
-    """Bring the shortest profiles to common durations; status as in `plan_phases`."""
+    """Give the shortest profiles common durations; status as in `plan_phases`."""
     report = work[PlanWork.REFUSAL, :]
     synchronization = int(options[PlanOptions.SYNCHRONIZATION])
     duration = options[PlanOptions.DURATION]

@@ -1,13 +1,13 @@
-"""Whether waypoints and limits are a problem to plan at all."""
+"""Checks of waypoints and limits before planning."""
 
 from segfmu.kernels.planner.records import PlanStatus, Refusal
 
 
 def check_problem(states: 'float[:,:,:]', limits: 'float[:,:]', report: 'float[:]') -> int:
-    """PLANNED, or what is wrong (PlanStatus), with a report (Refusal).
+    """PLANNED, or the error (PlanStatus), with a report (Refusal).
 
     m waypoints, k axes: states (m, k, WaypointState), limits (k, 2 or more) from velocity on.
-    Waypoints that follow each other must differ in something that doubles can tell.
+    Consecutive waypoints must differ within double precision.
     """
     for axis in range(limits.shape[0]):
         report[Refusal.AXIS] = axis
@@ -28,5 +28,5 @@ def check_problem(states: 'float[:,:,:]', limits: 'float[:,:]', report: 'float[:
 
 
 def differ(before: float, value: float) -> bool:
-    """Whether two numbers are further apart than doubles of that size, or of 1, can be."""
+    """Whether two numbers differ by more than rounding, relative to their size or to 1."""
     return not abs(value - before) <= 1e-15 * max(abs(value), 1.0)

@@ -8,10 +8,9 @@ II.2). Phases of zero length vanish. The candidates, in this order:
 * the merged form without cruise (levels.py), from either of the two fastest velocity changes;
 * the paper's form with a cruise velocity below the limit, by a bracketed root.
 
-Each is tried from the boundary states as they are and, where that passes the velocity limit
-inside a ramp, after braking the boundary accelerations to zero. After braking both, the last
-form always exists: its distance is continuous in the cruise velocity and unbounded at the two
-limits (docs/planner.md).
+Each is tried from the given boundary states and, if that exceeds the velocity limit inside a ramp,
+after braking the boundary accelerations to zero. After braking both, the last form always exists:
+its distance is continuous in the cruise velocity and unbounded at the two limits (docs/planner.md).
 """
 
 from segfmu.kernels.planner.braking import braked, surround
@@ -29,7 +28,7 @@ from segfmu.kernels.planner.records import Axis, Braking, Phase, PlanStatus, Pla
 def valid_duration(
     phases: 'float[:,:]', count: int, problem: 'float[:]', axis: 'float[:]'
 ) -> float:
-    """Duration [s] of phases that meet the boundary within the velocity limit; -1: they do not."""
+    """Duration [s] of phases that join the boundary states within the velocity limit, else -1."""
     limit = axis[Axis.VELOCITY]
     distance = problem[Problem.DISTANCE]
     most = limit * (1.0 + 1e-12)
@@ -46,20 +45,20 @@ def valid_duration(
 
 
 def usual_duration(problem: 'float[:]', axis: 'float[:]') -> float:
-    """Longer than the paper's form with cruise needs for velocity changes and distance [s]."""
+    """Upper bound [s] for the duration of the paper's form with cruise."""
     limit = axis[Axis.VELOCITY]
     change = limit / axis[Axis.ACCELERATION] + axis[Axis.FULL_RAMP]
     return 4.0 * change + abs(problem[Problem.DISTANCE]) / limit
 
 
 def fastest_between(phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]') -> int:
-    """The forms that nothing is shorter than, one ramp or cruise at the limit; 0 if none holds."""
+    """The optimal forms, one ramp or cruise at the limit; 0 if none is valid."""
     v = problem[Problem.V]
     a = problem[Problem.A]
     w = problem[Problem.W]
     b = problem[Problem.B]
     velocity_limit = axis[Axis.VELOCITY]
-    # nothing is faster than one ramp: phase I.1 alone, where the points are consistent
+    # nothing is faster than one ramp (phase I.1 alone), if it joins the boundary states
     count = append_change(phases, 0, a, b, axis)
     if count > 0:
         end = v + 0.5 * (a + b) * phases[0, Phase.DURATION]
@@ -81,10 +80,10 @@ def shortest_between(
     axis: 'float[:]',
     work: 'float[:,:]',
 ) -> int:
-    """The shortest candidate between two boundary states taken as they are; 0 if none holds.
+    """The shortest candidate between two boundary states, without braking; 0 if none is valid.
 
-    The first attempt (0) is for the forms that nothing is shorter than; the second one takes
-    those that keep the velocity limit at some price. Returns the number of phases.
+    The first attempt (0) tries the optimal forms; the second one tries those that take longer to
+    keep the velocity limit. Returns the number of phases.
     """
     trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
     family = work[PlanWork.FAMILY, :]
@@ -115,7 +114,7 @@ def shortest_between(
 
 
 def is_done(problem: 'float[:]') -> bool:
-    """Whether the state at the start is that at the end."""
+    """Whether start and end states are equal."""
     if problem[Problem.DISTANCE] != 0.0 or problem[Problem.V] != problem[Problem.W]:
         return False
     return problem[Problem.A] == problem[Problem.B]
@@ -142,7 +141,7 @@ def shortest_profile(
 def shortest_braked(
     problem: 'float[:]', axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]'
 ) -> int:
-    """`shortest_profile` where boundary accelerations are braked, or the limit has its price."""
+    """`shortest_profile` with braking, and with forms that take longer to keep the limit."""
     trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
     candidate = work[PlanWork.BEST:PlanWork.GAP_ENDS, :]
     rest = work[PlanWork.REST, :]
@@ -151,7 +150,7 @@ def shortest_braked(
     usual = usual_duration(problem, axis)
     for variant in range(1, 8):
         # variants 0 to 3: braking none, the first, the last or both of the accelerations to zero;
-        # 4 to 7 the same with the second attempt, of which the last three are the way out
+        # 4 to 7 the same with the second attempt; the last three are the fallback
         if variant > 4 and best > 0 and shortest <= usual:
             break
         taken, spent = braked(variant % 4, problem, axis, trial, rest)

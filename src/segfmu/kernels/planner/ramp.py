@@ -29,8 +29,8 @@ def slowest_root(change: float, first: int, axis: 'float[:]') -> 'tuple[float, f
 
 
 def ramp_duration(change: float, axis: 'float[:]') -> 'tuple[float, float, float]':
-    """Duration of the ramp for an acceleration change >= 0, that of its jerk rise [s], and the
-    derivative of the duration with the change (0 for no change, where it is not finite)."""
+    """Duration of the ramp for an acceleration change >= 0, duration of its jerk rise [s], and the
+    derivative of the former with respect to the change (0 for no change, where it is infinite)."""
     if change <= 0.0:
         return 0.0, 0.0, 0.0
     if axis[Axis.LINEAR_FROM] >= 0.0 and change >= axis[Axis.LINEAR_FROM]:

@@ -1,4 +1,4 @@
-"""The extreme velocity inside of a ramp whose acceleration changes its sign."""
+"""The extreme velocity inside a ramp whose acceleration changes sign."""
 
 from math import sqrt
 
@@ -9,7 +9,7 @@ def curved_part(s: float, axis: 'float[:]') -> 'tuple[float, float, float]':
     """Polynomial of the curved part at s, its derivative and its integral from 0."""
     if axis[Axis.SNAP_SHARE] > 0.0:
         if s > 0.5:
-            # the rise is symmetric: what is gained from s on follows from what is gained to 1 - s
+            # the rise is symmetric: the gain from s on follows from the gain up to 1 - s
             value, slope, integral = snap_plateau_half(1.0 - s, axis)
             middle, rate, half = snap_plateau_half(0.5, axis)
             whole = 2.0 * half + 0.125
@@ -60,8 +60,8 @@ def snap_plateau_half(s: float, axis: 'float[:]') -> 'tuple[float, float, float]
 def invert_curved_part(value: float, upper: float, axis: 'float[:]') -> float:
     """The s in [0, upper] at which the increasing curved part, 1/2 at `upper`, has the given value.
 
-    Close enough for an extremum, of which an error in s has only its square. The curved part is
-    nearly a square at its upper end.
+    The accuracy suffices for an extremum, whose error is of second order in that of s. The curved
+    part is nearly a square at its upper end.
     """
     low = 0.0
     high = upper

@@ -1,6 +1,6 @@
-"""Searches along the canonical family of levels.py: by the distance, and by the duration.
+"""Searches along the canonical family of levels.py, by distance or by duration.
 
-A family (Family) says which of the two is searched for, BY_TIME, and its TARGET.
+BY_TIME of a family (Family) selects one of them, TARGET is its value.
 """
 
 from segfmu.kernels.numerics.roots import root_share
@@ -71,7 +71,7 @@ def bracketed_root(
             e_other = e_newest
         newest = p
         e_newest = error
-        # what rounding leaves of a sum whose terms may cancel
+        # rounding error of a sum whose terms may cancel
         if abs(error) <= 2e-15 * (abs(target) + speed * duration):
             break
     if abs(e_other) < abs(e_newest):
@@ -84,10 +84,10 @@ def first_window(
 ) -> 'tuple[float, float]':
     """Search the members whose second level lies between the end acceleration and zero.
 
-    f_start is the value of the first member, t_zero the parameter of the second level zero. Returns
-    the parameter or -1, and t_zero if the family goes on there, else -1: a positive second level
-    gains velocity, which can leave no room for the first one. Where the motion starts backwards the
-    distance can rise and fall again, so the members between are looked at.
+    f_start is the value of the first member, t_zero the parameter at which the second level is
+    zero. Returns the parameter or -1, and t_zero if the family continues there, else -1: a positive
+    second level gains velocity, so there may be no first level. If the motion starts backwards, the
+    distance can rise and fall again, so the members between are searched too.
     """
     target = family[Family.TARGET]
     if family[Family.V] < 0.0:
@@ -118,9 +118,9 @@ def first_window(
 
 
 def shorter_member(f_start: float, family: 'float[:]', axis: 'float[:]') -> float:
-    """Parameter of a member that covers less than the first one, f_start, and just the target.
+    """Parameter of a member that covers the target, which is less than f_start of the first one.
 
-    -1 if there is none. Going on for longer covers less distance while the velocity in between is
+    -1 if there is none. A longer motion covers less distance while the velocity in between is
     negative.
     """
     samples = 12
@@ -143,7 +143,7 @@ def canonical_search(family: 'float[:]', axis: 'float[:]') -> float:
     f_lower, duration = canonical_value(0.0, family, axis)
     if duration < 0.0:
         return -1.0
-    # a target that only rounding keeps from the first member is met by it
+    # the first member covers the target up to rounding
     if abs(f_lower - target) <= 1e-14 * (abs(target) + (abs(v) + abs(w)) * duration):
         return 0.0
     if f_lower > target:
@@ -165,7 +165,7 @@ def canonical_search(family: 'float[:]', axis: 'float[:]') -> float:
 
 
 def second_window(t_zero: float, family: 'float[:]', axis: 'float[:]') -> float:
-    """First parameter beyond t_zero that has a member, where t_zero has none."""
+    """First parameter beyond t_zero with a member, if t_zero has none."""
     upper = family[Family.LAST_RAMP]
     value, duration = canonical_value(upper, family, axis)
     for i in range(60):
@@ -179,8 +179,8 @@ def second_window(t_zero: float, family: 'float[:]', axis: 'float[:]') -> float:
 def farther_member(
     lower: float, f_lower: float, family: 'float[:]', axis: 'float[:]'
 ) -> float:
-    """Parameter beyond `lower`, whose member covers f_lower, that covers the target, or -1."""
-    # where the last acceleration is at its limit, the last ramp is no scale of the family
+    """Parameter beyond `lower` that covers the target, or -1; `lower` covers f_lower."""
+    # if the last acceleration is at its limit, the last ramp cannot scale the family
     upper = max(family[Family.LAST_RAMP], axis[Axis.FULL_RAMP])
     if upper <= lower:
         upper = 2.0 * lower
@@ -197,10 +197,10 @@ def farther_member(
 def member_search(family: 'float[:]', axis: 'float[:]') -> float:
     """Parameter of the canonical member number MEMBER of the target value, or -1.
 
-    Neither duration nor distance is monotone along the family: the duration falls and rises again
-    where a first level that takes long to come back from is traded for a shorter one, the distance
-    while the velocity in between is negative. So the members are looked at one by one, up to nine
-    times SCALE.
+    Neither duration nor distance is monotone along the family. The duration falls and rises again
+    as a first level with a long way back gives way to a shorter one; the distance does so while the
+    velocity in between is negative. So the search steps through the members, up to nine times
+    SCALE.
     """
     target = family[Family.TARGET]
     passed = 0

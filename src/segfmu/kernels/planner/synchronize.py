@@ -1,11 +1,10 @@
 """A profile of prescribed duration, and whether a duration is feasible at all.
 
-For a given duration T the motions between two boundary states that keep every limit form a
-convex set (the limits bound linear functions of y), so the distances they cover form an
-interval, and a weighted mean of two such motions is one as well. A duration is therefore
-feasible when one profile of that duration falls short of the distance and another one covers
-at least as much. Between two moving waypoints the feasible durations can have gaps (errata
-E10); outside the gaps the profile is, in this order:
+For a given duration T the valid motions between two boundary states form a convex set (the limits
+bound linear functions of y). So their distances form an interval, and the weighted mean of two
+valid motions is valid. A duration is therefore feasible if one profile of that duration falls short
+of the distance and another one covers at least as much. Between two moving waypoints the feasible
+durations can have gaps (errata E10). Outside the gaps the profile is, in this order:
 
 * from rest to rest the shortest profile stretched in time, as in section 3.2;
 * the paper's form with the cruise velocity that makes it last T;
@@ -45,7 +44,7 @@ def stretch_phases(phases: 'float[:,:]', count: int, factor: float) -> None:
 
 
 def fit_duration(phases: 'float[:,:]', count: int, target: float) -> None:
-    """Remove the rounding error of the total duration, which two averaged profiles must share."""
+    """Remove the rounding error of the total duration: two averaged profiles need the same."""
     total = 0.0
     for i in range(count):
         total = total + phases[i, Phase.DURATION]
@@ -73,7 +72,7 @@ def timed_merged(
 def timed_between(
     problem: 'float[:]', axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]'
 ) -> None:
-    """Nearest profiles below and above the distance, from boundary states taken as they are."""
+    """Nearest profiles below and above the distance, without braking."""
     trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
     v = problem[Problem.V]
     w = problem[Problem.W]
@@ -99,7 +98,7 @@ def nearest_weight(problem: 'float[:]', axis: 'float[:]', nearest: 'float[:]') -
     distance = problem[Problem.DISTANCE]
     below = nearest[Nearest.BELOW_DISTANCE]
     above = nearest[Nearest.ABOVE_DISTANCE]
-    # one profile is enough when it misses the distance by no more than rounding
+    # one profile is enough if it covers the distance up to rounding
     tiny = 1e-14 * (abs(distance) + axis[Axis.VELOCITY] * problem[Problem.DURATION])
     if above - distance <= tiny:
         return 1.0
@@ -113,7 +112,7 @@ def timed_profile(
 ) -> float:
     """Two profiles of a cell's problem (Cell) that last `target` [s] and enclose the distance.
 
-    Returns the weight of the second one, or -1 where that duration is not feasible. The motion is
+    Returns the weight of the second one, or -1 if that duration is not feasible. The motion is
     (1 - weight) * BELOW + weight * ABOVE; the counts of phases are in the row NEAREST of `work`.
     """
     trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
@@ -143,7 +142,7 @@ def timed_profile(
 def surround_nearest(
     variant: int, axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]'
 ) -> None:
-    """Put what a variant brakes around both profiles, and give them the duration exactly."""
+    """Add a variant's braking phases to both profiles, and give them the exact duration."""
     trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
     problem = work[PlanWork.PROBLEM, :]
     nearest = work[PlanWork.NEAREST, :]

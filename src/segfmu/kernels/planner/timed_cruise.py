@@ -1,7 +1,7 @@
-"""The paper's form with prescribed duration: its cruise velocity is what covers the distance.
+"""The paper's form with prescribed duration: the cruise velocity that covers the distance.
 
-A cruise velocity fits when the velocity changes to and from it leave time for a cruise. The fitting
-ones form one or several windows; within a window the distance is continuous.
+A cruise velocity is possible if its velocity changes leave time for a cruise. The possible ones
+form one or several windows; within a window the distance is continuous.
 """
 
 from segfmu.kernels.numerics.roots import root_share
@@ -15,8 +15,8 @@ def timed_cruise(
 ) -> 'tuple[int, float, float]':
     """The paper's form with the cruise that makes it last the problem's duration.
 
-    Returns the number of phases, the distance, and the duration of the cruise, which is
-    negative where the form takes longer; the number is -1 where it does not exist.
+    Returns the number of phases, the distance, and the duration of the cruise, which is negative if
+    the form takes longer; the number is -1 if the form does not exist.
     """
     count, row, duration, y = cruise_form(phases, cruise, problem, axis)
     if count < 0:
@@ -29,11 +29,10 @@ def timed_cruise(
 def cruise_range(
     phases: 'float[:,:]', middle: float, y: float, problem: 'float[:]', axis: 'float[:]'
 ) -> float:
-    """A cruise velocity that leaves a cruise and, if there is one, passes the distance.
+    """A possible cruise velocity that, if there is one, covers at least the distance.
 
-    The cruise velocity `middle` leaves a cruise and covers y; from there the search goes to the
-    velocity limit on the side of the distance. Without such a velocity, the last one that leaves a
-    cruise is returned.
+    The velocity `middle` is possible and covers y; the search goes from there to the velocity limit
+    on the side of the distance. If there is no such velocity, the last possible one is returned.
     """
     distance = problem[Problem.DISTANCE]
     outside = axis[Axis.VELOCITY]
@@ -60,7 +59,7 @@ def keep_nearest(
 ) -> None:
     """Keep the trial profile if it is the nearest one below or above the distance.
 
-    It has to last the problem's duration. The phases go to the cell, what is known of them to the
+    It must last the problem's duration. The phases go to the cell, their number and distance to the
     row NEAREST of `work`.
     """
     if count <= 0:
@@ -122,9 +121,9 @@ def between_cruises(
     cell: 'float[:,:]',
     work: 'float[:,:]',
 ) -> None:
-    """Close in on the cruise velocity that covers the distance.
+    """Search for the cruise velocity that covers the distance.
 
-    e_lower and e_upper are by how much the two velocities pass the distance [m].
+    e_lower and e_upper are the excess distances of the two velocities [m].
     """
     distance = problem[Problem.DISTANCE]
     newest = upper
@@ -159,7 +158,7 @@ def between_cruises(
 def cruise_edge(
     inside: float, outside: float, phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]'
 ) -> float:
-    """Bisect between a velocity that leaves a cruise and one that does not."""
+    """Bisect between a possible cruise velocity and an impossible one."""
     for i in range(30):
         cruise = 0.5 * (inside + outside)
         count, y, hold = timed_cruise(phases, cruise, problem, axis)
@@ -173,10 +172,7 @@ def cruise_edge(
 def scan_cruises(
     problem: 'float[:]', axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]'
 ) -> None:
-    """Nearest profiles with a cruise, looked for over all cruise velocities.
-
-    Those that leave a cruise can form several windows.
-    """
+    """Nearest profiles with a cruise, over all windows of possible cruise velocities."""
     trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
     distance = problem[Problem.DISTANCE]
     samples = 24

@@ -1,4 +1,4 @@
-"""What happens at times of its own: samples, changes of the payload, ends of a gust.
+"""Time events: samples, changes of the payload, ends of a gust.
 
 `settings`, `changes` and `memory` are described in kernels/rig/rig.py.
 """
@@ -18,7 +18,7 @@ from segfmu.kernels.rig.sensing import next_sample, sense_signals, take_sample
 
 
 def time_tolerance(settings: 'float[:,:]') -> float:
-    """Times [s] that differ by less are the same; sums of steps are rounded."""
+    """Times [s] that differ by less are equal, because sums of steps are rounded."""
     return 1e-9 * settings[Settings.LOOP, Loop.PERIOD]
 
 
@@ -97,7 +97,7 @@ def next_change(changes: 'float[:,:]', after: float, memory: 'float[:,:]') -> fl
 def change_payload(
     settings: 'float[:,:]', changes: 'float[:,:]', time: float, memory: 'float[:,:]'
 ) -> None:
-    """Give the load the mass that it has from a time [s] on."""
+    """Set the mass of the load that is valid from a time [s] on."""
     chosen = -1
     for i in range(changes.shape[0]):
         start = changes[i, PayloadChange.TIME]

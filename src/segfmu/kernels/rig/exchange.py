@@ -1,10 +1,10 @@
-"""The rig of kernels/rig/rig.py for a caller that integrates it: derivatives, and events by time.
+"""The rig of kernels/rig/rig.py for a caller that integrates it: derivatives and time events.
 
 The caller sets the state and the setpoints of the present time, in `memory` and `setpoints`, and
-calls `rig_event` at the times that `rig_next_event` names. Between events corrections are held:
-added to the forces, or with velocity drives integrated and added to the velocities. All times are
-seconds since the start. Velocity drives need a lag: without it, the acceleration is not a function
-of the setpoints.
+calls `rig_event` at the times given by `rig_next_event`. Between events corrections are held: added
+to the forces, or with velocity drives integrated and added to the velocities. All times are seconds
+since the start. Velocity drives need a lag: without it, the setpoints do not determine the
+acceleration.
 """
 
 from segfmu.kernels.control.records import Correction
@@ -31,10 +31,10 @@ def rig_event(
     time: float,
     memory: 'float[:,:]',
 ) -> None:
-    """Take samples, change the payload and correct the setpoints where it is due at a time.
+    """Take samples, change the payload and correct the setpoints if due at a time.
 
-    What the setpoints' slopes are is not known, so with velocity drives the limits of a tracking
-    controller count for its correction alone.
+    The slopes of the setpoints are unknown, so with velocity drives the limits of a tracking
+    controller apply to its correction only.
     """
     clock = memory[Memory.CLOCK, :]
     rig_signals(settings, time, memory)
@@ -70,7 +70,7 @@ def rig_rates(
     memory: 'float[:,:]',
     derivative: 'float[:]',
 ) -> int:
-    """Derivative of the state (13) at a time; the report of the memory is that of the plant.
+    """Derivative of the state (13) at a time; the plant's report goes to the memory.
 
     Returns a `PlantStatus`.
     """

@@ -37,7 +37,7 @@ def setpoint_at(setpoints: 'float[:]', i: int, share: float, memory: 'float[:,:]
 def setpoint_rates(
     setpoints: 'float[:]', i: int, share: float, duration: float, memory: 'float[:,:]'
 ) -> 'tuple[float, float, float]':
-    """Taylor coefficients of a setpoint at a share of the step, by time: slope, square, cube."""
+    """Taylor coefficients over time of a setpoint at a share of the step: slope, square, cube."""
     square = memory[Memory.SQUARE, i]
     cube = memory[Memory.CUBE, i]
     slope = setpoints[i] - memory[Memory.LAST, i] - square - cube
@@ -54,7 +54,7 @@ def controller_due(settings: 'float[:,:]', memory: 'float[:,:]') -> bool:
 def prepare_tick(
     settings: 'float[:,:]', setpoints: 'float[:]', duration: float, memory: 'float[:,:]'
 ) -> None:
-    """What the controller gets at the tick that is due."""
+    """Prepare the controller's inputs for the tick that is due."""
     clock = memory[Memory.CLOCK, :]
     time = present_time(memory)
     share = clock[Clock.DONE] / duration
@@ -82,7 +82,7 @@ def correct_setpoints(
     tracker: 'float[:,:]',
     memory: 'float[:,:]',
 ) -> None:
-    """The correction at a tick; the tracking controller's observer goes on when it is off."""
+    """The correction at a tick; the tracking controller's observer runs even if it is off."""
     if int(settings[Settings.LOOP, Loop.CORRECTOR]) == Corrector.TRACKING:
         track_setpoint(
             settings[Settings.TRACKING, :], table, gains, memory[0:Tick.SIZE, :], tracker
@@ -96,9 +96,9 @@ def correct_setpoints(
 
 
 def switch_correction(settings: 'float[:,:]', memory: 'float[:,:]') -> None:
-    """Switch the new correction on or off; the jump of a change fades out.
+    """Switch the new correction on or off; the jump at a change fades out.
 
-    Callers that correct by themselves call it after they have put their correction into the memory.
+    A caller with a controller of its own calls it after writing its correction to the memory.
     """
     loop = settings[Settings.LOOP, :]
     correction = memory[Memory.CORRECTION, :]
@@ -113,7 +113,7 @@ def switch_correction(settings: 'float[:,:]', memory: 'float[:,:]') -> None:
         if loop[Loop.ENABLED] < 0.5:
             correction[Correction.VALUE + i] = 0.0
             if is_driven(memory):
-                # a velocity that was added must not stay
+                # the added velocity must return to zero
                 fade = max(loop[Loop.FADE], loop[Loop.PERIOD])
                 correction[Correction.VALUE + i] = -memory[Memory.ADDED, i] / fade
         value = correction[Correction.VALUE + i]
@@ -173,7 +173,7 @@ def command_forces(setpoints: 'float[:]', duration: float, memory: 'float[:,:]')
 def set_command(
     axis: int, value: float, slope: float, square: float, cube: float, memory: 'float[:,:]'
 ) -> None:
-    """Command of a drive, and the coefficients of the time elapsed in it."""
+    """Command of a drive, and its coefficients over the elapsed time."""
     memory[Memory.WORK + Work.COMMAND, axis] = value
     memory[Memory.WORK + Work.RATES, CommandRates.LINEAR + axis] = slope
     memory[Memory.WORK + Work.RATES, CommandRates.SQUARE + axis] = square
@@ -183,7 +183,7 @@ def set_command(
 def command_velocities(
     setpoints: 'float[:]', duration: float, until: float, memory: 'float[:,:]'
 ) -> None:
-    """Commands of velocity drives now and their rates until a time; advances what is added."""
+    """Commands of velocity drives and their rates until a time; advances the added velocities."""
     done = memory[Memory.CLOCK, Clock.DONE]
     length = until - done
     for i in range(3):
@@ -197,7 +197,7 @@ def command_velocities(
         memory[Memory.ADDED, i] = added + correction * length
         set_command(i, command, slope + correction, square, cube, memory)
         if memory[Memory.PLANT, Plant.LAG + i] == 0.0:
-            # at the end it has its setpoint, wherever a bound has left it before
+            # at the end it has its setpoint, even after saturation
             end = setpoint_at(setpoints, velocity, until / duration, memory)
             end = end + memory[Memory.ADDED, i]
             acceleration = (end - memory[Memory.STATE, State.VELOCITY + i]) / length

@@ -1,4 +1,4 @@
-"""What an FMU of the crane shows of a rig and its controller."""
+"""Outputs of the crane's FMU from a rig and its controller."""
 
 from math import sqrt
 
@@ -30,7 +30,7 @@ from segfmu.kernels.rig.rig import rig_balance, rig_imbalance
 def rig_outputs(
     target: 'float[:]', memory: 'float[:,:]', balance: 'float[:]', outputs: 'float[:]'
 ) -> None:
-    """Write Outputs; target: where the load shall be (Target), balance (Balance): work space."""
+    """Write Outputs; target: reference of the load (Target), balance (Balance): work space."""
     state = memory[Memory.STATE, :]
     for i in range(State.SIZE):
         outputs[Outputs.STATE + i] = state[i]
@@ -50,7 +50,7 @@ def rig_outputs(
 
 
 def load_outputs(target: 'float[:]', memory: 'float[:,:]', outputs: 'float[:]') -> None:
-    """The load's motion, and its distance from where it shall be."""
+    """The load's motion, and its distance from the reference."""
     load = memory[Memory.WORK + Work.LOAD : Memory.WORK + Work.LOAD + Load.SIZE, :]
     crane_load(memory[Memory.STATE, :], load)
     square = 0.0
@@ -64,7 +64,7 @@ def load_outputs(target: 'float[:]', memory: 'float[:,:]', outputs: 'float[:]') 
 
 
 def drive_outputs(memory: 'float[:,:]', outputs: 'float[:]') -> None:
-    """What drives, rope and surroundings do."""
+    """Forces and powers of drives, rope and wind."""
     report = memory[Memory.REPORT, :]
     for i in range(Axes.SIZE):
         outputs[Outputs.FORCE + i] = report[Report.FORCE + i]
@@ -81,7 +81,7 @@ def drive_outputs(memory: 'float[:,:]', outputs: 'float[:]') -> None:
 def tracking_estimates(
     parameters: 'float[:]', tracker: 'float[:,:]', estimates: 'float[:]'
 ) -> None:
-    """Write what a tracking controller (Tracking, Tracker) has found (Estimates)."""
+    """Write the estimates (Estimates) of a tracking controller (Tracking, Tracker)."""
     estimates[Estimates.PAYLOAD_MASS] = parameters[Tracking.MASSES + Axes.ROPE] * (
         1.0 + tracker[Tracker.FADING, Fading.PAYLOAD]
     )

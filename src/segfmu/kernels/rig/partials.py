@@ -44,7 +44,7 @@ def friction_slope(plant: 'float[:]', axis: int, velocity: float) -> float:
 
 def gust_rate(shape: float, share: float) -> float:
     """Derivative of `gust_factor` by the share of the gust's duration, between its ends."""
-    # both shapes are sines of the share: their rate is the shape a quarter on
+    # both shapes are sines of the share: their rate is the shape a quarter period later
     angle = full_circle() * share
     if int(shape) == GustShape.SINE:
         return 0.5 * full_circle() * cos(0.5 * angle)
@@ -99,7 +99,7 @@ def forced_partials(
 
 
 def add_damping(plant: 'float[:]', by: 'float[:]', row: 'float[:]') -> None:
-    """Add to a row of partial derivatives what the sway damping does by the sway rates."""
+    """Add the effect of the sway damping to a row of partial derivatives by the sway rates."""
     for j in range(2):
         damped = plant[Plant.SWAY_DAMPING] * by[CranePartials.TORQUE + j]
         row[State.RATE + j] = row[State.RATE + j] - damped
@@ -109,7 +109,7 @@ def demand_partials(
     plant: 'float[:]', state: 'float[:]', rig: 'float[:,:]', command: 'float[:]',
     partials: 'float[:,:]',
 ) -> bool:
-    """Accelerations of the drives under velocity commands; false where one is at its force."""
+    """Accelerations of the drives under velocity commands; false if one is at its force bound."""
     action = rig[Work.ACTION, :]
     for i in range(3):
         lag = plant[Plant.LAG + i]
@@ -130,13 +130,13 @@ def driven_partials(
     plant: 'float[:]', state: 'float[:]', rig: 'float[:,:]', work: 'float[:,:]',
     partials: 'float[:,:]',
 ) -> bool:
-    """The same under velocity commands; false where a drive is at its largest force."""
+    """The same under velocity commands; false if a drive is at its largest force."""
     if not demand_partials(plant, state, rig, rig[Work.COMMAND, :], partials):
         return False
     crane_driven_partials(
         state, rig[Work.DEMAND, :], rig[Work.GENERALISED, :], rig[Work.WIND, :], plant, work
     )
-    # angles and forces lie side by side in both
+    # angles and forces are adjacent in both
     first = RigPartials.ACCELERATION + Coordinates.ANGLE
     for i in range(DrivenPartials.SIZE):
         row = partials[first + i, :]
@@ -196,7 +196,7 @@ def rig_partials(
 ) -> bool:
     """All partial derivatives at a time [s] since the start.
 
-    False where a velocity drive is at its largest force: there they jump with its neighbours'.
+    False if a velocity drive is at its largest force: there they jump.
     """
     plant = memory[Memory.PLANT, :]
     state = memory[Memory.STATE, :]

@@ -1,19 +1,19 @@
 """The crane with its drives, sensors and sampled controller, advanced by a communication step.
 
-Times within are seconds since the start. The integration stops at the ticks of the controller and
-of the sensors, where the payload changes and at the ends of a gust. Setpoints are linear in time
-between those of the last step's end and those of this one's, or cubic where memory has what is not
-linear in them. A correction is added to the force setpoints, or with velocity drives its integral
-is added to the velocity setpoints; it acts from tick to tick.
+Times inside are seconds since the start. The integration stops at the ticks of the controller and
+of the sensors, at payload changes and at the ends of a gust. Setpoints are linear in time from
+those at the end of the last step to those at the end of this one; with SQUARE and CUBE of the
+memory they are cubic. A correction is added to the force setpoints; with velocity drives its
+integral is added to the velocity setpoints. It is held from tick to tick.
 
-Arrays, in C order; their names are in rig/records.py:
+Arrays, in C order; their records are in rig/records.py:
 
 settings (4, 37)     `Settings`
-components (., 7)    wind's noise, a `Sinusoid` a row
-changes (., 2)       payload, a `PayloadChange` a row, in any order
+components (., 7)    noise of the wind, one `Sinusoid` per row
+changes (., 2)       payload, one `PayloadChange` per row, in any order
 table (., 19, 10)    the observer's, see control/observer.py; unused without a tracking controller
 gains (., 4, 10)     of the feedback, see control/feedback.py
-tracker (25, 10)     what a tracking controller remembers, a `Tracker`
+tracker (25, 10)     memory of a tracking controller, a `Tracker`
 setpoints (19)       `Setpoints`
 memory (., 37)       `Memory`, of `rig_rows` rows; a copy of it is the state of the rig
 """
@@ -45,7 +45,7 @@ from segfmu.kernels.rig.sensing import sensing_rows, start_sensing
 
 
 def rig_rows(sample_time: float, dead_time: float) -> int:
-    """Rows of memory for sensors with these times [s]."""
+    """Rows of memory for the sensors' sample time and dead time [s]."""
     return Memory.SENSING + sensing_rows(sample_time, dead_time)
 
 
@@ -57,7 +57,7 @@ def rig_start(
     start: float,
     memory: 'float[:,:]',
 ) -> None:
-    """Put a state (10) and the setpoints at the start [s] into the memory and forget the past."""
+    """Reset the memory to a state (10) and the setpoints at the start [s]."""
     for row in range(memory.shape[0]):
         for i in range(memory.shape[1]):
             memory[row, i] = 0.0
@@ -94,13 +94,13 @@ def rig_step(
 ) -> int:
     """Advance by a duration [s] to the given setpoints; returns the status.
 
-    A `PlantStatus`: the state is the last one without, and the step may be tried again. Or
-    `RigStatus.TICK`, where the caller corrects: the first rows of memory are a `Tick` without its
-    correction; the caller puts that there, calls `switch_correction`, and then `rig_step` again
-    with the same arguments.
+    The status is a `PlantStatus`: after a failure the state is the last valid one, and the step may
+    be tried again. Or it is `RigStatus.TICK`, if the caller has the controller: the first rows of
+    memory are a `Tick` without correction; the caller writes the correction there, calls
+    `switch_correction`, and then `rig_step` again with the same arguments.
     """
     clock = memory[Memory.CLOCK, :]
-    # before anything that remembers, such as an observer, has seen it
+    # checked before it changes any memory, such as the observer's
     if not abs(duration) < 1e100 or not all_finite(setpoints, Setpoints.SIZE):
         clock[Clock.EVENT] = clock[Clock.START] + clock[Clock.REACHED]
         return PlantStatus.NOT_FINITE
@@ -145,7 +145,7 @@ def rig_balance(memory: 'float[:,:]', balance: 'float[:]') -> None:
 
 
 def rig_imbalance(balance: 'float[:]') -> float:
-    """What the balance misses by integration and rounding [J]."""
+    """Error of the balance by integration and rounding [J]."""
     gained = balance[Balance.DRIVES] + balance[Balance.WIND] + balance[Balance.PAYLOAD]
     gained = gained - balance[Balance.DISSIPATED]
     kept = balance[Balance.KINETIC] + balance[Balance.POTENTIAL] - balance[Balance.INITIAL]

@@ -1,7 +1,7 @@
 """The sensors' signals over time: sampled, noisy, quantised, and available after a dead time.
 
-`sensors` (18) is a `Sensors`; `memory` (`sensing_rows`, 36 or more) a `Sensing`, with a ring of
-samples that wait, each a `Sample`, six a row.
+`sensors` (18) is a `Sensors`; `memory` (`sensing_rows`, 36 or more) is a `Sensing`, with a ring of
+waiting samples (`Sample`), six per row.
 """
 
 from math import ceil, floor
@@ -12,7 +12,7 @@ from segfmu.kernels.rig.records import Queue, Ring, Sample, Sensing, Sensors
 
 
 def sensing_rows(sample_time: float, dead_time: float) -> int:
-    """Rows of memory; samples younger than the dead time, the new one, and one for rounding."""
+    """Rows of memory, for the samples within the dead time, the new one, and one for rounding."""
     if sample_time <= 0.0:
         return Sensing.RING
     samples = ceil(dead_time / sample_time) + 2
@@ -24,8 +24,8 @@ def measure_state(
 ) -> None:
     """Measured coordinates (5) of a state: offset, noise, quantisation.
 
-    numbers (2): state of the random numbers. Where there is noise, five of them are used, so that
-    the noise of one sensor does not depend on that of the others.
+    numbers (2): state of the random numbers. If any sensor has noise, five numbers are drawn, so
+    that the noise of one sensor does not depend on the others.
     """
     noisy = False
     for i in range(Coordinates.SIZE):
@@ -35,14 +35,14 @@ def measure_state(
         if noisy:
             value = value + sensors[Sensors.DEVIATION + i] * next_normal(numbers)
         step = sensors[Sensors.RESOLUTION + i]
-        # a step that is too small for the digits of the value would not change it
+        # a step below the value's precision would not change it
         if abs(value) < 1e15 * step:
             value = floor(value / step + 0.5) * step
         measured[i] = value
 
 
 def start_sensing(sensors: 'float[:]', state: 'float[:]', memory: 'float[:,:]') -> None:
-    """Forget the past and take the first sample."""
+    """Reset the memory and take the first sample."""
     for i in range(Queue.SIZE):
         memory[Sensing.QUEUE, i] = 0.0
     seed_numbers(int(sensors[Sensors.SEED]), memory[Sensing.RANDOM, :])
@@ -58,7 +58,7 @@ def next_sample(sensors: 'float[:]', memory: 'float[:,:]') -> float:
 
 
 def ring_size(memory: 'float[:,:]') -> int:
-    """Number of samples for which the ring has room."""
+    """Capacity of the ring in samples."""
     return Ring.SAMPLES_A_ROW * (memory.shape[0] - Sensing.RING)
 
 
@@ -70,7 +70,7 @@ def ring_place(number: int, memory: 'float[:,:]') -> 'tuple[int, int]':
 
 
 def take_sample(sensors: 'float[:]', state: 'float[:]', memory: 'float[:,:]') -> None:
-    """Put the sample that is due into the ring."""
+    """Store the sample that is due in the ring."""
     queue = memory[Sensing.QUEUE, :]
     taken = memory[Sensing.TAKEN, :]
     time = next_sample(sensors, memory)
@@ -85,7 +85,7 @@ def take_sample(sensors: 'float[:]', state: 'float[:]', memory: 'float[:,:]') ->
 
 
 def deliver_samples(sensors: 'float[:]', time: float, memory: 'float[:,:]') -> None:
-    """Take the samples that are available at a time out of the ring; the first one at once."""
+    """Take the samples available at a time from the ring; the first one at once."""
     queue = memory[Sensing.QUEUE, :]
     latest = time + 1e-9 * sensors[Sensors.SAMPLE_TIME]
     while queue[Queue.WAITING] > 0.5:

@@ -1,4 +1,4 @@
-"""Whether the parameters of a rig fit together. Statuses are those of SetupStatus."""
+"""Checks of the parameters of a rig; the results are those of SetupStatus."""
 
 from segfmu.kernels.control.records import RopeRange
 from segfmu.kernels.crane.records import Axes, DriveMode, Plant
@@ -6,7 +6,7 @@ from segfmu.kernels.rig.records import SensorLimits, Sensors, SetupFault, SetupS
 
 
 def check_travel(least: 'float[:]', greatest: 'float[:]', fault: 'float[:]') -> int:
-    """Every axis has room between its end stops [m], least and greatest (Axes,)."""
+    """Check that the end stops of every axis [m], least and greatest (Axes,), are ascending."""
     for axis in range(Axes.SIZE):
         if not least[axis] < greatest[axis]:
             fault[SetupFault.AXIS] = axis
@@ -17,7 +17,7 @@ def check_travel(least: 'float[:]', greatest: 'float[:]', fault: 'float[:]') -> 
 
 
 def check_lags(plant: 'float[:]', fault: 'float[:]') -> int:
-    """Accelerations of velocity drives follow from the setpoints, as model exchange needs it."""
+    """Check that velocity drives have a lag, which model exchange needs."""
     if int(plant[Plant.MODE]) == DriveMode.VELOCITY:
         for axis in range(Axes.SIZE):
             if plant[Plant.LAG + axis] == 0.0:
@@ -27,7 +27,7 @@ def check_lags(plant: 'float[:]', fault: 'float[:]') -> int:
 
 
 def check_sensors(sensors: 'float[:]', fault: 'float[:]') -> int:
-    """Noise and dead time belong to samples, and samples on their way find room."""
+    """Check that noise and dead time have a sample time, and that the ring can hold the samples."""
     sample_time = sensors[Sensors.SAMPLE_TIME]
     dead_time = sensors[Sensors.DEAD_TIME]
     noise = 0.0
@@ -47,7 +47,7 @@ def check_sensors(sensors: 'float[:]', fault: 'float[:]') -> int:
 
 
 def check_rope_bounds(length: float, shortest: float, longest: float, fault: 'float[:]') -> int:
-    """The rope has a length [m] at the start, and bounds that ascend; a bound of 0 is none."""
+    """Check that the rope starts above 0 m and its bounds are ascending; a bound of 0 is none."""
     fault[SetupFault.VALUE] = length
     if not length > 0.0:
         return SetupStatus.ROPE_START

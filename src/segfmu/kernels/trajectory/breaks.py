@@ -30,7 +30,7 @@ def next_break(
 
 
 def same_break(time: float) -> float:
-    """Events that differ by less [s] are the same; clocks are coarser late."""
+    """Events that differ by less [s] are the same; late times have a coarser resolution."""
     return 1e-8 + 1e-14 * abs(time)
 
 
@@ -44,8 +44,8 @@ def next_plan_event(
 ) -> float:
     """First event after `time` of a plan that begins at `start`; 1e300 if there is none.
 
-    Events are the last axis' arrival at a waypoint, the end of the motion, and the breaks of all
-    pieces, where derivatives of the crane's forces jump: the first one at smoothness 4.
+    Events are the last axis' arrival at a waypoint, the end of the motion, and the starts of all
+    pieces, where a derivative of the crane's forces jumps: at smoothness 4 the first one.
     """
     event = 1e300
     for waypoint in range(1, times.shape[0] + 1):
@@ -60,7 +60,7 @@ def next_plan_event(
     piece_end = next_break(time + same_break(time) - start, timing, offsets, ends)
     if piece_end < 1e300:
         piece_end = start + piece_end
-    # of a start that is far away the clock may be too coarse to tell a break from the present
+    # long after the start, the clock may be too coarse to separate a break from the present
     if event <= piece_end + same_break(time) or piece_end <= time:
         return event
     return piece_end
@@ -69,9 +69,9 @@ def next_plan_event(
 def right_of_break(
     time: float, start: float, timing: 'float[:,:]', offsets: 'int[:]', ends: 'float[:]'
 ) -> float:
-    """Time since `start`, just behind the break where it is at one: all axes on the next piece."""
+    """Time since `start`; at a break, just after it, so that all axes are on the next piece."""
     local = time - start
-    # an axis that has come to its end is still on its last piece there
+    # at its end an axis is still on its last piece
     behind = local + same_break(time)
     if next_break(local - same_break(time), timing, offsets, ends) <= behind:
         return behind

@@ -1,8 +1,8 @@
-"""A plan's pieces against its limits and waypoints, from the polynomials alone.
+"""Check of a plan's pieces against its limits and waypoints, from the polynomials only.
 
-A polynomial on [0, h] lies in the hull of its Bernstein coefficients. Where the hull passes a
-limit the interval is halved, until every part is within it or one of its ends is not. So the answer
-is exact, up to the tolerance that is allowed for rounding.
+A polynomial on [0, h] lies in the hull of its Bernstein coefficients. If the hull exceeds a limit,
+the interval is halved, until every part is within the limit or one of its ends is not. So the
+answer is exact, up to the tolerance for rounding.
 """
 
 from segfmu.kernels.trajectory.evaluate import evaluate_piece, find_piece, local_time
@@ -50,9 +50,9 @@ def split_hull(hull: 'float[:,:]', row: int, count: int) -> None:
 
 
 def within(hull: 'float[:,:]', count: int, limit: float) -> bool:
-    """Whether a polynomial given by the Bernstein coefficients hull[0, :] keeps a limit.
+    """Whether a polynomial with the Bernstein coefficients hull[0, :] keeps a limit.
 
-    hull is work space with rows of `Hull`, 40 of them.
+    hull is work space with 40 rows of `Hull`.
     """
     rows = 1
     hull[0, Hull.DEPTH] = 0.0
@@ -63,7 +63,7 @@ def within(hull: 'float[:,:]', count: int, limit: float) -> bool:
         for i in range(count):
             largest = max(largest, abs(hull[row, i]))
             total = total + abs(hull[row, i])
-        # the sum is for values that are no numbers, which no comparison holds for
+        # the sum detects NaN, for which every comparison is false
         if largest <= limit and total <= count * limit:
             rows = rows - 1
             continue
@@ -135,7 +135,7 @@ def check_piece(
         if joined:
             jump = abs(hull[0, 0] - work[Check.ENDS, d])
             work[Check.JUMPS, d] = max(work[Check.JUMPS, d], jump)
-        # not max(), which a value that is no number would leave as it is
+        # not max(), which would ignore NaN
         if not abs(hull[0, 0]) < 1e300:
             return False
         work[Check.ENDS, d] = hull[0, count - 1]
@@ -155,12 +155,12 @@ def check_plan(
     tolerance: float,
     work: 'float[:,:]',
 ) -> int:
-    """Judge the pieces of every axis: 0, or 1 + the first axis that is not surely right.
+    """Check the pieces of every axis: 0, or 1 + the first axis that may be wrong.
 
-    Limits hold up to the relative tolerance, the derivatives 0 .. n are continuous up to it (in
-    units of the range of the position, at least 1 m, and of the peaks of the others), and the
-    waypoints are met up to it. Arrays as in `expand_plan`; limits[axis, i] is c_{i+1}, 0 where
-    absent; work (Check rows, Check columns).
+    Up to the relative tolerance, limits hold, the derivatives 0 .. n are continuous (in units of
+    the range of the position, at least 1 m, and of the peaks of the others), and the trajectory
+    passes the waypoints. Arrays as in `expand_plan`; limits[axis, i] is c_{i+1}, 0 if absent; work
+    (Check rows, Check columns).
     """
     width = coefficients.shape[1]
     points = states.shape[0]
@@ -172,7 +172,7 @@ def check_plan(
         ):
             return 1 + axis
         for j in range(points + 1):
-            # the last waypoint is met on arrival and, after its dwell, at the end
+            # the last waypoint is checked on arrival and, after its dwell, at the end
             point = min(j, points - 1)
             row = find_piece(times[j, axis], timing, first, last)
             local = local_time(times[j, axis], timing, row)

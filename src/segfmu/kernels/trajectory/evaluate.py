@@ -1,7 +1,7 @@
 """Polynomial pieces -> value of any derivative.
 
 A piece is a polynomial of the position in local time, ascending powers, 2 n coefficients; row i of
-`timing` says when it holds (Timing). The pieces of axis i are the rows offsets[i] ..
+`timing` has its start and length (Timing). The pieces of axis i are the rows offsets[i] ..
 offsets[i + 1] - 1; ends[i] is the end of its motion [s].
 """
 
@@ -9,7 +9,7 @@ from segfmu.kernels.trajectory.records import Timing
 
 
 def find_piece(time: float, timing: 'float[:,:]', first: int, last: int) -> int:
-    """The row of first .. last - 1 whose piece holds `time`, by bisection."""
+    """The row of first .. last - 1 whose piece contains `time`, by bisection."""
     lower = first
     upper = last
     while upper - lower > 1:
@@ -38,7 +38,7 @@ def evaluate_piece(
 def local_time(time: float, timing: 'float[:,:]', row: int) -> float:
     """Time since the start of a piece, at most its length.
 
-    Where the clock is coarser than a piece is long, the piece must not go on.
+    The clock may be coarser than the length of a piece, which must not be exceeded.
     """
     return min(time - timing[row, Timing.START], timing[row, Timing.LENGTH])
 

@@ -1,6 +1,6 @@
 """Phases of a whole plan -> the polynomial pieces of every axis.
 
-Where two profiles are averaged, their pieces are cut at the switching times of both and added with
+If two profiles are averaged, their pieces are cut at the switching times of both and added with
 their weights.
 """
 
@@ -11,7 +11,7 @@ from segfmu.kernels.trajectory.records import Expansion, Piece, PieceState, Spar
 
 
 def count_pieces(axes: 'float[:,:]', cells: 'float[:,:,:]') -> int:
-    """Rows that `expand_plan` needs: seven a phase, one a dwell, and the spare ones."""
+    """Rows that `expand_plan` needs: seven per phase, one per dwell, and the spare ones."""
     total = Spare.ROWS + axes.shape[0] + cells.shape[0]
     for i in range(cells.shape[0]):
         phases = cells[i, Cell.RESULT, Interval.BELOW_COUNT]
@@ -44,7 +44,8 @@ def merge_pieces(
 ) -> int:
     """Average the pieces in the spare rows, from the time `now` [s]; returns the row after them.
 
-    They are (1 - weight) * those up to the row `middle` + weight * those from there up to `last`.
+    The result is (1 - weight) * pieces before the row `middle` + weight * pieces from there to
+    `last`.
     """
     a = timing.shape[0] - Spare.ROWS
     b = middle

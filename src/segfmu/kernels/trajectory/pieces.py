@@ -2,7 +2,7 @@
 
 A phase (Phase) is a hold or a ramp of (11a-d). Its integrals (15a-g, errata E4) become polynomial
 pieces of the position: one for a hold or a smoothstep ramp, up to three (jerk rises, stays, falls)
-for a plateau ramp, each rise being three where the snap has a plateau as well.
+for a plateau ramp; each rise has three if the snap has a plateau too.
 """
 
 from segfmu.kernels.planner.records import Axis, Phase
@@ -18,7 +18,7 @@ def append_piece(
     row: int,
     state: 'float[:]',
 ) -> int:
-    """Close the piece in `row`: add position to jerk from `state`, which is advanced.
+    """Complete the piece in `row`: add position to jerk from `state`, and advance `state`.
 
     state (PieceState) is that at the start of the piece. Returns row + 1.
     """

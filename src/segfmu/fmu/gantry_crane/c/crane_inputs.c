@@ -7,7 +7,7 @@ void crane_read_inputs(crane *m)
     feed_record(&feeds_setpoints, &m->base, m->setpoints);
 }
 
-/* An input over the time between two times: its values, its slope at the end, and what it has of the
+/* An input between two times: its values, its slope at the end, and its coefficients of the
    square and the cube of the share of the time. */
 typedef struct {
     double start, end, slope, square, cube;

@@ -13,7 +13,7 @@ typedef struct {
     int column, energy, reference;
 } known_place;
 
-/* Whether a place is one of some that follow each other in a record, and which. */
+/* Whether an index is in a range of a record, and its position there. */
 static bool among(int place, int first, int count, int *which)
 {
     *which = place - first;
@@ -44,7 +44,7 @@ static bool find_known(const crane *m, const variable *v, known_place *k)
                || output == OUTPUTS_DISSIPATED) {
         k->energy = output == OUTPUTS_DRIVE_WORK ? 0 : output == OUTPUTS_WIND_WORK ? 1 : 2;
     } else {
-        /* references act at the ticks of the controller alone */
+        /* references act only at the ticks of the controller */
         return v->setting == SET_INPUT;
     }
     return true;

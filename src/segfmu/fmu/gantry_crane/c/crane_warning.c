@@ -8,7 +8,7 @@
 #include "feeds.h"
 #include "say.h"
 
-/* Whether two values differ by more than what text leaves of a number. */
+/* Whether two values differ by more than the rounding of numbers as text. */
 static bool set_apart(double one, double other)
 {
     return fabs(one - other) > 1e-9 * (fabs(one) + fabs(other));
@@ -20,7 +20,7 @@ static void add_name(char names[MESSAGE], const char *name)
     snprintf(names + used, MESSAGE - used, "%s%s", used > 0 ? ", " : "", name);
 }
 
-/* The parameters that have other values than those that the table was made for. */
+/* The parameters whose values differ from those for which the table was designed. */
 static void find_changed(const crane *m, const double start[], char names[MESSAGE])
 {
     static const struct { int place; const char *name; } made_for[] = {

@@ -7,7 +7,7 @@
 #include "feeds.h"
 #include "say.h"
 
-/* s by which an event may be met late: importers with fixed steps cannot do better */
+/* s by which an event may be handled late: importers with fixed steps cannot do better */
 static const double LATEST_EVENT = 1.0;
 
 /* periods by which the next tick or sample can be away from the present */
@@ -177,7 +177,7 @@ bool model_advance(model *base, double time, char message[MESSAGE])
     return status == 0 || crane_failed(m, status, row(m, MEMORY_CLOCK)[CLOCK_EVENT], message);
 }
 
-/* ---- events: of model exchange, as co-simulation meets them within its steps ---- */
+/* ---- events of model exchange; co-simulation handles them within its steps ---- */
 
 double model_next_event(const model *base)
 {

@@ -10,7 +10,7 @@ static void move(double **to, const void *from, int64_t count)
     *to += count;
 }
 
-/* Keep of the planner's work space what evaluation needs, at its beginning. */
+/* Move the part of the planner's work space that evaluation needs to its beginning. */
 static void compact(feedforward *m, const segfmu_trajectory *found)
 {
     double *to = m->space;
@@ -66,7 +66,7 @@ static void gather_limits(const model *base, int64_t smoothness, double *table)
     }
 }
 
-/* Proof that the load stays below the trolley, the rope taut, and its length within its range. */
+/* Check that the load stays below the trolley, the rope taut, and its length within its range. */
 static bool require_rope(const segfmu_trajectory *t, const model *base, char message[MESSAGE])
 {
     enum { WIDTH = 12 };

@@ -1,4 +1,4 @@
-/* What fmi2.c and fmi3.c share: instances, the course of a simulation, access to variables, saved
+/* Shared by fmi2.c and fmi3.c: instances, the sequence of a simulation, access to variables, saved
    states. Each file calls those before it: instance.c, simulation.c, values.c; instance.c, state.c. */
 #ifndef SEGFMU_GLUE_H
 #define SEGFMU_GLUE_H

@@ -1,9 +1,9 @@
-/* The course of a simulation: initialisation, steps, events. */
+/* The sequence of a simulation: initialisation, steps, events. */
 #include <math.h>
 
 #include "glue.h"
 
-/* times that differ by less, relative to their size, are the same: importers add up steps */
+/* times that differ by less, relative to their size, are equal: importers add up steps */
 static const double SAME = 1e-9;
 
 /* of a time to which a step was added, relative to it */

@@ -25,7 +25,7 @@ static const char *kind_name(uint8_t kind)
     return names[kind];
 }
 
-/* The checks that reading and setting have in common. */
+/* Checks for both reading and setting. */
 static bool usable(instance *c, const char *function, const uint32_t references[], size_t count,
                    const void *values, size_t size, int kinds)
 {
