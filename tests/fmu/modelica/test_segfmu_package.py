@@ -38,6 +38,12 @@ POINTS = """model Points
     gantry(feedback_enabled = false, payload_count = 1, payload_1_time = 2, payload_1_mass = 1.3));
 end Points;
 """
+MOVED = """model Moved
+  extends Segfmu.Coupled(feedforward(
+    waypoint_position = [1, 0.4, -0.9; 1.5, 0.8, -0.6],
+    waypoint_velocity = zeros(2, 3), waypoint_acceleration = zeros(2, 3)));
+end Moved;
+"""
 ALONE = """model Alone
   Segfmu.GantryCrane gantry(use_force = false, use_velocity = false, use_reference = false);
 end Alone;
@@ -153,3 +159,11 @@ def test_errors_name_the_instance(package) -> None:
         simulated(bad)
     with pytest.raises(AssertionError, match="the folder of the unpacked FMU"):
         simulated(bad, "-override=feedforward.folder=nowhere")
+
+
+def test_a_moved_first_waypoint_needs_no_second_change(package) -> None:
+    results, said = simulated(program(package, "Moved", MOVED))
+    places = ("bridge_position", "trolley_position", "rope_length")
+    found = [results[f"gantry.{n}"][0] for n in places]
+    assert found == pytest.approx([1.0, 0.4, 0.9], abs=1e-12)
+    assert results["gantry.error_load_norm"].max() < 1e-6, said
