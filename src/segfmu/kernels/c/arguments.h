@@ -8,12 +8,14 @@
 
 #include "kernels.h"
 
+enum { MOST_ARRAYS = 24 };
+
 /* The arguments of one call, and the buffers that it holds. */
 typedef struct {
     const char *function;
     PyObject *const *values;
     int buffers;
-    Py_buffer buffer[24];
+    Py_buffer buffer[MOST_ARRAYS];
 } arguments;
 
 static void release_arguments(arguments *call)
