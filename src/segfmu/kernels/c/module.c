@@ -243,6 +243,7 @@ static PyObject *call_feedback_correction(
         && (in_reference = take_array(&call, 1, 1, 'd', false)) != NULL
         && (in_gains = take_array(&call, 2, 3, 'd', false)) != NULL
         && (in_correction = take_array(&call, 3, 1, 'd', true)) != NULL
+        && has_at_least(&call, "gains", 0, in_gains->shape[0], 1)
         && has_at_least(&call, "state", 0, in_state->shape[0], 10)
         && has_at_least(&call, "reference", 0, in_reference->shape[0], 10)
         && has_at_least(&call, "gains", 1, in_gains->shape[1], 4)
@@ -513,6 +514,7 @@ static PyObject *call_observer_predict(
         && (in_held = take_array(&call, 3, 1, 'd', false)) != NULL
         && (in_estimate = take_array(&call, 4, 2, 'd', true)) != NULL
         && (in_scratch = take_array(&call, 5, 1, 'd', true)) != NULL
+        && has_at_least(&call, "table", 0, in_table->shape[0], 1)
         && has_at_least(&call, "table", 1, in_table->shape[1], 19)
         && has_at_least(&call, "table", 2, in_table->shape[2], 10)
         && has_at_least(&call, "command", 0, in_command->shape[0], 3)
@@ -550,6 +552,7 @@ static PyObject *call_observer_correct(
         && (in_measured = take_array(&call, 2, 1, 'd', false)) != NULL
         && (in_reference = take_array(&call, 3, 1, 'd', false)) != NULL
         && (in_estimate = take_array(&call, 4, 2, 'd', true)) != NULL
+        && has_at_least(&call, "table", 0, in_table->shape[0], 1)
         && has_at_least(&call, "table", 1, in_table->shape[1], 19)
         && has_at_least(&call, "table", 2, in_table->shape[2], 10)
         && has_at_least(&call, "measured", 0, in_measured->shape[0], 5)
@@ -671,6 +674,8 @@ static PyObject *call_track_setpoint(
         && (in_gains = take_array(&call, 2, 3, 'd', false)) != NULL
         && (in_tick = take_array(&call, 3, 2, 'd', true)) != NULL
         && (in_memory = take_array(&call, 4, 2, 'd', true)) != NULL
+        && has_at_least(&call, "table", 0, in_table->shape[0], 1)
+        && has_at_least(&call, "gains", 0, in_gains->shape[0], 1)
         && has_at_least(&call, "parameters", 0, in_parameters->shape[0], 27)
         && has_at_least(&call, "table", 1, in_table->shape[1], 19)
         && has_at_least(&call, "table", 2, in_table->shape[2], 10)
@@ -759,11 +764,11 @@ static PyObject *call_flat_derivatives(
         && (in_masses = take_array(&call, 2, 1, 'd', false)) != NULL
         && (in_work = take_array(&call, 3, 2, 'd', true)) != NULL
         && (in_found = take_array(&call, 4, 1, 'd', true)) != NULL
-        && has_at_least(&call, "flat", 0, in_flat->shape[0], in_order + 5)
+        && has_at_least(&call, "flat", 0, in_flat->shape[0], (in_order + 5))
         && has_at_least(&call, "flat", 1, in_flat->shape[1], 3)
         && has_at_least(&call, "masses", 0, in_masses->shape[0], 4)
         && has_at_least(&call, "work", 0, in_work->shape[0], 18)
-        && has_at_least(&call, "work", 1, in_work->shape[1], in_order + 3)
+        && has_at_least(&call, "work", 1, in_work->shape[1], (in_order + 3))
         && has_at_least(&call, "found", 0, in_found->shape[0], 18)) {
         segfmu_flat_derivatives(
             (array_double_2d){in_flat->buf, {in_flat->shape[0], in_flat->shape[1]}},
@@ -905,7 +910,16 @@ static PyObject *call_evaluate(
         && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
         && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
         && take_int(&call, 5, &in_derivative)
-        && (in_values = take_array(&call, 6, 2, 'd', true)) != NULL) {
+        && (in_values = take_array(&call, 6, 2, 'd', true)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
+        && has_at_least(&call, "ends", 0, in_ends->shape[0], 1)
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_extent(&call, "values", 0, in_values->shape[0], in_times->shape[0])
+        && has_extent(&call, "values", 1, in_values->shape[1], in_ends->shape[0])
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_ends->shape[0] + 1))
+        && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), in_timing->shape[0])) {
         segfmu_evaluate(
             (array_double_1d){in_times->buf, {in_times->shape[0]}},
             (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
@@ -938,7 +952,16 @@ static PyObject *call_evaluate_orders(
         && (in_coefficients = take_array(&call, 2, 2, 'd', false)) != NULL
         && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
         && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
-        && (in_values = take_array(&call, 5, 2, 'd', true)) != NULL) {
+        && (in_values = take_array(&call, 5, 2, 'd', true)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
+        && has_at_least(&call, "ends", 0, in_ends->shape[0], 1)
+        && has_at_least(&call, "values", 0, in_values->shape[0], 1)
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_extent(&call, "values", 1, in_values->shape[1], in_ends->shape[0])
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_ends->shape[0] + 1))
+        && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), in_timing->shape[0])) {
         segfmu_evaluate_orders(
             in_time,
             (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
@@ -975,17 +998,21 @@ static PyObject *call_check_plan(
         && (in_limits = take_array(&call, 5, 2, 'd', false)) != NULL
         && take_float(&call, 6, &in_tolerance)
         && (in_work = take_array(&call, 7, 2, 'd', true)) != NULL
+        && has_at_least(&call, "states", 0, in_states->shape[0], 1)
+        && has_at_least(&call, "states", 1, in_states->shape[1], 1)
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
         && has_extent(&call, "times", 1, in_times->shape[1], in_states->shape[1])
         && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
         && has_extent(&call, "limits", 0, in_limits->shape[0], in_states->shape[1])
         && has_at_least(&call, "states", 2, in_states->shape[2], 3)
-        && has_at_least(&call, "times", 0, in_times->shape[0], in_states->shape[0] + 1)
+        && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 4)
-        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], in_states->shape[1] + 1)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
         && has_at_least(&call, "limits", 1, in_limits->shape[1], 3)
         && has_at_least(&call, "work", 0, in_work->shape[0], 43)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 14)) {
+        && has_at_least(&call, "work", 1, in_work->shape[1], 14)
+        && has_pieces(&call, "offsets", in_offsets->buf, (in_states->shape[1] + 1), in_timing->shape[0])) {
         answer = PyLong_FromLongLong(segfmu_check_plan(
             (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
             (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}},
@@ -1019,13 +1046,16 @@ static PyObject *call_check_rope(
         && (in_bounds = take_array(&call, 3, 1, 'd', false)) != NULL
         && (in_work = take_array(&call, 4, 2, 'd', true)) != NULL
         && (in_report = take_array(&call, 5, 1, 'd', true)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
         && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
         && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 3)
         && has_at_least(&call, "work", 0, in_work->shape[0], 52)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 4 * in_coefficients->shape[1] - 5)
-        && has_at_least(&call, "report", 0, in_report->shape[0], 3)) {
+        && has_at_least(&call, "work", 1, in_work->shape[1], ((4 * in_coefficients->shape[1]) - 5))
+        && has_at_least(&call, "report", 0, in_report->shape[0], 3)
+        && has_pieces(&call, "offsets", in_offsets->buf, 4, in_timing->shape[0])) {
         answer = PyLong_FromLongLong(segfmu_check_rope(
             (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
             (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
@@ -1209,7 +1239,7 @@ static PyObject *call_axis_limits(
         && take_int(&call, 1, &in_shape)
         && (in_limits = take_array(&call, 2, 1, 'd', false)) != NULL
         && (in_axis = take_array(&call, 3, 1, 'd', true)) != NULL
-        && has_at_least(&call, "limits", 0, in_limits->shape[0], in_smoothness + 1)
+        && has_at_least(&call, "limits", 0, in_limits->shape[0], (in_smoothness + 1))
         && has_at_least(&call, "axis", 0, in_axis->shape[0], 38)) {
         segfmu_axis_limits(
             in_smoothness,
@@ -1268,18 +1298,20 @@ static PyObject *call_plan_phases(
         && (in_axes = take_array(&call, 4, 2, 'd', true)) != NULL
         && (in_cells = take_array(&call, 5, 3, 'd', true)) != NULL
         && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
+        && has_at_least(&call, "states", 0, in_states->shape[0], 1)
+        && has_at_least(&call, "states", 1, in_states->shape[1], 1)
         && has_extent(&call, "dwells", 0, in_dwells->shape[0], in_states->shape[0])
         && has_extent(&call, "limits", 0, in_limits->shape[0], in_states->shape[1])
         && has_extent(&call, "axes", 0, in_axes->shape[0], in_states->shape[1])
         && has_at_least(&call, "states", 2, in_states->shape[2], 3)
-        && has_at_least(&call, "limits", 1, in_limits->shape[1], 3)
         && has_at_least(&call, "options", 0, in_options->shape[0], 5)
         && has_at_least(&call, "axes", 1, in_axes->shape[1], 38)
-        && has_at_least(&call, "cells", 0, in_cells->shape[0], (in_states->shape[0] - 1) * in_states->shape[1])
+        && has_at_least(&call, "cells", 0, in_cells->shape[0], ((in_states->shape[0] - 1) * in_states->shape[1]))
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 28)
         && has_at_least(&call, "cells", 2, in_cells->shape[2], 8)
         && has_at_least(&call, "work", 0, in_work->shape[0], 47)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 19)) {
+        && has_at_least(&call, "work", 1, in_work->shape[1], 19)
+        && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_options->buf)[0] + 1))) {
         answer = PyLong_FromLongLong(segfmu_plan_phases(
             (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
             (array_double_1d){in_dwells->buf, {in_dwells->shape[0]}},
@@ -1306,6 +1338,8 @@ static PyObject *call_check_problem(
         && (in_states = take_array(&call, 0, 3, 'd', false)) != NULL
         && (in_limits = take_array(&call, 1, 2, 'd', false)) != NULL
         && (in_report = take_array(&call, 2, 1, 'd', true)) != NULL
+        && has_at_least(&call, "states", 0, in_states->shape[0], 1)
+        && has_at_least(&call, "states", 1, in_states->shape[1], 1)
         && has_extent(&call, "limits", 0, in_limits->shape[0], in_states->shape[1])
         && has_at_least(&call, "states", 2, in_states->shape[2], 3)
         && has_at_least(&call, "limits", 1, in_limits->shape[1], 2)
@@ -1419,6 +1453,8 @@ static PyObject *call_rig_event(
         && (in_setpoints = take_array(&call, 5, 1, 'd', false)) != NULL
         && take_float(&call, 6, &in_time)
         && (in_memory = take_array(&call, 7, 2, 'd', true)) != NULL
+        && has_at_least(&call, "table", 0, in_table->shape[0], 1)
+        && has_at_least(&call, "gains", 0, in_gains->shape[0], 1)
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
         && has_at_least(&call, "settings", 1, in_settings->shape[1], 37)
         && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
@@ -1429,8 +1465,8 @@ static PyObject *call_rig_event(
         && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 25)
         && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 10)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)) {
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows(((double *)in_settings->buf)[1 * in_settings->shape[1] + 0], ((double *)in_settings->buf)[1 * in_settings->shape[1] + 1]))) {
         segfmu_rig_event(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_changes->buf, {in_changes->shape[0], in_changes->shape[1]}},
@@ -1461,8 +1497,8 @@ static PyObject *call_rig_signals(
         && (in_memory = take_array(&call, 2, 2, 'd', true)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
         && has_at_least(&call, "settings", 1, in_settings->shape[1], 37)
-        && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)) {
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows(((double *)in_settings->buf)[1 * in_settings->shape[1] + 0], ((double *)in_settings->buf)[1 * in_settings->shape[1] + 1]))) {
         segfmu_rig_signals(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             in_time,
@@ -1549,8 +1585,8 @@ static PyObject *call_rig_start(
         && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
         && has_at_least(&call, "state", 0, in_state->shape[0], 10)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)) {
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows(((double *)in_settings->buf)[1 * in_settings->shape[1] + 0], ((double *)in_settings->buf)[1 * in_settings->shape[1] + 1]))) {
         segfmu_rig_start(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_changes->buf, {in_changes->shape[0], in_changes->shape[1]}},
@@ -1589,6 +1625,8 @@ static PyObject *call_rig_step(
         && (in_setpoints = take_array(&call, 6, 1, 'd', false)) != NULL
         && take_float(&call, 7, &in_duration)
         && (in_memory = take_array(&call, 8, 2, 'd', true)) != NULL
+        && has_at_least(&call, "table", 0, in_table->shape[0], 1)
+        && has_at_least(&call, "gains", 0, in_gains->shape[0], 1)
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
         && has_at_least(&call, "settings", 1, in_settings->shape[1], 37)
         && has_at_least(&call, "components", 1, in_components->shape[1], 7)
@@ -1600,8 +1638,8 @@ static PyObject *call_rig_step(
         && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 25)
         && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 10)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)) {
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows(((double *)in_settings->buf)[1 * in_settings->shape[1] + 0], ((double *)in_settings->buf)[1 * in_settings->shape[1] + 1]))) {
         answer = PyLong_FromLongLong(segfmu_rig_step(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}},
@@ -1898,7 +1936,14 @@ static PyObject *call_next_plan_event(
         && (in_timing = take_array(&call, 2, 2, 'd', false)) != NULL
         && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
         && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
-        && (in_times = take_array(&call, 5, 2, 'd', false)) != NULL) {
+        && (in_times = take_array(&call, 5, 2, 'd', false)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "ends", 0, in_ends->shape[0], 1)
+        && has_at_least(&call, "times", 0, in_times->shape[0], 1)
+        && has_extent(&call, "times", 1, in_times->shape[1], in_ends->shape[0])
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_ends->shape[0] + 1))
+        && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), in_timing->shape[0])) {
         answer = PyFloat_FromDouble(segfmu_next_plan_event(
             in_time,
             in_start,
@@ -1927,7 +1972,12 @@ static PyObject *call_right_of_break(
         && take_float(&call, 1, &in_start)
         && (in_timing = take_array(&call, 2, 2, 'd', false)) != NULL
         && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
-        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL) {
+        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "ends", 0, in_ends->shape[0], 1)
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_ends->shape[0] + 1))
+        && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), in_timing->shape[0])) {
         answer = PyFloat_FromDouble(segfmu_right_of_break(
             in_time,
             in_start,
@@ -1960,14 +2010,15 @@ static PyObject *call_expand_phases(
         && (in_coefficients = take_array(&call, 4, 2, 'd', true)) != NULL
         && take_int(&call, 5, &in_row)
         && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
-        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
         && has_at_least(&call, "phases", 0, in_phases->shape[0], in_count)
         && has_at_least(&call, "phases", 1, in_phases->shape[1], 4)
         && has_at_least(&call, "axis", 0, in_axis->shape[0], 38)
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], (in_row + (7 * in_count)))
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 4)
+        && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], (in_row + (7 * in_count)))
         && has_at_least(&call, "work", 0, in_work->shape[0], 2)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 12)) {
+        && has_at_least(&call, "work", 1, in_work->shape[1], 12)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], (2 * ((double *)in_axis->buf)[0]))) {
         answer = PyLong_FromLongLong(segfmu_expand_phases(
             (array_double_2d){in_phases->buf, {in_phases->shape[0], in_phases->shape[1]}},
             in_count,
@@ -1992,6 +2043,8 @@ static PyObject *call_count_pieces(
     if (take_count(&call, count, 2)
         && (in_axes = take_array(&call, 0, 2, 'd', false)) != NULL
         && (in_cells = take_array(&call, 1, 3, 'd', false)) != NULL
+        && has_at_least(&call, "axes", 0, in_axes->shape[0], 1)
+        && has_at_least(&call, "cells", 0, in_cells->shape[0], 1)
         && has_at_least(&call, "axes", 1, in_axes->shape[1], 38)
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 28)
         && has_at_least(&call, "cells", 2, in_cells->shape[2], 8)) {
@@ -2028,21 +2081,24 @@ static PyObject *call_expand_plan(
         && (in_offsets = take_array(&call, 6, 1, 'l', true)) != NULL
         && (in_times = take_array(&call, 7, 2, 'd', true)) != NULL
         && (in_work = take_array(&call, 8, 2, 'd', true)) != NULL
+        && has_at_least(&call, "states", 0, in_states->shape[0], 1)
+        && has_at_least(&call, "states", 1, in_states->shape[1], 1)
         && has_extent(&call, "dwells", 0, in_dwells->shape[0], in_states->shape[0])
         && has_extent(&call, "axes", 0, in_axes->shape[0], in_states->shape[1])
-        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
         && has_extent(&call, "times", 1, in_times->shape[1], in_states->shape[1])
         && has_at_least(&call, "states", 2, in_states->shape[2], 3)
         && has_at_least(&call, "axes", 1, in_axes->shape[1], 38)
-        && has_at_least(&call, "cells", 0, in_cells->shape[0], (in_states->shape[0] - 1) * in_states->shape[1])
+        && has_at_least(&call, "cells", 0, in_cells->shape[0], ((in_states->shape[0] - 1) * in_states->shape[1]))
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 28)
         && has_at_least(&call, "cells", 2, in_cells->shape[2], 8)
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 4)
-        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], in_states->shape[1] + 1)
-        && has_at_least(&call, "times", 0, in_times->shape[0], in_states->shape[0] + 1)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
+        && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
         && has_at_least(&call, "work", 0, in_work->shape[0], 2)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 12)) {
+        && has_at_least(&call, "work", 1, in_work->shape[1], 12)
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], segfmu_count_pieces((array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}}, (array_double_3d){in_cells->buf, {in_cells->shape[0], in_cells->shape[1], in_cells->shape[2]}}))
+        && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], segfmu_count_pieces((array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}}, (array_double_3d){in_cells->buf, {in_cells->shape[0], in_cells->shape[1], in_cells->shape[2]}}))
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], (2 * ((double *)in_axes->buf)[0 * in_axes->shape[1] + 0]))) {
         answer = PyLong_FromLongLong(segfmu_expand_plan(
             (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
             (array_double_1d){in_dwells->buf, {in_dwells->shape[0]}},
