@@ -6,6 +6,7 @@
 static double full_circle(void);
 static double next_normal(array_double_1d numbers);
 static double friction_force(array_double_1d plant, int64_t axis, double velocity);
+static double friction_slope(array_double_1d plant, int64_t axis, double velocity);
 static double gust_factor(double shape, double share);
 static void wind_force(array_double_1d plant, array_double_2d components, double time, array_double_2d work);
 static bool exceeds(double value, double bound);
@@ -235,7 +236,6 @@ static int64_t advance_plant(array_double_2d settings, array_double_2d component
 static double added_velocity(int64_t axis, double time, array_double_2d memory);
 static void load_outputs(array_double_1d target, array_double_2d memory, array_double_1d outputs);
 static void drive_outputs(array_double_2d memory, array_double_1d outputs);
-static double friction_slope(array_double_1d plant, int64_t axis, double velocity);
 static double gust_rate(double shape, double share);
 static double wind_slope(array_double_1d plant, array_double_2d components, double time, int64_t axis);
 static void add_damping(array_double_1d plant, array_double_1d by, array_double_1d row);
@@ -884,6 +884,21 @@ static double friction_force(array_double_1d plant, int64_t axis, double velocit
         friction = friction + (*cspan_at(&plant, INT64_C(17) + axis)) * share;
     }
     return friction;
+}
+/*Derivative of the friction force of an axis by its velocity [N s/m]. */
+static double friction_slope(array_double_1d plant, int64_t axis, double velocity)
+{
+    double width;
+    double share;
+    double slope;
+    slope = (*cspan_at(&plant, INT64_C(14) + axis));
+    if ((*cspan_at(&plant, INT64_C(17) + axis)) > 0.0)
+    {
+        width = (*cspan_at(&plant, INT64_C(20)));
+        share = tanh(velocity / width);
+        slope = slope + (*cspan_at(&plant, INT64_C(17) + axis)) * (1.0 - share * share) / width;
+    }
+    return slope;
 }
 /*Force of a gust over its greatest one, at a share of its duration. */
 static double gust_factor(double shape, double share)
@@ -9894,21 +9909,6 @@ void segfmu_tracking_estimates(array_double_1d parameters, array_double_2d track
         (*cspan_at(&estimates, INT64_C(4) + i)) = (*cspan_at(&tracker, INT64_C(0) + i, INT64_C(5)));
     }
     (*cspan_at(&estimates, INT64_C(6))) = (*cspan_at(&tracker, INT64_C(11) + INT64_C(9), INT64_C(5)));
-}
-/*Derivative of the friction force of an axis by its velocity [N s/m]. */
-static double friction_slope(array_double_1d plant, int64_t axis, double velocity)
-{
-    double width;
-    double share;
-    double slope;
-    slope = (*cspan_at(&plant, INT64_C(14) + axis));
-    if ((*cspan_at(&plant, INT64_C(17) + axis)) > 0.0)
-    {
-        width = (*cspan_at(&plant, INT64_C(20)));
-        share = tanh(velocity / width);
-        slope = slope + (*cspan_at(&plant, INT64_C(17) + axis)) * (1.0 - share * share) / width;
-    }
-    return slope;
 }
 /*Derivative of `gust_factor` by the share of the gust's duration, between its ends. */
 static double gust_rate(double shape, double share)

@@ -29,6 +29,16 @@ def friction_force(plant: 'float[:]', axis: int, velocity: float) -> float:
     return friction
 
 
+def friction_slope(plant: 'float[:]', axis: int, velocity: float) -> float:
+    """Derivative of the friction force of an axis by its velocity [N s/m]."""
+    slope = plant[Plant.VISCOUS + axis]
+    if plant[Plant.COULOMB + axis] > 0.0:
+        width = plant[Plant.FRICTION_WIDTH]
+        share = tanh(velocity / width)
+        slope = slope + plant[Plant.COULOMB + axis] * (1.0 - share * share) / width
+    return slope
+
+
 def gust_factor(shape: float, share: float) -> float:
     """Force of a gust over its greatest one, at a share of its duration."""
     if share <= 0.0 or share >= 1.0:
