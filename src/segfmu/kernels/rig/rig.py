@@ -8,14 +8,14 @@ is added to the velocity setpoints; it acts from tick to tick.
 
 Arrays, in C order; their names are in rig/records.py:
 
-settings (4, 37)     `Settings`
+settings             `Settings` rows, as many columns
 components (., 7)    wind's noise, a `Sinusoid` a row
 changes (., 2)       payload, a `PayloadChange` a row, in any order
 table (., 19, 10)    the observer's, see control/observer.py; unused without a tracking controller
 gains (., 4, 10)     of the feedback, see control/feedback.py
 tracker (25, 10)     what a tracking controller remembers, a `Tracker`
 setpoints (19)       `Setpoints`
-memory (., 37)       `Memory`, of `rig_rows` rows; a copy of it is the state of the rig
+memory               `Memory`, of `rig_rows` rows; a copy of it is the state of the rig
 """
 
 from segfmu.kernels.crane._crane import crane_energy
