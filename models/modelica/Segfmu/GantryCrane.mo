@@ -130,10 +130,13 @@ model GantryCrane "Dynamics of a 3-DOF gantry crane from Lagrange's equations, d
   parameter Real drive_hoist_acceleration_max(unit = "m/s2", min = 0.0) = 0.0 "largest acceleration of the hoist drive in mode velocity; 0: no bound" annotation(Dialog(tab = "drive"));
   parameter Real friction_bridge_viscous(unit = "N.s/m", min = 0.0) = 0.0 "viscous friction of the bridge" annotation(Dialog(tab = "friction"));
   parameter Real friction_bridge_coulomb(unit = "N", min = 0.0) = 0.0 "Coulomb friction of the bridge" annotation(Dialog(tab = "friction"));
+  parameter Real friction_bridge_drag(unit = "N", min = 0.0) = 0.0 "friction of the bridge is drag * v |v|, v in m/s" annotation(Dialog(tab = "friction"));
   parameter Real friction_trolley_viscous(unit = "N.s/m", min = 0.0) = 0.0 "viscous friction of the trolley" annotation(Dialog(tab = "friction"));
   parameter Real friction_trolley_coulomb(unit = "N", min = 0.0) = 0.0 "Coulomb friction of the trolley" annotation(Dialog(tab = "friction"));
+  parameter Real friction_trolley_drag(unit = "N", min = 0.0) = 0.0 "friction of the trolley is drag * v |v|, v in m/s" annotation(Dialog(tab = "friction"));
   parameter Real friction_hoist_viscous(unit = "N.s/m", min = 0.0) = 0.0 "viscous friction of the hoist" annotation(Dialog(tab = "friction"));
   parameter Real friction_hoist_coulomb(unit = "N", min = 0.0) = 0.0 "Coulomb friction of the hoist" annotation(Dialog(tab = "friction"));
+  parameter Real friction_hoist_drag(unit = "N", min = 0.0) = 0.0 "friction of the hoist is drag * v |v|, v in m/s" annotation(Dialog(tab = "friction"));
   parameter Real friction_width(unit = "m/s", min = 1e-09) = 0.001 "Coulomb friction is coulomb * tanh(v / width)" annotation(Dialog(tab = "friction"));
   parameter Real friction_sway_viscous(unit = "N.m.s", min = 0.0) = 0.0 "damping of both sway angles" annotation(Dialog(tab = "friction"));
   parameter Real travel_bridge_min(unit = "m") = -1000000000.0 "lower end stop of the bridge" annotation(Dialog(tab = "travel"));
@@ -267,63 +270,63 @@ model GantryCrane "Dynamics of a 3-DOF gantry crane from Lagrange's equations, d
   Real sway_y_acceleration(unit = "rad/s2", displayUnit = "deg/s2") "acceleration of sway.y";
   Real power_drives(unit = "W", nominal = 10.0) "power of all drives";
 protected
-  constant Integer feedback_table_length_references[17] = {169, 180, 191, 202, 213, 224, 235, 246, 257, 268, 279, 290, 301, 312, 323, 334, 345};
-  constant Integer feedback_table_bridge_references[17, 4] = [170, 171, 172, 173;
-      181, 182, 183, 184;
-      192, 193, 194, 195;
-      203, 204, 205, 206;
-      214, 215, 216, 217;
-      225, 226, 227, 228;
-      236, 237, 238, 239;
-      247, 248, 249, 250;
-      258, 259, 260, 261;
-      269, 270, 271, 272;
-      280, 281, 282, 283;
-      291, 292, 293, 294;
-      302, 303, 304, 305;
-      313, 314, 315, 316;
-      324, 325, 326, 327;
-      335, 336, 337, 338;
-      346, 347, 348, 349];
-  constant Integer feedback_table_trolley_references[17, 4] = [174, 175, 176, 177;
-      185, 186, 187, 188;
-      196, 197, 198, 199;
-      207, 208, 209, 210;
-      218, 219, 220, 221;
-      229, 230, 231, 232;
-      240, 241, 242, 243;
-      251, 252, 253, 254;
-      262, 263, 264, 265;
-      273, 274, 275, 276;
-      284, 285, 286, 287;
-      295, 296, 297, 298;
-      306, 307, 308, 309;
-      317, 318, 319, 320;
-      328, 329, 330, 331;
-      339, 340, 341, 342;
-      350, 351, 352, 353];
-  constant Integer feedback_table_hoist_references[17, 2] = [178, 179;
-      189, 190;
-      200, 201;
-      211, 212;
-      222, 223;
-      233, 234;
-      244, 245;
-      255, 256;
-      266, 267;
-      277, 278;
-      288, 289;
-      299, 300;
-      310, 311;
-      321, 322;
-      332, 333;
-      343, 344;
-      354, 355];
+  constant Integer feedback_table_length_references[17] = {172, 183, 194, 205, 216, 227, 238, 249, 260, 271, 282, 293, 304, 315, 326, 337, 348};
+  constant Integer feedback_table_bridge_references[17, 4] = [173, 174, 175, 176;
+      184, 185, 186, 187;
+      195, 196, 197, 198;
+      206, 207, 208, 209;
+      217, 218, 219, 220;
+      228, 229, 230, 231;
+      239, 240, 241, 242;
+      250, 251, 252, 253;
+      261, 262, 263, 264;
+      272, 273, 274, 275;
+      283, 284, 285, 286;
+      294, 295, 296, 297;
+      305, 306, 307, 308;
+      316, 317, 318, 319;
+      327, 328, 329, 330;
+      338, 339, 340, 341;
+      349, 350, 351, 352];
+  constant Integer feedback_table_trolley_references[17, 4] = [177, 178, 179, 180;
+      188, 189, 190, 191;
+      199, 200, 201, 202;
+      210, 211, 212, 213;
+      221, 222, 223, 224;
+      232, 233, 234, 235;
+      243, 244, 245, 246;
+      254, 255, 256, 257;
+      265, 266, 267, 268;
+      276, 277, 278, 279;
+      287, 288, 289, 290;
+      298, 299, 300, 301;
+      309, 310, 311, 312;
+      320, 321, 322, 323;
+      331, 332, 333, 334;
+      342, 343, 344, 345;
+      353, 354, 355, 356];
+  constant Integer feedback_table_hoist_references[17, 2] = [181, 182;
+      192, 193;
+      203, 204;
+      214, 215;
+      225, 226;
+      236, 237;
+      247, 248;
+      258, 259;
+      269, 270;
+      280, 281;
+      291, 292;
+      302, 303;
+      313, 314;
+      324, 325;
+      335, 336;
+      346, 347;
+      357, 358];
   final parameter Integer real_references[:] = cat(1, {23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 76, 77, 78, 79, 80, 81, 83, 84, 85, 86, 87, 88, 89,
-      90, 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 109, 110,
-      111, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 126, 127, 128,
-      130, 131, 132, 133, 134, 135, 136, 139, 140, 141, 142, 143, 144, 145, 146, 149, 150, 151,
-      152, 153, 155, 156, 157, 158, 159, 160, 161, 162, 163, 164, 165, 168},
+      90, 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108, 109,
+      110, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 126, 127, 128,
+      129, 130, 131, 133, 134, 135, 136, 137, 138, 139, 142, 143, 144, 145, 146, 147, 148, 149,
+      152, 153, 154, 155, 156, 158, 159, 160, 161, 162, 163, 164, 165, 166, 167, 168, 171},
       feedback_table_length_references[1:feedback_table_count],
       FMI.references(feedback_table_bridge_references, feedback_table_count),
       FMI.references(feedback_table_trolley_references, feedback_table_count),
@@ -335,8 +338,9 @@ protected
       drive_bridge_force_max, drive_bridge_acceleration_max, drive_trolley_lag,
       drive_trolley_force_max, drive_trolley_acceleration_max, drive_hoist_lag,
       drive_hoist_force_max, drive_hoist_acceleration_max, friction_bridge_viscous,
-      friction_bridge_coulomb, friction_trolley_viscous, friction_trolley_coulomb,
-      friction_hoist_viscous, friction_hoist_coulomb, friction_width, friction_sway_viscous,
+      friction_bridge_coulomb, friction_bridge_drag, friction_trolley_viscous,
+      friction_trolley_coulomb, friction_trolley_drag, friction_hoist_viscous,
+      friction_hoist_coulomb, friction_hoist_drag, friction_width, friction_sway_viscous,
       travel_bridge_min, travel_bridge_max, travel_trolley_min, travel_trolley_max,
       travel_rope_min, travel_rope_max, sensor_sample_time, sensor_dead_time,
       sensor_bridge_position_resolution, sensor_bridge_position_deviation,
@@ -359,11 +363,11 @@ protected
       FMI.rows(feedback_table_bridge),
       FMI.rows(feedback_table_trolley),
       FMI.rows(feedback_table_hoist));
-  constant Integer integer_references[9] = {82, 108, 129, 137, 138, 148, 154, 166, 167};
+  constant Integer integer_references[9] = {82, 111, 132, 140, 141, 151, 157, 169, 170};
   final parameter Integer integers[9] = {Integer(drive_mode), sensor_seed, Integer(wind_gust_shape), wind_noise_seed, payload_count,
       Integer(feedback_design), Integer(feedback_source), feedback_table_count,
       Integer(feedback_table_mode)};
-  constant Integer boolean_references[1] = {147};
+  constant Integer boolean_references[1] = {150};
   final parameter Integer booleans[1] = {if feedback_enabled then 1 else 0};
   constant Integer input_references[22] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22};
   Interfaces.RealInput force_bridge_used;
@@ -396,7 +400,7 @@ protected
       reference_sway_y_rate_used, reference_load_position_x_used, reference_load_position_y_used,
       reference_load_position_z_used, wind_x_used, wind_y_used, wind_z_used};
   FMI.Instance fmu = FMI.Instance(folder, "GantryCrane", getInstanceName(),
-      "{53100c31-6c00-463f-d2a4-3c02b6652de3}", 13);
+      "{13e9a3e4-683f-b45c-53d6-99225d2d1a4d}", 13);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[13](each stateSelect = StateSelect.always, each nominal = 0.1) "states of the FMU";
@@ -510,7 +514,7 @@ equation
       = FMI.reals(fmu, time, x, {1, 2, 3, 4, 5, 6, 20, 21, 22},
       {force_bridge_used, force_trolley_used, force_hoist_used, velocity_bridge_used,
       velocity_trolley_used, velocity_hoist_used, wind_x_used, wind_y_used, wind_z_used},
-      {48, 50, 51, 53, 54, 56, 57, 67, 68, 356, 357, 358, 359, 360, 361}, last);
+      {48, 50, 51, 53, 54, 56, 57, 67, 68, 359, 360, 361, 362, 363, 364}, last);
   drive_bridge_saturated = FMI.boolean(fmu, 49, last);
   drive_trolley_saturated = FMI.boolean(fmu, 52, last);
   drive_hoist_saturated = FMI.boolean(fmu, 55, last);

@@ -872,15 +872,16 @@ void segfmu_noise_components(double bandwidth, array_double_1d deviation, array_
         }
     }
 }
-/*Viscous and Coulomb friction [N] against a velocity; the sign change is a tanh.*/
+/*Viscous and Coulomb friction and drag [N] against a velocity; the sign change is a tanh. */
 static double friction_force(array_double_1d plant, int64_t axis, double velocity)
 {
     double share;
     double friction;
     friction = (*cspan_at(&plant, INT64_C(14) + axis)) * velocity;
+    friction = friction + (*cspan_at(&plant, INT64_C(20) + axis)) * velocity * fabs(velocity);
     if ((*cspan_at(&plant, INT64_C(17) + axis)) > 0.0)
     {
-        share = tanh(velocity / (*cspan_at(&plant, INT64_C(20))));
+        share = tanh(velocity / (*cspan_at(&plant, INT64_C(23))));
         friction = friction + (*cspan_at(&plant, INT64_C(17) + axis)) * share;
     }
     return friction;
@@ -891,10 +892,10 @@ static double friction_slope(array_double_1d plant, int64_t axis, double velocit
     double width;
     double share;
     double slope;
-    slope = (*cspan_at(&plant, INT64_C(14) + axis));
+    slope = (*cspan_at(&plant, INT64_C(14) + axis)) + 2.0 * (*cspan_at(&plant, INT64_C(20) + axis)) * fabs(velocity);
     if ((*cspan_at(&plant, INT64_C(17) + axis)) > 0.0)
     {
-        width = (*cspan_at(&plant, INT64_C(20)));
+        width = (*cspan_at(&plant, INT64_C(23)));
         share = tanh(velocity / width);
         slope = slope + (*cspan_at(&plant, INT64_C(17) + axis)) * (1.0 - share * share) / width;
     }
@@ -926,16 +927,16 @@ static void wind_force(array_double_1d plant, array_double_2d components, double
     double cosine;
     double added;
     gust = 0.0;
-    if ((*cspan_at(&plant, INT64_C(32))) > 0.0)
+    if ((*cspan_at(&plant, INT64_C(35))) > 0.0)
     {
-        share = (time - (*cspan_at(&plant, INT64_C(31)))) / (*cspan_at(&plant, INT64_C(32)));
-        gust = gust_factor((*cspan_at(&plant, INT64_C(33))), share);
+        share = (time - (*cspan_at(&plant, INT64_C(34)))) / (*cspan_at(&plant, INT64_C(35)));
+        gust = gust_factor((*cspan_at(&plant, INT64_C(36))), share);
     }
     force = span_row(&work, INT64_C(14));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        steady = (*cspan_at(&work, INT64_C(2), i)) + (*cspan_at(&plant, INT64_C(28) + i));
-        (*cspan_at(&force, i)) = steady + gust * (*cspan_at(&plant, INT64_C(34) + i));
+        steady = (*cspan_at(&work, INT64_C(2), i)) + (*cspan_at(&plant, INT64_C(31) + i));
+        (*cspan_at(&force, i)) = steady + gust * (*cspan_at(&plant, INT64_C(37) + i));
     }
     for (k = INT64_C(0); k < components.shape[INT64_C(0)]; k += INT64_C(1))
     {
@@ -4060,10 +4061,10 @@ int64_t segfmu_plant_failure(int64_t status, double time, array_double_1d state,
     (*cspan_at(&fault, INT64_C(2))) = (*cspan_at(&state, INT64_C(0) + axis));
     if (status >= INT64_C(9))
     {
-        (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(25) + axis));
+        (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(28) + axis));
         return INT64_C(9);
     }
-    (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(22) + axis));
+    (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(25) + axis));
     return INT64_C(6);
 }
 /*Node c of a stage, as a share of the step. */
@@ -4254,7 +4255,7 @@ static void plant_powers(array_double_1d plant, array_double_1d state, array_dou
     squares = squares + (*cspan_at(&state, INT64_C(8) + INT64_C(1))) * (*cspan_at(&state, INT64_C(8) + INT64_C(1)));
     (*cspan_at(&derivative, INT64_C(10))) = 0.0;
     (*cspan_at(&derivative, INT64_C(11))) = 0.0;
-    (*cspan_at(&derivative, INT64_C(12))) = (*cspan_at(&plant, INT64_C(21))) * squares;
+    (*cspan_at(&derivative, INT64_C(12))) = (*cspan_at(&plant, INT64_C(24))) * squares;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         velocity = (*cspan_at(&state, INT64_C(5) + i));
@@ -4288,7 +4289,7 @@ static void plant_derivative(array_double_1d plant, array_double_2d components, 
     }
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
-        torque = (-(*cspan_at(&plant, INT64_C(21)))) * (*cspan_at(&state, INT64_C(8) + i));
+        torque = (-(*cspan_at(&plant, INT64_C(24)))) * (*cspan_at(&state, INT64_C(8) + i));
         (*cspan_at(&work, INT64_C(12), INT64_C(3) + i)) = torque;
     }
     if ((int64_t)((*cspan_at(&plant, INT64_C(4)))) == INT64_C(1))
@@ -4366,11 +4367,11 @@ static int64_t plant_status(array_double_1d plant, array_double_1d state, double
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         /*resting at the very limit is allowed*/
-        if ((*cspan_at(&state, INT64_C(0) + i)) < (*cspan_at(&plant, INT64_C(22) + i)) - 1e-09)
+        if ((*cspan_at(&state, INT64_C(0) + i)) < (*cspan_at(&plant, INT64_C(25) + i)) - 1e-09)
         {
             return INT64_C(6) + i;
         }
-        if ((*cspan_at(&state, INT64_C(0) + i)) > (*cspan_at(&plant, INT64_C(25) + i)) + 1e-09)
+        if ((*cspan_at(&state, INT64_C(0) + i)) > (*cspan_at(&plant, INT64_C(28) + i)) + 1e-09)
         {
             return INT64_C(9) + i;
         }
@@ -9286,8 +9287,8 @@ static double next_change(array_double_2d changes, double after, array_double_2d
     double time;
     double first;
     start = (*cspan_at(&memory, INT64_C(6), INT64_C(0)));
-    gust = (*cspan_at(&memory, INT64_C(5), INT64_C(31)));
-    duration = (*cspan_at(&memory, INT64_C(5), INT64_C(32)));
+    gust = (*cspan_at(&memory, INT64_C(5), INT64_C(34)));
+    duration = (*cspan_at(&memory, INT64_C(5), INT64_C(35)));
     first = 1e+300;
     for (i = INT64_C(0); i < changes.shape[INT64_C(0)]; i += INT64_C(1))
     {
@@ -9725,7 +9726,7 @@ void segfmu_rig_start(array_double_2d settings, array_double_2d changes, array_d
     {
         (*cspan_at(&memory, INT64_C(4), i)) = (*cspan_at(&state, i));
     }
-    for (i = INT64_C(0); i < INT64_C(37); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(40); i += INT64_C(1))
     {
         (*cspan_at(&memory, INT64_C(5), i)) = (*cspan_at(&settings, INT64_C(3), i));
     }
@@ -9934,14 +9935,14 @@ static double wind_slope(array_double_1d plant, array_double_2d components, doub
     double sines;
     double slope;
     slope = 0.0;
-    duration = (*cspan_at(&plant, INT64_C(32)));
+    duration = (*cspan_at(&plant, INT64_C(35)));
     if (duration > 0.0)
     {
-        share = (time - (*cspan_at(&plant, INT64_C(31)))) / duration;
+        share = (time - (*cspan_at(&plant, INT64_C(34)))) / duration;
         if ((share > 0.0) && (share < 1.0))
         {
-            rate = gust_rate((*cspan_at(&plant, INT64_C(33))), share);
-            slope = rate / duration * (*cspan_at(&plant, INT64_C(34) + axis));
+            rate = gust_rate((*cspan_at(&plant, INT64_C(36))), share);
+            slope = rate / duration * (*cspan_at(&plant, INT64_C(37) + axis));
         }
     }
     for (k = INT64_C(0); k < components.shape[INT64_C(0)]; k += INT64_C(1))
@@ -9961,7 +9962,7 @@ static void add_damping(array_double_1d plant, array_double_1d by, array_double_
     double damped;
     for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
     {
-        damped = (*cspan_at(&plant, INT64_C(21))) * (*cspan_at(&by, INT64_C(13) + j));
+        damped = (*cspan_at(&plant, INT64_C(24))) * (*cspan_at(&by, INT64_C(13) + j));
         (*cspan_at(&row, INT64_C(8) + j)) = (*cspan_at(&row, INT64_C(8) + j)) - damped;
     }
 }
@@ -10140,7 +10141,7 @@ static void power_partials(array_double_1d plant, array_double_1d state, array_d
     }
     for (i = INT64_C(8); i < INT64_C(10); i += INT64_C(1))
     {
-        (*cspan_at(&lost, i)) = 2.0 * (*cspan_at(&plant, INT64_C(21))) * (*cspan_at(&state, i));
+        (*cspan_at(&lost, i)) = 2.0 * (*cspan_at(&plant, INT64_C(24))) * (*cspan_at(&state, i));
     }
 }
 /*All partial derivatives at a time [s] since the start.                                         */

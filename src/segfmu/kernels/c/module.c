@@ -431,7 +431,7 @@ static PyObject *call_flat_table(
         && take_int(&call, 2, &in_rows)
         && (in_lengths = take_array(&call, 3, 1, 'd', false)) != NULL
         && (in_table = take_array(&call, 4, 3, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 37)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 40)
         && has_at_least(&call, "design", 0, in_design->shape[0], 4)
         && has_at_least(&call, "lengths", 0, in_lengths->shape[0], in_rows)
         && has_at_least(&call, "table", 0, in_table->shape[0], in_rows)
@@ -834,7 +834,7 @@ static PyObject *call_plant_failure(
         && (in_plant = take_array(&call, 3, 1, 'd', false)) != NULL
         && (in_fault = take_array(&call, 4, 1, 'd', true)) != NULL
         && has_at_least(&call, "state", 0, in_state->shape[0], 10)
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 37)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 40)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_plant_failure(
             in_status,
@@ -870,7 +870,7 @@ static PyObject *call_plant_advance(
         && take_float(&call, 5, &in_tolerance)
         && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
         && (in_report = take_array(&call, 7, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 37)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 40)
         && has_at_least(&call, "components", 1, in_components->shape[1], 7)
         && has_at_least(&call, "state", 0, in_state->shape[0], 13)
         && has_at_least(&call, "work", 0, in_work->shape[0], 20)
@@ -1395,9 +1395,9 @@ static PyObject *call_rig_next_event(
         && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
         && (in_memory = take_array(&call, 1, 2, 'd', false)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 37)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 40)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)) {
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 40)) {
         answer = PyFloat_FromDouble(segfmu_rig_next_event(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}}));
@@ -1418,9 +1418,9 @@ static PyObject *call_switch_correction(
         && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
         && (in_memory = take_array(&call, 1, 2, 'd', true)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 37)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 40)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)) {
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 40)) {
         segfmu_switch_correction(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}});
@@ -1456,7 +1456,7 @@ static PyObject *call_rig_event(
         && has_at_least(&call, "table", 0, in_table->shape[0], 1)
         && has_at_least(&call, "gains", 0, in_gains->shape[0], 1)
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 37)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 40)
         && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
         && has_at_least(&call, "table", 1, in_table->shape[1], 19)
         && has_at_least(&call, "table", 2, in_table->shape[2], 10)
@@ -1465,7 +1465,7 @@ static PyObject *call_rig_event(
         && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 25)
         && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 10)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 40)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows(((double *)in_settings->buf)[1 * in_settings->shape[1] + 0], ((double *)in_settings->buf)[1 * in_settings->shape[1] + 1]))) {
         segfmu_rig_event(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
@@ -1496,8 +1496,8 @@ static PyObject *call_rig_signals(
         && take_float(&call, 1, &in_time)
         && (in_memory = take_array(&call, 2, 2, 'd', true)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 40)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 40)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows(((double *)in_settings->buf)[1 * in_settings->shape[1] + 0], ((double *)in_settings->buf)[1 * in_settings->shape[1] + 1]))) {
         segfmu_rig_signals(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
@@ -1529,7 +1529,7 @@ static PyObject *call_rig_rates(
         && has_at_least(&call, "components", 1, in_components->shape[1], 7)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 40)
         && has_at_least(&call, "derivative", 0, in_derivative->shape[0], 13)) {
         answer = PyLong_FromLongLong(segfmu_rig_rates(
             (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}},
@@ -1581,11 +1581,11 @@ static PyObject *call_rig_start(
         && take_float(&call, 4, &in_start)
         && (in_memory = take_array(&call, 5, 2, 'd', true)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 37)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 40)
         && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
         && has_at_least(&call, "state", 0, in_state->shape[0], 10)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 40)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows(((double *)in_settings->buf)[1 * in_settings->shape[1] + 0], ((double *)in_settings->buf)[1 * in_settings->shape[1] + 1]))) {
         segfmu_rig_start(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
@@ -1628,7 +1628,7 @@ static PyObject *call_rig_step(
         && has_at_least(&call, "table", 0, in_table->shape[0], 1)
         && has_at_least(&call, "gains", 0, in_gains->shape[0], 1)
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 37)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 40)
         && has_at_least(&call, "components", 1, in_components->shape[1], 7)
         && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
         && has_at_least(&call, "table", 1, in_table->shape[1], 19)
@@ -1638,7 +1638,7 @@ static PyObject *call_rig_step(
         && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 25)
         && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 10)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 40)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows(((double *)in_settings->buf)[1 * in_settings->shape[1] + 0], ((double *)in_settings->buf)[1 * in_settings->shape[1] + 1]))) {
         answer = PyLong_FromLongLong(segfmu_rig_step(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
@@ -1667,7 +1667,7 @@ static PyObject *call_rig_balance(
         && (in_memory = take_array(&call, 0, 2, 'd', true)) != NULL
         && (in_balance = take_array(&call, 1, 1, 'd', true)) != NULL
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 40)
         && has_at_least(&call, "balance", 0, in_balance->shape[0], 7)) {
         segfmu_rig_balance(
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}},
@@ -1712,7 +1712,7 @@ static PyObject *call_rig_outputs(
         && (in_outputs = take_array(&call, 3, 1, 'd', true)) != NULL
         && has_at_least(&call, "target", 0, in_target->shape[0], 3)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 40)
         && has_at_least(&call, "balance", 0, in_balance->shape[0], 7)
         && has_at_least(&call, "outputs", 0, in_outputs->shape[0], 46)) {
         segfmu_rig_outputs(
@@ -1772,7 +1772,7 @@ static PyObject *call_rig_partials(
         && (in_partials = take_array(&call, 4, 2, 'd', true)) != NULL
         && has_at_least(&call, "components", 1, in_components->shape[1], 7)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 40)
         && has_at_least(&call, "work", 0, in_work->shape[0], 6)
         && has_at_least(&call, "work", 1, in_work->shape[1], 18)
         && has_at_least(&call, "partials", 0, in_partials->shape[0], 12)
@@ -1824,7 +1824,7 @@ static PyObject *call_check_lags(
     if (take_count(&call, count, 2)
         && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
         && (in_fault = take_array(&call, 1, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 37)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 40)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_check_lags(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
