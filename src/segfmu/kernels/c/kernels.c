@@ -9833,25 +9833,29 @@ double segfmu_rig_imbalance(array_double_1d balance)
     kept = (*cspan_at(&balance, INT64_C(0))) + (*cspan_at(&balance, INT64_C(1))) - (*cspan_at(&balance, INT64_C(2)));
     return kept - gained;
 }
-/*The load's motion, and its distance from where it shall be.*/
+/*The load's motion and speed, and its distance from where it shall be.*/
 static void load_outputs(array_double_1d target, array_double_2d memory, array_double_1d outputs)
 {
     array_double_2d load;
     double square;
+    double speed;
     int64_t i;
     double error;
     load = span_rows(&memory, INT64_C(13) + INT64_C(15), INT64_C(13) + INT64_C(15) + INT64_C(2));
     segfmu_crane_load(span_row(&memory, INT64_C(4)), load);
     square = 0.0;
+    speed = 0.0;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
+        speed = speed + (*cspan_at(&load, INT64_C(1), i)) * (*cspan_at(&load, INT64_C(1), i));
         error = (*cspan_at(&load, INT64_C(0), i)) - (*cspan_at(&target, i));
         (*cspan_at(&outputs, INT64_C(15) + i)) = (*cspan_at(&load, INT64_C(0), i));
         (*cspan_at(&outputs, INT64_C(18) + i)) = (*cspan_at(&load, INT64_C(1), i));
-        (*cspan_at(&outputs, INT64_C(21) + i)) = error;
+        (*cspan_at(&outputs, INT64_C(22) + i)) = error;
         square = square + error * error;
     }
-    (*cspan_at(&outputs, INT64_C(24))) = sqrt(square);
+    (*cspan_at(&outputs, INT64_C(21))) = sqrt(speed);
+    (*cspan_at(&outputs, INT64_C(25))) = sqrt(square);
 }
 /*What drives, rope and surroundings do. */
 static void drive_outputs(array_double_2d memory, array_double_1d outputs)
@@ -9861,14 +9865,14 @@ static void drive_outputs(array_double_2d memory, array_double_1d outputs)
     report = span_row(&memory, INT64_C(8));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        (*cspan_at(&outputs, INT64_C(25) + i)) = (*cspan_at(&report, INT64_C(0) + i));
-        (*cspan_at(&outputs, INT64_C(28) + i)) = (*cspan_at(&report, INT64_C(10) + i));
-        (*cspan_at(&outputs, INT64_C(31) + i)) = (*cspan_at(&report, INT64_C(0) + i)) * (*cspan_at(&memory, INT64_C(4), INT64_C(5) + i));
+        (*cspan_at(&outputs, INT64_C(26) + i)) = (*cspan_at(&report, INT64_C(0) + i));
+        (*cspan_at(&outputs, INT64_C(29) + i)) = (*cspan_at(&report, INT64_C(10) + i));
+        (*cspan_at(&outputs, INT64_C(32) + i)) = (*cspan_at(&report, INT64_C(0) + i)) * (*cspan_at(&memory, INT64_C(4), INT64_C(5) + i));
     }
-    (*cspan_at(&outputs, INT64_C(34))) = (*cspan_at(&report, INT64_C(6)));
-    (*cspan_at(&outputs, INT64_C(44))) = (*cspan_at(&report, INT64_C(7)));
-    (*cspan_at(&outputs, INT64_C(45))) = (*cspan_at(&report, INT64_C(8)));
-    (*cspan_at(&outputs, INT64_C(35))) = (*cspan_at(&memory, INT64_C(5), INT64_C(2)));
+    (*cspan_at(&outputs, INT64_C(35))) = (*cspan_at(&report, INT64_C(6)));
+    (*cspan_at(&outputs, INT64_C(45))) = (*cspan_at(&report, INT64_C(7)));
+    (*cspan_at(&outputs, INT64_C(46))) = (*cspan_at(&report, INT64_C(8)));
+    (*cspan_at(&outputs, INT64_C(36))) = (*cspan_at(&memory, INT64_C(5), INT64_C(2)));
 }
 /*Write Outputs; target: where the load shall be (Target), balance (Balance): work space.*/
 void segfmu_rig_outputs(array_double_1d target, array_double_2d memory, array_double_1d balance, array_double_1d outputs)
@@ -9887,14 +9891,14 @@ void segfmu_rig_outputs(array_double_1d target, array_double_2d memory, array_do
     load_outputs(target, memory, outputs);
     drive_outputs(memory, outputs);
     segfmu_rig_balance(memory, balance);
-    (*cspan_at(&outputs, INT64_C(36))) = (*cspan_at(&balance, INT64_C(0)));
-    (*cspan_at(&outputs, INT64_C(37))) = (*cspan_at(&balance, INT64_C(1)));
-    (*cspan_at(&outputs, INT64_C(38))) = (*cspan_at(&state, INT64_C(10))) + (*cspan_at(&state, INT64_C(11)));
-    (*cspan_at(&outputs, INT64_C(39))) = (*cspan_at(&balance, INT64_C(3)));
-    (*cspan_at(&outputs, INT64_C(40))) = (*cspan_at(&balance, INT64_C(4)));
-    (*cspan_at(&outputs, INT64_C(41))) = (*cspan_at(&balance, INT64_C(5)));
-    (*cspan_at(&outputs, INT64_C(42))) = (*cspan_at(&balance, INT64_C(6)));
-    (*cspan_at(&outputs, INT64_C(43))) = segfmu_rig_imbalance(balance);
+    (*cspan_at(&outputs, INT64_C(37))) = (*cspan_at(&balance, INT64_C(0)));
+    (*cspan_at(&outputs, INT64_C(38))) = (*cspan_at(&balance, INT64_C(1)));
+    (*cspan_at(&outputs, INT64_C(39))) = (*cspan_at(&state, INT64_C(10))) + (*cspan_at(&state, INT64_C(11)));
+    (*cspan_at(&outputs, INT64_C(40))) = (*cspan_at(&balance, INT64_C(3)));
+    (*cspan_at(&outputs, INT64_C(41))) = (*cspan_at(&balance, INT64_C(4)));
+    (*cspan_at(&outputs, INT64_C(42))) = (*cspan_at(&balance, INT64_C(5)));
+    (*cspan_at(&outputs, INT64_C(43))) = (*cspan_at(&balance, INT64_C(6)));
+    (*cspan_at(&outputs, INT64_C(44))) = segfmu_rig_imbalance(balance);
 }
 /*Write what a tracking controller (Tracking, Tracker) has found (Estimates).*/
 void segfmu_tracking_estimates(array_double_1d parameters, array_double_2d tracker, array_double_1d estimates)

@@ -182,6 +182,8 @@ static bool of_place(const crane *m, int output, const known_place *k, double *v
         *value = of_error(m, which, k);
     } else if (output == OUTPUTS_ERROR_NORM) {
         *value = of_norm(m, output, OUTPUTS_ERROR, of_error, k);
+    } else if (output == OUTPUTS_LOAD_SPEED) {
+        *value = of_norm(m, output, OUTPUTS_LOAD_VELOCITY, of_velocity, k);
     } else {
         return false;
     }
