@@ -104,6 +104,7 @@ static double first_negative(int64_t count, double length, array_double_2d work)
 static double value_at(int64_t demand, double local, double gravity, int64_t width, array_double_2d work);
 static double worst_value(int64_t demand, double first, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work);
 static double root_share(double newest, double other, double before, double e_newest, double e_other, double e_before);
+static int64_t next_bracket(double* result_0_0001, double* result_1_0001, double* result_2_0001, double* result_3_0001, bool crossed, double newest, double other, double e_newest, double e_other);
 static int64_t slowest_root(double* result_0, double* result_1_0001, double change, int64_t first, array_double_1d axis);
 static double ramp_rise(double duration, array_double_1d axis);
 static int64_t fastest_power(double* result_0, double* result_1_0001, double duration, int64_t first, array_double_1d axis);
@@ -5170,6 +5171,26 @@ static double root_share(double newest, double other, double before, double e_ne
     least = 2e-16 * span_max(fabs(newest), fabs(other)) / fabs(other - newest);
     return span_max(span_min(share, 1.0 - least), least);
 }
+/*The other point and the one before, and their errors, once a new point was evaluated.*/
+/*                                                                                     */
+/*    `newest` is the point before it; crossed: the root lies between the two.         */
+/*                                                                                     */
+static int64_t next_bracket(double* result_0_0001, double* result_1_0001, double* result_2_0001, double* result_3_0001, bool crossed, double newest, double other, double e_newest, double e_other)
+{
+    if (crossed)
+    {
+        (*result_0_0001) = newest;
+        (*result_1_0001) = other;
+        (*result_2_0001) = e_newest;
+        (*result_3_0001) = e_other;
+        return 0;
+    }
+    (*result_0_0001) = other;
+    (*result_1_0001) = newest;
+    (*result_2_0001) = e_other;
+    (*result_3_0001) = e_newest;
+    return 0;
+}
 /*max over e >= first of (q_e change)^(1/e), and its derivative with the change. */
 static int64_t slowest_root(double* result_0, double* result_1_0001, double change, int64_t first, array_double_1d axis)
 {
@@ -6385,15 +6406,7 @@ static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, ar
         {
             error = 0.0;
         }
-        before = newest;
-        e_before = e_newest;
-        if (short_0001 != falls_short)
-        {
-            before = other;
-            e_before = e_other;
-            other = newest;
-            e_other = e_newest;
-        }
+        next_bracket(&other, &before, &e_other, &e_before, short_0001 != falls_short, newest, other, e_newest, e_other);
         newest = middle;
         e_newest = error;
         falls_short = short_0001;
@@ -6560,15 +6573,7 @@ static double bracketed_root(double lower, double upper, double f_lower, double 
         p = newest + share * (other - newest);
         canonical_value(&value, &duration, p, family, axis);
         error = value - target;
-        before = newest;
-        e_before = e_newest;
-        if (error * e_newest < 0.0)
-        {
-            before = other;
-            e_before = e_other;
-            other = newest;
-            e_other = e_newest;
-        }
+        next_bracket(&other, &before, &e_other, &e_before, error * e_newest < 0.0, newest, other, e_newest, e_other);
         newest = p;
         e_newest = error;
         /*what rounding leaves of a sum whose terms may cancel*/
@@ -7867,15 +7872,7 @@ static void between_cruises(double lower, double upper, double e_lower, double e
         {
             return;
         }
-        before = newest;
-        e_before = e_newest;
-        if (error * e_newest < 0.0)
-        {
-            before = other;
-            e_before = e_other;
-            other = newest;
-            e_other = e_newest;
-        }
+        next_bracket(&other, &before, &e_other, &e_before, error * e_newest < 0.0, newest, other, e_newest, e_other);
         newest = cruise;
         e_newest = error;
     }
