@@ -13,13 +13,16 @@ from segfmu.kernels.control.records import (
     AxisModel,
     Estimate,
     Estimates,
+    Expected,
     FlatDesign,
     Gains,
     Kalman,
     Observer,
+    RopeRange,
     Tick,
     Tracker,
     Tracking,
+    TrackingDesign,
 )
 from segfmu.kernels.crane.records import (
     Compensation,
@@ -37,7 +40,7 @@ from segfmu.kernels.crane.records import (
     State,
     Work,
 )
-from segfmu.kernels.numerics.records import Sinusoid
+from segfmu.kernels.numerics.records import RangeFault, Sinusoid
 from segfmu.kernels.planner.records import (
     Axis,
     Cell,
@@ -208,22 +211,34 @@ def control_calls() -> dict[str, Call]:
     random = np.random.default_rng(2)
     state, estimate = random.uniform(0.1, 0.5, State.SIZE), random.uniform(-0.1, 0.1, (3, 6))
     expected = Uncertainty()
-    uncertainty = np.append(expected.vector(9.81), [1.0, 0.05])
+    lengths = np.array([0.3, 0.6])
+    tables = zeros(2, Gains.SIZE, Gains.COLUMNS), zeros(2, Observer.SIZE, Observer.COLUMNS)
+    kalman = zeros(Kalman.SIZE, 2 * AxisModel.SIZE)
+    tracked = zeros(TrackingDesign.SIZE)
+    tracked[: expected.vector.size] = expected.vector
+    tracked[TrackingDesign.PAYLOAD_TIME] = 3.0
     parameters = zeros(Tracking.SIZE)
     parameters[Tracking.PERIOD] = 0.01
     tick = zeros(Tick.SIZE, Tick.COLUMNS)
     tick[Tick.REFERENCE, : State.SIZE], tick[Tick.SIGNALS, :5] = HANGING, HANGING[:5] + 0.01
-    blank = zeros(Gains.SIZE, Gains.COLUMNS)
     design = np.array([0.01, 1.3, 3.0, 0.8])
     assert design.size == FlatDesign.SIZE
     return {
         "feedback_correction": (state, HANGING, gains, zeros(3)),
         "feedback_bandwidth": (1.3, 0.5, 9.81, 0.02, 0.25),
-        "set_noise": (uncertainty, 9.81, 1.0, parameters),
-        "design_flat_gains": (plant, design, 0.5, blank),
-        "feedback_gains": (plant, 0.5, 2.0, 9.0, 0.8, blank.copy()),
+        "set_tracking": (plant, tracked, 1.0, parameters),
+        "set_fading": (parameters.copy(),),
+        "sampled_late": (0.006, 0.01),
+        "drive_bound": (plant, 1),
+        "rope_range": (0.5, 0.2, 1.0, zeros(RopeRange.SIZE)),
+        "table_lengths": (0.2, 1.0, 4, zeros(4)),
+        "flat_table": (plant, design, 2, lengths, tables[0]),
+        "observer_table": (
+            plant, 0.01, expected.vector, 2, lengths, zeros(Expected.SIZE), kalman, tables[1],
+        ),
+        "feedback_gains": (plant, 0.5, 2.0, 9.0, 0.8, zeros(Gains.SIZE, Gains.COLUMNS)),
         "observer_design": (
-            plant, 0.01, 0.5, expected.vector(9.81), zeros(Kalman.SIZE, 2 * AxisModel.SIZE),
+            plant, 0.01, 0.5, np.array([1e-4, 1e-4, 1e-3, 3.0, 1.0]), kalman.copy(),
             zeros(Observer.SIZE, Observer.COLUMNS),
         ),
         "observer_predict": (
@@ -263,6 +278,8 @@ def rig_calls() -> dict[str, Call]:
     partials = zeros(RigPartials.SIZE, RigVariables.SIZE)
     return {
         "check_travel": (np.array([-1.0, 0.0, 0.0]), np.array([1.0, 0.0, 0.0]), fault),
+        "check_lengths": (np.array([0.2, 1.0]), fault.copy()),
+        "check_range": (3.0, 1.0, 2.0, zeros(RangeFault.SIZE)),
         "check_lags": (settings[Settings.PLANT].copy(), fault.copy()),
         "check_sensors": (settings[Settings.SENSORS].copy(), fault.copy()),
         "check_rope_bounds": (1.0, 2.0, 1.5, fault.copy()),
