@@ -15,6 +15,7 @@ from segfmu.crane.observer import design_observer
 from segfmu.crane.plant import Plant, Setpoints
 from segfmu.crane.tracking import TrackingController
 from segfmu.errors import InputError, SimulationError
+from segfmu.kernels.rig.records import Outputs
 
 CRANE = Crane(2.2, 1.155, 1.0)
 HANGING = CRANE.hanging([0.0, 0.0, -0.5])
@@ -154,6 +155,19 @@ def test_friction_too_stiff_to_integrate_is_named() -> None:
     stuck = plant(0.05, enabled=False, rig=rig)
     with pytest.raises(SimulationError, match=r"steps became too small; check .* friction"):
         stuck.step(0.01, HOLD)
+
+
+def test_speed_of_the_load_is_the_rate_of_its_way() -> None:
+    swinging = plant(sway=0.3, enabled=False)
+    swinging.step(0.1, HOLD)
+    places, speeds = [], []
+    for _ in range(3):
+        found = swinging.outputs(np.zeros(3))
+        places.append(found[Outputs.LOAD_POSITION : Outputs.LOAD_VELOCITY])
+        speeds.append(found[Outputs.LOAD_SPEED])
+        swinging.step(1e-4, HOLD)
+    assert speeds[1] == pytest.approx(np.linalg.norm(places[2] - places[0]) / 2e-4, rel=1e-6)
+    assert speeds[1] > 0.1
 
 
 def test_balance_has_its_parts() -> None:

@@ -121,6 +121,23 @@ def test_coulomb_friction_decelerates_evenly_to_rest(axis: int, mass: float) -> 
     assert coasting.balance.dissipated == pytest.approx(0.5 * mass * 0.04, rel=1e-4)
 
 
+@pytest.mark.parametrize(("axis", "mass"), [(0, 3.355), (1, 1.155), (2, 1.0)])
+def test_drag_slows_an_axis_the_less_the_slower_it_is(axis: int, mass: float) -> None:
+    # m v' = -d v |v|, so that 1 / v grows evenly and the way is the logarithm of its growth
+    crane = LAB if axis == 2 else BARE
+    rig = Rig(friction=Friction(drag=only(axis, 8.0)))
+    for speed in (0.2, -0.2):
+        coasting = plant(crane, state=moving(axis, speed), rig=rig)
+        for i in range(1, 11):
+            coasting.step(0.05, hold(crane))
+            growth = 1.0 + 8.0 * abs(speed) / mass * 0.05 * i
+            assert coasting.state[5 + axis] == pytest.approx(speed / growth, rel=1e-7)
+        travelled = np.sign(speed) * mass / 8.0 * np.log(growth)
+        assert coasting.state[axis] - HANGING[axis] == pytest.approx(travelled, rel=1e-7)
+        lost = 0.5 * mass * speed**2 * (1.0 - 1.0 / growth**2)
+        assert coasting.balance.dissipated == pytest.approx(lost, rel=1e-7)
+
+
 def test_sway_damping_reduces_small_swings_exponentially() -> None:
     start = HANGING.copy()
     start[4] = 1e-3

@@ -6,10 +6,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from segfmu import InfeasibleError, Limits, Trajectory, Waypoint, plan
+from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.planning.limits import NAMES
 from tests.problems import AxisProblem, axis_problems
 
@@ -80,10 +81,28 @@ def test_tightening_a_limit_never_shortens(problem: AxisProblem, order: int, sha
     assert planned(problem, limits=tuple(tight)).duration >= loose.duration * (1.0 - 0.05)
 
 
-@settings(max_examples=60, deadline=None)
-@given(axis_problems(smoothness=4), st.floats(0.05, 0.95))
-def test_split_and_join(problem: AxisProblem, share: float) -> None:
-    # a state while cruising or at the acceleration limit is a waypoint that costs nothing
+# At its end, the velocity has no room to brake the acceleration: nor has it on the way there.
+NO_ROOM = AxisProblem(4, 0, (0.5, 0.5, 0.0, 0.5, 0.0), 0.0, -0.25, -0.375, -0.5, -0.1)
+
+
+def test_split_and_join() -> None:
+    # a state while cruising or at the acceleration limit is a waypoint that costs nothing, if the
+    # velocity limit leaves room to bring its acceleration to zero
+    outcomes = {"joined": 0, "no room": 0}
+
+    @settings(max_examples=60, deadline=None)
+    @given(axis_problems(smoothness=4), st.floats(0.05, 0.95))
+    @example(NO_ROOM, 0.5)
+    def check(problem: AxisProblem, share: float) -> None:
+        outcomes[split_and_join(problem, share)] += 1
+
+    check()
+    assert outcomes["no room"] > 0
+    assert outcomes["joined"] >= 9 * outcomes["no room"]
+
+
+def split_and_join(problem: AxisProblem, share: float) -> str:
+    """Plan through a state of a plan; "no room" where its acceleration cannot be braked."""
     trajectory = planned(problem)
     starts, lengths, coefficients = trajectory.pieces(0)
     level = 2.0 * np.abs(coefficients[:, 2]) / problem.limits[1]
@@ -92,12 +111,23 @@ def test_split_and_join(problem: AxisProblem, share: float) -> None:
     assume(holds.size)
     time = float(starts[holds[0]] + share * lengths[holds[0]])
     middle = Waypoint(*(trajectory(time, d) for d in range(3)))
-    joined = plan(
-        [trajectory.waypoints[0], middle, trajectory.waypoints[1]], trajectory.limits,
-        shape=trajectory.shape,
-    )
+    try:
+        joined = plan(
+            [trajectory.waypoints[0], middle, trajectory.waypoints[1]], trajectory.limits,
+            shape=trajectory.shape,
+        )
+    except InfeasibleError as error:
+        # the plan up to the middle ends with its acceleration, the one from there begins with it
+        second = error.interval == 2
+        assert f"braking the {'first' if second else 'last'} acceleration" in str(error)
+        sign = 1.0 if second else -1.0
+        time = ramp_duration(abs(middle.acceleration[0]), problem.axis())[0]
+        braked = middle.velocity[0] + sign * 0.5 * middle.acceleration[0] * time
+        assert abs(braked) > problem.limits[0]
+        return "no room"
     # where the velocity limit is touched without a cruise, the candidates are near optimal only
     assert joined.duration <= trajectory.duration * (1.0 + 0.05) + 1e-9
+    return "joined"
 
 
 @settings(max_examples=60, deadline=None)

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-import re
+import ast
 from collections.abc import Iterator
 
 from segfmu.codegen.functions import Function, functions
 from segfmu.codegen.native import BANNER, PREFIX
 from segfmu.errors import BuildError
-from segfmu.kernels.entry_points import ENTRY_POINTS, Extent
+from segfmu.kernels.entry_points import ENTRY_POINTS, MAY_BE_EMPTY, Extent
+
+# C type, rank, and kind of the numbers
+Array = tuple[str, int, str]
 
 C_TYPES = {"float": "double", "int": "int64_t", "bool": "bool"}
 ARRAYS = {
@@ -76,49 +79,92 @@ def _take(function: Function, index: int, name: str, annotation: str) -> str:
 
 
 def _checks(function: Function, extents: dict[str, tuple[Extent, ...]]) -> list[str]:
-    """Conditions on the extents of the arrays that the kernel relies on."""
+    """Conditions that the arrays are as large as the kernel relies on."""
+    arrays = {name: ARRAYS[kind] for name, kind in function.arguments if kind in ARRAYS}
+    for name in arrays | extents:
+        if name not in arrays or len(extents.get(name, ())) != arrays[name][1]:
+            raise BuildError(f"{function.name}: argument {name} needs an extent a dimension")
     counts = {name: f"in_{name}" for name, kind in function.arguments if kind == "int"}
     known = dict(counts)
-    rows, later = [], []
-    for name, annotation in function.arguments:
-        if annotation not in ARRAYS:
-            continue
-        for i, extent in enumerate(extents.get(name, ())):
-            actual = f"in_{name}->shape[{i}]"
-            if isinstance(extent, str) and extent.isidentifier() and extent not in counts:
-                if extent not in known:
-                    known[extent] = actual
-                    continue
-                rows.append(f'has_extent(&call, "{name}", {i}, {actual}, {known[extent]})')
+    bound, same, least = [], [], []
+    for name in arrays:
+        for i, extent in enumerate(extents[name]):
+            place = f'&call, "{name}", {i}, in_{name}->shape[{i}]'
+            if not (isinstance(extent, str) and extent.isidentifier()) or extent in counts:
+                least.append((place, ast.parse(str(extent), mode="eval").body))
+            elif extent in known:
+                same.append(f"has_extent({place}, {known[extent]})")
             else:
-                later.append((name, i, actual, str(extent)))
-    for name, i, actual, extent in later:
-        least = _in_c(extent, known, function.name)
-        rows.append(f'has_at_least(&call, "{name}", {i}, {actual}, {least})')
-    return rows
+                known[extent] = f"in_{name}->shape[{i}]"
+                if extent not in MAY_BE_EMPTY:
+                    bound.append(f"has_at_least({place}, 1)")
+    # entries of arrays only after these were found to be large enough
+    least.sort(key=lambda item: _reads(item[1]))
+    spelt = [f"has_at_least({p}, {_in_c(e, known, arrays, function.name)})" for p, e in least]
+    return [*bound, *same, *spelt, *_pieces(function, known, extents)]
 
 
-def _in_c(extent: str, known: dict[str, str], function: str) -> str:
+def _reads(extent: ast.expr) -> bool:
+    """Whether an extent depends on entries of arrays."""
+    return any(isinstance(part, ast.Call | ast.Subscript) for part in ast.walk(extent))
+
+
+def _in_c(
+    extent: ast.expr, known: dict[str, str], arrays: dict[str, Array], function: str
+) -> str:
     """An expression of extents in C."""
 
-    def value(match: re.Match[str]) -> str:
-        if match.group() not in known:
-            raise BuildError(f"{function}: no argument has the extent {match.group()}")
-        return known[match.group()]
+    def spelt(node: ast.expr) -> str:
+        match node:
+            case ast.Constant(int(value)):
+                return str(value)
+            case ast.BinOp(left, operation, right):
+                sign = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*"}[type(operation)]
+                return f"({spelt(left)} {sign} {spelt(right)})"
+            case ast.Subscript(ast.Name(array), ast.Tuple([row, column])) if array in arrays:
+                place = f"{spelt(row)} * in_{array}->shape[1] + {spelt(column)}"
+                return f"((double *)in_{array}->buf)[{place}]"
+            case ast.Subscript(ast.Name(array), place) if array in arrays:
+                return f"((double *)in_{array}->buf)[{spelt(place)}]"
+            case ast.Call(ast.Name(called), given):
+                return f"{PREFIX}{called}({', '.join(map(passed, given))})"
+            case ast.Name(name) if name in known:
+                return known[name]
+        raise BuildError(f"{function}: no argument has the extent {ast.unparse(node)}")
 
-    return re.sub(r"[A-Za-z]\w*", value, extent)
+    def passed(node: ast.expr) -> str:
+        if isinstance(node, ast.Name) and node.id in arrays:
+            return _array(node.id, arrays[node.id])
+        return spelt(node)
+
+    return spelt(extent)
+
+
+def _array(name: str, array: Array) -> str:
+    """An array of the kernels over the buffer of an argument."""
+    kind, rank, _ = array
+    extents = ", ".join(f"in_{name}->shape[{i}]" for i in range(rank))
+    return f"({kind}){{in_{name}->buf, {{{extents}}}}}"
+
+
+def _pieces(
+    function: Function, known: dict[str, str], extents: dict[str, tuple[Extent, ...]]
+) -> Iterator[str]:
+    """Conditions that the first pieces of the axes, which a kernel reads, are among the pieces."""
+    for name, kind in function.arguments:
+        if kind == "int[:]" and name not in function.written:
+            count = _in_c(
+                ast.parse(str(extents[name][0]), mode="eval").body, known, {}, function.name
+            )
+            yield f'has_pieces(&call, "{name}", in_{name}->buf, {count}, {known["pieces"]})'
 
 
 def _evaluate(function: Function) -> Iterator[str]:
     """Call the kernel and turn what it returns into Python's."""
     given = []
     for name, annotation in function.arguments:
-        if annotation not in ARRAYS:
-            given.append(f"in_{name}")
-            continue
-        kind, rank, _ = ARRAYS[annotation]
-        extents = ", ".join(f"in_{name}->shape[{i}]" for i in range(rank))
-        given.append(f"({kind}){{in_{name}->buf, {{{extents}}}}}")
+        is_array = annotation in ARRAYS
+        given.append(_array(name, ARRAYS[annotation]) if is_array else f"in_{name}")
     if function.is_tuple:
         for i, name in enumerate(function.results):
             yield f"{C_TYPES[name]} result_{i};"

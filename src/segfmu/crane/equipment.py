@@ -66,6 +66,8 @@ class Friction:
         loaded axis therefore creeps instead of sticking.
     sway : float
         Viscous damping of each sway angle [N m s].
+    drag : tuple of 3 float
+        Of bridge, trolley and hoist [N] at 1 m/s: drag * v |v|, from air and gears at speed.
 
     Raises
     ------
@@ -77,9 +79,10 @@ class Friction:
     coulomb: tuple[float, float, float] = (0.0, 0.0, 0.0)
     width: float = 1e-3
     sway: float = 0.0
+    drag: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
     def __post_init__(self) -> None:
-        for name in ("viscous", "coulomb"):
+        for name in ("viscous", "coulomb", "drag"):
             values = sized(f"friction {name}", getattr(self, name), 3)
             for axis, value in zip(AXES, values, strict=True):
                 require_not_negative(f"friction {name} of the {axis}", value)
@@ -136,5 +139,6 @@ DRIVE = tuple(
 FRICTION = {
     "viscous": fed(Plant, "VISCOUS"), "coulomb": fed(Plant, "COULOMB"),
     "width": fed(Plant, "FRICTION_WIDTH"), "sway": fed(Plant, "SWAY_DAMPING"),
+    "drag": fed(Plant, "DRAG"),
 }
 TRAVEL = {name: _stops(i) for i, name in enumerate(AXES)}

@@ -50,7 +50,7 @@ class Rig:
         return np.array([(c.time, c.mass) for c in self.payload], dtype=np.float64).reshape(-1, 2)
 
     def parameters(self, crane: Crane, driven: bool) -> FloatArray:
-        """The kernels' `Plant`, shape (37,)."""
+        """The kernels' `Plant`, shape (Plant.SIZE,)."""
         found = crane.values() | values(self.friction, FRICTION) | values(self.travel, TRAVEL)
         for drive, mapping in zip(self.drives, DRIVE, strict=True):
             found |= values(drive, mapping)

@@ -1,9 +1,13 @@
 """The kernels that other layers and C programs may call, and the extents of their arrays.
 
-An extent is an integer, a name, or an expression of names. A name takes its value from the first
-dimension that has it; other dimensions of the same name must have the same extent. Integers,
-integer arguments and expressions are lower bounds. The compiled extension checks the extents: an
-array that is too small raises IndexError, as with the interpreted kernel, and is not overrun.
+Every array argument has an extent for each of its dimensions: an integer, a name, or an expression
+of names. A name takes its value from the first dimension that has it, which is not empty unless
+`MAY_BE_EMPTY` has it; other dimensions of the same name must have the same extent. Integers,
+integer arguments and expressions are what a dimension has at least; an expression may call an entry
+point and use entries of arrays. Arrays of integers that a kernel reads are the first pieces of each
+axis and the end of the last one: they ascend from 0 to `pieces` at most. The compiled extension
+checks all this, so that an array that is too small raises IndexError, as the interpreted kernel
+does, and is not overrun.
 """
 
 from __future__ import annotations
@@ -82,6 +86,9 @@ from segfmu.kernels.trajectory.records import Check, Expansion, Timing
 
 Extent = int | str
 
+# without noise, changes of the payload, or times
+MAY_BE_EMPTY = ("sines", "changes", "samples")
+
 
 @dataclass(frozen=True)
 class EntryPoint:
@@ -98,6 +105,16 @@ def entry(module: str, name: str, /, **extents: Extent | tuple[Extent, ...]) -> 
         module, name, {n: e if isinstance(e, tuple) else (e,) for n, e in extents.items()}
     )
 
+
+# what an axis of the smoothness in `axis`, `axes` or `options` has
+AXIS_WIDTH = f"2 * axis[{Axis.SMOOTHNESS}]"
+PLAN_WIDTH = f"2 * axes[0, {Axis.SMOOTHNESS}]"
+PLAN_LIMITS = f"options[{PlanOptions.SMOOTHNESS}] + 1"
+# rows for the samples that the sensors of `settings` have on their way
+RIG_ROWS = (
+    f"rig_rows(settings[{Settings.SENSORS}, {Sensors.SAMPLE_TIME}], "
+    f"settings[{Settings.SENSORS}, {Sensors.DEAD_TIME}])"
+)
 
 ENTRY_POINTS = (
     entry("planner.parameters", "axis_limits", limits="smoothness + 1", axis=Axis.SIZE),
@@ -118,7 +135,8 @@ ENTRY_POINTS = (
     ),
     entry(
         "planner.plan", "plan_phases", states=("points", "axes", WaypointState.SIZE),
-        dwells="points", limits=("axes", 3), options=PlanOptions.SIZE, axes=("axes", Axis.SIZE),
+        dwells="points", limits=("axes", PLAN_LIMITS), options=PlanOptions.SIZE,
+        axes=("axes", Axis.SIZE),
         cells=("(points - 1) * axes", Cell.SIZE, Cell.COLUMNS),
         work=(PlanWork.SIZE, PlanWork.COLUMNS),
     ),
@@ -128,20 +146,22 @@ ENTRY_POINTS = (
     ),
     entry(
         "trajectory.pieces", "expand_phases", phases=("count", Phase.SIZE), axis=Axis.SIZE,
-        timing=("rows", Timing.SIZE), coefficients=("rows", 4),
+        timing=("row + 7 * count", Timing.SIZE), coefficients=("row + 7 * count", AXIS_WIDTH),
         work=(Expansion.SIZE, Expansion.COLUMNS),
     ),
     entry(
         "trajectory.expand", "expand_plan", states=("points", "axes", WaypointState.SIZE),
         dwells="points", axes=("axes", Axis.SIZE),
-        cells=("(points - 1) * axes", Cell.SIZE, Cell.COLUMNS), timing=("rows", Timing.SIZE),
-        coefficients=("rows", 4), offsets="axes + 1", times=("points + 1", "axes"),
-        work=(Expansion.SIZE, Expansion.COLUMNS),
+        cells=("(points - 1) * axes", Cell.SIZE, Cell.COLUMNS),
+        timing=("count_pieces(axes, cells)", Timing.SIZE),
+        coefficients=("count_pieces(axes, cells)", PLAN_WIDTH), offsets="axes + 1",
+        times=("points + 1", "axes"), work=(Expansion.SIZE, Expansion.COLUMNS),
     ),
     entry(
         "trajectory.check", "check_plan", states=("points", "axes", WaypointState.SIZE),
-        times=("points + 1", "axes"), timing=("rows", Timing.SIZE), coefficients=("rows", 4),
-        offsets="axes + 1", limits=("axes", 3), work=(Check.SIZE, Check.COLUMNS),
+        times=("points + 1", "axes"), timing=("pieces", Timing.SIZE),
+        coefficients=("pieces", 4), offsets="axes + 1", limits=("axes", 3),
+        work=(Check.SIZE, Check.COLUMNS),
     ),
     entry(
         "crane.rope", "check_rope", timing=("pieces", 2), coefficients=("pieces", "width"),
@@ -152,10 +172,24 @@ ENTRY_POINTS = (
         "crane.failure", "plant_failure", state=State.SIZE, plant=Plant.SIZE,
         fault=PlantFault.SIZE,
     ),
-    entry("trajectory.evaluate", "evaluate"),
-    entry("trajectory.evaluate", "evaluate_orders"),
-    entry("trajectory.breaks", "next_plan_event"),
-    entry("trajectory.breaks", "right_of_break"),
+    entry(
+        "trajectory.evaluate", "evaluate", times="samples", timing=("pieces", Timing.SIZE),
+        coefficients=("pieces", "width"), offsets="axes + 1", ends="axes",
+        values=("samples", "axes"),
+    ),
+    entry(
+        "trajectory.evaluate", "evaluate_orders", timing=("pieces", Timing.SIZE),
+        coefficients=("pieces", "width"), offsets="axes + 1", ends="axes",
+        values=("orders", "axes"),
+    ),
+    entry(
+        "trajectory.breaks", "next_plan_event", timing=("pieces", Timing.SIZE),
+        offsets="axes + 1", ends="axes", times=("points", "axes"),
+    ),
+    entry(
+        "trajectory.breaks", "right_of_break", timing=("pieces", Timing.SIZE),
+        offsets="axes + 1", ends="axes",
+    ),
     entry("trajectory.breaks", "same_break"),
     entry(
         "control.feedback", "feedback_correction", state=State.SIZE, reference=State.SIZE,
@@ -268,14 +302,14 @@ ENTRY_POINTS = (
     entry(
         "rig.rig", "rig_start", settings=(Settings.SIZE, Settings.COLUMNS),
         changes=("changes", PayloadChange.SIZE), state=State.SIZE, setpoints=Setpoints.SIZE,
-        memory=(Memory.SIZE, Memory.COLUMNS),
+        memory=(RIG_ROWS, Memory.COLUMNS),
     ),
     entry(
         "rig.rig", "rig_step", settings=(Settings.SIZE, Settings.COLUMNS),
         components=("sines", Sinusoid.SIZE), changes=("changes", PayloadChange.SIZE),
         table=("nodes", Observer.SIZE, Observer.COLUMNS),
         gains=("lengths", Gains.SIZE, Gains.COLUMNS), tracker=(Tracker.SIZE, Tracker.COLUMNS),
-        setpoints=Setpoints.SIZE, memory=(Memory.SIZE, Memory.COLUMNS),
+        setpoints=Setpoints.SIZE, memory=(RIG_ROWS, Memory.COLUMNS),
     ),
     entry(
         "rig.outputs", "rig_outputs", target=Target.SIZE, memory=(Memory.SIZE, Memory.COLUMNS),
@@ -295,11 +329,11 @@ ENTRY_POINTS = (
         "rig.exchange", "rig_event", settings=(Settings.SIZE, Settings.COLUMNS),
         changes=("changes", PayloadChange.SIZE), table=("nodes", Observer.SIZE, Observer.COLUMNS),
         gains=("lengths", Gains.SIZE, Gains.COLUMNS), tracker=(Tracker.SIZE, Tracker.COLUMNS),
-        setpoints=Setpoints.SIZE, memory=(Memory.SIZE, Memory.COLUMNS),
+        setpoints=Setpoints.SIZE, memory=(RIG_ROWS, Memory.COLUMNS),
     ),
     entry(
         "rig.exchange", "rig_signals", settings=(Settings.SIZE, Settings.COLUMNS),
-        memory=(Memory.SIZE, Memory.COLUMNS),
+        memory=(RIG_ROWS, Memory.COLUMNS),
     ),
     entry(
         "rig.exchange", "rig_rates", components=("sines", Sinusoid.SIZE), setpoints=Setpoints.SIZE,

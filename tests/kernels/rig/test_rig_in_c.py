@@ -52,7 +52,7 @@ def steps(driven: bool) -> list[tuple[float, Setpoints]]:
 
 
 def settings(rig: Rig, controller, driven: bool) -> np.ndarray:
-    """All that is set, shape (4, 37)."""
+    """All that is set, a `Settings`."""
     found = np.zeros((Settings.SIZE, Settings.COLUMNS))
     on_state = isinstance(controller, SwayFeedback)
     corrector = Corrector.STATE if on_state else Corrector.TRACKING

@@ -62,6 +62,12 @@ def _inputs() -> list[Variable]:
 
 
 def _outputs() -> list[Variable]:
+    rows = _described_outputs()
+    return [*rows, *_further_outputs({v.name for v in rows})]
+
+
+def _described_outputs() -> list[Variable]:
+    """Those that have a text of their own here."""
     rows = [
         output(name, unit, f"true {name}", start=0.5 if name == "rope.length" else 0.0)
         for name, unit in zip(STATE, UNITS, strict=True)
@@ -83,12 +89,11 @@ def _outputs() -> list[Variable]:
             )
         )
         rows.append(output(f"drive.{drive}.power", "W", f"power of the {drive} drive"))
-    rows += [*_energies(), *estimates()]
-    return [*rows, *_further({v.name for v in rows})]
+    return [*rows, *_energies(), *estimates()]
 
 
-def _further(listed: set[str]) -> list[Variable]:
-    """Outputs that are not described here, with the texts of their record."""
+def _further_outputs(listed: set[str]) -> list[Variable]:
+    """Outputs of the record that have no text of their own here: as the record describes them."""
     return [
         output(name, declared.unit or None, declared.meaning)
         for declared in Outputs.FIELDS.values()
@@ -230,6 +235,9 @@ def _dependencies() -> tuple[tuple[str, tuple[str, ...]], ...]:
     found["energy.kinetic"], found["energy.potential"] = STATE, STATE[:5]
     found["energy.work"] = ("energy.drives", "energy.wind")
     found["energy.imbalance"] = STATES
+    # nothing is known of the others
+    further = _further_outputs({v.name for v in _described_outputs()})
+    found |= {v.name: (*STATES, *acting[len(STATE):], *targets) for v in further}
     return tuple(found.items())
 
 

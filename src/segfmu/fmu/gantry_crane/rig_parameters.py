@@ -51,6 +51,10 @@ def _friction() -> list[Variable]:
             parameter(
                 f"{name}.coulomb", 0.0, "N", f"Coulomb friction of the {drive}", minimum=0.0
             ),
+            parameter(
+                f"{name}.drag", 0.0, "N", f"friction of the {drive} is drag * v |v|, v in m/s",
+                minimum=0.0,
+            ),
         ]
     return [
         *rows,

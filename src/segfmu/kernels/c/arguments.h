@@ -8,12 +8,14 @@
 
 #include "kernels.h"
 
+enum { MOST_ARRAYS = 24 };
+
 /* The arguments of one call, and the buffers that it holds. */
 typedef struct {
     const char *function;
     PyObject *const *values;
     int buffers;
-    Py_buffer buffer[24];
+    Py_buffer buffer[MOST_ARRAYS];
 } arguments;
 
 static void release_arguments(arguments *call)
@@ -92,6 +94,21 @@ static bool has_at_least(const arguments *call, const char *name, int dimension,
     PyErr_Format(PyExc_IndexError, "%s() argument %s: dimension %d must be at least %lld, got %zd",
                  call->function, name, dimension, (long long)least, extent);
     return false;
+}
+
+/* The first piece of each axis and the end of the last one: every axis has one of the `pieces`. */
+static bool has_pieces(const arguments *call, const char *name, const int64_t *offsets,
+                       int64_t count, int64_t pieces)
+{
+    bool good = offsets[0] >= 0 && offsets[count - 1] <= pieces;
+    for (int64_t i = 1; i < count; i++) {
+        good = good && offsets[i - 1] < offsets[i];
+    }
+    if (!good) {
+        PyErr_Format(PyExc_IndexError, "%s() argument %s: must ascend from 0 to at most %lld",
+                     call->function, name, (long long)pieces);
+    }
+    return good;
 }
 
 #endif

@@ -6,6 +6,7 @@
 static double full_circle(void);
 static double next_normal(array_double_1d numbers);
 static double friction_force(array_double_1d plant, int64_t axis, double velocity);
+static double friction_slope(array_double_1d plant, int64_t axis, double velocity);
 static double gust_factor(double shape, double share);
 static void wind_force(array_double_1d plant, array_double_2d components, double time, array_double_2d work);
 static bool exceeds(double value, double bound);
@@ -103,6 +104,7 @@ static double first_negative(int64_t count, double length, array_double_2d work)
 static double value_at(int64_t demand, double local, double gravity, int64_t width, array_double_2d work);
 static double worst_value(int64_t demand, double first, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work);
 static double root_share(double newest, double other, double before, double e_newest, double e_other, double e_before);
+static int64_t next_bracket(double* result_0_0001, double* result_1_0001, double* result_2_0001, double* result_3_0001, bool crossed, double newest, double other, double e_newest, double e_other);
 static int64_t slowest_root(double* result_0, double* result_1_0001, double change, int64_t first, array_double_1d axis);
 static double ramp_rise(double duration, array_double_1d axis);
 static int64_t fastest_power(double* result_0, double* result_1_0001, double duration, int64_t first, array_double_1d axis);
@@ -235,7 +237,6 @@ static int64_t advance_plant(array_double_2d settings, array_double_2d component
 static double added_velocity(int64_t axis, double time, array_double_2d memory);
 static void load_outputs(array_double_1d target, array_double_2d memory, array_double_1d outputs);
 static void drive_outputs(array_double_2d memory, array_double_1d outputs);
-static double friction_slope(array_double_1d plant, int64_t axis, double velocity);
 static double gust_rate(double shape, double share);
 static double wind_slope(array_double_1d plant, array_double_2d components, double time, int64_t axis);
 static void add_damping(array_double_1d plant, array_double_1d by, array_double_1d row);
@@ -872,20 +873,36 @@ void segfmu_noise_components(double bandwidth, array_double_1d deviation, array_
         }
     }
 }
-/*Viscous and Coulomb friction [N] against a velocity; the sign change is a tanh.*/
+/*Viscous and Coulomb friction and drag [N] against a velocity; the sign change is a tanh. */
 static double friction_force(array_double_1d plant, int64_t axis, double velocity)
 {
     double share;
     double friction;
     friction = (*cspan_at(&plant, INT64_C(14) + axis)) * velocity;
+    friction = friction + (*cspan_at(&plant, INT64_C(20) + axis)) * velocity * fabs(velocity);
     if ((*cspan_at(&plant, INT64_C(17) + axis)) > 0.0)
     {
-        share = tanh(velocity / (*cspan_at(&plant, INT64_C(20))));
+        share = tanh(velocity / (*cspan_at(&plant, INT64_C(23))));
         friction = friction + (*cspan_at(&plant, INT64_C(17) + axis)) * share;
     }
     return friction;
 }
-/*Force of a gust relative to its peak, at a share of its duration.*/
+/*Derivative of the friction force of an axis by its velocity [N s/m]. */
+static double friction_slope(array_double_1d plant, int64_t axis, double velocity)
+{
+    double width;
+    double share;
+    double slope;
+    slope = (*cspan_at(&plant, INT64_C(14) + axis)) + 2.0 * (*cspan_at(&plant, INT64_C(20) + axis)) * fabs(velocity);
+    if ((*cspan_at(&plant, INT64_C(17) + axis)) > 0.0)
+    {
+        width = (*cspan_at(&plant, INT64_C(23)));
+        share = tanh(velocity / width);
+        slope = slope + (*cspan_at(&plant, INT64_C(17) + axis)) * (1.0 - share * share) / width;
+    }
+    return slope;
+}
+/*Force of a gust over its greatest one, at a share of its duration. */
 static double gust_factor(double shape, double share)
 {
     if ((share <= 0.0) || (share >= 1.0))
@@ -911,16 +928,16 @@ static void wind_force(array_double_1d plant, array_double_2d components, double
     double cosine;
     double added;
     gust = 0.0;
-    if ((*cspan_at(&plant, INT64_C(32))) > 0.0)
+    if ((*cspan_at(&plant, INT64_C(35))) > 0.0)
     {
-        share = (time - (*cspan_at(&plant, INT64_C(31)))) / (*cspan_at(&plant, INT64_C(32)));
-        gust = gust_factor((*cspan_at(&plant, INT64_C(33))), share);
+        share = (time - (*cspan_at(&plant, INT64_C(34)))) / (*cspan_at(&plant, INT64_C(35)));
+        gust = gust_factor((*cspan_at(&plant, INT64_C(36))), share);
     }
     force = span_row(&work, INT64_C(14));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        steady = (*cspan_at(&work, INT64_C(2), i)) + (*cspan_at(&plant, INT64_C(28) + i));
-        (*cspan_at(&force, i)) = steady + gust * (*cspan_at(&plant, INT64_C(34) + i));
+        steady = (*cspan_at(&work, INT64_C(2), i)) + (*cspan_at(&plant, INT64_C(31) + i));
+        (*cspan_at(&force, i)) = steady + gust * (*cspan_at(&plant, INT64_C(37) + i));
     }
     for (k = INT64_C(0); k < components.shape[INT64_C(0)]; k += INT64_C(1))
     {
@@ -4055,10 +4072,10 @@ int64_t segfmu_plant_failure(int64_t status, double time, array_double_1d state,
     (*cspan_at(&fault, INT64_C(2))) = (*cspan_at(&state, INT64_C(0) + axis));
     if (status >= INT64_C(9))
     {
-        (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(25) + axis));
+        (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(28) + axis));
         return INT64_C(9);
     }
-    (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(22) + axis));
+    (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(25) + axis));
     return INT64_C(6);
 }
 /*Node c of a stage, as a share of the step. */
@@ -4249,7 +4266,7 @@ static void plant_powers(array_double_1d plant, array_double_1d state, array_dou
     squares = squares + (*cspan_at(&state, INT64_C(8) + INT64_C(1))) * (*cspan_at(&state, INT64_C(8) + INT64_C(1)));
     (*cspan_at(&derivative, INT64_C(10))) = 0.0;
     (*cspan_at(&derivative, INT64_C(11))) = 0.0;
-    (*cspan_at(&derivative, INT64_C(12))) = (*cspan_at(&plant, INT64_C(21))) * squares;
+    (*cspan_at(&derivative, INT64_C(12))) = (*cspan_at(&plant, INT64_C(24))) * squares;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         velocity = (*cspan_at(&state, INT64_C(5) + i));
@@ -4283,7 +4300,7 @@ static void plant_derivative(array_double_1d plant, array_double_2d components, 
     }
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
-        torque = (-(*cspan_at(&plant, INT64_C(21)))) * (*cspan_at(&state, INT64_C(8) + i));
+        torque = (-(*cspan_at(&plant, INT64_C(24)))) * (*cspan_at(&state, INT64_C(8) + i));
         (*cspan_at(&work, INT64_C(12), INT64_C(3) + i)) = torque;
     }
     if ((int64_t)((*cspan_at(&plant, INT64_C(4)))) == INT64_C(1))
@@ -4360,12 +4377,12 @@ static int64_t plant_status(array_double_1d plant, array_double_1d state, double
     }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        /*rest exactly at the limit is allowed*/
-        if ((*cspan_at(&state, INT64_C(0) + i)) < (*cspan_at(&plant, INT64_C(22) + i)) - 1e-09)
+        /*resting at the very limit is allowed*/
+        if ((*cspan_at(&state, INT64_C(0) + i)) < (*cspan_at(&plant, INT64_C(25) + i)) - 1e-09)
         {
             return INT64_C(6) + i;
         }
-        if ((*cspan_at(&state, INT64_C(0) + i)) > (*cspan_at(&plant, INT64_C(25) + i)) + 1e-09)
+        if ((*cspan_at(&state, INT64_C(0) + i)) > (*cspan_at(&plant, INT64_C(28) + i)) + 1e-09)
         {
             return INT64_C(9) + i;
         }
@@ -5164,6 +5181,26 @@ static double root_share(double newest, double other, double before, double e_ne
     /*the point must differ from both ends*/
     least = 2e-16 * span_max(fabs(newest), fabs(other)) / fabs(other - newest);
     return span_max(span_min(share, 1.0 - least), least);
+}
+/*The other point and the one before, and their errors, once a new point was evaluated.*/
+/*                                                                                     */
+/*    `newest` is the point before it; crossed: the root lies between the two.         */
+/*                                                                                     */
+static int64_t next_bracket(double* result_0_0001, double* result_1_0001, double* result_2_0001, double* result_3_0001, bool crossed, double newest, double other, double e_newest, double e_other)
+{
+    if (crossed)
+    {
+        (*result_0_0001) = newest;
+        (*result_1_0001) = other;
+        (*result_2_0001) = e_newest;
+        (*result_3_0001) = e_other;
+        return 0;
+    }
+    (*result_0_0001) = other;
+    (*result_1_0001) = newest;
+    (*result_2_0001) = e_other;
+    (*result_3_0001) = e_newest;
+    return 0;
 }
 /*max over e >= first of (q_e change)^(1/e), and its derivative with the change. */
 static int64_t slowest_root(double* result_0, double* result_1_0001, double change, int64_t first, array_double_1d axis)
@@ -6380,15 +6417,7 @@ static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, ar
         {
             error = 0.0;
         }
-        before = newest;
-        e_before = e_newest;
-        if (short_0001 != falls_short)
-        {
-            before = other;
-            e_before = e_other;
-            other = newest;
-            e_other = e_newest;
-        }
+        next_bracket(&other, &before, &e_other, &e_before, short_0001 != falls_short, newest, other, e_newest, e_other);
         newest = middle;
         e_newest = error;
         falls_short = short_0001;
@@ -6555,15 +6584,7 @@ static double bracketed_root(double lower, double upper, double f_lower, double 
         p = newest + share * (other - newest);
         canonical_value(&value, &duration, p, family, axis);
         error = value - target;
-        before = newest;
-        e_before = e_newest;
-        if (error * e_newest < 0.0)
-        {
-            before = other;
-            e_before = e_other;
-            other = newest;
-            e_other = e_newest;
-        }
+        next_bracket(&other, &before, &e_other, &e_before, error * e_newest < 0.0, newest, other, e_newest, e_other);
         newest = p;
         e_newest = error;
         /*rounding error of a sum whose terms may cancel*/
@@ -7860,15 +7881,7 @@ static void between_cruises(double lower, double upper, double e_lower, double e
         {
             return;
         }
-        before = newest;
-        e_before = e_newest;
-        if (error * e_newest < 0.0)
-        {
-            before = other;
-            e_before = e_other;
-            other = newest;
-            e_other = e_newest;
-        }
+        next_bracket(&other, &before, &e_other, &e_before, error * e_newest < 0.0, newest, other, e_newest, e_other);
         newest = cruise;
         e_newest = error;
     }
@@ -9277,8 +9290,8 @@ static double next_change(array_double_2d changes, double after, array_double_2d
     double time;
     double first;
     start = (*cspan_at(&memory, INT64_C(6), INT64_C(0)));
-    gust = (*cspan_at(&memory, INT64_C(5), INT64_C(31)));
-    duration = (*cspan_at(&memory, INT64_C(5), INT64_C(32)));
+    gust = (*cspan_at(&memory, INT64_C(5), INT64_C(34)));
+    duration = (*cspan_at(&memory, INT64_C(5), INT64_C(35)));
     first = 1e+300;
     for (i = INT64_C(0); i < changes.shape[INT64_C(0)]; i += INT64_C(1))
     {
@@ -9716,7 +9729,7 @@ void segfmu_rig_start(array_double_2d settings, array_double_2d changes, array_d
     {
         (*cspan_at(&memory, INT64_C(4), i)) = (*cspan_at(&state, i));
     }
-    for (i = INT64_C(0); i < INT64_C(37); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(40); i += INT64_C(1))
     {
         (*cspan_at(&memory, INT64_C(5), i)) = (*cspan_at(&settings, INT64_C(3), i));
     }
@@ -9823,25 +9836,29 @@ double segfmu_rig_imbalance(array_double_1d balance)
     kept = (*cspan_at(&balance, INT64_C(0))) + (*cspan_at(&balance, INT64_C(1))) - (*cspan_at(&balance, INT64_C(2)));
     return kept - gained;
 }
-/*The load's motion, and its distance from the reference.*/
+/*The load's motion and speed, and its distance from where it shall be.*/
 static void load_outputs(array_double_1d target, array_double_2d memory, array_double_1d outputs)
 {
     array_double_2d load;
     double square;
+    double speed;
     int64_t i;
     double error;
     load = span_rows(&memory, INT64_C(13) + INT64_C(15), INT64_C(13) + INT64_C(15) + INT64_C(2));
     segfmu_crane_load(span_row(&memory, INT64_C(4)), load);
     square = 0.0;
+    speed = 0.0;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
+        speed = speed + (*cspan_at(&load, INT64_C(1), i)) * (*cspan_at(&load, INT64_C(1), i));
         error = (*cspan_at(&load, INT64_C(0), i)) - (*cspan_at(&target, i));
         (*cspan_at(&outputs, INT64_C(15) + i)) = (*cspan_at(&load, INT64_C(0), i));
         (*cspan_at(&outputs, INT64_C(18) + i)) = (*cspan_at(&load, INT64_C(1), i));
-        (*cspan_at(&outputs, INT64_C(21) + i)) = error;
+        (*cspan_at(&outputs, INT64_C(22) + i)) = error;
         square = square + error * error;
     }
-    (*cspan_at(&outputs, INT64_C(24))) = sqrt(square);
+    (*cspan_at(&outputs, INT64_C(21))) = sqrt(speed);
+    (*cspan_at(&outputs, INT64_C(25))) = sqrt(square);
 }
 /*Forces and powers of drives, rope and wind.*/
 static void drive_outputs(array_double_2d memory, array_double_1d outputs)
@@ -9851,14 +9868,14 @@ static void drive_outputs(array_double_2d memory, array_double_1d outputs)
     report = span_row(&memory, INT64_C(8));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        (*cspan_at(&outputs, INT64_C(25) + i)) = (*cspan_at(&report, INT64_C(0) + i));
-        (*cspan_at(&outputs, INT64_C(28) + i)) = (*cspan_at(&report, INT64_C(10) + i));
-        (*cspan_at(&outputs, INT64_C(31) + i)) = (*cspan_at(&report, INT64_C(0) + i)) * (*cspan_at(&memory, INT64_C(4), INT64_C(5) + i));
+        (*cspan_at(&outputs, INT64_C(26) + i)) = (*cspan_at(&report, INT64_C(0) + i));
+        (*cspan_at(&outputs, INT64_C(29) + i)) = (*cspan_at(&report, INT64_C(10) + i));
+        (*cspan_at(&outputs, INT64_C(32) + i)) = (*cspan_at(&report, INT64_C(0) + i)) * (*cspan_at(&memory, INT64_C(4), INT64_C(5) + i));
     }
-    (*cspan_at(&outputs, INT64_C(34))) = (*cspan_at(&report, INT64_C(6)));
-    (*cspan_at(&outputs, INT64_C(44))) = (*cspan_at(&report, INT64_C(7)));
-    (*cspan_at(&outputs, INT64_C(45))) = (*cspan_at(&report, INT64_C(8)));
-    (*cspan_at(&outputs, INT64_C(35))) = (*cspan_at(&memory, INT64_C(5), INT64_C(2)));
+    (*cspan_at(&outputs, INT64_C(35))) = (*cspan_at(&report, INT64_C(6)));
+    (*cspan_at(&outputs, INT64_C(45))) = (*cspan_at(&report, INT64_C(7)));
+    (*cspan_at(&outputs, INT64_C(46))) = (*cspan_at(&report, INT64_C(8)));
+    (*cspan_at(&outputs, INT64_C(36))) = (*cspan_at(&memory, INT64_C(5), INT64_C(2)));
 }
 /*Write Outputs; target: reference of the load (Target), balance (Balance): work space.*/
 void segfmu_rig_outputs(array_double_1d target, array_double_2d memory, array_double_1d balance, array_double_1d outputs)
@@ -9877,14 +9894,14 @@ void segfmu_rig_outputs(array_double_1d target, array_double_2d memory, array_do
     load_outputs(target, memory, outputs);
     drive_outputs(memory, outputs);
     segfmu_rig_balance(memory, balance);
-    (*cspan_at(&outputs, INT64_C(36))) = (*cspan_at(&balance, INT64_C(0)));
-    (*cspan_at(&outputs, INT64_C(37))) = (*cspan_at(&balance, INT64_C(1)));
-    (*cspan_at(&outputs, INT64_C(38))) = (*cspan_at(&state, INT64_C(10))) + (*cspan_at(&state, INT64_C(11)));
-    (*cspan_at(&outputs, INT64_C(39))) = (*cspan_at(&balance, INT64_C(3)));
-    (*cspan_at(&outputs, INT64_C(40))) = (*cspan_at(&balance, INT64_C(4)));
-    (*cspan_at(&outputs, INT64_C(41))) = (*cspan_at(&balance, INT64_C(5)));
-    (*cspan_at(&outputs, INT64_C(42))) = (*cspan_at(&balance, INT64_C(6)));
-    (*cspan_at(&outputs, INT64_C(43))) = segfmu_rig_imbalance(balance);
+    (*cspan_at(&outputs, INT64_C(37))) = (*cspan_at(&balance, INT64_C(0)));
+    (*cspan_at(&outputs, INT64_C(38))) = (*cspan_at(&balance, INT64_C(1)));
+    (*cspan_at(&outputs, INT64_C(39))) = (*cspan_at(&state, INT64_C(10))) + (*cspan_at(&state, INT64_C(11)));
+    (*cspan_at(&outputs, INT64_C(40))) = (*cspan_at(&balance, INT64_C(3)));
+    (*cspan_at(&outputs, INT64_C(41))) = (*cspan_at(&balance, INT64_C(4)));
+    (*cspan_at(&outputs, INT64_C(42))) = (*cspan_at(&balance, INT64_C(5)));
+    (*cspan_at(&outputs, INT64_C(43))) = (*cspan_at(&balance, INT64_C(6)));
+    (*cspan_at(&outputs, INT64_C(44))) = segfmu_rig_imbalance(balance);
 }
 /*Write the estimates (Estimates) of a tracking controller (Tracking, Tracker).*/
 void segfmu_tracking_estimates(array_double_1d parameters, array_double_2d tracker, array_double_1d estimates)
@@ -9900,21 +9917,6 @@ void segfmu_tracking_estimates(array_double_1d parameters, array_double_2d track
         (*cspan_at(&estimates, INT64_C(4) + i)) = (*cspan_at(&tracker, INT64_C(0) + i, INT64_C(5)));
     }
     (*cspan_at(&estimates, INT64_C(6))) = (*cspan_at(&tracker, INT64_C(11) + INT64_C(9), INT64_C(5)));
-}
-/*Derivative of the friction force of an axis by its velocity [N s/m]. */
-static double friction_slope(array_double_1d plant, int64_t axis, double velocity)
-{
-    double width;
-    double share;
-    double slope;
-    slope = (*cspan_at(&plant, INT64_C(14) + axis));
-    if ((*cspan_at(&plant, INT64_C(17) + axis)) > 0.0)
-    {
-        width = (*cspan_at(&plant, INT64_C(20)));
-        share = tanh(velocity / width);
-        slope = slope + (*cspan_at(&plant, INT64_C(17) + axis)) * (1.0 - share * share) / width;
-    }
-    return slope;
 }
 /*Derivative of `gust_factor` by the share of the gust's duration, between its ends. */
 static double gust_rate(double shape, double share)
@@ -9940,14 +9942,14 @@ static double wind_slope(array_double_1d plant, array_double_2d components, doub
     double sines;
     double slope;
     slope = 0.0;
-    duration = (*cspan_at(&plant, INT64_C(32)));
+    duration = (*cspan_at(&plant, INT64_C(35)));
     if (duration > 0.0)
     {
-        share = (time - (*cspan_at(&plant, INT64_C(31)))) / duration;
+        share = (time - (*cspan_at(&plant, INT64_C(34)))) / duration;
         if ((share > 0.0) && (share < 1.0))
         {
-            rate = gust_rate((*cspan_at(&plant, INT64_C(33))), share);
-            slope = rate / duration * (*cspan_at(&plant, INT64_C(34) + axis));
+            rate = gust_rate((*cspan_at(&plant, INT64_C(36))), share);
+            slope = rate / duration * (*cspan_at(&plant, INT64_C(37) + axis));
         }
     }
     for (k = INT64_C(0); k < components.shape[INT64_C(0)]; k += INT64_C(1))
@@ -9967,7 +9969,7 @@ static void add_damping(array_double_1d plant, array_double_1d by, array_double_
     double damped;
     for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
     {
-        damped = (*cspan_at(&plant, INT64_C(21))) * (*cspan_at(&by, INT64_C(13) + j));
+        damped = (*cspan_at(&plant, INT64_C(24))) * (*cspan_at(&by, INT64_C(13) + j));
         (*cspan_at(&row, INT64_C(8) + j)) = (*cspan_at(&row, INT64_C(8) + j)) - damped;
     }
 }
@@ -10146,7 +10148,7 @@ static void power_partials(array_double_1d plant, array_double_1d state, array_d
     }
     for (i = INT64_C(8); i < INT64_C(10); i += INT64_C(1))
     {
-        (*cspan_at(&lost, i)) = 2.0 * (*cspan_at(&plant, INT64_C(21))) * (*cspan_at(&state, i));
+        (*cspan_at(&lost, i)) = 2.0 * (*cspan_at(&plant, INT64_C(24))) * (*cspan_at(&state, i));
     }
 }
 /*All partial derivatives at a time [s] since the start.                 */

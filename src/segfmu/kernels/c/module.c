@@ -243,6 +243,7 @@ static PyObject *call_feedback_correction(
         && (in_reference = take_array(&call, 1, 1, 'd', false)) != NULL
         && (in_gains = take_array(&call, 2, 3, 'd', false)) != NULL
         && (in_correction = take_array(&call, 3, 1, 'd', true)) != NULL
+        && has_at_least(&call, "gains", 0, in_gains->shape[0], 1)
         && has_at_least(&call, "state", 0, in_state->shape[0], 10)
         && has_at_least(&call, "reference", 0, in_reference->shape[0], 10)
         && has_at_least(&call, "gains", 1, in_gains->shape[1], 4)
@@ -430,7 +431,7 @@ static PyObject *call_flat_table(
         && take_int(&call, 2, &in_rows)
         && (in_lengths = take_array(&call, 3, 1, 'd', false)) != NULL
         && (in_table = take_array(&call, 4, 3, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 37)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 40)
         && has_at_least(&call, "design", 0, in_design->shape[0], 4)
         && has_at_least(&call, "lengths", 0, in_lengths->shape[0], in_rows)
         && has_at_least(&call, "table", 0, in_table->shape[0], in_rows)
@@ -513,6 +514,7 @@ static PyObject *call_observer_predict(
         && (in_held = take_array(&call, 3, 1, 'd', false)) != NULL
         && (in_estimate = take_array(&call, 4, 2, 'd', true)) != NULL
         && (in_scratch = take_array(&call, 5, 1, 'd', true)) != NULL
+        && has_at_least(&call, "table", 0, in_table->shape[0], 1)
         && has_at_least(&call, "table", 1, in_table->shape[1], 19)
         && has_at_least(&call, "table", 2, in_table->shape[2], 10)
         && has_at_least(&call, "command", 0, in_command->shape[0], 3)
@@ -550,6 +552,7 @@ static PyObject *call_observer_correct(
         && (in_measured = take_array(&call, 2, 1, 'd', false)) != NULL
         && (in_reference = take_array(&call, 3, 1, 'd', false)) != NULL
         && (in_estimate = take_array(&call, 4, 2, 'd', true)) != NULL
+        && has_at_least(&call, "table", 0, in_table->shape[0], 1)
         && has_at_least(&call, "table", 1, in_table->shape[1], 19)
         && has_at_least(&call, "table", 2, in_table->shape[2], 10)
         && has_at_least(&call, "measured", 0, in_measured->shape[0], 5)
@@ -690,6 +693,8 @@ static PyObject *call_track_setpoint(
         && (in_gains = take_array(&call, 2, 3, 'd', false)) != NULL
         && (in_tick = take_array(&call, 3, 2, 'd', true)) != NULL
         && (in_memory = take_array(&call, 4, 2, 'd', true)) != NULL
+        && has_at_least(&call, "table", 0, in_table->shape[0], 1)
+        && has_at_least(&call, "gains", 0, in_gains->shape[0], 1)
         && has_at_least(&call, "parameters", 0, in_parameters->shape[0], 27)
         && has_at_least(&call, "table", 1, in_table->shape[1], 19)
         && has_at_least(&call, "table", 2, in_table->shape[2], 10)
@@ -778,11 +783,11 @@ static PyObject *call_flat_derivatives(
         && (in_masses = take_array(&call, 2, 1, 'd', false)) != NULL
         && (in_work = take_array(&call, 3, 2, 'd', true)) != NULL
         && (in_found = take_array(&call, 4, 1, 'd', true)) != NULL
-        && has_at_least(&call, "flat", 0, in_flat->shape[0], in_order + 5)
+        && has_at_least(&call, "flat", 0, in_flat->shape[0], (in_order + 5))
         && has_at_least(&call, "flat", 1, in_flat->shape[1], 3)
         && has_at_least(&call, "masses", 0, in_masses->shape[0], 4)
         && has_at_least(&call, "work", 0, in_work->shape[0], 18)
-        && has_at_least(&call, "work", 1, in_work->shape[1], in_order + 3)
+        && has_at_least(&call, "work", 1, in_work->shape[1], (in_order + 3))
         && has_at_least(&call, "found", 0, in_found->shape[0], 18)) {
         segfmu_flat_derivatives(
             (array_double_2d){in_flat->buf, {in_flat->shape[0], in_flat->shape[1]}},
@@ -848,7 +853,7 @@ static PyObject *call_plant_failure(
         && (in_plant = take_array(&call, 3, 1, 'd', false)) != NULL
         && (in_fault = take_array(&call, 4, 1, 'd', true)) != NULL
         && has_at_least(&call, "state", 0, in_state->shape[0], 10)
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 37)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 40)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_plant_failure(
             in_status,
@@ -884,7 +889,7 @@ static PyObject *call_plant_advance(
         && take_float(&call, 5, &in_tolerance)
         && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
         && (in_report = take_array(&call, 7, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 37)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 40)
         && has_at_least(&call, "components", 1, in_components->shape[1], 7)
         && has_at_least(&call, "state", 0, in_state->shape[0], 13)
         && has_at_least(&call, "work", 0, in_work->shape[0], 20)
@@ -924,7 +929,16 @@ static PyObject *call_evaluate(
         && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
         && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
         && take_int(&call, 5, &in_derivative)
-        && (in_values = take_array(&call, 6, 2, 'd', true)) != NULL) {
+        && (in_values = take_array(&call, 6, 2, 'd', true)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
+        && has_at_least(&call, "ends", 0, in_ends->shape[0], 1)
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_extent(&call, "values", 0, in_values->shape[0], in_times->shape[0])
+        && has_extent(&call, "values", 1, in_values->shape[1], in_ends->shape[0])
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_ends->shape[0] + 1))
+        && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), in_timing->shape[0])) {
         segfmu_evaluate(
             (array_double_1d){in_times->buf, {in_times->shape[0]}},
             (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
@@ -957,7 +971,16 @@ static PyObject *call_evaluate_orders(
         && (in_coefficients = take_array(&call, 2, 2, 'd', false)) != NULL
         && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
         && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
-        && (in_values = take_array(&call, 5, 2, 'd', true)) != NULL) {
+        && (in_values = take_array(&call, 5, 2, 'd', true)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
+        && has_at_least(&call, "ends", 0, in_ends->shape[0], 1)
+        && has_at_least(&call, "values", 0, in_values->shape[0], 1)
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_extent(&call, "values", 1, in_values->shape[1], in_ends->shape[0])
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_ends->shape[0] + 1))
+        && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), in_timing->shape[0])) {
         segfmu_evaluate_orders(
             in_time,
             (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
@@ -994,17 +1017,21 @@ static PyObject *call_check_plan(
         && (in_limits = take_array(&call, 5, 2, 'd', false)) != NULL
         && take_float(&call, 6, &in_tolerance)
         && (in_work = take_array(&call, 7, 2, 'd', true)) != NULL
+        && has_at_least(&call, "states", 0, in_states->shape[0], 1)
+        && has_at_least(&call, "states", 1, in_states->shape[1], 1)
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
         && has_extent(&call, "times", 1, in_times->shape[1], in_states->shape[1])
         && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
         && has_extent(&call, "limits", 0, in_limits->shape[0], in_states->shape[1])
         && has_at_least(&call, "states", 2, in_states->shape[2], 3)
-        && has_at_least(&call, "times", 0, in_times->shape[0], in_states->shape[0] + 1)
+        && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 4)
-        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], in_states->shape[1] + 1)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
         && has_at_least(&call, "limits", 1, in_limits->shape[1], 3)
         && has_at_least(&call, "work", 0, in_work->shape[0], 43)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 14)) {
+        && has_at_least(&call, "work", 1, in_work->shape[1], 14)
+        && has_pieces(&call, "offsets", in_offsets->buf, (in_states->shape[1] + 1), in_timing->shape[0])) {
         answer = PyLong_FromLongLong(segfmu_check_plan(
             (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
             (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}},
@@ -1038,13 +1065,16 @@ static PyObject *call_check_rope(
         && (in_bounds = take_array(&call, 3, 1, 'd', false)) != NULL
         && (in_work = take_array(&call, 4, 2, 'd', true)) != NULL
         && (in_report = take_array(&call, 5, 1, 'd', true)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
         && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
         && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 3)
         && has_at_least(&call, "work", 0, in_work->shape[0], 52)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 4 * in_coefficients->shape[1] - 5)
-        && has_at_least(&call, "report", 0, in_report->shape[0], 3)) {
+        && has_at_least(&call, "work", 1, in_work->shape[1], ((4 * in_coefficients->shape[1]) - 5))
+        && has_at_least(&call, "report", 0, in_report->shape[0], 3)
+        && has_pieces(&call, "offsets", in_offsets->buf, 4, in_timing->shape[0])) {
         answer = PyLong_FromLongLong(segfmu_check_rope(
             (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
             (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
@@ -1228,7 +1258,7 @@ static PyObject *call_axis_limits(
         && take_int(&call, 1, &in_shape)
         && (in_limits = take_array(&call, 2, 1, 'd', false)) != NULL
         && (in_axis = take_array(&call, 3, 1, 'd', true)) != NULL
-        && has_at_least(&call, "limits", 0, in_limits->shape[0], in_smoothness + 1)
+        && has_at_least(&call, "limits", 0, in_limits->shape[0], (in_smoothness + 1))
         && has_at_least(&call, "axis", 0, in_axis->shape[0], 38)) {
         segfmu_axis_limits(
             in_smoothness,
@@ -1287,18 +1317,20 @@ static PyObject *call_plan_phases(
         && (in_axes = take_array(&call, 4, 2, 'd', true)) != NULL
         && (in_cells = take_array(&call, 5, 3, 'd', true)) != NULL
         && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
+        && has_at_least(&call, "states", 0, in_states->shape[0], 1)
+        && has_at_least(&call, "states", 1, in_states->shape[1], 1)
         && has_extent(&call, "dwells", 0, in_dwells->shape[0], in_states->shape[0])
         && has_extent(&call, "limits", 0, in_limits->shape[0], in_states->shape[1])
         && has_extent(&call, "axes", 0, in_axes->shape[0], in_states->shape[1])
         && has_at_least(&call, "states", 2, in_states->shape[2], 3)
-        && has_at_least(&call, "limits", 1, in_limits->shape[1], 3)
         && has_at_least(&call, "options", 0, in_options->shape[0], 5)
         && has_at_least(&call, "axes", 1, in_axes->shape[1], 38)
-        && has_at_least(&call, "cells", 0, in_cells->shape[0], (in_states->shape[0] - 1) * in_states->shape[1])
+        && has_at_least(&call, "cells", 0, in_cells->shape[0], ((in_states->shape[0] - 1) * in_states->shape[1]))
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 28)
         && has_at_least(&call, "cells", 2, in_cells->shape[2], 8)
         && has_at_least(&call, "work", 0, in_work->shape[0], 47)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 19)) {
+        && has_at_least(&call, "work", 1, in_work->shape[1], 19)
+        && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_options->buf)[0] + 1))) {
         answer = PyLong_FromLongLong(segfmu_plan_phases(
             (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
             (array_double_1d){in_dwells->buf, {in_dwells->shape[0]}},
@@ -1325,6 +1357,8 @@ static PyObject *call_check_problem(
         && (in_states = take_array(&call, 0, 3, 'd', false)) != NULL
         && (in_limits = take_array(&call, 1, 2, 'd', false)) != NULL
         && (in_report = take_array(&call, 2, 1, 'd', true)) != NULL
+        && has_at_least(&call, "states", 0, in_states->shape[0], 1)
+        && has_at_least(&call, "states", 1, in_states->shape[1], 1)
         && has_extent(&call, "limits", 0, in_limits->shape[0], in_states->shape[1])
         && has_at_least(&call, "states", 2, in_states->shape[2], 3)
         && has_at_least(&call, "limits", 1, in_limits->shape[1], 2)
@@ -1380,9 +1414,9 @@ static PyObject *call_rig_next_event(
         && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
         && (in_memory = take_array(&call, 1, 2, 'd', false)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 37)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 40)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)) {
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 40)) {
         answer = PyFloat_FromDouble(segfmu_rig_next_event(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}}));
@@ -1403,9 +1437,9 @@ static PyObject *call_switch_correction(
         && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
         && (in_memory = take_array(&call, 1, 2, 'd', true)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 37)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 40)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)) {
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 40)) {
         segfmu_switch_correction(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}});
@@ -1438,8 +1472,10 @@ static PyObject *call_rig_event(
         && (in_setpoints = take_array(&call, 5, 1, 'd', false)) != NULL
         && take_float(&call, 6, &in_time)
         && (in_memory = take_array(&call, 7, 2, 'd', true)) != NULL
+        && has_at_least(&call, "table", 0, in_table->shape[0], 1)
+        && has_at_least(&call, "gains", 0, in_gains->shape[0], 1)
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 37)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 40)
         && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
         && has_at_least(&call, "table", 1, in_table->shape[1], 19)
         && has_at_least(&call, "table", 2, in_table->shape[2], 10)
@@ -1448,8 +1484,8 @@ static PyObject *call_rig_event(
         && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 25)
         && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 10)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)) {
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 40)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows(((double *)in_settings->buf)[1 * in_settings->shape[1] + 0], ((double *)in_settings->buf)[1 * in_settings->shape[1] + 1]))) {
         segfmu_rig_event(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_changes->buf, {in_changes->shape[0], in_changes->shape[1]}},
@@ -1479,9 +1515,9 @@ static PyObject *call_rig_signals(
         && take_float(&call, 1, &in_time)
         && (in_memory = take_array(&call, 2, 2, 'd', true)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 37)
-        && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)) {
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 40)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 40)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows(((double *)in_settings->buf)[1 * in_settings->shape[1] + 0], ((double *)in_settings->buf)[1 * in_settings->shape[1] + 1]))) {
         segfmu_rig_signals(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             in_time,
@@ -1512,7 +1548,7 @@ static PyObject *call_rig_rates(
         && has_at_least(&call, "components", 1, in_components->shape[1], 7)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 40)
         && has_at_least(&call, "derivative", 0, in_derivative->shape[0], 13)) {
         answer = PyLong_FromLongLong(segfmu_rig_rates(
             (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}},
@@ -1564,12 +1600,12 @@ static PyObject *call_rig_start(
         && take_float(&call, 4, &in_start)
         && (in_memory = take_array(&call, 5, 2, 'd', true)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 37)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 40)
         && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
         && has_at_least(&call, "state", 0, in_state->shape[0], 10)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)) {
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 40)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows(((double *)in_settings->buf)[1 * in_settings->shape[1] + 0], ((double *)in_settings->buf)[1 * in_settings->shape[1] + 1]))) {
         segfmu_rig_start(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_changes->buf, {in_changes->shape[0], in_changes->shape[1]}},
@@ -1608,8 +1644,10 @@ static PyObject *call_rig_step(
         && (in_setpoints = take_array(&call, 6, 1, 'd', false)) != NULL
         && take_float(&call, 7, &in_duration)
         && (in_memory = take_array(&call, 8, 2, 'd', true)) != NULL
+        && has_at_least(&call, "table", 0, in_table->shape[0], 1)
+        && has_at_least(&call, "gains", 0, in_gains->shape[0], 1)
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 37)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 40)
         && has_at_least(&call, "components", 1, in_components->shape[1], 7)
         && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
         && has_at_least(&call, "table", 1, in_table->shape[1], 19)
@@ -1619,8 +1657,8 @@ static PyObject *call_rig_step(
         && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 25)
         && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 10)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)) {
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 40)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows(((double *)in_settings->buf)[1 * in_settings->shape[1] + 0], ((double *)in_settings->buf)[1 * in_settings->shape[1] + 1]))) {
         answer = PyLong_FromLongLong(segfmu_rig_step(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}},
@@ -1648,7 +1686,7 @@ static PyObject *call_rig_balance(
         && (in_memory = take_array(&call, 0, 2, 'd', true)) != NULL
         && (in_balance = take_array(&call, 1, 1, 'd', true)) != NULL
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 40)
         && has_at_least(&call, "balance", 0, in_balance->shape[0], 7)) {
         segfmu_rig_balance(
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}},
@@ -1693,9 +1731,9 @@ static PyObject *call_rig_outputs(
         && (in_outputs = take_array(&call, 3, 1, 'd', true)) != NULL
         && has_at_least(&call, "target", 0, in_target->shape[0], 3)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 40)
         && has_at_least(&call, "balance", 0, in_balance->shape[0], 7)
-        && has_at_least(&call, "outputs", 0, in_outputs->shape[0], 46)) {
+        && has_at_least(&call, "outputs", 0, in_outputs->shape[0], 47)) {
         segfmu_rig_outputs(
             (array_double_1d){in_target->buf, {in_target->shape[0]}},
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}},
@@ -1753,7 +1791,7 @@ static PyObject *call_rig_partials(
         && (in_partials = take_array(&call, 4, 2, 'd', true)) != NULL
         && has_at_least(&call, "components", 1, in_components->shape[1], 7)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 37)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 40)
         && has_at_least(&call, "work", 0, in_work->shape[0], 6)
         && has_at_least(&call, "work", 1, in_work->shape[1], 18)
         && has_at_least(&call, "partials", 0, in_partials->shape[0], 12)
@@ -1805,7 +1843,7 @@ static PyObject *call_check_lags(
     if (take_count(&call, count, 2)
         && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
         && (in_fault = take_array(&call, 1, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 37)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 40)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_check_lags(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
@@ -2050,7 +2088,14 @@ static PyObject *call_next_plan_event(
         && (in_timing = take_array(&call, 2, 2, 'd', false)) != NULL
         && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
         && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
-        && (in_times = take_array(&call, 5, 2, 'd', false)) != NULL) {
+        && (in_times = take_array(&call, 5, 2, 'd', false)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "ends", 0, in_ends->shape[0], 1)
+        && has_at_least(&call, "times", 0, in_times->shape[0], 1)
+        && has_extent(&call, "times", 1, in_times->shape[1], in_ends->shape[0])
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_ends->shape[0] + 1))
+        && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), in_timing->shape[0])) {
         answer = PyFloat_FromDouble(segfmu_next_plan_event(
             in_time,
             in_start,
@@ -2079,7 +2124,12 @@ static PyObject *call_right_of_break(
         && take_float(&call, 1, &in_start)
         && (in_timing = take_array(&call, 2, 2, 'd', false)) != NULL
         && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
-        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL) {
+        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "ends", 0, in_ends->shape[0], 1)
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_ends->shape[0] + 1))
+        && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), in_timing->shape[0])) {
         answer = PyFloat_FromDouble(segfmu_right_of_break(
             in_time,
             in_start,
@@ -2112,14 +2162,15 @@ static PyObject *call_expand_phases(
         && (in_coefficients = take_array(&call, 4, 2, 'd', true)) != NULL
         && take_int(&call, 5, &in_row)
         && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
-        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
         && has_at_least(&call, "phases", 0, in_phases->shape[0], in_count)
         && has_at_least(&call, "phases", 1, in_phases->shape[1], 4)
         && has_at_least(&call, "axis", 0, in_axis->shape[0], 38)
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], (in_row + (7 * in_count)))
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 4)
+        && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], (in_row + (7 * in_count)))
         && has_at_least(&call, "work", 0, in_work->shape[0], 2)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 12)) {
+        && has_at_least(&call, "work", 1, in_work->shape[1], 12)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], (2 * ((double *)in_axis->buf)[0]))) {
         answer = PyLong_FromLongLong(segfmu_expand_phases(
             (array_double_2d){in_phases->buf, {in_phases->shape[0], in_phases->shape[1]}},
             in_count,
@@ -2144,6 +2195,8 @@ static PyObject *call_count_pieces(
     if (take_count(&call, count, 2)
         && (in_axes = take_array(&call, 0, 2, 'd', false)) != NULL
         && (in_cells = take_array(&call, 1, 3, 'd', false)) != NULL
+        && has_at_least(&call, "axes", 0, in_axes->shape[0], 1)
+        && has_at_least(&call, "cells", 0, in_cells->shape[0], 1)
         && has_at_least(&call, "axes", 1, in_axes->shape[1], 38)
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 28)
         && has_at_least(&call, "cells", 2, in_cells->shape[2], 8)) {
@@ -2180,21 +2233,24 @@ static PyObject *call_expand_plan(
         && (in_offsets = take_array(&call, 6, 1, 'l', true)) != NULL
         && (in_times = take_array(&call, 7, 2, 'd', true)) != NULL
         && (in_work = take_array(&call, 8, 2, 'd', true)) != NULL
+        && has_at_least(&call, "states", 0, in_states->shape[0], 1)
+        && has_at_least(&call, "states", 1, in_states->shape[1], 1)
         && has_extent(&call, "dwells", 0, in_dwells->shape[0], in_states->shape[0])
         && has_extent(&call, "axes", 0, in_axes->shape[0], in_states->shape[1])
-        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
         && has_extent(&call, "times", 1, in_times->shape[1], in_states->shape[1])
         && has_at_least(&call, "states", 2, in_states->shape[2], 3)
         && has_at_least(&call, "axes", 1, in_axes->shape[1], 38)
-        && has_at_least(&call, "cells", 0, in_cells->shape[0], (in_states->shape[0] - 1) * in_states->shape[1])
+        && has_at_least(&call, "cells", 0, in_cells->shape[0], ((in_states->shape[0] - 1) * in_states->shape[1]))
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 28)
         && has_at_least(&call, "cells", 2, in_cells->shape[2], 8)
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 4)
-        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], in_states->shape[1] + 1)
-        && has_at_least(&call, "times", 0, in_times->shape[0], in_states->shape[0] + 1)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
+        && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
         && has_at_least(&call, "work", 0, in_work->shape[0], 2)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 12)) {
+        && has_at_least(&call, "work", 1, in_work->shape[1], 12)
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], segfmu_count_pieces((array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}}, (array_double_3d){in_cells->buf, {in_cells->shape[0], in_cells->shape[1], in_cells->shape[2]}}))
+        && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], segfmu_count_pieces((array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}}, (array_double_3d){in_cells->buf, {in_cells->shape[0], in_cells->shape[1], in_cells->shape[2]}}))
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], (2 * ((double *)in_axes->buf)[0 * in_axes->shape[1] + 0]))) {
         answer = PyLong_FromLongLong(segfmu_expand_plan(
             (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
             (array_double_1d){in_dwells->buf, {in_dwells->shape[0]}},

@@ -42,6 +42,9 @@ typedef struct {
     const double *limits;        /* (k, n + 1): c_1 .. c_{n+1} of each axis, 0 where absent */
 } segfmu_problem;
 
+/* Numbers that tell of a refusal: REFUSAL_SIZE of records.h */
+enum { SEGFMU_REPORT = 4 };
+
 /* What was planned; the arrays lie in the caller's work space. */
 typedef struct {
     int64_t points, axes, smoothness;
@@ -52,7 +55,7 @@ typedef struct {
     const int64_t *offsets;      /* (k + 1,): first piece of each axis */
     const double *times;         /* (m, k): arrival of each axis at each waypoint [s] */
     const double *ends;          /* (k,): end of each axis [s] */
-    double report[4];            /* of a refusal: REFUSAL_AXIS .. REFUSAL_BOUND of records.h */
+    double report[SEGFMU_REPORT]; /* of a refusal: REFUSAL_AXIS .. REFUSAL_BOUND of records.h */
 } segfmu_trajectory;
 
 /* Number of doubles of work space for a problem of this size. */

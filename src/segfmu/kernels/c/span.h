@@ -7,9 +7,11 @@
 
 #include <stdint.h>
 
+enum { MOST_DIMENSIONS = 3 };
+
 typedef struct { double *data; int64_t shape[1]; } array_double_1d;
 typedef struct { double *data; int64_t shape[2]; } array_double_2d;
-typedef struct { double *data; int64_t shape[3]; } array_double_3d;
+typedef struct { double *data; int64_t shape[MOST_DIMENSIONS]; } array_double_3d;
 typedef struct { int64_t *data; int64_t shape[1]; } array_int64_t_1d;
 
 /* Address of an element: cspan_at(&a, i), cspan_at(&a, i, j) or cspan_at(&a, i, j, k). */

@@ -136,6 +136,10 @@ class Plant(Masses):
     COULOMB = field(
         "Coulomb friction", "N", size=3, variables=[f"friction.{d}.coulomb" for d in DRIVES]
     )
+    DRAG = field(
+        "friction at 1 m/s that grows with the square of the velocity", "N", size=3,
+        variables=[f"friction.{d}.drag" for d in DRIVES],
+    )
     FRICTION_WIDTH = field(
         "velocity at which Coulomb friction comes to tanh(1) of its value", "m/s",
         variables=("friction.width",),

@@ -1,4 +1,4 @@
-"""One step of a bracketed root search; the caller evaluates the function.
+"""The steps of a bracketed root search, for searches that evaluate in their own way.
 
 Chandrupatla's method (Advances in Engineering Software 28, 145-149, 1997): inverse quadratic
 interpolation if the last three points make it safe, else bisection. The caller keeps the newest
@@ -27,3 +27,15 @@ def root_share(
     # the point must differ from both ends
     least = 2e-16 * max(abs(newest), abs(other)) / abs(other - newest)
     return max(min(share, 1.0 - least), least)
+
+
+def next_bracket(
+    crossed: bool, newest: float, other: float, e_newest: float, e_other: float
+) -> 'tuple[float, float, float, float]':
+    """The other point and the one before, and their errors, once a new point was evaluated.
+
+    `newest` is the point before it; crossed: the root lies between the two.
+    """
+    if crossed:
+        return newest, other, e_newest, e_other
+    return other, newest, e_other, e_newest

@@ -4,7 +4,7 @@ The cruise velocity is given, or such that the cruise has zero duration, or the 
 ramp to zero acceleration reaches from either end.
 """
 
-from segfmu.kernels.numerics.roots import root_share
+from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.levels import solve_level
 from segfmu.kernels.planner.phases import (
     append_change,
@@ -100,13 +100,9 @@ def slower_cruise(phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]') -
         short = count < 0 or error < 0.0
         if count < 0:
             error = 0.0
-        before = newest
-        e_before = e_newest
-        if short != falls_short:
-            before = other
-            e_before = e_other
-            other = newest
-            e_other = e_newest
+        other, before, e_other, e_before = next_bracket(
+            short != falls_short, newest, other, e_newest, e_other
+        )
         newest = middle
         e_newest = error
         falls_short = short

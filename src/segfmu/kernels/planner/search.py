@@ -3,7 +3,7 @@
 BY_TIME of a family (Family) selects one of them, TARGET is its value.
 """
 
-from segfmu.kernels.numerics.roots import root_share
+from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.levels import canonical_member
 from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.records import Axis, Family
@@ -62,13 +62,9 @@ def bracketed_root(
         p = newest + share * (other - newest)
         value, duration = canonical_value(p, family, axis)
         error = value - target
-        before = newest
-        e_before = e_newest
-        if error * e_newest < 0.0:
-            before = other
-            e_before = e_other
-            other = newest
-            e_other = e_newest
+        other, before, e_other, e_before = next_bracket(
+            error * e_newest < 0.0, newest, other, e_newest, e_other
+        )
         newest = p
         e_newest = error
         # rounding error of a sum whose terms may cancel

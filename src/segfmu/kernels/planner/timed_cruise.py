@@ -4,7 +4,7 @@ A cruise velocity is possible if its velocity changes leave time for a cruise. T
 form one or several windows; within a window the distance is continuous.
 """
 
-from segfmu.kernels.numerics.roots import root_share
+from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.cruise import cruise_form
 from segfmu.kernels.planner.phases import copy_phases, insert_hold, measure_phases
 from segfmu.kernels.planner.records import Axis, Cell, Nearest, PlanWork, Problem
@@ -144,13 +144,9 @@ def between_cruises(
         error = keep_cruise(cruise, problem, axis, cell, work) - distance
         if abs(error) <= rounding:
             return
-        before = newest
-        e_before = e_newest
-        if error * e_newest < 0.0:
-            before = other
-            e_before = e_other
-            other = newest
-            e_other = e_newest
+        other, before, e_other, e_before = next_bracket(
+            error * e_newest < 0.0, newest, other, e_newest, e_other
+        )
         newest = cruise
         e_newest = error
 

@@ -50,16 +50,19 @@ def rig_outputs(
 
 
 def load_outputs(target: 'float[:]', memory: 'float[:,:]', outputs: 'float[:]') -> None:
-    """The load's motion, and its distance from the reference."""
+    """The load's motion and speed, and its distance from where it shall be."""
     load = memory[Memory.WORK + Work.LOAD : Memory.WORK + Work.LOAD + Load.SIZE, :]
     crane_load(memory[Memory.STATE, :], load)
     square = 0.0
+    speed = 0.0
     for i in range(Vector.SIZE):
+        speed = speed + load[Load.VELOCITY, i] * load[Load.VELOCITY, i]
         error = load[Load.POSITION, i] - target[i]
         outputs[Outputs.LOAD_POSITION + i] = load[Load.POSITION, i]
         outputs[Outputs.LOAD_VELOCITY + i] = load[Load.VELOCITY, i]
         outputs[Outputs.ERROR + i] = error
         square = square + error * error
+    outputs[Outputs.LOAD_SPEED] = sqrt(speed)
     outputs[Outputs.ERROR_NORM] = sqrt(square)
 
 

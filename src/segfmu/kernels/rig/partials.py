@@ -5,7 +5,7 @@ kernels/rig/rig.py after `rig_rates` for the same time and setpoints; `rig` is t
 `work` (6, 18) has the partial derivatives of the crane's equations, columns `CranePartials`.
 """
 
-from math import cos, sin, tanh
+from math import cos, sin
 
 from segfmu.kernels.control.records import Correction
 from segfmu.kernels.crane._partials import (
@@ -13,7 +13,7 @@ from segfmu.kernels.crane._partials import (
     crane_load_partials,
     crane_rhs_partials,
 )
-from segfmu.kernels.crane.drives import exceeds, friction_force
+from segfmu.kernels.crane.drives import exceeds, friction_force, friction_slope
 from segfmu.kernels.crane.records import (
     Action,
     Axes,
@@ -30,16 +30,6 @@ from segfmu.kernels.numerics.noise import full_circle
 from segfmu.kernels.numerics.records import Sinusoid
 from segfmu.kernels.rig.loop import is_driven
 from segfmu.kernels.rig.records import Clock, Memory, RigPartials, RigVariables
-
-
-def friction_slope(plant: 'float[:]', axis: int, velocity: float) -> float:
-    """Derivative of the friction force of an axis by its velocity [N s/m]."""
-    slope = plant[Plant.VISCOUS + axis]
-    if plant[Plant.COULOMB + axis] > 0.0:
-        width = plant[Plant.FRICTION_WIDTH]
-        share = tanh(velocity / width)
-        slope = slope + plant[Plant.COULOMB + axis] * (1.0 - share * share) / width
-    return slope
 
 
 def gust_rate(shape: float, share: float) -> float:

@@ -292,6 +292,7 @@ class Outputs(Record):
     LOAD_VELOCITY = field(
         "velocity of the load", "m/s", size=3, variables=[f"load.velocity.{a}" for a in "xyz"]
     )
+    LOAD_SPEED = field("speed of the load", "m/s", variables=("load.speed",))
     ERROR = field(
         "load minus its reference", "m", size=3, variables=[f"error.load.{a}" for a in "xyz"]
     )

@@ -8,14 +8,14 @@ integral is added to the velocity setpoints. It is held from tick to tick.
 
 Arrays, in C order; their records are in rig/records.py:
 
-settings (4, 37)     `Settings`
-components (., 7)    noise of the wind, one `Sinusoid` per row
-changes (., 2)       payload, one `PayloadChange` per row, in any order
+settings             `Settings` rows, as many columns
+components (., 7)    wind's noise, a `Sinusoid` a row
+changes (., 2)       payload, a `PayloadChange` a row, in any order
 table (., 19, 10)    the observer's, see control/observer.py; unused without a tracking controller
 gains (., 4, 10)     of the feedback, see control/feedback.py
 tracker (25, 10)     memory of a tracking controller, a `Tracker`
 setpoints (19)       `Setpoints`
-memory (., 37)       `Memory`, of `rig_rows` rows; a copy of it is the state of the rig
+memory               `Memory`, of `rig_rows` rows; a copy of it is the state of the rig
 """
 
 from segfmu.kernels.crane._crane import crane_energy

@@ -1,7 +1,7 @@
 """The sensors' signals over time: sampled, noisy, quantised, and available after a dead time.
 
-`sensors` (18) is a `Sensors`; `memory` (`sensing_rows`, 36 or more) is a `Sensing`, with a ring of
-waiting samples (`Sample`), six per row.
+`sensors` (18) is a `Sensors`; `memory` (`sensing_rows` rows) a `Sensing`, with a ring of
+samples that wait, each a `Sample`, six a row.
 """
 
 from math import ceil, floor

@@ -33,7 +33,8 @@
 /* no event; a time that Modelica's simulations do not reach */
 #define SEGFMU_NEVER 1e60
 
-enum { SEGFMU_PATH = 4096, SEGFMU_MESSAGE = 1000 };
+/* an address has up to three characters for one of a path */
+enum { SEGFMU_PATH = 4096, SEGFMU_ADDRESS = 3 * SEGFMU_PATH, SEGFMU_MESSAGE = 1000 };
 enum { SEGFMU_MODEL_EXCHANGE = 0, SEGFMU_WARNING = 1 };
 
 /* what an instance is ready for */
@@ -210,7 +211,7 @@ static void segfmu_bind_all(segfmu_fmu *f)
 static void *segfmu_open(const char *folder, const char *name, const char *instance,
                          const char *token, int states)
 {
-    char path[SEGFMU_PATH], address[3 * SEGFMU_PATH];
+    char path[SEGFMU_PATH], address[SEGFMU_ADDRESS];
     segfmu_fmu *f = (segfmu_fmu *)calloc(1, sizeof *f);
     double *memory = (double *)calloc((size_t)states + 1, sizeof *memory);
     if (f == NULL || memory == NULL) {

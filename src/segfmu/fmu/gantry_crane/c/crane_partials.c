@@ -83,12 +83,20 @@ static double of_error(const crane *m, int axis, const known_place *k)
     return of_state(m->load_partials, axis, k) - (k->reference == axis ? 1.0 : 0.0);
 }
 
-static double of_norm(const crane *m, const known_place *k)
+static double of_velocity(const crane *m, int axis, const known_place *k)
+{
+    return of_state(m->load_partials, LOAD_PARTIALS_VELOCITY + axis, k);
+}
+
+/* Of an output that is the norm of the three from `first` on. */
+static double of_norm(const crane *m, int output, int first,
+                      double (*of_part)(const crane *, int, const known_place *),
+                      const known_place *k)
 {
     const double *real = m->base.real;
-    double norm = real[V_ERROR_LOAD_NORM], sum = 0.0;
+    double norm = real[feed_offset(&feeds_outputs, output)], sum = 0.0;
     for (int i = 0; norm > 0.0 && i < VECTOR_SIZE; i++) {
-        sum += real[feed_offset(&feeds_outputs, OUTPUTS_ERROR + i)] / norm * of_error(m, i, k);
+        sum += real[feed_offset(&feeds_outputs, first + i)] / norm * of_part(m, i, k);
     }
     return sum;
 }
@@ -169,11 +177,13 @@ static bool of_place(const crane *m, int output, const known_place *k, double *v
     } else if (among(output, OUTPUTS_LOAD_POSITION, VECTOR_SIZE, &which)) {
         *value = of_state(m->load_partials, LOAD_PARTIALS_POSITION + which, k);
     } else if (among(output, OUTPUTS_LOAD_VELOCITY, VECTOR_SIZE, &which)) {
-        *value = of_state(m->load_partials, LOAD_PARTIALS_VELOCITY + which, k);
+        *value = of_velocity(m, which, k);
     } else if (among(output, OUTPUTS_ERROR, VECTOR_SIZE, &which)) {
         *value = of_error(m, which, k);
     } else if (output == OUTPUTS_ERROR_NORM) {
-        *value = of_norm(m, k);
+        *value = of_norm(m, output, OUTPUTS_ERROR, of_error, k);
+    } else if (output == OUTPUTS_LOAD_SPEED) {
+        *value = of_norm(m, output, OUTPUTS_LOAD_VELOCITY, of_velocity, k);
     } else {
         return false;
     }

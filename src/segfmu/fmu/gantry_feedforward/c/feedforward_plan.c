@@ -69,9 +69,10 @@ static void gather_limits(const model *base, int64_t smoothness, double *table)
 /* Check that the load stays below the trolley, the rope taut, and its length within its range. */
 static bool require_rope(const segfmu_trajectory *t, const model *base, char message[MESSAGE])
 {
-    enum { WIDTH = 12 };
+    enum { MOST_WIDTH = 2 * MOST_SMOOTHNESS, MOST_COLUMNS = 4 * MOST_WIDTH - 5 };
     const int64_t width = 2 * t->smoothness;
-    double space[ROPE_WORK_SIZE * (4 * WIDTH - 5)], fault[ROPE_FAULT_SIZE], bounds[ROPE_BOUNDS_SIZE];
+    double space[ROPE_WORK_SIZE * MOST_COLUMNS];
+    double fault[ROPE_FAULT_SIZE], bounds[ROPE_BOUNDS_SIZE];
     feed_record(&feeds_rope_bounds, base, bounds);
     int64_t status = segfmu_check_rope(
         matrix((double *)t->timing, t->pieces, 2),

@@ -182,14 +182,16 @@ bool model_evaluate(model *base, char message[MESSAGE])
 static const double *derivatives(feedforward *m, const segfmu_trajectory *t, double time,
                                  int64_t order)
 {
-    double masses[MASSES_SIZE], flat[(ORDERS + MODEL_ORDERS) * AXES], work[FLAT_SERIES_SIZE * (MODEL_ORDERS + 3)];
+    enum { COLUMNS = MODEL_ORDERS + 3 };
+    double masses[MASSES_SIZE], flat[(ORDERS + MODEL_ORDERS) * AXES];
+    double work[FLAT_SERIES_SIZE * COLUMNS];
     double *found = m->derivatives[order - 1];
     if (!m->derived[order - 1]) {
         evaluate(t, time, ORDERS + order, flat);
         feed_record(&feeds_masses, &m->base, masses);
         segfmu_flat_derivatives(
             matrix(flat, ORDERS + order, AXES), order, vector(masses, MASSES_SIZE),
-            matrix(work, FLAT_SERIES_SIZE, MODEL_ORDERS + 3), vector(found, RESULTS));
+            matrix(work, FLAT_SERIES_SIZE, COLUMNS), vector(found, RESULTS));
         add_setpoints(found);
         m->derived[order - 1] = 1;
     }

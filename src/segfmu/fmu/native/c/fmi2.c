@@ -12,7 +12,8 @@ static void report(instance *c, int code, const char *category, const char *mess
     fmi2CallbackLogger log = (fmi2CallbackLogger)c->log;
     /* the standard has the importer format the message, so every percent sign is doubled: names and
        tokens that the importer gave may have some */
-    char text[4 * MESSAGE];
+    enum { MOST_TEXT = 4 * MESSAGE };
+    char text[MOST_TEXT];
     size_t used = 0;
     for (const char *p = message; *p != '\0' && used + 2 < sizeof text; p++) {
         text[used++] = *p;

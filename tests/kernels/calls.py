@@ -1,0 +1,301 @@
+"""A valid call of every entry point of the kernels, with arrays that are as large or larger."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from segfmu import Limits, Waypoint, plan
+from segfmu.crane.observer import Uncertainty
+from segfmu.kernels import backend
+from segfmu.kernels.control.records import (
+    AxisModel,
+    Estimate,
+    Estimates,
+    Expected,
+    FlatDesign,
+    Gains,
+    Kalman,
+    Observer,
+    RopeRange,
+    Tick,
+    Tracker,
+    Tracking,
+    TrackingDesign,
+)
+from segfmu.kernels.crane.records import (
+    Compensation,
+    CranePartials,
+    FlatInverse,
+    FlatSeries,
+    LoadPartials,
+    Plant,
+    PlantFault,
+    PlantState,
+    PlantStatus,
+    Report,
+    RopeFault,
+    RopeWork,
+    State,
+    Work,
+)
+from segfmu.kernels.numerics.records import RangeFault, Sinusoid
+from segfmu.kernels.planner.records import (
+    Axis,
+    Cell,
+    Phase,
+    PlanOptions,
+    PlanWork,
+    Problem,
+    Refusal,
+    WaypointState,
+)
+from segfmu.kernels.rig.records import (
+    Balance,
+    Corrector,
+    Energies,
+    Loop,
+    Memory,
+    Outputs,
+    RigPartials,
+    RigVariables,
+    Sensors,
+    Setpoints,
+    Settings,
+    SetupFault,
+)
+from segfmu.kernels.trajectory.records import Check, Expansion, Timing
+from tests.kernels.rigs import HANGING, LAB, everything, feedback, observer, tracking
+from tests.problems import packed_axis
+
+Call = tuple[Any, ...]
+SMOOTHNESS = 4
+
+
+def zeros(*shape: int) -> np.ndarray:
+    return np.zeros(shape)
+
+
+def calls() -> dict[str, Call]:
+    """The arguments by the names of the entry points."""
+    return planner_calls() | trajectory_calls() | crane_calls() | control_calls() | rig_calls()
+
+
+def planner_calls() -> dict[str, Call]:
+    bounds = [1.0, 0.5, 10.0, 20.0, 0.0]
+    axis = packed_axis(SMOOTHNESS, 1, bounds)
+    boundary, work = zeros(Problem.SIZE), zeros(PlanWork.SIZE, PlanWork.COLUMNS)
+    boundary[Problem.DISTANCE] = 1.0
+    phases = zeros(Cell.ABOVE, Phase.SIZE)
+    count = backend.shortest_profile(boundary, axis, phases, work)
+    duration = float(phases[:, Phase.DURATION].sum())
+    cell = zeros(Cell.SIZE, Cell.COLUMNS)
+    cell[Cell.PROBLEM, : Problem.SIZE] = boundary
+    states, dwells, limits = moves()
+    options, axes, cells = plan_arrays()
+    refusal = zeros(Refusal.SIZE)
+    rows, width = 7 * count, 2 * SMOOTHNESS
+    expansion = zeros(Expansion.SIZE, Expansion.COLUMNS)
+    planned = axes.copy(), cells.copy()
+    backend.plan_phases(states, dwells, limits, options, *planned, work)
+    pieces = backend.count_pieces(*planned)
+    return {
+        "axis_limits": (SMOOTHNESS, 1, np.array(bounds), zeros(Axis.SIZE)),
+        "ramp_parameters": (0.1, axis.copy(), zeros(2, 12)),
+        "ramp_duration": (0.3, axis),
+        "measure_phases": (phases, count, 0.0, 0.0, axis),
+        "shortest_profile": (boundary, axis, zeros(Cell.ABOVE, Phase.SIZE), work.copy()),
+        "timed_profile": (2.0 * duration, axis, cell, work.copy()),
+        "check_problem": (states, limits, refusal),
+        "plan_phases": (states, dwells, limits, options, axes, cells, work.copy()),
+        "count_pieces": planned,
+        "expand_phases": (
+            phases, count, axis, zeros(rows, Timing.SIZE), zeros(rows, width), 0, expansion,
+        ),
+        "expand_plan": (
+            states, dwells, *planned, zeros(pieces, Timing.SIZE), zeros(pieces, width),
+            np.zeros(3, dtype=np.int64), zeros(4, 2), expansion.copy(),
+        ),
+    }
+
+
+def moves() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """States, dwells and limits of two axes that pass a waypoint."""
+    states = zeros(3, 2, WaypointState.SIZE)
+    states[1, :, WaypointState.POSITION] = 0.4, 0.3
+    states[1, :, WaypointState.VELOCITY] = 0.2, 0.1
+    states[2, :, WaypointState.POSITION] = 1.0, 0.5
+    limits = np.array([[1.0, 0.5, 10.0, 20.0, 0.0], [0.8, 0.4, 5.0, 30.0, 0.0]])
+    return states, np.array([0.0, 0.0, 0.2]), limits
+
+
+def plan_arrays() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Options, and axes and cells that are not filled in."""
+    options = zeros(PlanOptions.SIZE)
+    options[PlanOptions.SMOOTHNESS], options[PlanOptions.SHAPE] = SMOOTHNESS, 1
+    options[PlanOptions.SYNCHRONIZATION] = 1
+    return options, zeros(2, Axis.SIZE), zeros(4, Cell.SIZE, Cell.COLUMNS)
+
+
+def trajectory_calls() -> dict[str, Call]:
+    points = [Waypoint([0.0, 0.0, -1.0]), Waypoint([0.5, 0.3, -0.6]), Waypoint([0.1, 0.0, -0.5])]
+    limits = Limits([1.0, 0.4, 0.5], [1.0, 0.5, 12.0], [10.0, 9.0, 400.0])
+    found = plan(points, limits, smoothness=SMOOTHNESS)
+    pieces = found.timing, found.coefficients, found.offsets
+    ends, times = found.axis_durations, found.axis_waypoint_times
+    states = zeros(3, 3, WaypointState.SIZE)
+    states[:, :, WaypointState.POSITION] = [p.position for p in points]
+    bounds = np.stack([limits.velocity, limits.acceleration, limits.jerk], axis=1)
+    rope = zeros(RopeWork.SIZE, 8 * SMOOTHNESS - 5)
+    return {
+        "check_plan": (
+            states, np.vstack([times, ends]), *pieces, bounds, 1e-9,
+            zeros(Check.SIZE, Check.COLUMNS),
+        ),
+        "check_rope": (*pieces, np.array([9.81, 0.2, 2.0]), rope, zeros(RopeFault.SIZE)),
+        "evaluate": (np.linspace(-0.1, 9.0, 20), *pieces, ends, 2, zeros(20, 3)),
+        "evaluate_orders": (0.4, *pieces, ends, zeros(5, 3)),
+        "next_plan_event": (0.4, 0.1, found.timing, found.offsets, ends, times),
+        "right_of_break": (0.4, 0.1, found.timing, found.offsets, ends),
+        "same_break": (3.0,),
+    }
+
+
+def crane_calls() -> dict[str, Call]:
+    rig = everything()
+    plant = rig.parameters(LAB, True)
+    masses, state = np.array(LAB.masses), np.append(HANGING, zeros(3))
+    state[State.ANGLE] = 0.1
+    flat = zeros(8, 3)
+    flat[0], flat[2] = (0.1, 0.2, -1.0), (0.3, 0.2, 0.1)
+    work = zeros(Work.SIZE, Work.COLUMNS)
+    work[Work.COMMAND, :3] = 0.1
+    force, axes, derivative = zeros(5), np.array([0.1, 0.2, 0.3]), zeros(State.SIZE)
+    components = rig.wind.components
+    return {
+        "plant_failure": (
+            PlantStatus.BELOW_TRAVEL + 1, 0.5, state, plant, zeros(PlantFault.SIZE),
+        ),
+        "compensate_setpoints": (axes, axes, plant_lags(), zeros(3), zeros(3)),
+        "crane_rhs": (state, force, axes, masses, derivative),
+        "crane_driven": (state, axes, force, axes, masses, derivative.copy(), zeros(3)),
+        "crane_flat_inverse": (flat, masses, zeros(3), zeros(State.SIZE), zeros(5)),
+        "flat_derivatives": (
+            flat, 2, masses, zeros(FlatSeries.SIZE, 5), zeros(FlatInverse.SIZE),
+        ),
+        "crane_load": (state, zeros(2, 3)),
+        "crane_energy": (state, masses, zeros(Energies.SIZE)),
+        "plant_advance": (
+            plant, components, 0.0, state.copy(), 0.01, 1e-9, work, zeros(Report.SIZE),
+        ),
+        "crane_load_partials": (state, zeros(LoadPartials.SIZE, State.SIZE)),
+        "crane_energy_partials": (state, masses, zeros(Energies.SIZE, State.SIZE)),
+        "seed_numbers": (7, zeros(2)),
+        "next_uniform": (np.array([12.0, 34.0]),),
+        "noise_components": (
+            2.0, axes, np.array([12.0, 34.0]), zeros(4, Sinusoid.SIZE),
+        ),
+    }
+
+
+def plant_lags() -> np.ndarray:
+    return np.linspace(0.1, 1.0, Compensation.SIZE)
+
+
+def control_calls() -> dict[str, Call]:
+    watcher, gains = observer(False), feedback(False).table
+    controller = tracking(False)
+    plant = zeros(Plant.SIZE)
+    plant[: len(LAB.masses)] = LAB.masses
+    random = np.random.default_rng(2)
+    state, estimate = random.uniform(0.1, 0.5, State.SIZE), random.uniform(-0.1, 0.1, (3, 6))
+    expected = Uncertainty()
+    lengths = np.array([0.3, 0.6])
+    tables = zeros(2, Gains.SIZE, Gains.COLUMNS), zeros(2, Observer.SIZE, Observer.COLUMNS)
+    kalman = zeros(Kalman.SIZE, 2 * AxisModel.SIZE)
+    tracked = zeros(TrackingDesign.SIZE)
+    tracked[: expected.vector.size] = expected.vector
+    tracked[TrackingDesign.PAYLOAD_TIME] = 3.0
+    parameters = zeros(Tracking.SIZE)
+    parameters[Tracking.PERIOD] = 0.01
+    tick = zeros(Tick.SIZE, Tick.COLUMNS)
+    tick[Tick.REFERENCE, : State.SIZE], tick[Tick.SIGNALS, :5] = HANGING, HANGING[:5] + 0.01
+    design = np.array([0.01, 1.3, 3.0, 0.8])
+    assert design.size == FlatDesign.SIZE
+    return {
+        "feedback_correction": (state, HANGING, gains, zeros(3)),
+        "feedback_bandwidth": (1.3, 0.5, 9.81, 0.02, 0.25),
+        "set_tracking": (plant, tracked, 1.0, parameters),
+        "set_fading": (parameters.copy(),),
+        "sampled_late": (0.006, 0.01),
+        "drive_bound": (plant, 1),
+        "rope_range": (0.5, 0.2, 1.0, zeros(RopeRange.SIZE)),
+        "table_lengths": (0.2, 1.0, 4, zeros(4)),
+        "flat_table": (plant, design, 2, lengths, tables[0]),
+        "observer_table": (
+            plant, 0.01, expected.vector, 2, lengths, zeros(Expected.SIZE), kalman, tables[1],
+        ),
+        "feedback_gains": (plant, 0.5, 2.0, 9.0, 0.8, zeros(Gains.SIZE, Gains.COLUMNS)),
+        "observer_design": (
+            plant, 0.01, 0.5, np.array([1e-4, 1e-4, 1e-3, 3.0, 1.0]), kalman.copy(),
+            zeros(Observer.SIZE, Observer.COLUMNS),
+        ),
+        "observer_predict": (
+            0.5, watcher.table, state, state, estimate.copy(), zeros(AxisModel.SIZE),
+        ),
+        "observer_correct": (0.5, watcher.table, state, HANGING, estimate[:, : Estimate.SIZE]),
+        "track_setpoint": (
+            controller.parameters, watcher.table, gains, tick, zeros(Tracker.SIZE, Tracker.COLUMNS),
+        ),
+        "tracking_estimates": (
+            controller.parameters, zeros(Tracker.SIZE, Tracker.COLUMNS), zeros(Estimates.SIZE),
+        ),
+    }
+
+
+def rig_calls() -> dict[str, Call]:
+    rig, controller = everything(), tracking(True)
+    settings = zeros(Settings.SIZE, Settings.COLUMNS)
+    settings[Settings.LOOP, Loop.CORRECTOR] = Corrector.TRACKING
+    settings[Settings.LOOP, Loop.PERIOD] = controller.sample_time
+    settings[Settings.LOOP, Loop.ENABLED] = 1.0
+    settings[Settings.LOOP, Loop.TOLERANCE] = 1e-8
+    settings[Settings.SENSORS, : Sensors.SIZE] = rig.sensors.vector
+    settings[Settings.PLANT, : Plant.SIZE] = rig.parameters(LAB, True)
+    # partial derivatives of velocity drives ask for lags
+    settings[Settings.PLANT, Plant.LAG : Plant.LAG + 3] = 0.01
+    settings[Settings.TRACKING, : Tracking.SIZE] = controller.parameters
+    components, changes = rig.wind.components, rig.changes
+    times = rig.sensors.sample_time, rig.sensors.dead_time
+    memory = zeros(backend.rig_rows(*times), Memory.COLUMNS)
+    setpoints = zeros(Setpoints.SIZE)
+    setpoints[Setpoints.REFERENCE : Setpoints.REFERENCE + State.SIZE] = HANGING
+    backend.rig_start(settings, changes, HANGING, setpoints, 0.2, memory)
+    _, table, gains, tracker = controller.arrays
+    fault, balance = zeros(SetupFault.SIZE), zeros(Balance.SIZE)
+    tables = table, gains, tracker
+    partials = zeros(RigPartials.SIZE, RigVariables.SIZE)
+    return {
+        "check_travel": (np.array([-1.0, 0.0, 0.0]), np.array([1.0, 0.0, 0.0]), fault),
+        "check_lengths": (np.array([0.2, 1.0]), fault.copy()),
+        "check_range": (3.0, 1.0, 2.0, zeros(RangeFault.SIZE)),
+        "check_lags": (settings[Settings.PLANT].copy(), fault.copy()),
+        "check_sensors": (settings[Settings.SENSORS].copy(), fault.copy()),
+        "check_rope_bounds": (1.0, 2.0, 1.5, fault.copy()),
+        "measure_state": (HANGING, rig.sensors.vector, np.array([12.0, 34.0]), zeros(5)),
+        "switch_correction": (settings, memory),
+        "rig_rows": times,
+        "rig_start": (settings, changes, HANGING, setpoints, 0.2, memory),
+        "rig_step": (settings, components, changes, *tables, setpoints, 0.02, memory),
+        "rig_outputs": (np.array([0.1, 0.2, -1.0]), memory, balance, zeros(Outputs.SIZE)),
+        "rig_balance": (memory, balance.copy()),
+        "rig_imbalance": (np.arange(1.0, 1.0 + Balance.SIZE),),
+        "rig_next_event": (settings, memory),
+        "rig_event": (settings, changes, *tables, setpoints, 0.0, memory),
+        "rig_signals": (settings, 0.01, memory),
+        "rig_rates": (components, setpoints, 0.001, memory, zeros(PlantState.SIZE)),
+        "rig_partials": (
+            components, 0.001, memory, zeros(LoadPartials.SIZE, CranePartials.SIZE), partials,
+        ),
+    }
