@@ -273,63 +273,63 @@ model GantryCrane "Dynamics of a 3-DOF gantry crane from Lagrange's equations, d
   Real sway_y_acceleration(unit = "rad/s2", displayUnit = "deg/s2") "acceleration of sway.y";
   Real power_drives(unit = "W", nominal = 10.0) "power of all drives";
 protected
-  constant Integer feedback_table_length_references[17] = {173, 184, 195, 206, 217, 228, 239, 250, 261, 272, 283, 294, 305, 316, 327, 338, 349};
-  constant Integer feedback_table_bridge_references[17, 4] = [174, 175, 176, 177;
-      185, 186, 187, 188;
-      196, 197, 198, 199;
-      207, 208, 209, 210;
-      218, 219, 220, 221;
-      229, 230, 231, 232;
-      240, 241, 242, 243;
-      251, 252, 253, 254;
-      262, 263, 264, 265;
-      273, 274, 275, 276;
-      284, 285, 286, 287;
-      295, 296, 297, 298;
-      306, 307, 308, 309;
-      317, 318, 319, 320;
-      328, 329, 330, 331;
-      339, 340, 341, 342;
-      350, 351, 352, 353];
-  constant Integer feedback_table_trolley_references[17, 4] = [178, 179, 180, 181;
-      189, 190, 191, 192;
-      200, 201, 202, 203;
-      211, 212, 213, 214;
-      222, 223, 224, 225;
-      233, 234, 235, 236;
-      244, 245, 246, 247;
-      255, 256, 257, 258;
-      266, 267, 268, 269;
-      277, 278, 279, 280;
-      288, 289, 290, 291;
-      299, 300, 301, 302;
-      310, 311, 312, 313;
-      321, 322, 323, 324;
-      332, 333, 334, 335;
-      343, 344, 345, 346;
-      354, 355, 356, 357];
-  constant Integer feedback_table_hoist_references[17, 2] = [182, 183;
-      193, 194;
-      204, 205;
-      215, 216;
-      226, 227;
-      237, 238;
-      248, 249;
-      259, 260;
-      270, 271;
-      281, 282;
-      292, 293;
-      303, 304;
-      314, 315;
-      325, 326;
-      336, 337;
-      347, 348;
-      358, 359];
-  final parameter Integer real_references[:] = cat(1, {23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 77, 78, 79, 80, 81, 82, 84, 85, 86, 87, 88, 89, 90,
-      91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 110,
-      111, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 126, 127, 128, 129,
-      130, 131, 132, 134, 135, 136, 137, 138, 139, 140, 143, 144, 145, 146, 147, 148, 149, 150,
-      153, 154, 155, 156, 157, 159, 160, 161, 162, 163, 164, 165, 166, 167, 168, 169, 172},
+  constant Integer feedback_table_length_references[17] = {175, 186, 197, 208, 219, 230, 241, 252, 263, 274, 285, 296, 307, 318, 329, 340, 351};
+  constant Integer feedback_table_bridge_references[17, 4] = [176, 177, 178, 179;
+      187, 188, 189, 190;
+      198, 199, 200, 201;
+      209, 210, 211, 212;
+      220, 221, 222, 223;
+      231, 232, 233, 234;
+      242, 243, 244, 245;
+      253, 254, 255, 256;
+      264, 265, 266, 267;
+      275, 276, 277, 278;
+      286, 287, 288, 289;
+      297, 298, 299, 300;
+      308, 309, 310, 311;
+      319, 320, 321, 322;
+      330, 331, 332, 333;
+      341, 342, 343, 344;
+      352, 353, 354, 355];
+  constant Integer feedback_table_trolley_references[17, 4] = [180, 181, 182, 183;
+      191, 192, 193, 194;
+      202, 203, 204, 205;
+      213, 214, 215, 216;
+      224, 225, 226, 227;
+      235, 236, 237, 238;
+      246, 247, 248, 249;
+      257, 258, 259, 260;
+      268, 269, 270, 271;
+      279, 280, 281, 282;
+      290, 291, 292, 293;
+      301, 302, 303, 304;
+      312, 313, 314, 315;
+      323, 324, 325, 326;
+      334, 335, 336, 337;
+      345, 346, 347, 348;
+      356, 357, 358, 359];
+  constant Integer feedback_table_hoist_references[17, 2] = [184, 185;
+      195, 196;
+      206, 207;
+      217, 218;
+      228, 229;
+      239, 240;
+      250, 251;
+      261, 262;
+      272, 273;
+      283, 284;
+      294, 295;
+      305, 306;
+      316, 317;
+      327, 328;
+      338, 339;
+      349, 350;
+      360, 361];
+  final parameter Integer real_references[:] = cat(1, {23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 77, 78, 79, 80, 81, 82, 85, 86, 87, 88, 89, 90, 91,
+      92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 110, 111,
+      112, 113, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 126, 127, 128, 129, 130,
+      131, 132, 133, 134, 136, 137, 138, 139, 140, 141, 142, 145, 146, 147, 148, 149, 150, 151,
+      152, 155, 156, 157, 158, 159, 161, 162, 163, 164, 165, 166, 167, 168, 169, 170, 171, 174},
       feedback_table_length_references[1:feedback_table_count],
       FMI.references(feedback_table_bridge_references, feedback_table_count),
       FMI.references(feedback_table_trolley_references, feedback_table_count),
@@ -366,12 +366,12 @@ protected
       FMI.rows(feedback_table_bridge),
       FMI.rows(feedback_table_trolley),
       FMI.rows(feedback_table_hoist));
-  constant Integer integer_references[9] = {83, 112, 133, 141, 142, 152, 158, 170, 171};
+  constant Integer integer_references[9] = {83, 114, 135, 143, 144, 154, 160, 172, 173};
   final parameter Integer integers[9] = {Integer(drive_mode), sensor_seed, Integer(wind_gust_shape), wind_noise_seed, payload_count,
       Integer(feedback_design), Integer(feedback_source), feedback_table_count,
       Integer(feedback_table_mode)};
-  constant Integer boolean_references[1] = {151};
-  final parameter Integer booleans[1] = {if feedback_enabled then 1 else 0};
+  constant Integer boolean_references[2] = {84, 153};
+  final parameter Integer booleans[2] = {if start_on_reference then 1 else 0, if feedback_enabled then 1 else 0};
   constant Integer input_references[22] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22};
   Interfaces.RealInput force_bridge_used;
   Interfaces.RealInput force_trolley_used;
@@ -403,7 +403,7 @@ protected
       reference_sway_y_rate_used, reference_load_position_x_used, reference_load_position_y_used,
       reference_load_position_z_used, wind_x_used, wind_y_used, wind_z_used};
   FMI.Instance fmu = FMI.Instance(folder, "GantryCrane", getInstanceName(),
-      "{66ff3ed2-6cda-1996-1676-f0b71bddec59}", 13);
+      "{5670f8d1-273c-6ccc-45a2-e219de852cac}", 13);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[13](each stateSelect = StateSelect.always, each nominal = 0.1) "states of the FMU";
@@ -517,7 +517,7 @@ equation
       = FMI.reals(fmu, time, x, {1, 2, 3, 4, 5, 6, 20, 21, 22},
       {force_bridge_used, force_trolley_used, force_hoist_used, velocity_bridge_used,
       velocity_trolley_used, velocity_hoist_used, wind_x_used, wind_y_used, wind_z_used},
-      {48, 50, 51, 53, 54, 56, 57, 67, 68, 360, 361, 362, 363, 364, 365}, last);
+      {48, 50, 51, 53, 54, 56, 57, 67, 68, 362, 363, 364, 365, 366, 367}, last);
   {load_speed}
       = FMI.reals(fmu, time, x, {1, 2, 3, 4, 5, 6, 20, 21, 22, 17, 18, 19},
       {force_bridge_used, force_trolley_used, force_hoist_used, velocity_bridge_used,

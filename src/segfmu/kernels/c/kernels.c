@@ -902,7 +902,7 @@ static double friction_slope(array_double_1d plant, int64_t axis, double velocit
     }
     return slope;
 }
-/*Force of a gust over its greatest one, at a share of its duration. */
+/*Force of a gust relative to its peak, at a share of its duration.*/
 static double gust_factor(double shape, double share)
 {
     if ((share <= 0.0) || (share >= 1.0))
@@ -4377,7 +4377,7 @@ static int64_t plant_status(array_double_1d plant, array_double_1d state, double
     }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        /*resting at the very limit is allowed*/
+        /*rest exactly at the limit is allowed*/
         if ((*cspan_at(&state, INT64_C(0) + i)) < (*cspan_at(&plant, INT64_C(25) + i)) - 1e-09)
         {
             return INT64_C(6) + i;
