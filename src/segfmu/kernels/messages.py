@@ -225,8 +225,8 @@ _NEAR = (
 START = Messages(
     "start", StartFault,
     {
-        StartStatus.NO_ROPE: "rope.length must start above 0 m, got {VALUE:g}; its reference "
-        "starts at {BOUND:g} m, see start.on_reference",
+        StartStatus.NO_ROPE: "the start value of rope.length must be above 0 m, got {VALUE:g}; its "
+        "reference starts at {BOUND:g} m, see start.on_reference",
         StartStatus.SWAY: "{PLACE} must start within 90 degrees, got {VALUE:g} rad",
         StartStatus.FAR: f"{_FAR}; {_NEAR}",
         StartStatus.FAILED: f"at {{TIME:.3f}} s: the crane left the range of its equations; "

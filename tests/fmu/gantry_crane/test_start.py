@@ -132,8 +132,8 @@ def test_a_start_that_does_not_fit_is_said(pair) -> None:
 @pytest.mark.parametrize(
     ("values", "words"),
     [
-        ({"rope.length": -0.5}, "rope.length must start above 0 m, got -0.1; its reference starts "
-         "at 0.9 m"),
+        ({"rope.length": -0.5}, "the start value of rope.length must be above 0 m, got -0.1; its "
+         "reference starts at 0.9 m"),
         ({"sway.y.angle": 1.6}, "sway.y.angle must start within 90 degrees, got 1.6 rad"),
     ],
 )

@@ -343,8 +343,8 @@ bool segfmu_start_message(
     switch (status) {
     case 1:
         snprintf(text, size,
-            "rope.length must start above 0 m, got %g; its reference starts at %g m, see "
-            "start.on_reference",
+            "the start value of rope.length must be above 0 m, got %g; its reference "
+            "starts at %g m, see start.on_reference",
             report[START_FAULT_VALUE],
             report[START_FAULT_BOUND]);
         return true;
