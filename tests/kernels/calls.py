@@ -64,6 +64,7 @@ from segfmu.kernels.rig.records import (
     Setpoints,
     Settings,
     SetupFault,
+    StartFault,
 )
 from segfmu.kernels.trajectory.records import Check, Expansion, Timing
 from tests.kernels.rigs import HANGING, LAB, everything, feedback, observer, tracking
@@ -278,6 +279,12 @@ def rig_calls() -> dict[str, Call]:
     partials = zeros(RigPartials.SIZE, RigVariables.SIZE)
     return {
         "check_travel": (np.array([-1.0, 0.0, 0.0]), np.array([1.0, 0.0, 0.0]), fault),
+        "nominal_payload": (0.0, 1.0),
+        "start_state": (HANGING, HANGING + 0.1, HANGING + 0.2, zeros(State.SIZE)),
+        "check_start": (HANGING, HANGING, zeros(StartFault.SIZE)),
+        "judge_start": (HANGING, HANGING + 0.3, 9.81, zeros(StartFault.SIZE)),
+        "check_start_rope": (0.5, 0.6, 1.0, zeros(StartFault.SIZE)),
+        "is_elsewhere": (HANGING, HANGING + 0.1, 0.01),
         "check_lengths": (np.array([0.2, 1.0]), fault.copy()),
         "check_range": (3.0, 1.0, 2.0, zeros(RangeFault.SIZE)),
         "check_lags": (settings[Settings.PLANT].copy(), fault.copy()),
