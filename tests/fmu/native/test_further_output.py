@@ -15,7 +15,7 @@ from segfmu.fmu.native.archive import build_all
 from segfmu.fmu.standard.spec import Spec, output
 from tests.fmu.native.importer import Importer
 
-MODEL, NAME = "FurtherCrane", "load.speed"
+MODEL, NAME = "FurtherCrane", "load.slant"
 
 
 def further(own: Spec | None = None) -> Spec:

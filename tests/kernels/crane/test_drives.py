@@ -78,8 +78,8 @@ def test_accelerations_are_bounded_and_flagged() -> None:
 
 def test_friction_is_odd_and_comes_to_its_value_within_a_few_widths() -> None:
     parameters = np.zeros(Plant.SIZE)
-    parameters[Plant.VISCOUS : Plant.COULOMB] = 2.0, 0.0, 1.0
-    parameters[Plant.COULOMB : Plant.FRICTION_WIDTH] = 5.0, 4.0, 0.0
+    parameters[Plant.VISCOUS : Plant.VISCOUS + 3] = 2.0, 0.0, 1.0
+    parameters[Plant.COULOMB : Plant.COULOMB + 3] = 5.0, 4.0, 0.0
     parameters[Plant.FRICTION_WIDTH] = 1e-3
     assert friction_force(parameters, 0, 0.0) == 0.0
     assert friction_force(parameters, 0, -0.3) == -friction_force(parameters, 0, 0.3)
