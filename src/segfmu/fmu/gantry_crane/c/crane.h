@@ -148,4 +148,11 @@ static bool crane_follows(const crane *m);
 /* The message of a status of the plant. */
 static bool crane_failed(crane *m, int64_t status, double time, char message[MESSAGE]);
 
+/* The reference of the load's position that is set, as the outputs take it. */
+static void crane_read_target(crane *m, double target[TARGET_SIZE]);
+
+/* Partial derivative of an output of the record by a column of RIG_VARIABLES, by an energy of the state
+   or by a component of the reference; -1 for the others of these. */
+static double crane_difference(crane *m, int output, int column, int energy, int reference);
+
 #endif

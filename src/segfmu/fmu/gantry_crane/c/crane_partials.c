@@ -1,5 +1,5 @@
 /* GantryCrane: exact partial derivatives in model exchange, and with them the time derivatives of
-   outputs in co-simulation. */
+   outputs in co-simulation; outputs that are not listed here have differences. */
 #include <string.h>
 
 #include "crane.h"
@@ -190,16 +190,23 @@ static bool of_place(const crane *m, int output, const known_place *k, double *v
     return true;
 }
 
-/* Of an output or state derivative by one variable; `rig`: it follows from forces. False for a
-   continuous output whose derivatives nothing here gives. */
+/* Of an output or state derivative by one variable; `rig`: it may follow from forces. False for a
+   continuous output that is not of the record. */
 static bool of_unknown(const crane *m, const variable *unknown, const known_place *k, bool *rig,
                        double *value)
 {
     int output = feed_place(&feeds_outputs, unknown->offset);
     *value = 0.0;
     *rig = of_forces(m, unknown, output, k, value);
-    return *rig || of_place(m, output, k, value) || of_energy(m, output, k, value)
-        || !unknown->differentiable;
+    if (*rig || of_place(m, output, k, value) || of_energy(m, output, k, value)
+        || !unknown->differentiable) {
+        return true;
+    }
+    *rig = output >= 0;
+    if (*rig) {
+        *value = crane_difference((crane *)m, output, k->column, k->energy, k->reference);
+    }
+    return *rig;
 }
 
 bool model_partial(model *base, const variable *unknown, const variable *known, double *value)

@@ -216,7 +216,7 @@ bool model_event(model *base, char message[MESSAGE])
 
 /* Where the load shall be now. Between steps, inputs that are ahead are those of the next step's end,
    and the reference of the present is what they have come to in the last one. */
-static void read_target(crane *m, double target[TARGET_SIZE])
+void crane_read_target(crane *m, double target[TARGET_SIZE])
 {
     feed_record(&feeds_target, &m->base, target);
     if (in_exchange(m) || m->base.real[V_SETPOINT_LEAD] <= 0.0) {
@@ -240,7 +240,7 @@ bool model_evaluate(model *base, char message[MESSAGE])
             segfmu_rig_signals(settings_of(m), crane_elapsed(m), memory_of(m));
         }
     }
-    read_target(m, target);
+    crane_read_target(m, target);
     segfmu_rig_outputs(vector(target, TARGET_SIZE), memory_of(m), vector(balance, BALANCE_SIZE),
                        vector(outputs, OUTPUTS_SIZE));
     segfmu_tracking_estimates(vector(setting(m, SETTINGS_TRACKING), TRACKING_SIZE), tracker_of(m),
