@@ -49,60 +49,61 @@ model GantryCrane "Dynamics of a 3-DOF gantry crane from Lagrange's equations, d
   parameter Real wind_y_start(unit = "N", nominal = 10.0) = 0.0 "value where wind_y is not there" annotation(Dialog(tab = "inputs"));
   Interfaces.RealInput wind_z(unit = "N", nominal = 10.0, start = 0.0) if use_wind "external force on the load, z" annotation(Placement(transformation(extent = {{-216, -228}, {-200, -212}})));
   parameter Real wind_z_start(unit = "N", nominal = 10.0) = 0.0 "value where wind_z is not there" annotation(Dialog(tab = "inputs"));
-  Interfaces.RealOutput bridge_position(unit = "m") "true bridge.position" annotation(Placement(transformation(extent = {{200, 712}, {216, 728}})));
-  Interfaces.RealOutput trolley_position(unit = "m") "true trolley.position" annotation(Placement(transformation(extent = {{200, 672}, {216, 688}})));
-  Interfaces.RealOutput rope_length(unit = "m") "true rope.length" annotation(Placement(transformation(extent = {{200, 632}, {216, 648}})));
-  Interfaces.RealOutput sway_x_angle(unit = "rad", displayUnit = "deg", nominal = 0.1) "true sway.x.angle" annotation(Placement(transformation(extent = {{200, 592}, {216, 608}})));
-  Interfaces.RealOutput sway_y_angle(unit = "rad", displayUnit = "deg", nominal = 0.1) "true sway.y.angle" annotation(Placement(transformation(extent = {{200, 572}, {216, 588}})));
-  Interfaces.RealOutput bridge_velocity(unit = "m/s") "true bridge.velocity" annotation(Placement(transformation(extent = {{200, 532}, {216, 548}})));
-  Interfaces.RealOutput trolley_velocity(unit = "m/s") "true trolley.velocity" annotation(Placement(transformation(extent = {{200, 492}, {216, 508}})));
-  Interfaces.RealOutput rope_velocity(unit = "m/s") "true rope.velocity" annotation(Placement(transformation(extent = {{200, 452}, {216, 468}})));
-  Interfaces.RealOutput sway_x_rate(unit = "rad/s", displayUnit = "deg/s", nominal = 0.1) "true sway.x.rate" annotation(Placement(transformation(extent = {{200, 412}, {216, 428}})));
-  Interfaces.RealOutput sway_y_rate(unit = "rad/s", displayUnit = "deg/s", nominal = 0.1) "true sway.y.rate" annotation(Placement(transformation(extent = {{200, 392}, {216, 408}})));
-  Interfaces.RealOutput measured_bridge_position(unit = "m") "measured bridge.position" annotation(Placement(transformation(extent = {{200, 352}, {216, 368}})));
-  Interfaces.RealOutput measured_trolley_position(unit = "m") "measured trolley.position" annotation(Placement(transformation(extent = {{200, 332}, {216, 348}})));
-  Interfaces.RealOutput measured_rope_length(unit = "m") "measured rope.length" annotation(Placement(transformation(extent = {{200, 312}, {216, 328}})));
-  Interfaces.RealOutput measured_sway_x_angle(unit = "rad", displayUnit = "deg", nominal = 0.1) "measured sway.x.angle" annotation(Placement(transformation(extent = {{200, 292}, {216, 308}})));
-  Interfaces.RealOutput measured_sway_y_angle(unit = "rad", displayUnit = "deg", nominal = 0.1) "measured sway.y.angle" annotation(Placement(transformation(extent = {{200, 272}, {216, 288}})));
-  Interfaces.RealOutput load_position_x(unit = "m") "true position of the load, x" annotation(Placement(transformation(extent = {{200, 232}, {216, 248}})));
-  Interfaces.RealOutput load_position_y(unit = "m") "true position of the load, y" annotation(Placement(transformation(extent = {{200, 212}, {216, 228}})));
-  Interfaces.RealOutput load_position_z(unit = "m") "true position of the load, z" annotation(Placement(transformation(extent = {{200, 192}, {216, 208}})));
-  Interfaces.RealOutput load_velocity_x(unit = "m/s") "true velocity of the load, x" annotation(Placement(transformation(extent = {{200, 172}, {216, 188}})));
-  Interfaces.RealOutput load_velocity_y(unit = "m/s") "true velocity of the load, y" annotation(Placement(transformation(extent = {{200, 152}, {216, 168}})));
-  Interfaces.RealOutput load_velocity_z(unit = "m/s") "true velocity of the load, z" annotation(Placement(transformation(extent = {{200, 132}, {216, 148}})));
-  Interfaces.RealOutput error_load_x(unit = "m") "load minus its reference, x" annotation(Placement(transformation(extent = {{200, 92}, {216, 108}})));
-  Interfaces.RealOutput error_load_y(unit = "m") "load minus its reference, y" annotation(Placement(transformation(extent = {{200, 72}, {216, 88}})));
-  Interfaces.RealOutput error_load_z(unit = "m") "load minus its reference, z" annotation(Placement(transformation(extent = {{200, 52}, {216, 68}})));
-  Interfaces.RealOutput error_load_norm(unit = "m") "distance of the load from its reference" annotation(Placement(transformation(extent = {{200, 32}, {216, 48}})));
-  Interfaces.RealOutput drive_bridge_force(unit = "N", nominal = 10.0) "force that the bridge drive applies" annotation(Placement(transformation(extent = {{200, -8}, {216, 8}})));
-  Interfaces.BooleanOutput drive_bridge_saturated "bridge drive at a bound at some time in the last step" annotation(Placement(transformation(extent = {{200, -28}, {216, -12}})));
-  Interfaces.RealOutput drive_bridge_power(unit = "W", nominal = 10.0) "power of the bridge drive" annotation(Placement(transformation(extent = {{200, -48}, {216, -32}})));
-  Interfaces.RealOutput drive_trolley_force(unit = "N", nominal = 10.0) "force that the trolley drive applies" annotation(Placement(transformation(extent = {{200, -68}, {216, -52}})));
-  Interfaces.BooleanOutput drive_trolley_saturated "trolley drive at a bound at some time in the last step" annotation(Placement(transformation(extent = {{200, -88}, {216, -72}})));
-  Interfaces.RealOutput drive_trolley_power(unit = "W", nominal = 10.0) "power of the trolley drive" annotation(Placement(transformation(extent = {{200, -108}, {216, -92}})));
-  Interfaces.RealOutput drive_hoist_force(unit = "N", nominal = 10.0) "force that the hoist drive applies" annotation(Placement(transformation(extent = {{200, -128}, {216, -112}})));
-  Interfaces.BooleanOutput drive_hoist_saturated "hoist drive at a bound at some time in the last step" annotation(Placement(transformation(extent = {{200, -148}, {216, -132}})));
-  Interfaces.RealOutput drive_hoist_power(unit = "W", nominal = 10.0) "power of the hoist drive" annotation(Placement(transformation(extent = {{200, -168}, {216, -152}})));
-  Interfaces.RealOutput rope_force(unit = "N", nominal = 10.0) "force on the rope, tension is negative" annotation(Placement(transformation(extent = {{200, -208}, {216, -192}})));
-  Interfaces.RealOutput payload_mass(unit = "kg") "present mass of the load" annotation(Placement(transformation(extent = {{200, -248}, {216, -232}})));
-  Interfaces.RealOutput energy_kinetic(unit = "J", nominal = 10.0) "kinetic energy of bridge, trolley and load" annotation(Placement(transformation(extent = {{200, -288}, {216, -272}})));
-  Interfaces.RealOutput energy_potential(unit = "J", nominal = 10.0) "potential energy of the load, zero at the trolley" annotation(Placement(transformation(extent = {{200, -308}, {216, -292}})));
-  Interfaces.RealOutput energy_work(unit = "J", nominal = 10.0) "work of drives and wind since the start" annotation(Placement(transformation(extent = {{200, -328}, {216, -312}})));
-  Interfaces.RealOutput energy_drives(unit = "J", nominal = 10.0) "work of the drives since the start" annotation(Placement(transformation(extent = {{200, -348}, {216, -332}})));
-  Interfaces.RealOutput energy_wind(unit = "J", nominal = 10.0) "work of the wind since the start" annotation(Placement(transformation(extent = {{200, -368}, {216, -352}})));
-  Interfaces.RealOutput energy_payload(unit = "J", nominal = 10.0) "energy that payload changes brought since the start" annotation(Placement(transformation(extent = {{200, -388}, {216, -372}})));
-  Interfaces.RealOutput energy_dissipated(unit = "J", nominal = 10.0) "energy that friction took since the start" annotation(Placement(transformation(extent = {{200, -408}, {216, -392}})));
-  Interfaces.RealOutput energy_imbalance(unit = "J", nominal = 10.0) "error of the balance of these by integration" annotation(Placement(transformation(extent = {{200, -428}, {216, -412}})));
-  Interfaces.RealOutput power_wind(unit = "W", nominal = 10.0) "power of the wind" annotation(Placement(transformation(extent = {{200, -468}, {216, -452}})));
-  Interfaces.RealOutput power_friction(unit = "W", nominal = 10.0) "power that friction dissipates" annotation(Placement(transformation(extent = {{200, -488}, {216, -472}})));
-  Interfaces.RealOutput estimate_payload_mass(unit = "kg") "estimated mass of the load in drive.mode force; of source measured" annotation(Placement(transformation(extent = {{200, -528}, {216, -512}})));
-  Interfaces.RealOutput estimate_disturbance_bridge(unit = "m/s2") "estimated unknown acceleration of the bridge; of source measured" annotation(Placement(transformation(extent = {{200, -548}, {216, -532}})));
-  Interfaces.RealOutput estimate_disturbance_trolley(unit = "m/s2") "estimated unknown acceleration of the trolley; of source measured" annotation(Placement(transformation(extent = {{200, -568}, {216, -552}})));
-  Interfaces.RealOutput estimate_disturbance_hoist(unit = "m/s2") "estimated unknown acceleration of the hoist; of source measured" annotation(Placement(transformation(extent = {{200, -588}, {216, -572}})));
-  Interfaces.RealOutput estimate_disturbance_load_x(unit = "m/s2") "estimated acceleration of the load, x; of source measured" annotation(Placement(transformation(extent = {{200, -608}, {216, -592}})));
-  Interfaces.RealOutput estimate_disturbance_load_y(unit = "m/s2") "estimated acceleration of the load, y; of source measured" annotation(Placement(transformation(extent = {{200, -628}, {216, -612}})));
-  Interfaces.RealOutput estimate_rope_offset(unit = "m") "what is added to the measured length of the rope; of source measured" annotation(Placement(transformation(extent = {{200, -648}, {216, -632}})));
-  Interfaces.RealOutput load_speed(unit = "m/s") "speed of the load" annotation(Placement(transformation(extent = {{200, -688}, {216, -672}})));
+  Interfaces.RealOutput bridge_position(unit = "m") "true bridge.position" annotation(Placement(transformation(extent = {{200, 732}, {216, 748}})));
+  Interfaces.RealOutput trolley_position(unit = "m") "true trolley.position" annotation(Placement(transformation(extent = {{200, 692}, {216, 708}})));
+  Interfaces.RealOutput rope_length(unit = "m") "true rope.length" annotation(Placement(transformation(extent = {{200, 652}, {216, 668}})));
+  Interfaces.RealOutput sway_x_angle(unit = "rad", displayUnit = "deg", nominal = 0.1) "true sway.x.angle" annotation(Placement(transformation(extent = {{200, 612}, {216, 628}})));
+  Interfaces.RealOutput sway_y_angle(unit = "rad", displayUnit = "deg", nominal = 0.1) "true sway.y.angle" annotation(Placement(transformation(extent = {{200, 592}, {216, 608}})));
+  Interfaces.RealOutput bridge_velocity(unit = "m/s") "true bridge.velocity" annotation(Placement(transformation(extent = {{200, 552}, {216, 568}})));
+  Interfaces.RealOutput trolley_velocity(unit = "m/s") "true trolley.velocity" annotation(Placement(transformation(extent = {{200, 512}, {216, 528}})));
+  Interfaces.RealOutput rope_velocity(unit = "m/s") "true rope.velocity" annotation(Placement(transformation(extent = {{200, 472}, {216, 488}})));
+  Interfaces.RealOutput sway_x_rate(unit = "rad/s", displayUnit = "deg/s", nominal = 0.1) "true sway.x.rate" annotation(Placement(transformation(extent = {{200, 432}, {216, 448}})));
+  Interfaces.RealOutput sway_y_rate(unit = "rad/s", displayUnit = "deg/s", nominal = 0.1) "true sway.y.rate" annotation(Placement(transformation(extent = {{200, 412}, {216, 428}})));
+  Interfaces.RealOutput measured_bridge_position(unit = "m") "measured bridge.position" annotation(Placement(transformation(extent = {{200, 372}, {216, 388}})));
+  Interfaces.RealOutput measured_trolley_position(unit = "m") "measured trolley.position" annotation(Placement(transformation(extent = {{200, 352}, {216, 368}})));
+  Interfaces.RealOutput measured_rope_length(unit = "m") "measured rope.length" annotation(Placement(transformation(extent = {{200, 332}, {216, 348}})));
+  Interfaces.RealOutput measured_sway_x_angle(unit = "rad", displayUnit = "deg", nominal = 0.1) "measured sway.x.angle" annotation(Placement(transformation(extent = {{200, 312}, {216, 328}})));
+  Interfaces.RealOutput measured_sway_y_angle(unit = "rad", displayUnit = "deg", nominal = 0.1) "measured sway.y.angle" annotation(Placement(transformation(extent = {{200, 292}, {216, 308}})));
+  Interfaces.RealOutput load_position_x(unit = "m") "true position of the load, x" annotation(Placement(transformation(extent = {{200, 252}, {216, 268}})));
+  Interfaces.RealOutput load_position_y(unit = "m") "true position of the load, y" annotation(Placement(transformation(extent = {{200, 232}, {216, 248}})));
+  Interfaces.RealOutput load_position_z(unit = "m") "true position of the load, z" annotation(Placement(transformation(extent = {{200, 212}, {216, 228}})));
+  Interfaces.RealOutput load_velocity_x(unit = "m/s") "true velocity of the load, x" annotation(Placement(transformation(extent = {{200, 192}, {216, 208}})));
+  Interfaces.RealOutput load_velocity_y(unit = "m/s") "true velocity of the load, y" annotation(Placement(transformation(extent = {{200, 172}, {216, 188}})));
+  Interfaces.RealOutput load_velocity_z(unit = "m/s") "true velocity of the load, z" annotation(Placement(transformation(extent = {{200, 152}, {216, 168}})));
+  Interfaces.RealOutput error_load_x(unit = "m") "load minus its reference, x" annotation(Placement(transformation(extent = {{200, 112}, {216, 128}})));
+  Interfaces.RealOutput error_load_y(unit = "m") "load minus its reference, y" annotation(Placement(transformation(extent = {{200, 92}, {216, 108}})));
+  Interfaces.RealOutput error_load_z(unit = "m") "load minus its reference, z" annotation(Placement(transformation(extent = {{200, 72}, {216, 88}})));
+  Interfaces.RealOutput error_load_norm(unit = "m") "distance of the load from its reference" annotation(Placement(transformation(extent = {{200, 52}, {216, 68}})));
+  Interfaces.RealOutput drive_bridge_force(unit = "N", nominal = 10.0) "force that the bridge drive applies" annotation(Placement(transformation(extent = {{200, 12}, {216, 28}})));
+  Interfaces.BooleanOutput drive_bridge_saturated "bridge drive at a bound at some time in the last step" annotation(Placement(transformation(extent = {{200, -8}, {216, 8}})));
+  Interfaces.RealOutput drive_bridge_power(unit = "W", nominal = 10.0) "power of the bridge drive" annotation(Placement(transformation(extent = {{200, -28}, {216, -12}})));
+  Interfaces.RealOutput drive_trolley_force(unit = "N", nominal = 10.0) "force that the trolley drive applies" annotation(Placement(transformation(extent = {{200, -48}, {216, -32}})));
+  Interfaces.BooleanOutput drive_trolley_saturated "trolley drive at a bound at some time in the last step" annotation(Placement(transformation(extent = {{200, -68}, {216, -52}})));
+  Interfaces.RealOutput drive_trolley_power(unit = "W", nominal = 10.0) "power of the trolley drive" annotation(Placement(transformation(extent = {{200, -88}, {216, -72}})));
+  Interfaces.RealOutput drive_hoist_force(unit = "N", nominal = 10.0) "force that the hoist drive applies" annotation(Placement(transformation(extent = {{200, -108}, {216, -92}})));
+  Interfaces.BooleanOutput drive_hoist_saturated "hoist drive at a bound at some time in the last step" annotation(Placement(transformation(extent = {{200, -128}, {216, -112}})));
+  Interfaces.RealOutput drive_hoist_power(unit = "W", nominal = 10.0) "power of the hoist drive" annotation(Placement(transformation(extent = {{200, -148}, {216, -132}})));
+  Interfaces.RealOutput rope_force(unit = "N", nominal = 10.0) "force on the rope, tension is negative" annotation(Placement(transformation(extent = {{200, -188}, {216, -172}})));
+  Interfaces.RealOutput payload_mass(unit = "kg") "present mass of the load" annotation(Placement(transformation(extent = {{200, -228}, {216, -212}})));
+  Interfaces.RealOutput energy_kinetic(unit = "J", nominal = 10.0) "kinetic energy of bridge, trolley and load" annotation(Placement(transformation(extent = {{200, -268}, {216, -252}})));
+  Interfaces.RealOutput energy_potential(unit = "J", nominal = 10.0) "potential energy of the load, zero at the trolley" annotation(Placement(transformation(extent = {{200, -288}, {216, -272}})));
+  Interfaces.RealOutput energy_work(unit = "J", nominal = 10.0) "work of drives and wind since the start" annotation(Placement(transformation(extent = {{200, -308}, {216, -292}})));
+  Interfaces.RealOutput energy_drives(unit = "J", nominal = 10.0) "work of the drives since the start" annotation(Placement(transformation(extent = {{200, -328}, {216, -312}})));
+  Interfaces.RealOutput energy_wind(unit = "J", nominal = 10.0) "work of the wind since the start" annotation(Placement(transformation(extent = {{200, -348}, {216, -332}})));
+  Interfaces.RealOutput energy_payload(unit = "J", nominal = 10.0) "energy that payload changes brought since the start" annotation(Placement(transformation(extent = {{200, -368}, {216, -352}})));
+  Interfaces.RealOutput energy_dissipated(unit = "J", nominal = 10.0) "energy that friction took since the start" annotation(Placement(transformation(extent = {{200, -388}, {216, -372}})));
+  Interfaces.RealOutput energy_imbalance(unit = "J", nominal = 10.0) "error of the balance of these by integration" annotation(Placement(transformation(extent = {{200, -408}, {216, -392}})));
+  Interfaces.RealOutput power_wind(unit = "W", nominal = 10.0) "power of the wind" annotation(Placement(transformation(extent = {{200, -448}, {216, -432}})));
+  Interfaces.RealOutput power_friction(unit = "W", nominal = 10.0) "power that friction dissipates" annotation(Placement(transformation(extent = {{200, -468}, {216, -452}})));
+  Interfaces.RealOutput estimate_payload_mass(unit = "kg") "estimated mass of the load in drive.mode force; of source measured" annotation(Placement(transformation(extent = {{200, -508}, {216, -492}})));
+  Interfaces.RealOutput estimate_disturbance_bridge(unit = "m/s2") "estimated unknown acceleration of the bridge; of source measured" annotation(Placement(transformation(extent = {{200, -528}, {216, -512}})));
+  Interfaces.RealOutput estimate_disturbance_trolley(unit = "m/s2") "estimated unknown acceleration of the trolley; of source measured" annotation(Placement(transformation(extent = {{200, -548}, {216, -532}})));
+  Interfaces.RealOutput estimate_disturbance_hoist(unit = "m/s2") "estimated unknown acceleration of the hoist; of source measured" annotation(Placement(transformation(extent = {{200, -568}, {216, -552}})));
+  Interfaces.RealOutput estimate_disturbance_load_x(unit = "m/s2") "estimated acceleration of the load, x; of source measured" annotation(Placement(transformation(extent = {{200, -588}, {216, -572}})));
+  Interfaces.RealOutput estimate_disturbance_load_y(unit = "m/s2") "estimated acceleration of the load, y; of source measured" annotation(Placement(transformation(extent = {{200, -608}, {216, -592}})));
+  Interfaces.RealOutput estimate_rope_offset(unit = "m") "what is added to the measured length of the rope; of source measured" annotation(Placement(transformation(extent = {{200, -628}, {216, -612}})));
+  Interfaces.RealOutput load_speed(unit = "m/s") "speed of the load" annotation(Placement(transformation(extent = {{200, -668}, {216, -652}})));
+  Interfaces.RealOutput sway_total(unit = "rad", displayUnit = "deg", nominal = 0.1) "angle between rope and vertical" annotation(Placement(transformation(extent = {{200, -708}, {216, -692}})));
   parameter Real bridge_position_start(unit = "m") = 0.0 "start value: true bridge.position" annotation(Dialog(tab = "start"));
   parameter Real trolley_position_start(unit = "m") = 0.0 "start value: true trolley.position" annotation(Dialog(tab = "start"));
   parameter Real rope_length_start(unit = "m") = 0.5 "start value: true rope.length" annotation(Dialog(tab = "start"));
@@ -273,63 +274,63 @@ model GantryCrane "Dynamics of a 3-DOF gantry crane from Lagrange's equations, d
   Real sway_y_acceleration(unit = "rad/s2", displayUnit = "deg/s2") "acceleration of sway.y";
   Real power_drives(unit = "W", nominal = 10.0) "power of all drives";
 protected
-  constant Integer feedback_table_length_references[17] = {175, 186, 197, 208, 219, 230, 241, 252, 263, 274, 285, 296, 307, 318, 329, 340, 351};
-  constant Integer feedback_table_bridge_references[17, 4] = [176, 177, 178, 179;
-      187, 188, 189, 190;
-      198, 199, 200, 201;
-      209, 210, 211, 212;
-      220, 221, 222, 223;
-      231, 232, 233, 234;
-      242, 243, 244, 245;
-      253, 254, 255, 256;
-      264, 265, 266, 267;
-      275, 276, 277, 278;
-      286, 287, 288, 289;
-      297, 298, 299, 300;
-      308, 309, 310, 311;
-      319, 320, 321, 322;
-      330, 331, 332, 333;
-      341, 342, 343, 344;
-      352, 353, 354, 355];
-  constant Integer feedback_table_trolley_references[17, 4] = [180, 181, 182, 183;
-      191, 192, 193, 194;
-      202, 203, 204, 205;
-      213, 214, 215, 216;
-      224, 225, 226, 227;
-      235, 236, 237, 238;
-      246, 247, 248, 249;
-      257, 258, 259, 260;
-      268, 269, 270, 271;
-      279, 280, 281, 282;
-      290, 291, 292, 293;
-      301, 302, 303, 304;
-      312, 313, 314, 315;
-      323, 324, 325, 326;
-      334, 335, 336, 337;
-      345, 346, 347, 348;
-      356, 357, 358, 359];
-  constant Integer feedback_table_hoist_references[17, 2] = [184, 185;
-      195, 196;
-      206, 207;
-      217, 218;
-      228, 229;
-      239, 240;
-      250, 251;
-      261, 262;
-      272, 273;
-      283, 284;
-      294, 295;
-      305, 306;
-      316, 317;
-      327, 328;
-      338, 339;
-      349, 350;
-      360, 361];
-  final parameter Integer real_references[:] = cat(1, {23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 77, 78, 79, 80, 81, 82, 85, 86, 87, 88, 89, 90, 91,
-      92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 110, 111,
-      112, 113, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 126, 127, 128, 129, 130,
-      131, 132, 133, 134, 136, 137, 138, 139, 140, 141, 142, 145, 146, 147, 148, 149, 150, 151,
-      152, 155, 156, 157, 158, 159, 161, 162, 163, 164, 165, 166, 167, 168, 169, 170, 171, 174},
+  constant Integer feedback_table_length_references[17] = {176, 187, 198, 209, 220, 231, 242, 253, 264, 275, 286, 297, 308, 319, 330, 341, 352};
+  constant Integer feedback_table_bridge_references[17, 4] = [177, 178, 179, 180;
+      188, 189, 190, 191;
+      199, 200, 201, 202;
+      210, 211, 212, 213;
+      221, 222, 223, 224;
+      232, 233, 234, 235;
+      243, 244, 245, 246;
+      254, 255, 256, 257;
+      265, 266, 267, 268;
+      276, 277, 278, 279;
+      287, 288, 289, 290;
+      298, 299, 300, 301;
+      309, 310, 311, 312;
+      320, 321, 322, 323;
+      331, 332, 333, 334;
+      342, 343, 344, 345;
+      353, 354, 355, 356];
+  constant Integer feedback_table_trolley_references[17, 4] = [181, 182, 183, 184;
+      192, 193, 194, 195;
+      203, 204, 205, 206;
+      214, 215, 216, 217;
+      225, 226, 227, 228;
+      236, 237, 238, 239;
+      247, 248, 249, 250;
+      258, 259, 260, 261;
+      269, 270, 271, 272;
+      280, 281, 282, 283;
+      291, 292, 293, 294;
+      302, 303, 304, 305;
+      313, 314, 315, 316;
+      324, 325, 326, 327;
+      335, 336, 337, 338;
+      346, 347, 348, 349;
+      357, 358, 359, 360];
+  constant Integer feedback_table_hoist_references[17, 2] = [185, 186;
+      196, 197;
+      207, 208;
+      218, 219;
+      229, 230;
+      240, 241;
+      251, 252;
+      262, 263;
+      273, 274;
+      284, 285;
+      295, 296;
+      306, 307;
+      317, 318;
+      328, 329;
+      339, 340;
+      350, 351;
+      361, 362];
+  final parameter Integer real_references[:] = cat(1, {23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 78, 79, 80, 81, 82, 83, 86, 87, 88, 89, 90, 91, 92,
+      93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 110, 111, 112,
+      113, 114, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 126, 127, 128, 129, 130, 131,
+      132, 133, 134, 135, 137, 138, 139, 140, 141, 142, 143, 146, 147, 148, 149, 150, 151, 152,
+      153, 156, 157, 158, 159, 160, 162, 163, 164, 165, 166, 167, 168, 169, 170, 171, 172, 175},
       feedback_table_length_references[1:feedback_table_count],
       FMI.references(feedback_table_bridge_references, feedback_table_count),
       FMI.references(feedback_table_trolley_references, feedback_table_count),
@@ -366,11 +367,11 @@ protected
       FMI.rows(feedback_table_bridge),
       FMI.rows(feedback_table_trolley),
       FMI.rows(feedback_table_hoist));
-  constant Integer integer_references[9] = {83, 114, 135, 143, 144, 154, 160, 172, 173};
+  constant Integer integer_references[9] = {84, 115, 136, 144, 145, 155, 161, 173, 174};
   final parameter Integer integers[9] = {Integer(drive_mode), sensor_seed, Integer(wind_gust_shape), wind_noise_seed, payload_count,
       Integer(feedback_design), Integer(feedback_source), feedback_table_count,
       Integer(feedback_table_mode)};
-  constant Integer boolean_references[2] = {84, 153};
+  constant Integer boolean_references[2] = {85, 154};
   final parameter Integer booleans[2] = {if start_on_reference then 1 else 0, if feedback_enabled then 1 else 0};
   constant Integer input_references[22] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22};
   Interfaces.RealInput force_bridge_used;
@@ -403,7 +404,7 @@ protected
       reference_sway_y_rate_used, reference_load_position_x_used, reference_load_position_y_used,
       reference_load_position_z_used, wind_x_used, wind_y_used, wind_z_used};
   FMI.Instance fmu = FMI.Instance(folder, "GantryCrane", getInstanceName(),
-      "{5670f8d1-273c-6ccc-45a2-e219de852cac}", 13);
+      "{a0cab020-1356-ce33-744e-3a7bc7709ea9}", 13);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[13](each stateSelect = StateSelect.always, each nominal = 0.1) "states of the FMU";
@@ -517,22 +518,22 @@ equation
       = FMI.reals(fmu, time, x, {1, 2, 3, 4, 5, 6, 20, 21, 22},
       {force_bridge_used, force_trolley_used, force_hoist_used, velocity_bridge_used,
       velocity_trolley_used, velocity_hoist_used, wind_x_used, wind_y_used, wind_z_used},
-      {48, 50, 51, 53, 54, 56, 57, 67, 68, 362, 363, 364, 365, 366, 367}, last);
-  {load_speed}
+      {48, 50, 51, 53, 54, 56, 57, 67, 68, 363, 364, 365, 366, 367, 368}, last);
+  {load_speed, sway_total}
       = FMI.reals(fmu, time, x, {1, 2, 3, 4, 5, 6, 20, 21, 22, 17, 18, 19},
       {force_bridge_used, force_trolley_used, force_hoist_used, velocity_bridge_used,
       velocity_trolley_used, velocity_hoist_used, wind_x_used, wind_y_used, wind_z_used,
       reference_load_position_x_used, reference_load_position_y_used,
       reference_load_position_z_used},
-      {76}, last);
+      {76, 77}, last);
   drive_bridge_saturated = FMI.boolean(fmu, 49, last);
   drive_trolley_saturated = FMI.boolean(fmu, 52, last);
   drive_hoist_saturated = FMI.boolean(fmu, 55, last);
   annotation(
-    Diagram(coordinateSystem(extent = {{-200, -740}, {200, 740}})),
-    Icon(coordinateSystem(extent = {{-200, -740}, {200, 740}}), graphics = {
-      Rectangle(extent = {{-200, -740}, {200, 740}}, lineColor = {60, 60, 60}, fillColor = {255, 255, 255}, fillPattern = FillPattern.Solid),
-      Text(extent = {{-200, 750}, {200, 810}}, textString = "%name", textColor = {0, 0, 255}),
+    Diagram(coordinateSystem(extent = {{-200, -760}, {200, 760}})),
+    Icon(coordinateSystem(extent = {{-200, -760}, {200, 760}}), graphics = {
+      Rectangle(extent = {{-200, -760}, {200, 760}}, lineColor = {60, 60, 60}, fillColor = {255, 255, 255}, fillPattern = FillPattern.Solid),
+      Text(extent = {{-200, 770}, {200, 830}}, textString = "%name", textColor = {0, 0, 255}),
       Line(points = {{-60, 60}, {60, 60}}, color = {60, 60, 60}, thickness = 3),
       Line(points = {{-20, 60}, {10, -10}}, color = {60, 60, 60}),
       Ellipse(extent = {{-2, -52}, {42, -8}}, lineColor = {200, 90, 0}, fillColor = {200, 90, 0}, fillPattern = FillPattern.Solid),
@@ -540,16 +541,16 @@ equation
       Text(extent = {{-190, 172}, {-90, 188}}, textString = "velocity", horizontalAlignment = TextAlignment.Left, textColor = {60, 60, 60}),
       Text(extent = {{-190, 92}, {-90, 108}}, textString = "reference", horizontalAlignment = TextAlignment.Left, textColor = {60, 60, 60}),
       Text(extent = {{-190, -188}, {-90, -172}}, textString = "wind", horizontalAlignment = TextAlignment.Left, textColor = {60, 60, 60}),
-      Text(extent = {{90, 712}, {190, 728}}, textString = "bridge", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
-      Text(extent = {{90, 672}, {190, 688}}, textString = "trolley", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
-      Text(extent = {{90, 632}, {190, 648}}, textString = "rope", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
-      Text(extent = {{90, 592}, {190, 608}}, textString = "sway", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
-      Text(extent = {{90, 352}, {190, 368}}, textString = "measured", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
-      Text(extent = {{90, 232}, {190, 248}}, textString = "load", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
-      Text(extent = {{90, 92}, {190, 108}}, textString = "error", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
-      Text(extent = {{90, -8}, {190, 8}}, textString = "drive", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
-      Text(extent = {{90, -248}, {190, -232}}, textString = "payload", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
-      Text(extent = {{90, -288}, {190, -272}}, textString = "energy", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
-      Text(extent = {{90, -468}, {190, -452}}, textString = "power", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
-      Text(extent = {{90, -528}, {190, -512}}, textString = "estimate", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60})}));
+      Text(extent = {{90, 732}, {190, 748}}, textString = "bridge", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, 692}, {190, 708}}, textString = "trolley", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, 652}, {190, 668}}, textString = "rope", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, 612}, {190, 628}}, textString = "sway", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, 372}, {190, 388}}, textString = "measured", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, 252}, {190, 268}}, textString = "load", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, 112}, {190, 128}}, textString = "error", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, 12}, {190, 28}}, textString = "drive", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, -228}, {190, -212}}, textString = "payload", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, -268}, {190, -252}}, textString = "energy", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, -448}, {190, -432}}, textString = "power", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, -508}, {190, -492}}, textString = "estimate", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60})}));
 end GantryCrane;

@@ -236,6 +236,7 @@ static void command_forces(array_double_1d setpoints, double duration, array_dou
 static int64_t advance_plant(array_double_2d settings, array_double_2d components, array_double_1d setpoints, double duration, double until, array_double_2d memory);
 static double added_velocity(int64_t axis, double time, array_double_2d memory);
 static void load_outputs(array_double_1d target, array_double_2d memory, array_double_1d outputs);
+static double total_sway(double angle_x, double angle_y);
 static void drive_outputs(array_double_2d memory, array_double_1d outputs);
 static double gust_rate(double shape, double share);
 static double wind_slope(array_double_1d plant, array_double_2d components, double time, int64_t axis);
@@ -9854,11 +9855,18 @@ static void load_outputs(array_double_1d target, array_double_2d memory, array_d
         error = (*cspan_at(&load, INT64_C(0), i)) - (*cspan_at(&target, i));
         (*cspan_at(&outputs, INT64_C(15) + i)) = (*cspan_at(&load, INT64_C(0), i));
         (*cspan_at(&outputs, INT64_C(18) + i)) = (*cspan_at(&load, INT64_C(1), i));
-        (*cspan_at(&outputs, INT64_C(22) + i)) = error;
+        (*cspan_at(&outputs, INT64_C(23) + i)) = error;
         square = square + error * error;
     }
     (*cspan_at(&outputs, INT64_C(21))) = sqrt(speed);
-    (*cspan_at(&outputs, INT64_C(25))) = sqrt(square);
+    (*cspan_at(&outputs, INT64_C(26))) = sqrt(square);
+}
+/*Angle [rad] between rope and vertical, of the angles phi_x and phi_y [rad] of (16).*/
+static double total_sway(double angle_x, double angle_y)
+{
+    double across;
+    across = cos(angle_x) * sin(angle_y);
+    return atan2(sqrt(sin(angle_x) * sin(angle_x) + across * across), cos(angle_x) * cos(angle_y));
 }
 /*Forces and powers of drives, rope and wind.*/
 static void drive_outputs(array_double_2d memory, array_double_1d outputs)
@@ -9868,14 +9876,14 @@ static void drive_outputs(array_double_2d memory, array_double_1d outputs)
     report = span_row(&memory, INT64_C(8));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        (*cspan_at(&outputs, INT64_C(26) + i)) = (*cspan_at(&report, INT64_C(0) + i));
-        (*cspan_at(&outputs, INT64_C(29) + i)) = (*cspan_at(&report, INT64_C(10) + i));
-        (*cspan_at(&outputs, INT64_C(32) + i)) = (*cspan_at(&report, INT64_C(0) + i)) * (*cspan_at(&memory, INT64_C(4), INT64_C(5) + i));
+        (*cspan_at(&outputs, INT64_C(27) + i)) = (*cspan_at(&report, INT64_C(0) + i));
+        (*cspan_at(&outputs, INT64_C(30) + i)) = (*cspan_at(&report, INT64_C(10) + i));
+        (*cspan_at(&outputs, INT64_C(33) + i)) = (*cspan_at(&report, INT64_C(0) + i)) * (*cspan_at(&memory, INT64_C(4), INT64_C(5) + i));
     }
-    (*cspan_at(&outputs, INT64_C(35))) = (*cspan_at(&report, INT64_C(6)));
-    (*cspan_at(&outputs, INT64_C(45))) = (*cspan_at(&report, INT64_C(7)));
-    (*cspan_at(&outputs, INT64_C(46))) = (*cspan_at(&report, INT64_C(8)));
-    (*cspan_at(&outputs, INT64_C(36))) = (*cspan_at(&memory, INT64_C(5), INT64_C(2)));
+    (*cspan_at(&outputs, INT64_C(36))) = (*cspan_at(&report, INT64_C(6)));
+    (*cspan_at(&outputs, INT64_C(46))) = (*cspan_at(&report, INT64_C(7)));
+    (*cspan_at(&outputs, INT64_C(47))) = (*cspan_at(&report, INT64_C(8)));
+    (*cspan_at(&outputs, INT64_C(37))) = (*cspan_at(&memory, INT64_C(5), INT64_C(2)));
 }
 /*Write Outputs; target: reference of the load (Target), balance (Balance): work space.*/
 void segfmu_rig_outputs(array_double_1d target, array_double_2d memory, array_double_1d balance, array_double_1d outputs)
@@ -9892,16 +9900,17 @@ void segfmu_rig_outputs(array_double_1d target, array_double_2d memory, array_do
         (*cspan_at(&outputs, INT64_C(10) + i)) = (*cspan_at(&memory, INT64_C(0), i));
     }
     load_outputs(target, memory, outputs);
+    (*cspan_at(&outputs, INT64_C(22))) = total_sway((*cspan_at(&state, INT64_C(3))), (*cspan_at(&state, INT64_C(3) + INT64_C(1))));
     drive_outputs(memory, outputs);
     segfmu_rig_balance(memory, balance);
-    (*cspan_at(&outputs, INT64_C(37))) = (*cspan_at(&balance, INT64_C(0)));
-    (*cspan_at(&outputs, INT64_C(38))) = (*cspan_at(&balance, INT64_C(1)));
-    (*cspan_at(&outputs, INT64_C(39))) = (*cspan_at(&state, INT64_C(10))) + (*cspan_at(&state, INT64_C(11)));
-    (*cspan_at(&outputs, INT64_C(40))) = (*cspan_at(&balance, INT64_C(3)));
-    (*cspan_at(&outputs, INT64_C(41))) = (*cspan_at(&balance, INT64_C(4)));
-    (*cspan_at(&outputs, INT64_C(42))) = (*cspan_at(&balance, INT64_C(5)));
-    (*cspan_at(&outputs, INT64_C(43))) = (*cspan_at(&balance, INT64_C(6)));
-    (*cspan_at(&outputs, INT64_C(44))) = segfmu_rig_imbalance(balance);
+    (*cspan_at(&outputs, INT64_C(38))) = (*cspan_at(&balance, INT64_C(0)));
+    (*cspan_at(&outputs, INT64_C(39))) = (*cspan_at(&balance, INT64_C(1)));
+    (*cspan_at(&outputs, INT64_C(40))) = (*cspan_at(&state, INT64_C(10))) + (*cspan_at(&state, INT64_C(11)));
+    (*cspan_at(&outputs, INT64_C(41))) = (*cspan_at(&balance, INT64_C(3)));
+    (*cspan_at(&outputs, INT64_C(42))) = (*cspan_at(&balance, INT64_C(4)));
+    (*cspan_at(&outputs, INT64_C(43))) = (*cspan_at(&balance, INT64_C(5)));
+    (*cspan_at(&outputs, INT64_C(44))) = (*cspan_at(&balance, INT64_C(6)));
+    (*cspan_at(&outputs, INT64_C(45))) = segfmu_rig_imbalance(balance);
 }
 /*Write the estimates (Estimates) of a tracking controller (Tracking, Tracker).*/
 void segfmu_tracking_estimates(array_double_1d parameters, array_double_2d tracker, array_double_1d estimates)

@@ -1733,7 +1733,7 @@ static PyObject *call_rig_outputs(
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
         && has_at_least(&call, "memory", 1, in_memory->shape[1], 40)
         && has_at_least(&call, "balance", 0, in_balance->shape[0], 7)
-        && has_at_least(&call, "outputs", 0, in_outputs->shape[0], 47)) {
+        && has_at_least(&call, "outputs", 0, in_outputs->shape[0], 48)) {
         segfmu_rig_outputs(
             (array_double_1d){in_target->buf, {in_target->shape[0]}},
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}},

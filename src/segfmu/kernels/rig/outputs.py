@@ -1,6 +1,6 @@
 """Outputs of the crane's FMU from a rig and its controller."""
 
-from math import sqrt
+from math import atan2, cos, sin, sqrt
 
 from segfmu.kernels.control.records import (
     Estimate,
@@ -37,6 +37,7 @@ def rig_outputs(
     for i in range(Coordinates.SIZE):
         outputs[Outputs.MEASURED + i] = memory[Memory.SIGNALS, i]
     load_outputs(target, memory, outputs)
+    outputs[Outputs.TOTAL_SWAY] = total_sway(state[State.ANGLE], state[State.ANGLE + 1])
     drive_outputs(memory, outputs)
     rig_balance(memory, balance)
     outputs[Outputs.KINETIC] = balance[Balance.KINETIC]
@@ -47,6 +48,12 @@ def rig_outputs(
     outputs[Outputs.PAYLOAD] = balance[Balance.PAYLOAD]
     outputs[Outputs.DISSIPATED] = balance[Balance.DISSIPATED]
     outputs[Outputs.IMBALANCE] = rig_imbalance(balance)
+
+
+def total_sway(angle_x: float, angle_y: float) -> float:
+    """Angle [rad] between rope and vertical, of the angles phi_x and phi_y [rad] of (16)."""
+    across = cos(angle_x) * sin(angle_y)
+    return atan2(sqrt(sin(angle_x) * sin(angle_x) + across * across), cos(angle_x) * cos(angle_y))
 
 
 def load_outputs(target: 'float[:]', memory: 'float[:,:]', outputs: 'float[:]') -> None:

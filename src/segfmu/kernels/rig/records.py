@@ -293,6 +293,7 @@ class Outputs(Record):
         "velocity of the load", "m/s", size=3, variables=[f"load.velocity.{a}" for a in "xyz"]
     )
     LOAD_SPEED = field("speed of the load", "m/s", variables=("load.speed",))
+    TOTAL_SWAY = field("angle between rope and vertical", "rad", variables=("sway.total",))
     ERROR = field(
         "load minus its reference", "m", size=3, variables=[f"error.load.{a}" for a in "xyz"]
     )
