@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import re
 import shutil
+import struct
 import subprocess
 import zipfile
 from pathlib import Path
@@ -106,6 +107,25 @@ def test_the_folder_of_a_build_leaves_no_trace(tmp_path: Path) -> None:
     assert libraries(tmp_path / "one", platforms) == libraries(
         tmp_path / "another" / "longer" / "place", platforms
     )
+
+
+@needs_zig
+def test_macos_binaries_run_from_macos_11_on(tmp_path: Path) -> None:
+    for name in ("x86_64-darwin", "aarch64-darwin"):
+        chosen = compilers.compiler(name)
+        for source, text in SMALL.items():
+            (tmp_path / source).write_bytes(text)
+        library = tmp_path / f"Some{chosen.platform.suffix}"
+        chosen.build(tmp_path / "fmu.c", library)
+        content = library.read_bytes()
+        commands, place, asked = struct.unpack_from("<I", content, 16)[0], 32, []
+        for _ in range(commands):
+            command, size = struct.unpack_from("<II", content, place)
+            # LC_BUILD_VERSION of Apple's mach-o/loader.h: platform, then the least system
+            if command == 0x32:
+                asked.append(struct.unpack_from("<I", content, place + 12)[0] >> 16)
+            place += size
+        assert asked == [11]
 
 
 @needs_compiler

@@ -178,3 +178,23 @@ def test_log_categories_choose_what_is_told(native_fmus, fmi: int) -> None:
         assert choose(b"logStatusWarning", b"logStatusError") == 0 and refused() == 1
         assert choose() == 0 and refused() == 1
         assert choose(b"logNonsense") != 0 and "no log category" in fmu.messages[-1]
+
+
+@both
+def test_a_state_that_a_solver_only_tries_is_discarded(native_fmus, fmi: int) -> None:
+    with Importer(native_fmus[fmi][1], "ModelExchange") as fmu:
+        fmu.set({"force.hoist": -9.81})
+        fmu.initialise()
+        good = fmu.state()
+        found = (ctypes.c_double * fmu.states)()
+        name = "fmi3GetContinuousStateDerivatives" if fmu.three else "fmi2GetDerivatives"
+        derivatives = getattr(fmu.fmu.dll, name)
+        wild = good.copy()
+        wild[2] = 1e-200
+        wild[8:] = 1e200
+        for state, status in ((good, 0), (wild, 2), (good, 0)):
+            values = (ctypes.c_double * fmu.states)(*state)
+            fmu.fmu.setContinuousStates(values, fmu.states)
+            assert derivatives(
+                ctypes.c_void_p(fmu.fmu.component), found, ctypes.c_size_t(fmu.states)
+            ) == status

@@ -11,8 +11,10 @@ import pytest
 from fmpy import extract, simulate_fmu
 from fmpy.build import build_platform_binary
 
+from segfmu import Limits, Waypoint, plan
 from segfmu.cosim import simulate
 from segfmu.fmu.gantry_crane import interface as gantry_crane
+from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 
 
 @pytest.mark.parametrize(("fmi", "index"), [(2, 1), (3, 0)])
@@ -70,3 +72,19 @@ def test_the_master_runs_both(native_fmus) -> None:
     assert rows["plan.done"][-1]
     with zipfile.ZipFile(native_fmus[2][1]) as archive:
         assert gantry_crane.spec().description.encode() in archive.read("modelDescription.xml")
+
+
+@pytest.mark.parametrize("fmi", [2, 3])
+def test_fmpy_changes_the_number_of_waypoints(native_fmus, fmi: int) -> None:
+    points = gantry_feedforward.POINTS[:2]
+    limits = np.array(list(gantry_feedforward.LIMITS.values())).T
+    trajectory = plan([Waypoint(*p) for p in points], Limits(*limits))
+    rows = simulate_fmu(
+        str(native_fmus[fmi][0]), stop_time=1.0, output_interval=0.05,
+        start_values={"waypoint.count": 2}, output=["reference.load.position.x"],
+    )
+    moving = rows["time"] <= trajectory.duration
+    assert 3 < moving.sum() < 21
+    assert rows["reference.load.position.x"][moving] == pytest.approx(
+        trajectory(rows["time"][moving])[:, 0], abs=1e-9
+    )
