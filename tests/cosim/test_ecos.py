@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import ctypes
-import sys
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +11,7 @@ import pytest
 from segfmu.fmu.build import build_all
 from segfmu.fmu.choice import Choice
 from segfmu.fmu.native.compilers import available
+from tests.cosim.importers import load_threads, require
 from tests.cosim.pair import MISSIONS, SIGNALS, SPECS, STEP, STOP, compare
 
 # Of FMI 3.0, Ecos knows scalars only, and sets whole numbers with the function of another type.
@@ -29,14 +28,11 @@ CASES = {
 
 
 def load() -> Any:
-    """Ecos; its library needs libtbb, which the package tbb puts where no linker looks."""
-    threads = Path(sys.prefix) / "lib" / "libtbb.so.12"
-    if threads.exists():
-        ctypes.CDLL(str(threads), mode=ctypes.RTLD_GLOBAL)
-    try:
-        import ecospy
-    except (ImportError, OSError) as why:
-        pytest.skip(f"Ecos is not usable; it has libraries for x86, and needs libtbb: {why}")
+    """Ecos."""
+    require("ecospy")
+    load_threads()
+    import ecospy
+
     return ecospy
 
 

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import ctypes
 import re
 import subprocess
 import sys
-from importlib.util import find_spec
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from segfmu import cli
+from tests.cosim.importers import require, threads
 
 ROOT = Path(__file__).parents[2]
 PAGES = ROOT / "docs" / "importing"
@@ -42,17 +41,12 @@ def folders(tmp_path_factory: pytest.TempPathFactory) -> dict[int, Path]:
 @pytest.mark.parametrize(("page", "index"), EACH)
 def test_listing_brings_the_load_to_its_target(folders, page: str, index: int) -> None:
     package, versions = LISTINGS[page]
-    if find_spec(package) is None:
-        pytest.skip(f"{package} is not installed; it has wheels for 64-bit x86")
+    require(package)
     texts = listings(page)
     assert len(texts) == len(versions)
     code = texts[index]
     if page == "ecos":
-        threads = Path(sys.prefix) / "lib" / "libtbb.so.12"
-        if not threads.exists() and not _loads("libtbb.so.12"):
-            pytest.skip("Ecos needs libtbb.so.12; it was not found")
-        if threads.exists():
-            code = f"import ctypes\nctypes.CDLL({str(threads)!r}, ctypes.RTLD_GLOBAL)\n" + code
+        code = f"import ctypes\nctypes.CDLL({str(threads())!r}, ctypes.RTLD_GLOBAL)\n" + code
     result = subprocess.run(
         [sys.executable, "-c", code], cwd=folders[versions[index]], capture_output=True, text=True,
         timeout=300,
@@ -60,14 +54,6 @@ def test_listing_brings_the_load_to_its_target(folders, page: str, index: int) -
     assert result.returncode == 0, result.stderr[-2000:]
     lines = [s for s in result.stdout.splitlines() if re.fullmatch(r"[-\d.e]+ [-\d.e]+", s)]
     assert np.allclose([float(x) for x in lines[-1].split()], TARGET, rtol=0.0, atol=1e-5)
-
-
-def _loads(library: str) -> bool:
-    try:
-        ctypes.CDLL(library)
-    except OSError:
-        return False
-    return True
 
 
 def test_every_page_is_in_the_index() -> None:

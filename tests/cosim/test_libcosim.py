@@ -17,6 +17,7 @@ from segfmu.cosim import simulate
 from segfmu.fmu.build import build_all
 from segfmu.fmu.choice import Choice
 from segfmu.fmu.native.compilers import available
+from tests.cosim.importers import require
 from tests.cosim.pair import MISSIONS, SIGNALS, SPECS, STEP, STOP, compare
 
 # libcosim has no enumerations, so missions have none
@@ -27,9 +28,7 @@ def libcosim(
     paths: tuple[Path, Path], *values: dict[str, Any], step: float = STEP, stop: float = STOP
 ) -> dict[str, np.ndarray]:
     """All real outputs of both FMUs at every communication point after the first."""
-    pytest.importorskip(
-        "libcosimpy", reason="libcosimpy is not installed; it has wheels for 64-bit Linux on x86"
-    )
+    require("libcosimpy")
     from libcosimpy.CosimConstants import success
     from libcosimpy.CosimExecution import CosimExecution
     from libcosimpy.CosimObserver import CosimObserver

@@ -16,6 +16,7 @@ from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.standard.spec import Spec, started
 from segfmu.fmu.standard.system import values
 from segfmu.fmu.system import write_system
+from tests.cosim.importers import require
 from tests.cosim.pair import MISSIONS, SPECS
 from tests.cosim.test_ecos import load
 
@@ -74,9 +75,7 @@ def cosim(create: Callable[[], object]) -> list[list[float]]:
 
 @pytest.mark.parametrize("form", ["SSP", "OSP"])
 def test_libcosim(run, form: str) -> None:
-    pytest.importorskip(
-        "libcosimpy", reason="libcosimpy is not installed; it has wheels for 64-bit Linux on x86"
-    )
+    require("libcosimpy")
     from libcosimpy.CosimExecution import CosimExecution
 
     folder, expected = run
