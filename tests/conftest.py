@@ -14,8 +14,8 @@ from hypothesis import settings
 from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.native import archive as native
-from segfmu.fmu.native.compilers import available
 from segfmu.fmu.python.archive import build_all
+from tests.compiler import require_native
 
 # The same examples in every run of the whole suite; `--hypothesis-profile=search` looks for more.
 settings.register_profile("repeatable", derandomize=True, deadline=None)
@@ -33,8 +33,7 @@ def fmus(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
 @pytest.fixture(scope="session")
 def native_fmus(tmp_path_factory: pytest.TempPathFactory) -> dict[int, tuple[Path, Path]]:
     """Native archives of GantryFeedforward and GantryCrane, by version of FMI."""
-    if not available():
-        pytest.skip("native FMUs need a C compiler; none was found")
+    require_native()
     specs = (gantry_feedforward.native_spec(), gantry_crane.native_spec())
     return {
         fmi: _shared(

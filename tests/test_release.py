@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 import segfmu
-from segfmu.fmu.native.compilers import available
+from tests.compiler import needs_native
 
 ROOT = Path(__file__).parents[1]
 MISSION = ROOT / "models" / "paper.toml"
@@ -61,7 +61,7 @@ def test_plan_needs_nothing_heavy() -> None:
     assert "velocity" in planned.stdout
 
 
-@pytest.mark.skipif(not available(), reason="native FMUs need a C compiler; none was found")
+@needs_native
 def test_native_build_needs_nothing_heavy(tmp_path: Path) -> None:
     built = run_without(HEAVY, "build", str(MISSION), "--fmi", "3", "-o", str(tmp_path))
     assert built.returncode == 0, built.stderr
@@ -83,7 +83,7 @@ def test_plots_need_matplotlib_alone(tmp_path: Path) -> None:
     assert (tmp_path / "plan.png").exists()
 
 
-@pytest.mark.skipif(not available(), reason="native FMUs need a C compiler; none was found")
+@needs_native
 def test_simulation_needs_neither_sympy_nor_pythonfmu(tmp_path: Path) -> None:
     done = run_without(
         ("sympy", "pyccel", "pythonfmu"), "simulate", str(MISSION), "-o", str(tmp_path)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import shutil
 import subprocess
 from importlib import import_module
 from pathlib import Path
@@ -20,8 +19,7 @@ from benchmarks.timing import interleaved, ratios
 from typer.testing import CliRunner
 
 from segfmu import plan, verify
-
-COMPILER = shutil.which("cc")
+from tests.compiler import CC, needs_cc
 
 
 def run(*arguments: str):
@@ -93,11 +91,11 @@ def test_the_table_of_optima_belongs_to_the_mission_file() -> None:
     assert [t.limits[3] for t in transitions()] == [10.0, 10.0, 5.0, 5.0]
 
 
-@pytest.mark.skipif(COMPILER is None, reason="no C compiler found")
+@needs_cc
 def test_the_driver_fits_the_kernels() -> None:
     flags = ["-std=c99", "-fsyntax-only", "-Wall", "-Werror=incompatible-pointer-types"]
     done = subprocess.run(
-        [str(COMPILER), *flags, f"-I{KERNELS}", str(NATIVE / "segfmu_driver.c")],
+        [CC, *flags, f"-I{KERNELS}", str(NATIVE / "segfmu_driver.c")],
         capture_output=True, text=True,
     )
     assert done.returncode == 0, done.stderr

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import platform
-import shutil
 import sys
 from pathlib import Path
 
@@ -15,9 +14,10 @@ from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.native import archive as native
 from segfmu.fmu.standard.spec import started
+from tests.compiler import CC
 
 pytestmark = pytest.mark.skipif(
-    shutil.which("cc") is None or sys.platform != "linux" or platform.machine() != "x86_64",
+    not CC or sys.platform != "linux" or platform.machine() != "x86_64",
     reason="the importer in C needs a C compiler and Linux on x86_64",
 )
 

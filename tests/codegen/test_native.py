@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import shutil
 import subprocess
 from pathlib import Path
 
-import pytest
-
 from segfmu.codegen import extension, native, stubs
 from segfmu.codegen.functions import functions
+from tests.compiler import CC, needs_cc
 
 FLAGS = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]
 
@@ -41,13 +39,11 @@ def test_what_a_kernel_writes_to_is_known() -> None:
     assert "cells" in kernels["expand_plan"].written
 
 
+@needs_cc
 def test_c_compiles_without_warning_but_for_unused_variables(tmp_path: Path) -> None:
-    compiler = shutil.which("cc")
-    if compiler is None:
-        pytest.skip("no C compiler found")
     unused = ["-Wno-unused-variable", "-Wno-unused-but-set-variable"]
     subprocess.run(
-        [compiler, *FLAGS, *unused, "-c", str(native.TARGET / "kernels.c"), "-o",
+        [CC, *FLAGS, *unused, "-c", str(native.TARGET / "kernels.c"), "-o",
          str(tmp_path / "kernels.o")],
         check=True,
     )

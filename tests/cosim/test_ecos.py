@@ -10,7 +10,7 @@ import pytest
 
 from segfmu.fmu.build import build_all
 from segfmu.fmu.choice import Choice
-from segfmu.fmu.native.compilers import available
+from tests.compiler import needs_native
 from tests.cosim.importers import load_threads, require
 from tests.cosim.pair import MISSIONS, SIGNALS, SPECS, STEP, STOP, compare
 
@@ -67,7 +67,7 @@ def test_ecos_gives_what_our_master_gives(native_fmus, case: str) -> None:
     compare(ecos(native_fmus[version], *values), native_fmus[2], values)
 
 
-@pytest.mark.skipif(not available(), reason="native FMUs need a C compiler; none was found")
+@needs_native
 @pytest.mark.parametrize("fmi", (2, 3))
 def test_choices_arrive_as_integers(tmp_path: Path, fmi: int) -> None:
     first, second = build_all(tmp_path, Choice(True, fmi, numbered=True))

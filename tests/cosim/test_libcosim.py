@@ -16,7 +16,7 @@ import pytest
 from segfmu.cosim import simulate
 from segfmu.fmu.build import build_all
 from segfmu.fmu.choice import Choice
-from segfmu.fmu.native.compilers import available
+from tests.compiler import needs_native
 from tests.cosim.importers import require
 from tests.cosim.pair import MISSIONS, SIGNALS, SPECS, STEP, STOP, compare
 
@@ -93,7 +93,7 @@ def numbered_fmus(tmp_path_factory) -> tuple[Path, Path]:
     return first, second
 
 
-@pytest.mark.skipif(not available(), reason="native FMUs need a C compiler; none was found")
+@needs_native
 def test_choices_arrive_as_integers(numbered_fmus) -> None:
     values = ({"planner.shape": 1, "waypoint.count": 3}, {"drive.mode": 2, "feedback.design": 2})
     found = libcosim(numbered_fmus, *values)

@@ -17,12 +17,12 @@ from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.native import archive, binaries, compilers
 from segfmu.fmu.standard.spec import started
+from tests.compiler import CC, needs_cc, needs_native
 
 SPECS = (gantry_feedforward.native_spec(), gantry_crane.native_spec())
 SMALL = {"fmu.c": b'#include "part.h"\n#ifdef _WIN32\n__declspec(dllexport)\n#else\n'
          b'__attribute__((visibility("default")))\n#endif\nint some(void) { return PART; }\n',
          "part.h": b"#define PART 7\n"}
-needs_compiler = pytest.mark.skipif(not compilers.available(), reason="no C compiler found")
 needs_zig = pytest.mark.skipif(
     not compilers._has_zig(), reason="needs ziglang, of the extra segfmu[platforms]"
 )
@@ -47,7 +47,7 @@ def test_no_source_depends_on_a_mission(tmp_path: Path, native_fmus) -> None:
         assert usual.read("resources/start.bin") != entries["resources/start.bin"]
 
 
-@needs_compiler
+@needs_native
 def test_a_library_is_compiled_once(cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     platform = compilers.host()
     assert platform is not None
@@ -61,7 +61,7 @@ def test_a_library_is_compiled_once(cache: Path, monkeypatch: pytest.MonkeyPatch
     assert changed != first and len(list(cache.iterdir())) == 2
 
 
-@needs_compiler
+@needs_native
 def test_a_damaged_entry_is_made_again(cache: Path) -> None:
     platform = compilers.host()
     assert platform is not None
@@ -72,7 +72,7 @@ def test_a_damaged_entry_is_made_again(cache: Path) -> None:
         assert binaries.binary("Some", SMALL, platform) == first
 
 
-@needs_compiler
+@needs_native
 def test_a_cache_that_cannot_be_written_is_done_without(cache: Path) -> None:
     platform = compilers.host()
     assert platform is not None
@@ -128,7 +128,7 @@ def test_macos_binaries_run_from_macos_11_on(tmp_path: Path) -> None:
         assert asked == [11]
 
 
-@needs_compiler
+@needs_native
 def test_linux_binaries_run_on_old_systems(native_fmus, tmp_path: Path) -> None:
     platform, tool = compilers.host(), shutil.which("objdump")
     if platform is None or not platform.endswith("linux") or tool is None:
@@ -189,11 +189,8 @@ int main(int count, char **words)
 """
 
 
-@needs_compiler
+@needs_cc
 def test_both_fmus_link_into_one_program(native_fmus, tmp_path: Path) -> None:
-    compiler = shutil.which("cc")
-    if compiler is None:
-        pytest.skip("no C compiler cc found")
     objects, words = [], []
     for path, spec in zip(native_fmus[2], SPECS, strict=True):
         folder = tmp_path / path.stem
@@ -201,7 +198,7 @@ def test_both_fmus_link_into_one_program(native_fmus, tmp_path: Path) -> None:
             fmu.extractall(folder)
         objects.append(folder / "fmu.o")
         subprocess.run(
-            [compiler, "-std=c99", "-Wall", "-Wextra", "-Werror",
+            [CC, "-std=c99", "-Wall", "-Wextra", "-Werror",
              f"-DFMI2_FUNCTION_PREFIX={path.stem}_", "-c", folder / "sources" / "fmu.c", "-o",
              objects[-1]],
             check=True,
@@ -212,7 +209,7 @@ def test_both_fmus_link_into_one_program(native_fmus, tmp_path: Path) -> None:
     (tmp_path / "main.c").write_text(PROGRAM)
     program = tmp_path / "both"
     subprocess.run(
-        [compiler, "-std=c99", f"-I{tmp_path / 'GantryCrane' / 'sources'}", tmp_path / "main.c",
+        [CC, "-std=c99", f"-I{tmp_path / 'GantryCrane' / 'sources'}", tmp_path / "main.c",
          *objects, "-lm", "-o", program],
         check=True,
     )

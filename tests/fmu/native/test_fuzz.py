@@ -2,33 +2,32 @@
 
 from __future__ import annotations
 
-import shutil
 import subprocess
 from pathlib import Path
 
 import pytest
 
+from tests.compiler import CC
 from tests.fmu.native import fuzz
 
-COMPILER = shutil.which("cc")
 SEQUENCES = 1500
 
 
 @pytest.fixture(scope="module")
 def compiler(tmp_path_factory: pytest.TempPathFactory) -> str:
     """The C compiler, where it is there and has sanitizers."""
-    if COMPILER is None:
-        pytest.skip("no C compiler found")
+    if not CC:
+        pytest.skip("no C compiler found (cc, gcc, clang)")
     folder = tmp_path_factory.mktemp("fuzz")
     empty = folder / "empty.c"
     empty.write_text("int main(void) { return 0; }\n")
     done = subprocess.run(
-        [COMPILER, *fuzz.SANITIZERS, empty, "-o", folder / "empty"], capture_output=True,
+        [CC, *fuzz.SANITIZERS, empty, "-o", folder / "empty"], capture_output=True,
         check=False,
     )
     if done.returncode != 0:
         pytest.skip("the C compiler has no sanitizers")
-    return COMPILER
+    return CC
 
 
 # every source is in one of the two; the command makes all four

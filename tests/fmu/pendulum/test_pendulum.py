@@ -16,7 +16,7 @@ from segfmu.errors import BuildError
 from segfmu.fmu import models
 from segfmu.fmu.build import build_all
 from segfmu.fmu.choice import Choice
-from segfmu.fmu.native.compilers import available
+from tests.compiler import require_native
 from tests.fmu.pendulum.equation import rates
 from tests.fmu.pendulum.model import PENDULUM
 
@@ -30,8 +30,7 @@ KINDS += [(c, "ModelExchange") for c in CHOICES if c.startswith("native")]
 @pytest.fixture(scope="module")
 def archives(tmp_path_factory: pytest.TempPathFactory) -> Iterator[dict[str, Path]]:
     """Archives of the pendulum by backend."""
-    if not available():
-        pytest.skip("native FMUs need a C compiler; none was found")
+    require_native()
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(models, "_registered", dict(models._registered))
         models.register(PENDULUM)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 import subprocess
 from pathlib import Path
 
@@ -12,15 +11,15 @@ import pytest
 from segfmu import Limits, Waypoint, plan
 from segfmu.codegen.native import TARGET
 from segfmu.planning.problem import SHAPES, SYNCHRONIZATIONS
+from tests.compiler import CC, needs_cc
 
-COMPILER = shutil.which("cc")
 POINTS = [
     Waypoint([0.0, 0.0, -1.0]), Waypoint([0.07, 0.055, -0.9], [0.2, 0.1, 0.0], [0.3, 0.2, 0.0]),
     Waypoint([1.0, 0.8, -0.5], dwell=0.3), Waypoint([1.4, 0.8, -0.9]),
 ]
 LIMITS = Limits([1.0, 0.4, 0.5], [1.0, 0.5, 0.8], [1.0, 0.5, 4.0], [10.0, 5.0, 30.0])
 
-pytestmark = pytest.mark.skipif(COMPILER is None, reason="no C compiler found")
+pytestmark = needs_cc
 
 
 @pytest.fixture(scope="module")
@@ -31,7 +30,7 @@ def driver(tmp_path_factory: pytest.TempPathFactory) -> Path:
     flags = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-ffp-contract=off", "-O1"]
     unused = ["-Wno-unused-variable", "-Wno-unused-but-set-variable"]
     subprocess.run(
-        [COMPILER, *flags, *unused, f"-I{TARGET}", *sources, "-lm", "-o", program], check=True
+        [CC, *flags, *unused, f"-I{TARGET}", *sources, "-lm", "-o", program], check=True
     )
     return program
 

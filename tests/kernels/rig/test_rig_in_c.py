@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 import subprocess
 from pathlib import Path
 
@@ -15,13 +14,13 @@ from segfmu.kernels.control.records import Tracking
 from segfmu.kernels.crane.records import Plant as Parameters
 from segfmu.kernels.rig.records import Corrector, Loop, Settings
 from segfmu.kernels.rig.records import Sensors as Sensing
+from tests.compiler import CC, needs_cc
 from tests.kernels.rigs import HANGING, LAB, everything, feedback, observer, tracking
 
-COMPILER = shutil.which("cc")
 STEPS = 60
 SANITIZERS = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
 
-pytestmark = pytest.mark.skipif(COMPILER is None, reason="no C compiler found")
+pytestmark = needs_cc
 
 
 def compiled(program: Path, *flags: str) -> Path:
@@ -29,7 +28,7 @@ def compiled(program: Path, *flags: str) -> Path:
     strict = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-ffp-contract=off"]
     unused = ["-Wno-unused-variable", "-Wno-unused-but-set-variable"]
     subprocess.run(
-        [COMPILER, *strict, *unused, *flags, f"-I{TARGET}", *sources, "-lm", "-o", program],
+        [CC, *strict, *unused, *flags, f"-I{TARGET}", *sources, "-lm", "-o", program],
         check=True,
     )
     return program
