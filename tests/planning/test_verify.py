@@ -15,6 +15,7 @@ pytestmark = pytest.mark.interpreted
 
 LIMITS = Limits([1.0, 0.4], [1.0, 0.5], [1.0, 0.5], [10.0, 5.0])
 WIDE = Limits([2.0, 0.8], [2.0, 1.0], [2.0, 1.0], [20.0, 10.0])
+TINY = 1e-9
 POINTS = [
     Waypoint([0.0, 0.0]), Waypoint([0.07, 0.055], [0.2, 0.17], [0.34, 0.27]), Waypoint([1.0, 0.8])
 ]
@@ -55,7 +56,7 @@ def test_a_jump_of_any_derivative_that_must_be_smooth_fails(order: int, derivati
     # every limit and the waypoints are still met: the jump alone is what fails
     assert (found.usage <= 1.0).all()
     low, high = sound.extrema(derivative)
-    scale = max(float(high[1] - low[1]), 1.0)
+    scale = float(high[1] - low[1])
     if derivative > 0:
         bounds = WIDE.table(2, order)[1]
         peak = max(float(-low[1]), float(high[1]))
@@ -98,4 +99,145 @@ def test_a_missed_end_fails(end: int) -> None:
     points[end] = Waypoint(np.add(points[end].position, [0.0, 1e-6]))
     found = verify(replace(sound, waypoints=tuple(points)))
     assert not found.passed
-    assert found.waypoint_error == pytest.approx(1e-6, rel=1e-3)
+    assert found.waypoint_error == pytest.approx(1e-6 / 0.8, rel=1e-3)
+
+
+def delayed(trajectory: Trajectory, by: float, axis: int = 1, first: int = 0) -> Trajectory:
+    """The pieces of an axis from `first` on start later; its times do not tell."""
+    timing = trajectory.timing.copy()
+    timing[trajectory.offsets[axis] + first : trajectory.offsets[axis + 1], 0] += by
+    return replace(trajectory, timing=timing)
+
+
+def late(trajectory: Trajectory) -> Trajectory:
+    """The second axis waits for 1 s at the start; its pieces and its own times are sound."""
+    timing, arrivals = trajectory.timing.copy(), trajectory.axis_waypoint_times.copy()
+    row = trajectory.offsets[1]
+    timing[row:, 0] += 1.0
+    arrivals[1:, 1] += 1.0
+    waiting = np.zeros(trajectory.coefficients.shape[1])
+    return replace(
+        trajectory, axis_waypoint_times=arrivals,
+        timing=np.insert(timing, row, [0.0, 1.0], axis=0),
+        coefficients=np.insert(trajectory.coefficients, row, waiting, axis=0),
+        offsets=np.add(trajectory.offsets, [0, 0, 1]),
+        axis_durations=np.add(trajectory.axis_durations, [0.0, 1.0]),
+    )
+
+
+def longer(trajectory: Trajectory, row: int, by: float) -> Trajectory:
+    """A piece lasts longer than until the next one starts."""
+    timing = trajectory.timing.copy()
+    timing[row, 1] += by
+    return replace(trajectory, timing=timing)
+
+
+def moved(trajectory: Trajectory, share: float) -> Trajectory:
+    """From the middle on, the second axis is elsewhere, by a share of its way."""
+    coefficients = trajectory.coefficients.copy()
+    row = (trajectory.offsets[1] + trajectory.offsets[2]) // 2
+    way = trajectory.waypoints[-1].position[1] - trajectory.waypoints[0].position[1]
+    coefficients[row:, 0] += share * way
+    points = (*trajectory.waypoints[:-1], Waypoint(trajectory.waypoints[-1].position
+                                                   + np.array([0.0, share * way])))
+    return replace(trajectory, coefficients=coefficients, waypoints=points)
+
+
+def dwelling() -> Trajectory:
+    """A plan that rests for 1 s at its middle waypoint."""
+    points = [POINTS[0], Waypoint([0.07, 0.055], dwell=1.0), POINTS[2]]
+    return plan(points, LIMITS)
+
+
+def without_dwell(trajectory: Trajectory) -> Trajectory:
+    """The dwell's piece is gone and all that follows comes earlier."""
+    starts = [trajectory.pieces(axis)[0] for axis in range(2)]
+    leaving = trajectory.axis_waypoint_times[1] + 1.0
+    rows = [
+        int(trajectory.offsets[axis]) + int(np.searchsorted(starts[axis], leaving[axis] - 0.5)) - 1
+        for axis in range(2)
+    ]
+    timing = trajectory.timing.copy()
+    timing[timing[:, 0] > 0.5 + leaving[0] - 1.0, 0] -= 1.0
+    return replace(
+        trajectory, timing=np.delete(timing, rows, axis=0),
+        coefficients=np.delete(trajectory.coefficients, rows, axis=0),
+        offsets=trajectory.offsets - [0, 1, 2],
+        axis_waypoint_times=trajectory.axis_waypoint_times - [[0.0], [0.0], [1.0]],
+        axis_durations=trajectory.axis_durations - 1.0,
+    )
+
+
+def restless(trajectory: Trajectory) -> Trajectory:
+    """During the dwell an axis goes away by 1 mm and comes back, smoothly."""
+    row = int(np.argmax((np.abs(trajectory.timing[:, 1] - 1.0) < 1e-9)
+                        & (trajectory.coefficients[:, 1:] == 0.0).all(axis=1)))
+    coefficients = np.zeros((len(trajectory.coefficients), 13))
+    coefficients[:, :8] = trajectory.coefficients
+    out_and_back = np.polynomial.polynomial.polypow([0.0, 1.0, -1.0], 6)
+    coefficients[row] += 1e-3 * 4.0**6 * out_and_back
+    return replace(trajectory, coefficients=coefficients)
+
+
+def shrunk() -> Trajectory:
+    """A plan over a nanometre."""
+    return plan([Waypoint(p.position * TINY) for p in POINTS[::2]], LIMITS)
+
+
+TAMPERED = {
+    "gap of 1 ms": lambda: delayed(planned(4), 1e-3, first=3),
+    "gap of 1 s": lambda: delayed(planned(4), 1.0, first=3),
+    "overlap of 1 ms": lambda: delayed(planned(4), -1e-3, first=3),
+    "overlap of 1 s": lambda: delayed(planned(4), -1.0, first=3),
+    "gap of 1 ns": lambda: delayed(planned(4), 1e-9, first=3),
+    "axis delayed by 1 s": lambda: delayed(planned(4), 1.0),
+    "axis that waits for 1 s": lambda: late(planned(4)),
+    "piece too long": lambda: longer(planned(4), 2, 1e-3),
+    "last piece too long": lambda: longer(dwelling(), -1, 1e-3),
+    "wrong end": lambda: replace(
+        planned(4), axis_durations=np.add(planned(4).axis_durations, [0.0, 0.1])
+    ),
+    "end is NaN": lambda: replace(planned(4), axis_durations=np.array([np.nan, np.nan])),
+    "end of one axis is NaN": lambda: replace(
+        planned(4), axis_durations=planned(4).axis_durations * [1.0, np.nan]
+    ),
+    "start is NaN": lambda: delayed(planned(4), np.nan),
+    "start of a piece is NaN": lambda: replace(
+        planned(4), timing=np.where(np.arange(len(planned(4).timing))[:, None] == 4,
+                                    [np.nan, 0.1], planned(4).timing)
+    ),
+    "wrong arrival": lambda: replace(
+        planned(4), axis_waypoint_times=np.add(
+            planned(4).axis_waypoint_times, [[0.0, 0.0], [0.0, 0.01], [0.0, 0.0]])
+    ),
+    "late start in the times": lambda: replace(
+        planned(4), axis_waypoint_times=np.add(
+            planned(4).axis_waypoint_times, [[1.0], [0.0], [0.0]])
+    ),
+    "missing dwell": lambda: without_dwell(dwelling()),
+    "moves in its dwell": lambda: restless(dwelling()),
+    "jump of the whole way, 1 nm": lambda: moved(shrunk(), 1.0),
+    "jump of a millionth of 1 nm": lambda: moved(shrunk(), 1e-6),
+    "jump of a millionth": lambda: moved(planned(4), 1e-6),
+    "end missed by the whole way, 1 nm": lambda: replace(
+        shrunk(), waypoints=(shrunk().waypoints[0], Waypoint([TINY, 0.0]))
+    ),
+}
+
+
+@pytest.mark.parametrize("name", TAMPERED)
+def test_a_tampered_plan_fails(name: str) -> None:
+    assert not verify(TAMPERED[name]()).passed
+
+
+@pytest.mark.parametrize("size", [1e-9, 1e-3, 1.0, 1e6])
+@pytest.mark.parametrize("synchronize", ["waypoints", "total", "none"])
+def test_a_sound_plan_of_any_size_passes(size: float, synchronize: str) -> None:
+    points = [
+        Waypoint(3.0 * size + size * p.position, size * p.velocity, size * p.acceleration)
+        for p in POINTS
+    ]
+    limits = Limits(*(size * np.array([[1.0, 0.4], [1.0, 0.5], [1.0, 0.5], [10.0, 5.0]])))
+    assert verify(plan(points, limits, synchronize=synchronize)).passed
+    assert verify(dwelling()).passed
+    assert verify(shrunk()).passed

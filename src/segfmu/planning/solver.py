@@ -51,6 +51,7 @@ def _expand(
         array.flags.writeable = False
     trajectory = Trajectory(
         request.waypoints, request.limits, problem.options.smoothness, problem.options.shape,
-        request.axis_names, timing[:used], coefficients[:used], offsets, times[:-1], times[-1],
+        problem.options.synchronize, request.axis_names, timing[:used], coefficients[:used],
+        offsets, times[:-1], times[-1],
     )
     return trajectory, wrong == 0

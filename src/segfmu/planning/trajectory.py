@@ -21,7 +21,7 @@ class Trajectory:
 
     Attributes
     ----------
-    waypoints, limits, smoothness, shape
+    waypoints, limits, smoothness, shape, synchronize
         Arguments of `plan`.
     timing : ndarray, shape (pieces, 2)
         Start and length of the polynomial pieces, axis after axis [s].
@@ -39,6 +39,7 @@ class Trajectory:
     limits: Limits
     smoothness: int
     shape: str
+    synchronize: str
     axis_names: tuple[str, ...]
     timing: FloatArray
     coefficients: FloatArray

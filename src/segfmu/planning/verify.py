@@ -1,4 +1,4 @@
-"""Independent verification of a trajectory: exact extrema, waypoints and continuity.
+"""Independent verification of a trajectory: exact extrema, waypoints, continuity and times.
 
 It reads only the polynomial pieces, nothing from the planner.
 """
@@ -12,10 +12,14 @@ import numpy as np
 from segfmu.errors import InfeasibleError, InputError
 from segfmu.planning.arrays import FloatArray
 from segfmu.planning.limits import NAMES, UNITS
-from segfmu.planning.polynomials import derivative_pieces
+from segfmu.planning.polynomials import derivative_pieces, extrema
 from segfmu.planning.trajectory import Trajectory
 
 TOLERANCE = 1e-9
+# of times, which nothing but rounding changes
+TIME_TOLERANCE = 1e-12
+# relative error of a position by rounding
+ROUNDING = 1e-14
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,17 +33,22 @@ class Verification:
     limits : ndarray, shape (smoothness + 1, axes)
         Their limits, infinite where absent.
     waypoint_error : float
-        Largest deviation from a waypoint's position, velocity and acceleration, each in units of
-        the distance covered (at least 1 m), the velocity and the acceleration limit.
+        Largest deviation from a waypoint's state on arrival and during its dwell, in units of the
+        distance covered (position), of the limits or, where there is none, of the peaks.
     jumps : ndarray, shape (smoothness + 1, axes)
-        Largest jump of the derivatives 0 .. smoothness at a switching time, in units of the limit
-        or, where there is none, of the peak.
+        Largest jump of the derivatives 0 .. smoothness at a switching time, in units of the
+        distance covered (position) and of the limit or, where there is none, of the peak.
+    time_error : float
+        Largest error of the times in units of the duration: gaps and overlaps between pieces,
+        starts other than 0, ends other than `axis_durations`, dwells that are left early, and axes
+        that do not meet where `synchronize` asks for it.
     """
 
     peaks: FloatArray
     limits: FloatArray
     waypoint_error: float
     jumps: FloatArray
+    time_error: float
 
     @property
     def usage(self) -> FloatArray:
@@ -50,16 +59,17 @@ class Verification:
 
     @property
     def passed(self) -> bool:
-        """Whether limits, waypoints and smoothness hold to 1e-9."""
+        """Whether limits, waypoints and smoothness hold to 1e-9, times to 1e-12."""
         return bool(
             (self.usage <= 1.0 + TOLERANCE).all()
             and self.waypoint_error <= TOLERANCE
             and (self.jumps <= TOLERANCE).all()
+            and self.time_error <= TIME_TOLERANCE
         )
 
 
 def verify(trajectory: Trajectory) -> Verification:
-    """Measure a trajectory against its limits, its waypoints and its smoothness."""
+    """Measure a trajectory against its limits, its waypoints, its smoothness and its times."""
     if not isinstance(trajectory, Trajectory):
         raise InputError(f"trajectory must be a plan, got {type(trajectory).__name__}")
     # overflow gives inf or nan, and nan does not pass
@@ -72,8 +82,13 @@ def _measured(trajectory: Trajectory) -> Verification:
     table = trajectory.limits.table(trajectory.axes, order).T
     limits = np.where(table > 0.0, table, np.inf)
     peaks = np.array([_magnitude(trajectory, d) for d in range(1, order + 2)])
+    low, high = trajectory.extrema(0)
+    # where the position is large, its rounding is a part of the distance that counts
+    distance = np.maximum(high - low, ROUNDING / TOLERANCE * np.maximum(np.abs(low), np.abs(high)))
+    scales = np.vstack([distance, np.minimum(limits, peaks)])
     return Verification(
-        peaks, limits, _waypoint_error(trajectory, limits), _jumps(trajectory, limits, peaks)
+        peaks, limits, _waypoint_error(trajectory, limits, scales), _jumps(trajectory, scales),
+        time_error(trajectory),
     )
 
 
@@ -95,37 +110,86 @@ def _states(trajectory: Trajectory, axis: int, count: int) -> tuple[FloatArray, 
     return left, right
 
 
-def _jumps(trajectory: Trajectory, limits: FloatArray, peaks: FloatArray) -> FloatArray:
+def _relative(error: FloatArray, scale: FloatArray) -> FloatArray:
+    """error / scale, 0 without an error; a scale of 0 admits none."""
+    relative: FloatArray = np.where(error == 0.0, 0.0, error / scale)
+    return relative
+
+
+def _jumps(trajectory: Trajectory, scales: FloatArray) -> FloatArray:
     order = trajectory.smoothness
     jumps = np.zeros((order + 1, trajectory.axes))
-    low, high = trajectory.extrema(0)
-    scales = np.vstack([np.maximum(high - low, 1.0), np.minimum(limits, peaks)[:order]])
     for axis in range(trajectory.axes):
         left, right = _states(trajectory, axis, order + 1)
         if left.shape[1] > 1:
             found = np.abs(left[:, 1:] - right[:, :-1]).max(axis=1)
-            scale = scales[:, axis]
-            jumps[:, axis] = np.where(found > 0.0, found / np.where(scale > 0.0, scale, 1.0), 0.0)
+            jumps[:, axis] = _relative(found, scales[: order + 1, axis])
     return jumps
 
 
-def _waypoint_error(trajectory: Trajectory, limits: FloatArray) -> float:
-    worst = 0.0
+def _waypoint_error(trajectory: Trajectory, limits: FloatArray, scales: FloatArray) -> float:
+    worst = [0.0]
     for axis in range(trajectory.axes):
-        starts = trajectory.pieces(axis)[0]
         left, right = _states(trajectory, axis, 3)
-        low, high = trajectory.extrema(0)
-        scale = np.array([max(high[axis] - low[axis], 1.0), limits[0, axis], limits[1, axis]])
+        scale = np.array([scales[0, axis], limits[0, axis], limits[1, axis]])
         for j, waypoint in enumerate(trajectory.waypoints):
-            time = trajectory.axis_waypoint_times[j, axis]
-            row = int(np.searchsorted(starts, time, side="left"))
+            time = float(trajectory.axis_waypoint_times[j, axis])
             asked = np.array(
                 [waypoint.position[axis], waypoint.velocity[axis], waypoint.acceleration[axis]]
             )
-            sides = [left[:, row]] if row < starts.size else []
-            sides += [right[:, row - 1]] if row > 0 else []
-            worst = max([worst, *(float(np.max(np.abs(s - asked) / scale)) for s in sides)])
-    return worst
+            first, last = _touched(trajectory, axis, time, waypoint.dwell)
+            # from where it arrives to where it leaves: both sides, and all pieces between
+            reached = [right[:, max(first - 1, 0) : last], left[:, first : last + 1]]
+            worst += [
+                float(np.max(_relative(np.abs(side - asked[:, None]), scale[:, None])))
+                for side in reached if side.size
+            ]
+            if last > first:
+                worst.append(_moved(trajectory, axis, slice(first, last)) / scales[0, axis])
+    return _largest(worst)
+
+
+def _touched(trajectory: Trajectory, axis: int, time: float, dwell: float) -> tuple[int, int]:
+    """The piece of an axis that starts at `time`, and the one that starts after the dwell."""
+    starts, lengths, _ = trajectory.pieces(axis)
+    switches = np.append(starts, starts[-1] + lengths[-1])
+    first, last = (int(np.argmin(np.abs(switches - t))) for t in (time, time + dwell))
+    return first, last
+
+
+def _moved(trajectory: Trajectory, axis: int, rows: slice) -> float:
+    """Range of the position in some pieces of an axis."""
+    _, lengths, coefficients = trajectory.pieces(axis)
+    low, high = extrema(coefficients[rows], lengths[rows], 0)
+    return high - low
+
+
+def _largest(values: list[float]) -> float:
+    """The largest value; NaN if one is."""
+    return float(np.max(values))
+
+
+def time_error(trajectory: Trajectory) -> float:
+    """Largest error of the times (Verification), in units of the duration."""
+    arrivals, ends = trajectory.axis_waypoint_times, trajectory.axis_durations
+    dwells = np.array([waypoint.dwell for waypoint in trajectory.waypoints])
+    errors = [float(np.max(np.abs(arrivals[0])))]
+    for axis in range(trajectory.axes):
+        starts, lengths, _ = trajectory.pieces(axis)
+        stops = starts + lengths
+        errors += [abs(float(starts[0])), abs(float(stops[-1] - ends[axis]))]
+        errors += [float(np.max(np.abs(starts[1:] - stops[:-1]), initial=0.0))]
+        errors += [float(np.max(-lengths, initial=0.0))]
+        switches = np.append(starts, stops[-1])
+        leaving = arrivals[:, axis] + dwells
+        errors += [float(np.min(np.abs(switches - t))) for t in (*arrivals[:, axis], *leaving)]
+        errors += [abs(float(leaving[-1] - ends[axis]))]
+        errors += np.maximum(leaving[:-1] - arrivals[1:, axis], 0.0).tolist()
+    if trajectory.synchronize == "waypoints":
+        errors += np.ptp(arrivals, axis=1).tolist()
+    if trajectory.synchronize != "none":
+        errors.append(float(np.ptp(ends)))
+    return _largest(errors) / trajectory.duration
 
 
 def require(trajectory: Trajectory) -> None:
@@ -144,7 +208,8 @@ def require(trajectory: Trajectory) -> None:
             axis=axis, limit=name, value=value, bound=bound,
         )
     raise InfeasibleError(
-        f"the plan misses a waypoint by {found.waypoint_error:.3g} or jumps by "
-        f"{float(found.jumps.max()):.3g} (relative): the problem is badly scaled; "
+        f"the plan misses a waypoint by {found.waypoint_error:.3g}, jumps by "
+        f"{float(found.jumps.max()):.3g} or errs in time by {found.time_error:.3g} (relative): the "
+        "problem is badly scaled; "
         "choose limits and distances of similar size"
     )

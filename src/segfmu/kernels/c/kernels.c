@@ -4802,7 +4802,10 @@ static bool check_axis(int64_t first, int64_t last, array_double_2d timing, arra
             return 0;
         }
     }
-    (*cspan_at(&work, INT64_C(41), INT64_C(0))) = span_max(1.0, high - low);
+    low = span_min(low, (*cspan_at(&work, INT64_C(40), INT64_C(0))));
+    high = span_max(high, (*cspan_at(&work, INT64_C(40), INT64_C(0))));
+    /*where the position is large, its rounding is a part of the distance that counts*/
+    (*cspan_at(&work, INT64_C(41), INT64_C(0))) = span_max(high - low, 1e-05 * span_max(-low, high));
     for (d = INT64_C(0); d < order; d += INT64_C(1))
     {
         if (!((*cspan_at(&work, INT64_C(42), d)) <= tolerance * (*cspan_at(&work, INT64_C(41), d))))
@@ -4816,7 +4819,7 @@ static bool check_axis(int64_t first, int64_t last, array_double_2d timing, arra
 /*Check the pieces of every axis: 0, or 1 + the first axis that may be wrong.                        */
 /*                                                                                                   */
 /*    Up to the relative tolerance, limits hold, the derivatives 0 .. n are continuous (in units of  */
-/*    the range of the position, at least 1 m, and of the peaks of the others), and the trajectory   */
+/*    the range of the position and of the peaks of the others), and the trajectory                  */
 /*    passes the waypoints. Arrays as in `expand_plan`; limits[axis, i] is c_{i+1}, 0 if absent; work*/
 /*    (Check rows, Check columns).                                                                   */
 /*                                                                                                   */

@@ -103,7 +103,10 @@ def check_axis(
         length = timing[row, Timing.LENGTH]
         if not check_piece(row, row > first, length, coefficients, limits, tolerance, work):
             return False
-    work[Check.PEAKS, 0] = max(1.0, high - low)
+    low = min(low, work[Check.ENDS, 0])
+    high = max(high, work[Check.ENDS, 0])
+    # where the position is large, its rounding is a part of the distance that counts
+    work[Check.PEAKS, 0] = max(high - low, 1e-5 * max(-low, high))
     for d in range(order):
         if not work[Check.JUMPS, d] <= tolerance * work[Check.PEAKS, d]:
             return False
@@ -158,7 +161,7 @@ def check_plan(
     """Check the pieces of every axis: 0, or 1 + the first axis that may be wrong.
 
     Up to the relative tolerance, limits hold, the derivatives 0 .. n are continuous (in units of
-    the range of the position, at least 1 m, and of the peaks of the others), and the trajectory
+    the range of the position and of the peaks of the others), and the trajectory
     passes the waypoints. Arrays as in `expand_plan`; limits[axis, i] is c_{i+1}, 0 if absent; work
     (Check rows, Check columns).
     """

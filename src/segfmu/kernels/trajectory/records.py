@@ -59,5 +59,5 @@ class Check(Record):
 
     HULLS = field("hulls of the parts of a piece", size=40, of=Hull)
     ENDS = field("derivatives at the end of the piece before, by their order")
-    PEAKS = field("peaks of the derivatives; of the position its range, at least 1 m")
+    PEAKS = field("peaks of the derivatives; of the position its range")
     JUMPS = field("largest jumps of the derivatives between two pieces")
