@@ -1,46 +1,37 @@
-"""Mission and crane files (TOML), validated; an error is one line."""
+"""Mission files: the crane, the limits, the waypoints, and how the mission is run."""
 
 from __future__ import annotations
 
-import tomllib
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-import numpy as np
-from pydantic import (
-    AfterValidator,
-    BaseModel,
-    BeforeValidator,
-    ConfigDict,
-    Field,
-    StrictBool,
-    ValidationError,
-)
+from pydantic import AfterValidator, BeforeValidator, Field, StrictBool, model_validator
 
 from segfmu.crane import ActuatorBounds, Crane, plan_actuated
 from segfmu.errors import InputError
 from segfmu.planning import Limits, Trajectory, Waypoint, plan
+from segfmu.validation import crane_parameters
+from segfmu.validation.crane_file import CraneFile
+from segfmu.validation.keys import (
+    Key,
+    NotNegative,
+    Number,
+    Positive,
+    PositivePair,
+    PositiveTriple,
+    Table,
+    Triple,
+    printable,
+)
+from segfmu.validation.reading import checked, merged, read
 
 # that the FMUs can have
 MOST_WAYPOINTS = 256
 AXES = ("x", "y", "z")
 
-
-def _number(value: Any) -> Any:
-    """Refuse booleans and strings in place of numbers."""
-    if isinstance(value, bool | str):
-        raise ValueError("must be a number")
-    return value
-
-
-Number = Annotated[float, BeforeValidator(_number)]
-Positive = Annotated[Number, Field(gt=0.0)]
-# the least is that of the FMUs; the greatest avoids overflow in the design of gains
-Quantity = Annotated[Number, Field(ge=1e-9, le=1e9)]
-NotNegative = Annotated[Number, Field(ge=0.0)]
-Triple = Annotated[list[Number], Field(min_length=3, max_length=3)]
-PositiveTriple = Annotated[list[Positive], Field(min_length=3, max_length=3)]
-PositivePair = Annotated[list[Positive], Field(min_length=2, max_length=2)]
+# keys that only the other kind of file has
+OF_CRANES = ("bridge_mass", "trolley_mass", "payload_mass")
+OF_MISSIONS = ("waypoints", "limits", "simulation")
 
 
 def _state(value: Any) -> Any:
@@ -51,98 +42,154 @@ def _state(value: Any) -> Any:
 
 
 State = Annotated[Triple | Literal["free"], BeforeValidator(_state)]
+REST = "at rest"
 
 
-def _printable(text: str) -> str:
-    """Check a title of tables and plots: one line, no control characters."""
-    if not text.isprintable():
-        raise ValueError("must be one line of printable characters")
-    return text
+class AxisLimits(Table):
+    """Limits of one axis."""
+
+    velocity: Annotated[Positive, Key("greatest velocity of the load", "m/s")]
+    acceleration: Annotated[Positive, Key("greatest acceleration of the load", "m/s2")]
+    jerk: Annotated[
+        Positive | None, Key("greatest jerk of the load", "m/s3", default="no limit")
+    ] = None
+    snap: Annotated[
+        Positive | None, Key("greatest snap of the load", "m/s4", default="no limit")
+    ] = None
 
 
-class _Strict(BaseModel):
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
-
-
-class CraneFile(_Strict):
-    """Masses [kg], gravity [m/s2] and rope range [m]."""
-
-    bridge_mass: Quantity
-    trolley_mass: Quantity
-    payload_mass: Quantity
-    gravity: Quantity = 9.81
-    rope_min: Quantity | None = None
-    rope_max: Quantity | None = None
-
-
-class AxisLimits(_Strict):
-    """Limits of one axis; from jerk on, an absent limit means unbounded."""
-
-    velocity: Positive
-    acceleration: Positive
-    jerk: Positive | None = None
-    snap: Positive | None = None
-
-
-class LimitsTable(_Strict):
+class LimitsTable(Table):
     """Limits of the three axes."""
 
-    x: AxisLimits
-    y: AxisLimits
-    z: AxisLimits
+    x: Annotated[AxisLimits, Key("limits along x")]
+    y: Annotated[AxisLimits, Key("limits along y")]
+    z: Annotated[AxisLimits, Key("limits along z")]
 
 
-class WaypointEntry(_Strict):
-    """One waypoint; by default at rest; the planner chooses a "free" velocity or acceleration."""
+class WaypointEntry(Table):
+    """One waypoint."""
 
-    position: Triple
-    velocity: State = [0.0, 0.0, 0.0]
-    acceleration: State = [0.0, 0.0, 0.0]
-    dwell: NotNegative = 0.0
-
-
-class ActuatorEntry(_Strict):
-    """Bounds of bridge, trolley and hoist [N], [m/s], [m/s2], and of the sway angles [deg]."""
-
-    force: PositiveTriple | None = None
-    velocity: PositiveTriple | None = None
-    acceleration: PositiveTriple | None = None
-    sway_angle: PositivePair | None = None
+    position: Annotated[Triple, Key("x, y, z of the load; z is negative, 0 at the trolley", "m")]
+    velocity: Annotated[
+        State, Key('velocity of the load; "free": the planner chooses it', "m/s", default=REST)
+    ] = [0.0, 0.0, 0.0]
+    acceleration: Annotated[
+        State,
+        Key('acceleration of the load; "free": the planner chooses it', "m/s2", default=REST),
+    ] = [0.0, 0.0, 0.0]
+    dwell: Annotated[NotNegative, Key("time to rest there", "s")] = 0.0
 
 
-class SimulationEntry(_Strict):
+class ActuatorEntry(Table):
+    """Bounds of this mission alone, beside those of the crane file."""
+
+    force: Annotated[
+        PositiveTriple | None, Key("of bridge, trolley and hoist", "N", default="the crane's")
+    ] = None
+    velocity: Annotated[
+        PositiveTriple | None, Key("of bridge, trolley and hoist", "m/s", default="the crane's")
+    ] = None
+    acceleration: Annotated[
+        PositiveTriple | None, Key("of bridge, trolley and hoist", "m/s2", default="the crane's")
+    ] = None
+    sway_angle: Annotated[
+        PositivePair | None, Key("of both sway angles", "deg", default="the crane's")
+    ] = None
+
+
+class SimulationEntry(Table):
     """How `segfmu simulate` runs the mission."""
 
-    step: Annotated[Number, Field(gt=0.0, le=0.1)] = 0.001
-    settle: NotNegative = 3.0
-    feedback: StrictBool = True
-    feedback_source: Literal["state", "measured"] = "state"
-    drive: Literal["force", "velocity"] = "force"
+    step: Annotated[
+        Annotated[Number, Field(gt=0.0, le=0.1)], Key("communication step", "s")
+    ] = 0.001
+    settle: Annotated[NotNegative, Key("time behind the end of the plan", "s")] = 3.0
+    feedback: Annotated[
+        StrictBool | None, Key("whether the feedback acts", default="controller.enabled")
+    ] = None
+    feedback_source: Annotated[
+        Literal["state", "measured"] | None,
+        Key("what the feedback knows", default="controller.source"),
+    ] = None
+    drive: Annotated[
+        Literal["force", "velocity"] | None, Key("what the drives follow", default="drive")
+    ] = None
     initial_sway: Annotated[
-        list[Annotated[Number, Field(ge=-45.0, le=45.0)]], Field(min_length=2, max_length=2)
+        Annotated[
+            list[Annotated[Number, Field(ge=-45.0, le=45.0)]], Field(min_length=2, max_length=2)
+        ],
+        Key("sway angles phi_x and phi_y at the start", "deg"),
     ] = [0.0, 0.0]
-    tracking_tolerance: Positive = 0.001
-    sway_tolerance: Positive = 0.02
+    tracking_tolerance: Annotated[
+        Positive, Key("largest distance of the load from its plan", "m")
+    ] = 0.001
+    sway_tolerance: Annotated[
+        Positive, Key("largest sway angle after the end of the plan", "deg")
+    ] = 0.02
 
 
-class Mission(_Strict):
+class Mission(Table):
     """A whole mission file."""
 
-    name: Annotated[str, Field(max_length=100), AfterValidator(_printable)] = "mission"
-    crane: CraneFile
-    limits: LimitsTable
-    waypoints: Annotated[list[WaypointEntry], Field(min_length=2, max_length=MOST_WAYPOINTS)]
-    smoothness: Annotated[int, Field(ge=4, le=6, strict=True)] = 4
-    shape: Literal["plateau", "smoothstep"] = "plateau"
-    synchronization: Literal["waypoints", "total", "none"] = "waypoints"
-    sample_time: Positive | None = None
-    duration: Positive | None = None
-    actuators: ActuatorEntry | None = None
-    simulation: SimulationEntry = SimulationEntry()
+    name: Annotated[
+        Annotated[str, Field(max_length=100), AfterValidator(printable)],
+        Key("title of tables and plots"),
+    ] = "mission"
+    crane: Annotated[
+        CraneFile, Key("the crane that is planned for: the name of a crane file, or its keys")
+    ]
+    true_crane: Annotated[
+        CraneFile | None,
+        Key("what differs from `crane` in the crane that is simulated", default="nothing"),
+    ] = None
+    limits: Annotated[LimitsTable, Key("limits of the load")]
+    waypoints: Annotated[
+        list[WaypointEntry],
+        Key("waypoints of the load"),
+        Field(min_length=2, max_length=MOST_WAYPOINTS),
+    ]
+    smoothness: Annotated[
+        Annotated[int, Field(ge=4, le=6, strict=True)],
+        Key("the load's position is so many times continuously differentiable"),
+    ] = 4
+    shape: Annotated[
+        Literal["plateau", "smoothstep"], Key("shape of the acceleration ramps")
+    ] = "plateau"
+    synchronization: Annotated[
+        Literal["waypoints", "total", "none"], Key("where the axes meet in time")
+    ] = "waypoints"
+    sample_time: Annotated[
+        Positive | None,
+        Key("durations between waypoints are multiples of it", "s", default="any duration"),
+    ] = None
+    duration: Annotated[
+        Positive | None, Key("duration of the plan", "s", default="the shortest")
+    ] = None
+    actuators: Annotated[
+        ActuatorEntry, Key("bounds of the drives in this mission")
+    ] = ActuatorEntry()
+    simulation: Annotated[
+        SimulationEntry, Key("how the mission is run")
+    ] = SimulationEntry()
+
+    @model_validator(mode="before")
+    @classmethod
+    def _complete(cls, data: Any) -> Any:
+        """Take from the nominal crane what the true one does not state."""
+        if isinstance(data, dict):
+            crane, true = data.get("crane"), data.get("true_crane")
+            if isinstance(crane, dict) and isinstance(true, dict):
+                return {**data, "true_crane": merged(crane, true)}
+        return data
+
+    @property
+    def simulated(self) -> CraneFile:
+        """The crane that is simulated."""
+        return self.true_crane or self.crane
 
     def build_crane(self) -> Crane:
-        """The crane of the mission."""
-        return Crane(**self.crane.model_dump())
+        """The crane that is planned for."""
+        return crane_parameters.nominal(self.crane)
 
     def build_limits(self) -> Limits:
         """Limits of the axes x, y, z."""
@@ -154,6 +201,11 @@ class Mission(_Strict):
             )
         )
 
+    def build_bounds(self) -> ActuatorBounds | None:
+        """Bounds of crane file and mission; None if there are none."""
+        own = crane_parameters.bounds(self.crane)
+        return crane_parameters.tighter(own, self.actuators.model_dump())
+
     def plan(self) -> Trajectory:
         """Plan the mission's trajectory of x, y and z."""
         points = [Waypoint(**entry.model_dump()) for entry in self.waypoints]
@@ -162,68 +214,51 @@ class Mission(_Strict):
             "synchronize": self.synchronization, "sample_time": self.sample_time,
             "duration": self.duration, "axis_names": AXES,
         }
-        if self.actuators is None:
+        bounds = self.build_bounds()
+        if bounds is None:
             return plan(points, self.build_limits(), **options)
-        given = self.actuators.model_dump()
-        if given["sway_angle"] is not None:
-            given["sway_angle"] = np.deg2rad(given["sway_angle"])
         return plan_actuated(
-            self.build_crane(), points, self.build_limits(), ActuatorBounds(**given), **options
+            self.build_crane(), points, self.build_limits(), bounds, **options
         ).trajectory
 
 
 def load_mission(path: Path) -> Mission:
-    """Read and check a mission file.
+    """Read and check a mission file and the crane file that it names.
 
     Raises
     ------
     InputError
         One line with the file, the key, the value and what is allowed.
     """
-    data = _read(path)
-    reference = data.get("crane")
-    if isinstance(reference, str):
-        data["crane"] = _read(path.parent / reference)
+    data = read(path)
+    if not data.keys() & set(OF_MISSIONS) and data.keys() & set(OF_CRANES):
+        raise InputError(
+            f"{path}: this is a crane file; give a mission, which names it: "
+            f'crane = "{path.name}"'
+        )
+    if isinstance(data.get("crane"), str):
+        data["crane"] = _crane_data(path, data["crane"])
+    mission = checked(Mission, data, str(path))
     try:
-        mission = Mission.model_validate(data)
-    except ValidationError as error:
-        raise InputError(f"{path}: {_first_problem(error)}") from None
-    try:
-        mission.build_crane()
+        for name, crane in (("crane", mission.crane), ("true_crane", mission.simulated)):
+            crane_parameters.check(crane, name)
         _check_waypoints(mission)
     except InputError as error:
         raise InputError(f"{path}: {error}") from None
     return mission
 
 
-def _read(path: Path) -> dict[str, Any]:
+def _crane_data(mission: Path, name: str) -> dict[str, Any]:
+    """The content of the crane file that a mission names, checked."""
+    path = mission.parent / name
     try:
-        return tomllib.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
-    except UnicodeDecodeError:
-        raise InputError(f"{path}: not a text file in UTF-8") from None
-    except (ValueError, RecursionError) as error:
-        # not only TOML errors: numbers with thousands of digits, paths with a null character
-        raise InputError(f"{path}: not valid TOML: {error}".splitlines()[0]) from None
-
-
-def _first_problem(error: ValidationError) -> str:
-    """The first finding as `key: what is wrong, got value`."""
-    problems = error.errors(include_url=False)
-    first = problems[0]
-    key = ".".join(str(p + 1) if isinstance(p, int) else str(p) for p in first["loc"])
-    text = first["msg"].replace("Value error, ", "")
-    more = f" (and {len(problems) - 1} more)" if len(problems) > 1 else ""
-    if first["type"] == "missing":
-        return f"{key}: this key is missing{more}"
-    if first["type"] == "model_type":
-        text = "must be a table"
-    if first["type"] == "extra_forbidden":
-        return f"{key}: unknown key{more}"
-    shown = repr(first["input"])
-    shown = shown if len(shown) <= 60 else f"{shown[:57]}..."
-    return f"{key or 'file'}: {text}, got {shown}{more}".replace("\n", " ")
+        data = read(path)
+        if data.keys() & set(OF_MISSIONS):
+            raise InputError(f"{path}: this is a mission, not a crane file")
+        crane_parameters.check(checked(CraneFile, data, str(path)), str(path))
+    except InputError as error:
+        raise InputError(f"{mission}: crane: {error}") from None
+    return data
 
 
 def _check_waypoints(mission: Mission) -> None:

@@ -14,9 +14,12 @@ from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.standard.spec import Spec, started
 from segfmu.planning import Trajectory
+from segfmu.validation import crane_parameters
 from segfmu.validation.mission import AXES, Mission
 
 QUANTITIES = ("position", "velocity", "acceleration")
+# parameters that the archive of a native FMU no longer has
+AT_BUILD = "feedback.weight."
 
 
 def sized(waypoints: int | None = None) -> tuple[Spec, Spec]:
@@ -48,9 +51,11 @@ def specs(
 def feedforward_values(mission: Mission, trajectory: Trajectory) -> dict[str, float | str]:
     """Parameters of GantryFeedforward: the arguments of the mission's trajectory.
 
-    Free waypoint states, and limits scaled for the actuators, come from the trajectory.
+    Free waypoint states, and limits scaled for the actuators, come from the trajectory. What the
+    crane file says of the drives as well is that of the crane that is planned for.
     """
-    values = _crane_values(mission)
+    known = gantry_feedforward.spec().references
+    values = {n: v for n, v in crane_parameters.parameters(mission.crane).items() if n in known}
     for name in ("velocity", "acceleration", "jerk", "snap"):
         bounds = np.broadcast_to(getattr(trajectory.limits, name), (3,))
         for axis, number in zip(AXES, bounds, strict=True):
@@ -70,30 +75,28 @@ def feedforward_values(mission: Mission, trajectory: Trajectory) -> dict[str, fl
 
 
 def crane_values(mission: Mission) -> dict[str, float | str]:
-    """Parameters and start values of GantryCrane: the load hangs at the first waypoint."""
-    values = _crane_values(mission)
+    """Parameters and start values of GantryCrane: the load hangs at the first waypoint.
+
+    The crane is the true one; the feedback is designed for the load of the nominal one.
+    """
+    values = crane_parameters.parameters(mission.simulated)
+    if mission.true_crane is not None:
+        values["feedback.payload_mass"] = mission.crane.payload_mass
     x, y, z = mission.waypoints[0].position
     sway_x, sway_y = mission.simulation.initial_sway
-    values.update(
-        {
-            "bridge.position": x,
-            "trolley.position": y,
-            "rope.length": -z,
-            "sway.x.angle": radians(sway_x),
-            "sway.y.angle": radians(sway_y),
-            "drive.mode": mission.simulation.drive,
-            "feedback.enabled": float(mission.simulation.feedback),
-            "feedback.source": mission.simulation.feedback_source,
-        }
-    )
-    return values
-
-
-def _crane_values(mission: Mission) -> dict[str, float | str]:
-    return {
-        f"crane.{name}": 0.0 if value is None else value
-        for name, value in mission.crane.model_dump().items()
+    values |= {
+        "bridge.position": x,
+        "trolley.position": y,
+        "rope.length": -z,
+        "sway.x.angle": radians(sway_x),
+        "sway.y.angle": radians(sway_y),
     }
+    chosen = {
+        "drive.mode": mission.simulation.drive,
+        "feedback.enabled": mission.simulation.feedback,
+        "feedback.source": mission.simulation.feedback_source,
+    }
+    return values | {n: v for n, v in chosen.items() if v is not None}
 
 
 def run(
@@ -110,6 +113,9 @@ def run(
         stop_time=trajectory.duration + mission.simulation.settle,
         step=mission.simulation.step,
         source_values=feedforward_values(mission, trajectory),
-        sink_values=crane_values(mission),
+        # weights are those of the build
+        sink_values={
+            n: v for n, v in crane_values(mission).items() if not n.startswith(AT_BUILD)
+        },
         progress=progress,
     )

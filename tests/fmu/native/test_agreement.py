@@ -114,7 +114,7 @@ def plant_of(task, inverse, values: dict[str, float], driven: bool = False) -> t
     parameters = {v.name: v.start for v in rig_parameters()} | values
     plant = Plant(
         crane, state, setpoints(0.0), gains, driven=driven, rig=Rig.of(parameters.__getitem__),
-        enabled=task.simulation.feedback,
+        enabled=bool(starts["feedback.enabled"]),
     )
     return plant, setpoints
 

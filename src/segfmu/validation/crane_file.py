@@ -1,0 +1,389 @@
+"""The crane file: everything that is known of a crane, in the user's units.
+
+The first tables are what planner, FMUs and controller design need of every crane. All others
+describe what is real about it; without them it is ideal. A `Key` names the parameters of
+GantryCrane that take its value.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import AfterValidator, Field, StrictBool
+
+from segfmu.crane.checks import LARGEST_SEED
+from segfmu.kernels.rig.records import Disturbance
+from segfmu.validation.keys import (
+    Key,
+    NotNegative,
+    NotNegativeTriple,
+    Number,
+    Pair,
+    Positive,
+    PositivePair,
+    Quantity,
+    Share,
+    Table,
+    Triple,
+    printable,
+)
+
+Seed = Annotated[int, Field(ge=0, le=LARGEST_SEED, strict=True)]
+IDEAL = "the drive is ideal"
+NO_BOUND = "no bound is known"
+
+
+class DriveTable(Table):
+    """Drive of one axis; its bounds hold in every plan."""
+
+    lag: Annotated[
+        NotNegative | None,
+        Key("time constant of the velocity loop", "s", ("drive.{}.lag",), IDEAL),
+    ] = None
+    velocity_max: Annotated[
+        Positive | None, Key("greatest velocity", "m/s", (), NO_BOUND)
+    ] = None
+    acceleration_max: Annotated[
+        Positive | None,
+        Key("greatest acceleration", "m/s2", ("drive.{}.acceleration_max",), NO_BOUND),
+    ] = None
+    force_max: Annotated[
+        Positive | None, Key("greatest force", "N", ("drive.{}.force_max",), NO_BOUND)
+    ] = None
+
+
+class TravelTable(Table):
+    """End stops: least and greatest position."""
+
+    bridge: Annotated[
+        Pair | None,
+        Key("of the bridge", "m", ("travel.bridge.min", "travel.bridge.max"), "no end stops"),
+    ] = None
+    trolley: Annotated[
+        Pair | None,
+        Key("of the trolley", "m", ("travel.trolley.min", "travel.trolley.max"), "no end stops"),
+    ] = None
+    rope: Annotated[
+        Pair | None,
+        Key("of the rope's length", "m", ("travel.rope.min", "travel.rope.max"), "no end stops"),
+    ] = None
+
+
+class AxisFriction(Table):
+    """Friction of one axis."""
+
+    viscous: Annotated[
+        NotNegative | None, Key("viscous friction", "N s/m", ("friction.{}.viscous",), "none")
+    ] = None
+    coulomb: Annotated[
+        NotNegative | None, Key("Coulomb friction", "N", ("friction.{}.coulomb",), "none")
+    ] = None
+    drag: Annotated[
+        NotNegative | None,
+        Key("friction that grows with the square of the velocity, at 1 m/s", "N",
+            ("friction.{}.drag",), "none"),
+    ] = None
+
+
+class SwayFriction(Table):
+    """Damping of the sway."""
+
+    viscous: Annotated[
+        NotNegative | None,
+        Key("damping of both sway angles", "N m s", ("friction.sway.viscous",), "none"),
+    ] = None
+
+
+class FrictionTable(Table):
+    """Friction of axes and sway."""
+
+    bridge: Annotated[AxisFriction, Key("friction of the bridge")] = AxisFriction()
+    trolley: Annotated[AxisFriction, Key("friction of the trolley")] = AxisFriction()
+    hoist: Annotated[AxisFriction, Key("friction of the hoist")] = AxisFriction()
+    sway: Annotated[SwayFriction, Key("damping of the sway")] = SwayFriction()
+    width: Annotated[
+        Quantity | None,
+        Key("velocity that smooths the sign of Coulomb friction", "m/s", ("friction.width",)),
+    ] = None
+
+
+class LengthSignal(Table):
+    """Sensor of a position or of the rope's length."""
+
+    resolution: Annotated[
+        NotNegative | None, Key("quantisation step", "m", ("sensor.{}.resolution",), "none")
+    ] = None
+    noise: Annotated[
+        NotNegative | None,
+        Key("standard deviation of every sample; needs a sample time", "m",
+            ("sensor.{}.deviation",), "none"),
+    ] = None
+    zero: Annotated[
+        Number | None, Key("measured minus true value", "m", ("sensor.{}.offset",))
+    ] = None
+
+
+class AngleSignal(Table):
+    """Sensor of a sway angle."""
+
+    resolution: Annotated[
+        NotNegative | None, Key("quantisation step", "deg", ("sensor.{}.resolution",), "none")
+    ] = None
+    noise: Annotated[
+        NotNegative | None,
+        Key("standard deviation of every sample; needs a sample time", "deg",
+            ("sensor.{}.deviation",), "none"),
+    ] = None
+    zero: Annotated[
+        Number | None, Key("measured minus true value", "deg", ("sensor.{}.offset",))
+    ] = None
+
+
+class SensorTable(Table):
+    """Sensors of the five measured signals."""
+
+    sample_time: Annotated[
+        NotNegative | None, Key("period", "s", ("sensor.sample_time",), "continuous")
+    ] = None
+    dead_time: Annotated[
+        NotNegative | None,
+        Key("from sampling to the signal; needs a sample time", "s", ("sensor.dead_time",), "none"),
+    ] = None
+    seed: Annotated[Seed | None, Key("seed of the noise", "", ("sensor.seed",))] = None
+    bridge: Annotated[
+        LengthSignal, Key("position of the bridge", slot="bridge.position")
+    ] = LengthSignal()
+    trolley: Annotated[
+        LengthSignal, Key("position of the trolley", slot="trolley.position")
+    ] = LengthSignal()
+    rope: Annotated[
+        LengthSignal, Key("length of the rope", slot="rope.length")
+    ] = LengthSignal()
+    sway_x: Annotated[
+        AngleSignal, Key("sway angle phi_x", slot="sway.x.angle")
+    ] = AngleSignal()
+    sway_y: Annotated[
+        AngleSignal, Key("sway angle phi_y", slot="sway.y.angle")
+    ] = AngleSignal()
+
+
+class LoadChange(Table):
+    """A change of the load's mass during a run."""
+
+    time: Annotated[Number, Key("time of the change", "s", ("payload[{}].time",))]
+    mass: Annotated[Quantity, Key("mass from then on", "kg", ("payload[{}].mass",))]
+
+
+class LoadTable(Table):
+    """The load beside its mass."""
+
+    mass_range: Annotated[
+        PositivePair | None,
+        Key("least and greatest mass of the load; `payload_mass` has to be within", "kg", (),
+            "any"),
+    ] = None
+    changes: Annotated[
+        list[LoadChange],
+        Key("changes of the mass during a run", "", ("payload.count",), slot="{}"),
+        Field(max_length=Disturbance.MOST_CHANGES),
+    ] = []
+
+
+class WeightTable(Table):
+    """Weights of the dimensionless LQR design."""
+
+    position: Annotated[
+        Positive | None,
+        Key("carriage and rope position", "", ("feedback.weight.position",)),
+    ] = None
+    angle: Annotated[
+        NotNegative | None, Key("sway angles", "", ("feedback.weight.angle",))
+    ] = None
+    velocity: Annotated[
+        NotNegative | None,
+        Key("carriage and rope velocity", "", ("feedback.weight.velocity",)),
+    ] = None
+    rate: Annotated[
+        NotNegative | None, Key("sway rates", "", ("feedback.weight.rate",))
+    ] = None
+    effort: Annotated[Positive | None, Key("effort", "", ("feedback.weight.effort",))] = None
+
+
+class RejectionTable(Table):
+    """Shares of the estimated disturbances that are rejected."""
+
+    carriage: Annotated[
+        Share | None, Key("of carriages and rope", "", ("feedback.rejection.carriage",))
+    ] = None
+    load: Annotated[Share | None, Key("of the load", "", ("feedback.rejection.load",))] = None
+
+
+class ObserverTable(Table):
+    """What the observer expects."""
+
+    position: Annotated[
+        Quantity | None,
+        Key("quantisation step of the carriages' positions", "m",
+            ("feedback.observer.position",)),
+    ] = None
+    length: Annotated[
+        Quantity | None,
+        Key("quantisation step of the rope's length", "m", ("feedback.observer.length",)),
+    ] = None
+    angle: Annotated[
+        Quantity | None,
+        Key("quantisation step of the sway angles", "deg", ("feedback.observer.angle",)),
+    ] = None
+    drift: Annotated[
+        Quantity | None,
+        Key("random walk of the unknown accelerations of carriages and rope: standard deviation "
+            "after 1 s over gravity", "", ("feedback.observer.drift",)),
+    ] = None
+    wind: Annotated[
+        Quantity | None, Key("the same of the load's", "", ("feedback.observer.wind",))
+    ] = None
+    wake: Annotated[
+        NotNegative | None,
+        Key("quantisation steps between signal and reference at which corrections begin", "",
+            ("feedback.observer.wake",)),
+    ] = None
+    offset: Annotated[
+        NotNegative | None,
+        Key("expected zero of the rope's sensor over the rope's length", "",
+            ("feedback.observer.offset",)),
+    ] = None
+
+
+class ControllerTable(Table):
+    """The sway feedback."""
+
+    enabled: Annotated[StrictBool, Key("whether it acts", "", ("feedback.enabled",))] = True
+    source: Annotated[
+        Literal["state", "measured"],
+        Key("what it knows: the true state, or the measured signals", "", ("feedback.source",)),
+    ] = "state"
+    design: Annotated[
+        Literal["lqr", "flatness"],
+        Key("gains of a linear-quadratic design, or in closed form", "", ("feedback.design",)),
+    ] = "lqr"
+    sample_time: Annotated[
+        Annotated[Number, Field(ge=1e-6, le=10.0)] | None,
+        Key("period", "s", ("feedback.sample_time",)),
+    ] = None
+    bandwidth: Annotated[
+        Quantity | None,
+        Key("of design flatness: bandwidth over the pendulum's frequency", "",
+            ("feedback.bandwidth",)),
+    ] = None
+    hoist_bandwidth: Annotated[
+        Quantity | None,
+        Key("of design flatness: bandwidth of the hoist over the pendulum's frequency", "",
+            ("feedback.hoist_bandwidth",)),
+    ] = None
+    damping: Annotated[
+        Quantity | None,
+        Key("of design flatness: damping of all poles", "", ("feedback.damping",)),
+    ] = None
+    fade: Annotated[
+        NotNegative | None,
+        Key("time constant of the change when something is switched", "s", ("feedback.fade",)),
+    ] = None
+    payload_time: Annotated[
+        Quantity | None,
+        Key("time constant of the estimate of the load's mass", "s", ("feedback.payload_time",)),
+    ] = None
+    weight: Annotated[WeightTable, Key("weights of design lqr")] = WeightTable()
+    rejection: Annotated[
+        RejectionTable, Key("rejected shares of estimated disturbances")
+    ] = RejectionTable()
+    observer: Annotated[ObserverTable, Key("what the observer expects")] = ObserverTable()
+
+
+class GustTable(Table):
+    """One gust."""
+
+    start: Annotated[Number, Key("start", "s", ("wind.gust.start",))] = 0.0
+    duration: Annotated[Positive, Key("duration", "s", ("wind.gust.duration",))]
+    shape: Annotated[
+        Literal["cosine", "sine"],
+        Key("1 - cosine, or half a sine", "", ("wind.gust.shape",)),
+    ] = "cosine"
+    force: Annotated[
+        Triple,
+        Key("peak along x, y, z", "N", ("wind.gust.force.x", "wind.gust.force.y",
+                                        "wind.gust.force.z")),
+    ]
+
+
+class WindNoiseTable(Table):
+    """Random wind."""
+
+    deviation: Annotated[
+        NotNegativeTriple,
+        Key("standard deviations along x, y, z", "N",
+            ("wind.noise.deviation.x", "wind.noise.deviation.y", "wind.noise.deviation.z")),
+    ]
+    bandwidth: Annotated[
+        Quantity, Key("greatest frequency", "Hz", ("wind.noise.bandwidth",))
+    ] = 1.0
+    seed: Annotated[Seed, Key("of the noise", "", ("wind.noise.seed",))] = 0
+
+
+class WindTable(Table):
+    """Force of the wind on the load."""
+
+    constant: Annotated[
+        Triple | None,
+        Key("constant force along x, y, z", "N",
+            ("wind.constant.x", "wind.constant.y", "wind.constant.z"), "none"),
+    ] = None
+    gust: Annotated[GustTable | None, Key("one gust", default="none")] = None
+    noise: Annotated[WindNoiseTable | None, Key("random wind", default="none")] = None
+
+
+class CraneFile(Table):
+    """A crane."""
+
+    name: Annotated[
+        Annotated[str, Field(max_length=100), AfterValidator(printable)],
+        Key("title of the crane"),
+    ] = "crane"
+    bridge_mass: Annotated[
+        Quantity,
+        Key("mass of the bridge, which moves in x together with the trolley", "kg",
+            ("crane.bridge_mass",)),
+    ]
+    trolley_mass: Annotated[
+        Quantity,
+        Key("mass of the trolley, which moves in y on the bridge", "kg", ("crane.trolley_mass",)),
+    ]
+    payload_mass: Annotated[Quantity, Key("mass of the load", "kg", ("crane.payload_mass",))]
+    gravity: Annotated[
+        Annotated[Number, Field(ge=1e-3, le=1e3)],
+        Key("acceleration of gravity", "m/s2", ("crane.gravity",)),
+    ] = 9.81
+    rope_min: Annotated[
+        Quantity | None,
+        Key("shortest rope of a plan", "m", ("crane.rope_min",), "no bound", none=(0.0,)),
+    ] = None
+    rope_max: Annotated[
+        Quantity | None,
+        Key("longest rope of a plan", "m", ("crane.rope_max",), "no bound", none=(0.0,)),
+    ] = None
+    drive: Annotated[
+        Literal["force", "velocity"],
+        Key("what all drives follow: force setpoints or velocity setpoints", "", ("drive.mode",)),
+    ] = "force"
+    sway_max: Annotated[
+        PositivePair | None,
+        Key("greatest sway angles phi_x and phi_y of a plan", "deg", (), NO_BOUND),
+    ] = None
+    bridge: Annotated[DriveTable, Key("drive of the bridge")] = DriveTable()
+    trolley: Annotated[DriveTable, Key("drive of the trolley")] = DriveTable()
+    hoist: Annotated[DriveTable, Key("drive of the hoist")] = DriveTable()
+    travel: Annotated[TravelTable, Key("end stops")] = TravelTable()
+    friction: Annotated[FrictionTable, Key("friction")] = FrictionTable()
+    sensors: Annotated[SensorTable, Key("sensors")] = SensorTable()
+    load: Annotated[LoadTable, Key("the load")] = LoadTable()
+    controller: Annotated[ControllerTable, Key("the sway feedback")] = ControllerTable()
+    wind: Annotated[WindTable, Key("wind on the load")] = WindTable()

@@ -1,0 +1,123 @@
+"""What a crane file means to planner and FMUs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from functools import cache
+from math import radians
+from typing import Any
+
+import numpy as np
+
+from segfmu.crane import ActuatorBounds, Crane, Rig
+from segfmu.errors import InputError
+from segfmu.fmu.gantry_crane import interface as gantry_crane
+from segfmu.fmu.standard.spec import started
+from segfmu.validation.crane_file import CraneFile
+from segfmu.validation.keys import Entry, entries
+
+# parameters of GantryCrane that no key sets, by the beginning of their names, and why
+WITHOUT_KEY = {
+    "feedback.payload_mass": "the load's mass of the crane that the mission is planned for",
+    "feedback.table": "gains of the native FMU, designed from crane and weights at the build",
+    "setpoint.lead": "a matter of the importer that couples the FMUs, not of the crane",
+    "start.on_reference": "the crane of a mission starts at the first waypoint",
+}
+
+DRIVES = ("bridge", "trolley", "hoist")
+
+
+@cache
+def _entries() -> tuple[Entry, ...]:
+    return tuple(entries(CraneFile))
+
+
+def parameters(crane: CraneFile) -> dict[str, float | str]:
+    """Parameters of GantryCrane that a crane file sets, by name."""
+    found: dict[str, float | str] = {}
+    for entry in _entries():
+        if entry.feeds and "[" not in entry.feeds[0]:
+            found.update(_fed(entry, _at(crane, entry.path)))
+    for i, change in enumerate(crane.load.changes, 1):
+        found[f"payload[{i}].time"] = change.time
+        found[f"payload[{i}].mass"] = change.mass
+    return found
+
+
+def _at(table: Any, path: tuple[str, ...]) -> Any:
+    """The value at a path; None below a table that is not there."""
+    for name in path:
+        table = None if table is None else getattr(table, name)
+    return table
+
+
+def _fed(entry: Entry, value: Any) -> Iterator[tuple[str, float | str]]:
+    if value is None:
+        yield from zip(entry.feeds, entry.key.none, strict=False)
+    elif entry.listed:
+        yield entry.feeds[0], len(value)
+    else:
+        for name, one in zip(entry.feeds, value if isinstance(value, list) else [value],
+                             strict=True):
+            if isinstance(one, str):
+                yield name, one
+            else:
+                yield name, radians(one) if entry.key.unit == "deg" else float(one)
+
+
+def nominal(crane: CraneFile) -> Crane:
+    """Masses, gravity and rope range.
+
+    Raises
+    ------
+    InputError
+        For an empty rope range.
+    """
+    names = ("bridge_mass", "trolley_mass", "payload_mass", "gravity", "rope_min", "rope_max")
+    return Crane(**{name: getattr(crane, name) for name in names})
+
+
+def bounds(crane: CraneFile) -> ActuatorBounds:
+    """Bounds of the drives and of the sway; infinite where the file has none."""
+    drives = [getattr(crane, name) for name in DRIVES]
+    given: dict[str, Any] = {
+        name: [getattr(drive, f"{name}_max") or np.inf for drive in drives]
+        for name in ("force", "velocity", "acceleration")
+    }
+    sway = None if crane.sway_max is None else np.deg2rad(crane.sway_max)
+    return ActuatorBounds(**given, sway_angle=sway)
+
+
+def tighter(own: ActuatorBounds, more: Mapping[str, Any]) -> ActuatorBounds | None:
+    """The smaller of a crane's bounds and others, sway angles in deg; None if there are none."""
+    given = {name: np.inf if value is None else np.array(value) for name, value in more.items()}
+    given["sway_angle"] = np.deg2rad(given["sway_angle"])
+    found = ActuatorBounds(
+        **{name: np.minimum(getattr(own, name), value) for name, value in given.items()}
+    )
+    return found if np.isfinite(found.vector).any() else None
+
+
+def check(crane: CraneFile, where: str) -> None:
+    """What no single key shows; `where` names the file or the table.
+
+    Raises
+    ------
+    InputError
+        For values that do not fit together.
+    """
+    try:
+        nominal(crane)
+        values = started(gantry_crane.spec(), parameters(crane))
+        Rig.of({v.name: v.start for v in values.variables}.__getitem__)
+    except InputError as error:
+        raise InputError(f"{where}: {error}") from None
+    allowed = crane.load.mass_range
+    if allowed is not None:
+        if allowed[0] > allowed[1]:
+            raise InputError(f"{where}: load.mass_range: {allowed} kg is empty")
+        if not allowed[0] <= crane.payload_mass <= allowed[1]:
+            raise InputError(
+                f"{where}: payload_mass: {crane.payload_mass} kg is outside load.mass_range "
+                f"{allowed[0]} to {allowed[1]} kg"
+            )

@@ -1,0 +1,111 @@
+"""TOML files, read and checked; an error is one line that names file and key."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Mapping
+from difflib import get_close_matches
+from pathlib import Path
+from typing import Any, TypeVar
+
+from pydantic import ValidationError
+from pydantic_core import ErrorDetails
+
+from segfmu.errors import InputError
+from segfmu.validation.keys import Table, entries
+
+Checked = TypeVar("Checked", bound=Table)
+
+# a mission with the most waypoints takes 60 kB
+LARGEST = 4_000_000
+# characters of a wrong value that are shown
+SHOWN = 60
+
+
+def read(path: Path) -> dict[str, Any]:
+    """The content of a TOML file, with or without a byte order mark.
+
+    Raises
+    ------
+    InputError
+        If it cannot be read, is too large, or is not TOML.
+    """
+    try:
+        with path.open("rb") as file:
+            data = file.read(LARGEST + 1)
+        if len(data) > LARGEST:
+            raise InputError(f"{path}: larger than {LARGEST // 1_000_000} MB, no crane or mission")
+        return tomllib.loads(data.decode("utf-8-sig"))
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
+    except UnicodeDecodeError:
+        raise InputError(f"{path}: not a text file in UTF-8") from None
+    except InputError:
+        raise
+    except (ValueError, RecursionError) as error:
+        # not only TOML errors: numbers with thousands of digits, paths with a null character
+        raise InputError(f"{path}: not valid TOML: {error}".splitlines()[0]) from None
+
+
+def checked(kind: type[Checked], data: Mapping[str, Any], where: str) -> Checked:
+    """The table that the content of a file describes; `where` names the file.
+
+    Raises
+    ------
+    InputError
+        For the first key that is wrong.
+    """
+    try:
+        return kind.model_validate(data)
+    except ValidationError as error:
+        raise InputError(f"{where}: {_problem(kind, error)}") from None
+
+
+def merged(base: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
+    """A table with changes; tables within are merged too."""
+    result = dict(base)
+    for name, value in changes.items():
+        old = result.get(name)
+        both = isinstance(old, Mapping) and isinstance(value, Mapping)
+        result[name] = merged(old, value) if both else value  # type: ignore[arg-type]
+    return result
+
+
+def _problem(kind: type[Table], error: ValidationError) -> str:
+    """The first finding as `key: what is wrong, got value`; a misspelt key before a missing one."""
+    problems = error.errors(include_url=False)
+    misspelt = [p for p in problems if p["type"] == "extra_forbidden" and _similar(kind, p["loc"])]
+    more = f" (and {len(problems) - 1} more)" if len(problems) > 1 else ""
+    return f"{_finding(kind, [*misspelt, *problems][0])}{more}".replace("\n", " ")
+
+
+def _finding(kind: type[Table], problem: ErrorDetails) -> str:
+    key = ".".join(str(p + 1) if isinstance(p, int) else str(p) for p in problem["loc"])
+    if problem["type"] == "missing":
+        return f"{key}: this key is missing"
+    if problem["type"] == "extra_forbidden":
+        return f"{_short(key)}: unknown key{_suggestion(kind, problem['loc'])}"
+    text = problem["msg"].replace("Value error, ", "")
+    if problem["type"] == "model_type":
+        text = "must be a table"
+    return f"{key or 'file'}: {text}, got {_short(repr(problem['input']))}"
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= SHOWN else f"{text[:SHOWN - 3]}..."
+
+
+def _suggestion(kind: type[Table], place: tuple[int | str, ...]) -> str:
+    """The key that may be meant: a similar one in this table, or one of this name elsewhere."""
+    near = _similar(kind, place)
+    if near:
+        return f"; did you mean {near[0]}?"
+    elsewhere = [".".join(e.path) for e in entries(kind) if e.path[-1] == place[-1]]
+    return f"; it is a key elsewhere: {', '.join(elsewhere[:4])}" if elsewhere else ""
+
+
+def _similar(kind: type[Table], place: tuple[int | str, ...]) -> list[str]:
+    """The most similar key of the same table, if there is one."""
+    *tables, name = (p for p in place if isinstance(p, str))
+    names = [e.path[-1] for e in entries(kind) if list(e.path[:-1]) == tables]
+    return get_close_matches(name, names, n=1)

@@ -1,0 +1,236 @@
+"""The crane file: every parameter of GantryCrane has a key or a reason, and every key arrives."""
+
+from __future__ import annotations
+
+import math
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from segfmu.errors import InputError
+from segfmu.fmu.gantry_crane import interface as gantry_crane
+from segfmu.validation import crane_parameters
+from segfmu.validation.crane_file import CraneFile
+from segfmu.validation.keys import entries
+from segfmu.validation.mission import Mission, load_mission
+from segfmu.validation.reading import checked
+from segfmu.validation.scenario import crane_values, specs
+
+MODELS = Path(__file__).parents[2] / "models"
+SPEC = gantry_crane.spec()
+PARAMETERS = SPEC.where("parameter")
+FED = {name for entry in entries(CraneFile) for name in entry.feeds}
+MASSES = 'bridge_mass = 300e3\ntrolley_mass = 15e3\npayload_mass = 40e3\n'
+
+# every key with a value that is not the FMU's start value
+EVERYTHING = MASSES + """
+name = "everything"
+gravity = 9.82
+rope_min = 14.0
+rope_max = 32.0
+drive = "velocity"
+sway_max = [8.0, 5.0]
+[bridge]
+lag = 0.3
+velocity_max = 0.75
+acceleration_max = 0.2
+force_max = 300e3
+[trolley]
+lag = 0.2
+velocity_max = 4.0
+acceleration_max = 0.8
+force_max = 100e3
+[hoist]
+lag = 0.1
+velocity_max = 1.5
+acceleration_max = 0.5
+force_max = 600e3
+[travel]
+bridge = [-10.0, 300.0]
+trolley = [-5.0, 55.0]
+rope = [13.0, 33.0]
+[friction]
+width = 0.002
+bridge = { viscous = 100.0, coulomb = 3000.0, drag = 10.0 }
+trolley = { viscous = 200.0, coulomb = 1000.0, drag = 20.0 }
+hoist = { viscous = 300.0, coulomb = 2000.0, drag = 30.0 }
+sway = { viscous = 400.0 }
+[sensors]
+sample_time = 0.01
+dead_time = 0.02
+seed = 7
+bridge = { resolution = 0.001, noise = 0.0002, zero = 0.01 }
+trolley = { resolution = 0.002, noise = 0.0003, zero = 0.02 }
+rope = { resolution = 0.003, noise = 0.0004, zero = 0.03 }
+sway_x = { resolution = 0.088, noise = 0.01, zero = 0.5 }
+sway_y = { resolution = 0.176, noise = 0.02, zero = -0.5 }
+[load]
+mass_range = [10e3, 65e3]
+changes = [{ time = 3.0, mass = 20e3 }, { time = 5.0, mass = 30e3 }]
+[controller]
+enabled = false
+source = "measured"
+design = "flatness"
+sample_time = 0.02
+bandwidth = 0.9
+hoist_bandwidth = 2.5
+damping = 0.8
+fade = 0.5
+payload_time = 3.0
+weight = { position = 2.0, angle = 3.0, velocity = 4.0, rate = 5.0, effort = 6.0 }
+rejection = { carriage = 0.5, load = 0.6 }
+[controller.observer]
+position = 0.001
+length = 0.002
+angle = 0.1
+drift = 0.01
+wind = 0.003
+wake = 4.0
+offset = 0.02
+[wind]
+constant = [9e3, 8e3, 7e3]
+gust = { start = 4.0, duration = 6.0, shape = "sine", force = [5e3, 4e3, 3e3] }
+noise = { deviation = [1e3, 2e3, 3e3], bandwidth = 0.5, seed = 9 }
+"""
+
+
+def crane(text: str = "") -> CraneFile:
+    return checked(CraneFile, tomllib.loads(MASSES + text), "crane.toml")
+
+
+def starts(text: str) -> dict[str, float]:
+    """Start values of GantryCrane for a crane file."""
+    own = checked(CraneFile, tomllib.loads(text), "crane.toml")
+    changed = gantry_crane.started(SPEC, crane_parameters.parameters(own))
+    return {v.name: v.start for v in changed.variables}
+
+
+def has_key(name: str) -> bool:
+    """Whether a crane file sets a parameter; those of rows are named by the first one."""
+    head, bracket, rest = name.partition("[")
+    return (f"{head}[{{}}]{rest.partition(']')[2]}" if bracket else name) in FED
+
+
+def test_every_parameter_has_a_key_or_a_reason() -> None:
+    assert len(PARAMETERS) > 80
+    reasons = crane_parameters.WITHOUT_KEY
+    missing = [
+        v.name for v in PARAMETERS if not has_key(v.name) and not v.name.startswith(tuple(reasons))
+    ]
+    assert not missing, "give these a key in validation/crane_file.py, or a reason"
+    assert all(len(reason) > 20 for reason in reasons.values())
+
+
+def test_reasons_are_for_parameters_that_exist_and_have_no_key() -> None:
+    names = [v.name for v in gantry_crane.native_spec().where("parameter")]
+    for start in crane_parameters.WITHOUT_KEY:
+        assert any(n.startswith(start) for n in names), start
+        assert not any(n.startswith(start) for n in FED), start
+
+
+def test_units_of_keys_are_those_of_the_parameters() -> None:
+    spelled = {"rad": "deg"}
+    for entry in entries(CraneFile):
+        for name in entry.feeds:
+            unit = SPEC.variable(name.replace("{}", "1")).unit or ""
+            assert entry.key.unit == spelled.get(unit, unit).replace(".", " "), entry.path
+
+
+def test_every_key_arrives() -> None:
+    """A file with all keys changes all parameters that have one, to its values in SI units."""
+    given = starts(EVERYTHING)
+    same = [
+        v.name for v in PARAMETERS if has_key(v.name) and given[v.name] == v.start
+        # of eight changes two are used
+        and not v.name.startswith(tuple(f"payload[{i}]" for i in range(3, 9)))
+    ]
+    assert not same
+    assert given["drive.trolley.lag"] == 0.2
+    assert given["travel.rope.max"] == 33.0
+    assert given["sensor.sway.y.angle.offset"] == pytest.approx(-math.pi / 360.0)
+    assert given["payload.count"] == 2 and given["payload[2].mass"] == 30e3
+    assert SPEC.variable("drive.mode").enumeration.items[given["drive.mode"] - 1] == "velocity"
+
+
+def test_every_key_of_the_model_is_in_that_file() -> None:
+    data = tomllib.loads(EVERYTHING)
+    for entry in entries(CraneFile):
+        value = data
+        for name in entry.path:
+            value = value[0] if isinstance(value, list) else value
+            assert name in value, ".".join(entry.path)
+            value = value[name]
+
+
+def test_a_bare_crane_is_ideal_and_has_no_rope_bounds() -> None:
+    given = starts(MASSES)
+    neutral = {v.name: v.start for v in PARAMETERS}
+    changed = {n for n in neutral if given[n] != neutral[n]}
+    assert changed == {
+        "crane.bridge_mass", "crane.trolley_mass", "crane.payload_mass", "crane.rope_min",
+        "crane.rope_max",
+    }
+    assert given["crane.rope_min"] == given["crane.rope_max"] == 0.0
+
+
+def test_bounds_are_those_of_file_and_mission_whichever_is_less() -> None:
+    own = crane_parameters.bounds(crane("trolley = { velocity_max = 4.0, force_max = 1e5 }\n"))
+    assert own.velocity.tolist() == [np.inf, 4.0, np.inf]
+    both = crane_parameters.tighter(
+        own, {"force": None, "velocity": [5.0, 5.0, 1.0], "acceleration": None,
+              "sway_angle": [5.0, 10.0]},
+    )
+    assert both.velocity.tolist() == [5.0, 4.0, 1.0]
+    assert both.force.tolist() == [np.inf, 1e5, np.inf]
+    assert np.rad2deg(both.sway_angle) == pytest.approx([5.0, 10.0])
+
+
+def mission(tmp_path: Path, crane_text: str, more: str = "") -> Mission:
+    (tmp_path / "crane.toml").write_text(crane_text, encoding="utf-8")
+    limits = "".join(
+        f"[limits.{a}]\nvelocity = 2.0\nacceleration = 1.0\njerk = 1.0\n" for a in "xyz"
+    )
+    points = "[[waypoints]]\nposition = [0, 0, -20]\n[[waypoints]]\nposition = [0, 30, -20]\n"
+    path = tmp_path / "mission.toml"
+    path.write_text('crane = "crane.toml"\n' + limits + points + more, encoding="utf-8")
+    return load_mission(path)
+
+
+def test_bounds_of_the_crane_file_hold_in_the_plan(tmp_path: Path) -> None:
+    free = mission(tmp_path, MASSES)
+    assert free.build_bounds() is None
+    bound = mission(tmp_path, MASSES + "[trolley]\nacceleration_max = 0.3\n")
+    assert bound.plan().duration > 1.1 * free.plan().duration
+
+
+def test_the_true_crane_differs_where_it_says_so(tmp_path: Path) -> None:
+    text = MASSES + "[trolley]\nlag = 0.2\nforce_max = 1e5\n"
+    own = mission(tmp_path, text, "[true_crane]\npayload_mass = 45e3\ntrolley = { lag = 0.3 }\n")
+    assert own.build_crane().payload_mass == 40e3
+    values = crane_values(own)
+    assert values["crane.payload_mass"] == 45e3
+    assert values["feedback.payload_mass"] == 40e3
+    assert values["drive.trolley.lag"] == 0.3
+    assert values["drive.trolley.force_max"] == 1e5
+    feedforward, plant = specs(own, own.plan())
+    assert feedforward.variable("crane.payload_mass").start == 40e3
+    assert plant.variable("crane.payload_mass").start == 45e3
+
+
+def test_a_mass_outside_its_range_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match=r"crane\.toml: payload_mass: 40000.0 kg is outside"):
+        mission(tmp_path, MASSES + "[load]\nmass_range = [1e3, 20e3]\n")
+
+
+def test_values_that_do_not_fit_are_refused_by_file(tmp_path: Path) -> None:
+    for text in ("[sensors]\ndead_time = 0.1\n", "[travel]\nbridge = [2.0, 1.0]\n"):
+        with pytest.raises(InputError, match=r"mission\.toml: crane: .*crane\.toml: "):
+            mission(tmp_path, MASSES + text)
+
+
+@pytest.mark.parametrize("path", sorted(MODELS.glob("crane*.toml")), ids=lambda p: p.stem)
+def test_values_of_shipped_cranes_have_a_comment(path: Path) -> None:
+    for line in path.read_text(encoding="utf-8").splitlines():
+        assert "=" not in line or "#" in line, f"{path.name}: {line}: say where this is from"
