@@ -75,6 +75,21 @@ def test_parameters_changed_in_modelica_take_effect(native_fmus, tmp_path: Path)
     assert expected["load.position.x"][-1] == pytest.approx(0.8, abs=1e-3)
 
 
+def test_a_moved_first_waypoint_needs_nothing_else(native_fmus, tmp_path: Path) -> None:
+    loaded = imported(tmp_path, native_fmus[2])
+    mission(tmp_path, CLASSES.format(
+        "(waypoint_1__position_x = 0.1, waypoint_1__position_y = -0.05, "
+        "waypoint_1__position_z = -0.6)", "",
+    ))
+    program = built(tmp_path, "Mission", loaded + 'loadFile("Mission.mo");\n', 5.0)
+    source = {f"waypoint[1].position.{a}": p for a, p in zip("xyz", (0.1, -0.05, -0.6), strict=True)}
+    expected = simulate(*native_fmus[2], stop_time=5.0, step=1e-3, source_values=source)
+    for solver in ("dassl", "ida", "gbode"):
+        results, _ = simulated(program, f"-s={solver}")
+        # the states of initialisation last until the first event, at 1e-12 s
+        assert load_distance(results[1:], "gantry.", expected[1:]) < 1e-6, solver
+
+
 def test_parameters_of_no_use_end_the_simulation_with_their_reason(
     native_fmus, tmp_path: Path
 ) -> None:

@@ -135,6 +135,11 @@ class Importer:
         self.fmu.enterContinuousTimeMode()
         return float(found[-1]) if found[-2] else np.inf
 
+    def states_moved(self) -> bool:
+        """Whether the continuous states have other values after an event, which this meets."""
+        update = self.fmu.updateDiscreteStates if self.three else self.fmu.newDiscreteStates
+        return bool(update()[3])
+
     @property
     def states(self) -> int:
         """Number of continuous states."""

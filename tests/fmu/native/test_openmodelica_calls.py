@@ -68,6 +68,32 @@ def test_parameters_set_after_initialisation_give_the_same_plan(native_fmus) -> 
         assert fmu.event() == expected[1]
 
 
+def test_a_reference_set_after_initialisation_moves_the_states(native_fmus) -> None:
+    held = np.array([0.0, 0.0, 0.5])
+    moved = {"reference.bridge.position": 0.3, "reference.trolley.position": -0.2,
+             "reference.rope.length": 0.7}
+    with Importer(native_fmus[2][1], "ModelExchange") as fmu:
+        leave_initialisation(fmu)
+        old = fmu.state()
+        fmu.set(moved)
+        set_states(fmu, old)
+        fmu.fmu.enterEventMode()
+        fmu.set(moved)
+        assert fmu.states_moved()
+        assert np.array_equal(old[:3], held)
+        assert fmu.state()[:3].tolist() == [0.3, -0.2, 0.7]
+        fmu.set({n: v + 0.1 for n, v in moved.items()})
+        assert not fmu.states_moved()
+
+
+def test_states_that_are_right_are_not_moved(native_fmus) -> None:
+    with Importer(native_fmus[2][1], "ModelExchange") as fmu:
+        leave_initialisation(fmu)
+        fmu.set({"reference.rope.length": 0.5})
+        set_states(fmu, fmu.state())
+        assert not fmu.states_moved()
+
+
 def test_the_first_event_ends_it(native_fmus) -> None:
     with Importer(native_fmus[2][1], "ModelExchange") as fmu:
         fmu.initialise()

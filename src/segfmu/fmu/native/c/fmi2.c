@@ -104,8 +104,9 @@ fmi2Status fmi2ExitInitializationMode(fmi2Component component)
 fmi2Status fmi2Terminate(fmi2Component component)
 {
     instance *c = component;
+    bool moved;
     ALLOW(MODE_RUNNING);
-    if (!glue_started(c)) {
+    if (!glue_started(c, &moved)) {
         return fmi2Error;
     }
     c->model->mode = MODE_TERMINATED;

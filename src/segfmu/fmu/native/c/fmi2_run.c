@@ -40,16 +40,17 @@ fmi2Status fmi2EnterEventMode(fmi2Component component)
 fmi2Status fmi2NewDiscreteStates(fmi2Component component, fmi2EventInfo *info)
 {
     instance *c = component;
+    bool moved;
     ALLOW(MODE_EVENT);
     GIVEN(info);
-    if (!glue_started(c) || !glue_event(c)) {
+    if (!glue_started(c, &moved) || !glue_event(c)) {
         return fmi2Error;
     }
     double next = model_next_event(c->model);
     info->newDiscreteStatesNeeded = fmi2False;
     info->terminateSimulation = fmi2False;
     info->nominalsOfContinuousStatesChanged = fmi2False;
-    info->valuesOfContinuousStatesChanged = fmi2False;
+    info->valuesOfContinuousStatesChanged = moved ? fmi2True : fmi2False;
     info->nextEventTimeDefined = isfinite(next) ? fmi2True : fmi2False;
     /* OpenModelica reads it where it is not defined as well */
     info->nextEventTime = isfinite(next) ? next : FAR_AWAY;
@@ -59,8 +60,9 @@ fmi2Status fmi2NewDiscreteStates(fmi2Component component, fmi2EventInfo *info)
 fmi2Status fmi2EnterContinuousTimeMode(fmi2Component component)
 {
     instance *c = component;
+    bool moved;
     ALLOW(MODE_EVENT);
-    if (!glue_started(c)) {
+    if (!glue_started(c, &moved)) {
         return fmi2Error;
     }
     c->model->mode = MODE_CONTINUOUS;

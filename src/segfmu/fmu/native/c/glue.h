@@ -89,8 +89,9 @@ static bool glue_begin(instance *c, double start, bool has_stop, double stop);
 static bool glue_initialise(instance *c);
 /* Follow parameters that were set since the model last did. */
 static bool glue_follows(instance *c);
-/* The same where the first event is handled; from then on fixed parameters stay as they are. */
-static bool glue_started(instance *c);
+/* The same where the first event is handled; from then on fixed parameters stay as they are. `moved`:
+   the states are no longer those that the importer has. */
+static bool glue_started(instance *c, bool *moved);
 /* Outputs current, after parameters. */
 static bool glue_evaluate(instance *c);
 

@@ -131,11 +131,24 @@ bool glue_initialise(instance *c)
     return false;
 }
 
-bool glue_started(instance *c)
+bool glue_started(instance *c, bool *moved)
 {
+    double before[MODEL_STATES + 1] = {0.0}, after[MODEL_STATES + 1] = {0.0};
     bool anew = !c->model->initialised;
     c->model->starting = 0;
-    return !anew || glue_initialise(c);
+    *moved = false;
+    if (!anew) {
+        return true;
+    }
+    model_get_states(c->model, before);
+    if (!glue_initialise(c)) {
+        return false;
+    }
+    model_get_states(c->model, after);
+    for (int i = 0; i < MODEL_STATES; i++) {
+        *moved = *moved || before[i] != after[i];
+    }
+    return true;
 }
 
 bool glue_begin_step(instance *c, double time, double step)
