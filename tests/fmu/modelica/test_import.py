@@ -82,7 +82,8 @@ def test_a_moved_first_waypoint_needs_nothing_else(native_fmus, tmp_path: Path) 
         "waypoint_1__position_z = -0.6)", "",
     ))
     program = built(tmp_path, "Mission", loaded + 'loadFile("Mission.mo");\n', 5.0)
-    source = {f"waypoint[1].position.{a}": p for a, p in zip("xyz", (0.1, -0.05, -0.6), strict=True)}
+    first = {"x": 0.1, "y": -0.05, "z": -0.6}
+    source = {f"waypoint[1].position.{a}": p for a, p in first.items()}
     expected = simulate(*native_fmus[2], stop_time=5.0, step=1e-3, source_values=source)
     for solver in ("dassl", "ida", "gbode"):
         results, _ = simulated(program, f"-s={solver}")
