@@ -86,6 +86,46 @@ def test_velocity_mode_with_lag_compensated() -> None:
     assert largest_error(1e-3, Compensation(), driven=True, settle=1.0) > 4e-3
 
 
+SHIP = segfmu.Crane(300e3, 15e3, 40e3)
+
+
+@cache
+def ship_to_shore() -> segfmu.FlatInverse:
+    """45 m at 30 m of rope, bridge and trolley, with hoisting on the way."""
+    limits = segfmu.Limits([0.5, 4.0, 1.0], [0.2, 0.6, 0.3], [0.2, 0.4, 0.3], [0.2, 0.4, 0.3])
+    points = [segfmu.Waypoint([0.0, 0.0, -30.0]), segfmu.Waypoint([3.0, 45.0, -20.0])]
+    return segfmu.FlatInverse(SHIP, segfmu.plan(points, limits))
+
+
+@pytest.mark.parametrize("dead", [(0.02, 0.02, 0.02), (0.0, 0.35, 0.02)])
+def test_velocity_drives_with_lag_and_dead_time(dead) -> None:
+    """A ship-to-shore crane of lag 0.2 s: within 1 mm, and far off without compensation."""
+    lag = (0.2, 0.2, 0.3)
+    assert late_error(Compensation(lag, dead_time=dead), lag, dead) < 1e-3
+    assert late_error(Compensation(), lag, dead) > 0.4
+
+
+def late_error(compensation: Compensation, lag, dead) -> float:
+    """Largest distance of the load from its plan [m], with drives that act a dead time late."""
+    flat, step = ship_to_shore(), 0.01
+    feedforward = Feedforward(flat, compensation)
+    times = np.arange(int((flat.trajectory.duration + 10.0) / step)) * step
+    arriving = np.stack(
+        [feedforward.velocity(times - d)[:, i] for i, d in enumerate(dead)], axis=1
+    )
+    states, planned = feedforward.state(times), feedforward.load(times)
+    feedback = design(SHIP, sample_time=0.1, shortest=10.0, longest=40.0, rows=2)
+    plant = Plant(
+        SHIP, states[0], Setpoints(velocity=arriving[0]), feedback, driven=True, enabled=False,
+        rig=Rig(*(Drive(t) for t in lag)),
+    )
+    largest = 0.0
+    for velocity, load in zip(arriving[1:], planned[1:], strict=True):
+        plant.step(step, Setpoints(velocity=velocity))
+        largest = max(largest, float(np.linalg.norm(plant.load[0] - load)))
+    return largest
+
+
 def test_force_mode_with_friction_compensated() -> None:
     friction = Friction(VISCOUS, COULOMB)
     full = Compensation(viscous=VISCOUS, coulomb=COULOMB)
@@ -119,6 +159,7 @@ def test_arguments_are_not_changed() -> None:
         ({"coulomb": (np.inf, 0.0, 0.0)}, "coulomb"),
         ({"coulomb": (1.0, 0.0)}, "must have 3 values"),
         ({"width": 0.0}, "width"),
+        ({"dead_time": (0.0, 0.0, -0.1)}, "dead_time of the hoist"),
     ],
 )
 def test_bad_values_are_refused(arguments, message: str) -> None:

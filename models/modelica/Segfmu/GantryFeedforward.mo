@@ -63,6 +63,12 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   parameter Real planner_duration(unit = "s", min = 0.0) = 0.0 "duration to take; 0: the shortest one" annotation(Dialog(tab = "planner"));
   parameter Real planner_start_time(unit = "s") = 0.0 "time at which the motion starts" annotation(Dialog(tab = "planner"));
   parameter Real setpoint_lead(unit = "s", min = 0.0) = 0.0 "all outputs are those of so much later, from the end of initialisation on: the communication step of importers that couple in parallel" annotation(Dialog(tab = "setpoint"));
+  parameter Real drive_bridge_lag(unit = "s", min = 0.0) = 0.0 "time constant of the bridge drive, for which its velocity setpoint is compensated; 0: none" annotation(Dialog(tab = "drive"));
+  parameter Real drive_bridge_dead_time(unit = "s", min = 0.0) = 0.0 "time by which the bridge drive acts late, for which its setpoints are early; the load starts the longest of them late" annotation(Dialog(tab = "drive"));
+  parameter Real drive_trolley_lag(unit = "s", min = 0.0) = 0.0 "time constant of the trolley drive, for which its velocity setpoint is compensated; 0: none" annotation(Dialog(tab = "drive"));
+  parameter Real drive_trolley_dead_time(unit = "s", min = 0.0) = 0.0 "time by which the trolley drive acts late, for which its setpoints are early; the load starts the longest of them late" annotation(Dialog(tab = "drive"));
+  parameter Real drive_hoist_lag(unit = "s", min = 0.0) = 0.0 "time constant of the hoist drive, for which its velocity setpoint is compensated; 0: none" annotation(Dialog(tab = "drive"));
+  parameter Real drive_hoist_dead_time(unit = "s", min = 0.0) = 0.0 "time by which the hoist drive acts late, for which its setpoints are early; the load starts the longest of them late" annotation(Dialog(tab = "drive"));
   parameter Real waypoint_position[:, 3](each unit = "m") = [0.0, 0.0, -0.5;
       0.07, 0.055, -0.5;
       1.0, 0.8, -0.5] "position of the load at the waypoints" annotation(Dialog(tab = "waypoint"));
@@ -76,39 +82,7 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   parameter Real waypoint_dwell[waypoint_count](each unit = "s", each min = 0.0) = zeros(waypoint_count) "rest at the waypoints" annotation(Dialog(tab = "waypoint"));
   final parameter Real plan_duration(unit = "s", fixed = false) "duration of the planned motion";
 protected
-  constant Integer waypoint_position_references[16, 3] = [65, 66, 67;
-      75, 76, 77;
-      85, 86, 87;
-      95, 96, 97;
-      105, 106, 107;
-      115, 116, 117;
-      125, 126, 127;
-      135, 136, 137;
-      145, 146, 147;
-      155, 156, 157;
-      165, 166, 167;
-      175, 176, 177;
-      185, 186, 187;
-      195, 196, 197;
-      205, 206, 207;
-      215, 216, 217];
-  constant Integer waypoint_velocity_references[16, 3] = [68, 69, 70;
-      78, 79, 80;
-      88, 89, 90;
-      98, 99, 100;
-      108, 109, 110;
-      118, 119, 120;
-      128, 129, 130;
-      138, 139, 140;
-      148, 149, 150;
-      158, 159, 160;
-      168, 169, 170;
-      178, 179, 180;
-      188, 189, 190;
-      198, 199, 200;
-      208, 209, 210;
-      218, 219, 220];
-  constant Integer waypoint_acceleration_references[16, 3] = [71, 72, 73;
+  constant Integer waypoint_position_references[16, 3] = [71, 72, 73;
       81, 82, 83;
       91, 92, 93;
       101, 102, 103;
@@ -124,8 +98,41 @@ protected
       201, 202, 203;
       211, 212, 213;
       221, 222, 223];
-  constant Integer waypoint_dwell_references[16] = {74, 84, 94, 104, 114, 124, 134, 144, 154, 164, 174, 184, 194, 204, 214, 224};
-  final parameter Integer real_references[:] = cat(1, {39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 60, 61, 62, 63},
+  constant Integer waypoint_velocity_references[16, 3] = [74, 75, 76;
+      84, 85, 86;
+      94, 95, 96;
+      104, 105, 106;
+      114, 115, 116;
+      124, 125, 126;
+      134, 135, 136;
+      144, 145, 146;
+      154, 155, 156;
+      164, 165, 166;
+      174, 175, 176;
+      184, 185, 186;
+      194, 195, 196;
+      204, 205, 206;
+      214, 215, 216;
+      224, 225, 226];
+  constant Integer waypoint_acceleration_references[16, 3] = [77, 78, 79;
+      87, 88, 89;
+      97, 98, 99;
+      107, 108, 109;
+      117, 118, 119;
+      127, 128, 129;
+      137, 138, 139;
+      147, 148, 149;
+      157, 158, 159;
+      167, 168, 169;
+      177, 178, 179;
+      187, 188, 189;
+      197, 198, 199;
+      207, 208, 209;
+      217, 218, 219;
+      227, 228, 229];
+  constant Integer waypoint_dwell_references[16] = {80, 90, 100, 110, 120, 130, 140, 150, 160, 170, 180, 190, 200, 210, 220, 230};
+  final parameter Integer real_references[:] = cat(1, {39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 60, 61, 62, 63, 64,
+      65, 66, 67, 68, 69},
       FMI.references(waypoint_position_references, waypoint_count),
       FMI.references(waypoint_velocity_references, waypoint_count),
       FMI.references(waypoint_acceleration_references, waypoint_count),
@@ -134,19 +141,20 @@ protected
       crane_rope_max, limits_x_velocity, limits_x_acceleration, limits_x_jerk, limits_x_snap,
       limits_y_velocity, limits_y_acceleration, limits_y_jerk, limits_y_snap, limits_z_velocity,
       limits_z_acceleration, limits_z_jerk, limits_z_snap, planner_sample_time, planner_duration,
-      planner_start_time, setpoint_lead},
+      planner_start_time, setpoint_lead, drive_bridge_lag, drive_bridge_dead_time,
+      drive_trolley_lag, drive_trolley_dead_time, drive_hoist_lag, drive_hoist_dead_time},
       FMI.rows(waypoint_position),
       FMI.rows(waypoint_velocity),
       FMI.rows(waypoint_acceleration),
       waypoint_dwell);
-  constant Integer integer_references[4] = {57, 58, 59, 64};
+  constant Integer integer_references[4] = {57, 58, 59, 70};
   final parameter Integer integers[4] = {planner_smoothness, Integer(planner_shape), Integer(planner_synchronization), waypoint_count};
   constant Integer boolean_references[0] = fill(0, 0);
   final parameter Integer booleans[0] = fill(0, 0);
   constant Integer input_references[0] = fill(0, 0);
   Real inputs[0] = fill(0.0, 0);
   FMI.Instance fmu = FMI.Instance(folder, "GantryFeedforward", getInstanceName(),
-      "{4e010c18-cb93-8e9c-7461-76139cada193}", 0);
+      "{80c139c7-5f3a-ce4b-518f-d3d1d55ad1d3}", 0);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[0] "states of the FMU";

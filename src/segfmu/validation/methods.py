@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 
 from segfmu.crane import Controller, Crane, FlatInverse, SwayFeedback
 from segfmu.crane.feedback import design
-from segfmu.crane.feedforward import Compensation
+from segfmu.crane.feedforward import Compensation, Feedforward
 from segfmu.crane.flat_feedback import design_flat
 from segfmu.crane.linear import moved_masses
 from segfmu.crane.observer import Observer, Uncertainty, design_observer
@@ -127,9 +127,11 @@ def planned_course(
     crane: Crane, trajectory: Trajectory, compensation: Compensation, times: FloatArray
 ) -> Course:
     """The plan with its feedforward."""
-    values = FlatInverse(crane, trajectory).evaluate(times)
-    force, velocity = compensation.setpoints(values[:, :3], values[:, 8:11], values[:, 13:16])
-    return Course(trajectory.duration, force, velocity, values[:, 3:13], trajectory(times))
+    feedforward = Feedforward(FlatInverse(crane, trajectory), compensation)
+    return Course(
+        trajectory.duration + compensation.delay, feedforward.force(times),
+        feedforward.velocity(times), feedforward.state(times), feedforward.load(times),
+    )
 
 
 def baseline_motions(

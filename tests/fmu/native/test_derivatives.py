@@ -11,6 +11,7 @@ from segfmu import plan
 from segfmu.fmu.gantry_crane import interface as gantry_crane
 from tests.fmu.native.importer import Importer
 from tests.fmu.python.test_slaves import LIMITS, POINTS
+from tests.fmu.test_drive_compensation import DRIVEN
 
 FRICTION = {
     "friction.bridge.viscous": 3.0, "friction.trolley.coulomb": 0.4, "friction.width": 0.05,
@@ -128,11 +129,14 @@ def longest_pieces(fmu: Importer, count: int) -> np.ndarray:
 
 @pytest.mark.parametrize("fmi", [2, 3])
 @pytest.mark.parametrize("order", [1, 2, 3])
-def test_feedforward_over_time(native_fmus, fmi: int, order: int) -> None:
+@pytest.mark.parametrize("values", [{}, DRIVEN], ids=["ideal", "drives"])
+def test_feedforward_over_time(native_fmus, fmi: int, order: int, values) -> None:
     with Importer(native_fmus[fmi][0]) as fmu:
+        fmu.set(values)
         fmu.initialise()
         targets = longest_pieces(fmu, 3)
     with Importer(native_fmus[fmi][0]) as fmu:
+        fmu.set(values)
         fmu.initialise()
         names = [
             n for n, v in fmu.variables.items()
@@ -142,7 +146,7 @@ def test_feedforward_over_time(native_fmus, fmi: int, order: int) -> None:
         library = fmu.fmu
         read = library.getOutputDerivatives if fmu.three else library.getRealOutputDerivatives
 
-        def values(which: int) -> np.ndarray:
+        def outputs(which: int) -> np.ndarray:
             return np.array(
                 read(references, [which] * len(names)) if which else fmu.get(*names)
             )
@@ -154,9 +158,9 @@ def test_feedforward_over_time(native_fmus, fmi: int, order: int) -> None:
             for k in range(-2, 3):
                 fmu.step(time, target + k * h - time)
                 time = target + k * h
-                rows.append(values(order - 1))
+                rows.append(outputs(order - 1))
                 if k == 0:
-                    found = values(order)
+                    found = outputs(order)
             quotient = (rows[0] - 8.0 * rows[1] + 8.0 * rows[3] - rows[4]) / (12.0 * h)
             scale = np.maximum(np.abs(quotient), 1.0)
             assert (np.abs(found - quotient) <= 1e-6 * scale).all()

@@ -8,7 +8,8 @@ from scipy.integrate import solve_ivp
 
 from segfmu.kernels.crane.compensation import compensate_setpoints
 
-LAG = np.array([0.025, 0.0, 0.3])
+# dead times are the caller's: they change the time, not the setpoint at it
+LAG, DEAD = np.array([0.025, 0.0, 0.3]), np.full(3, 7.0)
 VISCOUS, COULOMB, WIDTH = np.array([100.0, 82.0, 75.0]), np.array([5.0, 7.5, 10.0]), 0.01
 
 
@@ -19,7 +20,7 @@ def motion(t: float) -> tuple[float, float, float]:
 
 def compensated(velocity, acceleration, force) -> tuple[np.ndarray, np.ndarray]:
     forces, setpoints = np.array(force), np.zeros(3)
-    known = np.array([*LAG, *VISCOUS, *COULOMB, WIDTH])
+    known = np.array([*LAG, *DEAD, *VISCOUS, *COULOMB, WIDTH])
     compensate_setpoints(
         np.full(3, velocity), np.full(3, acceleration), known, forces, setpoints
     )

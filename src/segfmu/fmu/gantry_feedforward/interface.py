@@ -16,6 +16,7 @@ from segfmu.fmu.standard.spec import (
     time,
     triple,
 )
+from segfmu.kernels.crane.records import DRIVES
 
 # waypoints: largest number in a plan, and default of an FMU
 MOST_WAYPOINTS = 256
@@ -140,6 +141,23 @@ def _planner() -> list[Variable]:
     ]
 
 
+def _drives() -> list[Variable]:
+    rows = []
+    for drive in DRIVES:
+        rows += [
+            parameter(
+                f"drive.{drive}.lag", 0.0, "s", f"time constant of the {drive} drive, for which "
+                "its velocity setpoint is compensated; 0: none", minimum=0.0,
+            ),
+            parameter(
+                f"drive.{drive}.dead_time", 0.0, "s", f"time by which the {drive} drive acts late, "
+                "for which its setpoints are early; the load starts the longest of them late",
+                minimum=0.0,
+            ),
+        ]
+    return rows
+
+
 def spec(waypoints: int = WAYPOINTS) -> Spec:
     """The interface of GantryFeedforward, with room for so many waypoints; they come last."""
     return Spec(
@@ -156,6 +174,7 @@ def spec(waypoints: int = WAYPOINTS) -> Spec:
             *crane_parameters("nominal crane"),
             *_limits(),
             *_planner(),
+            *_drives(),
             *_waypoints(waypoints),
         ),
         stop_time=8.0,

@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 
 from segfmu.crane import Crane, FlatInverse
-from segfmu.crane.inverse import ORDERS, VELOCITY
+from segfmu.crane.inverse import DRIVE_ACCELERATION, FORCE, ORDERS, VELOCITY
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.python.slave import SpecSlave
-from segfmu.kernels.crane.records import Feedforward, LoadMotion
+from segfmu.kernels.crane.records import Compensation, Feedforward, LoadMotion
 from segfmu.kernels.planner.records import LoadLimits, PlanOptions
 from segfmu.planning import Limits, Trajectory, Waypoint, plan
 
@@ -99,13 +99,21 @@ class FeedforwardSlave(SpecSlave):
         if inverse is None or trajectory is None:
             raise AssertionError("a step before the end of initialisation")
         lead = 0.0 if self._initialising else float(self.value("setpoint.lead"))
-        start = float(self.value("planner.start_time")) - lead
+        known = self.filled(Compensation)
+        lags = known[Compensation.LAG : Compensation.DEAD_TIME]
+        dead = known[Compensation.DEAD_TIME : Compensation.VISCOUS].tolist()
+        start = float(self.value("planner.start_time")) - lead + max(dead)
         t = time - start
-        values = inverse.evaluate(t)
-        self.show(Feedforward, np.concatenate([values, values[VELOCITY]]))
+        found = {d: inverse.evaluate(t + d) for d in {0.0, *dead}}
+        values, early = found[0.0].copy(), [found[d] for d in dead]
+        values[FORCE] = [v[FORCE][i] for i, v in enumerate(early)]
+        setpoints = [
+            v[VELOCITY][i] + lags[i] * v[DRIVE_ACCELERATION][i] for i, v in enumerate(early)
+        ]
+        self.show(Feedforward, np.concatenate([values, setpoints]))
         self.show(LoadMotion, np.concatenate([trajectory(t, order) for order in range(ORDERS)]))
         self.assign(
             ("plan.interval", "plan.done"), (trajectory.interval(t), t >= trajectory.duration)
         )
-        upcoming = min(trajectory.next_event(t), trajectory.duration)
-        self.assign(("plan.next_event",), (start + upcoming,))
+        events = [trajectory.next_event(t + d) - d for d in (0.0, *dead)]
+        self.assign(("plan.next_event",), (start + min(*events, trajectory.duration),))

@@ -4047,12 +4047,12 @@ void segfmu_compensate_setpoints(array_double_1d velocity, array_double_1d accel
     int64_t i;
     double viscous;
     double coulomb;
-    width = (*cspan_at(&known, INT64_C(9)));
+    width = (*cspan_at(&known, INT64_C(12)));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         (*cspan_at(&setpoint, i)) = (*cspan_at(&velocity, i)) + (*cspan_at(&known, INT64_C(0) + i)) * (*cspan_at(&acceleration, i));
-        viscous = (*cspan_at(&known, INT64_C(3) + i)) * (*cspan_at(&velocity, i));
-        coulomb = (*cspan_at(&known, INT64_C(6) + i)) * tanh((*cspan_at(&velocity, i)) / width);
+        viscous = (*cspan_at(&known, INT64_C(6) + i)) * (*cspan_at(&velocity, i));
+        coulomb = (*cspan_at(&known, INT64_C(9) + i)) * tanh((*cspan_at(&velocity, i)) / width);
         (*cspan_at(&force, i)) = (*cspan_at(&force, i)) + viscous + coulomb;
     }
 }

@@ -820,7 +820,7 @@ static PyObject *call_compensate_setpoints(
         && (in_setpoint = take_array(&call, 4, 1, 'd', true)) != NULL
         && has_at_least(&call, "velocity", 0, in_velocity->shape[0], 3)
         && has_at_least(&call, "acceleration", 0, in_acceleration->shape[0], 3)
-        && has_at_least(&call, "known", 0, in_known->shape[0], 10)
+        && has_at_least(&call, "known", 0, in_known->shape[0], 13)
         && has_at_least(&call, "force", 0, in_force->shape[0], 3)
         && has_at_least(&call, "setpoint", 0, in_setpoint->shape[0], 3)) {
         segfmu_compensate_setpoints(

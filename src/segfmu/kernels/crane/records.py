@@ -168,7 +168,14 @@ class Plant(Masses):
 class Compensation(Record):
     """What feedforward knows of the drives."""
 
-    LAG = field("time constants of the velocity loops", "s", size=3)
+    LAG = field(
+        "time constants of the velocity loops", "s", size=3,
+        variables=[f"drive.{d}.lag" for d in DRIVES],
+    )
+    DEAD_TIME = field(
+        "from setpoint to drive", "s", size=3,
+        variables=[f"drive.{d}.dead_time" for d in DRIVES],
+    )
     VISCOUS = field("viscous friction", "N.s/m", size=3)
     COULOMB = field("Coulomb friction", "N", size=3)
     FRICTION_WIDTH = field("velocity at which Coulomb friction comes to tanh(1)", "m/s")

@@ -21,10 +21,12 @@ typedef struct {
     int64_t points, smoothness, pieces;
     double duration;
     double events[MOST_POINTS + 1];  /* s, ascending: arrival at the waypoints, end */
-    double ahead;                    /* s; outputs are those of so much later */
+    double ahead;                    /* s; the reference is that of so much later */
     double upcoming;                 /* s; the next event of the outputs, infinite after the last */
-    int64_t derived[MODEL_ORDERS];   /* whether these derivatives are those of the present time */
-    double derivatives[MODEL_ORDERS][RESULTS];
+    /* derivatives of the reference, then of what belongs to the setpoints of each drive, and whether
+       they are those of the present time */
+    int64_t derived[MODEL_ORDERS][1 + AXES_SIZE];
+    double derivatives[MODEL_ORDERS][1 + AXES_SIZE][RESULTS];
     double space[];                  /* timing, coefficients, offsets, times, ends */
 } feedforward;
 
@@ -34,6 +36,20 @@ static inline array_int64_t_1d offsets_of(const segfmu_trajectory *t)
     array_int64_t_1d offsets = {(int64_t *)t->offsets, {AXES + 1}};
     return offsets;
 }
+
+static inline array_double_2d timing_of(const segfmu_trajectory *t)
+{
+    return matrix((double *)t->timing, t->pieces, 2);
+}
+
+/* What is known of the drives, and the longest dead time [s] of them. */
+static double drives_of(const feedforward *m, double known[COMPENSATION_SIZE]);
+
+/* The time at which the reference begins to move. */
+static double beginning(const feedforward *m);
+
+/* The lead counts from the end of initialisation on, where no importer asks for an event. */
+static void begin_lead(feedforward *m, char message[MESSAGE]);
 
 /* Plan by the parameters; false with a message where that cannot be done. */
 static bool feedforward_plan(feedforward *m, char message[MESSAGE]);

@@ -74,37 +74,53 @@ bool model_warning(const model *m, const double start[], char message[MESSAGE])
 
 /* ---- events ---- */
 
-static array_double_2d timing_of(const segfmu_trajectory *t)
+static double drives_of(const feedforward *m, double known[COMPENSATION_SIZE])
 {
-    return matrix((double *)t->timing, t->pieces, 2);
+    double longest = 0.0;
+    feed_record(&feeds_compensation, &m->base, known);
+    for (int i = 0; i < AXES_SIZE; i++) {
+        longest = fmax(longest, known[COMPENSATION_DEAD_TIME + i]);
+    }
+    return longest;
 }
 
-/* s by which the outputs are ahead. At initialisation they are those of the start, where the crane
-   begins; from then on the lead counts. */
-static double lead_of(const feedforward *m)
+/* s by which the outputs are ahead of a plan that begins at its start time. The longest dead time has
+   to pass before the load can move. At initialisation the outputs are those of the start, where the
+   crane begins; from then on the lead counts. */
+static double ahead_of(const feedforward *m)
 {
-    return m->base.running ? m->base.real[V_SETPOINT_LEAD] : 0.0;
+    double known[COMPENSATION_SIZE];
+    return (m->base.running ? m->base.real[V_SETPOINT_LEAD] : 0.0) - drives_of(m, known);
 }
 
-/* The time at which the outputs begin to move. */
 static double beginning(const feedforward *m)
 {
-    return m->base.real[V_PLANNER_START_TIME] - lead_of(m);
+    return m->base.real[V_PLANNER_START_TIME] - ahead_of(m);
 }
 
 static double upcoming(const feedforward *m)
 {
     const segfmu_trajectory t = feedforward_trajectory(m);
-    double next = segfmu_next_plan_event(
-        m->base.real[V_TIME], beginning(m), timing_of(&t), offsets_of(&t),
-        vector((double *)t.ends, AXES), matrix((double *)t.times, t.points, AXES));
-    return next < 1e300 ? next : INFINITY;
+    double known[COMPENSATION_SIZE], first = INFINITY;
+    drives_of(m, known);
+    /* of the reference, then of the setpoints, which are earlier by their dead times */
+    for (int i = -1; i < AXES_SIZE; i++) {
+        double dead = i < 0 ? 0.0 : known[COMPENSATION_DEAD_TIME + i];
+        if (i >= 0 && dead == 0.0) {
+            continue;
+        }
+        double next = segfmu_next_plan_event(
+            m->base.real[V_TIME], beginning(m) - dead, timing_of(&t), offsets_of(&t),
+            vector((double *)t.ends, AXES), matrix((double *)t.times, t.points, AXES));
+        first = next < 1e300 ? fmin(first, next) : first;
+    }
+    return first;
 }
 
 double model_next_event(const model *base)
 {
     const feedforward *m = (const feedforward *)base;
-    return m->ahead == lead_of(m) ? m->upcoming : upcoming(m);
+    return m->ahead == ahead_of(m) ? m->upcoming : upcoming(m);
 }
 
 bool model_event(model *base, char message[MESSAGE])
@@ -113,7 +129,7 @@ bool model_event(model *base, char message[MESSAGE])
     (void)message;
     double time = base->real[V_TIME], latest = time + segfmu_same_break(time);
     int64_t passed = 0;
-    m->ahead = lead_of(m);
+    m->ahead = ahead_of(m);
     while (passed < m->points && m->events[passed] - m->ahead <= latest) {
         passed++;
     }
@@ -126,10 +142,9 @@ bool model_event(model *base, char message[MESSAGE])
     return true;
 }
 
-/* The lead counts from the end of initialisation on, where no importer asks for an event. */
 static void begin_lead(feedforward *m, char message[MESSAGE])
 {
-    if (m->ahead != lead_of(m)) {
+    if (m->ahead != ahead_of(m)) {
         model_event(&m->base, message);
     }
 }
@@ -139,92 +154,6 @@ bool model_advance(model *base, double time, char message[MESSAGE])
     (void)time;
     begin_lead((feedforward *)base, message);
     return true;
-}
-
-/* ---- outputs ---- */
-
-/* Position and derivatives of the load at a time, one row a derivative. */
-static void evaluate(const segfmu_trajectory *t, double time, int64_t orders, double *values)
-{
-    segfmu_evaluate_orders(
-        time, timing_of(t), matrix((double *)t->coefficients, t->pieces, 2 * t->smoothness),
-        offsets_of(t), vector((double *)t->ends, AXES), matrix(values, orders, AXES));
-}
-
-/* The velocities of the flat inverse's results as setpoints. */
-static void add_setpoints(double results[RESULTS])
-{
-    for (int i = 0; i < AXES_SIZE; i++) {
-        results[FEEDFORWARD_VELOCITY + i] = results[FEEDFORWARD_STATE + STATE_VELOCITY + i];
-    }
-}
-
-bool model_evaluate(model *base, char message[MESSAGE])
-{
-    feedforward *m = (feedforward *)base;
-    const segfmu_trajectory trajectory = feedforward_trajectory(m);
-    double load[LOAD_MOTION_SIZE], masses[MASSES_SIZE], results[RESULTS];
-    begin_lead(m, message);
-    memset(m->derived, 0, sizeof m->derived);
-    evaluate(&trajectory, base->real[V_TIME] - beginning(m), ORDERS, load);
-    feed_record(&feeds_masses, base, masses);
-    segfmu_crane_flat_inverse(
-        matrix(load, ORDERS, AXES), vector(masses, MASSES_SIZE),
-        vector(results, AXES_SIZE), vector(results + FLAT_INVERSE_STATE, STATE_SIZE),
-        vector(results + FLAT_INVERSE_ACCELERATION, COORDINATES_SIZE));
-    add_setpoints(results);
-    show_record(&feeds_load_motion, load, base);
-    show_record(&feeds_feedforward, results, base);
-    return true;
-}
-
-/* Derivatives of what the flat inverse gives, kept until the time changes. */
-static const double *derivatives(feedforward *m, const segfmu_trajectory *t, double time,
-                                 int64_t order)
-{
-    enum { COLUMNS = MODEL_ORDERS + 3 };
-    double masses[MASSES_SIZE], flat[(ORDERS + MODEL_ORDERS) * AXES];
-    double work[FLAT_SERIES_SIZE * COLUMNS];
-    double *found = m->derivatives[order - 1];
-    if (!m->derived[order - 1]) {
-        evaluate(t, time, ORDERS + order, flat);
-        feed_record(&feeds_masses, &m->base, masses);
-        segfmu_flat_derivatives(
-            matrix(flat, ORDERS + order, AXES), order, vector(masses, MASSES_SIZE),
-            matrix(work, FLAT_SERIES_SIZE, COLUMNS), vector(found, RESULTS));
-        add_setpoints(found);
-        m->derived[order - 1] = 1;
-    }
-    return found;
-}
-
-/* At a break of the plan, the derivatives from then on. */
-bool model_output_derivative(model *base, const variable *output, int64_t order, double *value)
-{
-    feedforward *m = (feedforward *)base;
-    const segfmu_trajectory t = feedforward_trajectory(m);
-    double time = segfmu_right_of_break(
-        base->real[V_TIME], beginning(m), timing_of(&t), offsets_of(&t),
-        vector((double *)t.ends, AXES));
-    int load = feed_place(&feeds_load_motion, output->offset);
-    int place = feed_place(&feeds_feedforward, output->offset);
-    if (load >= 0) {
-        double values[AXES];
-        segfmu_value(&t, time, load / AXES + order, values);
-        *value = values[load % AXES];
-        return true;
-    }
-    if (place < 0) {
-        return false;
-    }
-    *value = derivatives(m, &t, time, order)[place];
-    return true;
-}
-
-bool model_partial(model *m, const variable *unknown, const variable *known, double *value)
-{
-    return unknown->differentiable && known->offset == V_TIME && known->kind == KIND_REAL
-        && model_output_derivative(m, unknown, 1, value);
 }
 
 /* ---- model exchange: no continuous states ---- */

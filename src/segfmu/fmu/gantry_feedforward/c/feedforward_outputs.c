@@ -1,0 +1,125 @@
+/* GantryFeedforward: reference and setpoints at a time, and their derivatives. */
+#include <math.h>
+#include <string.h>
+
+#include "feedforward.h"
+
+/* Position and derivatives of the load at a time, one row a derivative. */
+static void evaluate(const segfmu_trajectory *t, double time, int64_t orders, double *values)
+{
+    segfmu_evaluate_orders(
+        time, timing_of(t), matrix((double *)t->coefficients, t->pieces, 2 * t->smoothness),
+        offsets_of(t), vector((double *)t->ends, AXES), matrix(values, orders, AXES));
+}
+
+/* The setpoint of a drive that acts at once but with a lag, or one of its derivatives. */
+static double setpoint(const double results[RESULTS], int i, double lag)
+{
+    return results[FLAT_INVERSE_STATE + STATE_VELOCITY + i]
+        + lag * results[FLAT_INVERSE_ACCELERATION + i];
+}
+
+/* The flat inverse's results at a time since the start. */
+static void invert(feedforward *m, double load[LOAD_MOTION_SIZE], double results[RESULTS])
+{
+    double masses[MASSES_SIZE];
+    feed_record(&feeds_masses, &m->base, masses);
+    segfmu_crane_flat_inverse(
+        matrix(load, ORDERS, AXES), vector(masses, MASSES_SIZE),
+        vector(results, AXES_SIZE), vector(results + FLAT_INVERSE_STATE, STATE_SIZE),
+        vector(results + FLAT_INVERSE_ACCELERATION, COORDINATES_SIZE));
+}
+
+bool model_evaluate(model *base, char message[MESSAGE])
+{
+    feedforward *m = (feedforward *)base;
+    const segfmu_trajectory trajectory = feedforward_trajectory(m);
+    double load[LOAD_MOTION_SIZE], early[LOAD_MOTION_SIZE], known[COMPENSATION_SIZE];
+    double results[RESULTS], other[RESULTS];
+    begin_lead(m, message);
+    memset(m->derived, 0, sizeof m->derived);
+    drives_of(m, known);
+    double time = base->real[V_TIME] - beginning(m);
+    evaluate(&trajectory, time, ORDERS, load);
+    invert(m, load, results);
+    for (int i = 0; i < AXES_SIZE; i++) {
+        const double *of = results;
+        if (known[COMPENSATION_DEAD_TIME + i] > 0.0) {
+            evaluate(&trajectory, time + known[COMPENSATION_DEAD_TIME + i], ORDERS, early);
+            invert(m, early, other);
+            of = other;
+        }
+        results[FEEDFORWARD_FORCE + i] = of[FEEDFORWARD_FORCE + i];
+        results[FEEDFORWARD_VELOCITY + i] = setpoint(of, i, known[COMPENSATION_LAG + i]);
+    }
+    show_record(&feeds_load_motion, load, base);
+    show_record(&feeds_feedforward, results, base);
+    return true;
+}
+
+/* Derivatives of what the flat inverse gives, kept until the time changes; of those of the reference, or
+   of a drive's setpoints. At a break of the plan, those from then on. */
+static const double *derivatives(feedforward *m, int of, double dead, int64_t order)
+{
+    enum { COLUMNS = MODEL_ORDERS + 3 };
+    const segfmu_trajectory t = feedforward_trajectory(m);
+    double masses[MASSES_SIZE], flat[(ORDERS + MODEL_ORDERS) * AXES];
+    double work[FLAT_SERIES_SIZE * COLUMNS];
+    double *found = m->derivatives[order - 1][of];
+    if (!m->derived[order - 1][of]) {
+        double time = segfmu_right_of_break(
+            m->base.real[V_TIME], beginning(m) - dead, timing_of(&t), offsets_of(&t),
+            vector((double *)t.ends, AXES));
+        evaluate(&t, time, ORDERS + order, flat);
+        feed_record(&feeds_masses, &m->base, masses);
+        segfmu_flat_derivatives(
+            matrix(flat, ORDERS + order, AXES), order, vector(masses, MASSES_SIZE),
+            matrix(work, FLAT_SERIES_SIZE, COLUMNS), vector(found, RESULTS));
+        m->derived[order - 1][of] = 1;
+    }
+    return found;
+}
+
+/* A derivative of an entry of `Feedforward`. */
+static double derivative_of(feedforward *m, int place, int64_t order)
+{
+    double known[COMPENSATION_SIZE];
+    drives_of(m, known);
+    int first = place >= FEEDFORWARD_VELOCITY ? FEEDFORWARD_VELOCITY : FEEDFORWARD_FORCE;
+    int i = place - first;
+    if (i >= AXES_SIZE) {
+        return derivatives(m, 0, 0.0, order)[place];
+    }
+    double dead = known[COMPENSATION_DEAD_TIME + i];
+    const double *found = derivatives(m, dead > 0.0 ? i + 1 : 0, dead, order);
+    return first == FEEDFORWARD_VELOCITY ? setpoint(found, i, known[COMPENSATION_LAG + i])
+                                         : found[place];
+}
+
+bool model_output_derivative(model *base, const variable *output, int64_t order, double *value)
+{
+    feedforward *m = (feedforward *)base;
+    const segfmu_trajectory t = feedforward_trajectory(m);
+    int load = feed_place(&feeds_load_motion, output->offset);
+    int place = feed_place(&feeds_feedforward, output->offset);
+    if (load >= 0) {
+        double values[AXES];
+        double time = segfmu_right_of_break(
+            base->real[V_TIME], beginning(m), timing_of(&t), offsets_of(&t),
+            vector((double *)t.ends, AXES));
+        segfmu_value(&t, time, load / AXES + order, values);
+        *value = values[load % AXES];
+        return true;
+    }
+    if (place < 0) {
+        return false;
+    }
+    *value = derivative_of(m, place, order);
+    return true;
+}
+
+bool model_partial(model *m, const variable *unknown, const variable *known, double *value)
+{
+    return unknown->differentiable && known->offset == V_TIME && known->kind == KIND_REAL
+        && model_output_derivative(m, unknown, 1, value);
+}
