@@ -169,6 +169,25 @@ def simulate(
         raise typer.Exit(1)
 
 
+@app.command(epilog="Example: segfmu paper --output out")
+def paper(
+    output: Annotated[
+        Path, typer.Option("--output", "-o", help="Folder for figures, mission and run.csv.")
+    ] = Path("out"),
+) -> None:
+    """Plan and co-simulate the paper's mission; draw its figures 3, 6 and 7."""
+    from segfmu.fmu.choice import chosen
+    from segfmu.validation.paper import MISSION, write_figures
+    from segfmu.validation.scenario import specs
+
+    task = load_mission(MISSION)
+    trajectory = _planned(task)
+    choice = chosen(2, "native", "", everywhere=False)
+    rows = _run(task, trajectory, *_built(output, choice, specs(task, trajectory)))
+    for path, what in write_figures(output, trajectory, rows):
+        console.print(f"{path}  {what}", highlight=False)
+
+
 @app.command(epilog="Example: segfmu campaign models/inteco.toml --output out")
 def campaign(
     mission: MissionFile,

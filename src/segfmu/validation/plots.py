@@ -53,7 +53,7 @@ def plot_plan(trajectory: Trajectory, title: str) -> Figure:
                 panel.axhline(side, color="#888888", linestyle="--", linewidth=1.0)
             panel.set_ylim(-115.0, 115.0)
         panel.set_ylabel(f"{quantity}\n[{'% of limit' if limited else unit}]")
-        _marks(panel, trajectory.waypoint_times)
+        marks(panel, trajectory.waypoint_times)
     panels[0].legend(loc="upper left", ncols=trajectory.axes, frameon=False)
     panels[-1].set_xlabel("time [s]")
     figure.suptitle(title, parse_math=False)
@@ -90,7 +90,7 @@ def plot_run(rows: NDArray[np.void], waypoint_times: NDArray[np.float64], title:
     ):
         panel.set_ylabel(label)
         panel.legend(loc="upper right", ncols=3, frameon=False)
-        _marks(panel, waypoint_times)
+        marks(panel, waypoint_times)
     panels[-1].set_xlabel("time [s]")
     figure.suptitle(title, parse_math=False)
     return figure
@@ -121,7 +121,8 @@ def plot_path(trajectory: Trajectory, title: str) -> Figure:
     return figure
 
 
-def _marks(panel: Axes, times: Any) -> None:
+def marks(panel: Axes, times: Any) -> None:
+    """Show times of arrival, and a grid."""
     for time in times:
         panel.axvline(float(time), color="#bbbbbb", linewidth=0.8, zorder=0)
     _grid(panel)
