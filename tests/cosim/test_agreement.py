@@ -17,6 +17,7 @@ from tests.fmu.python.test_slaves import LIMITS, POINTS
 STEP, STOP = 0.004, 2.0
 UNKIND = {
     "drive.bridge.lag": 0.025, "drive.trolley.lag": 0.013, "drive.trolley.acceleration_max": 0.4,
+    "drive.trolley.dead_time": 0.0071,
     "drive.hoist.force_max": 14.0,
     "friction.bridge.viscous": 5.0, "friction.trolley.coulomb": 0.5, "friction.hoist.viscous": 4.0,
     "friction.sway.viscous": 0.02,

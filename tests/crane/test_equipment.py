@@ -13,6 +13,7 @@ from segfmu.crane import Drive, Friction, TravelLimits
     [
         (lambda: Drive(lag=-0.1), "drive lag must be a finite number >= 0, got -0.1"),
         (lambda: Drive(lag=float("inf")), "drive lag"),
+        (lambda: Drive(dead_time=-1.0), "drive dead_time must be a finite number >= 0, got -1"),
         (lambda: Drive(force_max=0.0), "drive force_max must be a finite number > 0"),
         (lambda: Drive(acceleration_max=-1.0), "drive acceleration_max"),
         (lambda: Drive(acceleration_max="fast"), "drive acceleration_max"),

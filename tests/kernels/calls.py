@@ -268,8 +268,7 @@ def rig_calls() -> dict[str, Call]:
     settings[Settings.PLANT, Plant.LAG : Plant.LAG + 3] = 0.01
     settings[Settings.TRACKING, : Tracking.SIZE] = controller.parameters
     components, changes = rig.wind.components, rig.changes
-    times = rig.sensors.sample_time, rig.sensors.dead_time
-    memory = zeros(backend.rig_rows(*times), Memory.COLUMNS)
+    memory = zeros(backend.rig_rows(settings), Memory.COLUMNS)
     setpoints = zeros(Setpoints.SIZE)
     setpoints[Setpoints.REFERENCE : Setpoints.REFERENCE + State.SIZE] = HANGING
     backend.rig_start(settings, changes, HANGING, setpoints, 0.2, memory)
@@ -288,11 +287,12 @@ def rig_calls() -> dict[str, Call]:
         "check_lengths": (np.array([0.2, 1.0]), fault.copy()),
         "check_range": (3.0, 1.0, 2.0, zeros(RangeFault.SIZE)),
         "check_lags": (settings[Settings.PLANT].copy(), fault.copy()),
+        "check_delays": (settings[Settings.PLANT].copy(), 0.01, 0, fault.copy()),
         "check_sensors": (settings[Settings.SENSORS].copy(), fault.copy()),
         "check_rope_bounds": (1.0, 2.0, 1.5, fault.copy()),
         "measure_state": (HANGING, rig.sensors.vector, np.array([12.0, 34.0]), zeros(5)),
         "switch_correction": (settings, memory),
-        "rig_rows": times,
+        "rig_rows": (settings,),
         "rig_start": (settings, changes, HANGING, setpoints, 0.2, memory),
         "rig_step": (settings, components, changes, *tables, setpoints, 0.02, memory),
         "rig_outputs": (np.array([0.1, 0.2, -1.0]), memory, balance, zeros(Outputs.SIZE)),

@@ -29,7 +29,8 @@ HANGING = LAB.hanging([0.0, 0.0, -0.5])
 def everything() -> Rig:
     """Drives with lags and bounds, friction, noisy late sensors, wind, two payload changes."""
     return Rig(
-        bridge=Drive(0.025, 30.0, 0.8), trolley=Drive(0.013, 25.0, 0.6), hoist=Drive(0.0, 40.0),
+        bridge=Drive(0.025, 30.0, 0.8), trolley=Drive(0.013, 25.0, 0.6, 0.0072),
+        hoist=Drive(0.0, 40.0),
         friction=Friction((10.0, 8.0, 7.0), (0.5, 0.7, 1.0), 1e-2, 0.01),
         sensors=Sensors(0.004, 0.0093, (1e-4,) * 5, (1e-4,) * 5, (0.0, 0.0, 0.02, 0.0, 0.0), 3),
         wind=Wind(

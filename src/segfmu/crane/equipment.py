@@ -35,19 +35,23 @@ class Drive:
         Largest force in either direction [N].
     acceleration_max : float, optional
         Largest acceleration in either direction [m/s2], in velocity mode.
+    dead_time : float
+        Time from the command, setpoint and correction, to the drive [s].
 
     Raises
     ------
     InputError
-        For a negative lag and for bounds that are not positive.
+        For negative times and for bounds that are not positive.
     """
 
     lag: float = 0.0
     force_max: float | None = None
     acceleration_max: float | None = None
+    dead_time: float = 0.0
 
     def __post_init__(self) -> None:
         require_not_negative("drive lag", self.lag)
+        require_not_negative("drive dead_time", self.dead_time)
         for name in ("force_max", "acceleration_max"):
             if getattr(self, name) is not None:
                 require_positive(f"drive {name}", getattr(self, name))
@@ -133,6 +137,7 @@ DRIVE = tuple(
         "lag": fed(Plant, "LAG", i),
         "force_max": fed(Plant, "FORCE_MAX", i, none=(0.0,)),
         "acceleration_max": fed(Plant, "ACCELERATION_MAX", i, none=(0.0,)),
+        "dead_time": fed(Plant, "DEAD_TIME", i),
     }
     for i in range(len(DRIVES))
 )

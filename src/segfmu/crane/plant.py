@@ -32,6 +32,7 @@ from segfmu.kernels.crane.records import (
     State,
 )
 from segfmu.kernels.crane.records import Plant as Parameters
+from segfmu.kernels.messages import SETUP
 from segfmu.kernels.rig.records import (
     Balance,
     Clock,
@@ -42,6 +43,8 @@ from segfmu.kernels.rig.records import (
     RigStatus,
     Sensors,
     Settings,
+    SetupFault,
+    SetupStatus,
 )
 from segfmu.planning.arrays import FloatArray
 
@@ -80,7 +83,8 @@ class Plant:
     Raises
     ------
     InputError
-        If the controller's sample time is not positive or the fade is negative.
+        If the controller's sample time is not positive, the fade is negative, or a dead time of
+        the drives is too many of the controller's periods.
     """
 
     def __init__(
@@ -110,8 +114,8 @@ class Plant:
         self._settings[Settings.SENSORS, : Sensors.SIZE] = rig.sensors.vector
         self._settings[Settings.PLANT, : Parameters.SIZE] = rig.parameters(crane, driven)
         self._changes, self._components = rig.changes, rig.wind.components
-        rows = backend.rig_rows(rig.sensors.sample_time, rig.sensors.dead_time)
-        self._memory = np.zeros((rows, Memory.COLUMNS))
+        self._check_delays()
+        self._memory = np.zeros((backend.rig_rows(self._settings), Memory.COLUMNS))
         backend.rig_start(
             self._settings, self._changes, np.array(state, dtype=np.float64), setpoints.vector,
             start_time, self._memory,
@@ -272,6 +276,14 @@ class Plant:
             raise SimulationError(
                 failure(status, time, memory[Memory.STATE], memory[Memory.PLANT])
             )
+
+    def _check_delays(self) -> None:
+        fault = np.zeros(SetupFault.SIZE)
+        status = backend.check_delays(
+            self._settings[Settings.PLANT], float(self._loop[Loop.PERIOD]), 0, fault
+        )
+        if status != SetupStatus.FITS:
+            raise InputError(SETUP.text(status, fault.tolist()))
 
     def _sample(self) -> None:
         """Get the correction of a controller written in Python."""

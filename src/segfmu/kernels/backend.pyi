@@ -419,8 +419,7 @@ def rig_rates(
 ) -> int: ...
 
 def rig_rows(
-    sample_time: float,
-    dead_time: float,
+    settings: Floats,
     /,
 ) -> int: ...
 
@@ -491,6 +490,14 @@ def check_travel(
 
 def check_lags(
     plant: Floats,
+    fault: Floats,
+    /,
+) -> int: ...
+
+def check_delays(
+    plant: Floats,
+    period: float,
+    exchange: int,
     fault: Floats,
     /,
 ) -> int: ...

@@ -110,11 +110,7 @@ def entry(module: str, name: str, /, **extents: Extent | tuple[Extent, ...]) -> 
 AXIS_WIDTH = f"2 * axis[{Axis.SMOOTHNESS}]"
 PLAN_WIDTH = f"2 * axes[0, {Axis.SMOOTHNESS}]"
 PLAN_LIMITS = f"options[{PlanOptions.SMOOTHNESS}] + 1"
-# rows for the samples that the sensors of `settings` have on their way
-RIG_ROWS = (
-    f"rig_rows(settings[{Settings.SENSORS}, {Sensors.SAMPLE_TIME}], "
-    f"settings[{Settings.SENSORS}, {Sensors.DEAD_TIME}])"
-)
+RIG_ROWS = "rig_rows(settings)"
 
 ENTRY_POINTS = (
     entry("planner.parameters", "axis_limits", limits="smoothness + 1", axis=Axis.SIZE),
@@ -268,6 +264,7 @@ ENTRY_POINTS = (
         "rig.setup", "check_travel", least=Axes.SIZE, greatest=Axes.SIZE, fault=SetupFault.SIZE
     ),
     entry("rig.setup", "check_lags", plant=Plant.SIZE, fault=SetupFault.SIZE),
+    entry("rig.setup", "check_delays", plant=Plant.SIZE, fault=SetupFault.SIZE),
     entry("rig.setup", "check_sensors", sensors=Sensors.SIZE, fault=SetupFault.SIZE),
     entry("rig.setup", "check_rope_bounds", fault=SetupFault.SIZE),
     entry("rig.setup", "check_lengths", lengths=RopeRange.SIZE, fault=SetupFault.SIZE),
@@ -298,7 +295,7 @@ ENTRY_POINTS = (
         "rig.loop", "switch_correction", settings=(Settings.SIZE, Settings.COLUMNS),
         memory=(Memory.SIZE, Memory.COLUMNS),
     ),
-    entry("rig.rig", "rig_rows"),
+    entry("rig.rig", "rig_rows", settings=(Settings.SIZE, Settings.COLUMNS)),
     entry(
         "rig.rig", "rig_start", settings=(Settings.SIZE, Settings.COLUMNS),
         changes=("changes", PayloadChange.SIZE), state=State.SIZE, setpoints=Setpoints.SIZE,

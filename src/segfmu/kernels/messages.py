@@ -24,6 +24,7 @@ from segfmu.kernels.numerics.records import AccessFault, AccessStatus, RangeFaul
 from segfmu.kernels.planner.records import PlanStatus, Refusal
 from segfmu.kernels.records import Record
 from segfmu.kernels.rig.records import (
+    Delay,
     SensorLimits,
     SetupFault,
     SetupStatus,
@@ -192,6 +193,11 @@ SETUP = Messages(
         SetupStatus.LONG_DEAD_TIME: "sensor.dead_time {VALUE:g} s is longer than "
         f"{SensorLimits.MOST_SAMPLES} samples of {{BOUND:g}} s; lower it or raise "
         "sensor.sample_time",
+        SetupStatus.LONG_DELAY: "drive.{DRIVE}.dead_time {VALUE:g} s is longer than "
+        f"{Delay.MOST_TICKS} periods of {{BOUND:g}} s; lower it or raise feedback.sample_time",
+        SetupStatus.LATE_EXCHANGE: "in model exchange drive.{DRIVE}.dead_time must be 0 s, got "
+        "{VALUE:g} s (the setpoints of the past are the importer's); delay the setpoints in the "
+        "importer, or use co-simulation",
         SetupStatus.ROPE_START: "the start value of rope.length must be above 0 m, got {VALUE:g} m",
         SetupStatus.ROPE_BOUNDS: "rope_min {VALUE:g} m must be less than rope_max {BOUND:g} m",
         SetupStatus.LENGTHS: "rope lengths must be positive and ascending, got {VALUE:g} to "

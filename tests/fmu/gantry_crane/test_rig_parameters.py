@@ -19,6 +19,7 @@ START = {v.name: v.start for v in rig_parameters()}
 VALUES = {
     "drive.bridge.lag": 0.01, "drive.trolley.lag": 0.02, "drive.hoist.lag": 0.03,
     "drive.trolley.force_max": 5.0, "drive.hoist.acceleration_max": 2.0,
+    "drive.bridge.dead_time": 0.04,
     "friction.bridge.viscous": 1.0, "friction.trolley.viscous": 2.0, "friction.hoist.viscous": 3.0,
     "friction.bridge.coulomb": 4.0, "friction.trolley.coulomb": 5.0, "friction.hoist.coulomb": 6.0,
     "friction.width": 0.02, "friction.sway.viscous": 0.1,
@@ -42,7 +43,7 @@ def test_ideal_by_default() -> None:
 def test_every_parameter_finds_its_place() -> None:
     assert set(VALUES) <= set(START)
     expected = Rig(
-        Drive(0.01), Drive(0.02, force_max=5.0), Drive(0.03, acceleration_max=2.0),
+        Drive(0.01, dead_time=0.04), Drive(0.02, force_max=5.0), Drive(0.03, acceleration_max=2.0),
         Friction((1.0, 2.0, 3.0), (4.0, 5.0, 6.0), 0.02, 0.1),
         TravelLimits((-FAR, FAR), (-0.5, 0.7), (-FAR, FAR)),
         Sensors(
@@ -62,7 +63,7 @@ def test_signals_are_the_measured_part_of_the_state() -> None:
 def test_names_of_the_contract() -> None:
     names = {v.name for v in gantry_crane.spec().variables}
     for axis in ("bridge", "trolley", "hoist"):
-        for quantity in ("lag", "force_max", "acceleration_max"):
+        for quantity in ("lag", "force_max", "acceleration_max", "dead_time"):
             assert f"drive.{axis}.{quantity}" in names
         for quantity in ("viscous", "coulomb"):
             assert f"friction.{axis}.{quantity}" in names

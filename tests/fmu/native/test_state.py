@@ -14,7 +14,7 @@ from segfmu.fmu.native import archive as native
 from tests.fmu.native.importer import Importer
 
 CRANE = {"sway.x.angle": 0.1, "force.hoist": -9.81, "reference.rope.length": 0.5,
-         "sensor.sample_time": 0.013, "sensor.dead_time": 0.05,
+         "sensor.sample_time": 0.013, "sensor.dead_time": 0.05, "drive.trolley.dead_time": 0.031,
          "sensor.sway.x.angle.deviation": 1e-3, "wind.noise.deviation.x": 0.2,
          "friction.bridge.coulomb": 0.1}
 

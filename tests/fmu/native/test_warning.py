@@ -92,3 +92,30 @@ def test_model_exchange_names_the_velocity_drive_without_a_lag(native_fmus, fmi:
             ]
     # both ways out
     assert said(path, values | lags, "ModelExchange") == said(path, values) == []
+
+
+@pytest.mark.parametrize("fmi", [2, 3])
+def test_model_exchange_names_the_drive_with_a_dead_time(native_fmus, fmi: int) -> None:
+    path, values = native_fmus[fmi][1], {"drive.hoist.dead_time": 0.02}
+    with Importer(path, "ModelExchange") as unit:
+        unit.set(values)
+        with pytest.raises(FMICallException):
+            unit.initialise()
+        assert unit.messages == [
+            "initialisation failed: in model exchange drive.hoist.dead_time must be 0 s, got "
+            "0.02 s (the setpoints of the past are the importer's); delay the setpoints in the "
+            "importer, or use co-simulation"
+        ]
+    assert said(path, values) == []
+
+
+@pytest.mark.parametrize("fmi", [2, 3])
+def test_a_dead_time_for_which_there_is_no_memory_is_refused(native_fmus, fmi: int) -> None:
+    with Importer(native_fmus[fmi][1]) as unit:
+        unit.set({"drive.bridge.dead_time": 1e6})
+        with pytest.raises(FMICallException):
+            unit.initialise()
+        assert unit.messages == [
+            "initialisation failed: drive.bridge.dead_time 1e+06 s is longer than 100000 periods "
+            "of 0.01 s; lower it or raise feedback.sample_time"
+        ]

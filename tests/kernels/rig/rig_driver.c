@@ -68,8 +68,7 @@ static rig read_rig(void)
     r.table = stack(rows, OBSERVER_SIZE, OBSERVER_COLUMNS);
     r.gains = stack(rows, GAINS_SIZE, GAINS_COLUMNS);
     r.steps = matrix(1 + steps, 1 + SETPOINTS_SIZE);
-    const double *sensors = r.settings.data + SETTINGS_SENSORS * SETTINGS_COLUMNS;
-    int64_t used = segfmu_rig_rows(sensors[SENSORS_SAMPLE_TIME], sensors[SENSORS_DEAD_TIME]);
+    int64_t used = segfmu_rig_rows(r.settings);
     r.size = (size_t)(used * MEMORY_COLUMNS + TRACKER) * sizeof(double);
     r.block = malloc(r.size);
     r.memory = (array_double_2d){r.block, {used, MEMORY_COLUMNS}};

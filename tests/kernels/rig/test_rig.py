@@ -5,11 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from segfmu.crane import Plant, Rig, Sensors, Setpoints
+from segfmu.crane import Plant, Rig, Setpoints
+from segfmu.crane import Sensors as Signals
 from segfmu.kernels import backend
 from segfmu.kernels.crane.records import Plant as Parameters
 from segfmu.kernels.rig.events import next_change
-from segfmu.kernels.rig.records import Clock, Corrector, Loop, Memory
+from segfmu.kernels.rig.records import Clock, Corrector, Loop, Memory, Sensors, Settings
 from segfmu.kernels.rig.rig import rig_imbalance
 from tests.kernels.rigs import CONTROLLERS, HANGING, LAB, everything, feedback, tracking
 
@@ -86,7 +87,7 @@ def test_a_copy_of_the_memory_is_the_state(kind: str, driven: bool) -> None:
 
 @pytest.mark.parametrize("driven", [False, True])
 def test_tracking_is_the_same_inside_and_outside(driven: bool) -> None:
-    rig = Rig(sensors=Sensors(0.01, 0.01, (1e-4,) * 5))
+    rig = Rig(sensors=Signals(0.01, 0.01, (1e-4,) * 5))
     inside, outside = (
         start(c, driven, rig) for c in (tracking(driven), Inside(tracking(driven)))
     )
@@ -140,7 +141,16 @@ def test_imbalance_is_what_is_not_accounted_for() -> None:
     assert rig_imbalance(values) == 1.0 + 2.0 - 4.0 - 8.0 - 16.0 - 32.0 + 64.0
 
 
-def test_memory_grows_with_the_samples_on_their_way() -> None:
-    rows = [backend.rig_rows(t, d) for t, d in ((0.0, 0.0), (0.01, 0.0), (0.01, 1.0))]
-    # two samples, and two beside the hundred that are younger than the dead time; six a row
-    assert np.diff(rows).tolist() == [1, 16]
+def test_memory_grows_with_what_is_on_its_way() -> None:
+    rows = []
+    for sample_time, sensing, drive in (
+        (0.0, 0.0, 0.0), (0.01, 0.0, 0.0), (0.01, 1.0, 0.0), (0.01, 1.0, 0.1)
+    ):
+        settings = np.zeros((Settings.SIZE, Settings.COLUMNS))
+        settings[Settings.LOOP, Loop.PERIOD] = 0.01
+        settings[Settings.SENSORS, [Sensors.SAMPLE_TIME, Sensors.DEAD_TIME]] = sample_time, sensing
+        settings[Settings.PLANT, Parameters.DEAD_TIME + 1] = drive
+        rows.append(backend.rig_rows(settings))
+    # two samples, and two beside the hundred that are younger than the dead time, six a row; then
+    # twice 512 and 10 commands and 8, two a row, behind the state of their ring
+    assert np.diff(rows).tolist() == [1, 16, 527]

@@ -36,6 +36,11 @@ def _drives() -> list[Variable]:
                 f"largest acceleration of the {drive} drive in mode velocity; 0: no bound",
                 minimum=0.0,
             ),
+            parameter(
+                f"{name}.dead_time", 0.0, "s",
+                f"from the command of the {drive}, setpoint and correction, to the drive; in model "
+                "exchange 0", minimum=0.0,
+            ),
         ]
     return rows
 

@@ -207,6 +207,7 @@ static double meet_intervals(int64_t first, int64_t last, array_double_1d option
 static int64_t synchronize_plan(array_double_1d dwells, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static bool differ(double before, double value);
 static int64_t sensing_rows(double sample_time, double dead_time);
+static int64_t sensing_end(array_double_2d settings);
 static double next_sample(array_double_1d sensors, array_double_2d memory);
 static int64_t ring_size(array_double_2d memory);
 static int64_t ring_place(int64_t* result_0, int64_t* result_1_0001, int64_t number, array_double_2d memory);
@@ -227,10 +228,24 @@ static void update_signals(array_double_2d settings, double time, array_double_2
 static bool is_driven(array_double_2d memory);
 static double setpoint_at(array_double_1d setpoints, int64_t i, double share, array_double_2d memory);
 static int64_t setpoint_rates(double* result_0_0001, double* result_1, double* result_2_0001, array_double_1d setpoints, int64_t i, double share, double duration, array_double_2d memory);
+static void set_command(int64_t axis, double value, double slope, double square, double cube, array_double_2d memory);
+static int64_t delay_rows(double longest, double period);
+static double longest_delay(array_double_1d plant);
+static bool is_late(array_double_2d memory);
+static int64_t command_place(int64_t* result_0, int64_t* result_1_0001, int64_t number, array_double_2d delayed);
+static double command_start(int64_t number, array_double_2d delayed);
+static void start_delay(array_double_1d setpoints, array_double_2d delayed, array_double_2d memory);
+static int64_t shifted_command(double* result_0, double* result_1, double* result_2_0001, double* result_3, int64_t axis, double after, int64_t column, array_double_1d sent);
+static void join_commands(double time, double shortest, array_double_2d delayed);
+static void drop_commands(double time, array_double_2d delayed);
+static void write_command(int64_t axis, array_double_1d setpoints, double share, double duration, array_double_2d memory, int64_t column, array_double_1d sent);
+static void send_commands(array_double_1d setpoints, double duration, array_double_2d memory, array_double_2d delayed);
+static int64_t command_number(double time, array_double_2d delayed);
+static double next_command(array_double_2d settings, double until, array_double_2d memory, array_double_2d delayed);
+static void late_commands(array_double_2d settings, double length, array_double_2d memory, array_double_2d delayed);
 static bool controller_due(array_double_2d settings, array_double_2d memory);
 static void prepare_tick(array_double_2d settings, array_double_1d setpoints, double duration, array_double_2d memory);
 static void correct_setpoints(array_double_2d settings, array_double_3d table, array_double_3d gains, array_double_2d tracker, array_double_2d memory);
-static void set_command(int64_t axis, double value, double slope, double square, double cube, array_double_2d memory);
 static void command_velocities(array_double_1d setpoints, double duration, double until, array_double_2d memory);
 static void command_forces(array_double_1d setpoints, double duration, array_double_2d memory);
 static int64_t advance_plant(array_double_2d settings, array_double_2d components, array_double_1d setpoints, double duration, double until, array_double_2d memory);
@@ -879,12 +894,12 @@ static double friction_force(array_double_1d plant, int64_t axis, double velocit
 {
     double share;
     double friction;
-    friction = (*cspan_at(&plant, INT64_C(14) + axis)) * velocity;
-    friction = friction + (*cspan_at(&plant, INT64_C(20) + axis)) * velocity * fabs(velocity);
-    if ((*cspan_at(&plant, INT64_C(17) + axis)) > 0.0)
+    friction = (*cspan_at(&plant, INT64_C(17) + axis)) * velocity;
+    friction = friction + (*cspan_at(&plant, INT64_C(23) + axis)) * velocity * fabs(velocity);
+    if ((*cspan_at(&plant, INT64_C(20) + axis)) > 0.0)
     {
-        share = tanh(velocity / (*cspan_at(&plant, INT64_C(23))));
-        friction = friction + (*cspan_at(&plant, INT64_C(17) + axis)) * share;
+        share = tanh(velocity / (*cspan_at(&plant, INT64_C(26))));
+        friction = friction + (*cspan_at(&plant, INT64_C(20) + axis)) * share;
     }
     return friction;
 }
@@ -894,12 +909,12 @@ static double friction_slope(array_double_1d plant, int64_t axis, double velocit
     double width;
     double share;
     double slope;
-    slope = (*cspan_at(&plant, INT64_C(14) + axis)) + 2.0 * (*cspan_at(&plant, INT64_C(20) + axis)) * fabs(velocity);
-    if ((*cspan_at(&plant, INT64_C(17) + axis)) > 0.0)
+    slope = (*cspan_at(&plant, INT64_C(17) + axis)) + 2.0 * (*cspan_at(&plant, INT64_C(23) + axis)) * fabs(velocity);
+    if ((*cspan_at(&plant, INT64_C(20) + axis)) > 0.0)
     {
-        width = (*cspan_at(&plant, INT64_C(23)));
+        width = (*cspan_at(&plant, INT64_C(26)));
         share = tanh(velocity / width);
-        slope = slope + (*cspan_at(&plant, INT64_C(17) + axis)) * (1.0 - share * share) / width;
+        slope = slope + (*cspan_at(&plant, INT64_C(20) + axis)) * (1.0 - share * share) / width;
     }
     return slope;
 }
@@ -929,16 +944,16 @@ static void wind_force(array_double_1d plant, array_double_2d components, double
     double cosine;
     double added;
     gust = 0.0;
-    if ((*cspan_at(&plant, INT64_C(35))) > 0.0)
+    if ((*cspan_at(&plant, INT64_C(38))) > 0.0)
     {
-        share = (time - (*cspan_at(&plant, INT64_C(34)))) / (*cspan_at(&plant, INT64_C(35)));
-        gust = gust_factor((*cspan_at(&plant, INT64_C(36))), share);
+        share = (time - (*cspan_at(&plant, INT64_C(37)))) / (*cspan_at(&plant, INT64_C(38)));
+        gust = gust_factor((*cspan_at(&plant, INT64_C(39))), share);
     }
     force = span_row(&work, INT64_C(14));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        steady = (*cspan_at(&work, INT64_C(2), i)) + (*cspan_at(&plant, INT64_C(31) + i));
-        (*cspan_at(&force, i)) = steady + gust * (*cspan_at(&plant, INT64_C(37) + i));
+        steady = (*cspan_at(&work, INT64_C(2), i)) + (*cspan_at(&plant, INT64_C(34) + i));
+        (*cspan_at(&force, i)) = steady + gust * (*cspan_at(&plant, INT64_C(40) + i));
     }
     for (k = INT64_C(0); k < components.shape[INT64_C(0)]; k += INT64_C(1))
     {
@@ -4073,10 +4088,10 @@ int64_t segfmu_plant_failure(int64_t status, double time, array_double_1d state,
     (*cspan_at(&fault, INT64_C(2))) = (*cspan_at(&state, INT64_C(0) + axis));
     if (status >= INT64_C(9))
     {
-        (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(28) + axis));
+        (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(31) + axis));
         return INT64_C(9);
     }
-    (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(25) + axis));
+    (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(28) + axis));
     return INT64_C(6);
 }
 /*Node c of a stage, as a share of the step. */
@@ -4267,7 +4282,7 @@ static void plant_powers(array_double_1d plant, array_double_1d state, array_dou
     squares = squares + (*cspan_at(&state, INT64_C(8) + INT64_C(1))) * (*cspan_at(&state, INT64_C(8) + INT64_C(1)));
     (*cspan_at(&derivative, INT64_C(10))) = 0.0;
     (*cspan_at(&derivative, INT64_C(11))) = 0.0;
-    (*cspan_at(&derivative, INT64_C(12))) = (*cspan_at(&plant, INT64_C(24))) * squares;
+    (*cspan_at(&derivative, INT64_C(12))) = (*cspan_at(&plant, INT64_C(27))) * squares;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         velocity = (*cspan_at(&state, INT64_C(5) + i));
@@ -4301,7 +4316,7 @@ static void plant_derivative(array_double_1d plant, array_double_2d components, 
     }
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
-        torque = (-(*cspan_at(&plant, INT64_C(24)))) * (*cspan_at(&state, INT64_C(8) + i));
+        torque = (-(*cspan_at(&plant, INT64_C(27)))) * (*cspan_at(&state, INT64_C(8) + i));
         (*cspan_at(&work, INT64_C(12), INT64_C(3) + i)) = torque;
     }
     if ((int64_t)((*cspan_at(&plant, INT64_C(4)))) == INT64_C(1))
@@ -4379,11 +4394,11 @@ static int64_t plant_status(array_double_1d plant, array_double_1d state, double
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         /*rest exactly at the limit is allowed*/
-        if ((*cspan_at(&state, INT64_C(0) + i)) < (*cspan_at(&plant, INT64_C(25) + i)) - 1e-09)
+        if ((*cspan_at(&state, INT64_C(0) + i)) < (*cspan_at(&plant, INT64_C(28) + i)) - 1e-09)
         {
             return INT64_C(6) + i;
         }
-        if ((*cspan_at(&state, INT64_C(0) + i)) > (*cspan_at(&plant, INT64_C(28) + i)) + 1e-09)
+        if ((*cspan_at(&state, INT64_C(0) + i)) > (*cspan_at(&plant, INT64_C(31) + i)) + 1e-09)
         {
             return INT64_C(9) + i;
         }
@@ -9097,6 +9112,15 @@ static int64_t sensing_rows(double sample_time, double dead_time)
     samples = (int64_t)ceil(dead_time / sample_time) + INT64_C(2);
     return INT64_C(4) + span_floor_div((samples + INT64_C(6) - INT64_C(1)), INT64_C(6));
 }
+/*Row of a rig's memory behind that of the sensors.*/
+static int64_t sensing_end(array_double_2d settings)
+{
+    array_double_1d sensors;
+    int64_t result;
+    sensors = span_row(&settings, INT64_C(1));
+    result = INT64_C(33) + sensing_rows((*cspan_at(&sensors, INT64_C(0))), (*cspan_at(&sensors, INT64_C(1))));
+    return result;
+}
 /*Measured coordinates (5) of a state: offset, noise, quantisation.                                */
 /*                                                                                                 */
 /*    numbers (2): state of the random numbers. If any sensor has noise, five numbers are drawn, so*/
@@ -9261,7 +9285,7 @@ static double next_tick(array_double_2d settings, array_double_2d memory)
 static double next_reading(array_double_2d settings, array_double_2d memory)
 {
     double result;
-    result = next_sample(span_row(&settings, INT64_C(1)), span_rows(&memory, INT64_C(33), memory.shape[INT64_C(0)]));
+    result = next_sample(span_row(&settings, INT64_C(1)), span_rows(&memory, INT64_C(33), sensing_end(settings)));
     return result;
 }
 /*Time [s] since the start of the next tick, sample, or change of payload or wind. */
@@ -9294,8 +9318,8 @@ static double next_change(array_double_2d changes, double after, array_double_2d
     double time;
     double first;
     start = (*cspan_at(&memory, INT64_C(6), INT64_C(0)));
-    gust = (*cspan_at(&memory, INT64_C(5), INT64_C(34)));
-    duration = (*cspan_at(&memory, INT64_C(5), INT64_C(35)));
+    gust = (*cspan_at(&memory, INT64_C(5), INT64_C(37)));
+    duration = (*cspan_at(&memory, INT64_C(5), INT64_C(38)));
     first = 1e+300;
     for (i = INT64_C(0); i < changes.shape[INT64_C(0)]; i += INT64_C(1))
     {
@@ -9368,7 +9392,7 @@ static void handle_events(array_double_2d settings, array_double_2d changes, arr
     latest = time + time_tolerance(settings);
     while(next_reading(settings, memory) <= latest)
     {
-        take_sample(span_row(&settings, INT64_C(1)), span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(33), memory.shape[INT64_C(0)]));
+        take_sample(span_row(&settings, INT64_C(1)), span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(33), sensing_end(settings)));
     }
     while((*cspan_at(&clock, INT64_C(4))) <= latest)
     {
@@ -9382,7 +9406,7 @@ static void handle_events(array_double_2d settings, array_double_2d changes, arr
 /*Signals of the sensors at a time [s] since the start that does not decrease. */
 static void update_signals(array_double_2d settings, double time, array_double_2d memory)
 {
-    sense_signals(span_row(&settings, INT64_C(1)), time, span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(33), memory.shape[INT64_C(0)]), span_row(&memory, INT64_C(0)));
+    sense_signals(span_row(&settings, INT64_C(1)), time, span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(33), sensing_end(settings)), span_row(&memory, INT64_C(0)));
 }
 /*Whether the drives follow velocities.*/
 static bool is_driven(array_double_2d memory)
@@ -9418,6 +9442,325 @@ static int64_t setpoint_rates(double* result_0_0001, double* result_1, double* r
     (*result_1) = bend;
     (*result_2_0001) = cube / (duration * duration * duration);
     return 0;
+}
+/*Command of a drive, and its coefficients over the elapsed time.*/
+static void set_command(int64_t axis, double value, double slope, double square, double cube, array_double_2d memory)
+{
+    (*cspan_at(&memory, INT64_C(13) + INT64_C(0), axis)) = value;
+    (*cspan_at(&memory, INT64_C(13) + INT64_C(1), INT64_C(0) + axis)) = slope;
+    (*cspan_at(&memory, INT64_C(13) + INT64_C(1), INT64_C(3) + axis)) = square;
+    (*cspan_at(&memory, INT64_C(13) + INT64_C(1), INT64_C(6) + axis)) = cube;
+}
+/*Rows of memory for the longest dead time [s] and the period of the controller [s].             */
+/*                                                                                               */
+/*    Two neighbours that no tick parts are at least a share of the dead time long, see `Delay`. */
+/*                                                                                               */
+static int64_t delay_rows(double longest, double period)
+{
+    int64_t commands;
+    if (longest <= 0.0)
+    {
+        return INT64_C(0);
+    }
+    commands = INT64_C(2) * (INT64_C(512) + (int64_t)ceil(longest / period)) + INT64_C(8);
+    return INT64_C(1) + span_floor_div((commands + INT64_C(2) - INT64_C(1)), INT64_C(2));
+}
+/*Longest dead time of the drives [s]. */
+static double longest_delay(array_double_1d plant)
+{
+    int64_t i;
+    double longest;
+    longest = 0.0;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        longest = span_max(longest, (*cspan_at(&plant, INT64_C(14) + i)));
+    }
+    return longest;
+}
+/*Whether a drive has a dead time. */
+static bool is_late(array_double_2d memory)
+{
+    bool result;
+    result = longest_delay(span_row(&memory, INT64_C(5))) > 0.0;
+    return result;
+}
+/*Row and first column of a command of the ring, counted from the oldest one.*/
+static int64_t command_place(int64_t* result_0, int64_t* result_1_0001, int64_t number, array_double_2d delayed)
+{
+    int64_t size;
+    int64_t place;
+    int64_t row;
+    size = INT64_C(2) * (delayed.shape[INT64_C(0)] - INT64_C(1));
+    place = span_floor_mod(((int64_t)((*cspan_at(&delayed, INT64_C(0), INT64_C(0)))) + number), size);
+    row = INT64_C(1) + span_floor_div(place, INT64_C(2));
+    (*result_0) = row;
+    (*result_1_0001) = INT64_C(14) * (span_floor_mod(place, INT64_C(2)));
+    return 0;
+}
+/*When [s] a command of the ring was sent, counted from the oldest one.*/
+static double command_start(int64_t number, array_double_2d delayed)
+{
+    int64_t row;
+    int64_t column;
+    double result;
+    command_place(&row, &column, number, delayed);
+    result = (*cspan_at(&delayed, row, column + INT64_C(0)));
+    return result;
+}
+/*The only command is that of the start, for all times.*/
+static void start_delay(array_double_1d setpoints, array_double_2d delayed, array_double_2d memory)
+{
+    int64_t row;
+    int64_t column;
+    int64_t first;
+    int64_t i;
+    (*cspan_at(&delayed, INT64_C(0), INT64_C(1))) = 1.0;
+    command_place(&row, &column, INT64_C(0), delayed);
+    (*cspan_at(&delayed, row, column + INT64_C(0))) = -1e+100;
+    first = INT64_C(0);
+    if (is_driven(memory))
+    {
+        first = INT64_C(3);
+    }
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&delayed, row, column + INT64_C(2) + i)) = (*cspan_at(&setpoints, first + i));
+    }
+}
+/*Coefficients of a command of a row of the ring about a time [s] after its start. */
+static int64_t shifted_command(double* result_0, double* result_1, double* result_2_0001, double* result_3, int64_t axis, double after, int64_t column, array_double_1d sent)
+{
+    double cube;
+    double square;
+    double linear;
+    double value;
+    cube = (*cspan_at(&sent, column + INT64_C(11) + axis));
+    square = (*cspan_at(&sent, column + INT64_C(8) + axis));
+    linear = (*cspan_at(&sent, column + INT64_C(5) + axis));
+    value = (*cspan_at(&sent, column + INT64_C(2) + axis));
+    value = value + after * (linear + after * (square + after * cube));
+    linear = linear + after * (2.0 * square + 3.0 * after * cube);
+    (*result_0) = value;
+    (*result_1) = linear;
+    (*result_2_0001) = square + 3.0 * after * cube;
+    (*result_3) = cube;
+    return 0;
+}
+/*Make one command of the two newest, up to a time, that are shorter together than a bound [s].  */
+/*                                                                                               */
+/*    So the ring is large enough for any communication step. A tick, where forces jump, is kept.*/
+/*                                                                                               */
+static void join_commands(double time, double shortest, array_double_2d delayed)
+{
+    int64_t newest;
+    int64_t row;
+    int64_t column;
+    int64_t before;
+    int64_t place;
+    double length;
+    double after;
+    int64_t i;
+    double value;
+    double Dummy_0000;
+    double Dummy_0001;
+    double Dummy_0002;
+    double slope;
+    newest = (int64_t)((*cspan_at(&delayed, INT64_C(0), INT64_C(1)))) - INT64_C(1);
+    if (newest < INT64_C(1))
+    {
+        return;
+    }
+    command_place(&row, &column, newest, delayed);
+    command_place(&before, &place, newest - INT64_C(1), delayed);
+    length = time - (*cspan_at(&delayed, before, place + INT64_C(0)));
+    if (((*cspan_at(&delayed, row, column + INT64_C(1))) > 0.5) || (length >= shortest))
+    {
+        return;
+    }
+    after = time - (*cspan_at(&delayed, row, column + INT64_C(0)));
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        shifted_command(&value, &Dummy_0000, &Dummy_0001, &Dummy_0002, i, after, column, span_row(&delayed, row));
+        slope = (value - (*cspan_at(&delayed, before, place + INT64_C(2) + i))) / length;
+        (*cspan_at(&delayed, before, place + INT64_C(5) + i)) = slope;
+        (*cspan_at(&delayed, before, place + INT64_C(8) + i)) = 0.0;
+        (*cspan_at(&delayed, before, place + INT64_C(11) + i)) = 0.0;
+    }
+    (*cspan_at(&delayed, INT64_C(0), INT64_C(1))) = (double)(newest);
+}
+/*Drop the commands that ended before a time [s], and the oldest if the ring is full.*/
+static void drop_commands(double time, array_double_2d delayed)
+{
+    array_double_1d queue;
+    int64_t size;
+    queue = span_row(&delayed, INT64_C(0));
+    size = INT64_C(2) * (delayed.shape[INT64_C(0)] - INT64_C(1));
+    while(((*cspan_at(&queue, INT64_C(1))) > 1.5) && ((command_start(INT64_C(1), delayed) <= time) || ((*cspan_at(&queue, INT64_C(1))) >= size)))
+    {
+        (*cspan_at(&queue, INT64_C(0))) = (double)(span_floor_mod(((int64_t)((*cspan_at(&queue, INT64_C(0)))) + INT64_C(1)), size));
+        (*cspan_at(&queue, INT64_C(1))) = (*cspan_at(&queue, INT64_C(1))) - 1.0;
+    }
+}
+/*Write what a drive is sent from a share of the step on, in a row of the ring.*/
+static void write_command(int64_t axis, array_double_1d setpoints, double share, double duration, array_double_2d memory, int64_t column, array_double_1d sent)
+{
+    int64_t place;
+    double added;
+    double gained;
+    double value;
+    double slope;
+    double square;
+    double cube;
+    place = INT64_C(0) + axis;
+    added = (*cspan_at(&memory, INT64_C(3), INT64_C(0) + axis));
+    gained = 0.0;
+    if (is_driven(memory))
+    {
+        place = INT64_C(3) + axis;
+        gained = added;
+        added = (*cspan_at(&memory, INT64_C(9), axis));
+    }
+    value = setpoint_at(setpoints, place, share, memory);
+    setpoint_rates(&slope, &square, &cube, setpoints, place, share, duration, memory);
+    (*cspan_at(&sent, column + INT64_C(2) + axis)) = value + added;
+    (*cspan_at(&sent, column + INT64_C(5) + axis)) = slope + gained;
+    (*cspan_at(&sent, column + INT64_C(8) + axis)) = square;
+    (*cspan_at(&sent, column + INT64_C(11) + axis)) = cube;
+}
+/*Put the commands from now on into the ring, where a step begins or a tick has come.*/
+static void send_commands(array_double_1d setpoints, double duration, array_double_2d memory, array_double_2d delayed)
+{
+    array_double_1d clock;
+    array_double_1d queue;
+    bool ticked;
+    double time;
+    int64_t newest;
+    double longest;
+    int64_t row;
+    int64_t column;
+    double share;
+    int64_t i;
+    clock = span_row(&memory, INT64_C(6));
+    queue = span_row(&delayed, INT64_C(0));
+    ticked = (*cspan_at(&queue, INT64_C(2))) != (*cspan_at(&clock, INT64_C(3)));
+    if (((*cspan_at(&clock, INT64_C(2))) > 0.0) && (!ticked))
+    {
+        return;
+    }
+    time = present_time(memory);
+    /*a step that failed is tried again*/
+    newest = (int64_t)((*cspan_at(&queue, INT64_C(1)))) - INT64_C(1);
+    while((newest > INT64_C(0)) && (command_start(newest, delayed) >= time))
+    {
+        newest = newest - INT64_C(1);
+    }
+    (*cspan_at(&queue, INT64_C(1))) = newest + 1.0;
+    (*cspan_at(&queue, INT64_C(2))) = (*cspan_at(&clock, INT64_C(3)));
+    longest = longest_delay(span_row(&memory, INT64_C(5)));
+    join_commands(time, longest / INT64_C(512), delayed);
+    drop_commands(time - longest, delayed);
+    command_place(&row, &column, (int64_t)((*cspan_at(&queue, INT64_C(1)))), delayed);
+    (*cspan_at(&queue, INT64_C(1))) = (*cspan_at(&queue, INT64_C(1))) + 1.0;
+    (*cspan_at(&delayed, row, column + INT64_C(0))) = time;
+    (*cspan_at(&delayed, row, column + INT64_C(1))) = 0.0;
+    if (ticked)
+    {
+        (*cspan_at(&delayed, row, column + INT64_C(1))) = 1.0;
+    }
+    share = (*cspan_at(&clock, INT64_C(2))) / duration;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        write_command(i, setpoints, share, duration, memory, column, span_row(&delayed, row));
+    }
+}
+/*The command of the ring that was sent at a time [s], counted from the oldest one.*/
+static int64_t command_number(double time, array_double_2d delayed)
+{
+    int64_t last;
+    int64_t middle;
+    int64_t first;
+    first = INT64_C(0);
+    last = (int64_t)((*cspan_at(&delayed, INT64_C(0), INT64_C(1)))) - INT64_C(1);
+    while(first < last)
+    {
+        middle = span_floor_div((first + last + INT64_C(1)), INT64_C(2));
+        if (command_start(middle, delayed) <= time)
+        {
+            first = middle;
+        }
+        else
+        {
+            last = middle - INT64_C(1);
+        }
+    }
+    return first;
+}
+/*Time [s] within the step when a drive gets its next command, at most `until`.*/
+static double next_command(array_double_2d settings, double until, array_double_2d memory, array_double_2d delayed)
+{
+    array_double_1d clock;
+    int64_t newest;
+    int64_t i;
+    double late;
+    double latest;
+    int64_t number;
+    double due;
+    double first;
+    clock = span_row(&memory, INT64_C(6));
+    first = until;
+    newest = (int64_t)((*cspan_at(&delayed, INT64_C(0), INT64_C(1)))) - INT64_C(1);
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        late = (*cspan_at(&memory, INT64_C(5), INT64_C(14) + i));
+        latest = present_time(memory) - late + time_tolerance(settings);
+        number = command_number(latest, delayed);
+        if ((late > 0.0) && (number < newest))
+        {
+            due = command_start(number + INT64_C(1), delayed) + late - (*cspan_at(&clock, INT64_C(1)));
+            if (due < until - time_tolerance(settings))
+            {
+                first = span_min(first, due);
+            }
+        }
+    }
+    return first;
+}
+/*Commands of the drives with a dead time for a length of time [s] from now on.*/
+static void late_commands(array_double_2d settings, double length, array_double_2d memory, array_double_2d delayed)
+{
+    int64_t i;
+    double late;
+    double time;
+    int64_t number;
+    int64_t row;
+    int64_t column;
+    double after;
+    double value;
+    double slope;
+    double square;
+    double cube;
+    double end;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        late = (*cspan_at(&memory, INT64_C(5), INT64_C(14) + i));
+        if (late > 0.0)
+        {
+            time = present_time(memory) - late;
+            number = command_number(time + time_tolerance(settings), delayed);
+            command_place(&row, &column, number, delayed);
+            after = time - (*cspan_at(&delayed, row, column + INT64_C(0)));
+            shifted_command(&value, &slope, &square, &cube, i, after, column, span_row(&delayed, row));
+            if (is_driven(memory) && ((*cspan_at(&memory, INT64_C(5), INT64_C(5) + i)) == 0.0))
+            {
+                end = value + length * (slope + length * (square + length * cube));
+                value = (end - (*cspan_at(&memory, INT64_C(4), INT64_C(5) + i))) / length;
+                slope = 0.0;
+                square = 0.0;
+                cube = 0.0;
+            }
+            set_command(i, value, slope, square, cube, memory);
+        }
+    }
 }
 /*Whether the controller's next tick has come. */
 static bool controller_due(array_double_2d settings, array_double_2d memory)
@@ -9528,14 +9871,6 @@ static void correct_setpoints(array_double_2d settings, array_double_3d table, a
     }
     segfmu_switch_correction(settings, memory);
 }
-/*Command of a drive, and its coefficients over the elapsed time.*/
-static void set_command(int64_t axis, double value, double slope, double square, double cube, array_double_2d memory)
-{
-    (*cspan_at(&memory, INT64_C(13) + INT64_C(0), axis)) = value;
-    (*cspan_at(&memory, INT64_C(13) + INT64_C(1), INT64_C(0) + axis)) = slope;
-    (*cspan_at(&memory, INT64_C(13) + INT64_C(1), INT64_C(3) + axis)) = square;
-    (*cspan_at(&memory, INT64_C(13) + INT64_C(1), INT64_C(6) + axis)) = cube;
-}
 /*Commands of velocity drives and their rates until a time; advances the added velocities. */
 static void command_velocities(array_double_1d setpoints, double duration, double until, array_double_2d memory)
 {
@@ -9612,6 +9947,10 @@ static int64_t advance_plant(array_double_2d settings, array_double_2d component
     else
     {
         command_forces(setpoints, duration, memory);
+    }
+    if (is_late(memory))
+    {
+        late_commands(settings, until - (*cspan_at(&clock, INT64_C(2))), memory, span_rows(&memory, sensing_end(settings), memory.shape[INT64_C(0)]));
     }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
@@ -9712,10 +10051,16 @@ int64_t segfmu_rig_rates(array_double_2d components, array_double_1d setpoints, 
     result = plant_status(span_row(&memory, INT64_C(5)), span_row(&memory, INT64_C(4)), (*cspan_at(&work, INT64_C(13), INT64_C(6))));
     return result;
 }
-/*Rows of memory for the sensors' sample time and dead time [s]. */
-int64_t segfmu_rig_rows(double sample_time, double dead_time)
+/*Rows of memory for the settings: samples and commands may be on their way. */
+int64_t segfmu_rig_rows(array_double_2d settings)
 {
-    return INT64_C(33) + sensing_rows(sample_time, dead_time);
+    double longest;
+    int64_t late;
+    int64_t result;
+    longest = longest_delay(span_row(&settings, INT64_C(3)));
+    late = delay_rows(longest, (*cspan_at(&settings, INT64_C(0), INT64_C(1))));
+    result = sensing_end(settings) + late;
+    return result;
 }
 /*Reset the memory to a state (10) and the setpoints at the start [s]. */
 void segfmu_rig_start(array_double_2d settings, array_double_2d changes, array_double_1d state, array_double_1d setpoints, double start, array_double_2d memory)
@@ -9733,7 +10078,7 @@ void segfmu_rig_start(array_double_2d settings, array_double_2d changes, array_d
     {
         (*cspan_at(&memory, INT64_C(4), i)) = (*cspan_at(&state, i));
     }
-    for (i = INT64_C(0); i < INT64_C(40); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(43); i += INT64_C(1))
     {
         (*cspan_at(&memory, INT64_C(5), i)) = (*cspan_at(&settings, INT64_C(3), i));
     }
@@ -9750,8 +10095,12 @@ void segfmu_rig_start(array_double_2d settings, array_double_2d changes, array_d
     (*cspan_at(&memory, INT64_C(6), INT64_C(4))) = next_change(changes, 0.0, memory);
     change_payload(settings, changes, start, memory);
     (*cspan_at(&memory, INT64_C(12), INT64_C(2))) = mechanical_energy(memory);
-    start_sensing(span_row(&settings, INT64_C(1)), span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(33), memory.shape[INT64_C(0)]));
+    start_sensing(span_row(&settings, INT64_C(1)), span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(33), sensing_end(settings)));
     update_signals(settings, 0.0, memory);
+    if (is_late(memory))
+    {
+        start_delay(setpoints, span_rows(&memory, sensing_end(settings), memory.shape[INT64_C(0)]), memory);
+    }
 }
 /*Advance by a duration [s] to the given setpoints; returns the status.                                */
 /*                                                                                                     */
@@ -9765,6 +10114,7 @@ int64_t segfmu_rig_step(array_double_2d settings, array_double_2d components, ar
     array_double_1d clock;
     int64_t i;
     double until;
+    array_double_2d delayed;
     int64_t status;
     clock = span_row(&memory, INT64_C(6));
     /*checked before it changes any memory, such as the observer's*/
@@ -9793,6 +10143,12 @@ int64_t segfmu_rig_step(array_double_2d settings, array_double_2d components, ar
             correct_setpoints(settings, table, gains, tracker, memory);
         }
         until = next_event(settings, duration, memory);
+        if (is_late(memory))
+        {
+            delayed = span_rows(&memory, sensing_end(settings), memory.shape[INT64_C(0)]);
+            send_commands(setpoints, duration, memory, delayed);
+            until = next_command(settings, until, memory, delayed);
+        }
         status = advance_plant(settings, components, setpoints, duration, until, memory);
         if (status == INT64_C(0))
         {
@@ -9954,14 +10310,14 @@ static double wind_slope(array_double_1d plant, array_double_2d components, doub
     double sines;
     double slope;
     slope = 0.0;
-    duration = (*cspan_at(&plant, INT64_C(35)));
+    duration = (*cspan_at(&plant, INT64_C(38)));
     if (duration > 0.0)
     {
-        share = (time - (*cspan_at(&plant, INT64_C(34)))) / duration;
+        share = (time - (*cspan_at(&plant, INT64_C(37)))) / duration;
         if ((share > 0.0) && (share < 1.0))
         {
-            rate = gust_rate((*cspan_at(&plant, INT64_C(36))), share);
-            slope = rate / duration * (*cspan_at(&plant, INT64_C(37) + axis));
+            rate = gust_rate((*cspan_at(&plant, INT64_C(39))), share);
+            slope = rate / duration * (*cspan_at(&plant, INT64_C(40) + axis));
         }
     }
     for (k = INT64_C(0); k < components.shape[INT64_C(0)]; k += INT64_C(1))
@@ -9981,7 +10337,7 @@ static void add_damping(array_double_1d plant, array_double_1d by, array_double_
     double damped;
     for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
     {
-        damped = (*cspan_at(&plant, INT64_C(24))) * (*cspan_at(&by, INT64_C(13) + j));
+        damped = (*cspan_at(&plant, INT64_C(27))) * (*cspan_at(&by, INT64_C(13) + j));
         (*cspan_at(&row, INT64_C(8) + j)) = (*cspan_at(&row, INT64_C(8) + j)) - damped;
     }
 }
@@ -10160,7 +10516,7 @@ static void power_partials(array_double_1d plant, array_double_1d state, array_d
     }
     for (i = INT64_C(8); i < INT64_C(10); i += INT64_C(1))
     {
-        (*cspan_at(&lost, i)) = 2.0 * (*cspan_at(&plant, INT64_C(24))) * (*cspan_at(&state, i));
+        (*cspan_at(&lost, i)) = 2.0 * (*cspan_at(&plant, INT64_C(27))) * (*cspan_at(&state, i));
     }
 }
 /*All partial derivatives at a time [s] since the start.                 */
@@ -10256,6 +10612,31 @@ int64_t segfmu_check_lags(array_double_1d plant, array_double_1d fault)
                 (*cspan_at(&fault, INT64_C(1))) = axis;
                 return INT64_C(2);
             }
+        }
+    }
+    return INT64_C(0);
+}
+/*Check that there is memory for the dead times of the drives; in model exchange there is none.*/
+/*                                                                                             */
+/*    period: of the controller [s]; exchange: 1 in model exchange.                            */
+/*                                                                                             */
+int64_t segfmu_check_delays(array_double_1d plant, double period, int64_t exchange, array_double_1d fault)
+{
+    int64_t axis;
+    double late;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        late = (*cspan_at(&plant, INT64_C(14) + axis));
+        (*cspan_at(&fault, INT64_C(1))) = axis;
+        (*cspan_at(&fault, INT64_C(2))) = late;
+        (*cspan_at(&fault, INT64_C(3))) = period;
+        if ((exchange == INT64_C(1)) && (late > 0.0))
+        {
+            return INT64_C(11);
+        }
+        if (late > INT64_C(100000) * period)
+        {
+            return INT64_C(10);
         }
     }
     return INT64_C(0);

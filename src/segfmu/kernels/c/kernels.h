@@ -57,7 +57,7 @@ SEGFMU_API void segfmu_switch_correction(array_double_2d settings, array_double_
 SEGFMU_API void segfmu_rig_signals(array_double_2d settings, double time, array_double_2d memory);
 SEGFMU_API void segfmu_rig_event(array_double_2d settings, array_double_2d changes, array_double_3d table, array_double_3d gains, array_double_2d tracker, array_double_1d setpoints, double time, array_double_2d memory);
 SEGFMU_API int64_t segfmu_rig_rates(array_double_2d components, array_double_1d setpoints, double time, array_double_2d memory, array_double_1d derivative);
-SEGFMU_API int64_t segfmu_rig_rows(double sample_time, double dead_time);
+SEGFMU_API int64_t segfmu_rig_rows(array_double_2d settings);
 SEGFMU_API void segfmu_rig_start(array_double_2d settings, array_double_2d changes, array_double_1d state, array_double_1d setpoints, double start, array_double_2d memory);
 SEGFMU_API int64_t segfmu_rig_step(array_double_2d settings, array_double_2d components, array_double_2d changes, array_double_3d table, array_double_3d gains, array_double_2d tracker, array_double_1d setpoints, double duration, array_double_2d memory);
 SEGFMU_API void segfmu_rig_balance(array_double_2d memory, array_double_1d balance);
@@ -67,6 +67,7 @@ SEGFMU_API void segfmu_tracking_estimates(array_double_1d parameters, array_doub
 SEGFMU_API bool segfmu_rig_partials(array_double_2d components, double time, array_double_2d memory, array_double_2d work, array_double_2d partials);
 SEGFMU_API int64_t segfmu_check_travel(array_double_1d least, array_double_1d greatest, array_double_1d fault);
 SEGFMU_API int64_t segfmu_check_lags(array_double_1d plant, array_double_1d fault);
+SEGFMU_API int64_t segfmu_check_delays(array_double_1d plant, double period, int64_t exchange, array_double_1d fault);
 SEGFMU_API int64_t segfmu_check_sensors(array_double_1d sensors, array_double_1d fault);
 SEGFMU_API int64_t segfmu_check_rope_bounds(double length, double shortest, double longest, array_double_1d fault);
 SEGFMU_API int64_t segfmu_check_lengths(array_double_1d lengths, array_double_1d fault);

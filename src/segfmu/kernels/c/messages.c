@@ -270,6 +270,22 @@ bool segfmu_setup_message(
             report[SETUP_FAULT_VALUE],
             report[SETUP_FAULT_BOUND]);
         return true;
+    case 10:
+        snprintf(text, size,
+            "drive.%s.dead_time %g s is longer than 100000 periods of %g s; lower it or "
+            "raise feedback.sample_time",
+            drive[(int)report[SETUP_FAULT_DRIVE]],
+            report[SETUP_FAULT_VALUE],
+            report[SETUP_FAULT_BOUND]);
+        return true;
+    case 11:
+        snprintf(text, size,
+            "in model exchange drive.%s.dead_time must be 0 s, got %g s (the setpoints "
+            "of the past are the importer's); delay the setpoints in the importer, or "
+            "use co-simulation",
+            drive[(int)report[SETUP_FAULT_DRIVE]],
+            report[SETUP_FAULT_VALUE]);
+        return true;
     case 6:
         snprintf(text, size,
             "the start value of rope.length must be above 0 m, got %g m",

@@ -431,7 +431,7 @@ static PyObject *call_flat_table(
         && take_int(&call, 2, &in_rows)
         && (in_lengths = take_array(&call, 3, 1, 'd', false)) != NULL
         && (in_table = take_array(&call, 4, 3, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 40)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 43)
         && has_at_least(&call, "design", 0, in_design->shape[0], 4)
         && has_at_least(&call, "lengths", 0, in_lengths->shape[0], in_rows)
         && has_at_least(&call, "table", 0, in_table->shape[0], in_rows)
@@ -620,7 +620,7 @@ static PyObject *call_drive_bound(
     if (take_count(&call, count, 2)
         && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
         && take_int(&call, 1, &in_axis)
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 14)) {
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 17)) {
         answer = PyFloat_FromDouble(segfmu_drive_bound(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
             in_axis));
@@ -644,7 +644,7 @@ static PyObject *call_set_tracking(
         && (in_design = take_array(&call, 1, 1, 'd', false)) != NULL
         && take_float(&call, 2, &in_longest)
         && (in_tracking = take_array(&call, 3, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 14)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 17)
         && has_at_least(&call, "design", 0, in_design->shape[0], 9)
         && has_at_least(&call, "tracking", 0, in_tracking->shape[0], 27)) {
         segfmu_set_tracking(
@@ -853,7 +853,7 @@ static PyObject *call_plant_failure(
         && (in_plant = take_array(&call, 3, 1, 'd', false)) != NULL
         && (in_fault = take_array(&call, 4, 1, 'd', true)) != NULL
         && has_at_least(&call, "state", 0, in_state->shape[0], 10)
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 40)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 43)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_plant_failure(
             in_status,
@@ -889,7 +889,7 @@ static PyObject *call_plant_advance(
         && take_float(&call, 5, &in_tolerance)
         && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
         && (in_report = take_array(&call, 7, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 40)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 43)
         && has_at_least(&call, "components", 1, in_components->shape[1], 7)
         && has_at_least(&call, "state", 0, in_state->shape[0], 13)
         && has_at_least(&call, "work", 0, in_work->shape[0], 20)
@@ -1414,9 +1414,9 @@ static PyObject *call_rig_next_event(
         && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
         && (in_memory = take_array(&call, 1, 2, 'd', false)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 40)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 43)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 40)) {
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 43)) {
         answer = PyFloat_FromDouble(segfmu_rig_next_event(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}}));
@@ -1437,9 +1437,9 @@ static PyObject *call_switch_correction(
         && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
         && (in_memory = take_array(&call, 1, 2, 'd', true)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 40)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 43)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 40)) {
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 43)) {
         segfmu_switch_correction(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}});
@@ -1475,7 +1475,7 @@ static PyObject *call_rig_event(
         && has_at_least(&call, "table", 0, in_table->shape[0], 1)
         && has_at_least(&call, "gains", 0, in_gains->shape[0], 1)
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 40)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 43)
         && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
         && has_at_least(&call, "table", 1, in_table->shape[1], 19)
         && has_at_least(&call, "table", 2, in_table->shape[2], 10)
@@ -1484,8 +1484,8 @@ static PyObject *call_rig_event(
         && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 25)
         && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 10)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 40)
-        && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows(((double *)in_settings->buf)[1 * in_settings->shape[1] + 0], ((double *)in_settings->buf)[1 * in_settings->shape[1] + 1]))) {
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 43)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
         segfmu_rig_event(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_changes->buf, {in_changes->shape[0], in_changes->shape[1]}},
@@ -1515,9 +1515,9 @@ static PyObject *call_rig_signals(
         && take_float(&call, 1, &in_time)
         && (in_memory = take_array(&call, 2, 2, 'd', true)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 40)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 40)
-        && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows(((double *)in_settings->buf)[1 * in_settings->shape[1] + 0], ((double *)in_settings->buf)[1 * in_settings->shape[1] + 1]))) {
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 43)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 43)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
         segfmu_rig_signals(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             in_time,
@@ -1548,7 +1548,7 @@ static PyObject *call_rig_rates(
         && has_at_least(&call, "components", 1, in_components->shape[1], 7)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 40)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 43)
         && has_at_least(&call, "derivative", 0, in_derivative->shape[0], 13)) {
         answer = PyLong_FromLongLong(segfmu_rig_rates(
             (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}},
@@ -1566,15 +1566,14 @@ static PyObject *call_rig_rows(
 {
     arguments call = {.function = "rig_rows", .values = values};
     PyObject *answer = NULL;
-    double in_sample_time;
-    double in_dead_time;
+    Py_buffer *in_settings;
     (void)self;
-    if (take_count(&call, count, 2)
-        && take_float(&call, 0, &in_sample_time)
-        && take_float(&call, 1, &in_dead_time)) {
+    if (take_count(&call, count, 1)
+        && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
+        && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 43)) {
         answer = PyLong_FromLongLong(segfmu_rig_rows(
-            in_sample_time,
-            in_dead_time));
+            (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}));
     }
     release_arguments(&call);
     return answer;
@@ -1600,12 +1599,12 @@ static PyObject *call_rig_start(
         && take_float(&call, 4, &in_start)
         && (in_memory = take_array(&call, 5, 2, 'd', true)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 40)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 43)
         && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
         && has_at_least(&call, "state", 0, in_state->shape[0], 10)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 40)
-        && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows(((double *)in_settings->buf)[1 * in_settings->shape[1] + 0], ((double *)in_settings->buf)[1 * in_settings->shape[1] + 1]))) {
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 43)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
         segfmu_rig_start(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_changes->buf, {in_changes->shape[0], in_changes->shape[1]}},
@@ -1647,7 +1646,7 @@ static PyObject *call_rig_step(
         && has_at_least(&call, "table", 0, in_table->shape[0], 1)
         && has_at_least(&call, "gains", 0, in_gains->shape[0], 1)
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 40)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 43)
         && has_at_least(&call, "components", 1, in_components->shape[1], 7)
         && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
         && has_at_least(&call, "table", 1, in_table->shape[1], 19)
@@ -1657,8 +1656,8 @@ static PyObject *call_rig_step(
         && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 25)
         && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 10)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 40)
-        && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows(((double *)in_settings->buf)[1 * in_settings->shape[1] + 0], ((double *)in_settings->buf)[1 * in_settings->shape[1] + 1]))) {
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 43)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
         answer = PyLong_FromLongLong(segfmu_rig_step(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}},
@@ -1686,7 +1685,7 @@ static PyObject *call_rig_balance(
         && (in_memory = take_array(&call, 0, 2, 'd', true)) != NULL
         && (in_balance = take_array(&call, 1, 1, 'd', true)) != NULL
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 40)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 43)
         && has_at_least(&call, "balance", 0, in_balance->shape[0], 7)) {
         segfmu_rig_balance(
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}},
@@ -1731,7 +1730,7 @@ static PyObject *call_rig_outputs(
         && (in_outputs = take_array(&call, 3, 1, 'd', true)) != NULL
         && has_at_least(&call, "target", 0, in_target->shape[0], 3)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 40)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 43)
         && has_at_least(&call, "balance", 0, in_balance->shape[0], 7)
         && has_at_least(&call, "outputs", 0, in_outputs->shape[0], 48)) {
         segfmu_rig_outputs(
@@ -1791,7 +1790,7 @@ static PyObject *call_rig_partials(
         && (in_partials = take_array(&call, 4, 2, 'd', true)) != NULL
         && has_at_least(&call, "components", 1, in_components->shape[1], 7)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 40)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 43)
         && has_at_least(&call, "work", 0, in_work->shape[0], 6)
         && has_at_least(&call, "work", 1, in_work->shape[1], 18)
         && has_at_least(&call, "partials", 0, in_partials->shape[0], 12)
@@ -1843,10 +1842,37 @@ static PyObject *call_check_lags(
     if (take_count(&call, count, 2)
         && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
         && (in_fault = take_array(&call, 1, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 40)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 43)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_check_lags(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
+            (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_check_delays(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "check_delays", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_plant;
+    double in_period;
+    int64_t in_exchange;
+    Py_buffer *in_fault;
+    (void)self;
+    if (take_count(&call, count, 4)
+        && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
+        && take_float(&call, 1, &in_period)
+        && take_int(&call, 2, &in_exchange)
+        && (in_fault = take_array(&call, 3, 1, 'd', true)) != NULL
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 43)
+        && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
+        answer = PyLong_FromLongLong(segfmu_check_delays(
+            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
+            in_period,
+            in_exchange,
             (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
     }
     release_arguments(&call);
@@ -2326,6 +2352,7 @@ static PyMethodDef methods[] = {
     {"rig_partials", (PyCFunction)(void (*)(void))call_rig_partials, METH_FASTCALL, NULL},
     {"check_travel", (PyCFunction)(void (*)(void))call_check_travel, METH_FASTCALL, NULL},
     {"check_lags", (PyCFunction)(void (*)(void))call_check_lags, METH_FASTCALL, NULL},
+    {"check_delays", (PyCFunction)(void (*)(void))call_check_delays, METH_FASTCALL, NULL},
     {"check_sensors", (PyCFunction)(void (*)(void))call_check_sensors, METH_FASTCALL, NULL},
     {"check_rope_bounds", (PyCFunction)(void (*)(void))call_check_rope_bounds, METH_FASTCALL, NULL},
     {"check_lengths", (PyCFunction)(void (*)(void))call_check_lengths, METH_FASTCALL, NULL},

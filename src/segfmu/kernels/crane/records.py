@@ -130,6 +130,10 @@ class Plant(Masses):
         "largest accelerations by velocity drives", "m/s2", size=3,
         variables=[f"drive.{d}.acceleration_max" for d in DRIVES],
     )
+    DEAD_TIME = field(
+        "from the command to the drive", "s", size=3,
+        variables=[f"drive.{d}.dead_time" for d in DRIVES],
+    )
     VISCOUS = field(
         "viscous friction", "N.s/m", size=3, variables=[f"friction.{d}.viscous" for d in DRIVES]
     )

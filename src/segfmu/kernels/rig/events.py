@@ -14,7 +14,12 @@ from segfmu.kernels.rig.records import (
     PayloadChange,
     Settings,
 )
-from segfmu.kernels.rig.sensing import next_sample, sense_signals, take_sample
+from segfmu.kernels.rig.sensing import (
+    next_sample,
+    sense_signals,
+    sensing_end,
+    take_sample,
+)
 
 
 def time_tolerance(settings: 'float[:,:]') -> float:
@@ -35,7 +40,7 @@ def next_tick(settings: 'float[:,:]', memory: 'float[:,:]') -> float:
 def next_reading(settings: 'float[:,:]', memory: 'float[:,:]') -> float:
     """Time [s] since the start of the sensors' next sample; 1e300 for continuous signals."""
     return next_sample(
-        settings[Settings.SENSORS, :], memory[Memory.SENSING:memory.shape[0], :]
+        settings[Settings.SENSORS, :], memory[Memory.SENSING:sensing_end(settings), :]
     )
 
 
@@ -64,7 +69,7 @@ def handle_events(
     while next_reading(settings, memory) <= latest:
         take_sample(
             settings[Settings.SENSORS, :], memory[Memory.STATE, :],
-            memory[Memory.SENSING:memory.shape[0], :],
+            memory[Memory.SENSING:sensing_end(settings), :],
         )
     while clock[Clock.NEXT_CHANGE] <= latest:
         clock[Clock.NEXT_CHANGE] = next_change(changes, clock[Clock.NEXT_CHANGE], memory)
@@ -119,5 +124,5 @@ def update_signals(settings: 'float[:,:]', time: float, memory: 'float[:,:]') ->
     """Signals of the sensors at a time [s] since the start that does not decrease."""
     sense_signals(
         settings[Settings.SENSORS, :], time, memory[Memory.STATE, :],
-        memory[Memory.SENSING:memory.shape[0], :], memory[Memory.SIGNALS, :],
+        memory[Memory.SENSING:sensing_end(settings), :], memory[Memory.SIGNALS, :],
     )

@@ -14,11 +14,10 @@ from segfmu.kernels.rig.events import handle_events, update_signals
 from segfmu.kernels.rig.loop import (
     controller_due,
     correct_setpoints,
-    is_driven,
     prepare_tick,
-    set_command,
 )
 from segfmu.kernels.rig.records import Clock, Memory, Setpoints
+from segfmu.kernels.rig.setpoints import is_driven, set_command
 
 
 def rig_event(

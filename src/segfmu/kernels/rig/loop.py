@@ -10,40 +10,17 @@ from segfmu.kernels.control.records import Acting, Correction, Tick
 from segfmu.kernels.control.tracking import track_setpoint
 from segfmu.kernels.crane.plant import plant_advance
 from segfmu.kernels.crane.records import (
-    CommandRates,
-    DriveMode,
     Plant,
     PlantStatus,
     Report,
     State,
     Work,
 )
+from segfmu.kernels.rig.delay import is_late, late_commands
 from segfmu.kernels.rig.events import next_tick, present_time, time_tolerance, update_signals
 from segfmu.kernels.rig.records import Clock, Corrector, Loop, Memory, Setpoints, Settings
-
-
-def is_driven(memory: 'float[:,:]') -> bool:
-    """Whether the drives follow velocities."""
-    return int(memory[Memory.PLANT, Plant.MODE]) == DriveMode.VELOCITY
-
-
-def setpoint_at(setpoints: 'float[:]', i: int, share: float, memory: 'float[:,:]') -> float:
-    """A setpoint at a share of the step."""
-    last = memory[Memory.LAST, i]
-    bend = memory[Memory.SQUARE, i] + memory[Memory.CUBE, i] * (share + 1.0)
-    return last + (setpoints[i] - last + bend * (share - 1.0)) * share
-
-
-def setpoint_rates(
-    setpoints: 'float[:]', i: int, share: float, duration: float, memory: 'float[:,:]'
-) -> 'tuple[float, float, float]':
-    """Taylor coefficients over time of a setpoint at a share of the step: slope, square, cube."""
-    square = memory[Memory.SQUARE, i]
-    cube = memory[Memory.CUBE, i]
-    slope = setpoints[i] - memory[Memory.LAST, i] - square - cube
-    slope = slope + (2.0 * square + 3.0 * cube * share) * share
-    bend = (square + 3.0 * cube * share) / (duration * duration)
-    return slope / duration, bend, cube / (duration * duration * duration)
+from segfmu.kernels.rig.sensing import sensing_end
+from segfmu.kernels.rig.setpoints import is_driven, set_command, setpoint_at, setpoint_rates
 
 
 def controller_due(settings: 'float[:,:]', memory: 'float[:,:]') -> bool:
@@ -144,6 +121,11 @@ def advance_plant(
         command_velocities(setpoints, duration, until, memory)
     else:
         command_forces(setpoints, duration, memory)
+    if is_late(memory):
+        late_commands(
+            settings, until - clock[Clock.DONE], memory,
+            memory[sensing_end(settings):memory.shape[0], :],
+        )
     for i in range(3):
         work[Work.LOAD_FORCE, i] = setpoints[Setpoints.WIND + i]
     status = plant_advance(
@@ -168,16 +150,6 @@ def command_forces(setpoints: 'float[:]', duration: float, memory: 'float[:,:]')
         )
         correction = memory[Memory.CORRECTION, Correction.VALUE + i]
         set_command(i, force + correction, slope, square, cube, memory)
-
-
-def set_command(
-    axis: int, value: float, slope: float, square: float, cube: float, memory: 'float[:,:]'
-) -> None:
-    """Command of a drive, and its coefficients over the elapsed time."""
-    memory[Memory.WORK + Work.COMMAND, axis] = value
-    memory[Memory.WORK + Work.RATES, CommandRates.LINEAR + axis] = slope
-    memory[Memory.WORK + Work.RATES, CommandRates.SQUARE + axis] = square
-    memory[Memory.WORK + Work.RATES, CommandRates.CUBE + axis] = cube
 
 
 def command_velocities(

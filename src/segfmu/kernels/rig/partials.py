@@ -28,8 +28,8 @@ from segfmu.kernels.crane.records import (
 )
 from segfmu.kernels.numerics.noise import full_circle
 from segfmu.kernels.numerics.records import Sinusoid
-from segfmu.kernels.rig.loop import is_driven
 from segfmu.kernels.rig.records import Clock, Memory, RigPartials, RigVariables
+from segfmu.kernels.rig.setpoints import is_driven
 
 
 def gust_rate(shape: float, share: float) -> float:

@@ -44,6 +44,8 @@ class SetupStatus(Codes):
     of a velocity drive does not follow from its setpoint. NOT_SAMPLED, SHORT_SAMPLE,
     LONG_DEAD_TIME: of the sensors. ROPE_START: the rope has no length. ROPE_BOUNDS: its bounds are
     not ascending. LENGTHS, OBSERVER: of a controller's table, the observer's is not finite.
+    LONG_DELAY, LATE_EXCHANGE: dead time of a drive, longer than there is memory for, or in model
+    exchange.
     """
 
     FITS = 0
@@ -56,6 +58,8 @@ class SetupStatus(Codes):
     ROPE_BOUNDS = 7
     LENGTHS = 8
     OBSERVER = 9
+    LONG_DELAY = 10
+    LATE_EXCHANGE = 11
 
 
 class SetupFault(Record):
@@ -256,6 +260,50 @@ class Sensing(Record):
     RING = field("ring of samples, as many rows as it takes", size=0, of=RingRow)
 
 
+class Delay(Codes):
+    """Memory of the commands that are on their way to the drives.
+
+    Those shorter than the longest dead time over RESOLUTION are joined, unless a tick of the
+    controller parts them. MOST_TICKS: of the controller in a dead time.
+    """
+
+    COMMANDS_A_ROW = 2
+    RESOLUTION = 512
+    MOST_TICKS = 100000
+
+
+class SentCommand(Record):
+    """Commands of all drives from a time on, cubic in the time since."""
+
+    START = field("from when on they were sent", "s")
+    AT_TICK = field("1: the controller's correction changed then")
+    VALUE = field("commands then, N or m/s", size=3)
+    LINEAR = field("coefficients of the time", size=3)
+    SQUARE = field("of its square", size=3)
+    CUBE = field("of its cube", size=3)
+
+
+class CommandQueue(Record):
+    """State of the ring of commands, integers kept as floats."""
+
+    OLDEST = field("place of the oldest one")
+    WAITING = field("commands in the ring")
+    TICKS = field("ticks of the controller when the newest one was sent")
+
+
+class CommandRow(Record):
+    """A row of the ring."""
+
+    COMMANDS = field("commands", size=Delay.COMMANDS_A_ROW * SentCommand.SIZE)
+
+
+class Delayed(Record):
+    """Rows: memory of the commands on their way, behind that of the sensors."""
+
+    QUEUE = field("state of the ring", of=CommandQueue)
+    RING = field("ring of commands, as many rows as it takes", size=0, of=CommandRow)
+
+
 class Memory(Tick):
     """Rows: all that a rig remembers. A copy of the array is the rig's state."""
 
@@ -269,7 +317,10 @@ class Memory(Tick):
     CUBE = field("what setpoints have of its cube", of=Setpoints)
     ENERGY = field("energies", of=EnergyMemory)
     WORK = field("commands, and work space of the plant", size=Work.SIZE, of=Work)
-    SENSING = field("memory of the sensors, to the end", size=Sensing.SIZE, of=Sensing)
+    SENSING = field(
+        "memory of the sensors, and behind it that of late commands, see Delayed",
+        size=Sensing.SIZE, of=Sensing,
+    )
 
 
 class Outputs(Record):

@@ -5,6 +5,7 @@ of the sensors, at payload changes and at the ends of a gust. Setpoints are line
 those at the end of the last step to those at the end of this one; with SQUARE and CUBE of the
 memory they are cubic. A correction is added to the force setpoints; with velocity drives its
 integral is added to the velocity setpoints. It is held from tick to tick.
+Drives with a dead time get their commands late, see rig/delay.py.
 
 Arrays, in C order; their records are in rig/records.py:
 
@@ -21,6 +22,14 @@ memory               `Memory`, of `rig_rows` rows; a copy of it is the state of 
 from segfmu.kernels.crane._crane import crane_energy
 from segfmu.kernels.crane.records import Axes, Plant, PlantState, PlantStatus, Report, State
 from segfmu.kernels.numerics.integrate import all_finite
+from segfmu.kernels.rig.delay import (
+    delay_rows,
+    is_late,
+    longest_delay,
+    next_command,
+    send_commands,
+    start_delay,
+)
 from segfmu.kernels.rig.events import (
     change_payload,
     handle_events,
@@ -41,12 +50,14 @@ from segfmu.kernels.rig.records import (
     Setpoints,
     Settings,
 )
-from segfmu.kernels.rig.sensing import sensing_rows, start_sensing
+from segfmu.kernels.rig.sensing import sensing_end, start_sensing
 
 
-def rig_rows(sample_time: float, dead_time: float) -> int:
-    """Rows of memory for the sensors' sample time and dead time [s]."""
-    return Memory.SENSING + sensing_rows(sample_time, dead_time)
+def rig_rows(settings: 'float[:,:]') -> int:
+    """Rows of memory for the settings: samples and commands may be on their way."""
+    longest = longest_delay(settings[Settings.PLANT, :])
+    late = delay_rows(longest, settings[Settings.LOOP, Loop.PERIOD])
+    return sensing_end(settings) + late
 
 
 def rig_start(
@@ -76,9 +87,11 @@ def rig_start(
     memory[Memory.ENERGY, EnergyMemory.INITIAL] = mechanical_energy(memory)
     start_sensing(
         settings[Settings.SENSORS, :], memory[Memory.STATE, :],
-        memory[Memory.SENSING:memory.shape[0], :],
+        memory[Memory.SENSING:sensing_end(settings), :],
     )
     update_signals(settings, 0.0, memory)
+    if is_late(memory):
+        start_delay(setpoints, memory[sensing_end(settings):memory.shape[0], :], memory)
 
 
 def rig_step(
@@ -115,6 +128,10 @@ def rig_step(
                 return RigStatus.TICK
             correct_setpoints(settings, table, gains, tracker, memory)
         until = next_event(settings, duration, memory)
+        if is_late(memory):
+            delayed = memory[sensing_end(settings):memory.shape[0], :]
+            send_commands(setpoints, duration, memory, delayed)
+            until = next_command(settings, until, memory, delayed)
         status = advance_plant(settings, components, setpoints, duration, until, memory)
         if status == PlantStatus.DONE:
             clock[Clock.DONE] = until

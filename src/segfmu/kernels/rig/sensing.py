@@ -8,7 +8,15 @@ from math import ceil, floor
 
 from segfmu.kernels.crane.records import Coordinates
 from segfmu.kernels.numerics.noise import next_normal, seed_numbers
-from segfmu.kernels.rig.records import Queue, Ring, Sample, Sensing, Sensors
+from segfmu.kernels.rig.records import (
+    Memory,
+    Queue,
+    Ring,
+    Sample,
+    Sensing,
+    Sensors,
+    Settings,
+)
 
 
 def sensing_rows(sample_time: float, dead_time: float) -> int:
@@ -17,6 +25,12 @@ def sensing_rows(sample_time: float, dead_time: float) -> int:
         return Sensing.RING
     samples = ceil(dead_time / sample_time) + 2
     return Sensing.RING + (samples + Ring.SAMPLES_A_ROW - 1) // Ring.SAMPLES_A_ROW
+
+
+def sensing_end(settings: 'float[:,:]') -> int:
+    """Row of a rig's memory behind that of the sensors."""
+    sensors = settings[Settings.SENSORS, :]
+    return Memory.SENSING + sensing_rows(sensors[Sensors.SAMPLE_TIME], sensors[Sensors.DEAD_TIME])
 
 
 def measure_state(

@@ -2,7 +2,7 @@
 
 from segfmu.kernels.control.records import RopeRange
 from segfmu.kernels.crane.records import Axes, DriveMode, Plant
-from segfmu.kernels.rig.records import SensorLimits, Sensors, SetupFault, SetupStatus
+from segfmu.kernels.rig.records import Delay, SensorLimits, Sensors, SetupFault, SetupStatus
 
 
 def check_travel(least: 'float[:]', greatest: 'float[:]', fault: 'float[:]') -> int:
@@ -23,6 +23,23 @@ def check_lags(plant: 'float[:]', fault: 'float[:]') -> int:
             if plant[Plant.LAG + axis] == 0.0:
                 fault[SetupFault.DRIVE] = axis
                 return SetupStatus.NO_LAG
+    return SetupStatus.FITS
+
+
+def check_delays(plant: 'float[:]', period: float, exchange: int, fault: 'float[:]') -> int:
+    """Check that there is memory for the dead times of the drives; in model exchange there is none.
+
+    period: of the controller [s]; exchange: 1 in model exchange.
+    """
+    for axis in range(Axes.SIZE):
+        late = plant[Plant.DEAD_TIME + axis]
+        fault[SetupFault.DRIVE] = axis
+        fault[SetupFault.VALUE] = late
+        fault[SetupFault.BOUND] = period
+        if exchange == 1 and late > 0.0:
+            return SetupStatus.LATE_EXCHANGE
+        if late > Delay.MOST_TICKS * period:
+            return SetupStatus.LONG_DELAY
     return SetupStatus.FITS
 
 

@@ -142,7 +142,8 @@ static double crane_elapsed(const crane *m);
 /* Derivatives of the state at the present time under setpoints; the plant's status. */
 static int64_t crane_rates(crane *m);
 
-/* Whether accelerations follow from the setpoints: not without lag in velocity mode. */
+/* Whether accelerations follow from the setpoints of the present: not without lag in velocity mode,
+   nor with a dead time. */
 static bool crane_follows(const crane *m);
 
 /* The message of a status of the plant. */

@@ -16,6 +16,11 @@ static bool set_parameters(crane *m, char message[MESSAGE])
         status = segfmu_check_lags(vector(plant, PLANT_SIZE), report);
     }
     if (status == SETUP_STATUS_FITS) {
+        status = segfmu_check_delays(vector(plant, PLANT_SIZE),
+                                     setting(m, SETTINGS_LOOP)[LOOP_PERIOD],
+                                     m->base.interface != CO_SIMULATION, report);
+    }
+    if (status == SETUP_STATUS_FITS) {
         status = segfmu_check_sensors(vector(sensors, SENSORS_SIZE), report);
     }
     return !segfmu_setup_message(status, fault, message, MESSAGE);

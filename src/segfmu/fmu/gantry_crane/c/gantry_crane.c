@@ -18,22 +18,39 @@ static const double model_nominals[MODEL_STATES + 1] = {
     1.0, 1.0, 1.0, 0.1, 0.1, 1.0, 1.0, 1.0, 0.1, 0.1, 10.0, 10.0, 10.0, 0.0
 };
 
-/* Bytes of a block for sensors with these times; dead times that are refused need no room. */
-static size_t size_for(double sample_time, double dead_time)
+/* Bytes of a block for the times in the settings; those that are refused need no room. */
+static size_t size_for(double settings[SETTINGS_SIZE * SETTINGS_COLUMNS])
 {
-    bool sampled = sample_time > 0.0 && dead_time >= 0.0 && dead_time <= SENSOR_LIMITS_MOST_SAMPLES * sample_time;
-    int64_t rows = sampled ? segfmu_rig_rows(sample_time, dead_time) : segfmu_rig_rows(0.0, 0.0);
+    double *sensors = settings + SETTINGS_SENSORS * SETTINGS_COLUMNS;
+    double *late = settings + SETTINGS_PLANT * SETTINGS_COLUMNS + PLANT_DEAD_TIME;
+    const double period = settings[SETTINGS_LOOP * SETTINGS_COLUMNS + LOOP_PERIOD];
+    const double sample_time = sensors[SENSORS_SAMPLE_TIME], dead_time = sensors[SENSORS_DEAD_TIME];
+    if (!(sample_time > 0.0 && dead_time >= 0.0
+          && dead_time <= SENSOR_LIMITS_MOST_SAMPLES * sample_time)) {
+        sensors[SENSORS_SAMPLE_TIME] = 0.0;
+    }
+    for (int i = 0; i < AXES_SIZE; i++) {
+        if (!(period > 0.0 && late[i] >= 0.0 && late[i] <= DELAY_MOST_TICKS * period)) {
+            late[i] = 0.0;
+        }
+    }
+    int64_t rows = segfmu_rig_rows(matrix(settings, SETTINGS_SIZE, SETTINGS_COLUMNS));
     return sizeof(crane) + (size_t)rows * MEMORY_COLUMNS * sizeof(double);
 }
 
 size_t model_least(void)
 {
-    return size_for(0.0, 0.0);
+    double settings[SETTINGS_SIZE * SETTINGS_COLUMNS] = {0.0};
+    return size_for(settings);
 }
 
 size_t model_size(const model *base)
 {
-    return size_for(base->real[V_SENSOR_SAMPLE_TIME], base->real[V_SENSOR_DEAD_TIME]);
+    double settings[SETTINGS_SIZE * SETTINGS_COLUMNS] = {0.0};
+    feed_record(&feeds_loop, base, settings + SETTINGS_LOOP * SETTINGS_COLUMNS);
+    feed_record(&feeds_sensors, base, settings + SETTINGS_SENSORS * SETTINGS_COLUMNS);
+    feed_record(&feeds_plant, base, settings + SETTINGS_PLANT * SETTINGS_COLUMNS);
+    return size_for(settings);
 }
 
 size_t model_used(const model *base)
@@ -56,14 +73,35 @@ static bool near(double due, double now, double period)
     return period > 0.0 && fabs(due - now) <= MOST_LATE * period + LATEST_EVENT;
 }
 
-/* Whether the clock and the queue of the samples are what a simulation leaves. */
+/* Rows of the memory up to the end of the samples. */
+static int64_t sampled_rows(crane *m)
+{
+    double settings[SETTINGS_SIZE * SETTINGS_COLUMNS];
+    memcpy(settings, m->settings, sizeof settings);
+    memset(settings + SETTINGS_PLANT * SETTINGS_COLUMNS + PLANT_DEAD_TIME, 0,
+           AXES_SIZE * sizeof *settings);
+    return segfmu_rig_rows(matrix(settings, SETTINGS_SIZE, SETTINGS_COLUMNS));
+}
+
+/* Whether the ring of late commands, behind the samples, is what a simulation leaves. */
+static bool sound_commands(crane *m, int64_t first)
+{
+    const double places = DELAY_COMMANDS_A_ROW * (double)(m->rows - first - DELAYED_RING);
+    const double *queue = row(m, (int)first + DELAYED_QUEUE);
+    return m->rows == first
+        || (counts(queue[COMMAND_QUEUE_OLDEST], places)
+            && counts(queue[COMMAND_QUEUE_WAITING] - 1.0, places));
+}
+
+/* Whether the clock and the rings are what a simulation leaves. */
 static bool sound_memory(crane *m)
 {
     const double period = setting(m, SETTINGS_LOOP)[LOOP_PERIOD];
     const double sample_time = setting(m, SETTINGS_SENSORS)[SENSORS_SAMPLE_TIME];
     const double *clock = row(m, MEMORY_CLOCK), *queue = row(m, MEMORY_SENSING + SENSING_QUEUE);
     const double now = clock[CLOCK_REACHED];
-    const double places = RING_SAMPLES_A_ROW * (double)(m->rows - MEMORY_SENSING - SENSING_RING);
+    const int64_t end = sampled_rows(m);
+    const double places = RING_SAMPLES_A_ROW * (double)(end - MEMORY_SENSING - SENSING_RING);
     for (int64_t i = 0; i < m->rows * MEMORY_COLUMNS; i++) {
         if (!isfinite(m->memory[i])) {
             return false;
@@ -74,17 +112,17 @@ static bool sound_memory(crane *m)
         && (sample_time <= 0.0
             || (near(queue[QUEUE_TAKEN] * sample_time, now, sample_time)
                 && counts(queue[QUEUE_OLDEST], places)
-                && counts(queue[QUEUE_WAITING], places + 1.0)));
+                && counts(queue[QUEUE_WAITING], places + 1.0)))
+        && sound_commands(m, end);
 }
 
 bool model_sound(const model *base, size_t size)
 {
     crane *m = (crane *)base;
-    const double *sensors = setting(m, SETTINGS_SENSORS);
+    double settings[SETTINGS_SIZE * SETTINGS_COLUMNS];
     const double corrector = setting(m, SETTINGS_LOOP)[LOOP_CORRECTOR];
-    bool sized = size == model_used(base)
-        && (m->rows == 0
-            || size == size_for(sensors[SENSORS_SAMPLE_TIME], sensors[SENSORS_DEAD_TIME]));
+    memcpy(settings, m->settings, sizeof settings);
+    bool sized = size == model_used(base) && (m->rows == 0 || size == size_for(settings));
     return sized && (m->rows > 0 || !base->initialised) && m->count_changes >= 0
         && m->count_changes <= CHANGES && (m->count_components == 0
                                            || m->count_components == COMPONENTS)
@@ -121,8 +159,13 @@ static int64_t find_rates(crane *m)
 
 bool crane_follows(const crane *m)
 {
-    const double *lag = setting((crane *)m, SETTINGS_PLANT) + PLANT_LAG;
-    return !driven(m) || (lag[0] > 0.0 && lag[1] > 0.0 && lag[2] > 0.0);
+    const double *plant = setting((crane *)m, SETTINGS_PLANT);
+    for (int i = 0; i < AXES_SIZE; i++) {
+        if (plant[PLANT_DEAD_TIME + i] > 0.0 || (driven(m) && plant[PLANT_LAG + i] <= 0.0)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 /* The first derivatives; the report stays that of a start. */
@@ -146,8 +189,7 @@ bool model_initialise(model *base, char message[MESSAGE])
     if (!crane_place(m, state, message) || !crane_set_up(m, message)) {
         return false;
     }
-    const double *sensors = setting(m, SETTINGS_SENSORS);
-    m->rows = segfmu_rig_rows(sensors[SENSORS_SAMPLE_TIME], sensors[SENSORS_DEAD_TIME]);
+    m->rows = segfmu_rig_rows(settings_of(m));
     segfmu_rig_start(
         settings_of(m), changes_of(m), vector(state, STATE_SIZE),
         vector(m->setpoints, SETPOINTS_SIZE), base->real[V_TIME], memory_of(m));

@@ -1,0 +1,41 @@
+"""Setpoints within a communication step, and the commands of the drives.
+
+`setpoints` and `memory` are described in kernels/rig/rig.py.
+"""
+
+from segfmu.kernels.crane.records import CommandRates, DriveMode, Plant, Work
+from segfmu.kernels.rig.records import Memory
+
+
+def is_driven(memory: 'float[:,:]') -> bool:
+    """Whether the drives follow velocities."""
+    return int(memory[Memory.PLANT, Plant.MODE]) == DriveMode.VELOCITY
+
+
+def setpoint_at(setpoints: 'float[:]', i: int, share: float, memory: 'float[:,:]') -> float:
+    """A setpoint at a share of the step."""
+    last = memory[Memory.LAST, i]
+    bend = memory[Memory.SQUARE, i] + memory[Memory.CUBE, i] * (share + 1.0)
+    return last + (setpoints[i] - last + bend * (share - 1.0)) * share
+
+
+def setpoint_rates(
+    setpoints: 'float[:]', i: int, share: float, duration: float, memory: 'float[:,:]'
+) -> 'tuple[float, float, float]':
+    """Taylor coefficients over time of a setpoint at a share of the step: slope, square, cube."""
+    square = memory[Memory.SQUARE, i]
+    cube = memory[Memory.CUBE, i]
+    slope = setpoints[i] - memory[Memory.LAST, i] - square - cube
+    slope = slope + (2.0 * square + 3.0 * cube * share) * share
+    bend = (square + 3.0 * cube * share) / (duration * duration)
+    return slope / duration, bend, cube / (duration * duration * duration)
+
+
+def set_command(
+    axis: int, value: float, slope: float, square: float, cube: float, memory: 'float[:,:]'
+) -> None:
+    """Command of a drive, and its coefficients over the elapsed time."""
+    memory[Memory.WORK + Work.COMMAND, axis] = value
+    memory[Memory.WORK + Work.RATES, CommandRates.LINEAR + axis] = slope
+    memory[Memory.WORK + Work.RATES, CommandRates.SQUARE + axis] = square
+    memory[Memory.WORK + Work.RATES, CommandRates.CUBE + axis] = cube
