@@ -40,6 +40,10 @@ class DriveTable(Table):
         NotNegative | None,
         Key("time constant of the velocity loop", "s", ("drive.{}.lag",), IDEAL),
     ] = None
+    dead_time: Annotated[
+        NotNegative | None,
+        Key("from the command to the drive", "s", ("drive.{}.dead_time",), IDEAL),
+    ] = None
     velocity_max: Annotated[
         Positive | None, Key("greatest velocity", "m/s", (), NO_BOUND)
     ] = None
