@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from segfmu.codegen import (
     crane,
+    drawing,
     extension,
     messages,
     native,
@@ -25,6 +26,8 @@ def main() -> None:
     write(stubs.TARGET, stubs.generate())
     for target, text in records.generate().items():
         write(target, text)
+    for target in drawing.TARGETS:
+        write(target, drawing.generate())
 
 
 if __name__ == "__main__":

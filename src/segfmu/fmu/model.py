@@ -9,6 +9,9 @@ from importlib.resources import files
 from segfmu.fmu.standard.spec import Spec
 from segfmu.kernels.records import Record
 
+# where a model's page shows the drawing of the crane
+DRAWING = "<!-- crane.svg -->"
+
 
 @dataclass(frozen=True)
 class Model:
@@ -57,4 +60,7 @@ class Model:
     @property
     def about(self) -> str:
         """What the model does, its equations and its use, as HTML."""
-        return files(self.package).joinpath("about.html").read_text(encoding="utf-8")
+        text = files(self.package).joinpath("about.html").read_text(encoding="utf-8")
+        drawing = files("segfmu.fmu").joinpath("crane.svg").read_text(encoding="utf-8")
+        # without the lines that only a file of its own has
+        return text.replace(DRAWING, drawing[drawing.index("<svg") :])
