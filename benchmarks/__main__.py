@@ -22,6 +22,7 @@ PARTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "f": ("evaluation", ()),
     "g": ("fmu_steps", ()),
     "h": ("master_time", ()),
+    "i": ("completeness", ()),
 }
 
 LIST = ", ".join(f"{letter} {module}" for letter, (module, _) in PARTS.items())

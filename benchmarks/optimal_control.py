@@ -27,18 +27,18 @@ class Transition:
     start, end : tuple of float
         Position, velocity, acceleration.
     limits : tuple of float
-        Velocity, acceleration, jerk, snap.
+        Velocity, acceleration, jerk, snap; for linear programs also those above.
     """
 
     name: str
     start: tuple[float, float, float]
     end: tuple[float, float, float]
-    limits: tuple[float, float, float, float]
+    limits: tuple[float, ...]
 
     @property
     def slow(self) -> float:
         """A time that surely suffices between points of one direction [s]: rises and a cruise."""
-        velocity, acceleration, jerk, snap = self.limits
+        velocity, acceleration, jerk, snap = self.limits[:ORDER]
         distance = abs(self.end[0] - self.start[0])
         rises = velocity / acceleration + acceleration / jerk + jerk / snap
         return distance / velocity + 2.0 * rises
@@ -89,14 +89,34 @@ class ShootingProblem:
         return float(found["f"]) if self._solver.stats()["success"] else None
 
 
-def linear_program(transition: Transition, intervals: int, tolerance: float) -> tuple[float, int]:
+def linear_program(
+    transition: Transition, intervals: int, tolerance: float
+) -> tuple[float, int]:
     """Shortest feasible duration [s] by bisection to a relative tolerance, and the programs solved.
 
-    For a given duration everything is linear in the snap.
+    For a given duration everything is linear in the highest derivative that is limited.
     """
     low, high, solved = 0.0, transition.slow, 1
     while not _feasible(transition, high, intervals):
         low, high, solved = high, 2.0 * high, solved + 1
+    high, further = _bisect(transition, low, high, intervals, tolerance)
+    return high, solved + further
+
+
+def earliest(transition: Transition, known: float, intervals: int, tolerance: float) -> float:
+    """The shortest feasible duration [s] up to one that is known, also before a gap of them."""
+    low = 0.0
+    for high in known * np.array([0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.97, 1.01]):
+        if _feasible(transition, float(high), intervals):
+            return _bisect(transition, low, float(high), intervals, tolerance)[0]
+        low = float(high)
+    return known
+
+
+def _bisect(
+    transition: Transition, low: float, high: float, intervals: int, tolerance: float
+) -> tuple[float, int]:
+    solved = 0
     while high - low > tolerance * high:
         middle = 0.5 * (low + high)
         solved += 1
@@ -109,30 +129,31 @@ def linear_program(transition: Transition, intervals: int, tolerance: float) -> 
 
 def _feasible(transition: Transition, duration: float, intervals: int) -> bool:
     limits = np.array(transition.limits)
+    order = len(limits)
     h = duration / intervals
     step = np.array([
-        [h ** (j - i) / factorial(j - i) if j >= i else 0.0 for j in range(ORDER)]
-        for i in range(ORDER)
+        [h ** (j - i) / factorial(j - i) if j >= i else 0.0 for j in range(order)]
+        for i in range(order)
     ])
-    gain = np.array([h ** (ORDER - i) / factorial(ORDER - i) for i in range(ORDER)])
+    gain = np.array([h ** (order - i) / factorial(order - i) for i in range(order)])
     # states[k] = effect[k] @ (snap / limit) + free[k]
-    effect = np.zeros((intervals + 1, ORDER, intervals))
-    free = np.zeros((intervals + 1, ORDER))
+    effect = np.zeros((intervals + 1, order, intervals))
+    free = np.zeros((intervals + 1, order))
     free[0, :3] = transition.start
     for k in range(intervals):
         effect[k + 1] = step @ effect[k]
-        effect[k + 1, :, k] += gain * limits[3]
+        effect[k + 1, :, k] += gain * limits[-1]
         free[k + 1] = step @ free[k]
-    inner = effect[1:-1, 1:] / limits[:3, None]
-    offset = free[1:-1, 1:] / limits[:3]
+    inner = effect[1:-1, 1:] / limits[:-1, None]
+    offset = free[1:-1, 1:] / limits[:-1]
     rows = inner.reshape(-1, intervals)
-    scale = np.array([limits[0] * duration, *limits[:3]])
+    scale = np.array([limits[0] * duration, *limits[:-1]])
     found = linprog(
         np.zeros(intervals),
         A_ub=np.vstack([rows, -rows]),
         b_ub=np.concatenate([1.0 - offset.ravel(), 1.0 + offset.ravel()]),
         A_eq=effect[-1] / scale[:, None],
-        b_eq=(np.array([*transition.end, 0.0]) - free[-1]) / scale,
+        b_eq=(np.array([*transition.end, *(order - 3) * (0.0,)]) - free[-1]) / scale,
         bounds=(-1.0, 1.0),
         method="highs",
     )

@@ -86,7 +86,7 @@ def _batch(n: int, shape: int, limits: np.ndarray, state: np.ndarray, tally: Tal
     axis, phases = np.zeros(Axis.SIZE), np.zeros((Cell.ABOVE, 4))
     problem, work = np.zeros(Problem.SIZE), np.zeros((PlanWork.SIZE, PlanWork.COLUMNS))
     expansion = np.zeros((Expansion.SIZE, Expansion.COLUMNS))
-    timing, pieces = np.zeros((90, Timing.SIZE)), np.zeros((90, 2 * n))
+    timing, pieces = np.zeros((400, Timing.SIZE)), np.zeros((400, 2 * n))
     rows, lengths, owners, ends = [], [], [], []
     for i in range(len(state)):
         axis_limits(n, shape, limits[i], axis)

@@ -310,7 +310,12 @@ def ramp_duration(
     change: float,
     axis: Floats,
     /,
-) -> tuple[float, float, float]: ...
+) -> tuple[float, float]: ...
+
+def ramp_pieces(
+    axis: Floats,
+    /,
+) -> int: ...
 
 def measure_phases(
     phases: Floats,

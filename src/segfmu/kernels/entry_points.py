@@ -116,6 +116,7 @@ ENTRY_POINTS = (
     entry("planner.parameters", "axis_limits", limits="smoothness + 1", axis=Axis.SIZE),
     entry("planner.parameters", "ramp_parameters", axis=Axis.SIZE, work=(2, 12)),
     entry("planner.ramp", "ramp_duration", axis=Axis.SIZE),
+    entry("planner.nested", "ramp_pieces", axis=Axis.SIZE),
     entry("planner.phases", "measure_phases", phases=("count", Phase.SIZE), axis=Axis.SIZE),
     entry(
         "planner.profile", "shortest_profile", problem=Problem.SIZE, axis=Axis.SIZE,
@@ -142,7 +143,8 @@ ENTRY_POINTS = (
     ),
     entry(
         "trajectory.pieces", "expand_phases", phases=("count", Phase.SIZE), axis=Axis.SIZE,
-        timing=("row + 7 * count", Timing.SIZE), coefficients=("row + 7 * count", AXIS_WIDTH),
+        timing=("row + ramp_pieces(axis) * count", Timing.SIZE),
+        coefficients=("row + ramp_pieces(axis) * count", AXIS_WIDTH),
         work=(Expansion.SIZE, Expansion.COLUMNS),
     ),
     entry(

@@ -6,26 +6,23 @@ import numpy as np
 import pytest
 
 from segfmu import Limits, Waypoint, plan
-from segfmu.kernels.planner.records import Axis
 from segfmu.kernels.trajectory.evaluate import evaluate, evaluate_orders, find_piece
 from segfmu.kernels.trajectory.pieces import expand_phases
 from segfmu.kernels.trajectory.records import Expansion, PieceState
+from tests.problems import packed_axis
 
 
-@pytest.mark.parametrize(
-    ("smoothness", "shape", "share"),
-    [(n, shape, 0.0) for n in range(2, 7) for shape in (0, 1)]
-    + [(n, 1, share) for n in range(4, 7) for share in (0.1, 0.3)],
-)
-def test_pieces_join_and_integrate(smoothness: int, shape: int, share: float) -> None:
+@pytest.mark.parametrize("shape", [0, 1])
+@pytest.mark.parametrize("smoothness", [2, 3, 4, 5, 6])
+@pytest.mark.parametrize("stretch", [1.0, 1.7])
+def test_pieces_join_and_integrate(smoothness: int, shape: int, stretch: float) -> None:
     phases = np.array(
-        [[0.5, 0.1, 0.0, 0.8], [0.3, 0.0, 0.8, 0.0], [0.7, 0.35, 0.8, -1.1], [0.2, 0.0, -0.3, 0.0]]
+        [[0.5, 0.5, 0.0, 0.8], [0.3, 0.0, 0.8, 0.0], [0.7, 0.7, 0.8, -1.1], [0.2, 0.0, -0.3, 0.0]]
     )
-    timing, coefficients = np.zeros((28, 2)), np.zeros((28, 2 * smoothness))
-    axis = np.zeros(Axis.SIZE)
-    axis[Axis.SMOOTHNESS] = smoothness
-    axis[Axis.PLATEAU] = shape == 1 and smoothness > 2
-    axis[Axis.SNAP_SHARE] = share
+    phases[[0, 2], 1] /= stretch
+    timing, coefficients = np.zeros((124, 2)), np.zeros((124, 2 * smoothness))
+    limits = [1.0, 1.0, 2.0, 20.0, 300.0, 9000.0, 0.0][: smoothness + 1]
+    axis = packed_axis(smoothness, shape, limits)
     work = np.zeros((Expansion.SIZE, Expansion.COLUMNS))
     state = work[Expansion.STATE]
     state[PieceState.POSITION], state[PieceState.VELOCITY] = 1.0, -0.2

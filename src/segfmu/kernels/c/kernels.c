@@ -105,16 +105,23 @@ static double value_at(int64_t demand, double local, double gravity, int64_t wid
 static double worst_value(int64_t demand, double first, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work);
 static double root_share(double newest, double other, double before, double e_newest, double e_other, double e_before);
 static int64_t next_bracket(double* result_0_0001, double* result_1_0001, double* result_2_0001, double* result_3_0001, bool crossed, double newest, double other, double e_newest, double e_other);
-static int64_t slowest_root(double* result_0, double* result_1_0001, double change, int64_t first, array_double_1d axis);
-static double ramp_rise(double duration, array_double_1d axis);
-static int64_t fastest_power(double* result_0, double* result_1_0001, double duration, int64_t first, array_double_1d axis);
+static double inner_rise(double rise, int64_t level, array_double_1d axis);
+static double shifted_root(double value, int64_t power, double shift);
+static int64_t plateau_duration(double* result_0_0001, double* result_1_0001, double change, int64_t first, array_double_1d axis);
+static int64_t plateau_change(double* result_0, double* result_1_0001, double duration, array_double_1d axis);
+static int64_t slowest_root(double* result_0, double* result_1_0001, double change, array_double_1d axis);
+static int64_t fastest_power(double* result_0, double* result_1_0001, double duration, array_double_1d axis);
 static int64_t ramp_change(double* result_0, double* result_1, double duration, array_double_1d axis);
-static double ramp_distance(double v, double a, double b, double duration, double rise, array_double_1d axis);
-static int64_t snap_plateau_half(double* result_0_0001, double* result_1_0001, double* result_2_0001, double s, array_double_1d axis);
-static int64_t curved_part(double* result_0, double* result_1, double* result_2, double s, array_double_1d axis);
+static double ramp_variance(double basis, array_double_1d axis);
+static double ramp_distance(double v, double a, double b, double duration, double basis, array_double_1d axis);
+static int64_t held_level(int64_t* result_0, double* result_1, int64_t piece, int64_t boxes);
+static int64_t piece_peak(double* result_0_0001, double* result_1, int64_t level, double change, double duration, double basis, array_double_1d axis);
+static int64_t curved_part(double* result_0, double* result_1, double* result_2_0001, double s, array_double_1d axis);
 static double invert_curved_part(double value, double upper, array_double_1d axis);
-static double ramp_extreme_velocity_first_half(double v, double a, double b, double duration, double rise, array_double_1d axis);
-static double ramp_extreme_velocity(double v, double a, double b, double duration, double rise, array_double_1d axis);
+static double taylor(double t, double first, double second, double third, double fourth, double fifth);
+static double crossing_time(double a, double length, double jerk, double snap, double crackle, double pop, double highest);
+static double plateau_extreme_velocity(double v, double a, double change, double duration, double basis, array_double_1d axis);
+static double ramp_extreme_velocity(double v, double a, double b, double duration, double basis, array_double_1d axis);
 static double flush_tiny(double value, double scale);
 static double boundary_value(double value, double limit);
 static int64_t append_ramp(array_double_2d phases, int64_t count, double a, double b, double duration, array_double_1d axis);
@@ -194,8 +201,7 @@ static double common_duration(double start, double sample_time, int64_t first, i
 static void transition_coefficients(int64_t order, array_double_1d coefficients);
 static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s);
 static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks);
-static void plateau_curve(double share, array_double_1d axis, array_double_1d psi, array_double_1d peaks);
-static bool plateau_parameters(double share, array_double_1d axis, array_double_1d psi, array_double_1d peaks);
+static bool plateau_parameters(double share, array_double_1d axis);
 static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, array_double_1d peaks);
 static int64_t check_waypoints(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_1d report);
 static int64_t time_left(double* result_0, double* result_1, int64_t* result_2, int64_t first, int64_t step, double target, array_double_3d cells);
@@ -263,11 +269,8 @@ static void power_partials(array_double_1d plant, array_double_1d state, array_d
 static double next_break(double time, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends);
 static int64_t append_piece(double duration, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_1d state);
 static void clear_piece(array_double_2d coefficients, int64_t row);
-static void add_rise(double jerk, double rise, int64_t order, array_double_1d psi, array_double_2d coefficients, int64_t row);
-static void add_snap(double snap, double rise, int64_t order, array_double_1d psi, array_double_2d coefficients, int64_t row);
-static int64_t ramp_order(array_double_1d axis);
-static int64_t expand_jerk_change(double jerk, double rise, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work);
-static int64_t expand_plateau(array_double_1d phase, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work);
+static void set_derivatives(double a, array_double_1d state);
+static int64_t expand_plateau(array_double_1d phase, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_1d state);
 static void shift_piece(array_double_2d coefficients, int64_t source, double t, double weight, int64_t target);
 static int64_t merge_pieces(double weight, double now, int64_t middle, int64_t last, array_double_2d timing, array_double_2d coefficients, int64_t row);
 static int64_t expand_profile(array_double_2d cell, bool second, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work);
@@ -5221,33 +5224,200 @@ static int64_t next_bracket(double* result_0_0001, double* result_1_0001, double
     (*result_3_0001) = e_newest;
     return 0;
 }
-/*max over e >= first of (q_e change)^(1/e), and its derivative with the change. */
-static int64_t slowest_root(double* result_0, double* result_1_0001, double change, int64_t first, array_double_1d axis)
+/*Duration of the rises within a rise of the derivative 2 + level, 3 + level for the ramp. */
+static double inner_rise(double rise, int64_t level, array_double_1d axis)
+{
+    double result;
+    result = span_min(span_max((*cspan_at(&axis, INT64_C(14) + level)), (*cspan_at(&axis, INT64_C(19) + level)) * rise), 0.5 * rise);
+    return result;
+}
+/*The x > shift at which x^power (x - shift) has the value.*/
+static double shifted_root(double value, int64_t power, double shift)
+{
+    int64_t i;
+    double x_power;
+    int64_t j;
+    double error;
+    double step;
+    double x;
+    if (power == INT64_C(0))
+    {
+        return value + shift;
+    }
+    if (power == INT64_C(1))
+    {
+        return 0.5 * (shift + sqrt(shift * shift + 4.0 * value));
+    }
+    x = shift + pow(value, (1.0 / (power + INT64_C(1))));
+    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    {
+        x_power = 1.0;
+        for (j = INT64_C(0); j < power - INT64_C(1); j += INT64_C(1))
+        {
+            x_power = x_power * x;
+        }
+        error = x_power * x * (x - shift) - value;
+        step = error / (x_power * (power * (x - shift) + x));
+        /*convex, and begun above the root*/
+        if (step <= 2e-16 * x)
+        {
+            break;
+        }
+        x = x - step;
+    }
+    return x;
+}
+/*Duration of the fastest rise by `change` [s] of the derivative 2 + first, and its slope.           */
+/*                                                                                                   */
+/*    The least derivative that reaches its limit c is found first. With x the duration of its rise, */
+/*    and all rises below it triangles, the change is a power of x times c (x - the rise within).    */
+/*                                                                                                   */
+static int64_t plateau_duration(double* result_0_0001, double* result_1_0001, double change, int64_t first, array_double_1d axis)
+{
+    int64_t boxes;
+    double factor;
+    double doubled;
+    int64_t level;
+    double limit;
+    double least;
+    double share;
+    int64_t power;
+    double x_power;
+    int64_t j;
+    double value;
+    double x;
+    double rest;
+    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1);
+    factor = 1.0;
+    doubled = 1.0;
+    for (level = first; level < boxes; level += INT64_C(1))
+    {
+        limit = (*cspan_at(&axis, INT64_C(4) + level));
+        least = (*cspan_at(&axis, INT64_C(14) + level));
+        share = (*cspan_at(&axis, INT64_C(19) + level));
+        power = level - first;
+        x_power = 1.0;
+        for (j = INT64_C(0); j < power; j += INT64_C(1))
+        {
+            x_power = x_power * 2.0 * least;
+        }
+        if ((limit > 0.0) && (change >= factor * x_power * limit * least))
+        {
+            value = change / (factor * limit);
+            x = 0.0;
+            if (share > 0.0)
+            {
+                x = value / (1.0 - share);
+                if (power == INT64_C(1))
+                {
+                    x = sqrt(x);
+                }
+                else if (power > INT64_C(1))
+                {
+                    x = pow(x, (1.0 / (power + INT64_C(1))));
+                }
+            }
+            if ((share == 0.0) || (share * x < least))
+            {
+                if ((least > 0.0) || (power == INT64_C(0)))
+                {
+                    x = shifted_root(value, power, least);
+                }
+                else if (power == INT64_C(1))
+                {
+                    x = sqrt(value);
+                }
+                else
+                {
+                    x = pow(value, (1.0 / (power + INT64_C(1))));
+                }
+                rest = x - least;
+                (*result_0_0001) = doubled * x;
+                (*result_1_0001) = doubled * x * rest / (change * (power * rest + x));
+                return 0;
+            }
+            (*result_0_0001) = doubled * x;
+            (*result_1_0001) = doubled * x / ((power + INT64_C(1)) * change);
+            return 0;
+        }
+        factor = factor * doubled;
+        doubled = 2.0 * doubled;
+    }
+    (*result_0_0001) = 0.0;
+    (*result_1_0001) = 0.0;
+    return 0;
+}
+/*Inverse of `plateau_duration` for a ramp, and its derivative with the duration.*/
+static int64_t plateau_change(double* result_0, double* result_1_0001, double duration, array_double_1d axis)
+{
+    int64_t boxes;
+    double x;
+    double factor;
+    double doubled;
+    int64_t level;
+    double least;
+    double share;
+    double steepest;
+    int64_t j;
+    double change;
+    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1);
+    x = duration;
+    factor = 1.0;
+    doubled = 1.0;
+    for (level = INT64_C(0); level < boxes; level += INT64_C(1))
+    {
+        least = (*cspan_at(&axis, INT64_C(14) + level));
+        if (x >= 2.0 * least)
+        {
+            share = (*cspan_at(&axis, INT64_C(19) + level));
+            steepest = factor * (*cspan_at(&axis, INT64_C(4) + level));
+            for (j = INT64_C(0); j < level; j += INT64_C(1))
+            {
+                steepest = steepest * x;
+            }
+            if (share * x >= least)
+            {
+                change = steepest * (1.0 - share) * x;
+                (*result_0) = change;
+                (*result_1_0001) = (level + INT64_C(1)) * change / duration;
+                return 0;
+            }
+            change = steepest * (x - least);
+            (*result_0) = change;
+            (*result_1_0001) = (level * change + steepest * x) / duration;
+            return 0;
+        }
+        x = 0.5 * x;
+        factor = factor * doubled;
+        doubled = 2.0 * doubled;
+    }
+    (*result_0) = 0.0;
+    (*result_1_0001) = 0.0;
+    return 0;
+}
+/*max over e of (q_e change)^(1/e), and its derivative with the change.*/
+static int64_t slowest_root(double* result_0, double* result_1_0001, double change, array_double_1d axis)
 {
     double slowest;
     int64_t exponent;
     double root;
     int64_t e;
-    slowest = 0.0;
+    slowest = (*cspan_at(&axis, INT64_C(24))) * change;
     exponent = INT64_C(1);
-    if ((first <= INT64_C(1)) && ((*cspan_at(&axis, INT64_C(18))) > 0.0))
+    if ((*cspan_at(&axis, INT64_C(24) + INT64_C(1))) > 0.0)
     {
-        slowest = (*cspan_at(&axis, INT64_C(18))) * change;
-    }
-    if ((*cspan_at(&axis, INT64_C(18) + INT64_C(1))) > 0.0)
-    {
-        root = sqrt((*cspan_at(&axis, INT64_C(18) + INT64_C(1))) * change);
+        root = sqrt((*cspan_at(&axis, INT64_C(24) + INT64_C(1))) * change);
         if (root > slowest)
         {
             slowest = root;
             exponent = INT64_C(2);
         }
     }
-    for (e = INT64_C(3); e < INT64_C(9); e += INT64_C(1))
+    for (e = INT64_C(3); e < INT64_C(6); e += INT64_C(1))
     {
-        if ((*cspan_at(&axis, INT64_C(18) + e - INT64_C(1))) > 0.0)
+        if ((*cspan_at(&axis, INT64_C(24) + e - INT64_C(1))) > 0.0)
         {
-            root = pow(((*cspan_at(&axis, INT64_C(18) + e - INT64_C(1))) * change), (1.0 / e));
+            root = pow(((*cspan_at(&axis, INT64_C(24) + e - INT64_C(1))) * change), (1.0 / e));
             if (root > slowest)
             {
                 slowest = root;
@@ -5259,60 +5429,8 @@ static int64_t slowest_root(double* result_0, double* result_1_0001, double chan
     (*result_1_0001) = slowest / (exponent * change);
     return 0;
 }
-/*Duration of the ramp for an acceleration change >= 0, duration of its jerk rise [s], and the     */
-/*    derivative of the former with respect to the change (0 for no change, where it is infinite). */
-int64_t segfmu_ramp_duration(double* result_0_0001, double* result_1, double* result_2, double change, array_double_1d axis)
-{
-    double slope;
-    double duration;
-    double root;
-    if (change <= 0.0)
-    {
-        (*result_0_0001) = 0.0;
-        (*result_1) = 0.0;
-        (*result_2) = 0.0;
-        return 0;
-    }
-    if (((*cspan_at(&axis, INT64_C(13))) >= 0.0) && (change >= (*cspan_at(&axis, INT64_C(13)))))
-    {
-        slope = (*cspan_at(&axis, INT64_C(14)));
-        duration = change * slope + (*cspan_at(&axis, INT64_C(15)));
-        (*result_0_0001) = duration;
-        (*result_1) = (*cspan_at(&axis, INT64_C(11))) + (*cspan_at(&axis, INT64_C(12))) * duration;
-        (*result_2) = slope;
-        return 0;
-    }
-    if ((*cspan_at(&axis, INT64_C(10))) < 0.5)
-    {
-        slowest_root(&root, &slope, change, INT64_C(1), axis);
-        (*result_0_0001) = root;
-        (*result_1) = 0.0;
-        (*result_2) = slope;
-        return 0;
-    }
-    slowest_root(&root, &slope, change, INT64_C(2), axis);
-    (*result_0_0001) = 2.0 * root;
-    (*result_1) = root;
-    (*result_2) = 2.0 * slope;
-    return 0;
-}
-/*Duration of the jerk rise of the ramp that lasts `duration`. */
-static double ramp_rise(double duration, array_double_1d axis)
-{
-    double result;
-    if ((*cspan_at(&axis, INT64_C(10))) < 0.5)
-    {
-        return 0.0;
-    }
-    if (((*cspan_at(&axis, INT64_C(13))) >= 0.0) && (duration >= 2.0 * (*cspan_at(&axis, INT64_C(11)))))
-    {
-        result = (*cspan_at(&axis, INT64_C(11))) + (*cspan_at(&axis, INT64_C(12))) * duration;
-        return result;
-    }
-    return 0.5 * duration;
-}
-/*Inverse of `slowest_root`: min over e >= first of duration^e / q_e, and its derivative.*/
-static int64_t fastest_power(double* result_0, double* result_1_0001, double duration, int64_t first, array_double_1d axis)
+/*Inverse of `slowest_root`: min over e of duration^e / q_e, and its derivative. */
+static int64_t fastest_power(double* result_0, double* result_1_0001, double duration, array_double_1d axis)
 {
     double fastest;
     int64_t exponent;
@@ -5322,12 +5440,12 @@ static int64_t fastest_power(double* result_0, double* result_1_0001, double dur
     fastest = -1.0;
     exponent = INT64_C(1);
     power = 1.0;
-    for (e = INT64_C(1); e < INT64_C(9); e += INT64_C(1))
+    for (e = INT64_C(1); e < INT64_C(6); e += INT64_C(1))
     {
         power = power * duration;
-        if ((e >= first) && ((*cspan_at(&axis, INT64_C(18) + e - INT64_C(1))) > 0.0))
+        if ((*cspan_at(&axis, INT64_C(24) + e - INT64_C(1))) > 0.0)
         {
-            change = power / (*cspan_at(&axis, INT64_C(18) + e - INT64_C(1)));
+            change = power / (*cspan_at(&axis, INT64_C(24) + e - INT64_C(1)));
             if ((fastest < 0.0) || (change < fastest))
             {
                 fastest = change;
@@ -5339,141 +5457,206 @@ static int64_t fastest_power(double* result_0, double* result_1_0001, double dur
     (*result_1_0001) = exponent * fastest / duration;
     return 0;
 }
+/*Duration of the fastest ramp for an acceleration change >= 0 [s], and its derivative with*/
+/*    the change (0 for no change, where it is infinite).                                  */
+int64_t segfmu_ramp_duration(double* result_0, double* result_1, double change, array_double_1d axis)
+{
+    double slope;
+    if (change <= 0.0)
+    {
+        (*result_0) = 0.0;
+        (*result_1) = 0.0;
+        return 0;
+    }
+    if (change >= (*cspan_at(&axis, INT64_C(11))))
+    {
+        slope = (*cspan_at(&axis, INT64_C(12)));
+        (*result_0) = change * slope + (*cspan_at(&axis, INT64_C(13)));
+        (*result_1) = slope;
+        return 0;
+    }
+    if ((*cspan_at(&axis, INT64_C(10))) < 0.5)
+    {
+        slowest_root(result_0, result_1, change, axis);
+        return 0;
+    }
+    plateau_duration(result_0, result_1, change, INT64_C(0), axis);
+    return 0;
+}
 /*Inverse of `ramp_duration`: the acceleration change of a ramp, and its derivative with */
 /*    the duration. Small ramps are solved for in their duration, which loses no digits. */
 static int64_t ramp_change(double* result_0, double* result_1, double duration, array_double_1d axis)
 {
-    double start;
-    double slope;
-    double constant;
-    double change;
-    double growth;
     if (duration <= 0.0)
     {
         (*result_0) = 0.0;
         (*result_1) = 0.0;
         return 0;
     }
-    start = (*cspan_at(&axis, INT64_C(13)));
-    if (start >= 0.0)
-    {
-        slope = (*cspan_at(&axis, INT64_C(14)));
-        constant = (*cspan_at(&axis, INT64_C(15)));
-        if (duration >= start * slope + constant)
-        {
-            (*result_0) = (duration - constant) / slope;
-            (*result_1) = 1.0 / slope;
-            return 0;
-        }
-    }
     if ((*cspan_at(&axis, INT64_C(10))) < 0.5)
     {
-        fastest_power(result_0, result_1, duration, INT64_C(1), axis);
+        fastest_power(result_0, result_1, duration, axis);
         return 0;
     }
-    fastest_power(&change, &growth, 0.5 * duration, INT64_C(2), axis);
-    (*result_0) = change;
-    (*result_1) = 0.5 * growth;
+    plateau_change(result_0, result_1, duration, axis);
     return 0;
 }
-/*Distance covered by the ramp from acceleration a to b that starts with velocity v. */
-static double ramp_distance(double v, double a, double b, double duration, double rise, array_double_1d axis)
+/*Variance of the jerk over time, seen as a density, of the fastest ramp that lasts `basis`. */
+static double ramp_variance(double basis, array_double_1d axis)
 {
-    double flat;
-    double variance;
-    flat = duration - rise;
-    variance = (*cspan_at(&axis, INT64_C(16))) * flat * flat + (*cspan_at(&axis, INT64_C(17))) * rise * rise;
-    return v * duration + 0.5 * a * duration * duration + (b - a) * (0.125 * duration * duration + 0.5 * variance);
-}
-/*`curved_part` for s <= 1/2 of a jerk rise whose snap has a plateau.*/
-static int64_t snap_plateau_half(double* result_0_0001, double* result_1_0001, double* result_2_0001, double s, array_double_1d axis)
-{
-    double share;
-    int64_t count;
-    double peak;
-    double u;
-    double first;
-    double second;
-    double third;
-    int64_t j;
-    int64_t i;
-    double rest;
-    share = (*cspan_at(&axis, INT64_C(26)));
-    count = (int64_t)((*cspan_at(&axis, INT64_C(27))));
-    peak = 1.0 / (1.0 - share);
-    u = span_min(s / share, 1.0);
-    first = 0.0;
-    second = 0.0;
-    third = 0.0;
-    for (j = INT64_C(0); j < count; j += INT64_C(1))
+    double rise;
+    double total;
+    int64_t level;
+    double inner;
+    double result;
+    if ((*cspan_at(&axis, INT64_C(10))) < 0.5)
     {
-        i = count - INT64_C(1) - j;
-        first = first * u + (*cspan_at(&axis, INT64_C(28) + i)) / (i + 1.0);
-        second = second * u + (*cspan_at(&axis, INT64_C(28) + i)) / ((i + 1.0) * (i + 2.0));
-        third = third * u + (*cspan_at(&axis, INT64_C(28) + i)) / ((i + 1.0) * (i + 2.0) * (i + 3.0));
+        result = (*cspan_at(&axis, INT64_C(29))) * basis * basis;
+        return result;
     }
-    first = peak * share * u * first;
-    second = peak * share * share * u * u * second;
-    third = peak * share * share * share * u * u * u * third;
-    rest = span_max(s - share, 0.0);
-    (*result_0_0001) = second + first * rest + 0.5 * peak * rest * rest;
-    (*result_1_0001) = first + peak * rest;
-    (*result_2_0001) = third + second * rest + 0.5 * first * rest * rest + peak * rest * rest * rest / 6.0;
+    rise = basis;
+    total = 0.0;
+    for (level = INT64_C(0); level < (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2); level += INT64_C(1))
+    {
+        inner = inner_rise(rise, level, axis);
+        total = total + (rise - inner) * (rise - inner);
+        rise = inner;
+    }
+    return (total + rise * rise) / 12.0;
+}
+/*Distance covered by the ramp from acceleration a to b that starts with velocity v.             */
+/*                                                                                               */
+/*    basis: duration of the fastest ramp with the same proportions; shorter if it is stretched. */
+/*                                                                                               */
+static double ramp_distance(double v, double a, double b, double duration, double basis, array_double_1d axis)
+{
+    double variance;
+    double y;
+    y = (v + 0.5 * a * duration) * duration;
+    if (b == a)
+    {
+        return y;
+    }
+    variance = ramp_variance(basis, axis);
+    if (duration != basis)
+    {
+        variance = variance * (duration / basis) * (duration / basis);
+    }
+    return y + (b - a) * (0.125 * duration * duration + 0.5 * variance);
+}
+/*Number of polynomial pieces of a ramp. */
+int64_t segfmu_ramp_pieces(array_double_1d axis)
+{
+    int64_t i;
+    int64_t count;
+    if ((*cspan_at(&axis, INT64_C(10))) < 0.5)
+    {
+        return INT64_C(1);
+    }
+    count = INT64_C(1);
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2); i += INT64_C(1))
+    {
+        count = INT64_C(2) * count + INT64_C(1);
+    }
+    return count;
+}
+/*Which derivative piece 1 .. of a ramp holds (0: the jerk), and the sign of its value.*/
+static int64_t held_level(int64_t* result_0, double* result_1, int64_t piece, int64_t boxes)
+{
+    int64_t level;
+    int64_t rest;
+    double sign;
+    level = boxes - INT64_C(1);
+    rest = piece;
+    while(span_floor_mod(rest, INT64_C(2)) == INT64_C(0))
+    {
+        level = level - INT64_C(1);
+        rest = span_floor_div(rest, INT64_C(2));
+    }
+    /*each descent of the derivatives below changes the sign*/
+    sign = 1.0;
+    rest = span_floor_div(rest, INT64_C(2));
+    while(rest > INT64_C(0))
+    {
+        if (span_floor_mod(rest, INT64_C(2)) == INT64_C(1))
+        {
+            sign = -sign;
+        }
+        rest = span_floor_div(rest, INT64_C(2));
+    }
+    (*result_0) = level;
+    (*result_1) = sign;
     return 0;
 }
-/*Polynomial of the curved part at s, its derivative and its integral from 0.*/
-static int64_t curved_part(double* result_0, double* result_1, double* result_2, double s, array_double_1d axis)
+/*Duration of the pieces of a ramp that hold a derivative (0: the jerk) [s], and its value.  */
+/*                                                                                           */
+/*    A ramp that lasts longer than `basis` is the fastest ramp of that duration, stretched. */
+/*                                                                                           */
+static int64_t piece_peak(double* result_0_0001, double* result_1, int64_t level, double change, double duration, double basis, array_double_1d axis)
 {
+    int64_t boxes;
+    double stretch;
+    double rise;
+    double peak;
+    int64_t i;
+    double inner;
+    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1);
+    stretch = duration / basis;
+    rise = basis;
+    peak = change;
+    for (i = INT64_C(0); i < level + INT64_C(1); i += INT64_C(1))
+    {
+        inner = 0.0;
+        if (i < boxes - INT64_C(1))
+        {
+            inner = inner_rise(rise, i, axis);
+        }
+        peak = peak / ((rise - inner) * stretch);
+        if (i == level)
+        {
+            (*result_0_0001) = (rise - 2.0 * inner) * stretch;
+            (*result_1) = peak;
+            return 0;
+        }
+        rise = inner;
+    }
+    (*result_0_0001) = 0.0;
+    (*result_1) = 0.0;
+    return 0;
+}
+/*The transition polynomial at s, its derivative and its integral from 0.*/
+static int64_t curved_part(double* result_0, double* result_1, double* result_2_0001, double s, array_double_1d axis)
+{
+    int64_t count;
     double value;
     double slope;
     double integral;
-    double middle;
-    double rate;
-    double half;
-    double whole;
-    int64_t count;
     int64_t j;
     int64_t i;
-    if ((*cspan_at(&axis, INT64_C(26))) > 0.0)
-    {
-        if (s > 0.5)
-        {
-            /*the rise is symmetric: the gain from s on follows from the gain up to 1 - s*/
-            snap_plateau_half(&value, &slope, &integral, 1.0 - s, axis);
-            snap_plateau_half(&middle, &rate, &half, 0.5, axis);
-            whole = 2.0 * half + 0.125;
-            (*result_0) = s - 0.5 + value;
-            (*result_1) = 1.0 - slope;
-            (*result_2) = whole - 0.5 * s * (1.0 - s) - integral;
-            return 0;
-        }
-        snap_plateau_half(result_0, result_1, result_2, s, axis);
-        return 0;
-    }
-    count = (int64_t)((*cspan_at(&axis, INT64_C(27))));
+    count = (int64_t)((*cspan_at(&axis, INT64_C(30))));
     value = 0.0;
     slope = 0.0;
     integral = 0.0;
     for (j = INT64_C(0); j < count; j += INT64_C(1))
     {
         i = count - INT64_C(1) - j;
-        value = value * s + (*cspan_at(&axis, INT64_C(28) + i));
-        integral = integral * s + (*cspan_at(&axis, INT64_C(28) + i)) / (i + 1.0);
+        value = value * s + (*cspan_at(&axis, INT64_C(31) + i));
+        integral = integral * s + (*cspan_at(&axis, INT64_C(31) + i)) / (i + 1.0);
         if (i > INT64_C(0))
         {
-            slope = slope * s + i * (*cspan_at(&axis, INT64_C(28) + i));
+            slope = slope * s + i * (*cspan_at(&axis, INT64_C(31) + i));
         }
     }
     (*result_0) = value;
     (*result_1) = slope;
-    (*result_2) = integral * s;
+    (*result_2_0001) = integral * s;
     return 0;
 }
-/*The s in [0, upper] at which the increasing curved part, 1/2 at `upper`, has the given value.      */
-/*                                                                                                   */
-/*    The accuracy suffices for an extremum, whose error is of second order in that of s. The curved */
-/*    part is nearly a square at its upper end.                                                      */
-/*                                                                                                   */
+/*The s in [0, upper] at which the transition polynomial, 1/2 at `upper`, has the given value. */
+/*                                                                                             */
+/*    The accuracy suffices for an extremum, whose error is of second order in that of s. The  */
+/*    polynomial is nearly a square at its upper end.                                          */
+/*                                                                                             */
 static double invert_curved_part(double value, double upper, array_double_1d axis)
 {
     double low;
@@ -5516,48 +5699,167 @@ static double invert_curved_part(double value, double upper, array_double_1d axi
     }
     return s;
 }
-/*`ramp_extreme_velocity` for |a| <= |b|.*/
-static double ramp_extreme_velocity_first_half(double v, double a, double b, double duration, double rise, array_double_1d axis)
+/*Change within t by the derivatives from the first one on.*/
+static double taylor(double t, double first, double second, double third, double fourth, double fifth)
 {
+    return t * (first + t / 2.0 * (second + t / 3.0 * (third + t / 4.0 * (fourth + t / 5.0 * fifth))));
+}
+/*When within [0, length] an acceleration a, with these derivatives, is zero.                */
+/*                                                                                           */
+/*    The accuracy suffices for an extremum of the velocity, whose error is of second order. */
+/*                                                                                           */
+static double crossing_time(double a, double length, double jerk, double snap, double crackle, double pop, double highest)
+{
+    double low;
+    double high;
+    int64_t i;
+    double at;
+    double slope;
+    double step;
+    double newton;
+    double t;
+    low = 0.0;
+    high = length;
+    t = 0.5 * length;
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
+    {
+        at = a + taylor(t, jerk, snap, crackle, pop, highest);
+        if (at * a <= 0.0)
+        {
+            high = t;
+        }
+        else
+        {
+            low = t;
+        }
+        slope = jerk + taylor(t, snap, crackle, pop, highest, 0.0);
+        step = 0.5 * (low + high) - t;
+        if (slope * a < 0.0)
+        {
+            newton = (-at) / slope;
+            if ((t + newton > low) && (t + newton < high))
+            {
+                step = newton;
+            }
+        }
+        t = t + step;
+        if (fabs(step) <= 1e-10 * length)
+        {
+            break;
+        }
+    }
+    return t;
+}
+/*`ramp_extreme_velocity` of a plateau ramp that crosses zero in its first half. */
+static double plateau_extreme_velocity(double v, double a, double change, double duration, double basis, array_double_1d axis)
+{
+    int64_t boxes;
+    double jerk;
+    double snap;
+    double crackle;
+    double pop;
+    double highest;
+    int64_t piece;
+    int64_t level;
+    double sign;
+    double length;
+    double peak;
+    double end;
+    double gain;
+    bool crossed;
+    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1);
+    jerk = 0.0;
+    snap = 0.0;
+    crackle = 0.0;
+    pop = 0.0;
+    highest = 0.0;
+    for (piece = INT64_C(1); piece < pow(2.0, (double)(boxes)); piece += INT64_C(1))
+    {
+        held_level(&level, &sign, piece, boxes);
+        piece_peak(&length, &peak, level, change, duration, basis, axis);
+        if (level == INT64_C(0))
+        {
+            jerk = sign * peak;
+            snap = 0.0;
+            crackle = 0.0;
+            pop = 0.0;
+            highest = 0.0;
+        }
+        else if (level == INT64_C(1))
+        {
+            snap = sign * peak;
+            crackle = 0.0;
+            pop = 0.0;
+            highest = 0.0;
+        }
+        else if (level == INT64_C(2))
+        {
+            crackle = sign * peak;
+            pop = 0.0;
+            highest = 0.0;
+        }
+        else if (level == INT64_C(3))
+        {
+            pop = sign * peak;
+            highest = 0.0;
+        }
+        else
+        {
+            highest = sign * peak;
+        }
+        end = length;
+        gain = taylor(end, jerk, snap, crackle, pop, highest);
+        crossed = (a + gain) * change >= 0.0;
+        if (crossed)
+        {
+            end = crossing_time(a, length, jerk, snap, crackle, pop, highest);
+        }
+        v = v + end * a;
+        v = v + end * taylor(end, jerk / 2.0, snap / 3.0, crackle / 4.0, pop / 5.0, highest / 6.0);
+        if (crossed)
+        {
+            return v;
+        }
+        a = a + gain;
+        jerk = jerk + taylor(length, snap, crackle, pop, highest, 0.0);
+        snap = snap + taylor(length, crackle, pop, highest, 0.0, 0.0);
+        crackle = crackle + taylor(length, pop, highest, 0.0, 0.0, 0.0);
+        pop = pop + length * highest;
+    }
+    return v;
+}
+/*Velocity where the acceleration of a ramp from a to b, of opposite signs, is zero. */
+static double ramp_extreme_velocity(double v, double a, double b, double duration, double basis, array_double_1d axis)
+{
+    double start;
+    double first;
+    double change;
     double s;
     double value;
     double slope;
     double integral;
-    double jerk;
-    double start;
-    if ((*cspan_at(&axis, INT64_C(10))) < 0.5)
-    {
-        if ((*cspan_at(&axis, INT64_C(27))) == 2.0)
-        {
-            return v - 0.5 * a * a * duration / (b - a);
-        }
-        s = invert_curved_part(a / (a - b), 0.5, axis);
-        curved_part(&value, &slope, &integral, s, axis);
-        return v + duration * (a * s + (b - a) * integral);
-    }
-    jerk = (b - a) / (duration - rise);
-    if (fabs(a) <= 0.5 * fabs(jerk) * rise)
-    {
-        s = invert_curved_part((-a) / (jerk * rise), 1.0, axis);
-        curved_part(&value, &slope, &integral, s, axis);
-        return v + rise * (a * s + jerk * rise * integral);
-    }
-    curved_part(&value, &slope, &integral, 1.0, axis);
-    start = a + 0.5 * jerk * rise;
-    return v + rise * (a + jerk * rise * integral) - 0.5 * start * start / jerk;
-}
-/*Velocity where the acceleration of a ramp from a to b, of opposite signs, is zero. */
-static double ramp_extreme_velocity(double v, double a, double b, double duration, double rise, array_double_1d axis)
-{
     double result;
+    start = v;
+    first = a;
+    change = b - a;
     if (fabs(a) > fabs(b))
     {
         /*the symmetric ramp, run backwards from its end, crosses zero in its first half*/
-        result = ramp_extreme_velocity_first_half(v + 0.5 * (a + b) * duration, -b, -a, duration, rise, axis);
+        start = v + 0.5 * (a + b) * duration;
+        first = -b;
+    }
+    if ((*cspan_at(&axis, INT64_C(10))) > 0.5)
+    {
+        result = plateau_extreme_velocity(start, first, change, duration, basis, axis);
         return result;
     }
-    result = ramp_extreme_velocity_first_half(v, a, b, duration, rise, axis);
-    return result;
+    if ((*cspan_at(&axis, INT64_C(30))) == 2.0)
+    {
+        return start - 0.5 * first * first * duration / change;
+    }
+    s = invert_curved_part((-first) / change, 0.5, axis);
+    curved_part(&value, &slope, &integral, s, axis);
+    return start + duration * (first * s + change * integral);
 }
 /*The value, or 0 if it is so small relative to its scale that its powers would underflow. */
 static double flush_tiny(double value, double scale)
@@ -5592,7 +5894,7 @@ static int64_t append_ramp(array_double_2d phases, int64_t count, double a, doub
         change = -change;
     }
     (*cspan_at(&phases, count, INT64_C(0))) = duration;
-    (*cspan_at(&phases, count, INT64_C(1))) = ramp_rise(duration, axis);
+    (*cspan_at(&phases, count, INT64_C(1))) = duration;
     (*cspan_at(&phases, count, INT64_C(2))) = a;
     (*cspan_at(&phases, count, INT64_C(3))) = change;
     return count + INT64_C(1);
@@ -5601,15 +5903,14 @@ static int64_t append_ramp(array_double_2d phases, int64_t count, double a, doub
 static int64_t append_change(array_double_2d phases, int64_t count, double a, double b, array_double_1d axis)
 {
     double duration;
-    double rise;
     double slope;
-    segfmu_ramp_duration(&duration, &rise, &slope, fabs(b - a), axis);
+    segfmu_ramp_duration(&duration, &slope, fabs(b - a), axis);
     if (duration <= 0.0)
     {
         return count;
     }
     (*cspan_at(&phases, count, INT64_C(0))) = duration;
-    (*cspan_at(&phases, count, INT64_C(1))) = rise;
+    (*cspan_at(&phases, count, INT64_C(1))) = duration;
     (*cspan_at(&phases, count, INT64_C(2))) = a;
     (*cspan_at(&phases, count, INT64_C(3))) = b - a;
     return count + INT64_C(1);
@@ -5729,7 +6030,7 @@ int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result
     double highest;
     int64_t i;
     double duration;
-    double rise;
+    double basis;
     double a;
     double b;
     double bound;
@@ -5741,7 +6042,7 @@ int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         duration = (*cspan_at(&phases, i, INT64_C(0)));
-        rise = (*cspan_at(&phases, i, INT64_C(1)));
+        basis = (*cspan_at(&phases, i, INT64_C(1)));
         a = (*cspan_at(&phases, i, INT64_C(2)));
         b = a + (*cspan_at(&phases, i, INT64_C(3)));
         if (a * b < 0.0)
@@ -5751,12 +6052,12 @@ int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result
             bound = v + 0.5 * a * duration;
             if ((bound > span_max(highest, within_0001)) || (bound < span_min(lowest, -within_0001)))
             {
-                extreme = ramp_extreme_velocity(v, a, b, duration, rise, axis);
+                extreme = ramp_extreme_velocity(v, a, b, duration, basis, axis);
                 lowest = span_min(lowest, extreme);
                 highest = span_max(highest, extreme);
             }
         }
-        y = y + ramp_distance(v, a, b, duration, rise, axis);
+        y = y + ramp_distance(v, a, b, duration, basis, axis);
         v = v + 0.5 * (a + b) * duration;
         lowest = span_min(lowest, v);
         highest = span_max(highest, v);
@@ -5773,15 +6074,14 @@ int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result
 static double peak_past_zero(double v, double a, double level, array_double_1d axis)
 {
     double duration;
-    double rise;
     double slope;
     double result;
-    segfmu_ramp_duration(&duration, &rise, &slope, a - level, axis);
+    segfmu_ramp_duration(&duration, &slope, a - level, axis);
     if (level >= 0.0)
     {
         return v + 0.5 * a * duration;
     }
-    result = ramp_extreme_velocity(v, a, level, duration, rise, axis);
+    result = ramp_extreme_velocity(v, a, level, duration, duration, axis);
     return result;
 }
 /*The level nearest to zero to which a ramp from a > 0 keeps the velocity limit [m/s2].*/
@@ -6020,8 +6320,8 @@ static double linear_level(double gain, double a, double b, array_double_1d axis
     double half;
     double rest;
     double square;
-    slope = (*cspan_at(&axis, INT64_C(14)));
-    half = 0.5 * (*cspan_at(&axis, INT64_C(15)));
+    slope = (*cspan_at(&axis, INT64_C(12)));
+    half = 0.5 * (*cspan_at(&axis, INT64_C(13)));
     rest = gain + 0.5 * slope * (a * a + b * b) - half * (a + b);
     square = half * half + slope * rest;
     if (square <= 0.0)
@@ -6044,7 +6344,6 @@ static int64_t root_level(double* result_0, double* result_1, double gain, doubl
     double change;
     double growth;
     double t_end;
-    double rise;
     double slope;
     double first;
     double second;
@@ -6059,7 +6358,7 @@ static int64_t root_level(double* result_0, double* result_1, double gain, doubl
     {
         ramp_change(&change, &growth, t, axis);
         level = a + change;
-        segfmu_ramp_duration(&t_end, &rise, &slope, level - b, axis);
+        segfmu_ramp_duration(&t_end, &slope, level - b, axis);
         first = 0.5 * (a + level) * t;
         second = 0.5 * (level + b) * t_end;
         error = first + second - gain;
@@ -6125,28 +6424,27 @@ static int64_t solve_level(double* result_0_0001, double* result_1_0001, double*
     double level;
     double t;
     double t_low;
-    double rise;
     double slope;
     double t_end;
     double least;
     double t_high;
     double most;
     double share;
-    linear_from = (*cspan_at(&axis, INT64_C(13)));
-    if (linear_from >= 0.0)
+    linear_from = (*cspan_at(&axis, INT64_C(11)));
+    if (span_max(a, b) + linear_from <= high)
     {
         level = linear_level(gain, a, b, axis);
         if ((level >= span_max(a, b) + linear_from) && (level >= low) && (level <= high))
         {
-            t = (level - a) * (*cspan_at(&axis, INT64_C(14))) + (*cspan_at(&axis, INT64_C(15)));
+            t = (level - a) * (*cspan_at(&axis, INT64_C(12))) + (*cspan_at(&axis, INT64_C(13)));
             (*result_0_0001) = t;
             (*result_1_0001) = 0.0;
             (*result_2_0001) = level;
             return 0;
         }
     }
-    segfmu_ramp_duration(&t_low, &rise, &slope, low - a, axis);
-    segfmu_ramp_duration(&t_end, &rise, &slope, low - b, axis);
+    segfmu_ramp_duration(&t_low, &slope, low - a, axis);
+    segfmu_ramp_duration(&t_end, &slope, low - b, axis);
     least = 0.5 * (a + low) * t_low + 0.5 * (low + b) * t_end;
     if (gain <= least)
     {
@@ -6163,8 +6461,8 @@ static int64_t solve_level(double* result_0_0001, double* result_1_0001, double*
         (*result_2_0001) = low;
         return 0;
     }
-    segfmu_ramp_duration(&t_high, &rise, &slope, high - a, axis);
-    segfmu_ramp_duration(&t_end, &rise, &slope, high - b, axis);
+    segfmu_ramp_duration(&t_high, &slope, high - a, axis);
+    segfmu_ramp_duration(&t_end, &slope, high - b, axis);
     most = 0.5 * (a + high) * t_high + 0.5 * (high + b) * t_end;
     if (gain >= most)
     {
@@ -6193,7 +6491,6 @@ static int64_t member_distance(double* result_0_0001, double* result_1, array_do
     double level2;
     double t3;
     double t2;
-    double rise;
     double slope;
     double y;
     v = (*cspan_at(&family, INT64_C(0)));
@@ -6205,22 +6502,22 @@ static int64_t member_distance(double* result_0_0001, double* result_1, array_do
     hold2 = (*cspan_at(&family, INT64_C(16)));
     level2 = (*cspan_at(&family, INT64_C(17)));
     t3 = (*cspan_at(&family, INT64_C(18)));
-    segfmu_ramp_duration(&t2, &rise, &slope, fabs(level2 - level1), axis);
-    y = ramp_distance(v, a, level1, t1, ramp_rise(t1, axis), axis);
+    segfmu_ramp_duration(&t2, &slope, fabs(level2 - level1), axis);
+    y = ramp_distance(v, a, level1, t1, t1, axis);
     v = v + 0.5 * (a + level1) * t1;
     if (hold1 > 0.0)
     {
         y = y + (v + 0.5 * level1 * hold1) * hold1;
         v = v + level1 * hold1;
     }
-    y = y + ramp_distance(v, level1, level2, t2, rise, axis);
+    y = y + ramp_distance(v, level1, level2, t2, t2, axis);
     v = v + 0.5 * (level1 + level2) * t2;
     if (hold2 > 0.0)
     {
         y = y + (v + 0.5 * level2 * hold2) * hold2;
         v = v + level2 * hold2;
     }
-    y = y + ramp_distance(v, level2, b, t3, ramp_rise(t3, axis), axis);
+    y = y + ramp_distance(v, level2, b, t3, t3, axis);
     (*result_0_0001) = t1 + hold1 + t2 + hold2 + t3;
     (*result_1) = y;
     return 0;
@@ -6477,7 +6774,6 @@ static int64_t direct_form(array_double_2d phases, bool from_start, array_double
     double end;
     double cruise;
     double t;
-    double rise;
     double slope;
     int64_t count;
     int64_t row;
@@ -6499,7 +6795,7 @@ static int64_t direct_form(array_double_2d phases, bool from_start, array_double
     {
         return INT64_C(0);
     }
-    segfmu_ramp_duration(&t, &rise, &slope, end, axis);
+    segfmu_ramp_duration(&t, &slope, end, axis);
     if (from_start)
     {
         cruise = v + 0.5 * a * t;
@@ -6776,7 +7072,6 @@ static double canonical_search(array_double_1d family, array_double_1d axis)
     double duration;
     double lower;
     double t_zero;
-    double rise;
     double slope;
     double p;
     target = (*cspan_at(&family, INT64_C(10)));
@@ -6804,7 +7099,7 @@ static double canonical_search(array_double_1d family, array_double_1d axis)
     lower = 0.0;
     if ((*cspan_at(&family, INT64_C(3))) > 0.0)
     {
-        segfmu_ramp_duration(&t_zero, &rise, &slope, (*cspan_at(&family, INT64_C(3))), axis);
+        segfmu_ramp_duration(&t_zero, &slope, (*cspan_at(&family, INT64_C(3))), axis);
         first_window(&p, &lower, f_lower, t_zero, family, axis);
         if (p >= 0.0)
         {
@@ -6910,7 +7205,6 @@ static void set_family(int64_t branch, array_double_1d problem, array_double_1d 
     double b;
     double distance;
     double last_ramp;
-    double rise;
     double slope;
     reverse = (branch == INT64_C(1)) || (branch == INT64_C(2));
     mirror = branch >= INT64_C(2);
@@ -6935,7 +7229,7 @@ static void set_family(int64_t branch, array_double_1d problem, array_double_1d 
         b = -b;
         distance = -distance;
     }
-    segfmu_ramp_duration(&last_ramp, &rise, &slope, b + (*cspan_at(&axis, INT64_C(3))), axis);
+    segfmu_ramp_duration(&last_ramp, &slope, b + (*cspan_at(&axis, INT64_C(3))), axis);
     (*cspan_at(&family, INT64_C(0))) = v;
     (*cspan_at(&family, INT64_C(1))) = a;
     (*cspan_at(&family, INT64_C(2))) = w;
@@ -7990,7 +8284,6 @@ static void stretch_phases(array_double_2d phases, int64_t count, double factor)
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         (*cspan_at(&phases, i, INT64_C(0))) = (*cspan_at(&phases, i, INT64_C(0))) * factor;
-        (*cspan_at(&phases, i, INT64_C(1))) = (*cspan_at(&phases, i, INT64_C(1))) * factor;
         (*cspan_at(&phases, i, INT64_C(2))) = (*cspan_at(&phases, i, INT64_C(2))) / (factor * factor);
         (*cspan_at(&phases, i, INT64_C(3))) = (*cspan_at(&phases, i, INT64_C(3))) / (factor * factor);
     }
@@ -8008,7 +8301,6 @@ static void fit_duration(array_double_2d phases, int64_t count, double target)
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         (*cspan_at(&phases, i, INT64_C(0))) = (*cspan_at(&phases, i, INT64_C(0))) * (target / total);
-        (*cspan_at(&phases, i, INT64_C(1))) = (*cspan_at(&phases, i, INT64_C(1))) * (target / total);
     }
 }
 /*Nearest profiles of the merged form, on all of its branches. */
@@ -8522,7 +8814,7 @@ static void transition_peaks(int64_t order, array_double_1d coefficients, array_
 void segfmu_axis_limits(int64_t smoothness, int64_t shape, array_double_1d limits, array_double_1d axis)
 {
     int64_t i;
-    for (i = INT64_C(0); i < INT64_C(38); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(41); i += INT64_C(1))
     {
         (*cspan_at(&axis, i)) = 0.0;
     }
@@ -8533,87 +8825,59 @@ void segfmu_axis_limits(int64_t smoothness, int64_t shape, array_double_1d limit
         (*cspan_at(&axis, INT64_C(2) + i)) = (*cspan_at(&limits, i));
     }
 }
-/*Set the curved part of a ramp with a plateau and its variance; M_j of its rise in `peaks`. */
-static void plateau_curve(double share, array_double_1d axis, array_double_1d psi, array_double_1d peaks)
+/*`ramp_parameters` where all derivatives have plateaus. */
+static bool plateau_parameters(double share, array_double_1d axis)
 {
-    int64_t k;
-    bool steep;
-    int64_t j;
-    double flat;
-    k = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
-    steep = (k > INT64_C(1)) && ((*cspan_at(&axis, INT64_C(4) + INT64_C(1))) > 0.0);
-    for (j = INT64_C(2); j < k + INT64_C(1); j += INT64_C(1))
-    {
-        if ((*cspan_at(&axis, INT64_C(4) + j)) > 0.0)
-        {
-            steep = 0;
-        }
-    }
-    if (steep)
-    {
-        transition_coefficients(k - INT64_C(2), psi);
-        (*cspan_at(&peaks, INT64_C(1))) = 1.0 / (1.0 - share);
-        flat = 1.0 - share;
-        (*cspan_at(&axis, INT64_C(17))) = flat * flat / 12.0 + share * share / (4.0 * (INT64_C(2) * k - INT64_C(1)));
-        (*cspan_at(&axis, INT64_C(27))) = 2.0 * k - 2.0;
-        (*cspan_at(&axis, INT64_C(26))) = share;
-        for (j = INT64_C(0); j < INT64_C(2) * k - INT64_C(2); j += INT64_C(1))
-        {
-            (*cspan_at(&axis, INT64_C(28) + j)) = (*cspan_at(&psi, j));
-        }
-    }
-    else
-    {
-        transition_peaks(k - INT64_C(1), psi, peaks);
-        (*cspan_at(&axis, INT64_C(17))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(1)));
-        (*cspan_at(&axis, INT64_C(27))) = 2.0 * k + 1.0;
-        for (j = INT64_C(0); j < INT64_C(2) * k; j += INT64_C(1))
-        {
-            (*cspan_at(&axis, INT64_C(28) + INT64_C(1) + j)) = (*cspan_at(&psi, j)) / (j + 1.0);
-        }
-    }
-}
-/*`ramp_parameters` where the jerk has a plateau.*/
-static bool plateau_parameters(double share, array_double_1d axis, array_double_1d psi, array_double_1d peaks)
-{
-    int64_t k;
-    double jerk;
-    double rise;
-    int64_t j;
+    int64_t boxes;
+    int64_t last;
+    int64_t level;
+    int64_t i;
     double limit;
-    double power;
-    bool bounded;
-    k = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
-    jerk = (*cspan_at(&axis, INT64_C(4)));
+    double rise;
+    double slope;
+    double jerk;
+    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1);
     (*cspan_at(&axis, INT64_C(10))) = 1.0;
-    (*cspan_at(&axis, INT64_C(16))) = 1.0 / 12.0;
-    plateau_curve(share, axis, psi, peaks);
-    bounded = 0;
-    rise = 0.0;
-    for (j = INT64_C(1); j < k + INT64_C(1); j += INT64_C(1))
+    last = -INT64_C(1);
+    for (level = INT64_C(0); level < boxes; level += INT64_C(1))
     {
-        limit = (*cspan_at(&axis, INT64_C(4) + j));
+        if ((*cspan_at(&axis, INT64_C(4) + level)) > 0.0)
+        {
+            last = level;
+        }
+    }
+    if (last < INT64_C(0))
+    {
+        return 0;
+    }
+    for (level = INT64_C(0); level < boxes - INT64_C(1); level += INT64_C(1))
+    {
+        if ((level > INT64_C(0)) || (last == INT64_C(0)))
+        {
+            (*cspan_at(&axis, INT64_C(19) + level)) = share;
+        }
+    }
+    for (i = INT64_C(0); i < last; i += INT64_C(1))
+    {
+        level = last - INT64_C(1) - i;
+        limit = (*cspan_at(&axis, INT64_C(4) + level));
+        /*without a limit the rise takes half of the one it belongs to*/
+        rise = 1e+60;
         if (limit > 0.0)
         {
-            power = (*cspan_at(&peaks, j)) / limit;
-            (*cspan_at(&axis, INT64_C(18) + j)) = power;
-            rise = span_max(rise, pow((jerk * power), (1.0 / j)));
-            bounded = 1;
+            plateau_duration(&rise, &slope, limit, level + INT64_C(1), axis);
         }
+        (*cspan_at(&axis, INT64_C(14) + level)) = rise;
     }
-    if ((jerk > 0.0) && (!bounded))
-    {
-        (*cspan_at(&axis, INT64_C(12))) = share;
-        bounded = 1;
-    }
-    (*cspan_at(&axis, INT64_C(11))) = rise;
+    jerk = (*cspan_at(&axis, INT64_C(4)));
     if (jerk > 0.0)
     {
-        (*cspan_at(&axis, INT64_C(13))) = jerk * rise;
-        (*cspan_at(&axis, INT64_C(14))) = 1.0 / (jerk * (1.0 - (*cspan_at(&axis, INT64_C(12)))));
-        (*cspan_at(&axis, INT64_C(15))) = rise;
+        rise = (*cspan_at(&axis, INT64_C(14)));
+        (*cspan_at(&axis, INT64_C(11))) = jerk * rise;
+        (*cspan_at(&axis, INT64_C(12))) = 1.0 / (jerk * (1.0 - (*cspan_at(&axis, INT64_C(19)))));
+        (*cspan_at(&axis, INT64_C(13))) = rise;
     }
-    return bounded;
+    return 1;
 }
 /*`ramp_parameters` of the polynomial of order k = n - 2.*/
 static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, array_double_1d peaks)
@@ -8628,61 +8892,56 @@ static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, arr
     k = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
     bounded = 0;
     transition_peaks(k, psi, peaks);
-    (*cspan_at(&axis, INT64_C(27))) = 2.0 * k + 2.0;
+    (*cspan_at(&axis, INT64_C(30))) = 2.0 * k + 2.0;
     for (j = INT64_C(0); j < INT64_C(2) * k + INT64_C(2); j += INT64_C(1))
     {
-        (*cspan_at(&axis, INT64_C(28) + j)) = (*cspan_at(&psi, j));
+        (*cspan_at(&axis, INT64_C(31) + j)) = (*cspan_at(&psi, j));
     }
-    (*cspan_at(&axis, INT64_C(16))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(3)));
+    (*cspan_at(&axis, INT64_C(29))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(3)));
     for (j = INT64_C(1); j < k + INT64_C(2); j += INT64_C(1))
     {
         limit = (*cspan_at(&axis, INT64_C(4) + j - INT64_C(1)));
         if (limit > 0.0)
         {
-            (*cspan_at(&axis, INT64_C(18) + j - INT64_C(1))) = (*cspan_at(&peaks, j)) / limit;
+            (*cspan_at(&axis, INT64_C(24) + j - INT64_C(1))) = (*cspan_at(&peaks, j)) / limit;
             bounded = 1;
         }
     }
-    slope = (*cspan_at(&axis, INT64_C(18)));
+    slope = (*cspan_at(&axis, INT64_C(24)));
     if (slope > 0.0)
     {
-        (*cspan_at(&axis, INT64_C(13))) = 0.0;
-        (*cspan_at(&axis, INT64_C(14))) = slope;
+        (*cspan_at(&axis, INT64_C(11))) = 0.0;
+        (*cspan_at(&axis, INT64_C(12))) = slope;
         for (e = INT64_C(2); e < k + INT64_C(2); e += INT64_C(1))
         {
             /*the change above which the root of order e is not longer than the linear duration*/
-            change = pow(((*cspan_at(&axis, INT64_C(18) + e - INT64_C(1))) / pow(slope, (double)(e))), (1.0 / (e - INT64_C(1))));
-            (*cspan_at(&axis, INT64_C(13))) = span_max((*cspan_at(&axis, INT64_C(13))), change);
+            change = pow(((*cspan_at(&axis, INT64_C(24) + e - INT64_C(1))) / pow(slope, (double)(e))), (1.0 / (e - INT64_C(1))));
+            (*cspan_at(&axis, INT64_C(11))) = span_max((*cspan_at(&axis, INT64_C(11))), change);
         }
     }
     return bounded;
 }
 /*Set the ramp parameters of an axis whose limits are set (Axis).                                    */
 /*                                                                                                   */
-/*    share: duration of each rise relative to its ramp, if no limit bounds the rise. A smaller share*/
-/*    makes faster ramps with larger unbounded derivatives. `work` has two rows of 2 smoothness      */
-/*    numbers or more. Returns False if no limit bounds the ramp.                                    */
+/*    share: of a rise in the rise it belongs to, where no limit bounds it. A smaller share makes    */
+/*    faster ramps with larger unbounded derivatives. `work` has two rows of 2 smoothness numbers or */
+/*    more. Returns False if no limit bounds the ramp.                                               */
 /*                                                                                                   */
 bool segfmu_ramp_parameters(double share, array_double_1d axis, array_double_2d work)
 {
-    int64_t smoothness;
-    int64_t shape;
     int64_t i;
     double duration;
-    double rise;
     double slope;
     bool bounded;
-    smoothness = (int64_t)((*cspan_at(&axis, INT64_C(0))));
-    shape = (int64_t)((*cspan_at(&axis, INT64_C(1))));
-    for (i = INT64_C(9); i < INT64_C(38); i += INT64_C(1))
+    for (i = INT64_C(9); i < INT64_C(41); i += INT64_C(1))
     {
         (*cspan_at(&axis, i)) = 0.0;
     }
-    (*cspan_at(&axis, INT64_C(13))) = -1.0;
+    (*cspan_at(&axis, INT64_C(11))) = 1e+300;
     bounded = 0;
-    if ((shape == INT64_C(1)) && (smoothness > INT64_C(2)))
+    if ((int64_t)((*cspan_at(&axis, INT64_C(1)))) == INT64_C(1))
     {
-        bounded = plateau_parameters(share, axis, span_row(&work, INT64_C(0)), span_row(&work, INT64_C(1)));
+        bounded = plateau_parameters(share, axis);
     }
     else
     {
@@ -8690,7 +8949,7 @@ bool segfmu_ramp_parameters(double share, array_double_1d axis, array_double_2d 
     }
     if (bounded)
     {
-        segfmu_ramp_duration(&duration, &rise, &slope, (*cspan_at(&axis, INT64_C(3))), axis);
+        segfmu_ramp_duration(&duration, &slope, (*cspan_at(&axis, INT64_C(3))), axis);
         (*cspan_at(&axis, INT64_C(9))) = duration;
     }
     return bounded;
@@ -10936,25 +11195,34 @@ double segfmu_right_of_break(double time, double start, array_double_2d timing, 
     }
     return local;
 }
-/*Complete the piece in `row`: add position to jerk from `state`, and advance `state`. */
-/*                                                                                     */
-/*    state (PieceState) is that at the start of the piece. Returns row + 1.           */
-/*                                                                                     */
+/*Complete the piece in `row`: add the derivatives of `state`, and advance `state`.*/
+/*                                                                                 */
+/*    state (PieceState) is that at the start of the piece. Returns row + 1.       */
+/*                                                                                 */
 static int64_t append_piece(double duration, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_1d state)
 {
     int64_t width;
-    double jerk;
+    int64_t order;
+    double factorial;
+    int64_t i;
     double y;
     double v;
     int64_t j;
-    int64_t i;
     width = coefficients.shape[INT64_C(1)];
-    (*cspan_at(&coefficients, row, INT64_C(0))) = (*cspan_at(&state, INT64_C(0)));
-    (*cspan_at(&coefficients, row, INT64_C(1))) = (*cspan_at(&state, INT64_C(1)));
-    (*cspan_at(&coefficients, row, INT64_C(2))) = 0.5 * (*cspan_at(&state, INT64_C(2)));
-    jerk = (*cspan_at(&coefficients, row, INT64_C(3))) + (*cspan_at(&state, INT64_C(3))) / 6.0;
-    (*cspan_at(&coefficients, row, INT64_C(3))) = jerk;
-    (*cspan_at(&timing, row, INT64_C(0))) = (*cspan_at(&state, INT64_C(4)));
+    order = span_floor_div(width, INT64_C(2)) + INT64_C(1);
+    factorial = 1.0;
+    for (i = INT64_C(0); i < order + INT64_C(1); i += INT64_C(1))
+    {
+        if (i > INT64_C(1))
+        {
+            factorial = factorial * i;
+        }
+        if ((*cspan_at(&state, i)) != 0.0)
+        {
+            (*cspan_at(&coefficients, row, i)) = (*cspan_at(&coefficients, row, i)) + (*cspan_at(&state, i)) / factorial;
+        }
+    }
+    (*cspan_at(&timing, row, INT64_C(0))) = (*cspan_at(&state, INT64_C(8)));
     (*cspan_at(&timing, row, INT64_C(1))) = duration;
     y = 0.0;
     v = 0.0;
@@ -10969,9 +11237,11 @@ static int64_t append_piece(double duration, array_double_2d timing, array_doubl
     }
     (*cspan_at(&state, INT64_C(0))) = y;
     (*cspan_at(&state, INT64_C(1))) = v;
-    (*cspan_at(&state, INT64_C(2))) = evaluate_piece(coefficients, row, width, duration, INT64_C(2));
-    (*cspan_at(&state, INT64_C(3))) = evaluate_piece(coefficients, row, width, duration, INT64_C(3));
-    (*cspan_at(&state, INT64_C(4))) = (*cspan_at(&state, INT64_C(4))) + duration;
+    for (i = INT64_C(2); i < order; i += INT64_C(1))
+    {
+        (*cspan_at(&state, i)) = evaluate_piece(coefficients, row, width, duration, i);
+    }
+    (*cspan_at(&state, INT64_C(8))) = (*cspan_at(&state, INT64_C(8))) + duration;
     return row + INT64_C(1);
 }
 /*Set every coefficient of a piece to zero.*/
@@ -10983,111 +11253,47 @@ static void clear_piece(array_double_2d coefficients, int64_t row)
         (*cspan_at(&coefficients, row, i)) = 0.0;
     }
 }
-/*Add to a piece the triple integral of jerk * Psi(t, rise) with Psi of the given order. */
-static void add_rise(double jerk, double rise, int64_t order, array_double_1d psi, array_double_2d coefficients, int64_t row)
+/*Set the acceleration of a state, and the derivatives above it to zero. */
+static void set_derivatives(double a, array_double_1d state)
 {
     int64_t i;
-    double scale;
-    double coefficient;
-    for (i = order + INT64_C(1); i < INT64_C(2) * order + INT64_C(2); i += INT64_C(1))
+    (*cspan_at(&state, INT64_C(2))) = a;
+    for (i = INT64_C(3); i < INT64_C(8); i += INT64_C(1))
     {
-        scale = jerk * (*cspan_at(&psi, i)) / ((i + 1.0) * (i + 2.0) * (i + 3.0));
-        coefficient = (*cspan_at(&coefficients, row, INT64_C(3) + i)) + scale / pow(rise, (double)(i));
-        (*cspan_at(&coefficients, row, INT64_C(3) + i)) = coefficient;
+        (*cspan_at(&state, i)) = 0.0;
     }
 }
-/*Add to a piece the fourfold integral of snap * Psi(t, rise) with Psi of the given order. */
-static void add_snap(double snap, double rise, int64_t order, array_double_1d psi, array_double_2d coefficients, int64_t row)
+/*Pieces of a plateau ramp; returns the row after them.*/
+static int64_t expand_plateau(array_double_1d phase, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_1d state)
 {
+    double duration;
+    double basis;
+    double change;
+    int64_t piece;
+    int64_t level;
+    double sign;
+    double length;
+    double peak;
     int64_t i;
-    double scale;
-    double coefficient;
-    for (i = order + INT64_C(1); i < INT64_C(2) * order + INT64_C(2); i += INT64_C(1))
+    duration = (*cspan_at(&phase, INT64_C(0)));
+    basis = (*cspan_at(&phase, INT64_C(1)));
+    change = (*cspan_at(&phase, INT64_C(3)));
+    for (piece = INT64_C(1); piece < segfmu_ramp_pieces(axis) + INT64_C(1); piece += INT64_C(1))
     {
-        scale = snap * (*cspan_at(&psi, i)) / ((i + 1.0) * (i + 2.0) * (i + 3.0) * (i + 4.0));
-        coefficient = (*cspan_at(&coefficients, row, INT64_C(4) + i)) + scale / pow(rise, (double)(i));
-        (*cspan_at(&coefficients, row, INT64_C(4) + i)) = coefficient;
-    }
-}
-/*Order of the transition polynomial in the curved part of the ramps of an axis. */
-static int64_t ramp_order(array_double_1d axis)
-{
-    int64_t order;
-    order = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
-    if ((*cspan_at(&axis, INT64_C(10))) > 0.5)
-    {
-        order = order - INT64_C(1);
-        if ((*cspan_at(&axis, INT64_C(26))) > 0.0)
+        held_level(&level, &sign, piece, (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1));
+        piece_peak(&length, &peak, level, change, duration, basis, axis);
+        for (i = INT64_C(3) + level; i < INT64_C(8); i += INT64_C(1))
         {
-            order = order - INT64_C(1);
+            (*cspan_at(&state, i)) = 0.0;
+        }
+        (*cspan_at(&state, INT64_C(3) + level)) = sign * peak;
+        if (length > 0.0)
+        {
+            clear_piece(coefficients, row);
+            row = append_piece(length, timing, coefficients, row, state);
         }
     }
-    return order;
-}
-/*Pieces in which the jerk changes by `jerk` within `rise` [s]; returns the row after them.*/
-static int64_t expand_jerk_change(double jerk, double rise, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work)
-{
-    int64_t order;
-    double share;
-    array_double_1d psi;
-    array_double_1d state;
-    double snap;
-    double edge;
-    int64_t result;
-    order = ramp_order(axis);
-    share = (*cspan_at(&axis, INT64_C(26)));
-    psi = span_row(&work, INT64_C(0));
-    state = span_row(&work, INT64_C(1));
-    clear_piece(coefficients, row);
-    if (share <= 0.0)
-    {
-        add_rise(jerk, rise, order, psi, coefficients, row);
-        result = append_piece(rise, timing, coefficients, row, state);
-        return result;
-    }
-    snap = jerk / (rise * (1.0 - share));
-    edge = share * rise;
-    add_snap(snap, edge, order, psi, coefficients, row);
-    row = append_piece(edge, timing, coefficients, row, state);
-    clear_piece(coefficients, row);
-    (*cspan_at(&coefficients, row, INT64_C(4))) = snap / 24.0;
-    row = append_piece(rise - 2.0 * edge, timing, coefficients, row, state);
-    clear_piece(coefficients, row);
-    (*cspan_at(&coefficients, row, INT64_C(4))) = snap / 24.0;
-    add_snap(-snap, edge, order, psi, coefficients, row);
-    result = append_piece(edge, timing, coefficients, row, state);
-    return result;
-}
-/*Pieces of a ramp whose jerk has a plateau; returns the row after them. */
-static int64_t expand_plateau(array_double_1d phase, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work)
-{
-    array_double_1d state;
-    double duration;
-    double rise;
-    double a;
-    double change;
-    double jerk;
-    double flat;
-    int64_t result;
-    state = span_row(&work, INT64_C(1));
-    duration = (*cspan_at(&phase, INT64_C(0)));
-    rise = (*cspan_at(&phase, INT64_C(1)));
-    a = (*cspan_at(&phase, INT64_C(2)));
-    change = (*cspan_at(&phase, INT64_C(3)));
-    jerk = change / (duration - rise);
-    flat = duration - 2.0 * rise;
-    row = expand_jerk_change(jerk, rise, axis, timing, coefficients, row, work);
-    (*cspan_at(&state, INT64_C(2))) = a + 0.5 * jerk * rise;
-    (*cspan_at(&state, INT64_C(3))) = jerk;
-    if (flat > 0.0)
-    {
-        clear_piece(coefficients, row);
-        row = append_piece(flat, timing, coefficients, row, state);
-        (*cspan_at(&state, INT64_C(2))) = a + change - 0.5 * jerk * rise;
-        (*cspan_at(&state, INT64_C(3))) = jerk;
-    }
-    result = expand_jerk_change(-jerk, rise, axis, timing, coefficients, row, work);
-    return result;
+    return row;
 }
 /*Expand `count` phases into pieces from `row` on; returns the row after the last one.           */
 /*                                                                                               */
@@ -11108,18 +11314,17 @@ int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, array_double
     double scale;
     psi = span_row(&work, INT64_C(0));
     state = span_row(&work, INT64_C(1));
-    order = ramp_order(axis);
+    order = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
     plateau = (*cspan_at(&axis, INT64_C(10))) > 0.5;
     transition_coefficients(order, psi);
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         a = (*cspan_at(&phases, i, INT64_C(2)));
         change = (*cspan_at(&phases, i, INT64_C(3)));
-        (*cspan_at(&state, INT64_C(2))) = a;
-        (*cspan_at(&state, INT64_C(3))) = 0.0;
+        set_derivatives(a, state);
         if (plateau && (change != 0.0))
         {
-            row = expand_plateau(span_row(&phases, i), axis, timing, coefficients, row, work);
+            row = expand_plateau(span_row(&phases, i), axis, timing, coefficients, row, state);
         }
         else
         {
@@ -11135,23 +11340,24 @@ int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, array_double
             }
             row = append_piece(duration, timing, coefficients, row, state);
         }
-        (*cspan_at(&state, INT64_C(2))) = a + change;
-        (*cspan_at(&state, INT64_C(3))) = 0.0;
+        set_derivatives(a + change, state);
     }
     return row;
 }
-/*Rows that `expand_plan` needs: seven per phase, one per dwell, and the spare ones. */
+/*Rows that `expand_plan` needs: pieces of each phase, one per dwell, and the spare ones.*/
 int64_t segfmu_count_pieces(array_double_2d axes, array_double_3d cells)
 {
+    int64_t each;
     int64_t i;
     double phases;
     int64_t total;
-    total = INT64_C(200) + axes.shape[INT64_C(0)] + cells.shape[INT64_C(0)];
+    total = INT64_C(810) + axes.shape[INT64_C(0)] + cells.shape[INT64_C(0)];
+    each = segfmu_ramp_pieces(span_row(&axes, INT64_C(0)));
     for (i = INT64_C(0); i < cells.shape[INT64_C(0)]; i += INT64_C(1))
     {
         phases = (*cspan_at(&cells, i, INT64_C(27), INT64_C(3)));
         phases = phases + (*cspan_at(&cells, i, INT64_C(27), INT64_C(4)));
-        total = total + INT64_C(7) * (int64_t)(phases);
+        total = total + each * (int64_t)(phases);
     }
     return total;
 }
@@ -11189,7 +11395,7 @@ static int64_t merge_pieces(double weight, double now, int64_t middle, int64_t l
     double rest_a;
     double rest_b;
     double step;
-    a = timing.shape[INT64_C(0)] - INT64_C(200);
+    a = timing.shape[INT64_C(0)] - INT64_C(810);
     b = middle;
     t = now;
     t_a = 0.0;
@@ -11230,7 +11436,7 @@ static int64_t expand_profile(array_double_2d cell, bool second, array_double_1d
     state = span_row(&work, INT64_C(1));
     (*cspan_at(&state, INT64_C(0))) = (*cspan_at(&cell, INT64_C(27), INT64_C(5)));
     (*cspan_at(&state, INT64_C(1))) = (*cspan_at(&cell, INT64_C(26), INT64_C(0)));
-    (*cspan_at(&state, INT64_C(4))) = (*cspan_at(&cell, INT64_C(27), INT64_C(6)));
+    (*cspan_at(&state, INT64_C(8))) = (*cspan_at(&cell, INT64_C(27), INT64_C(6)));
     if (second)
     {
         count = (int64_t)((*cspan_at(&cell, INT64_C(27), INT64_C(4))));
@@ -11256,7 +11462,7 @@ static int64_t expand_cell(array_double_2d cell, array_double_1d axis, array_dou
         result = expand_profile(cell, weight >= 1.0, axis, timing, coefficients, row, work);
         return result;
     }
-    spare = timing.shape[INT64_C(0)] - INT64_C(200);
+    spare = timing.shape[INT64_C(0)] - INT64_C(810);
     middle = expand_profile(cell, 0, axis, timing, coefficients, spare, work);
     last = expand_profile(cell, 1, axis, timing, coefficients, middle, work);
     now = (*cspan_at(&cell, INT64_C(27), INT64_C(6)));

@@ -1124,17 +1124,32 @@ static PyObject *call_ramp_duration(
     if (take_count(&call, count, 2)
         && take_float(&call, 0, &in_change)
         && (in_axis = take_array(&call, 1, 1, 'd', false)) != NULL
-        && has_at_least(&call, "axis", 0, in_axis->shape[0], 38)) {
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 41)) {
         double result_0;
         double result_1;
-        double result_2;
         segfmu_ramp_duration(
             &result_0,
             &result_1,
-            &result_2,
             in_change,
             (array_double_1d){in_axis->buf, {in_axis->shape[0]}});
-        answer = Py_BuildValue("(ddd)", result_0, result_1, result_2);
+        answer = Py_BuildValue("(dd)", result_0, result_1);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_ramp_pieces(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "ramp_pieces", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_axis;
+    (void)self;
+    if (take_count(&call, count, 1)
+        && (in_axis = take_array(&call, 0, 1, 'd', false)) != NULL
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 41)) {
+        answer = PyLong_FromLongLong(segfmu_ramp_pieces(
+            (array_double_1d){in_axis->buf, {in_axis->shape[0]}}));
     }
     release_arguments(&call);
     return answer;
@@ -1159,7 +1174,7 @@ static PyObject *call_measure_phases(
         && (in_axis = take_array(&call, 4, 1, 'd', false)) != NULL
         && has_at_least(&call, "phases", 0, in_phases->shape[0], in_count)
         && has_at_least(&call, "phases", 1, in_phases->shape[1], 4)
-        && has_at_least(&call, "axis", 0, in_axis->shape[0], 38)) {
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 41)) {
         double result_0;
         double result_1;
         double result_2;
@@ -1198,7 +1213,7 @@ static PyObject *call_shortest_profile(
         && (in_phases = take_array(&call, 2, 2, 'd', true)) != NULL
         && (in_work = take_array(&call, 3, 2, 'd', true)) != NULL
         && has_at_least(&call, "problem", 0, in_problem->shape[0], 6)
-        && has_at_least(&call, "axis", 0, in_axis->shape[0], 38)
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 41)
         && has_at_least(&call, "phases", 0, in_phases->shape[0], 13)
         && has_at_least(&call, "phases", 1, in_phases->shape[1], 4)
         && has_at_least(&call, "work", 0, in_work->shape[0], 47)
@@ -1228,7 +1243,7 @@ static PyObject *call_timed_profile(
         && (in_axis = take_array(&call, 1, 1, 'd', false)) != NULL
         && (in_cell = take_array(&call, 2, 2, 'd', true)) != NULL
         && (in_work = take_array(&call, 3, 2, 'd', true)) != NULL
-        && has_at_least(&call, "axis", 0, in_axis->shape[0], 38)
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 41)
         && has_at_least(&call, "cell", 0, in_cell->shape[0], 28)
         && has_at_least(&call, "cell", 1, in_cell->shape[1], 8)
         && has_at_least(&call, "work", 0, in_work->shape[0], 47)
@@ -1259,7 +1274,7 @@ static PyObject *call_axis_limits(
         && (in_limits = take_array(&call, 2, 1, 'd', false)) != NULL
         && (in_axis = take_array(&call, 3, 1, 'd', true)) != NULL
         && has_at_least(&call, "limits", 0, in_limits->shape[0], (in_smoothness + 1))
-        && has_at_least(&call, "axis", 0, in_axis->shape[0], 38)) {
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 41)) {
         segfmu_axis_limits(
             in_smoothness,
             in_shape,
@@ -1284,7 +1299,7 @@ static PyObject *call_ramp_parameters(
         && take_float(&call, 0, &in_share)
         && (in_axis = take_array(&call, 1, 1, 'd', true)) != NULL
         && (in_work = take_array(&call, 2, 2, 'd', true)) != NULL
-        && has_at_least(&call, "axis", 0, in_axis->shape[0], 38)
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 41)
         && has_at_least(&call, "work", 0, in_work->shape[0], 2)
         && has_at_least(&call, "work", 1, in_work->shape[1], 12)) {
         answer = PyBool_FromLong(segfmu_ramp_parameters(
@@ -1324,7 +1339,7 @@ static PyObject *call_plan_phases(
         && has_extent(&call, "axes", 0, in_axes->shape[0], in_states->shape[1])
         && has_at_least(&call, "states", 2, in_states->shape[2], 3)
         && has_at_least(&call, "options", 0, in_options->shape[0], 5)
-        && has_at_least(&call, "axes", 1, in_axes->shape[1], 38)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 41)
         && has_at_least(&call, "cells", 0, in_cells->shape[0], ((in_states->shape[0] - 1) * in_states->shape[1]))
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 28)
         && has_at_least(&call, "cells", 2, in_cells->shape[2], 8)
@@ -2190,12 +2205,12 @@ static PyObject *call_expand_phases(
         && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
         && has_at_least(&call, "phases", 0, in_phases->shape[0], in_count)
         && has_at_least(&call, "phases", 1, in_phases->shape[1], 4)
-        && has_at_least(&call, "axis", 0, in_axis->shape[0], 38)
-        && has_at_least(&call, "timing", 0, in_timing->shape[0], (in_row + (7 * in_count)))
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 41)
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-        && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], (in_row + (7 * in_count)))
         && has_at_least(&call, "work", 0, in_work->shape[0], 2)
         && has_at_least(&call, "work", 1, in_work->shape[1], 12)
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], (in_row + (segfmu_ramp_pieces((array_double_1d){in_axis->buf, {in_axis->shape[0]}}) * in_count)))
+        && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], (in_row + (segfmu_ramp_pieces((array_double_1d){in_axis->buf, {in_axis->shape[0]}}) * in_count)))
         && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], (2 * ((double *)in_axis->buf)[0]))) {
         answer = PyLong_FromLongLong(segfmu_expand_phases(
             (array_double_2d){in_phases->buf, {in_phases->shape[0], in_phases->shape[1]}},
@@ -2223,7 +2238,7 @@ static PyObject *call_count_pieces(
         && (in_cells = take_array(&call, 1, 3, 'd', false)) != NULL
         && has_at_least(&call, "axes", 0, in_axes->shape[0], 1)
         && has_at_least(&call, "cells", 0, in_cells->shape[0], 1)
-        && has_at_least(&call, "axes", 1, in_axes->shape[1], 38)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 41)
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 28)
         && has_at_least(&call, "cells", 2, in_cells->shape[2], 8)) {
         answer = PyLong_FromLongLong(segfmu_count_pieces(
@@ -2265,7 +2280,7 @@ static PyObject *call_expand_plan(
         && has_extent(&call, "axes", 0, in_axes->shape[0], in_states->shape[1])
         && has_extent(&call, "times", 1, in_times->shape[1], in_states->shape[1])
         && has_at_least(&call, "states", 2, in_states->shape[2], 3)
-        && has_at_least(&call, "axes", 1, in_axes->shape[1], 38)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 41)
         && has_at_least(&call, "cells", 0, in_cells->shape[0], ((in_states->shape[0] - 1) * in_states->shape[1]))
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 28)
         && has_at_least(&call, "cells", 2, in_cells->shape[2], 8)
@@ -2329,6 +2344,7 @@ static PyMethodDef methods[] = {
     {"check_rope", (PyCFunction)(void (*)(void))call_check_rope, METH_FASTCALL, NULL},
     {"check_range", (PyCFunction)(void (*)(void))call_check_range, METH_FASTCALL, NULL},
     {"ramp_duration", (PyCFunction)(void (*)(void))call_ramp_duration, METH_FASTCALL, NULL},
+    {"ramp_pieces", (PyCFunction)(void (*)(void))call_ramp_pieces, METH_FASTCALL, NULL},
     {"measure_phases", (PyCFunction)(void (*)(void))call_measure_phases, METH_FASTCALL, NULL},
     {"shortest_profile", (PyCFunction)(void (*)(void))call_shortest_profile, METH_FASTCALL, NULL},
     {"timed_profile", (PyCFunction)(void (*)(void))call_timed_profile, METH_FASTCALL, NULL},

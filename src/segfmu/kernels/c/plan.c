@@ -4,9 +4,8 @@
 #include "arrays.h"
 #include "records.h"
 
-/* most polynomial pieces of an interval of one axis: two profiles of 13 phases, 7 pieces each,
-   cut at all their switching times; and a dwell */
-enum { PIECES = 2 * (CELL_ABOVE - CELL_BELOW) * 7 + 1 };
+/* most phases of an interval of one axis, two profiles */
+enum { PHASES = 2 * (CELL_ABOVE - CELL_BELOW) };
 
 static double *take(double **space, int64_t count)
 {
@@ -27,17 +26,20 @@ static array_int64_t_1d integers(double *data, int64_t n)
     return a;
 }
 
-static int64_t most_pieces(int64_t points, int64_t axes)
+/* Two profiles cut at all their switching times, and a dwell; a ramp has 2^(n-1) - 1 pieces. */
+static int64_t most_pieces(int64_t points, int64_t axes, int64_t smoothness)
 {
-    return ((points - 1) * PIECES + 2) * axes + SPARE_ROWS;
+    const int64_t interval = PHASES * ((INT64_C(1) << (smoothness - 1)) - 1) + 1;
+    return ((points - 1) * interval + 2) * axes + SPARE_ROWS;
 }
 
 size_t segfmu_plan_size(int64_t points, int64_t axes, int64_t smoothness)
 {
     int64_t planned = points * axes * WAYPOINT_STATE_SIZE + PLAN_OPTIONS_SIZE + axes * AXIS_SIZE
         + (points - 1) * axes * CELL_SIZE * CELL_COLUMNS + PLAN_WORK_SIZE * PLAN_WORK_COLUMNS;
-    int64_t expanded = most_pieces(points, axes) * (TIMING_SIZE + 2 * smoothness) + (axes + 1)
-        + (points + 1) * axes + EXPANSION_SIZE * EXPANSION_COLUMNS + CHECK_SIZE * CHECK_COLUMNS;
+    int64_t expanded = most_pieces(points, axes, smoothness) * (TIMING_SIZE + 2 * smoothness)
+        + (axes + 1) + (points + 1) * axes + EXPANSION_SIZE * EXPANSION_COLUMNS
+        + CHECK_SIZE * CHECK_COLUMNS;
     return (size_t)(planned + expanded);
 }
 
@@ -84,7 +86,8 @@ typedef struct {
 static int expand(const segfmu_problem *p, const phases *planned, double *space,
                   segfmu_trajectory *trajectory)
 {
-    const int64_t m = p->points, k = p->axes, n = p->smoothness, rows = most_pieces(m, k);
+    const int64_t m = p->points, k = p->axes, n = p->smoothness;
+    const int64_t rows = most_pieces(m, k, n);
     array_double_2d timing = matrix(take(&space, rows * TIMING_SIZE), rows, TIMING_SIZE);
     array_double_2d coefficients = matrix(take(&space, rows * 2 * n), rows, 2 * n);
     array_int64_t_1d offsets = integers(take(&space, k + 1), k + 1);

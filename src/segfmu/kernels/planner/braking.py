@@ -14,10 +14,10 @@ from segfmu.kernels.planner.records import Axis, Braking, Phase, Problem
 
 def peak_past_zero(v: float, a: float, level: float, axis: 'float[:]') -> float:
     """Extreme velocity of the ramp from a > 0 to a level <= 0 that starts with velocity v."""
-    duration, rise, slope = ramp_duration(a - level, axis)
+    duration, slope = ramp_duration(a - level, axis)
     if level >= 0.0:
         return v + 0.5 * a * duration
-    return ramp_extreme_velocity(v, a, level, duration, rise, axis)
+    return ramp_extreme_velocity(v, a, level, duration, duration, axis)
 
 
 def level_past_zero(v: float, a: float, axis: 'float[:]') -> float:

@@ -141,7 +141,7 @@ def direct_form(
         cruise = v
     if end == 0.0:
         return 0
-    t, rise, slope = ramp_duration(end, axis)
+    t, slope = ramp_duration(end, axis)
     if from_start:
         cruise = v + 0.5 * a * t
     else:

@@ -11,7 +11,7 @@ the ratio of a ramp's duration to its change never grows with the change.
 
 from math import sqrt
 
-from segfmu.kernels.planner.ramp import ramp_change, ramp_distance, ramp_duration, ramp_rise
+from segfmu.kernels.planner.ramp import ramp_change, ramp_distance, ramp_duration
 from segfmu.kernels.planner.records import Axis, Family
 
 
@@ -25,21 +25,21 @@ def solve_level(
     level gains too much; last the level.
     """
     linear_from = axis[Axis.LINEAR_FROM]
-    if linear_from >= 0.0:
+    if max(a, b) + linear_from <= high:
         level = linear_level(gain, a, b, axis)
         if level >= max(a, b) + linear_from and level >= low and level <= high:
             t = (level - a) * axis[Axis.LINEAR_SLOPE] + axis[Axis.LINEAR_CONSTANT]
             return t, 0.0, level
-    t_low, rise, slope = ramp_duration(low - a, axis)
-    t_end, rise, slope = ramp_duration(low - b, axis)
+    t_low, slope = ramp_duration(low - a, axis)
+    t_end, slope = ramp_duration(low - b, axis)
     least = 0.5 * (a + low) * t_low + 0.5 * (low + b) * t_end
     if gain <= least:
         # up to rounding, this is the lowest level
         if gain < least - 1e-14 * (abs(gain) + abs(least)):
             return 0.0, -1.0, low
         return t_low, 0.0, low
-    t_high, rise, slope = ramp_duration(high - a, axis)
-    t_end, rise, slope = ramp_duration(high - b, axis)
+    t_high, slope = ramp_duration(high - a, axis)
+    t_end, slope = ramp_duration(high - b, axis)
     most = 0.5 * (a + high) * t_high + 0.5 * (high + b) * t_end
     if gain >= most:
         return t_high, (gain - most) / high, high
@@ -77,7 +77,7 @@ def root_level(
     for i in range(100):
         change, growth = ramp_change(t, axis)
         level = a + change
-        t_end, rise, slope = ramp_duration(level - b, axis)
+        t_end, slope = ramp_duration(level - b, axis)
         first = 0.5 * (a + level) * t
         second = 0.5 * (level + b) * t_end
         error = first + second - gain
@@ -118,18 +118,18 @@ def member_distance(family: 'float[:]', axis: 'float[:]') -> 'tuple[float, float
     hold2 = family[Family.SECOND_HOLD]
     level2 = family[Family.SECOND_LEVEL]
     t3 = family[Family.LAST_TIME]
-    t2, rise, slope = ramp_duration(abs(level2 - level1), axis)
-    y = ramp_distance(v, a, level1, t1, ramp_rise(t1, axis), axis)
+    t2, slope = ramp_duration(abs(level2 - level1), axis)
+    y = ramp_distance(v, a, level1, t1, t1, axis)
     v = v + 0.5 * (a + level1) * t1
     if hold1 > 0.0:
         y = y + (v + 0.5 * level1 * hold1) * hold1
         v = v + level1 * hold1
-    y = y + ramp_distance(v, level1, level2, t2, rise, axis)
+    y = y + ramp_distance(v, level1, level2, t2, t2, axis)
     v = v + 0.5 * (level1 + level2) * t2
     if hold2 > 0.0:
         y = y + (v + 0.5 * level2 * hold2) * hold2
         v = v + level2 * hold2
-    y = y + ramp_distance(v, level2, b, t3, ramp_rise(t3, axis), axis)
+    y = y + ramp_distance(v, level2, b, t3, t3, axis)
     return t1 + hold1 + t2 + hold2 + t3, y
 
 

@@ -47,7 +47,7 @@ def set_family(
         w = -w
         b = -b
         distance = -distance
-    last_ramp, rise, slope = ramp_duration(b + axis[Axis.ACCELERATION], axis)
+    last_ramp, slope = ramp_duration(b + axis[Axis.ACCELERATION], axis)
     family[Family.V] = v
     family[Family.A] = a
     family[Family.W] = w

@@ -1,6 +1,6 @@
 """Lists of phases: rows of the record `Phase`."""
 
-from segfmu.kernels.planner.ramp import ramp_change, ramp_distance, ramp_duration, ramp_rise
+from segfmu.kernels.planner.ramp import ramp_change, ramp_distance, ramp_duration
 from segfmu.kernels.planner.ramp_peak import ramp_extreme_velocity
 from segfmu.kernels.planner.records import Axis, Phase, Problem
 
@@ -31,7 +31,7 @@ def append_ramp(
     if b < a:
         change = -change
     phases[count, Phase.DURATION] = duration
-    phases[count, Phase.RISE] = ramp_rise(duration, axis)
+    phases[count, Phase.BASIS] = duration
     phases[count, Phase.ACCELERATION] = a
     phases[count, Phase.CHANGE] = change
     return count + 1
@@ -41,11 +41,11 @@ def append_change(
     phases: 'float[:,:]', count: int, a: float, b: float, axis: 'float[:]'
 ) -> int:
     """Append the fastest ramp from a to b; nothing if they are equal."""
-    duration, rise, slope = ramp_duration(abs(b - a), axis)
+    duration, slope = ramp_duration(abs(b - a), axis)
     if duration <= 0.0:
         return count
     phases[count, Phase.DURATION] = duration
-    phases[count, Phase.RISE] = rise
+    phases[count, Phase.BASIS] = duration
     phases[count, Phase.ACCELERATION] = a
     phases[count, Phase.CHANGE] = b - a
     return count + 1
@@ -56,7 +56,7 @@ def append_hold(phases: 'float[:,:]', count: int, a: float, duration: float) -> 
     if duration <= 0.0:
         return count
     phases[count, Phase.DURATION] = duration
-    phases[count, Phase.RISE] = 0.0
+    phases[count, Phase.BASIS] = 0.0
     phases[count, Phase.ACCELERATION] = a
     phases[count, Phase.CHANGE] = 0.0
     return count + 1
@@ -139,7 +139,7 @@ def measure_phases(
     highest = v
     for i in range(count):
         duration = phases[i, Phase.DURATION]
-        rise = phases[i, Phase.RISE]
+        basis = phases[i, Phase.BASIS]
         a = phases[i, Phase.ACCELERATION]
         b = a + phases[i, Phase.CHANGE]
         if a * b < 0.0:
@@ -147,10 +147,10 @@ def measure_phases(
             # ramp away from the crossing
             bound = v + 0.5 * a * duration
             if bound > max(highest, within) or bound < min(lowest, -within):
-                extreme = ramp_extreme_velocity(v, a, b, duration, rise, axis)
+                extreme = ramp_extreme_velocity(v, a, b, duration, basis, axis)
                 lowest = min(lowest, extreme)
                 highest = max(highest, extreme)
-        y = y + ramp_distance(v, a, b, duration, rise, axis)
+        y = y + ramp_distance(v, a, b, duration, basis, axis)
         v = v + 0.5 * (a + b) * duration
         lowest = min(lowest, v)
         highest = max(highest, v)

@@ -1,6 +1,11 @@
 """Duration, change and distance of an acceleration ramp, from the parameters of its axis.
 
-The duration is a maximum of powers of the change (parameters.py), and inverted in closed form.
+Smoothstep: the duration is a maximum of powers of the change (parameters.py). Plateau: the jerk
+rises to its peak within a rise, stays, and falls; within that rise the snap does the same, and so
+on up to the derivative n + 1, which is constant in each piece. If the rises last x_0 = duration,
+x_1, .., the widths w_i = x_i - x_{i+1} (the last one is its rise) are those of boxes whose
+convolution is the jerk. So the derivative 2 + j has the peak change / (w_0 .. w_{j-1}), and the
+jerk's variance is the sum of w_i^2 / 12. A rise is at most half of the one it belongs to.
 """
 
 from math import sqrt
@@ -8,18 +13,106 @@ from math import sqrt
 from segfmu.kernels.planner.records import Axis
 
 
-def slowest_root(change: float, first: int, axis: 'float[:]') -> 'tuple[float, float]':
-    """max over e >= first of (q_e change)^(1/e), and its derivative with the change."""
-    slowest = 0.0
+def inner_rise(rise: float, level: int, axis: 'float[:]') -> float:
+    """Duration of the rises within a rise of the derivative 2 + level, 3 + level for the ramp."""
+    return min(max(axis[Axis.RISES + level], axis[Axis.SHARES + level] * rise), 0.5 * rise)
+
+
+def shifted_root(value: float, power: int, shift: float) -> float:
+    """The x > shift at which x^power (x - shift) has the value."""
+    if power == 0:
+        return value + shift
+    if power == 1:
+        return 0.5 * (shift + sqrt(shift * shift + 4.0 * value))
+    x = shift + value ** (1.0 / (power + 1))
+    for i in range(60):
+        x_power = 1.0
+        for j in range(power - 1):
+            x_power = x_power * x
+        error = x_power * x * (x - shift) - value
+        step = error / (x_power * (power * (x - shift) + x))
+        # convex, and begun above the root
+        if step <= 2e-16 * x:
+            break
+        x = x - step
+    return x
+
+
+def plateau_duration(change: float, first: int, axis: 'float[:]') -> 'tuple[float, float]':
+    """Duration of the fastest rise by `change` [s] of the derivative 2 + first, and its slope.
+
+    The least derivative that reaches its limit c is found first. With x the duration of its rise,
+    and all rises below it triangles, the change is a power of x times c (x - the rise within).
+    """
+    boxes = int(axis[Axis.SMOOTHNESS]) - 1
+    factor = 1.0
+    doubled = 1.0
+    for level in range(first, boxes):
+        limit = axis[Axis.JERK + level]
+        least = axis[Axis.RISES + level]
+        share = axis[Axis.SHARES + level]
+        power = level - first
+        x_power = 1.0
+        for j in range(power):
+            x_power = x_power * 2.0 * least
+        if limit > 0.0 and change >= factor * x_power * limit * least:
+            value = change / (factor * limit)
+            x = 0.0
+            if share > 0.0:
+                x = value / (1.0 - share)
+                if power == 1:
+                    x = sqrt(x)
+                elif power > 1:
+                    x = x ** (1.0 / (power + 1))
+            if share == 0.0 or share * x < least:
+                if least > 0.0 or power == 0:
+                    x = shifted_root(value, power, least)
+                elif power == 1:
+                    x = sqrt(value)
+                else:
+                    x = value ** (1.0 / (power + 1))
+                rest = x - least
+                return doubled * x, doubled * x * rest / (change * (power * rest + x))
+            return doubled * x, doubled * x / ((power + 1) * change)
+        factor = factor * doubled
+        doubled = 2.0 * doubled
+    return 0.0, 0.0
+
+
+def plateau_change(duration: float, axis: 'float[:]') -> 'tuple[float, float]':
+    """Inverse of `plateau_duration` for a ramp, and its derivative with the duration."""
+    boxes = int(axis[Axis.SMOOTHNESS]) - 1
+    x = duration
+    factor = 1.0
+    doubled = 1.0
+    for level in range(boxes):
+        least = axis[Axis.RISES + level]
+        if x >= 2.0 * least:
+            share = axis[Axis.SHARES + level]
+            steepest = factor * axis[Axis.JERK + level]
+            for j in range(level):
+                steepest = steepest * x
+            if share * x >= least:
+                change = steepest * (1.0 - share) * x
+                return change, (level + 1) * change / duration
+            change = steepest * (x - least)
+            return change, (level * change + steepest * x) / duration
+        x = 0.5 * x
+        factor = factor * doubled
+        doubled = 2.0 * doubled
+    return 0.0, 0.0
+
+
+def slowest_root(change: float, axis: 'float[:]') -> 'tuple[float, float]':
+    """max over e of (q_e change)^(1/e), and its derivative with the change."""
+    slowest = axis[Axis.POWERS] * change
     exponent = 1
-    if first <= 1 and axis[Axis.POWERS] > 0.0:
-        slowest = axis[Axis.POWERS] * change
     if axis[Axis.POWERS + 1] > 0.0:
         root = sqrt(axis[Axis.POWERS + 1] * change)
         if root > slowest:
             slowest = root
             exponent = 2
-    for e in range(3, 9):
+    for e in range(3, 6):
         if axis[Axis.POWERS + e - 1] > 0.0:
             root = (axis[Axis.POWERS + e - 1] * change) ** (1.0 / e)
             if root > slowest:
@@ -28,39 +121,14 @@ def slowest_root(change: float, first: int, axis: 'float[:]') -> 'tuple[float, f
     return slowest, slowest / (exponent * change)
 
 
-def ramp_duration(change: float, axis: 'float[:]') -> 'tuple[float, float, float]':
-    """Duration of the ramp for an acceleration change >= 0, duration of its jerk rise [s], and the
-    derivative of the former with respect to the change (0 for no change, where it is infinite)."""
-    if change <= 0.0:
-        return 0.0, 0.0, 0.0
-    if axis[Axis.LINEAR_FROM] >= 0.0 and change >= axis[Axis.LINEAR_FROM]:
-        slope = axis[Axis.LINEAR_SLOPE]
-        duration = change * slope + axis[Axis.LINEAR_CONSTANT]
-        return duration, axis[Axis.RISE] + axis[Axis.RISE_SHARE] * duration, slope
-    if axis[Axis.PLATEAU] < 0.5:
-        root, slope = slowest_root(change, 1, axis)
-        return root, 0.0, slope
-    root, slope = slowest_root(change, 2, axis)
-    return 2.0 * root, root, 2.0 * slope
-
-
-def ramp_rise(duration: float, axis: 'float[:]') -> float:
-    """Duration of the jerk rise of the ramp that lasts `duration`."""
-    if axis[Axis.PLATEAU] < 0.5:
-        return 0.0
-    if axis[Axis.LINEAR_FROM] >= 0.0 and duration >= 2.0 * axis[Axis.RISE]:
-        return axis[Axis.RISE] + axis[Axis.RISE_SHARE] * duration
-    return 0.5 * duration
-
-
-def fastest_power(duration: float, first: int, axis: 'float[:]') -> 'tuple[float, float]':
-    """Inverse of `slowest_root`: min over e >= first of duration^e / q_e, and its derivative."""
+def fastest_power(duration: float, axis: 'float[:]') -> 'tuple[float, float]':
+    """Inverse of `slowest_root`: min over e of duration^e / q_e, and its derivative."""
     fastest = -1.0
     exponent = 1
     power = 1.0
-    for e in range(1, 9):
+    for e in range(1, 6):
         power = power * duration
-        if e >= first and axis[Axis.POWERS + e - 1] > 0.0:
+        if axis[Axis.POWERS + e - 1] > 0.0:
             change = power / axis[Axis.POWERS + e - 1]
             if fastest < 0.0 or change < fastest:
                 fastest = change
@@ -68,31 +136,53 @@ def fastest_power(duration: float, first: int, axis: 'float[:]') -> 'tuple[float
     return fastest, exponent * fastest / duration
 
 
+def ramp_duration(change: float, axis: 'float[:]') -> 'tuple[float, float]':
+    """Duration of the fastest ramp for an acceleration change >= 0 [s], and its derivative with
+    the change (0 for no change, where it is infinite)."""
+    if change <= 0.0:
+        return 0.0, 0.0
+    if change >= axis[Axis.LINEAR_FROM]:
+        slope = axis[Axis.LINEAR_SLOPE]
+        return change * slope + axis[Axis.LINEAR_CONSTANT], slope
+    if axis[Axis.PLATEAU] < 0.5:
+        return slowest_root(change, axis)
+    return plateau_duration(change, 0, axis)
+
+
 def ramp_change(duration: float, axis: 'float[:]') -> 'tuple[float, float]':
     """Inverse of `ramp_duration`: the acceleration change of a ramp, and its derivative with
     the duration. Small ramps are solved for in their duration, which loses no digits."""
     if duration <= 0.0:
         return 0.0, 0.0
-    start = axis[Axis.LINEAR_FROM]
-    if start >= 0.0:
-        slope = axis[Axis.LINEAR_SLOPE]
-        constant = axis[Axis.LINEAR_CONSTANT]
-        if duration >= start * slope + constant:
-            return (duration - constant) / slope, 1.0 / slope
     if axis[Axis.PLATEAU] < 0.5:
-        return fastest_power(duration, 1, axis)
-    change, growth = fastest_power(0.5 * duration, 2, axis)
-    return change, 0.5 * growth
+        return fastest_power(duration, axis)
+    return plateau_change(duration, axis)
+
+
+def ramp_variance(basis: float, axis: 'float[:]') -> float:
+    """Variance of the jerk over time, seen as a density, of the fastest ramp that lasts `basis`."""
+    if axis[Axis.PLATEAU] < 0.5:
+        return axis[Axis.VARIANCE] * basis * basis
+    rise = basis
+    total = 0.0
+    for level in range(int(axis[Axis.SMOOTHNESS]) - 2):
+        inner = inner_rise(rise, level, axis)
+        total = total + (rise - inner) * (rise - inner)
+        rise = inner
+    return (total + rise * rise) / 12.0
 
 
 def ramp_distance(
-    v: float, a: float, b: float, duration: float, rise: float, axis: 'float[:]'
+    v: float, a: float, b: float, duration: float, basis: float, axis: 'float[:]'
 ) -> float:
-    """Distance covered by the ramp from acceleration a to b that starts with velocity v."""
-    flat = duration - rise
-    variance = axis[Axis.FLAT_VARIANCE] * flat * flat + axis[Axis.RISE_VARIANCE] * rise * rise
-    return (
-        v * duration
-        + 0.5 * a * duration * duration
-        + (b - a) * (0.125 * duration * duration + 0.5 * variance)
-    )
+    """Distance covered by the ramp from acceleration a to b that starts with velocity v.
+
+    basis: duration of the fastest ramp with the same proportions; shorter if it is stretched.
+    """
+    y = (v + 0.5 * a * duration) * duration
+    if b == a:
+        return y
+    variance = ramp_variance(basis, axis)
+    if duration != basis:
+        variance = variance * (duration / basis) * (duration / basis)
+    return y + (b - a) * (0.125 * duration * duration + 0.5 * variance)

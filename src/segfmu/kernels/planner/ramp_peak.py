@@ -2,23 +2,12 @@
 
 from math import sqrt
 
+from segfmu.kernels.planner.nested import held_level, piece_peak
 from segfmu.kernels.planner.records import Axis
 
 
 def curved_part(s: float, axis: 'float[:]') -> 'tuple[float, float, float]':
-    """Polynomial of the curved part at s, its derivative and its integral from 0."""
-    if axis[Axis.SNAP_SHARE] > 0.0:
-        if s > 0.5:
-            # the rise is symmetric: the gain from s on follows from the gain up to 1 - s
-            value, slope, integral = snap_plateau_half(1.0 - s, axis)
-            middle, rate, half = snap_plateau_half(0.5, axis)
-            whole = 2.0 * half + 0.125
-            return (
-                s - 0.5 + value,
-                1.0 - slope,
-                whole - 0.5 * s * (1.0 - s) - integral,
-            )
-        return snap_plateau_half(s, axis)
+    """The transition polynomial at s, its derivative and its integral from 0."""
     count = int(axis[Axis.CURVE_SIZE])
     value = 0.0
     slope = 0.0
@@ -32,36 +21,11 @@ def curved_part(s: float, axis: 'float[:]') -> 'tuple[float, float, float]':
     return value, slope, integral * s
 
 
-def snap_plateau_half(s: float, axis: 'float[:]') -> 'tuple[float, float, float]':
-    """`curved_part` for s <= 1/2 of a jerk rise whose snap has a plateau."""
-    share = axis[Axis.SNAP_SHARE]
-    count = int(axis[Axis.CURVE_SIZE])
-    peak = 1.0 / (1.0 - share)
-    u = min(s / share, 1.0)
-    first = 0.0
-    second = 0.0
-    third = 0.0
-    for j in range(count):
-        i = count - 1 - j
-        first = first * u + axis[Axis.CURVE + i] / (i + 1.0)
-        second = second * u + axis[Axis.CURVE + i] / ((i + 1.0) * (i + 2.0))
-        third = third * u + axis[Axis.CURVE + i] / ((i + 1.0) * (i + 2.0) * (i + 3.0))
-    first = peak * share * u * first
-    second = peak * share * share * u * u * second
-    third = peak * share * share * share * u * u * u * third
-    rest = max(s - share, 0.0)
-    return (
-        second + first * rest + 0.5 * peak * rest * rest,
-        first + peak * rest,
-        third + second * rest + 0.5 * first * rest * rest + peak * rest * rest * rest / 6.0,
-    )
-
-
 def invert_curved_part(value: float, upper: float, axis: 'float[:]') -> float:
-    """The s in [0, upper] at which the increasing curved part, 1/2 at `upper`, has the given value.
+    """The s in [0, upper] at which the transition polynomial, 1/2 at `upper`, has the given value.
 
-    The accuracy suffices for an extremum, whose error is of second order in that of s. The curved
-    part is nearly a square at its upper end.
+    The accuracy suffices for an extremum, whose error is of second order in that of s. The
+    polynomial is nearly a square at its upper end.
     """
     low = 0.0
     high = upper
@@ -84,32 +48,106 @@ def invert_curved_part(value: float, upper: float, axis: 'float[:]') -> float:
 
 
 def ramp_extreme_velocity(
-    v: float, a: float, b: float, duration: float, rise: float, axis: 'float[:]'
+    v: float, a: float, b: float, duration: float, basis: float, axis: 'float[:]'
 ) -> float:
     """Velocity where the acceleration of a ramp from a to b, of opposite signs, is zero."""
+    start = v
+    first = a
+    change = b - a
     if abs(a) > abs(b):
         # the symmetric ramp, run backwards from its end, crosses zero in its first half
-        return ramp_extreme_velocity_first_half(
-            v + 0.5 * (a + b) * duration, -b, -a, duration, rise, axis
-        )
-    return ramp_extreme_velocity_first_half(v, a, b, duration, rise, axis)
+        start = v + 0.5 * (a + b) * duration
+        first = -b
+    if axis[Axis.PLATEAU] > 0.5:
+        return plateau_extreme_velocity(start, first, change, duration, basis, axis)
+    if axis[Axis.CURVE_SIZE] == 2.0:
+        return start - 0.5 * first * first * duration / change
+    s = invert_curved_part(-first / change, 0.5, axis)
+    value, slope, integral = curved_part(s, axis)
+    return start + duration * (first * s + change * integral)
 
 
-def ramp_extreme_velocity_first_half(
-    v: float, a: float, b: float, duration: float, rise: float, axis: 'float[:]'
+def plateau_extreme_velocity(
+    v: float, a: float, change: float, duration: float, basis: float, axis: 'float[:]'
 ) -> float:
-    """`ramp_extreme_velocity` for |a| <= |b|."""
-    if axis[Axis.PLATEAU] < 0.5:
-        if axis[Axis.CURVE_SIZE] == 2.0:
-            return v - 0.5 * a * a * duration / (b - a)
-        s = invert_curved_part(a / (a - b), 0.5, axis)
-        value, slope, integral = curved_part(s, axis)
-        return v + duration * (a * s + (b - a) * integral)
-    jerk = (b - a) / (duration - rise)
-    if abs(a) <= 0.5 * abs(jerk) * rise:
-        s = invert_curved_part(-a / (jerk * rise), 1.0, axis)
-        value, slope, integral = curved_part(s, axis)
-        return v + rise * (a * s + jerk * rise * integral)
-    value, slope, integral = curved_part(1.0, axis)
-    start = a + 0.5 * jerk * rise
-    return v + rise * (a + jerk * rise * integral) - 0.5 * start * start / jerk
+    """`ramp_extreme_velocity` of a plateau ramp that crosses zero in its first half."""
+    boxes = int(axis[Axis.SMOOTHNESS]) - 1
+    jerk = 0.0
+    snap = 0.0
+    crackle = 0.0
+    pop = 0.0
+    highest = 0.0
+    for piece in range(1, 2**boxes):
+        level, sign = held_level(piece, boxes)
+        length, peak = piece_peak(level, change, duration, basis, axis)
+        if level == 0:
+            jerk, snap, crackle, pop, highest = sign * peak, 0.0, 0.0, 0.0, 0.0
+        elif level == 1:
+            snap, crackle, pop, highest = sign * peak, 0.0, 0.0, 0.0
+        elif level == 2:
+            crackle, pop, highest = sign * peak, 0.0, 0.0
+        elif level == 3:
+            pop, highest = sign * peak, 0.0
+        else:
+            highest = sign * peak
+        end = length
+        gain = taylor(end, jerk, snap, crackle, pop, highest)
+        crossed = (a + gain) * change >= 0.0
+        if crossed:
+            end = crossing_time(a, length, jerk, snap, crackle, pop, highest)
+        v = v + end * a
+        v = v + end * taylor(
+            end, jerk / 2.0, snap / 3.0, crackle / 4.0, pop / 5.0, highest / 6.0
+        )
+        if crossed:
+            return v
+        a = a + gain
+        jerk = jerk + taylor(length, snap, crackle, pop, highest, 0.0)
+        snap = snap + taylor(length, crackle, pop, highest, 0.0, 0.0)
+        crackle = crackle + taylor(length, pop, highest, 0.0, 0.0, 0.0)
+        pop = pop + length * highest
+    return v
+
+
+def taylor(
+    t: float, first: float, second: float, third: float, fourth: float, fifth: float
+) -> float:
+    """Change within t by the derivatives from the first one on."""
+    return t * (
+        first
+        + t / 2.0 * (second + t / 3.0 * (third + t / 4.0 * (fourth + t / 5.0 * fifth)))
+    )
+
+
+def crossing_time(
+    a: float,
+    length: float,
+    jerk: float,
+    snap: float,
+    crackle: float,
+    pop: float,
+    highest: float,
+) -> float:
+    """When within [0, length] an acceleration a, with these derivatives, is zero.
+
+    The accuracy suffices for an extremum of the velocity, whose error is of second order.
+    """
+    low = 0.0
+    high = length
+    t = 0.5 * length
+    for i in range(100):
+        at = a + taylor(t, jerk, snap, crackle, pop, highest)
+        if at * a <= 0.0:
+            high = t
+        else:
+            low = t
+        slope = jerk + taylor(t, snap, crackle, pop, highest, 0.0)
+        step = 0.5 * (low + high) - t
+        if slope * a < 0.0:
+            newton = -at / slope
+            if t + newton > low and t + newton < high:
+                step = newton
+        t = t + step
+        if abs(step) <= 1e-10 * length:
+            break
+    return t

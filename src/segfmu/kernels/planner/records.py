@@ -108,18 +108,16 @@ class Axis(Record):
     ACCELERATION = field("acceleration limit c_2", "m/s2")
     JERK = field("limits c_3 .. c_7 of the jerk and what follows; 0 where absent", size=5)
     FULL_RAMP = field("duration of the ramp from zero to the acceleration limit", "s")
-    PLATEAU = field("1 where the jerk of a ramp has a plateau, else 0")
-    RISE = field("duration of the jerk's rise in a ramp at the jerk limit", "s")
-    RISE_SHARE = field("share of the rise in a ramp whose rise no limit bounds; 0: a limit does")
-    LINEAR_FROM = field("acceleration change from which the duration is linear; -1: none", "m/s2")
+    PLATEAU = field("1 where the ramps are plateau ramps, else 0")
+    LINEAR_FROM = field("change from which the duration is linear; 1e300: none", "m/s2")
     LINEAR_SLOPE = field("slope of the duration there", "s3/m")
     LINEAR_CONSTANT = field("constant of the duration there", "s")
-    FLAT_VARIANCE = field("factor of (duration - rise)^2 in the variance V")
-    RISE_VARIANCE = field("factor of rise^2 in the variance V")
-    POWERS = field("q_e, e = 1 .. 8: a ramp (plateau: its rise) lasts (q_e change)^(1/e)", size=8)
-    SNAP_SHARE = field("share of the snap's rise in that of the jerk; 0: the snap has no plateau")
-    CURVE_SIZE = field("number of coefficients of the curved part")
-    CURVE = field("polynomial of the curved part, ascending powers", size=10)
+    RISES = field("plateau: rise of the jerk .. to its limit; 1e60: has none", "s", size=5)
+    SHARES = field("plateau: least share of that rise in the rise it belongs to", size=5)
+    POWERS = field("smoothstep: q_e; a ramp lasts (q_e change)^(1/e) at least", size=5)
+    VARIANCE = field("smoothstep: variance V of the jerk over the squared duration")
+    CURVE_SIZE = field("smoothstep: number of coefficients of the transition polynomial")
+    CURVE = field("smoothstep: transition polynomial, ascending powers", size=10)
 
 
 class Problem(Record):
@@ -137,7 +135,7 @@ class Phase(Record):
     """A ramp of the acceleration or, where it does not change, a hold."""
 
     DURATION = field("duration", "s")
-    RISE = field("duration of the jerk's rise", "s")
+    BASIS = field("duration of the fastest ramp of these proportions; 0: hold", "s")
     ACCELERATION = field("acceleration at the start", "m/s2")
     CHANGE = field("change of the acceleration", "m/s2")
 

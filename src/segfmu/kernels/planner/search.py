@@ -148,7 +148,7 @@ def canonical_search(family: 'float[:]', axis: 'float[:]') -> float:
         return shorter_member(f_lower, family, axis)
     lower = 0.0
     if family[Family.B] > 0.0:
-        t_zero, rise, slope = ramp_duration(family[Family.B], axis)
+        t_zero, slope = ramp_duration(family[Family.B], axis)
         p, lower = first_window(f_lower, t_zero, family, axis)
         if p >= 0.0:
             return p

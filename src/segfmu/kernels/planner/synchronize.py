@@ -38,7 +38,6 @@ def stretch_phases(phases: 'float[:,:]', count: int, factor: float) -> None:
     """Stretch phases that begin and end at rest in time; the distance stays (section 3.2)."""
     for i in range(count):
         phases[i, Phase.DURATION] = phases[i, Phase.DURATION] * factor
-        phases[i, Phase.RISE] = phases[i, Phase.RISE] * factor
         phases[i, Phase.ACCELERATION] = phases[i, Phase.ACCELERATION] / (factor * factor)
         phases[i, Phase.CHANGE] = phases[i, Phase.CHANGE] / (factor * factor)
 
@@ -50,7 +49,6 @@ def fit_duration(phases: 'float[:,:]', count: int, target: float) -> None:
         total = total + phases[i, Phase.DURATION]
     for i in range(count):
         phases[i, Phase.DURATION] = phases[i, Phase.DURATION] * (target / total)
-        phases[i, Phase.RISE] = phases[i, Phase.RISE] * (target / total)
 
 
 def timed_merged(

@@ -4,6 +4,7 @@ If two profiles are averaged, their pieces are cut at the switching times of bot
 their weights.
 """
 
+from segfmu.kernels.planner.nested import ramp_pieces
 from segfmu.kernels.planner.records import Cell, Interval, Problem, WaypointState
 from segfmu.kernels.trajectory.evaluate import evaluate_piece
 from segfmu.kernels.trajectory.pieces import clear_piece, expand_phases
@@ -11,12 +12,13 @@ from segfmu.kernels.trajectory.records import Expansion, Piece, PieceState, Spar
 
 
 def count_pieces(axes: 'float[:,:]', cells: 'float[:,:,:]') -> int:
-    """Rows that `expand_plan` needs: seven per phase, one per dwell, and the spare ones."""
+    """Rows that `expand_plan` needs: pieces of each phase, one per dwell, and the spare ones."""
     total = Spare.ROWS + axes.shape[0] + cells.shape[0]
+    each = ramp_pieces(axes[0, :])
     for i in range(cells.shape[0]):
         phases = cells[i, Cell.RESULT, Interval.BELOW_COUNT]
         phases = phases + cells[i, Cell.RESULT, Interval.ABOVE_COUNT]
-        total = total + 7 * int(phases)
+        total = total + each * int(phases)
     return total
 
 

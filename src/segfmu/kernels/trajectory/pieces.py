@@ -1,10 +1,11 @@
 """Phases -> polynomial pieces.
 
 A phase (Phase) is a hold or a ramp of (11a-d). Its integrals (15a-g, errata E4) become polynomial
-pieces of the position: one for a hold or a smoothstep ramp, up to three (jerk rises, stays, falls)
-for a plateau ramp; each rise has three if the snap has a plateau too.
+pieces of the position: one for a hold or a smoothstep ramp; a plateau ramp has one for each hold of
+its derivatives and for each rise between (nested.py).
 """
 
+from segfmu.kernels.planner.nested import held_level, piece_peak, ramp_pieces
 from segfmu.kernels.planner.records import Axis, Phase
 from segfmu.kernels.planner.transition import transition_coefficients
 from segfmu.kernels.trajectory.evaluate import evaluate_piece
@@ -18,16 +19,18 @@ def append_piece(
     row: int,
     state: 'float[:]',
 ) -> int:
-    """Complete the piece in `row`: add position to jerk from `state`, and advance `state`.
+    """Complete the piece in `row`: add the derivatives of `state`, and advance `state`.
 
     state (PieceState) is that at the start of the piece. Returns row + 1.
     """
     width = coefficients.shape[1]
-    coefficients[row, Piece.POSITION] = state[PieceState.POSITION]
-    coefficients[row, Piece.VELOCITY] = state[PieceState.VELOCITY]
-    coefficients[row, Piece.ACCELERATION] = 0.5 * state[PieceState.ACCELERATION]
-    jerk = coefficients[row, Piece.JERK] + state[PieceState.JERK] / 6.0
-    coefficients[row, Piece.JERK] = jerk
+    order = width // 2 + 1
+    factorial = 1.0
+    for i in range(order + 1):
+        if i > 1:
+            factorial = factorial * i
+        if state[i] != 0.0:
+            coefficients[row, i] = coefficients[row, i] + state[i] / factorial
     timing[row, Timing.START] = state[PieceState.TIME]
     timing[row, Timing.LENGTH] = duration
     y = 0.0
@@ -39,8 +42,8 @@ def append_piece(
             v = v * duration + i * coefficients[row, i]
     state[PieceState.POSITION] = y
     state[PieceState.VELOCITY] = v
-    state[PieceState.ACCELERATION] = evaluate_piece(coefficients, row, width, duration, 2)
-    state[PieceState.JERK] = evaluate_piece(coefficients, row, width, duration, 3)
+    for i in range(2, order):
+        state[i] = evaluate_piece(coefficients, row, width, duration, i)
     state[PieceState.TIME] = state[PieceState.TIME] + duration
     return row + 1
 
@@ -51,65 +54,11 @@ def clear_piece(coefficients: 'float[:,:]', row: int) -> None:
         coefficients[row, i] = 0.0
 
 
-def add_rise(
-    jerk: float, rise: float, order: int, psi: 'float[:]', coefficients: 'float[:,:]', row: int
-) -> None:
-    """Add to a piece the triple integral of jerk * Psi(t, rise) with Psi of the given order."""
-    for i in range(order + 1, 2 * order + 2):
-        scale = jerk * psi[i] / ((i + 1.0) * (i + 2.0) * (i + 3.0))
-        coefficient = coefficients[row, Piece.JERK + i] + scale / rise**i
-        coefficients[row, Piece.JERK + i] = coefficient
-
-
-def add_snap(
-    snap: float, rise: float, order: int, psi: 'float[:]', coefficients: 'float[:,:]', row: int
-) -> None:
-    """Add to a piece the fourfold integral of snap * Psi(t, rise) with Psi of the given order."""
-    for i in range(order + 1, 2 * order + 2):
-        scale = snap * psi[i] / ((i + 1.0) * (i + 2.0) * (i + 3.0) * (i + 4.0))
-        coefficient = coefficients[row, Piece.SNAP + i] + scale / rise**i
-        coefficients[row, Piece.SNAP + i] = coefficient
-
-
-def ramp_order(axis: 'float[:]') -> int:
-    """Order of the transition polynomial in the curved part of the ramps of an axis."""
-    order = int(axis[Axis.SMOOTHNESS]) - 2
-    if axis[Axis.PLATEAU] > 0.5:
-        order = order - 1
-        if axis[Axis.SNAP_SHARE] > 0.0:
-            order = order - 1
-    return order
-
-
-def expand_jerk_change(
-    jerk: float,
-    rise: float,
-    axis: 'float[:]',
-    timing: 'float[:,:]',
-    coefficients: 'float[:,:]',
-    row: int,
-    work: 'float[:,:]',
-) -> int:
-    """Pieces in which the jerk changes by `jerk` within `rise` [s]; returns the row after them."""
-    order = ramp_order(axis)
-    share = axis[Axis.SNAP_SHARE]
-    psi = work[Expansion.PSI, :]
-    state = work[Expansion.STATE, :]
-    clear_piece(coefficients, row)
-    if share <= 0.0:
-        add_rise(jerk, rise, order, psi, coefficients, row)
-        return append_piece(rise, timing, coefficients, row, state)
-    snap = jerk / (rise * (1.0 - share))
-    edge = share * rise
-    add_snap(snap, edge, order, psi, coefficients, row)
-    row = append_piece(edge, timing, coefficients, row, state)
-    clear_piece(coefficients, row)
-    coefficients[row, Piece.SNAP] = snap / 24.0
-    row = append_piece(rise - 2.0 * edge, timing, coefficients, row, state)
-    clear_piece(coefficients, row)
-    coefficients[row, Piece.SNAP] = snap / 24.0
-    add_snap(-snap, edge, order, psi, coefficients, row)
-    return append_piece(edge, timing, coefficients, row, state)
+def set_derivatives(a: float, state: 'float[:]') -> None:
+    """Set the acceleration of a state, and the derivatives above it to zero."""
+    state[PieceState.ACCELERATION] = a
+    for i in range(PieceState.JERK, PieceState.TIME):
+        state[i] = 0.0
 
 
 def expand_plateau(
@@ -118,25 +67,22 @@ def expand_plateau(
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
     row: int,
-    work: 'float[:,:]',
+    state: 'float[:]',
 ) -> int:
-    """Pieces of a ramp whose jerk has a plateau; returns the row after them."""
-    state = work[Expansion.STATE, :]
+    """Pieces of a plateau ramp; returns the row after them."""
     duration = phase[Phase.DURATION]
-    rise = phase[Phase.RISE]
-    a = phase[Phase.ACCELERATION]
+    basis = phase[Phase.BASIS]
     change = phase[Phase.CHANGE]
-    jerk = change / (duration - rise)
-    flat = duration - 2.0 * rise
-    row = expand_jerk_change(jerk, rise, axis, timing, coefficients, row, work)
-    state[PieceState.ACCELERATION] = a + 0.5 * jerk * rise
-    state[PieceState.JERK] = jerk
-    if flat > 0.0:
-        clear_piece(coefficients, row)
-        row = append_piece(flat, timing, coefficients, row, state)
-        state[PieceState.ACCELERATION] = a + change - 0.5 * jerk * rise
-        state[PieceState.JERK] = jerk
-    return expand_jerk_change(-jerk, rise, axis, timing, coefficients, row, work)
+    for piece in range(1, ramp_pieces(axis) + 1):
+        level, sign = held_level(piece, int(axis[Axis.SMOOTHNESS]) - 1)
+        length, peak = piece_peak(level, change, duration, basis, axis)
+        for i in range(PieceState.JERK + level, PieceState.TIME):
+            state[i] = 0.0
+        state[PieceState.JERK + level] = sign * peak
+        if length > 0.0:
+            clear_piece(coefficients, row)
+            row = append_piece(length, timing, coefficients, row, state)
+    return row
 
 
 def expand_phases(
@@ -155,16 +101,15 @@ def expand_phases(
     """
     psi = work[Expansion.PSI, :]
     state = work[Expansion.STATE, :]
-    order = ramp_order(axis)
+    order = int(axis[Axis.SMOOTHNESS]) - 2
     plateau = axis[Axis.PLATEAU] > 0.5
     transition_coefficients(order, psi)
     for i in range(count):
         a = phases[i, Phase.ACCELERATION]
         change = phases[i, Phase.CHANGE]
-        state[PieceState.ACCELERATION] = a
-        state[PieceState.JERK] = 0.0
+        set_derivatives(a, state)
         if plateau and change != 0.0:
-            row = expand_plateau(phases[i, :], axis, timing, coefficients, row, work)
+            row = expand_plateau(phases[i, :], axis, timing, coefficients, row, state)
         else:
             duration = phases[i, Phase.DURATION]
             clear_piece(coefficients, row)
@@ -173,6 +118,5 @@ def expand_phases(
                     scale = change * psi[j] / ((j + 1.0) * (j + 2.0))
                     coefficients[row, Piece.ACCELERATION + j] = scale / duration**j
             row = append_piece(duration, timing, coefficients, row, state)
-        state[PieceState.ACCELERATION] = a + change
-        state[PieceState.JERK] = 0.0
+        set_derivatives(a + change, state)
     return row

@@ -20,6 +20,7 @@ class PieceState(Record):
     VELOCITY = field("velocity", "m/s")
     ACCELERATION = field("acceleration", "m/s2")
     JERK = field("jerk", "m/s3")
+    HIGHER = field("snap and the derivatives above it", size=4)
     TIME = field("time", "s")
 
 
@@ -44,7 +45,7 @@ class Expansion(Record):
 class Spare(Codes):
     """Rows at the end of the arrays of pieces in which two profiles are expanded to be averaged."""
 
-    ROWS = 200
+    ROWS = 810
 
 
 class Hull(Record):

@@ -1,0 +1,189 @@
+"""What the search for one axis misses: motions that exist, optima, plans of tighter limits.
+
+A constructed motion is a random sequence of ramps and holds that keeps 95 % of every limit, so a
+planner may take its duration at most. The optima of smoothness 4 to 6 come from linear programs.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from benchmarks.optimal_control import Transition, earliest
+from benchmarks.problems import FloatArray
+from benchmarks.report import Part, Record, Section, Settings
+from segfmu.kernels import backend
+from segfmu.kernels.planner.records import Axis, Cell, Phase, PlanWork, Problem, Shape
+
+SEED = 41
+SLACK = 0.95
+LONGER = 1.5
+CELLS = 50
+# largest change of the acceleration, relative to its limit
+SIZES = {"short": 0.3, "long": 2.0}
+
+
+@dataclass(frozen=True)
+class Motion:
+    """A boundary problem v, a, w, b, distance, and the duration of a motion that solves it."""
+
+    limits: FloatArray
+    state: FloatArray
+    duration: float
+
+
+def measure(settings: Settings) -> Part:
+    """Tables of constructed motions, of ratios to optima, and of loosened limits."""
+    return Part(
+        "Completeness",
+        (
+            _constructed(10 * settings.samples),
+            _optima(max(settings.samples // 5, 20)),
+            _loosened(10 * settings.problems),
+        ),
+        (
+            f"constructed: ramps and holds that keep {SLACK:.0%} of every limit; short: the "
+            f"acceleration changes by up to {SIZES['short']:g} of its limit in a ramp",
+            f"optimum: linear program over {CELLS} cells, velocity and acceleration at the nodes",
+            "loosened: one limit times 1 to 10; longer by more than 1e-9 of the duration",
+        ),
+    )
+
+
+def planned(n: int, limits: FloatArray, state: FloatArray) -> float:
+    """Duration of the shortest plateau profile of a problem [s]; inf where it is refused."""
+    axis, work = np.zeros(Axis.SIZE), np.zeros((PlanWork.SIZE, PlanWork.COLUMNS))
+    phases, problem = np.zeros((Cell.ABOVE, Phase.SIZE)), np.zeros(Problem.SIZE)
+    problem[: Problem.DURATION] = state
+    for share in (0.1, 0.004):
+        backend.axis_limits(n, Shape.PLATEAU, limits, axis)
+        assert backend.ramp_parameters(share, axis, work)
+        count = backend.shortest_profile(problem, axis, phases, work)
+        if count >= 0:
+            return float(phases[:count, Phase.DURATION].sum())
+    return np.inf
+
+
+def random_limits(random: np.random.Generator, n: int) -> FloatArray:
+    """Limits c_1 .. c_n, c_{n+1} absent (n = 2: c_3 given), over a decade and a half each."""
+    limits = np.zeros(n + 1)
+    given = max(n, 3)
+    limits[:given] = 10.0 ** random.uniform(-0.5, 1.0, given)
+    return limits
+
+
+def constructed(random: np.random.Generator, n: int, size: float) -> Motion | None:
+    """A random motion that keeps SLACK of every limit; None if it passes the velocity limit."""
+    limits = random_limits(random, n)
+    axis, work = np.zeros(Axis.SIZE), np.zeros((PlanWork.SIZE, PlanWork.COLUMNS))
+    backend.axis_limits(n, Shape.PLATEAU, SLACK * limits, axis)
+    backend.ramp_parameters(0.1, axis, work)
+    top = SLACK * limits[1]
+    phases = np.zeros((Cell.ABOVE, Phase.SIZE))
+    a = first = top * random.choice([random.uniform(-1.0, 1.0), -1.0, 1.0, 0.0])
+    count = 0
+    for _ in range(random.integers(1, 5)):
+        b = np.clip(a + size * top * random.uniform(-1.0, 1.0), -top, top)
+        duration, _ = backend.ramp_duration(abs(b - a), axis)
+        phases[count] = duration, duration, a, b - a
+        count += 1
+        if random.random() < 0.4:
+            phases[count] = size * duration * random.uniform(0.0, 1.0), 0.0, b, 0.0
+            count += 1
+        a = b
+    v = SLACK * limits[0] * random.uniform(-1.0, 1.0)
+    duration, y, w, low, high = backend.measure_phases(phases[:count], count, v, 0.0, axis)
+    if duration == 0.0 or max(-low, high) > SLACK * limits[0]:
+        return None
+    return Motion(limits, np.array([v, first, w, a, y]), duration)
+
+
+def _constructed(count: int) -> Section:
+    records: list[Record] = []
+    for n in range(3, 7):
+        for name, size in SIZES.items():
+            random = np.random.default_rng((SEED, n, len(name)))
+            ratios: list[float] = []
+            while len(ratios) < count:
+                motion = constructed(random, n, size)
+                if motion is not None:
+                    found = planned(n, motion.limits, motion.state)
+                    ratios.append(found / motion.duration)
+            taken = np.array(ratios)
+            finite = taken[np.isfinite(taken)]
+            records.append({
+                "n": n, "motions": name, "count": count,
+                "refused": f"{np.isinf(taken).mean():.3%}",
+                f"over {LONGER:g}": f"{(taken > LONGER).mean():.3%}",
+                "longer": f"{(taken > 1.0 + 1e-9).mean():.3%}",
+                "99 %": float(np.quantile(finite, 0.99)), "largest": float(finite.max()),
+            })
+    return Section("Duration over that of a constructed motion", records)
+
+
+def _optimum_problem(
+    random: np.random.Generator, n: int, kind: str
+) -> tuple[FloatArray, FloatArray]:
+    """Limits and boundary values of a random problem."""
+    limits = np.zeros(n + 1)
+    limits[:n] = 10.0 ** random.uniform(-0.3, 0.7, n)
+    share = random.uniform(-1.0, 1.0, 4)
+    if kind == "ties":
+        share = np.round(2.0 * share) / 2.0
+    distance = random.normal() * (0.1 if kind == "short" else 2.0) * limits[0]
+    state = np.array([*(share * limits[[0, 1, 0, 1]] * 0.8), distance])
+    if kind == "rest":
+        state[:4] = 0.0
+    return limits, state
+
+
+def _optima(count: int) -> Section:
+    records: list[Record] = []
+    for n in (4, 5, 6):
+        for kind in ("rest", "moving", "short", "ties"):
+            random = np.random.default_rng((SEED, n, len(kind)))
+            ratios: list[float] = []
+            while len(ratios) < count:
+                limits, state = _optimum_problem(random, n, kind)
+                found = planned(n, limits, state)
+                if not np.isfinite(found) or found == 0.0:
+                    continue
+                v, a, w, b, distance = state
+                transition = Transition(kind, (0.0, v, a), (distance, w, b), tuple(limits[:n]))
+                ratios.append(found / earliest(transition, found, CELLS, 2e-3))
+            taken = np.array(ratios)
+            records.append({
+                "n": n, "problems": kind, "count": count, "median": float(np.median(taken)),
+                "95 %": float(np.quantile(taken, 0.95)), "largest": float(taken.max()),
+            })
+    return Section("Duration over the optimum", records)
+
+
+def loosened(random: np.random.Generator, n: int) -> tuple[float, str]:
+    """How much longer a plan becomes by loosening one limit, relative; and the problem."""
+    limits = random_limits(random, n)
+    share = random.uniform(-1.0, 1.0, 4)
+    share[random.random(4) < 0.3] = 0.0
+    state = np.array([
+        *(share * limits[[0, 1, 0, 1]]), random.normal() * 10.0 ** random.uniform(-2.0, 1.0)
+    ])
+    loose = limits.copy()
+    loose[random.integers(0, max(n, 3))] *= 10.0 ** random.uniform(0.0, 1.0)
+    before, after = planned(n, limits, state), planned(n, loose, state)
+    longer = 0.0 if np.isinf(before) else after / max(before, 1e-300) - 1.0
+    return longer, f"{n}, {limits.tolist()}, {loose.tolist()}, {state.tolist()}"
+
+
+def _loosened(count: int) -> Section:
+    records: list[Record] = []
+    for n in range(2, 7):
+        random = np.random.default_rng((SEED, n))
+        taken = np.array([loosened(random, n)[0] for _ in range(count // 5)])
+        finite = taken[np.isfinite(taken)]
+        records.append({
+            "n": n, "problems": taken.size, "refused then": int(np.isinf(taken).sum()),
+            "longer": int((finite > 1e-9).sum()), "by 1 %": int((finite > 0.01).sum()),
+            "largest": float(finite.max()),
+        })
+    return Section("One limit loosened", records)

@@ -1,0 +1,58 @@
+"""The pieces of a plateau ramp (ramp.py), one after the other.
+
+A rise consists of the rise of the next derivative, a hold at its peak, and that rise run down. So
+the pieces are the nodes of a binary tree in order: odd numbers are the smallest rises, in which the
+derivative n + 1 is constant, and a number divisible by 2^j once holds j derivatives lower.
+"""
+
+from segfmu.kernels.planner.ramp import inner_rise
+from segfmu.kernels.planner.records import Axis
+
+
+def ramp_pieces(axis: 'float[:]') -> int:
+    """Number of polynomial pieces of a ramp."""
+    if axis[Axis.PLATEAU] < 0.5:
+        return 1
+    count = 1
+    for i in range(int(axis[Axis.SMOOTHNESS]) - 2):
+        count = 2 * count + 1
+    return count
+
+
+def held_level(piece: int, boxes: int) -> 'tuple[int, float]':
+    """Which derivative piece 1 .. of a ramp holds (0: the jerk), and the sign of its value."""
+    level = boxes - 1
+    rest = piece
+    while rest % 2 == 0:
+        level = level - 1
+        rest = rest // 2
+    # each descent of the derivatives below changes the sign
+    sign = 1.0
+    rest = rest // 2
+    while rest > 0:
+        if rest % 2 == 1:
+            sign = -sign
+        rest = rest // 2
+    return level, sign
+
+
+def piece_peak(
+    level: int, change: float, duration: float, basis: float, axis: 'float[:]'
+) -> 'tuple[float, float]':
+    """Duration of the pieces of a ramp that hold a derivative (0: the jerk) [s], and its value.
+
+    A ramp that lasts longer than `basis` is the fastest ramp of that duration, stretched.
+    """
+    boxes = int(axis[Axis.SMOOTHNESS]) - 1
+    stretch = duration / basis
+    rise = basis
+    peak = change
+    for i in range(level + 1):
+        inner = 0.0
+        if i < boxes - 1:
+            inner = inner_rise(rise, i, axis)
+        peak = peak / ((rise - inner) * stretch)
+        if i == level:
+            return (rise - 2.0 * inner) * stretch, peak
+        rise = inner
+    return 0.0, 0.0
