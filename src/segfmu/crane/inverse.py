@@ -58,6 +58,9 @@ class FlatInverse:
         self.trajectory = trajectory
         require_rope(crane, trajectory)
 
+    def __repr__(self) -> str:
+        return f"FlatInverse({self.crane!r}, {self.trajectory!r})"
+
     def force(self, t: ArrayLike) -> FloatArray:
         """Drive forces F_x, F_y, F_l [N] at times t, shape (..., 3)."""
         return self.evaluate(t)[..., FORCE]

@@ -14,7 +14,7 @@ NAMES = ("velocity", "acceleration", "jerk", "snap", "crackle", "pop")
 UNITS = ("m/s", "m/s2", "m/s3", "m/s4", "m/s5", "m/s6")
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Limits:
     """Bounds c_1 .. c_6 on the derivatives of the position, SI units.
 
@@ -54,6 +54,10 @@ class Limits:
         sizes = {v.size for v in self._all() if v.ndim == 1}
         if len(sizes) > 1:
             raise InputError(f"limits have different numbers of axes: {sorted(sizes)}")
+
+    def __repr__(self) -> str:
+        given = ((n, v) for n, v in zip(NAMES, self._all(), strict=True) if v.any())
+        return f"Limits({', '.join(f'{n}={v.tolist()}' for n, v in given)})"
 
     def _all(self) -> tuple[FloatArray, ...]:
         return tuple(getattr(self, name) for name in NAMES)

@@ -12,10 +12,11 @@ from segfmu.kernels import backend
 from segfmu.planning.arrays import FloatArray
 from segfmu.planning.limits import Limits
 from segfmu.planning.polynomials import extrema
+from segfmu.planning.sketch import sketch
 from segfmu.planning.waypoint import Waypoint
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Trajectory:
     """A trajectory y*(t) of several axes, y in C^n with n = `smoothness`.
 
@@ -46,6 +47,16 @@ class Trajectory:
     offsets: NDArray[np.int64]
     axis_waypoint_times: FloatArray
     axis_durations: FloatArray
+
+    def __repr__(self) -> str:
+        return (
+            f"<Trajectory of {', '.join(self.axis_names)}: {len(self.waypoints)} waypoints, "
+            f"{self.duration:.6g} s, smoothness {self.smoothness}, {self.shape}>"
+        )
+
+    def _repr_svg_(self) -> str:
+        """The picture that notebooks show."""
+        return sketch(self, repr(self).strip("<>"))
 
     @property
     def axes(self) -> int:
