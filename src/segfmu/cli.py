@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from importlib.metadata import version
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 import typer
@@ -20,6 +19,7 @@ from segfmu.errors import BuildError, InputError, SegfmuError
 from segfmu.planning import Trajectory
 from segfmu.planning.verify import verify
 from segfmu.validation.mission import Mission, load_mission
+from segfmu.validation.output import about, folder, note, plan_samples, stride, thinned
 
 if TYPE_CHECKING:
     from segfmu.fmu.choice import Choice
@@ -27,12 +27,18 @@ if TYPE_CHECKING:
 
 app = typer.Typer(
     add_completion=False,
-    no_args_is_help=True,
     rich_markup_mode="markdown",
     help="Plan a crane load's motion, build the FMUs, co-simulate and judge them.\n\n"
     "Exit codes: 0 success, 1 infeasible plan or failed verdict, 2 invalid input.",
 )
 console = Console()
+
+# of options and arguments
+USAGE_ERROR: type[Any] = typer.BadParameter.__mro__[1]
+NO_BOUNDS = (
+    "no bounds of the drives are known (velocity_max, acceleration_max, force_max of the crane "
+    "file): the plan keeps the mission's limits alone"
+)
 
 MissionFile = Annotated[Path, typer.Argument(help="Mission file (TOML); see models/ for examples.")]
 
@@ -59,19 +65,23 @@ def _options(
 def plan(
     mission: MissionFile,
     output: Annotated[
-        Path | None, typer.Option("--output", "-o", help="Folder for plan.csv and plots.")
+        str | None,
+        typer.Option("--output", "-o", metavar="FOLDER", help="Folder for plan.csv and plots."),
     ] = None,
 ) -> None:
     """Plan a mission and show every peak against its limit."""
-    task = load_mission(mission)
-    trajectory = _planned(task)
-    if output is not None:
-        _require_steps(task, trajectory)
+    with about(mission):
+        task = load_mission(mission)
+        trajectory = _planned(task)
+        every = stride(task, trajectory.duration)
+    target = None if output is None else folder(output)
     from segfmu.validation.report import plan_table
 
     console.print(plan_table(task.name, trajectory, verify(trajectory)))
-    if output is not None:
-        _write_plan(task, trajectory, output)
+    if task.build_bounds() is None:
+        _tell(NO_BOUNDS)
+    if target is not None:
+        _write_plan(task, trajectory, target, every)
 
 
 @app.command(epilog="Example: segfmu build models/paper.toml --output fmus/dist --fmi 3")
@@ -81,8 +91,8 @@ def build(
         typer.Argument(help="Mission file (TOML) with the FMUs' start values."),
     ] = None,
     output: Annotated[
-        Path, typer.Option("--output", "-o", help="Folder for the two archives.")
-    ] = Path("fmus/dist"),
+        str, typer.Option("--output", "-o", metavar="FOLDER", help="Folder for the two archives.")
+    ] = "fmus/dist",
     fmi: Annotated[int, typer.Option(help="Version of the standard, 2 or 3.")] = 2,
     backend: Annotated[
         str, typer.Option(help="native: C, with sources; python: needs segfmu at run time.")
@@ -121,34 +131,40 @@ def build(
     if mission is None:
         title, interfaces = "", sized(waypoints)
     else:
-        task = load_mission(mission)
-        title, interfaces = task.name, specs(task, _planned(task), waypoints)
-    paths = _built(output, choice, interfaces)
+        with about(mission):
+            task = load_mission(mission)
+            title, interfaces = task.name, specs(task, _planned(task), waypoints)
+    target = folder(output)
+    paths = _built(target, choice, interfaces)
     for path in paths:
-        console.print(f"{path}  {path.stat().st_size / 1024:.0f} KiB", highlight=False)
-    for path in describe(output, paths, interfaces, title, modelica=modelica, ssp=ssp):
-        console.print(f"{path}", highlight=False)
+        _tell(f"{path}  {path.stat().st_size / 1024:.0f} KiB")
+    for path in describe(target, paths, interfaces, title, modelica=modelica, ssp=ssp):
+        _tell(str(path))
 
 
 @app.command(epilog="Example: segfmu simulate models/paper.toml --output out")
 def simulate(
     mission: MissionFile,
     output: Annotated[
-        Path, typer.Option("--output", "-o", help="Folder for FMUs, run.csv and plots.")
-    ] = Path("out"),
+        str,
+        typer.Option("--output", "-o", metavar="FOLDER", help="Folder for FMUs, run.csv, plots."),
+    ] = "out",
     step: Annotated[
         float | None, typer.Option(help="Communication step [s]; default: the mission's.")
     ] = None,
 ) -> None:
     """Build the FMUs, co-simulate a mission, write and judge the results."""
-    task = load_mission(mission)
-    if step is not None:
-        if not 0.0 < step <= 0.1:
-            raise InputError(f"--step must be above 0 and at most 0.1 s, got {step}")
-        simulation = task.simulation.model_copy(update={"step": step})
-        task = task.model_copy(update={"simulation": simulation})
-    trajectory = _planned(task)
-    _require_steps(task, trajectory)
+    if step is not None and not 1e-6 <= step <= 0.1:
+        raise InputError(f"--step must be from 1e-6 to 0.1 s, got {step}")
+    with about(mission):
+        task = load_mission(mission)
+        if step is not None:
+            simulation = task.simulation.model_copy(update={"step": step})
+            task = task.model_copy(update={"simulation": simulation})
+        trajectory = _planned(task)
+        _require_steps(task, trajectory)
+        every = stride(task, trajectory.duration + task.simulation.settle)
+    target = folder(output)
     from segfmu.cosim import write_csv
     from segfmu.fmu.choice import chosen
     from segfmu.validation.criteria import judge
@@ -157,14 +173,15 @@ def simulate(
     from segfmu.validation.scenario import specs
 
     choice = chosen(2, "native", "", everywhere=False)
-    feedforward, crane = _built(output, choice, specs(task, trajectory))
+    feedforward, crane = _built(target, choice, specs(task, trajectory))
     rows = _run(task, trajectory, feedforward, crane)
-    write_csv(output / "run.csv", rows)
-    save(plot_run(rows, trajectory.waypoint_times, task.name), output / "run.png")
+    write_csv(target / "run.csv", thinned(rows, every))
+    save(plot_run(rows, trajectory.waypoint_times, task.name), target / "run.png")
     limits = task.simulation
     found = judge(rows, trajectory.duration, limits.tracking_tolerance, limits.sway_tolerance)
     console.print(run_table(task.name, found))
-    console.print(f"FMUs, run.csv and run.png are in {output}", highlight=False)
+    _tell(note("run.csv", every, limits.step))
+    _tell(f"FMUs, run.csv and run.png are in {target}")
     if not found.passed:
         raise typer.Exit(1)
 
@@ -192,35 +209,37 @@ def paper(
 def campaign(
     mission: MissionFile,
     output: Annotated[
-        Path, typer.Option("--output", "-o", help="Folder for tables (CSV, JSON) and maps (PNG).")
-    ] = Path("out"),
+        str,
+        typer.Option("--output", "-o", metavar="FOLDER", help="Folder for tables and maps (PNG)."),
+    ] = "out",
     jobs: Annotated[int, typer.Option(help="Number of processes.", min=1, max=64)] = 1,
     coarse: Annotated[bool, typer.Option("--coarse", help="Maps with few points.")] = False,
 ) -> None:
     """Compare six control methods under every disturbance; map move times and eigenvalues."""
-    task = load_mission(mission)
-    trajectory = _planned(task)
-    _require_steps(task, trajectory)
+    with about(mission):
+        task = load_mission(mission)
+        trajectory = _planned(task)
+        _require_steps(task, trajectory)
     from segfmu.validation.campaign import run_campaign
-    from segfmu.validation.campaign_files import require_folder, write_maps, write_tables
+    from segfmu.validation.campaign_files import write_maps, write_tables
     from segfmu.validation.campaign_report import outcome_table, verdict_table
     from segfmu.validation.methods import MODES
     from segfmu.validation.verdict import compare
 
-    require_folder(output)
+    target = folder(output)
     with Progress(console=console, transient=True) as progress:
         bar = progress.add_task("disturbances and methods", total=1.0)
         outcomes = run_campaign(
             task, jobs=jobs, progress=lambda share: progress.update(bar, completed=share)
         )
     comparisons = compare(outcomes)
-    write_tables(output, task.name, outcomes, comparisons)
+    write_tables(target, task.name, outcomes, comparisons)
     with console.status("mapping move times and eigenvalues"):
-        write_maps(output, task, trajectory, coarse)
+        write_maps(target, task, trajectory, coarse)
     for mode in MODES:
         console.print(outcome_table(mode, outcomes))
     console.print(verdict_table(comparisons))
-    console.print(f"tables (CSV, JSON) and maps (CSV, PNG) are in {output}", highlight=False)
+    _tell(f"tables (CSV, JSON) and maps (CSV, PNG) are in {target}")
     if not all(c.reached for c in comparisons):
         raise typer.Exit(1)
 
@@ -240,36 +259,24 @@ def _require_steps(task: Mission, trajectory: Trajectory) -> None:
     try:
         require_steps(trajectory.duration + settings.settle, settings.step)
     except InputError as error:
-        raise InputError(f"{task.name}: {error} (simulation.step, settle, dwell, limits)") from None
+        raise InputError(f"simulation.step: {error} (settle, dwell, limits)") from None
 
 
-def _write_plan(task: Mission, trajectory: Trajectory, output: Path) -> None:
+def _write_plan(task: Mission, trajectory: Trajectory, output: Path, every: int) -> None:
     from segfmu.cosim import write_csv
     from segfmu.validation.plots import plot_path, plot_plan, save
 
-    write_csv(output / "plan.csv", _samples(task, trajectory))
+    write_csv(output / "plan.csv", plan_samples(task, trajectory, every))
     save(plot_plan(trajectory, task.name), output / "plan.png")
     save(plot_path(trajectory, task.name), output / "path.png")
-    console.print(f"plan.csv, plan.png and path.png are in {output}", highlight=False)
+    _tell(note("plan.csv", every, task.simulation.step))
+    _tell(f"plan.csv, plan.png and path.png are in {output}")
 
 
-def _samples(task: Mission, trajectory: Trajectory) -> NDArray[np.void]:
-    """The plan and its feedforward at the mission's communication step."""
-    times = np.append(
-        np.arange(0.0, trajectory.duration, task.simulation.step), trajectory.duration
-    )
-    columns = {"time": times}
-    for order, name in enumerate(("position", "velocity", "acceleration", "jerk", "snap")):
-        for axis, values in zip("xyz", trajectory(times, order).T, strict=True):
-            columns[f"reference.load.{name}.{axis}"] = values
-    inverse = FlatInverse(task.build_crane(), trajectory)
-    for kind, table in (("force", inverse.force(times)), ("velocity", inverse.velocity(times))):
-        for drive, values in zip(("bridge", "trolley", "hoist"), table.T, strict=True):
-            columns[f"{kind}.{drive}"] = values
-    rows = np.zeros(times.size, dtype=[(n, np.float64) for n in columns])
-    for name, values in columns.items():
-        rows[name] = values
-    return rows
+def _tell(line: str) -> None:
+    """One line on standard output, as it is; none if it is empty."""
+    if line:
+        console.print(line, highlight=False, markup=False, soft_wrap=True)
 
 
 def _built(folder: Path, choice: Choice, interfaces: Sequence[Spec]) -> list[Path]:
@@ -296,20 +303,26 @@ def _run(
         )
 
 
-@contextmanager
-def _one_line_errors() -> Iterator[None]:
-    """Print segfmu's errors as one line on stderr and set the exit code."""
+def run() -> int:
+    """Run the command of `sys.argv` and return its exit code; an error is one line on stderr."""
     try:
-        yield
+        # without standalone mode, wrong options are raised
+        return app(sys.argv[1:] or ["--help"], standalone_mode=False) or 0
     except SegfmuError as error:
-        print(f"segfmu: {error}", file=sys.stderr)
-        sys.exit(2 if isinstance(error, InputError | BuildError) else 1)
-    except KeyboardInterrupt:
-        print("segfmu: interrupted", file=sys.stderr)
-        sys.exit(130)
+        return _fail(str(error), 2 if isinstance(error, InputError | BuildError) else 1)
+    except USAGE_ERROR as error:
+        where = getattr(error.ctx, "command_path", "segfmu")
+        return _fail(f"{error.format_message().rstrip('.')}; see {where} --help", 2)
+    except OSError as error:
+        name = f"{error.filename}: " if error.filename else ""
+        return _fail(f"{name}{error.strerror or error}", 2)
+
+
+def _fail(text: str, code: int) -> int:
+    print(f"segfmu: {' '.join(text.split())}", file=sys.stderr)
+    return code
 
 
 def main() -> None:
-    """Entry point of the command `segfmu`."""
-    with _one_line_errors():
-        app()
+    """Run the command of `sys.argv` and exit."""
+    sys.exit(run())

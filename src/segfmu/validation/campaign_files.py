@@ -14,7 +14,6 @@ import numpy as np
 
 from segfmu.cosim import write_csv
 from segfmu.cosim.result import replacing
-from segfmu.errors import InputError
 from segfmu.planning import Trajectory
 from segfmu.validation.campaign import Outcome
 from segfmu.validation.campaign_plots import plot_eigenvalues, plot_move_times, plot_outcomes
@@ -30,20 +29,6 @@ COARSE_GRIDS = ((3, 4), (4, 3))
 
 # distances of the map of move times [m]
 DISTANCES = (0.02, 1.2)
-
-
-def require_folder(folder: Path) -> None:
-    """Make a folder; done first, because the campaign takes a minute.
-
-    Raises
-    ------
-    InputError
-        If it cannot be made.
-    """
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise InputError(f"{folder}: cannot create this folder: {error.strerror}") from None
 
 
 def write_tables(

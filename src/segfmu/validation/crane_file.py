@@ -14,6 +14,9 @@ from pydantic import AfterValidator, Field, StrictBool
 from segfmu.crane.checks import LARGEST_SEED
 from segfmu.kernels.rig.records import Disturbance
 from segfmu.validation.keys import (
+    AXES,
+    RANGE,
+    SWAY,
     Key,
     NotNegative,
     NotNegativeTriple,
@@ -61,15 +64,18 @@ class TravelTable(Table):
 
     bridge: Annotated[
         Pair | None,
-        Key("of the bridge", "m", ("travel.bridge.min", "travel.bridge.max"), "no end stops"),
+        Key("of the bridge", "m", ("travel.bridge.min", "travel.bridge.max"), "no end stops",
+            parts=RANGE),
     ] = None
     trolley: Annotated[
         Pair | None,
-        Key("of the trolley", "m", ("travel.trolley.min", "travel.trolley.max"), "no end stops"),
+        Key("of the trolley", "m", ("travel.trolley.min", "travel.trolley.max"), "no end stops",
+            parts=RANGE),
     ] = None
     rope: Annotated[
         Pair | None,
-        Key("of the rope's length", "m", ("travel.rope.min", "travel.rope.max"), "no end stops"),
+        Key("of the rope's length", "m", ("travel.rope.min", "travel.rope.max"), "no end stops",
+            parts=RANGE),
     ] = None
 
 
@@ -184,7 +190,7 @@ class LoadTable(Table):
     mass_range: Annotated[
         PositivePair | None,
         Key("least and greatest mass of the load; `payload_mass` has to be within", "kg", (),
-            "any"),
+            "any", parts=RANGE),
     ] = None
     changes: Annotated[
         list[LoadChange],
@@ -314,8 +320,8 @@ class GustTable(Table):
     ] = "cosine"
     force: Annotated[
         Triple,
-        Key("peak along x, y, z", "N", ("wind.gust.force.x", "wind.gust.force.y",
-                                        "wind.gust.force.z")),
+        Key("peak", "N", tuple(f"wind.gust.force.{a}" for a in AXES),
+            parts=AXES),
     ]
 
 
@@ -324,8 +330,8 @@ class WindNoiseTable(Table):
 
     deviation: Annotated[
         NotNegativeTriple,
-        Key("standard deviations along x, y, z", "N",
-            ("wind.noise.deviation.x", "wind.noise.deviation.y", "wind.noise.deviation.z")),
+        Key("standard deviations", "N",
+            tuple(f"wind.noise.deviation.{a}" for a in AXES), parts=AXES),
     ]
     bandwidth: Annotated[
         Quantity, Key("greatest frequency", "Hz", ("wind.noise.bandwidth",))
@@ -338,8 +344,8 @@ class WindTable(Table):
 
     constant: Annotated[
         Triple | None,
-        Key("constant force along x, y, z", "N",
-            ("wind.constant.x", "wind.constant.y", "wind.constant.z"), "none"),
+        Key("constant force", "N",
+            tuple(f"wind.constant.{a}" for a in AXES), "none", parts=AXES),
     ] = None
     gust: Annotated[GustTable | None, Key("one gust", default="none")] = None
     noise: Annotated[WindNoiseTable | None, Key("random wind", default="none")] = None
@@ -380,7 +386,7 @@ class CraneFile(Table):
     ] = "force"
     sway_max: Annotated[
         PositivePair | None,
-        Key("greatest sway angles phi_x and phi_y of a plan", "deg", (), NO_BOUND),
+        Key("greatest sway angles of a plan", "deg", (), NO_BOUND, parts=SWAY),
     ] = None
     bridge: Annotated[DriveTable, Key("drive of the bridge")] = DriveTable()
     trolley: Annotated[DriveTable, Key("drive of the trolley")] = DriveTable()

@@ -14,7 +14,7 @@ from segfmu.errors import InputError
 from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.standard.spec import started
 from segfmu.validation.crane_file import CraneFile
-from segfmu.validation.keys import Entry, entries
+from segfmu.validation.keys import DRIVES, Entry, entries
 
 # parameters of GantryCrane that no key sets, by the beginning of their names, and why
 WITHOUT_KEY = {
@@ -23,8 +23,6 @@ WITHOUT_KEY = {
     "setpoint.lead": "a matter of the importer that couples the FMUs, not of the crane",
     "start.on_reference": "the crane of a mission starts at the first waypoint",
 }
-
-DRIVES = ("bridge", "trolley", "hoist")
 
 
 @cache

@@ -32,6 +32,8 @@ class Key:
         What holds without the key, if its default value does not say it.
     slot : str
         Of a table: what stands for "{}" in it; by default the table's own name.
+    parts : tuple of str
+        What the numbers of a list belong to.
     none : tuple of float
         What the parameters take without a value; empty if they keep the FMU's start values.
     """
@@ -41,6 +43,7 @@ class Key:
     feeds: tuple[str, ...] = ()
     default: str = ""
     slot: str = ""
+    parts: tuple[str, ...] = ()
     none: tuple[float, ...] = ()
 
     def __get_pydantic_json_schema__(
@@ -127,8 +130,18 @@ PositivePair = Annotated[list[Positive], Field(min_length=2, max_length=2)]
 Triple = Annotated[list[Number], Field(min_length=3, max_length=3)]
 PositiveTriple = Annotated[list[Positive], Field(min_length=3, max_length=3)]
 NotNegativeTriple = Annotated[list[NotNegative], Field(min_length=3, max_length=3)]
+# ranges that every crane is far within, so that a slip of the pen is told by its key
+Length = Annotated[Number, Field(ge=-1e6, le=1e6)]
+Time = Annotated[Number, Field(ge=0.0, le=1e6)]
+Place = Annotated[list[Length], Field(min_length=3, max_length=3)]
 # the least is that of the FMUs; the greatest avoids overflow in the design of gains
 Quantity = Annotated[Number, Field(ge=1e-9, le=1e9)]
+
+
+AXES = ("x", "y", "z")
+DRIVES = ("bridge", "trolley", "hoist")
+RANGE = ("least", "greatest")
+SWAY = ("phi_x", "phi_y")
 
 
 def printable(text: str) -> str:

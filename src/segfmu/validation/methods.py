@@ -27,7 +27,8 @@ from segfmu.crane.tracking import TrackingController
 from segfmu.planning import Trajectory
 from segfmu.planning.arrays import FloatArray
 from segfmu.validation.disturbances import ENCODERS, LAG, SAMPLE_TIME
-from segfmu.validation.mission import AXES, Mission
+from segfmu.validation.keys import AXES
+from segfmu.validation.mission import Mission
 
 MODES = ("velocity", "force")
 

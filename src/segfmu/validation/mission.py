@@ -5,127 +5,30 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from pydantic import AfterValidator, BeforeValidator, Field, StrictBool, model_validator
+from pydantic import AfterValidator, Field, model_validator
 
 from segfmu.crane import ActuatorBounds, Crane, plan_actuated
 from segfmu.errors import InputError
 from segfmu.planning import Limits, Trajectory, Waypoint, plan
 from segfmu.validation import crane_parameters
 from segfmu.validation.crane_file import CraneFile
-from segfmu.validation.keys import (
-    Key,
-    NotNegative,
-    Number,
-    Positive,
-    PositivePair,
-    PositiveTriple,
-    Table,
-    Triple,
-    printable,
+from segfmu.validation.keys import AXES, Key, Table, printable
+from segfmu.validation.mission_checks import check_waypoints
+from segfmu.validation.mission_tables import (
+    ActuatorEntry,
+    Limit,
+    LimitsTable,
+    SimulationEntry,
+    WaypointEntry,
 )
 from segfmu.validation.reading import checked, merged, read
 
 # that the FMUs can have
 MOST_WAYPOINTS = 256
-AXES = ("x", "y", "z")
 
 # keys that only the other kind of file has
 OF_CRANES = ("bridge_mass", "trolley_mass", "payload_mass")
 OF_MISSIONS = ("waypoints", "limits", "simulation")
-
-
-def _state(value: Any) -> Any:
-    """Refuse words other than "free" here, so that the message does not list both types."""
-    if isinstance(value, str) and value != "free":
-        raise ValueError('must be three numbers or "free"')
-    return value
-
-
-State = Annotated[Triple | Literal["free"], BeforeValidator(_state)]
-REST = "at rest"
-
-
-class AxisLimits(Table):
-    """Limits of one axis."""
-
-    velocity: Annotated[Positive, Key("greatest velocity of the load", "m/s")]
-    acceleration: Annotated[Positive, Key("greatest acceleration of the load", "m/s2")]
-    jerk: Annotated[
-        Positive | None, Key("greatest jerk of the load", "m/s3", default="no limit")
-    ] = None
-    snap: Annotated[
-        Positive | None, Key("greatest snap of the load", "m/s4", default="no limit")
-    ] = None
-
-
-class LimitsTable(Table):
-    """Limits of the three axes."""
-
-    x: Annotated[AxisLimits, Key("limits along x")]
-    y: Annotated[AxisLimits, Key("limits along y")]
-    z: Annotated[AxisLimits, Key("limits along z")]
-
-
-class WaypointEntry(Table):
-    """One waypoint."""
-
-    position: Annotated[Triple, Key("x, y, z of the load; z is negative, 0 at the trolley", "m")]
-    velocity: Annotated[
-        State, Key('velocity of the load; "free": the planner chooses it', "m/s", default=REST)
-    ] = [0.0, 0.0, 0.0]
-    acceleration: Annotated[
-        State,
-        Key('acceleration of the load; "free": the planner chooses it', "m/s2", default=REST),
-    ] = [0.0, 0.0, 0.0]
-    dwell: Annotated[NotNegative, Key("time to rest there", "s")] = 0.0
-
-
-class ActuatorEntry(Table):
-    """Bounds of this mission alone, beside those of the crane file."""
-
-    force: Annotated[
-        PositiveTriple | None, Key("of bridge, trolley and hoist", "N", default="the crane's")
-    ] = None
-    velocity: Annotated[
-        PositiveTriple | None, Key("of bridge, trolley and hoist", "m/s", default="the crane's")
-    ] = None
-    acceleration: Annotated[
-        PositiveTriple | None, Key("of bridge, trolley and hoist", "m/s2", default="the crane's")
-    ] = None
-    sway_angle: Annotated[
-        PositivePair | None, Key("of both sway angles", "deg", default="the crane's")
-    ] = None
-
-
-class SimulationEntry(Table):
-    """How `segfmu simulate` runs the mission."""
-
-    step: Annotated[
-        Annotated[Number, Field(gt=0.0, le=0.1)], Key("communication step", "s")
-    ] = 0.001
-    settle: Annotated[NotNegative, Key("time behind the end of the plan", "s")] = 3.0
-    feedback: Annotated[
-        StrictBool | None, Key("whether the feedback acts", default="controller.enabled")
-    ] = None
-    feedback_source: Annotated[
-        Literal["state", "measured"] | None,
-        Key("what the feedback knows", default="controller.source"),
-    ] = None
-    drive: Annotated[
-        Literal["force", "velocity"] | None, Key("what the drives follow", default="drive")
-    ] = None
-    initial_sway: Annotated[
-        Annotated[
-            list[Annotated[Number, Field(ge=-45.0, le=45.0)]], Field(min_length=2, max_length=2)
-        ],
-        Key("sway angles phi_x and phi_y at the start", "deg"),
-    ] = [0.0, 0.0]
-    tracking_tolerance: Annotated[
-        Positive, Key("largest distance of the load from its plan", "m")
-    ] = 0.001
-    sway_tolerance: Annotated[
-        Positive, Key("largest sway angle after the end of the plan", "deg")
-    ] = 0.02
 
 
 class Mission(Table):
@@ -159,11 +62,11 @@ class Mission(Table):
         Literal["waypoints", "total", "none"], Key("where the axes meet in time")
     ] = "waypoints"
     sample_time: Annotated[
-        Positive | None,
+        Limit | None,
         Key("durations between waypoints are multiples of it", "s", default="any duration"),
     ] = None
     duration: Annotated[
-        Positive | None, Key("duration of the plan", "s", default="the shortest")
+        Limit | None, Key("duration of the plan", "s", default="the shortest")
     ] = None
     actuators: Annotated[
         ActuatorEntry, Key("bounds of the drives in this mission")
@@ -242,7 +145,7 @@ def load_mission(path: Path) -> Mission:
     try:
         for name, crane in (("crane", mission.crane), ("true_crane", mission.simulated)):
             crane_parameters.check(crane, name)
-        _check_waypoints(mission)
+        check_waypoints(mission)
     except InputError as error:
         raise InputError(f"{path}: {error}") from None
     return mission
@@ -259,29 +162,3 @@ def _crane_data(mission: Path, name: str) -> dict[str, Any]:
     except InputError as error:
         raise InputError(f"{mission}: crane: {error}") from None
     return data
-
-
-def _check_waypoints(mission: Mission) -> None:
-    """Checks before planning: waypoint states against their limits, repeated waypoints."""
-    for i, entry in enumerate(mission.waypoints, 1):
-        for axis, name in enumerate(AXES):
-            limits = getattr(mission.limits, name)
-            for quantity, unit in (("velocity", "m/s"), ("acceleration", "m/s2")):
-                state, bound = getattr(entry, quantity), getattr(limits, quantity)
-                value = 0.0 if state == "free" else state[axis]
-                if abs(value) > bound:
-                    raise InputError(
-                        f"waypoints.{i}.{quantity}: axis {name}: {value} {unit} exceeds "
-                        f"limits.{name}.{quantity} {bound} {unit}"
-                    )
-        moving = any(s != "free" and any(s) for s in (entry.velocity, entry.acceleration))
-        if entry.dwell > 0.0 and moving:
-            raise InputError(f"waypoints.{i}.dwell: only a waypoint at rest can have a dwell")
-        if entry.position[2] >= 0.0:
-            raise InputError(
-                f"waypoints.{i}.position: z {entry.position[2]} m must be below the trolley, z < 0"
-            )
-        if i > 1 and entry.model_dump(exclude={"dwell"}) == mission.waypoints[i - 2].model_dump(
-            exclude={"dwell"}
-        ):
-            raise InputError(f"waypoints.{i}: the same as waypoint {i - 1}; use dwell to wait")

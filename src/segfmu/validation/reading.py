@@ -12,7 +12,7 @@ from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
 from segfmu.errors import InputError
-from segfmu.validation.keys import Table, entries
+from segfmu.validation.keys import Entry, Table, entries
 
 Checked = TypeVar("Checked", bound=Table)
 
@@ -20,6 +20,11 @@ Checked = TypeVar("Checked", bound=Table)
 LARGEST = 4_000_000
 # characters of a wrong value that are shown
 SHOWN = 60
+# findings about the size of a number: the entry of their context, and words
+SIZES = {
+    "greater_than": ("gt", "above"), "greater_than_equal": ("ge", "at least"),
+    "less_than": ("lt", "below"), "less_than_equal": ("le", "at most"),
+}
 
 
 def read(path: Path) -> dict[str, Any]:
@@ -80,15 +85,30 @@ def _problem(kind: type[Table], error: ValidationError) -> str:
 
 
 def _finding(kind: type[Table], problem: ErrorDetails) -> str:
-    key = ".".join(str(p + 1) if isinstance(p, int) else str(p) for p in problem["loc"])
+    key, entry = _named(kind, problem["loc"])
     if problem["type"] == "missing":
         return f"{key}: this key is missing"
     if problem["type"] == "extra_forbidden":
         return f"{_short(key)}: unknown key{_suggestion(kind, problem['loc'])}"
-    text = problem["msg"].replace("Value error, ", "")
+    text = problem["msg"].replace("Value error, ", "").replace("Input should be", "must be")
     if problem["type"] == "model_type":
         text = "must be a table"
+    elif problem["type"] in SIZES:
+        name, words = SIZES[problem["type"]]
+        unit = f" {entry.key.unit}" if entry and entry.key.unit else ""
+        text = f"must be {words} {problem['ctx'][name]:g}{unit}"
     return f"{key or 'file'}: {text}, got {_short(repr(problem['input']))}"
+
+
+def _named(kind: type[Table], place: tuple[int | str, ...]) -> tuple[str, Entry | None]:
+    """A place in a file as words, with the axis of a number in a list, and its entry."""
+    names = tuple(p for p in place if isinstance(p, str))
+    entry = next((e for e in entries(kind) if e.path == names), None)
+    words = [str(p + 1) if isinstance(p, int) else str(p) for p in place]
+    parts = entry.key.parts if entry else ()
+    if parts and isinstance(place[-1], int):
+        return f"{'.'.join(words[:-1])}, {parts[place[-1]]}", entry
+    return ".".join(words), entry
 
 
 def _short(text: str) -> str:

@@ -15,7 +15,8 @@ from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.standard.spec import Spec, started
 from segfmu.planning import Trajectory
 from segfmu.validation import crane_parameters
-from segfmu.validation.mission import AXES, Mission
+from segfmu.validation.keys import AXES
+from segfmu.validation.mission import Mission
 
 QUANTITIES = ("position", "velocity", "acceleration")
 # parameters that the archive of a native FMU no longer has

@@ -1,0 +1,66 @@
+"""What no single key of a mission shows."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from segfmu.errors import InputError
+from segfmu.validation.keys import AXES
+
+if TYPE_CHECKING:
+    from segfmu.validation.mission import Mission
+    from segfmu.validation.mission_tables import WaypointEntry
+
+
+def check_waypoints(mission: Mission) -> None:
+    """Check the waypoints against the limits, the crane and each other.
+
+    Raises
+    ------
+    InputError
+        For the first key that does not fit, without the name of the file.
+    """
+    points = mission.waypoints
+    for i, entry in enumerate(points, 1):
+        _check_limits(mission, i, entry)
+        moving = next(_moving(entry), None)
+        if entry.dwell > 0.0 and moving:
+            raise InputError(f"waypoints.{i}.dwell: only a waypoint at rest can have a dwell")
+        if moving and i in (1, len(points)):
+            which = "first" if i == 1 else "last"
+            raise InputError(
+                f"waypoints.{i}.{moving}: the {which} waypoint must be at rest, got "
+                f"{getattr(entry, moving)}; add a waypoint or omit the key"
+            )
+        if i > 1 and _state(entry) == _state(points[i - 2]):
+            raise InputError(f"waypoints.{i}: the same as waypoint {i - 1}; use dwell to wait")
+
+
+def _check_limits(mission: Mission, i: int, entry: WaypointEntry) -> None:
+    for axis, name in enumerate(AXES):
+        limits = getattr(mission.limits, name)
+        for quantity, unit in (("velocity", "m/s"), ("acceleration", "m/s2")):
+            state, bound = getattr(entry, quantity), getattr(limits, quantity)
+            value = 0.0 if state == "free" else state[axis]
+            if abs(value) > bound:
+                raise InputError(
+                    f"waypoints.{i}.{quantity}: axis {name}: {value} {unit} exceeds "
+                    f"limits.{name}.{quantity} {bound} {unit}"
+                )
+    if entry.position[2] >= 0.0:
+        raise InputError(
+            f"waypoints.{i}.position: z {entry.position[2]} m must be below the trolley, z < 0"
+        )
+
+
+def _moving(entry: WaypointEntry) -> Iterator[str]:
+    """The quantities that are given and not zero."""
+    for name in ("velocity", "acceleration"):
+        state = getattr(entry, name)
+        if state != "free" and any(state):
+            yield name
+
+
+def _state(entry: WaypointEntry) -> tuple[object, ...]:
+    return entry.position, entry.velocity, entry.acceleration

@@ -1,0 +1,132 @@
+"""Tables of a mission file."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from pydantic import BeforeValidator, Field, StrictBool
+
+from segfmu.validation.keys import (
+    AXES,
+    DRIVES,
+    SWAY,
+    Key,
+    Number,
+    Place,
+    Positive,
+    PositivePair,
+    PositiveTriple,
+    Table,
+    Time,
+    Triple,
+)
+
+# of limits, durations between waypoints, and periods
+Limit = Annotated[Number, Field(ge=1e-6, le=1e6)]
+# of the higher derivatives
+HighLimit = Annotated[Number, Field(ge=1e-6, le=1e12)]
+Angle = Annotated[Number, Field(ge=-45.0, le=45.0)]
+
+
+def _state(value: Any) -> Any:
+    """Refuse words other than "free" here, so that the message does not list both types."""
+    if isinstance(value, str) and value != "free":
+        raise ValueError('must be three numbers or "free"')
+    return value
+
+
+State = Annotated[Triple | Literal["free"], BeforeValidator(_state)]
+REST = "at rest"
+CRANES = "that of the crane file"
+
+
+class AxisLimits(Table):
+    """Limits of one axis."""
+
+    velocity: Annotated[Limit, Key("greatest velocity of the load", "m/s")]
+    acceleration: Annotated[Limit, Key("greatest acceleration of the load", "m/s2")]
+    jerk: Annotated[
+        HighLimit | None, Key("greatest jerk of the load", "m/s3", default="no limit")
+    ] = None
+    snap: Annotated[
+        HighLimit | None, Key("greatest snap of the load", "m/s4", default="no limit")
+    ] = None
+
+
+class LimitsTable(Table):
+    """Limits of the three axes."""
+
+    x: Annotated[AxisLimits, Key("limits along x")]
+    y: Annotated[AxisLimits, Key("limits along y")]
+    z: Annotated[AxisLimits, Key("limits along z")]
+
+
+class WaypointEntry(Table):
+    """One waypoint."""
+
+    position: Annotated[Place, Key("of the load; z is negative, 0 at the trolley", "m", parts=AXES)]
+    velocity: Annotated[
+        State,
+        Key('velocity of the load; "free": the planner chooses it', "m/s", default=REST,
+            parts=AXES),
+    ] = [0.0, 0.0, 0.0]
+    acceleration: Annotated[
+        State,
+        Key('acceleration of the load; "free": the planner chooses it', "m/s2", default=REST,
+            parts=AXES),
+    ] = [0.0, 0.0, 0.0]
+    dwell: Annotated[Time, Key("time to rest there", "s")] = 0.0
+
+
+class ActuatorEntry(Table):
+    """Bounds of this mission alone, beside those of the crane file."""
+
+    force: Annotated[
+        PositiveTriple | None,
+        Key("greatest of each drive", "N", default=CRANES, parts=DRIVES),
+    ] = None
+    velocity: Annotated[
+        PositiveTriple | None,
+        Key("greatest of each drive", "m/s", default=CRANES, parts=DRIVES),
+    ] = None
+    acceleration: Annotated[
+        PositiveTriple | None,
+        Key("greatest of each drive", "m/s2", default=CRANES, parts=DRIVES),
+    ] = None
+    sway_angle: Annotated[
+        PositivePair | None, Key("greatest sway angles", "deg", default=CRANES, parts=SWAY)
+    ] = None
+
+
+class SimulationEntry(Table):
+    """How `segfmu simulate` runs the mission."""
+
+    step: Annotated[
+        Annotated[Number, Field(ge=1e-6, le=0.1)], Key("communication step", "s")
+    ] = 0.001
+    output_step: Annotated[
+        Annotated[Number, Field(ge=1e-6, le=1e6)] | None,
+        Key("time between the rows of plan.csv and run.csv", "s",
+            default="`step`, or as long as makes 20000 rows"),
+    ] = None
+    settle: Annotated[Time, Key("time behind the end of the plan", "s")] = 3.0
+    feedback: Annotated[
+        StrictBool | None, Key("whether the feedback acts", default="controller.enabled")
+    ] = None
+    feedback_source: Annotated[
+        Literal["state", "measured"] | None,
+        Key("what the feedback knows", default="controller.source"),
+    ] = None
+    drive: Annotated[
+        Literal["force", "velocity"] | None, Key("what the drives follow", default="drive")
+    ] = None
+    initial_sway: Annotated[
+        Annotated[list[Angle], Field(min_length=2, max_length=2)],
+        Key("sway angles at the start", "deg", parts=SWAY),
+    ] = [0.0, 0.0]
+    tracking_tolerance: Annotated[
+        Positive, Key("largest distance of the load from its plan", "m")
+    ] = 0.001
+    sway_tolerance: Annotated[
+        Positive, Key("largest sway angle after the end of the plan", "deg")
+    ] = 0.02

@@ -1,0 +1,108 @@
+"""Where results go: folders, and tables that are thinned to a useful size."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from math import ceil
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from segfmu.cosim import require_steps
+from segfmu.crane import FlatInverse
+from segfmu.errors import InputError, SegfmuError
+from segfmu.planning import Trajectory
+
+if TYPE_CHECKING:
+    from segfmu.validation.mission import Mission
+
+# of a table without `simulation.output_step`: what spreadsheets and editors open at once
+MOST_ROWS = 20_000
+
+
+@contextmanager
+def about(path: Path) -> Iterator[None]:
+    """Name a mission's file in the errors that follow from it."""
+    try:
+        yield
+    except SegfmuError as error:
+        if not str(error).startswith(str(path)):
+            error.args = (f"{path}: {error}",)
+        raise
+
+
+def folder(name: str) -> Path:
+    """The folder that `--output` names, created.
+
+    Raises
+    ------
+    InputError
+        If there is no name, or no folder of this name can be made or written to.
+    """
+    if not name.strip():
+        raise InputError("--output is empty; name a folder, . for this one")
+    path = Path(name)
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+        probe = path / ".segfmu.part"
+        probe.touch()
+        probe.unlink()
+    except (OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) else error
+        raise InputError(f"--output {name}: cannot create this folder: {reason}") from None
+    return path
+
+
+def stride(mission: Mission, duration: float) -> int:
+    """Communication steps from one row of a table to the next.
+
+    Raises
+    ------
+    InputError
+        For an `output_step` of too many rows.
+    """
+    own = mission.simulation
+    if own.output_step is None:
+        return max(1, ceil(duration / own.step / MOST_ROWS - 1e-9))
+    try:
+        require_steps(duration, own.output_step)
+    except InputError as error:
+        raise InputError(f"simulation.output_step: {error}") from None
+    return max(1, round(own.output_step / own.step))
+
+
+def thinned(rows: NDArray[np.void], every: int) -> NDArray[np.void]:
+    """Every so many rows, and the last one."""
+    places = np.arange(0, rows.size, every)
+    return rows[places if places[-1] == rows.size - 1 else np.append(places, rows.size - 1)]
+
+
+def note(name: str, every: int, step: float) -> str:
+    """What a thinned table leaves out; empty if nothing."""
+    if every == 1:
+        return ""
+    return (
+        f"{name} has a row every {every * step:.6g} s, not every step of {step:.6g} s; "
+        "simulation.output_step sets this"
+    )
+
+
+def plan_samples(mission: Mission, trajectory: Trajectory, every: int) -> NDArray[np.void]:
+    """The plan and its feedforward every so many communication steps, and at its end."""
+    step = every * mission.simulation.step
+    times = np.append(np.arange(0.0, trajectory.duration, step), trajectory.duration)
+    columns = {"time": times}
+    for order, name in enumerate(("position", "velocity", "acceleration", "jerk", "snap")):
+        for axis, values in zip("xyz", trajectory(times, order).T, strict=True):
+            columns[f"reference.load.{name}.{axis}"] = values
+    inverse = FlatInverse(mission.build_crane(), trajectory)
+    for kind, table in (("force", inverse.force(times)), ("velocity", inverse.velocity(times))):
+        for drive, values in zip(("bridge", "trolley", "hoist"), table.T, strict=True):
+            columns[f"{kind}.{drive}"] = values
+    rows = np.zeros(times.size, dtype=[(n, np.float64) for n in columns])
+    for name, values in columns.items():
+        rows[name] = values
+    return rows

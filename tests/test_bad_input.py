@@ -1,0 +1,180 @@
+"""Bad input to the real command: one line on stderr that names file and key, exit code 2."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+CRANE = "bridge_mass = 2.2\ntrolley_mass = 1.155\npayload_mass = 1.0\n"
+LIMITS = "".join(
+    f"[limits.{a}]\nvelocity = 1.0\nacceleration = 1.0\njerk = 2.0\nsnap = 20.0\n" for a in "xyz"
+)
+POINTS = (
+    "[[waypoints]]\nposition = [0.0, 0.0, -0.5]\n"
+    "[[waypoints]]\nposition = [0.3, 0.2, -0.5]\n"
+)
+GOOD = 'crane = "crane.toml"\n' + LIMITS + POINTS
+
+
+def segfmu(*words: str, cwd: Path) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [Path(sys.executable).with_name("segfmu"), *words], capture_output=True, text=True,
+        cwd=cwd, timeout=120,
+    )
+
+
+def refused(cwd: Path, *words: str) -> str:
+    """The one line on stderr of a command that is refused."""
+    done = segfmu(*words, cwd=cwd)
+    assert (done.returncode, done.stdout) == (2, ""), done.stderr
+    assert done.stderr.count("\n") == 1 and done.stderr.startswith("segfmu: ")
+    return done.stderr
+
+
+def files(folder: Path, mission: str = GOOD, crane: str = CRANE) -> None:
+    (folder / "mission.toml").write_text(mission, encoding="utf-8")
+    (folder / "crane.toml").write_text(crane, encoding="utf-8")
+
+
+# what is written in place of what, and what the line says
+MISSIONS = {
+    "far": ("[0.3,", "[1e300,", "waypoints.2.position, x: must be at most 1e+06 m, got 1e+300"),
+    "slow": ("velocity = 1.0", "velocity = 1e-12", "limits.x.velocity: must be at least 1e-06 m/s"),
+    "fast": ("velocity = 1.0", "velocity = 1e300", "limits.x.velocity: must be at most 1e+06 m/s"),
+    "jerk": ("jerk = 2.0", "jerk = 1e30", "limits.x.jerk: must be at most 1e+12 m/s3, got 1e+30"),
+    "low snap": ("snap = 20.0", "snap = 1e-300", "limits.x.snap: must be at least 1e-06 m/s4"),
+    "high snap": ("snap = 20.0", "snap = 1e300", "limits.x.snap: must be at most 1e+12 m/s4"),
+    "sample time": ("crane =", "sample_time = 1e-300\ncrane =", "sample_time: must be at least"),
+    "missing crane": ("crane.toml", "nowhere.toml", "crane: nowhere.toml: cannot be read: No such"),
+    "crane of no name": ("crane.toml", "", "crane: .: cannot be read: Is a directory"),
+    "no number": ("[0.3,", "[nan,", "waypoints.2.position, x: must be a finite number, got nan"),
+    "huge list": ("[0.3,", f"[{'0.3, ' * 9999}", "waypoints.2.position: List should have at most"),
+    "misspelt table": ("[limits.x]", "[limit.x]", "limit: unknown key; did you mean limits?"),
+    "key of a crane": ("crane =", "rope_max = 1.0\ncrane =", "a key elsewhere: crane.rope_max"),
+    "wrong type": ("[0.0, 0.0, -0.5]", '"origin"', "waypoints.1.position: "),
+}
+
+
+@pytest.mark.parametrize("name", MISSIONS)
+def test_a_bad_mission_is_one_line(name: str, tmp_path: Path) -> None:
+    old, new, words = MISSIONS[name]
+    assert old in GOOD
+    files(tmp_path, GOOD.replace(old, new, 1))
+    line = refused(tmp_path, "plan", "mission.toml", "-o", "out")
+    assert line.startswith("segfmu: mission.toml: ") and words in line
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("state", ["velocity", "acceleration"])
+def test_the_load_rests_at_both_ends(state: str, tmp_path: Path) -> None:
+    moving = f"{state} = [0.1, 0.0, 0.0]\n"
+    files(tmp_path, GOOD + moving)
+    line = refused(tmp_path, "plan", "mission.toml")
+    assert f"mission.toml: waypoints.2.{state}: the last waypoint must be at rest" in line
+    files(tmp_path, GOOD.replace("-0.5]\n", f"-0.5]\n{moving}", 1))
+    line = refused(tmp_path, "plan", "mission.toml")
+    assert f"mission.toml: waypoints.1.{state}: the first waypoint must be at rest" in line
+
+
+# what is written before the last mass, and what the line says
+CRANES = {
+    "gravity": ("gravity = 1e9\n", "gravity: must be at most 1000 m/s2, got 1000000000.0"),
+    "lag": ("bridge = { lag = -1 }\n", "bridge.lag: must be at least 0 s, got -1"),
+    "place": ("lag = 1\n", "lag: unknown key; it is a key elsewhere: bridge.lag, trolley.lag"),
+    "stops": ("travel = { trolley = [3, 1] }\n", "travel.trolley: min 3 m must be below max 1 m"),
+    "broken": ("gravity = = 1\n", "not valid TOML"),
+    "misspelt": ("payload_mas = 1.0  # ", "payload_mas: unknown key; did you mean payload_mass?"),
+    "missing": ("# ", "payload_mass: this key is missing"),
+}
+
+
+@pytest.mark.parametrize("name", CRANES)
+def test_a_bad_crane_is_one_line_with_both_files(name: str, tmp_path: Path) -> None:
+    new, words = CRANES[name]
+    files(tmp_path, crane=CRANE.replace("payload", f"{new}payload", 1))
+    line = refused(tmp_path, "plan", "mission.toml")
+    assert line.startswith("segfmu: mission.toml: crane: crane.toml: ") and words in line
+
+
+def test_a_byte_order_mark_is_accepted(tmp_path: Path) -> None:
+    files(tmp_path, "\ufeff" + GOOD, "\ufeff" + CRANE)
+    done = segfmu("plan", "mission.toml", cwd=tmp_path)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_crane_and_mission_in_each_others_place(tmp_path: Path) -> None:
+    files(tmp_path, GOOD.replace("crane.toml", "mission.toml"))
+    line = refused(tmp_path, "plan", "mission.toml")
+    assert line.endswith("crane: mission.toml: this is a mission, not a crane file\n")
+    line = refused(tmp_path, "simulate", "crane.toml")
+    assert line == (
+        "segfmu: crane.toml: this is a crane file; give a mission, which names it: "
+        'crane = "crane.toml"\n'
+    )
+
+
+def test_a_long_plan_is_thinned_and_says_so(tmp_path: Path) -> None:
+    files(tmp_path, GOOD.replace("-0.5]\n", "-0.5]\ndwell = 4575.0\n", 1))
+    done = segfmu("plan", "mission.toml", "-o", "out", cwd=tmp_path)
+    assert done.returncode == 0
+    assert "plan.csv has a row every 0.229 s, not every step of 0.001 s" in done.stdout
+    table = tmp_path / "out" / "plan.csv"
+    rows = table.read_text().splitlines()
+    assert len(rows) <= 20_002 and table.stat().st_size < 10e6
+    # the end of the plan is there
+    assert float(rows[-1].split(",")[0]) == pytest.approx(4575 + 1.807, abs=1e-2)
+    # a run of so many steps is refused before anything is built
+    line = refused(tmp_path, "simulate", "mission.toml", "-o", "run")
+    assert "mission.toml: simulation.step: 4579.81 s in steps of 0.001 s are" in line
+    assert not (tmp_path / "run").exists()
+
+
+def test_the_user_chooses_the_rows(tmp_path: Path) -> None:
+    files(tmp_path, GOOD + "[simulation]\noutput_step = 0.1\n")
+    done = segfmu("plan", "mission.toml", "-o", "out", cwd=tmp_path)
+    times = [
+        float(line.split(",")[0])
+        for line in (tmp_path / "out" / "plan.csv").read_text().splitlines()[1:]
+    ]
+    assert times[:3] == pytest.approx([0.0, 0.1, 0.2]) and times[-1] - times[-2] < 0.1
+    assert "plan.csv has a row every 0.1 s" in done.stdout
+
+
+FOLDERS = {"": "--output is empty", "taken": "File exists", "taken/below": "Not a directory"}
+
+
+@pytest.mark.parametrize("folder", FOLDERS)
+def test_folders_that_cannot_be(folder: str, tmp_path: Path) -> None:
+    files(tmp_path)
+    (tmp_path / "taken").write_text("x", encoding="utf-8")
+    before = sorted(tmp_path.iterdir())
+    for command in ("plan", "simulate", "build", "campaign"):
+        line = refused(tmp_path, command, "mission.toml", "-o", folder)
+        assert FOLDERS[folder] in line
+    assert sorted(tmp_path.iterdir()) == before
+
+
+def test_names_and_files_that_are_none(tmp_path: Path) -> None:
+    (tmp_path / "folder.toml").mkdir()
+    (tmp_path / "empty.toml").touch()
+    (tmp_path / "latin.toml").write_bytes("name = 'Kräne'".encode("latin-1"))
+    for words, said in (
+        (("folder.toml",), "folder.toml: cannot be read: Is a directory"),
+        (("empty.toml",), "empty.toml: crane: this key is missing"),
+        (("latin.toml",), "latin.toml: not a text file in UTF-8"),
+        (("of\ntwo lines.toml",), "of two lines.toml: cannot be read"),
+        (("/dev/zero",), "/dev/zero: larger than 4 MB"),
+        ((), "Missing argument"),
+        (("empty.toml", "--colour"), "No such option: --colour; see segfmu plan --help"),
+        (("empty.toml", "-o"), "requires an argument"),
+    ):
+        assert said in refused(tmp_path, "plan", *words)
+
+
+def test_wrong_commands_and_values_of_options(tmp_path: Path) -> None:
+    assert "did you mean 'plan'" in refused(tmp_path, "plann").lower()
+    assert "--step must be from" in refused(tmp_path, "simulate", "m.toml", "--step", "nan")
+    assert "--waypoints" in refused(tmp_path, "build", "--waypoints", "1")
