@@ -16,6 +16,8 @@ from segfmu.crane import Drive, Friction, TravelLimits
         (lambda: Drive(dead_time=-1.0), "drive dead_time must be a finite number >= 0, got -1"),
         (lambda: Drive(force_max=0.0), "drive force_max must be a finite number > 0"),
         (lambda: Drive(acceleration_max=-1.0), "drive acceleration_max"),
+        (lambda: Drive(velocity_max=0.0), "drive velocity_max must be a finite number > 0"),
+        (lambda: Drive(power_max=-1.0), "drive power_max"),
         (lambda: Drive(acceleration_max="fast"), "drive acceleration_max"),
         (lambda: Friction(viscous=(1.0, -1.0, 0.0)), "friction viscous of the trolley"),
         (lambda: Friction(coulomb=(1.0, 1.0, -2.0)), "friction coulomb of the rope"),
@@ -33,6 +35,6 @@ def test_bad_values_are_refused_by_name(make, words: str) -> None:
 
 
 def test_everything_is_absent_by_default() -> None:
-    assert Drive() == Drive(0.0, None, None)
+    assert Drive() == Drive(0.0, None, None, 0.0, None, None)
     assert Friction().viscous == Friction().coulomb == (0.0, 0.0, 0.0)
     assert TravelLimits().bridge is None

@@ -92,6 +92,8 @@ FORCE_BOUNDS: Values = {
 LAGS: Values = {f"drive.{d}.lag": 0.05 for d in DRIVES}
 ACCELERATIONS: Values = {f"drive.{d}.acceleration_max": 0.5 for d in DRIVES}
 DELAYS: Values = {f"drive.{d}.dead_time": 0.013 for d in DRIVES}
+POWERS: Values = {f"drive.{d}.power_max": 0.5 for d in DRIVES}
+SPEEDS: Values = {f"drive.{d}.velocity_max": 0.1 for d in DRIVES}
 OBSERVED: Values = {
     "feedback.source": "measured", "sensor.rope.length.offset": 0.01,
 }
@@ -102,7 +104,7 @@ VELOCITY: Values = {"drive.mode": "velocity"}
 # in the order in which they are tried
 CRANE: dict[str, Scenario] = {
     "equipment": Scenario(EQUIPMENT | FORCE_BOUNDS | FLAT, TIMES),
-    "velocity": Scenario(EQUIPMENT | VELOCITY | LAGS | DELAYS | ACCELERATIONS | FLAT, TIMES),
+    "velocity": Scenario(EQUIPMENT | VELOCITY | LAGS | DELAYS | ACCELERATIONS | SPEEDS | POWERS | FLAT, TIMES),
     "observer": Scenario(
         QUIET | OBSERVED | FLAT, np.arange(61) / 20.0, motion=still, held=WINDS, switched=True
     ),

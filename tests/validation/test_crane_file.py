@@ -38,18 +38,21 @@ dead_time = 0.03
 velocity_max = 0.75
 acceleration_max = 0.2
 force_max = 300e3
+power_max = 100e3
 [trolley]
 lag = 0.2
 dead_time = 0.02
 velocity_max = 4.0
 acceleration_max = 0.8
 force_max = 100e3
+power_max = 200e3
 [hoist]
 lag = 0.1
 dead_time = 0.01
 velocity_max = 1.5
 acceleration_max = 0.5
 force_max = 600e3
+power_max = 400e3
 [travel]
 bridge = [-10.0, 300.0]
 trolley = [-5.0, 55.0]

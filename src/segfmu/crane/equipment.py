@@ -37,6 +37,11 @@ class Drive:
         Largest acceleration in either direction [m/s2], in velocity mode.
     dead_time : float
         Time from the command, setpoint and correction, to the drive [s].
+    velocity_max : float, optional
+        Largest velocity in either direction [m/s]. Velocity setpoints beyond it are clipped; in
+        force mode the drive applies at most the force that holds it.
+    power_max : float, optional
+        Largest power [W], driving or braking: the force is at most power_max / |v|.
 
     Raises
     ------
@@ -48,11 +53,13 @@ class Drive:
     force_max: float | None = None
     acceleration_max: float | None = None
     dead_time: float = 0.0
+    velocity_max: float | None = None
+    power_max: float | None = None
 
     def __post_init__(self) -> None:
         require_not_negative("drive lag", self.lag)
         require_not_negative("drive dead_time", self.dead_time)
-        for name in ("force_max", "acceleration_max"):
+        for name in ("force_max", "acceleration_max", "velocity_max", "power_max"):
             if getattr(self, name) is not None:
                 require_positive(f"drive {name}", getattr(self, name))
 
@@ -138,6 +145,8 @@ DRIVE = tuple(
         "force_max": fed(Plant, "FORCE_MAX", i, none=(0.0,)),
         "acceleration_max": fed(Plant, "ACCELERATION_MAX", i, none=(0.0,)),
         "dead_time": fed(Plant, "DEAD_TIME", i),
+        "velocity_max": fed(Plant, "VELOCITY_MAX", i, none=(0.0,)),
+        "power_max": fed(Plant, "POWER_MAX", i, none=(0.0,)),
     }
     for i in range(len(DRIVES))
 )

@@ -9,67 +9,6 @@ Integers = NDArray[np.int64]
 
 COMPILED: bool
 
-def crane_rhs(
-    state: Floats,
-    generalized_force: Floats,
-    load_force: Floats,
-    masses: Floats,
-    derivative: Floats,
-    /,
-) -> None: ...
-
-def crane_driven(
-    state: Floats,
-    carriage: Floats,
-    generalized_force: Floats,
-    load_force: Floats,
-    masses: Floats,
-    derivative: Floats,
-    force: Floats,
-    /,
-) -> None: ...
-
-def crane_flat_inverse(
-    flat: Floats,
-    masses: Floats,
-    force: Floats,
-    state: Floats,
-    acceleration: Floats,
-    /,
-) -> None: ...
-
-def crane_load(
-    state: Floats,
-    load: Floats,
-    /,
-) -> None: ...
-
-def crane_energy(
-    state: Floats,
-    masses: Floats,
-    energy: Floats,
-    /,
-) -> None: ...
-
-def seed_numbers(
-    seed: int,
-    numbers: Floats,
-    /,
-) -> None: ...
-
-def next_uniform(
-    numbers: Floats,
-    /,
-) -> float: ...
-
-def noise_components(
-    bandwidth: float,
-    deviation: Floats,
-    numbers: Floats,
-    components: Floats,
-    /,
-) -> None: ...
-
 def feedback_correction(
     state: Floats,
     reference: Floats,
@@ -203,6 +142,48 @@ def track_setpoint(
     /,
 ) -> None: ...
 
+def crane_rhs(
+    state: Floats,
+    generalized_force: Floats,
+    load_force: Floats,
+    masses: Floats,
+    derivative: Floats,
+    /,
+) -> None: ...
+
+def crane_driven(
+    state: Floats,
+    carriage: Floats,
+    generalized_force: Floats,
+    load_force: Floats,
+    masses: Floats,
+    derivative: Floats,
+    force: Floats,
+    /,
+) -> None: ...
+
+def crane_flat_inverse(
+    flat: Floats,
+    masses: Floats,
+    force: Floats,
+    state: Floats,
+    acceleration: Floats,
+    /,
+) -> None: ...
+
+def crane_load(
+    state: Floats,
+    load: Floats,
+    /,
+) -> None: ...
+
+def crane_energy(
+    state: Floats,
+    masses: Floats,
+    energy: Floats,
+    /,
+) -> None: ...
+
 def crane_load_partials(
     state: Floats,
     partials: Floats,
@@ -231,6 +212,25 @@ def compensate_setpoints(
     known: Floats,
     force: Floats,
     setpoint: Floats,
+    /,
+) -> None: ...
+
+def seed_numbers(
+    seed: int,
+    numbers: Floats,
+    /,
+) -> None: ...
+
+def next_uniform(
+    numbers: Floats,
+    /,
+) -> float: ...
+
+def noise_components(
+    bandwidth: float,
+    deviation: Floats,
+    numbers: Floats,
+    components: Floats,
     /,
 ) -> None: ...
 

@@ -48,7 +48,8 @@ class DriveTable(Table):
         Key("from the command to the drive", "s", ("drive.{}.dead_time",), IDEAL),
     ] = None
     velocity_max: Annotated[
-        Positive | None, Key("greatest velocity", "m/s", (), NO_BOUND)
+        Positive | None,
+        Key("greatest velocity", "m/s", ("drive.{}.velocity_max",), NO_BOUND),
     ] = None
     acceleration_max: Annotated[
         Positive | None,
@@ -56,6 +57,10 @@ class DriveTable(Table):
     ] = None
     force_max: Annotated[
         Positive | None, Key("greatest force", "N", ("drive.{}.force_max",), NO_BOUND)
+    ] = None
+    power_max: Annotated[
+        Positive | None,
+        Key("greatest power, driving or braking", "W", ("drive.{}.power_max",), NO_BOUND),
     ] = None
 
 

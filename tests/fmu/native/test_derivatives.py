@@ -26,6 +26,8 @@ CASES = {
     "force": {}, "friction": FRICTION, "velocity": VELOCITY | FRICTION,
     "saturated": {"drive.bridge.force_max": 0.1, **FRICTION},
     "clamped": {**VELOCITY, "drive.bridge.acceleration_max": 0.1},
+    "clipped": {**VELOCITY, "drive.trolley.velocity_max": 0.05},
+    "power": {"drive.bridge.power_max": 0.01, "drive.hoist.power_max": 0.3, **FRICTION},
 }
 
 

@@ -27,7 +27,7 @@ def plant(mode: int) -> np.ndarray:
     found = np.zeros(Plant.SIZE)
     found[: Plant.LAG] = 2.2, 1.155, 1.0, 9.81, mode
     found[Plant.FORCE_MAX : Plant.ACCELERATION_MAX] = 4.0, 0.0, 6.0
-    found[Plant.ACCELERATION_MAX : Plant.VISCOUS] = 0.0, 0.5, 0.6
+    found[Plant.ACCELERATION_MAX : Plant.VELOCITY_MAX] = 0.0, 0.5, 0.6
     return found
 
 

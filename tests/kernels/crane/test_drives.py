@@ -27,7 +27,7 @@ def driven(state, demand, force_max, acceleration_max=(0.0, 0.0, 0.0)):
     work = np.zeros((Work.SIZE, Work.COLUMNS))
     parameters[: Plant.LAG] = *MASSES, DriveMode.VELOCITY
     parameters[Plant.FORCE_MAX : Plant.ACCELERATION_MAX] = force_max
-    parameters[Plant.ACCELERATION_MAX : Plant.DEAD_TIME] = acceleration_max
+    parameters[Plant.ACCELERATION_MAX : Plant.VELOCITY_MAX] = acceleration_max
     work[Work.DEMAND, :3] = demand
     driven_derivative(parameters, np.array(state), work, derivative)
     action = work[Work.ACTION]

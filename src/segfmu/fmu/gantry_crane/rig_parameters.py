@@ -37,6 +37,15 @@ def _drives() -> list[Variable]:
                 minimum=0.0,
             ),
             parameter(
+                f"{name}.velocity_max", 0.0, "m/s",
+                f"largest velocity of the {drive} drive; 0: no bound", minimum=0.0,
+            ),
+            parameter(
+                f"{name}.power_max", 0.0, "W",
+                f"largest power of the {drive} drive, driving or braking; 0: no bound",
+                minimum=0.0,
+            ),
+            parameter(
                 f"{name}.dead_time", 0.0, "s",
                 f"from the command of the {drive}, setpoint and correction, to the drive; in model "
                 "exchange 0", minimum=0.0,

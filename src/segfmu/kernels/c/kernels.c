@@ -3,22 +3,19 @@
 
 #include <math.h>
 
-static double full_circle(void);
-static double next_normal(array_double_1d numbers);
-static double friction_force(array_double_1d plant, int64_t axis, double velocity);
-static double friction_slope(array_double_1d plant, int64_t axis, double velocity);
-static double gust_factor(double shape, double share);
-static void wind_force(array_double_1d plant, array_double_2d components, double time, array_double_2d work);
 static bool exceeds(double value, double bound);
 static double limited(double value, double bound);
-static void forced_derivative(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
-static void driven_forces(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
+static double force_bound(array_double_1d plant, int64_t axis, double velocity);
+static void rope_direction(array_double_1d state, array_double_1d limit);
 static double carriage_mass(array_double_1d masses, int64_t axis);
 static double limit_side(array_double_1d plant, int64_t axis, array_double_1d action, array_double_1d limit);
-static double missing_force(array_double_1d plant, int64_t axis, array_double_1d action, array_double_1d limit);
+static double missing_force(int64_t axis, array_double_1d action, array_double_1d limit);
 static void change_accelerations(array_double_1d plant, array_double_1d action, array_double_1d limit);
 static void limit_accelerations(array_double_1d plant, array_double_1d state, array_double_1d action, array_double_1d acceleration, array_double_1d limit);
-static void driven_derivative(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
+static bool at_velocity_bound(array_double_1d plant, int64_t axis, array_double_1d state);
+static double held_side(int64_t axis, array_double_1d state, array_double_1d derivative, array_double_1d limit);
+static void hold_accelerations(array_double_1d plant, array_double_1d derivative, array_double_1d limit);
+static void hold_velocities(array_double_1d plant, array_double_1d state, array_double_1d derivative, array_double_1d action, array_double_1d limit);
 static int64_t table_row(double length, array_double_3d table);
 static double table_share(double length, array_double_3d table, int64_t row);
 static void matrix_set(int64_t n, double value, array_double_2d a);
@@ -77,6 +74,15 @@ static void series_product(array_double_1d a, array_double_1d b, int64_t count, 
 static void series_quotient(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found);
 static void series_root(array_double_1d a, int64_t count, array_double_1d found);
 static void series_angle(array_double_1d y, array_double_1d x, array_double_1d square, int64_t count, array_double_1d scratch, array_double_1d found);
+static double full_circle(void);
+static double next_normal(array_double_1d numbers);
+static double friction_force(array_double_1d plant, int64_t axis, double velocity);
+static double friction_slope(array_double_1d plant, int64_t axis, double velocity);
+static double gust_factor(double shape, double share);
+static void wind_force(array_double_1d plant, array_double_2d components, double time, array_double_2d work);
+static void forced_derivative(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
+static void driven_forces(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
+static void driven_derivative(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
 static double stage_node(int64_t stage);
 static void stage_state(int64_t stage, double h, int64_t count, array_double_1d state, array_double_2d k, array_double_1d trial);
 static double step_error(double h, int64_t count, array_double_1d start, array_double_1d end, array_double_2d k);
@@ -234,6 +240,7 @@ static void update_signals(array_double_2d settings, double time, array_double_2
 static bool is_driven(array_double_2d memory);
 static double setpoint_at(array_double_1d setpoints, int64_t i, double share, array_double_2d memory);
 static int64_t setpoint_rates(double* result_0_0001, double* result_1, double* result_2_0001, array_double_1d setpoints, int64_t i, double share, double duration, array_double_2d memory);
+static double bounded_velocity(int64_t axis, double velocity, array_double_2d memory);
 static void set_command(int64_t axis, double value, double slope, double square, double cube, array_double_2d memory);
 static int64_t delay_rows(double longest, double period);
 static double longest_delay(array_double_1d plant);
@@ -261,6 +268,7 @@ static double total_sway(double angle_x, double angle_y);
 static void drive_outputs(array_double_2d memory, array_double_1d outputs);
 static double gust_rate(double shape, double share);
 static double wind_slope(array_double_1d plant, array_double_2d components, double time, int64_t axis);
+static double power_slope(array_double_1d plant, int64_t axis, array_double_1d state, array_double_1d action);
 static void add_damping(array_double_1d plant, array_double_1d by, array_double_1d row);
 static void forced_partials(array_double_1d plant, array_double_1d state, array_double_2d rig, array_double_2d work, array_double_2d partials);
 static bool demand_partials(array_double_1d plant, array_double_1d state, array_double_2d rig, array_double_1d command, array_double_2d partials);
@@ -277,698 +285,6 @@ static int64_t expand_profile(array_double_2d cell, bool second, array_double_1d
 static int64_t expand_cell(array_double_2d cell, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work);
 
 
-/*Right-hand side of (1): derivative of the state under forces on every coordinate.*/
-void segfmu_crane_rhs(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative)
-{
-    double l;
-    double phi_x;
-    double phi_y;
-    double x_t_rate;
-    double y_t_rate;
-    double l_rate;
-    double phi_x_rate;
-    double phi_y_rate;
-    double bridge_mass;
-    double trolley_mass;
-    double payload_mass;
-    double gravity;
-    double f_x_t;
-    double f_y_t;
-    double f_l;
-    double f_phi_x;
-    double f_phi_y;
-    double w_x;
-    double w_y;
-    double w_z;
-    double c0;
-    double c1;
-    double c2;
-    double c3;
-    double c4;
-    double c5;
-    double c6;
-    double c7;
-    double c8;
-    double c9;
-    double c10;
-    double c11;
-    double c12;
-    double c13;
-    double c14;
-    double c15;
-    double c16;
-    double c17;
-    double c18;
-    double c19;
-    double c20;
-    double c21;
-    double c22;
-    double c23;
-    double c24;
-    double c25;
-    double c26;
-    double c27;
-    double c28;
-    l = (*cspan_at(&state, INT64_C(2)));
-    phi_x = (*cspan_at(&state, INT64_C(3)));
-    phi_y = (*cspan_at(&state, INT64_C(4)));
-    x_t_rate = (*cspan_at(&state, INT64_C(5)));
-    y_t_rate = (*cspan_at(&state, INT64_C(6)));
-    l_rate = (*cspan_at(&state, INT64_C(7)));
-    phi_x_rate = (*cspan_at(&state, INT64_C(8)));
-    phi_y_rate = (*cspan_at(&state, INT64_C(9)));
-    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
-    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
-    payload_mass = (*cspan_at(&masses, INT64_C(2)));
-    gravity = (*cspan_at(&masses, INT64_C(3)));
-    f_x_t = (*cspan_at(&generalized_force, INT64_C(0)));
-    f_y_t = (*cspan_at(&generalized_force, INT64_C(1)));
-    f_l = (*cspan_at(&generalized_force, INT64_C(2)));
-    f_phi_x = (*cspan_at(&generalized_force, INT64_C(3)));
-    f_phi_y = (*cspan_at(&generalized_force, INT64_C(4)));
-    w_x = (*cspan_at(&load_force, INT64_C(0)));
-    w_y = (*cspan_at(&load_force, INT64_C(1)));
-    w_z = (*cspan_at(&load_force, INT64_C(2)));
-    c0 = INT64_C(1) / (bridge_mass + trolley_mass);
-    c1 = sin(phi_x);
-    c2 = cos(phi_x);
-    c3 = INT64_C(1) / l;
-    c4 = c3 * f_phi_x;
-    c5 = c1 * f_l + c2 * c4;
-    c6 = c5 - f_x_t;
-    c7 = sin(phi_y);
-    c8 = c2 * c7;
-    c9 = cos(phi_y);
-    c10 = c3 / c2;
-    c11 = c10 * f_phi_y;
-    c12 = c1 * c7;
-    c13 = c11 * c9 - c12 * c4 + c8 * f_l;
-    c14 = (c13 + f_y_t) / trolley_mass;
-    c15 = c2 * l_rate;
-    c16 = c1 * phi_x_rate;
-    c17 = c16 * l;
-    c18 = INT64_C(1) / payload_mass;
-    c19 = (-c0) * c6 + c15 * phi_x_rate - c18 * (c5 + w_x) + phi_x_rate * ((-c17) + c2 * l_rate);
-    c20 = c8 * phi_y_rate;
-    c21 = c1 * l_rate;
-    c22 = c2 * c9;
-    c23 = l * phi_x_rate;
-    c24 = l * phi_y_rate;
-    c25 = c22 * phi_y_rate;
-    c26 = c1 * c9;
-    c27 = (-c18) * (c11 * c7 - c22 * f_l + c26 * c4 + w_z) + gravity + l_rate * (c16 * c9 + c20) + phi_x_rate * ((-c12) * c24 + c21 * c9 + c22 * c23) + phi_y_rate * (c15 * c7 - c17 * c7 + c25 * l);
-    c28 = c14 - c18 * ((-c13) + w_y) + l_rate * (c16 * c7 - c25) + phi_x_rate * (c21 * c7 + c23 * c8 + c24 * c26) + phi_y_rate * ((-c15) * c9 + c17 * c9 + c20 * l);
-    (*cspan_at(&derivative, INT64_C(0))) = x_t_rate;
-    (*cspan_at(&derivative, INT64_C(1))) = y_t_rate;
-    (*cspan_at(&derivative, INT64_C(2))) = l_rate;
-    (*cspan_at(&derivative, INT64_C(3))) = phi_x_rate;
-    (*cspan_at(&derivative, INT64_C(4))) = phi_y_rate;
-    (*cspan_at(&derivative, INT64_C(5))) = (-c0) * c6;
-    (*cspan_at(&derivative, INT64_C(6))) = c14;
-    (*cspan_at(&derivative, INT64_C(7))) = (-c1) * c19 + c22 * c27 + c28 * c8;
-    (*cspan_at(&derivative, INT64_C(8))) = (-c3) * (c12 * c28 + c19 * c2 + c26 * c27);
-    (*cspan_at(&derivative, INT64_C(9))) = c10 * ((-c27) * c7 + c28 * c9);
-}
-/*The same for given accelerations of bridge, trolley and rope, with the forces they need. */
-void segfmu_crane_driven(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative, array_double_1d force)
-{
-    double l;
-    double phi_x;
-    double phi_y;
-    double x_t_rate;
-    double y_t_rate;
-    double l_rate;
-    double phi_x_rate;
-    double phi_y_rate;
-    double bridge_mass;
-    double trolley_mass;
-    double payload_mass;
-    double gravity;
-    double a_x;
-    double a_y;
-    double a_l;
-    double f_phi_x;
-    double f_phi_y;
-    double w_x;
-    double w_y;
-    double w_z;
-    double c0;
-    double c1;
-    double c2;
-    double c3;
-    double c4;
-    double c5;
-    double c6;
-    double c7;
-    double c8;
-    double c9;
-    double c10;
-    double c11;
-    double c12;
-    double c13;
-    double c14;
-    double c15;
-    double c16;
-    double c17;
-    double c18;
-    double c19;
-    double c20;
-    double c21;
-    double c22;
-    double c23;
-    double c24;
-    double c25;
-    double c26;
-    double c27;
-    double c28;
-    double c29;
-    double c30;
-    double c31;
-    double c32;
-    double c33;
-    double c34;
-    l = (*cspan_at(&state, INT64_C(2)));
-    phi_x = (*cspan_at(&state, INT64_C(3)));
-    phi_y = (*cspan_at(&state, INT64_C(4)));
-    x_t_rate = (*cspan_at(&state, INT64_C(5)));
-    y_t_rate = (*cspan_at(&state, INT64_C(6)));
-    l_rate = (*cspan_at(&state, INT64_C(7)));
-    phi_x_rate = (*cspan_at(&state, INT64_C(8)));
-    phi_y_rate = (*cspan_at(&state, INT64_C(9)));
-    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
-    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
-    payload_mass = (*cspan_at(&masses, INT64_C(2)));
-    gravity = (*cspan_at(&masses, INT64_C(3)));
-    a_x = (*cspan_at(&carriage, INT64_C(0)));
-    a_y = (*cspan_at(&carriage, INT64_C(1)));
-    a_l = (*cspan_at(&carriage, INT64_C(2)));
-    f_phi_x = (*cspan_at(&generalized_force, INT64_C(3)));
-    f_phi_y = (*cspan_at(&generalized_force, INT64_C(4)));
-    w_x = (*cspan_at(&load_force, INT64_C(0)));
-    w_y = (*cspan_at(&load_force, INT64_C(1)));
-    w_z = (*cspan_at(&load_force, INT64_C(2)));
-    c0 = INT64_C(1) / (l * l);
-    c1 = INT64_C(1) / payload_mass;
-    c2 = cos(phi_x);
-    c3 = sin(phi_x);
-    c4 = c3 * phi_x_rate;
-    c5 = c4 * l;
-    c6 = (-c2) * l_rate + c5;
-    c7 = c2 * l_rate;
-    c8 = a_l * c3 + a_x + c7 * phi_x_rate;
-    c9 = (-c1) * w_x + c8;
-    c10 = c2 * l;
-    c11 = sin(phi_y);
-    c12 = cos(phi_y);
-    c13 = c2 * phi_y_rate;
-    c14 = c3 * l_rate;
-    c15 = c10 * c11;
-    c16 = c3 * l;
-    c17 = c12 * phi_y_rate;
-    c18 = a_l * c2;
-    c19 = a_y - c11 * c18 + l_rate * (c11 * c4 - c12 * c13) + phi_x_rate * (c11 * c14 + c15 * phi_x_rate + c16 * c17) + phi_y_rate * (c12 * c5 - c12 * c7 + c15 * phi_y_rate);
-    c20 = (-c1) * w_y + c19;
-    c21 = c11 * c16;
-    c22 = c10 * c12;
-    c23 = (-c1) * w_z - c12 * c18 + gravity + l_rate * (c11 * c13 + c12 * c4) + phi_x_rate * (c12 * c14 - c21 * phi_y_rate + c22 * phi_x_rate) + phi_y_rate * (c10 * c17 - c11 * c5 + c11 * c7);
-    c24 = (-c1) * f_phi_x + c10 * ((-c6) * phi_x_rate + c9) + c12 * c16 * c23 + c20 * c21;
-    c25 = c1 * f_phi_y - c15 * c23 + c20 * c22;
-    c26 = (-c6) * phi_x_rate;
-    c27 = INT64_C(1) / l;
-    c28 = c2 * c27;
-    c29 = c12 * c27;
-    c30 = c25 / c2;
-    c31 = (-c29) * c30;
-    c32 = c11 * c27;
-    c33 = c3 * c32;
-    c34 = -c24;
-    (*cspan_at(&derivative, INT64_C(0))) = x_t_rate;
-    (*cspan_at(&derivative, INT64_C(1))) = y_t_rate;
-    (*cspan_at(&derivative, INT64_C(2))) = l_rate;
-    (*cspan_at(&derivative, INT64_C(3))) = phi_x_rate;
-    (*cspan_at(&derivative, INT64_C(4))) = phi_y_rate;
-    (*cspan_at(&derivative, INT64_C(5))) = a_x;
-    (*cspan_at(&derivative, INT64_C(6))) = a_y;
-    (*cspan_at(&derivative, INT64_C(7))) = a_l;
-    (*cspan_at(&derivative, INT64_C(8))) = (-c0) * c24;
-    (*cspan_at(&derivative, INT64_C(9))) = c0 * c25 / (c2 * c2);
-    (*cspan_at(&force, INT64_C(0))) = a_x * (bridge_mass + trolley_mass) + payload_mass * ((-c24) * c28 + c26 + c8) - w_x;
-    (*cspan_at(&force, INT64_C(1))) = a_y * trolley_mass + payload_mass * (c19 - c24 * c33 + c31) - w_y;
-    (*cspan_at(&force, INT64_C(2))) = payload_mass * ((-c11) * c2 * (c20 + c31 + c33 * c34) - c12 * c2 * (c23 + c29 * c3 * c34 + c30 * c32) + c3 * (c26 + c28 * c34 + c9));
-}
-/*Flat inverse (7): flat[d, i] is the d-th derivative of the load's position in axis i.*/
-void segfmu_crane_flat_inverse(array_double_2d flat, array_double_1d masses, array_double_1d force, array_double_1d state, array_double_1d acceleration)
-{
-    double p0x;
-    double p0y;
-    double p0z;
-    double p1x;
-    double p1y;
-    double p1z;
-    double p2x;
-    double p2y;
-    double p2z;
-    double p3x;
-    double p3y;
-    double p3z;
-    double p4x;
-    double p4y;
-    double p4z;
-    double bridge_mass;
-    double trolley_mass;
-    double payload_mass;
-    double gravity;
-    double c0;
-    double c1;
-    double c2;
-    double c3;
-    double c4;
-    double c5;
-    double c6;
-    double c7;
-    double c8;
-    double c9;
-    double c10;
-    double c11;
-    double c12;
-    double c13;
-    double c14;
-    double c15;
-    double c16;
-    double c17;
-    double c18;
-    double c19;
-    double c20;
-    double c21;
-    double c22;
-    double c23;
-    double c24;
-    double c25;
-    double c26;
-    double c27;
-    double c28;
-    double c29;
-    double c30;
-    double c31;
-    double c32;
-    double c33;
-    double c34;
-    double c35;
-    double c36;
-    double c37;
-    double c38;
-    double c39;
-    double c40;
-    double c41;
-    double c42;
-    double c43;
-    double c44;
-    double c45;
-    double c46;
-    double c47;
-    double c48;
-    double c49;
-    double c50;
-    double c51;
-    double c52;
-    double c53;
-    double c54;
-    double c55;
-    double c56;
-    double c57;
-    double c58;
-    double c59;
-    double c60;
-    double c61;
-    double c62;
-    double c63;
-    double c64;
-    double c65;
-    double c66;
-    double c67;
-    p0x = (*cspan_at(&flat, INT64_C(0), INT64_C(0)));
-    p0y = (*cspan_at(&flat, INT64_C(0), INT64_C(1)));
-    p0z = (*cspan_at(&flat, INT64_C(0), INT64_C(2)));
-    p1x = (*cspan_at(&flat, INT64_C(1), INT64_C(0)));
-    p1y = (*cspan_at(&flat, INT64_C(1), INT64_C(1)));
-    p1z = (*cspan_at(&flat, INT64_C(1), INT64_C(2)));
-    p2x = (*cspan_at(&flat, INT64_C(2), INT64_C(0)));
-    p2y = (*cspan_at(&flat, INT64_C(2), INT64_C(1)));
-    p2z = (*cspan_at(&flat, INT64_C(2), INT64_C(2)));
-    p3x = (*cspan_at(&flat, INT64_C(3), INT64_C(0)));
-    p3y = (*cspan_at(&flat, INT64_C(3), INT64_C(1)));
-    p3z = (*cspan_at(&flat, INT64_C(3), INT64_C(2)));
-    p4x = (*cspan_at(&flat, INT64_C(4), INT64_C(0)));
-    p4y = (*cspan_at(&flat, INT64_C(4), INT64_C(1)));
-    p4z = (*cspan_at(&flat, INT64_C(4), INT64_C(2)));
-    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
-    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
-    payload_mass = (*cspan_at(&masses, INT64_C(2)));
-    gravity = (*cspan_at(&masses, INT64_C(3)));
-    c0 = gravity + p2z;
-    c1 = INT64_C(1) / c0;
-    c2 = c1 * p0z;
-    c3 = c1 * p2z;
-    c4 = p0z * p4z;
-    c5 = c0 * c0;
-    c6 = INT64_C(1) / c5;
-    c7 = c6 * p2x;
-    c8 = c1 * p3z;
-    c9 = c8 * p2x;
-    c10 = c1 * p1z;
-    c11 = c1 * (c8 * p0z - p1z);
-    c12 = p0z * p3x;
-    c13 = p1z * p2x;
-    c14 = c6 * p3z;
-    c15 = c10 * (c9 - p3x) + c11 * p3x + c14 * (c12 + c13 - INT64_C(2) * c9 * p0z) - c2 * p4x - c3 * p2x + c4 * c7 + p2x;
-    c16 = p2y * p4z;
-    c17 = c6 * p0z;
-    c18 = p2y * p3z;
-    c19 = p0z * p3y;
-    c20 = p1z * p2y;
-    c21 = INT64_C(2) * c18;
-    c22 = c10 * (c1 * c18 - p3y) + c11 * p3y + c14 * (c19 - c2 * c21 + c20) + c16 * c17 - c2 * p4y - c3 * p2y + p2y;
-    c23 = p2x * p2x;
-    c24 = p2y * p2y;
-    c25 = c24 + c5;
-    c26 = c23 + c25;
-    c27 = sqrt(c26);
-    c28 = sqrt(c25);
-    c29 = p0z * p2x;
-    c30 = c1 * c12;
-    c31 = (-c1) * c13 - c30;
-    c32 = c1 * c19;
-    c33 = (-c1) * c20 - c32;
-    c34 = INT64_C(1) / c27;
-    c35 = c1 * c34;
-    c36 = c12 * p2x;
-    c37 = c19 * p2y;
-    c38 = c27 * c6;
-    c39 = c34 - c38;
-    c40 = p0z * p3z;
-    c41 = INT64_C(1) / c26;
-    c42 = c28 * p3x;
-    c43 = INT64_C(1) / c28;
-    c44 = c43 * p2y;
-    c45 = c44 * p3y;
-    c46 = c0 * c43;
-    c47 = c46 * p3z;
-    c48 = INT64_C(1) / c25;
-    c49 = c35 * p2y;
-    c50 = c41 + c6;
-    c51 = c30 * c41;
-    c52 = c32 * c41;
-    c53 = p2x * p2y;
-    c54 = INT64_C(1) / (c26 * sqrt(c26));
-    c55 = c44 * p2x;
-    c56 = c46 * p2x;
-    c57 = INT64_C(2) * c41;
-    c58 = c42 * c57;
-    c59 = c23 * c57;
-    c60 = c43 * p2x;
-    c61 = c60 * p3y;
-    c62 = p2x / (c25 * sqrt(c25));
-    c63 = c0 * c18;
-    c64 = c60 * p3z;
-    c65 = c0 * p3y;
-    c66 = c65 * p2y;
-    c67 = INT64_C(2) * c48;
-    (*cspan_at(&force, INT64_C(0))) = c15 * (bridge_mass + trolley_mass) + p2x * payload_mass;
-    (*cspan_at(&force, INT64_C(1))) = c22 * trolley_mass + p2y * payload_mass;
-    (*cspan_at(&force, INT64_C(2))) = (-c27) * payload_mass;
-    (*cspan_at(&state, INT64_C(0))) = (-c2) * p2x + p0x;
-    (*cspan_at(&state, INT64_C(1))) = (-c2) * p2y + p0y;
-    (*cspan_at(&state, INT64_C(2))) = (-c2) * c27;
-    (*cspan_at(&state, INT64_C(3))) = atan2(-p2x, c28);
-    (*cspan_at(&state, INT64_C(4))) = atan2(p2y, c0);
-    (*cspan_at(&state, INT64_C(5))) = c14 * c29 + c31 + p1x;
-    (*cspan_at(&state, INT64_C(6))) = c17 * c18 + c33 + p1y;
-    (*cspan_at(&state, INT64_C(7))) = (-c10) * c27 - c35 * c36 - c35 * c37 - c39 * c40;
-    (*cspan_at(&state, INT64_C(8))) = c41 * ((-c42) + c45 * p2x + c47 * p2x);
-    (*cspan_at(&state, INT64_C(9))) = c48 * (c0 * p3y - c18);
-    (*cspan_at(&acceleration, INT64_C(0))) = c15;
-    (*cspan_at(&acceleration, INT64_C(1))) = c22;
-    (*cspan_at(&acceleration, INT64_C(2))) = (-c27) * c3 - c29 * c35 * p4x + c34 * p3x * (c23 * c51 + c31 + c40 * c50 * p2x + c52 * c53) + c34 * p3y * (c18 * c50 * p0z + c24 * c52 + c33 + c51 * c53) - c39 * c4 - c49 * p0z * p4y - p1z * (c35 * p2x * p3x + c39 * p3z + c49 * p3y) + p3z * (c12 * c34 * c7 + c34 * c37 * c6 - c34 * p1z + c36 * c54 + c37 * c54 + c38 * p1z - c40 * ((-c0) * c54 - c35 + INT64_C(2) * c27 / (c0 * c0 * c0)));
-    (*cspan_at(&acceleration, INT64_C(3))) = c41 * ((-c28) * p4x + c55 * p4y + c56 * p4z + p3x * ((-c45) * c59 + c45 - c47 * c59 + c47 + c58 * p2x) - p3y * (c21 * c41 * c56 + c24 * c57 * c61 + c24 * c62 * p3y + c44 * p3x - c58 * p2y - c61 + c62 * c63) - p3z * ((-c0) * c58 + c46 * p3x + c5 * c57 * c64 + c5 * c62 * p3z + c55 * c57 * c65 + c62 * c66 - c64));
-    (*cspan_at(&acceleration, INT64_C(4))) = c48 * (c0 * p4y - c16 - p3y * ((-c24) * c67 * p3z + c66 * c67 + p3z) + p3z * ((-c5) * c67 * p3y + c63 * c67 + p3y));
-}
-/*Position load[0] and velocity load[1] of the load, (16). */
-void segfmu_crane_load(array_double_1d state, array_double_2d load)
-{
-    double x_t;
-    double y_t;
-    double l;
-    double phi_x;
-    double phi_y;
-    double x_t_rate;
-    double y_t_rate;
-    double l_rate;
-    double phi_x_rate;
-    double phi_y_rate;
-    double c0;
-    double c1;
-    double c2;
-    double c3;
-    double c4;
-    double c5;
-    double c6;
-    double c7;
-    double c8;
-    double c9;
-    x_t = (*cspan_at(&state, INT64_C(0)));
-    y_t = (*cspan_at(&state, INT64_C(1)));
-    l = (*cspan_at(&state, INT64_C(2)));
-    phi_x = (*cspan_at(&state, INT64_C(3)));
-    phi_y = (*cspan_at(&state, INT64_C(4)));
-    x_t_rate = (*cspan_at(&state, INT64_C(5)));
-    y_t_rate = (*cspan_at(&state, INT64_C(6)));
-    l_rate = (*cspan_at(&state, INT64_C(7)));
-    phi_x_rate = (*cspan_at(&state, INT64_C(8)));
-    phi_y_rate = (*cspan_at(&state, INT64_C(9)));
-    c0 = sin(phi_x);
-    c1 = c0 * l;
-    c2 = sin(phi_y);
-    c3 = cos(phi_x);
-    c4 = c3 * l;
-    c5 = c2 * c4;
-    c6 = cos(phi_y);
-    c7 = c4 * c6;
-    c8 = c3 * l_rate;
-    c9 = c1 * phi_x_rate;
-    (*cspan_at(&load, INT64_C(0), INT64_C(0))) = c1 + x_t;
-    (*cspan_at(&load, INT64_C(0), INT64_C(1))) = (-c5) + y_t;
-    (*cspan_at(&load, INT64_C(0), INT64_C(2))) = -c7;
-    (*cspan_at(&load, INT64_C(1), INT64_C(0))) = c0 * l_rate + c4 * phi_x_rate + x_t_rate;
-    (*cspan_at(&load, INT64_C(1), INT64_C(1))) = (-c2) * c8 + c2 * c9 - c7 * phi_y_rate + y_t_rate;
-    (*cspan_at(&load, INT64_C(1), INT64_C(2))) = c5 * phi_y_rate - c6 * c8 + c6 * c9;
-}
-/*Kinetic and potential energy, (17a) and (17b). */
-void segfmu_crane_energy(array_double_1d state, array_double_1d masses, array_double_1d energy)
-{
-    double l;
-    double phi_x;
-    double phi_y;
-    double x_t_rate;
-    double y_t_rate;
-    double l_rate;
-    double phi_x_rate;
-    double phi_y_rate;
-    double bridge_mass;
-    double trolley_mass;
-    double payload_mass;
-    double gravity;
-    double c0;
-    double c1;
-    double c2;
-    double c3;
-    double c4;
-    double c5;
-    double c6;
-    double c7;
-    double c8;
-    double c9;
-    double c10;
-    double c11;
-    double c12;
-    l = (*cspan_at(&state, INT64_C(2)));
-    phi_x = (*cspan_at(&state, INT64_C(3)));
-    phi_y = (*cspan_at(&state, INT64_C(4)));
-    x_t_rate = (*cspan_at(&state, INT64_C(5)));
-    y_t_rate = (*cspan_at(&state, INT64_C(6)));
-    l_rate = (*cspan_at(&state, INT64_C(7)));
-    phi_x_rate = (*cspan_at(&state, INT64_C(8)));
-    phi_y_rate = (*cspan_at(&state, INT64_C(9)));
-    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
-    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
-    payload_mass = (*cspan_at(&masses, INT64_C(2)));
-    gravity = (*cspan_at(&masses, INT64_C(3)));
-    c0 = x_t_rate * x_t_rate;
-    c1 = sin(phi_x);
-    c2 = cos(phi_x);
-    c3 = l * phi_x_rate;
-    c4 = cos(phi_y);
-    c5 = c2 * l_rate;
-    c6 = c1 * c3;
-    c7 = sin(phi_y);
-    c8 = c2 * l;
-    c9 = c8 * phi_y_rate;
-    c10 = c1 * l_rate + c2 * c3 + x_t_rate;
-    c11 = (-c4) * c5 + c4 * c6 + c7 * c9;
-    c12 = (-c4) * c9 - c5 * c7 + c6 * c7 + y_t_rate;
-    (*cspan_at(&energy, INT64_C(0))) = 1.0 / 2.0 * bridge_mass * c0 + 1.0 / 2.0 * payload_mass * (c10 * c10 + c11 * c11 + c12 * c12) + 1.0 / 2.0 * trolley_mass * (c0 + y_t_rate * y_t_rate);
-    (*cspan_at(&energy, INT64_C(1))) = (-c4) * c8 * gravity * payload_mass;
-}
-/*2 pi; C99 has no name for it.*/
-static double full_circle(void)
-{
-    return 6.283185307179586;
-}
-/*A number in the open interval (0, 1).*/
-double segfmu_next_uniform(array_double_1d numbers)
-{
-    double first;
-    double second;
-    double difference;
-    first = 40014.0 * (*cspan_at(&numbers, INT64_C(0)));
-    second = 40692.0 * (*cspan_at(&numbers, INT64_C(1)));
-    (*cspan_at(&numbers, INT64_C(0))) = first - (int64_t)floor(first / 2147483563.0) * 2147483563.0;
-    (*cspan_at(&numbers, INT64_C(1))) = second - (int64_t)floor(second / 2147483399.0) * 2147483399.0;
-    difference = (*cspan_at(&numbers, INT64_C(0))) - (*cspan_at(&numbers, INT64_C(1)));
-    if (difference < 1.0)
-    {
-        difference = difference + 2147483562.0;
-    }
-    return difference / 2147483563.0;
-}
-/*Start the random numbers; seed in 0 .. 2^31 - 1. */
-void segfmu_seed_numbers(int64_t seed, array_double_1d numbers)
-{
-    int64_t other;
-    int64_t Dummy_0000;
-    other = seed * INT64_C(69069) + INT64_C(12345);
-    (*cspan_at(&numbers, INT64_C(0))) = 1.0 + seed - span_floor_div(seed, INT64_C(2147483562)) * INT64_C(2147483562);
-    (*cspan_at(&numbers, INT64_C(1))) = 1.0 + other - span_floor_div(other, INT64_C(2147483398)) * INT64_C(2147483398);
-    /*similar seeds give similar first numbers, so skip some*/
-    for (Dummy_0000 = INT64_C(0); Dummy_0000 < INT64_C(20); Dummy_0000 += INT64_C(1))
-    {
-        segfmu_next_uniform(numbers);
-    }
-}
-/*A number of the standard normal distribution, by Box and Muller. */
-static double next_normal(array_double_1d numbers)
-{
-    double radius;
-    double result;
-    radius = sqrt((-2.0) * log(segfmu_next_uniform(numbers)));
-    result = radius * cos(full_circle() * segfmu_next_uniform(numbers));
-    return result;
-}
-/*Sines that add up to noise whose spectrum is flat up to a bandwidth [Hz] and zero above.           */
-/*                                                                                                   */
-/*    deviation (3,): standard deviations along x, y, z [N]; components (count, 7): a `Sinusoid` a   */
-/*    row, a sine with a random phase.                                                               */
-/*    Spectral representation of M. Shinozuka and C.-M. Jan, J. Sound Vib. 25 (1972); the frequencies*/
-/*    are random within equal bands, so that the noise has no period.                                */
-/*                                                                                                   */
-void segfmu_noise_components(double bandwidth, array_double_1d deviation, array_double_1d numbers, array_double_2d components)
-{
-    int64_t count;
-    int64_t i;
-    double frequency;
-    int64_t axis;
-    double amplitude;
-    double phase;
-    count = components.shape[INT64_C(0)];
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        frequency = full_circle() * bandwidth * (i + segfmu_next_uniform(numbers)) / count;
-        (*cspan_at(&components, i, INT64_C(0))) = frequency;
-        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-        {
-            amplitude = (*cspan_at(&deviation, axis)) * sqrt(2.0 / count);
-            phase = full_circle() * segfmu_next_uniform(numbers);
-            (*cspan_at(&components, i, INT64_C(1) + axis)) = amplitude * cos(phase);
-            (*cspan_at(&components, i, INT64_C(4) + axis)) = amplitude * sin(phase);
-        }
-    }
-}
-/*Viscous and Coulomb friction and drag [N] against a velocity; the sign change is a tanh. */
-static double friction_force(array_double_1d plant, int64_t axis, double velocity)
-{
-    double share;
-    double friction;
-    friction = (*cspan_at(&plant, INT64_C(17) + axis)) * velocity;
-    friction = friction + (*cspan_at(&plant, INT64_C(23) + axis)) * velocity * fabs(velocity);
-    if ((*cspan_at(&plant, INT64_C(20) + axis)) > 0.0)
-    {
-        share = tanh(velocity / (*cspan_at(&plant, INT64_C(26))));
-        friction = friction + (*cspan_at(&plant, INT64_C(20) + axis)) * share;
-    }
-    return friction;
-}
-/*Derivative of the friction force of an axis by its velocity [N s/m]. */
-static double friction_slope(array_double_1d plant, int64_t axis, double velocity)
-{
-    double width;
-    double share;
-    double slope;
-    slope = (*cspan_at(&plant, INT64_C(17) + axis)) + 2.0 * (*cspan_at(&plant, INT64_C(23) + axis)) * fabs(velocity);
-    if ((*cspan_at(&plant, INT64_C(20) + axis)) > 0.0)
-    {
-        width = (*cspan_at(&plant, INT64_C(26)));
-        share = tanh(velocity / width);
-        slope = slope + (*cspan_at(&plant, INT64_C(20) + axis)) * (1.0 - share * share) / width;
-    }
-    return slope;
-}
-/*Force of a gust relative to its peak, at a share of its duration.*/
-static double gust_factor(double shape, double share)
-{
-    if ((share <= 0.0) || (share >= 1.0))
-    {
-        return 0.0;
-    }
-    if ((int64_t)(shape) == INT64_C(1))
-    {
-        return sin(0.5 * full_circle() * share);
-    }
-    return 0.5 * (1.0 - cos(full_circle() * share));
-}
-/*Force on the load [N]: the given one, constant wind, gust and noise. */
-static void wind_force(array_double_1d plant, array_double_2d components, double time, array_double_2d work)
-{
-    double gust;
-    double share;
-    array_double_1d force;
-    int64_t i;
-    double steady;
-    int64_t k;
-    double sine;
-    double cosine;
-    double added;
-    gust = 0.0;
-    if ((*cspan_at(&plant, INT64_C(38))) > 0.0)
-    {
-        share = (time - (*cspan_at(&plant, INT64_C(37)))) / (*cspan_at(&plant, INT64_C(38)));
-        gust = gust_factor((*cspan_at(&plant, INT64_C(39))), share);
-    }
-    force = span_row(&work, INT64_C(14));
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        steady = (*cspan_at(&work, INT64_C(2), i)) + (*cspan_at(&plant, INT64_C(34) + i));
-        (*cspan_at(&force, i)) = steady + gust * (*cspan_at(&plant, INT64_C(40) + i));
-    }
-    for (k = INT64_C(0); k < components.shape[INT64_C(0)]; k += INT64_C(1))
-    {
-        sine = sin((*cspan_at(&components, k, INT64_C(0))) * time);
-        cosine = cos((*cspan_at(&components, k, INT64_C(0))) * time);
-        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-        {
-            added = (*cspan_at(&force, i)) + (*cspan_at(&components, k, INT64_C(1) + i)) * sine;
-            (*cspan_at(&force, i)) = added + (*cspan_at(&components, k, INT64_C(4) + i)) * cosine;
-        }
-    }
-}
 /*Whether a magnitude exceeds a bound by more than rounding; 0 is no bound.*/
 static bool exceeds(double value, double bound)
 {
@@ -979,41 +295,38 @@ static double limited(double value, double bound)
 {
     return span_min(span_max(value, -bound), bound);
 }
-/*Derivative of the crane under force demands; see `driven_derivative`.*/
-static void forced_derivative(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative)
+/*Largest force [N] of a drive at a velocity [m/s]; 0: no bound.                                     */
+/*                                                                                                   */
+/*    Power bounds hold for driving and braking: in the field-weakening range the force that a motor */
+/*    has falls with its speed in both directions, and a converter that feeds back is sized alike.   */
+/*                                                                                                   */
+static double force_bound(array_double_1d plant, int64_t axis, double velocity)
 {
-    array_double_1d force;
-    array_double_1d action;
-    int64_t i;
-    double drive;
-    force = span_row(&work, INT64_C(12));
-    action = span_row(&work, INT64_C(13));
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    double speed;
+    double by_power;
+    double bound;
+    bound = (*cspan_at(&plant, INT64_C(8) + axis));
+    if ((*cspan_at(&plant, INT64_C(17) + axis)) > 0.0)
     {
-        drive = (*cspan_at(&work, INT64_C(17), i));
-        if (exceeds(drive, (*cspan_at(&plant, INT64_C(8) + i))))
+        speed = span_max(fabs(velocity), 1e-99);
+        by_power = (*cspan_at(&plant, INT64_C(17) + axis)) / speed;
+        if ((bound == 0.0) || (by_power < bound))
         {
-            drive = limited(drive, (*cspan_at(&plant, INT64_C(8) + i)));
-            (*cspan_at(&action, INT64_C(3) + i)) = 1.0;
+            bound = by_power;
         }
-        (*cspan_at(&action, INT64_C(0) + i)) = drive;
-        (*cspan_at(&force, i)) = drive - (*cspan_at(&work, INT64_C(18), i));
     }
-    (*cspan_at(&action, INT64_C(6))) = (*cspan_at(&force, INT64_C(0) + INT64_C(2)));
-    segfmu_crane_rhs(state, force, span_row(&work, INT64_C(14)), plant, derivative);
+    return bound;
 }
-/*Derivative and drive forces under the accelerations demanded.*/
-static void driven_forces(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative)
+/*Write the direction of the rope in the coordinates of the drives.*/
+static void rope_direction(array_double_1d state, array_double_1d limit)
 {
-    array_double_1d action;
-    int64_t i;
-    action = span_row(&work, INT64_C(13));
-    segfmu_crane_driven(state, span_row(&work, INT64_C(17)), span_row(&work, INT64_C(12)), span_row(&work, INT64_C(14)), plant, derivative, action);
-    (*cspan_at(&action, INT64_C(6))) = (*cspan_at(&action, INT64_C(0) + INT64_C(2)));
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        (*cspan_at(&action, INT64_C(0) + i)) = (*cspan_at(&action, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(18), i));
-    }
+    double phi_x;
+    double phi_y;
+    phi_x = (*cspan_at(&state, INT64_C(3)));
+    phi_y = (*cspan_at(&state, INT64_C(3) + INT64_C(1)));
+    (*cspan_at(&limit, INT64_C(6))) = sin(phi_x);
+    (*cspan_at(&limit, INT64_C(6) + INT64_C(1))) = (-cos(phi_x)) * sin(phi_y);
+    (*cspan_at(&limit, INT64_C(6) + INT64_C(2))) = 1.0;
 }
 /*Mass [kg] that a drive moves in addition to the load.*/
 static double carriage_mass(array_double_1d masses, int64_t axis)
@@ -1057,7 +370,7 @@ static double limit_side(array_double_1d plant, int64_t axis, array_double_1d ac
     }
     needed = (*cspan_at(&action, INT64_C(0) + axis)) + carriage_mass(plant, axis) * change;
     needed = needed + (*cspan_at(&plant, INT64_C(2))) * (*cspan_at(&limit, INT64_C(6) + axis)) * along;
-    if (!exceeds(needed, (*cspan_at(&plant, INT64_C(8) + axis))))
+    if (!exceeds(needed, (*cspan_at(&limit, INT64_C(9) + axis))))
     {
         return 0.0;
     }
@@ -1068,11 +381,11 @@ static double limit_side(array_double_1d plant, int64_t axis, array_double_1d ac
     return -1.0;
 }
 /*Difference [N] from a drive's demanded force to the bound on its side. */
-static double missing_force(array_double_1d plant, int64_t axis, array_double_1d action, array_double_1d limit)
+static double missing_force(int64_t axis, array_double_1d action, array_double_1d limit)
 {
     double bound;
     double result;
-    bound = (*cspan_at(&limit, INT64_C(0) + axis)) * (*cspan_at(&plant, INT64_C(8) + axis));
+    bound = (*cspan_at(&limit, INT64_C(0) + axis)) * (*cspan_at(&limit, INT64_C(9) + axis));
     result = bound - (*cspan_at(&action, INT64_C(0) + axis));
     return result;
 }
@@ -1100,7 +413,7 @@ static void change_accelerations(array_double_1d plant, array_double_1d action, 
     {
         if ((*cspan_at(&limit, INT64_C(0) + i)) != 0.0)
         {
-            missing = missing_force(plant, i, action, limit);
+            missing = missing_force(i, action, limit);
             mass = carriage_mass(plant, i);
             rope = (*cspan_at(&limit, INT64_C(6) + i));
             total = total + rope * missing / mass;
@@ -1111,7 +424,7 @@ static void change_accelerations(array_double_1d plant, array_double_1d action, 
     hoist_limited = (*cspan_at(&limit, INT64_C(0) + INT64_C(2))) != 0.0;
     if (hoist_limited)
     {
-        along = missing_force(plant, INT64_C(2), action, limit) / payload;
+        along = missing_force(INT64_C(2), action, limit) / payload;
     }
     rest = along;
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
@@ -1119,7 +432,7 @@ static void change_accelerations(array_double_1d plant, array_double_1d action, 
         (*cspan_at(&limit, INT64_C(3) + i)) = 0.0;
         if ((*cspan_at(&limit, INT64_C(0) + i)) != 0.0)
         {
-            missing = missing_force(plant, i, action, limit);
+            missing = missing_force(i, action, limit);
             missing = missing - payload * (*cspan_at(&limit, INT64_C(6) + i)) * along;
             (*cspan_at(&limit, INT64_C(3) + i)) = missing / carriage_mass(plant, i);
         }
@@ -1140,21 +453,16 @@ static void change_accelerations(array_double_1d plant, array_double_1d action, 
 /*                                                                                                   */
 static void limit_accelerations(array_double_1d plant, array_double_1d state, array_double_1d action, array_double_1d acceleration, array_double_1d limit)
 {
-    double phi_x;
-    double phi_y;
     int64_t i;
     int64_t Dummy_0000;
     bool changed;
     double side;
-    phi_x = (*cspan_at(&state, INT64_C(3)));
-    phi_y = (*cspan_at(&state, INT64_C(3) + INT64_C(1)));
-    (*cspan_at(&limit, INT64_C(6))) = sin(phi_x);
-    (*cspan_at(&limit, INT64_C(6) + INT64_C(1))) = (-cos(phi_x)) * sin(phi_y);
-    (*cspan_at(&limit, INT64_C(6) + INT64_C(2))) = 1.0;
+    rope_direction(state, limit);
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         (*cspan_at(&limit, INT64_C(0) + i)) = 0.0;
         (*cspan_at(&limit, INT64_C(3) + i)) = 0.0;
+        (*cspan_at(&limit, INT64_C(9) + i)) = force_bound(plant, i, (*cspan_at(&state, INT64_C(5) + i)));
     }
     for (Dummy_0000 = INT64_C(0); Dummy_0000 < INT64_C(16); Dummy_0000 += INT64_C(1))
     {
@@ -1183,39 +491,140 @@ static void limit_accelerations(array_double_1d plant, array_double_1d state, ar
         }
     }
 }
-/*Derivative of the crane under velocity demands, without lag acceleration demands.                */
-/*                                                                                                 */
-/*    work contains the demands, the torques on the sway angles, wind and friction; the forces and */
-/*    accelerations that act are written to it.                                                    */
-/*                                                                                                 */
-static void driven_derivative(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative)
+/*Whether a drive has its largest velocity.*/
+static bool at_velocity_bound(array_double_1d plant, int64_t axis, array_double_1d state)
 {
-    array_double_1d action;
-    int64_t i;
-    double demand;
-    action = span_row(&work, INT64_C(13));
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    double bound;
+    bool result;
+    bound = (*cspan_at(&plant, INT64_C(14) + axis));
+    result = (bound > 0.0) && (fabs((*cspan_at(&state, INT64_C(5) + axis))) >= bound);
+    return result;
+}
+/*Whether a drive at its largest velocity must be held: its direction, or 0. */
+static double held_side(int64_t axis, array_double_1d state, array_double_1d derivative, array_double_1d limit)
+{
+    double side;
+    side = 1.0;
+    if ((*cspan_at(&state, INT64_C(5) + axis)) < 0.0)
     {
-        demand = (*cspan_at(&work, INT64_C(17), i));
-        if ((*cspan_at(&plant, INT64_C(5) + i)) > 0.0)
-        {
-            demand = (demand - (*cspan_at(&state, INT64_C(5) + i))) / (*cspan_at(&plant, INT64_C(5) + i));
-        }
-        if (exceeds(demand, (*cspan_at(&plant, INT64_C(11) + i))))
-        {
-            demand = limited(demand, (*cspan_at(&plant, INT64_C(11) + i)));
-            (*cspan_at(&action, INT64_C(3) + i)) = 1.0;
-        }
-        (*cspan_at(&work, INT64_C(17), i)) = demand;
+        side = -1.0;
     }
-    driven_forces(plant, state, work, derivative);
+    if ((*cspan_at(&limit, INT64_C(0) + axis)) != 0.0)
+    {
+        /*it must not be pushed on*/
+        if (side * (*cspan_at(&limit, INT64_C(12) + axis)) > 0.0)
+        {
+            return 0.0;
+        }
+        return side;
+    }
+    if (side * ((*cspan_at(&derivative, INT64_C(5) + axis)) + (*cspan_at(&limit, INT64_C(3) + axis))) > 0.0)
+    {
+        return side;
+    }
+    return 0.0;
+}
+/*Changes that bring the accelerations of the held drives to 0, and the forces for them. */
+static void hold_accelerations(array_double_1d plant, array_double_1d derivative, array_double_1d limit)
+{
+    double payload;
+    double along;
+    double weight;
+    int64_t i;
+    double rope;
+    double mass;
+    double pull;
+    payload = (*cspan_at(&plant, INT64_C(2)));
+    along = 0.0;
+    weight = 1.0;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        if (exceeds((*cspan_at(&action, INT64_C(0) + i)), (*cspan_at(&plant, INT64_C(8) + i))))
+        rope = (*cspan_at(&limit, INT64_C(6) + i));
+        (*cspan_at(&limit, INT64_C(3) + i)) = 0.0;
+        if ((*cspan_at(&limit, INT64_C(0) + i)) != 0.0)
         {
-            limit_accelerations(plant, state, action, span_row(&work, INT64_C(17)), span_row(&work, INT64_C(19)));
-            driven_forces(plant, state, work, derivative);
+            (*cspan_at(&limit, INT64_C(3) + i)) = -(*cspan_at(&derivative, INT64_C(5) + i));
+            along = along + rope * (*cspan_at(&limit, INT64_C(3) + i));
+        }
+        else if (i != INT64_C(2))
+        {
+            weight = weight + payload * rope * rope / carriage_mass(plant, i);
+        }
+    }
+    if ((*cspan_at(&limit, INT64_C(0) + INT64_C(2))) == 0.0)
+    {
+        /*the rope gives way*/
+        (*cspan_at(&limit, INT64_C(3) + INT64_C(2))) = -along;
+        along = 0.0;
+    }
+    along = along / weight;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        mass = carriage_mass(plant, i);
+        pull = payload * (*cspan_at(&limit, INT64_C(6) + i)) * along;
+        (*cspan_at(&limit, INT64_C(12) + i)) = 0.0;
+        if ((*cspan_at(&limit, INT64_C(0) + i)) != 0.0)
+        {
+            (*cspan_at(&limit, INT64_C(12) + i)) = mass * (*cspan_at(&limit, INT64_C(3) + i)) + pull;
+        }
+        else if (i != INT64_C(2))
+        {
+            (*cspan_at(&limit, INT64_C(3) + i)) = (-pull) / mass;
+        }
+    }
+}
+/*Change forces until no drive at its largest velocity is accelerated further.                     */
+/*                                                                                                 */
+/*    There a drive's speed control takes over: it either applies its demand, or what holds its    */
+/*    velocity, if it is less; a complementarity problem as that of `limit_accelerations`. A force */
+/*    beyond its bound is not available, and the drive becomes faster. action: an `Action` with the*/
+/*    demanded forces, which change; derivative: that of the state under them.                     */
+/*                                                                                                 */
+static void hold_velocities(array_double_1d plant, array_double_1d state, array_double_1d derivative, array_double_1d action, array_double_1d limit)
+{
+    int64_t i;
+    int64_t Dummy_0000;
+    bool changed;
+    double side;
+    double force;
+    double bound;
+    rope_direction(state, limit);
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&limit, INT64_C(0) + i)) = 0.0;
+        (*cspan_at(&limit, INT64_C(3) + i)) = 0.0;
+        (*cspan_at(&limit, INT64_C(12) + i)) = 0.0;
+    }
+    for (Dummy_0000 = INT64_C(0); Dummy_0000 < INT64_C(16); Dummy_0000 += INT64_C(1))
+    {
+        changed = 0;
+        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        {
+            if ((!changed) && at_velocity_bound(plant, i, state))
+            {
+                side = held_side(i, state, derivative, limit);
+                changed = side != (*cspan_at(&limit, INT64_C(0) + i));
+                (*cspan_at(&limit, INT64_C(0) + i)) = side;
+            }
+        }
+        if (!changed)
+        {
             break;
+        }
+        hold_accelerations(plant, derivative, limit);
+    }
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        if ((*cspan_at(&limit, INT64_C(0) + i)) != 0.0)
+        {
+            force = (*cspan_at(&action, INT64_C(0) + i)) + (*cspan_at(&limit, INT64_C(12) + i));
+            bound = force_bound(plant, i, (*cspan_at(&state, INT64_C(5) + i)));
+            if (exceeds(force, bound))
+            {
+                force = limited(force, bound);
+            }
+            (*cspan_at(&action, INT64_C(0) + i)) = force;
+            (*cspan_at(&action, INT64_C(3) + i)) = 1.0;
         }
     }
 }
@@ -2660,6 +2069,547 @@ void segfmu_track_setpoint(array_double_1d parameters, array_double_3d table, ar
     }
     (*cspan_at(&memory, INT64_C(3), INT64_C(4))) = 0.0;
 }
+/*Right-hand side of (1): derivative of the state under forces on every coordinate.*/
+void segfmu_crane_rhs(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative)
+{
+    double l;
+    double phi_x;
+    double phi_y;
+    double x_t_rate;
+    double y_t_rate;
+    double l_rate;
+    double phi_x_rate;
+    double phi_y_rate;
+    double bridge_mass;
+    double trolley_mass;
+    double payload_mass;
+    double gravity;
+    double f_x_t;
+    double f_y_t;
+    double f_l;
+    double f_phi_x;
+    double f_phi_y;
+    double w_x;
+    double w_y;
+    double w_z;
+    double c0;
+    double c1;
+    double c2;
+    double c3;
+    double c4;
+    double c5;
+    double c6;
+    double c7;
+    double c8;
+    double c9;
+    double c10;
+    double c11;
+    double c12;
+    double c13;
+    double c14;
+    double c15;
+    double c16;
+    double c17;
+    double c18;
+    double c19;
+    double c20;
+    double c21;
+    double c22;
+    double c23;
+    double c24;
+    double c25;
+    double c26;
+    double c27;
+    double c28;
+    l = (*cspan_at(&state, INT64_C(2)));
+    phi_x = (*cspan_at(&state, INT64_C(3)));
+    phi_y = (*cspan_at(&state, INT64_C(4)));
+    x_t_rate = (*cspan_at(&state, INT64_C(5)));
+    y_t_rate = (*cspan_at(&state, INT64_C(6)));
+    l_rate = (*cspan_at(&state, INT64_C(7)));
+    phi_x_rate = (*cspan_at(&state, INT64_C(8)));
+    phi_y_rate = (*cspan_at(&state, INT64_C(9)));
+    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
+    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
+    payload_mass = (*cspan_at(&masses, INT64_C(2)));
+    gravity = (*cspan_at(&masses, INT64_C(3)));
+    f_x_t = (*cspan_at(&generalized_force, INT64_C(0)));
+    f_y_t = (*cspan_at(&generalized_force, INT64_C(1)));
+    f_l = (*cspan_at(&generalized_force, INT64_C(2)));
+    f_phi_x = (*cspan_at(&generalized_force, INT64_C(3)));
+    f_phi_y = (*cspan_at(&generalized_force, INT64_C(4)));
+    w_x = (*cspan_at(&load_force, INT64_C(0)));
+    w_y = (*cspan_at(&load_force, INT64_C(1)));
+    w_z = (*cspan_at(&load_force, INT64_C(2)));
+    c0 = INT64_C(1) / (bridge_mass + trolley_mass);
+    c1 = sin(phi_x);
+    c2 = cos(phi_x);
+    c3 = INT64_C(1) / l;
+    c4 = c3 * f_phi_x;
+    c5 = c1 * f_l + c2 * c4;
+    c6 = c5 - f_x_t;
+    c7 = sin(phi_y);
+    c8 = c2 * c7;
+    c9 = cos(phi_y);
+    c10 = c3 / c2;
+    c11 = c10 * f_phi_y;
+    c12 = c1 * c7;
+    c13 = c11 * c9 - c12 * c4 + c8 * f_l;
+    c14 = (c13 + f_y_t) / trolley_mass;
+    c15 = c2 * l_rate;
+    c16 = c1 * phi_x_rate;
+    c17 = c16 * l;
+    c18 = INT64_C(1) / payload_mass;
+    c19 = (-c0) * c6 + c15 * phi_x_rate - c18 * (c5 + w_x) + phi_x_rate * ((-c17) + c2 * l_rate);
+    c20 = c8 * phi_y_rate;
+    c21 = c1 * l_rate;
+    c22 = c2 * c9;
+    c23 = l * phi_x_rate;
+    c24 = l * phi_y_rate;
+    c25 = c22 * phi_y_rate;
+    c26 = c1 * c9;
+    c27 = (-c18) * (c11 * c7 - c22 * f_l + c26 * c4 + w_z) + gravity + l_rate * (c16 * c9 + c20) + phi_x_rate * ((-c12) * c24 + c21 * c9 + c22 * c23) + phi_y_rate * (c15 * c7 - c17 * c7 + c25 * l);
+    c28 = c14 - c18 * ((-c13) + w_y) + l_rate * (c16 * c7 - c25) + phi_x_rate * (c21 * c7 + c23 * c8 + c24 * c26) + phi_y_rate * ((-c15) * c9 + c17 * c9 + c20 * l);
+    (*cspan_at(&derivative, INT64_C(0))) = x_t_rate;
+    (*cspan_at(&derivative, INT64_C(1))) = y_t_rate;
+    (*cspan_at(&derivative, INT64_C(2))) = l_rate;
+    (*cspan_at(&derivative, INT64_C(3))) = phi_x_rate;
+    (*cspan_at(&derivative, INT64_C(4))) = phi_y_rate;
+    (*cspan_at(&derivative, INT64_C(5))) = (-c0) * c6;
+    (*cspan_at(&derivative, INT64_C(6))) = c14;
+    (*cspan_at(&derivative, INT64_C(7))) = (-c1) * c19 + c22 * c27 + c28 * c8;
+    (*cspan_at(&derivative, INT64_C(8))) = (-c3) * (c12 * c28 + c19 * c2 + c26 * c27);
+    (*cspan_at(&derivative, INT64_C(9))) = c10 * ((-c27) * c7 + c28 * c9);
+}
+/*The same for given accelerations of bridge, trolley and rope, with the forces they need. */
+void segfmu_crane_driven(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative, array_double_1d force)
+{
+    double l;
+    double phi_x;
+    double phi_y;
+    double x_t_rate;
+    double y_t_rate;
+    double l_rate;
+    double phi_x_rate;
+    double phi_y_rate;
+    double bridge_mass;
+    double trolley_mass;
+    double payload_mass;
+    double gravity;
+    double a_x;
+    double a_y;
+    double a_l;
+    double f_phi_x;
+    double f_phi_y;
+    double w_x;
+    double w_y;
+    double w_z;
+    double c0;
+    double c1;
+    double c2;
+    double c3;
+    double c4;
+    double c5;
+    double c6;
+    double c7;
+    double c8;
+    double c9;
+    double c10;
+    double c11;
+    double c12;
+    double c13;
+    double c14;
+    double c15;
+    double c16;
+    double c17;
+    double c18;
+    double c19;
+    double c20;
+    double c21;
+    double c22;
+    double c23;
+    double c24;
+    double c25;
+    double c26;
+    double c27;
+    double c28;
+    double c29;
+    double c30;
+    double c31;
+    double c32;
+    double c33;
+    double c34;
+    l = (*cspan_at(&state, INT64_C(2)));
+    phi_x = (*cspan_at(&state, INT64_C(3)));
+    phi_y = (*cspan_at(&state, INT64_C(4)));
+    x_t_rate = (*cspan_at(&state, INT64_C(5)));
+    y_t_rate = (*cspan_at(&state, INT64_C(6)));
+    l_rate = (*cspan_at(&state, INT64_C(7)));
+    phi_x_rate = (*cspan_at(&state, INT64_C(8)));
+    phi_y_rate = (*cspan_at(&state, INT64_C(9)));
+    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
+    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
+    payload_mass = (*cspan_at(&masses, INT64_C(2)));
+    gravity = (*cspan_at(&masses, INT64_C(3)));
+    a_x = (*cspan_at(&carriage, INT64_C(0)));
+    a_y = (*cspan_at(&carriage, INT64_C(1)));
+    a_l = (*cspan_at(&carriage, INT64_C(2)));
+    f_phi_x = (*cspan_at(&generalized_force, INT64_C(3)));
+    f_phi_y = (*cspan_at(&generalized_force, INT64_C(4)));
+    w_x = (*cspan_at(&load_force, INT64_C(0)));
+    w_y = (*cspan_at(&load_force, INT64_C(1)));
+    w_z = (*cspan_at(&load_force, INT64_C(2)));
+    c0 = INT64_C(1) / (l * l);
+    c1 = INT64_C(1) / payload_mass;
+    c2 = cos(phi_x);
+    c3 = sin(phi_x);
+    c4 = c3 * phi_x_rate;
+    c5 = c4 * l;
+    c6 = (-c2) * l_rate + c5;
+    c7 = c2 * l_rate;
+    c8 = a_l * c3 + a_x + c7 * phi_x_rate;
+    c9 = (-c1) * w_x + c8;
+    c10 = c2 * l;
+    c11 = sin(phi_y);
+    c12 = cos(phi_y);
+    c13 = c2 * phi_y_rate;
+    c14 = c3 * l_rate;
+    c15 = c10 * c11;
+    c16 = c3 * l;
+    c17 = c12 * phi_y_rate;
+    c18 = a_l * c2;
+    c19 = a_y - c11 * c18 + l_rate * (c11 * c4 - c12 * c13) + phi_x_rate * (c11 * c14 + c15 * phi_x_rate + c16 * c17) + phi_y_rate * (c12 * c5 - c12 * c7 + c15 * phi_y_rate);
+    c20 = (-c1) * w_y + c19;
+    c21 = c11 * c16;
+    c22 = c10 * c12;
+    c23 = (-c1) * w_z - c12 * c18 + gravity + l_rate * (c11 * c13 + c12 * c4) + phi_x_rate * (c12 * c14 - c21 * phi_y_rate + c22 * phi_x_rate) + phi_y_rate * (c10 * c17 - c11 * c5 + c11 * c7);
+    c24 = (-c1) * f_phi_x + c10 * ((-c6) * phi_x_rate + c9) + c12 * c16 * c23 + c20 * c21;
+    c25 = c1 * f_phi_y - c15 * c23 + c20 * c22;
+    c26 = (-c6) * phi_x_rate;
+    c27 = INT64_C(1) / l;
+    c28 = c2 * c27;
+    c29 = c12 * c27;
+    c30 = c25 / c2;
+    c31 = (-c29) * c30;
+    c32 = c11 * c27;
+    c33 = c3 * c32;
+    c34 = -c24;
+    (*cspan_at(&derivative, INT64_C(0))) = x_t_rate;
+    (*cspan_at(&derivative, INT64_C(1))) = y_t_rate;
+    (*cspan_at(&derivative, INT64_C(2))) = l_rate;
+    (*cspan_at(&derivative, INT64_C(3))) = phi_x_rate;
+    (*cspan_at(&derivative, INT64_C(4))) = phi_y_rate;
+    (*cspan_at(&derivative, INT64_C(5))) = a_x;
+    (*cspan_at(&derivative, INT64_C(6))) = a_y;
+    (*cspan_at(&derivative, INT64_C(7))) = a_l;
+    (*cspan_at(&derivative, INT64_C(8))) = (-c0) * c24;
+    (*cspan_at(&derivative, INT64_C(9))) = c0 * c25 / (c2 * c2);
+    (*cspan_at(&force, INT64_C(0))) = a_x * (bridge_mass + trolley_mass) + payload_mass * ((-c24) * c28 + c26 + c8) - w_x;
+    (*cspan_at(&force, INT64_C(1))) = a_y * trolley_mass + payload_mass * (c19 - c24 * c33 + c31) - w_y;
+    (*cspan_at(&force, INT64_C(2))) = payload_mass * ((-c11) * c2 * (c20 + c31 + c33 * c34) - c12 * c2 * (c23 + c29 * c3 * c34 + c30 * c32) + c3 * (c26 + c28 * c34 + c9));
+}
+/*Flat inverse (7): flat[d, i] is the d-th derivative of the load's position in axis i.*/
+void segfmu_crane_flat_inverse(array_double_2d flat, array_double_1d masses, array_double_1d force, array_double_1d state, array_double_1d acceleration)
+{
+    double p0x;
+    double p0y;
+    double p0z;
+    double p1x;
+    double p1y;
+    double p1z;
+    double p2x;
+    double p2y;
+    double p2z;
+    double p3x;
+    double p3y;
+    double p3z;
+    double p4x;
+    double p4y;
+    double p4z;
+    double bridge_mass;
+    double trolley_mass;
+    double payload_mass;
+    double gravity;
+    double c0;
+    double c1;
+    double c2;
+    double c3;
+    double c4;
+    double c5;
+    double c6;
+    double c7;
+    double c8;
+    double c9;
+    double c10;
+    double c11;
+    double c12;
+    double c13;
+    double c14;
+    double c15;
+    double c16;
+    double c17;
+    double c18;
+    double c19;
+    double c20;
+    double c21;
+    double c22;
+    double c23;
+    double c24;
+    double c25;
+    double c26;
+    double c27;
+    double c28;
+    double c29;
+    double c30;
+    double c31;
+    double c32;
+    double c33;
+    double c34;
+    double c35;
+    double c36;
+    double c37;
+    double c38;
+    double c39;
+    double c40;
+    double c41;
+    double c42;
+    double c43;
+    double c44;
+    double c45;
+    double c46;
+    double c47;
+    double c48;
+    double c49;
+    double c50;
+    double c51;
+    double c52;
+    double c53;
+    double c54;
+    double c55;
+    double c56;
+    double c57;
+    double c58;
+    double c59;
+    double c60;
+    double c61;
+    double c62;
+    double c63;
+    double c64;
+    double c65;
+    double c66;
+    double c67;
+    p0x = (*cspan_at(&flat, INT64_C(0), INT64_C(0)));
+    p0y = (*cspan_at(&flat, INT64_C(0), INT64_C(1)));
+    p0z = (*cspan_at(&flat, INT64_C(0), INT64_C(2)));
+    p1x = (*cspan_at(&flat, INT64_C(1), INT64_C(0)));
+    p1y = (*cspan_at(&flat, INT64_C(1), INT64_C(1)));
+    p1z = (*cspan_at(&flat, INT64_C(1), INT64_C(2)));
+    p2x = (*cspan_at(&flat, INT64_C(2), INT64_C(0)));
+    p2y = (*cspan_at(&flat, INT64_C(2), INT64_C(1)));
+    p2z = (*cspan_at(&flat, INT64_C(2), INT64_C(2)));
+    p3x = (*cspan_at(&flat, INT64_C(3), INT64_C(0)));
+    p3y = (*cspan_at(&flat, INT64_C(3), INT64_C(1)));
+    p3z = (*cspan_at(&flat, INT64_C(3), INT64_C(2)));
+    p4x = (*cspan_at(&flat, INT64_C(4), INT64_C(0)));
+    p4y = (*cspan_at(&flat, INT64_C(4), INT64_C(1)));
+    p4z = (*cspan_at(&flat, INT64_C(4), INT64_C(2)));
+    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
+    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
+    payload_mass = (*cspan_at(&masses, INT64_C(2)));
+    gravity = (*cspan_at(&masses, INT64_C(3)));
+    c0 = gravity + p2z;
+    c1 = INT64_C(1) / c0;
+    c2 = c1 * p0z;
+    c3 = c1 * p2z;
+    c4 = p0z * p4z;
+    c5 = c0 * c0;
+    c6 = INT64_C(1) / c5;
+    c7 = c6 * p2x;
+    c8 = c1 * p3z;
+    c9 = c8 * p2x;
+    c10 = c1 * p1z;
+    c11 = c1 * (c8 * p0z - p1z);
+    c12 = p0z * p3x;
+    c13 = p1z * p2x;
+    c14 = c6 * p3z;
+    c15 = c10 * (c9 - p3x) + c11 * p3x + c14 * (c12 + c13 - INT64_C(2) * c9 * p0z) - c2 * p4x - c3 * p2x + c4 * c7 + p2x;
+    c16 = p2y * p4z;
+    c17 = c6 * p0z;
+    c18 = p2y * p3z;
+    c19 = p0z * p3y;
+    c20 = p1z * p2y;
+    c21 = INT64_C(2) * c18;
+    c22 = c10 * (c1 * c18 - p3y) + c11 * p3y + c14 * (c19 - c2 * c21 + c20) + c16 * c17 - c2 * p4y - c3 * p2y + p2y;
+    c23 = p2x * p2x;
+    c24 = p2y * p2y;
+    c25 = c24 + c5;
+    c26 = c23 + c25;
+    c27 = sqrt(c26);
+    c28 = sqrt(c25);
+    c29 = p0z * p2x;
+    c30 = c1 * c12;
+    c31 = (-c1) * c13 - c30;
+    c32 = c1 * c19;
+    c33 = (-c1) * c20 - c32;
+    c34 = INT64_C(1) / c27;
+    c35 = c1 * c34;
+    c36 = c12 * p2x;
+    c37 = c19 * p2y;
+    c38 = c27 * c6;
+    c39 = c34 - c38;
+    c40 = p0z * p3z;
+    c41 = INT64_C(1) / c26;
+    c42 = c28 * p3x;
+    c43 = INT64_C(1) / c28;
+    c44 = c43 * p2y;
+    c45 = c44 * p3y;
+    c46 = c0 * c43;
+    c47 = c46 * p3z;
+    c48 = INT64_C(1) / c25;
+    c49 = c35 * p2y;
+    c50 = c41 + c6;
+    c51 = c30 * c41;
+    c52 = c32 * c41;
+    c53 = p2x * p2y;
+    c54 = INT64_C(1) / (c26 * sqrt(c26));
+    c55 = c44 * p2x;
+    c56 = c46 * p2x;
+    c57 = INT64_C(2) * c41;
+    c58 = c42 * c57;
+    c59 = c23 * c57;
+    c60 = c43 * p2x;
+    c61 = c60 * p3y;
+    c62 = p2x / (c25 * sqrt(c25));
+    c63 = c0 * c18;
+    c64 = c60 * p3z;
+    c65 = c0 * p3y;
+    c66 = c65 * p2y;
+    c67 = INT64_C(2) * c48;
+    (*cspan_at(&force, INT64_C(0))) = c15 * (bridge_mass + trolley_mass) + p2x * payload_mass;
+    (*cspan_at(&force, INT64_C(1))) = c22 * trolley_mass + p2y * payload_mass;
+    (*cspan_at(&force, INT64_C(2))) = (-c27) * payload_mass;
+    (*cspan_at(&state, INT64_C(0))) = (-c2) * p2x + p0x;
+    (*cspan_at(&state, INT64_C(1))) = (-c2) * p2y + p0y;
+    (*cspan_at(&state, INT64_C(2))) = (-c2) * c27;
+    (*cspan_at(&state, INT64_C(3))) = atan2(-p2x, c28);
+    (*cspan_at(&state, INT64_C(4))) = atan2(p2y, c0);
+    (*cspan_at(&state, INT64_C(5))) = c14 * c29 + c31 + p1x;
+    (*cspan_at(&state, INT64_C(6))) = c17 * c18 + c33 + p1y;
+    (*cspan_at(&state, INT64_C(7))) = (-c10) * c27 - c35 * c36 - c35 * c37 - c39 * c40;
+    (*cspan_at(&state, INT64_C(8))) = c41 * ((-c42) + c45 * p2x + c47 * p2x);
+    (*cspan_at(&state, INT64_C(9))) = c48 * (c0 * p3y - c18);
+    (*cspan_at(&acceleration, INT64_C(0))) = c15;
+    (*cspan_at(&acceleration, INT64_C(1))) = c22;
+    (*cspan_at(&acceleration, INT64_C(2))) = (-c27) * c3 - c29 * c35 * p4x + c34 * p3x * (c23 * c51 + c31 + c40 * c50 * p2x + c52 * c53) + c34 * p3y * (c18 * c50 * p0z + c24 * c52 + c33 + c51 * c53) - c39 * c4 - c49 * p0z * p4y - p1z * (c35 * p2x * p3x + c39 * p3z + c49 * p3y) + p3z * (c12 * c34 * c7 + c34 * c37 * c6 - c34 * p1z + c36 * c54 + c37 * c54 + c38 * p1z - c40 * ((-c0) * c54 - c35 + INT64_C(2) * c27 / (c0 * c0 * c0)));
+    (*cspan_at(&acceleration, INT64_C(3))) = c41 * ((-c28) * p4x + c55 * p4y + c56 * p4z + p3x * ((-c45) * c59 + c45 - c47 * c59 + c47 + c58 * p2x) - p3y * (c21 * c41 * c56 + c24 * c57 * c61 + c24 * c62 * p3y + c44 * p3x - c58 * p2y - c61 + c62 * c63) - p3z * ((-c0) * c58 + c46 * p3x + c5 * c57 * c64 + c5 * c62 * p3z + c55 * c57 * c65 + c62 * c66 - c64));
+    (*cspan_at(&acceleration, INT64_C(4))) = c48 * (c0 * p4y - c16 - p3y * ((-c24) * c67 * p3z + c66 * c67 + p3z) + p3z * ((-c5) * c67 * p3y + c63 * c67 + p3y));
+}
+/*Position load[0] and velocity load[1] of the load, (16). */
+void segfmu_crane_load(array_double_1d state, array_double_2d load)
+{
+    double x_t;
+    double y_t;
+    double l;
+    double phi_x;
+    double phi_y;
+    double x_t_rate;
+    double y_t_rate;
+    double l_rate;
+    double phi_x_rate;
+    double phi_y_rate;
+    double c0;
+    double c1;
+    double c2;
+    double c3;
+    double c4;
+    double c5;
+    double c6;
+    double c7;
+    double c8;
+    double c9;
+    x_t = (*cspan_at(&state, INT64_C(0)));
+    y_t = (*cspan_at(&state, INT64_C(1)));
+    l = (*cspan_at(&state, INT64_C(2)));
+    phi_x = (*cspan_at(&state, INT64_C(3)));
+    phi_y = (*cspan_at(&state, INT64_C(4)));
+    x_t_rate = (*cspan_at(&state, INT64_C(5)));
+    y_t_rate = (*cspan_at(&state, INT64_C(6)));
+    l_rate = (*cspan_at(&state, INT64_C(7)));
+    phi_x_rate = (*cspan_at(&state, INT64_C(8)));
+    phi_y_rate = (*cspan_at(&state, INT64_C(9)));
+    c0 = sin(phi_x);
+    c1 = c0 * l;
+    c2 = sin(phi_y);
+    c3 = cos(phi_x);
+    c4 = c3 * l;
+    c5 = c2 * c4;
+    c6 = cos(phi_y);
+    c7 = c4 * c6;
+    c8 = c3 * l_rate;
+    c9 = c1 * phi_x_rate;
+    (*cspan_at(&load, INT64_C(0), INT64_C(0))) = c1 + x_t;
+    (*cspan_at(&load, INT64_C(0), INT64_C(1))) = (-c5) + y_t;
+    (*cspan_at(&load, INT64_C(0), INT64_C(2))) = -c7;
+    (*cspan_at(&load, INT64_C(1), INT64_C(0))) = c0 * l_rate + c4 * phi_x_rate + x_t_rate;
+    (*cspan_at(&load, INT64_C(1), INT64_C(1))) = (-c2) * c8 + c2 * c9 - c7 * phi_y_rate + y_t_rate;
+    (*cspan_at(&load, INT64_C(1), INT64_C(2))) = c5 * phi_y_rate - c6 * c8 + c6 * c9;
+}
+/*Kinetic and potential energy, (17a) and (17b). */
+void segfmu_crane_energy(array_double_1d state, array_double_1d masses, array_double_1d energy)
+{
+    double l;
+    double phi_x;
+    double phi_y;
+    double x_t_rate;
+    double y_t_rate;
+    double l_rate;
+    double phi_x_rate;
+    double phi_y_rate;
+    double bridge_mass;
+    double trolley_mass;
+    double payload_mass;
+    double gravity;
+    double c0;
+    double c1;
+    double c2;
+    double c3;
+    double c4;
+    double c5;
+    double c6;
+    double c7;
+    double c8;
+    double c9;
+    double c10;
+    double c11;
+    double c12;
+    l = (*cspan_at(&state, INT64_C(2)));
+    phi_x = (*cspan_at(&state, INT64_C(3)));
+    phi_y = (*cspan_at(&state, INT64_C(4)));
+    x_t_rate = (*cspan_at(&state, INT64_C(5)));
+    y_t_rate = (*cspan_at(&state, INT64_C(6)));
+    l_rate = (*cspan_at(&state, INT64_C(7)));
+    phi_x_rate = (*cspan_at(&state, INT64_C(8)));
+    phi_y_rate = (*cspan_at(&state, INT64_C(9)));
+    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
+    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
+    payload_mass = (*cspan_at(&masses, INT64_C(2)));
+    gravity = (*cspan_at(&masses, INT64_C(3)));
+    c0 = x_t_rate * x_t_rate;
+    c1 = sin(phi_x);
+    c2 = cos(phi_x);
+    c3 = l * phi_x_rate;
+    c4 = cos(phi_y);
+    c5 = c2 * l_rate;
+    c6 = c1 * c3;
+    c7 = sin(phi_y);
+    c8 = c2 * l;
+    c9 = c8 * phi_y_rate;
+    c10 = c1 * l_rate + c2 * c3 + x_t_rate;
+    c11 = (-c4) * c5 + c4 * c6 + c7 * c9;
+    c12 = (-c4) * c9 - c5 * c7 + c6 * c7 + y_t_rate;
+    (*cspan_at(&energy, INT64_C(0))) = 1.0 / 2.0 * bridge_mass * c0 + 1.0 / 2.0 * payload_mass * (c10 * c10 + c11 * c11 + c12 * c12) + 1.0 / 2.0 * trolley_mass * (c0 + y_t_rate * y_t_rate);
+    (*cspan_at(&energy, INT64_C(1))) = (-c4) * c8 * gravity * payload_mass;
+}
 /*Accelerations (5) by the state (10), generalised forces (5) and load forces (3). */
 static void crane_rhs_partials(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_2d partials)
 {
@@ -4074,6 +4024,250 @@ void segfmu_compensate_setpoints(array_double_1d velocity, array_double_1d accel
         (*cspan_at(&force, i)) = (*cspan_at(&force, i)) + viscous + coulomb;
     }
 }
+/*2 pi; C99 has no name for it.*/
+static double full_circle(void)
+{
+    return 6.283185307179586;
+}
+/*A number in the open interval (0, 1).*/
+double segfmu_next_uniform(array_double_1d numbers)
+{
+    double first;
+    double second;
+    double difference;
+    first = 40014.0 * (*cspan_at(&numbers, INT64_C(0)));
+    second = 40692.0 * (*cspan_at(&numbers, INT64_C(1)));
+    (*cspan_at(&numbers, INT64_C(0))) = first - (int64_t)floor(first / 2147483563.0) * 2147483563.0;
+    (*cspan_at(&numbers, INT64_C(1))) = second - (int64_t)floor(second / 2147483399.0) * 2147483399.0;
+    difference = (*cspan_at(&numbers, INT64_C(0))) - (*cspan_at(&numbers, INT64_C(1)));
+    if (difference < 1.0)
+    {
+        difference = difference + 2147483562.0;
+    }
+    return difference / 2147483563.0;
+}
+/*Start the random numbers; seed in 0 .. 2^31 - 1. */
+void segfmu_seed_numbers(int64_t seed, array_double_1d numbers)
+{
+    int64_t other;
+    int64_t Dummy_0000;
+    other = seed * INT64_C(69069) + INT64_C(12345);
+    (*cspan_at(&numbers, INT64_C(0))) = 1.0 + seed - span_floor_div(seed, INT64_C(2147483562)) * INT64_C(2147483562);
+    (*cspan_at(&numbers, INT64_C(1))) = 1.0 + other - span_floor_div(other, INT64_C(2147483398)) * INT64_C(2147483398);
+    /*similar seeds give similar first numbers, so skip some*/
+    for (Dummy_0000 = INT64_C(0); Dummy_0000 < INT64_C(20); Dummy_0000 += INT64_C(1))
+    {
+        segfmu_next_uniform(numbers);
+    }
+}
+/*A number of the standard normal distribution, by Box and Muller. */
+static double next_normal(array_double_1d numbers)
+{
+    double radius;
+    double result;
+    radius = sqrt((-2.0) * log(segfmu_next_uniform(numbers)));
+    result = radius * cos(full_circle() * segfmu_next_uniform(numbers));
+    return result;
+}
+/*Sines that add up to noise whose spectrum is flat up to a bandwidth [Hz] and zero above.           */
+/*                                                                                                   */
+/*    deviation (3,): standard deviations along x, y, z [N]; components (count, 7): a `Sinusoid` a   */
+/*    row, a sine with a random phase.                                                               */
+/*    Spectral representation of M. Shinozuka and C.-M. Jan, J. Sound Vib. 25 (1972); the frequencies*/
+/*    are random within equal bands, so that the noise has no period.                                */
+/*                                                                                                   */
+void segfmu_noise_components(double bandwidth, array_double_1d deviation, array_double_1d numbers, array_double_2d components)
+{
+    int64_t count;
+    int64_t i;
+    double frequency;
+    int64_t axis;
+    double amplitude;
+    double phase;
+    count = components.shape[INT64_C(0)];
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        frequency = full_circle() * bandwidth * (i + segfmu_next_uniform(numbers)) / count;
+        (*cspan_at(&components, i, INT64_C(0))) = frequency;
+        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+        {
+            amplitude = (*cspan_at(&deviation, axis)) * sqrt(2.0 / count);
+            phase = full_circle() * segfmu_next_uniform(numbers);
+            (*cspan_at(&components, i, INT64_C(1) + axis)) = amplitude * cos(phase);
+            (*cspan_at(&components, i, INT64_C(4) + axis)) = amplitude * sin(phase);
+        }
+    }
+}
+/*Viscous and Coulomb friction and drag [N] against a velocity; the sign change is a tanh. */
+static double friction_force(array_double_1d plant, int64_t axis, double velocity)
+{
+    double share;
+    double friction;
+    friction = (*cspan_at(&plant, INT64_C(23) + axis)) * velocity;
+    friction = friction + (*cspan_at(&plant, INT64_C(29) + axis)) * velocity * fabs(velocity);
+    if ((*cspan_at(&plant, INT64_C(26) + axis)) > 0.0)
+    {
+        share = tanh(velocity / (*cspan_at(&plant, INT64_C(32))));
+        friction = friction + (*cspan_at(&plant, INT64_C(26) + axis)) * share;
+    }
+    return friction;
+}
+/*Derivative of the friction force of an axis by its velocity [N s/m]. */
+static double friction_slope(array_double_1d plant, int64_t axis, double velocity)
+{
+    double width;
+    double share;
+    double slope;
+    slope = (*cspan_at(&plant, INT64_C(23) + axis)) + 2.0 * (*cspan_at(&plant, INT64_C(29) + axis)) * fabs(velocity);
+    if ((*cspan_at(&plant, INT64_C(26) + axis)) > 0.0)
+    {
+        width = (*cspan_at(&plant, INT64_C(32)));
+        share = tanh(velocity / width);
+        slope = slope + (*cspan_at(&plant, INT64_C(26) + axis)) * (1.0 - share * share) / width;
+    }
+    return slope;
+}
+/*Force of a gust relative to its peak, at a share of its duration.*/
+static double gust_factor(double shape, double share)
+{
+    if ((share <= 0.0) || (share >= 1.0))
+    {
+        return 0.0;
+    }
+    if ((int64_t)(shape) == INT64_C(1))
+    {
+        return sin(0.5 * full_circle() * share);
+    }
+    return 0.5 * (1.0 - cos(full_circle() * share));
+}
+/*Force on the load [N]: the given one, constant wind, gust and noise. */
+static void wind_force(array_double_1d plant, array_double_2d components, double time, array_double_2d work)
+{
+    double gust;
+    double share;
+    array_double_1d force;
+    int64_t i;
+    double steady;
+    int64_t k;
+    double sine;
+    double cosine;
+    double added;
+    gust = 0.0;
+    if ((*cspan_at(&plant, INT64_C(44))) > 0.0)
+    {
+        share = (time - (*cspan_at(&plant, INT64_C(43)))) / (*cspan_at(&plant, INT64_C(44)));
+        gust = gust_factor((*cspan_at(&plant, INT64_C(45))), share);
+    }
+    force = span_row(&work, INT64_C(14));
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        steady = (*cspan_at(&work, INT64_C(2), i)) + (*cspan_at(&plant, INT64_C(40) + i));
+        (*cspan_at(&force, i)) = steady + gust * (*cspan_at(&plant, INT64_C(46) + i));
+    }
+    for (k = INT64_C(0); k < components.shape[INT64_C(0)]; k += INT64_C(1))
+    {
+        sine = sin((*cspan_at(&components, k, INT64_C(0))) * time);
+        cosine = cos((*cspan_at(&components, k, INT64_C(0))) * time);
+        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        {
+            added = (*cspan_at(&force, i)) + (*cspan_at(&components, k, INT64_C(1) + i)) * sine;
+            (*cspan_at(&force, i)) = added + (*cspan_at(&components, k, INT64_C(4) + i)) * cosine;
+        }
+    }
+}
+/*Derivative of the crane under force demands; see `driven_derivative`.*/
+static void forced_derivative(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative)
+{
+    array_double_1d force;
+    array_double_1d action;
+    bool fast;
+    int64_t i;
+    double drive;
+    double bound;
+    force = span_row(&work, INT64_C(12));
+    action = span_row(&work, INT64_C(13));
+    fast = 0;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        drive = (*cspan_at(&work, INT64_C(17), i));
+        bound = force_bound(plant, i, (*cspan_at(&state, INT64_C(5) + i)));
+        if (exceeds(drive, bound))
+        {
+            drive = limited(drive, bound);
+            (*cspan_at(&action, INT64_C(3) + i)) = 1.0;
+        }
+        fast = fast || at_velocity_bound(plant, i, state);
+        (*cspan_at(&action, INT64_C(0) + i)) = drive;
+        (*cspan_at(&force, i)) = drive - (*cspan_at(&work, INT64_C(18), i));
+    }
+    segfmu_crane_rhs(state, force, span_row(&work, INT64_C(14)), plant, derivative);
+    if (fast)
+    {
+        hold_velocities(plant, state, derivative, action, span_row(&work, INT64_C(19)));
+        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        {
+            (*cspan_at(&force, i)) = (*cspan_at(&action, INT64_C(0) + i)) - (*cspan_at(&work, INT64_C(18), i));
+        }
+        segfmu_crane_rhs(state, force, span_row(&work, INT64_C(14)), plant, derivative);
+    }
+    (*cspan_at(&action, INT64_C(6))) = (*cspan_at(&force, INT64_C(0) + INT64_C(2)));
+}
+/*Derivative and drive forces under the accelerations demanded.*/
+static void driven_forces(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative)
+{
+    array_double_1d action;
+    int64_t i;
+    action = span_row(&work, INT64_C(13));
+    segfmu_crane_driven(state, span_row(&work, INT64_C(17)), span_row(&work, INT64_C(12)), span_row(&work, INT64_C(14)), plant, derivative, action);
+    (*cspan_at(&action, INT64_C(6))) = (*cspan_at(&action, INT64_C(0) + INT64_C(2)));
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&action, INT64_C(0) + i)) = (*cspan_at(&action, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(18), i));
+    }
+}
+/*Derivative of the crane under velocity demands, without lag acceleration demands.                */
+/*                                                                                                 */
+/*    work contains the demands, the torques on the sway angles, wind and friction; the forces and */
+/*    accelerations that act are written to it.                                                    */
+/*                                                                                                 */
+static void driven_derivative(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative)
+{
+    array_double_1d action;
+    int64_t i;
+    double demand;
+    double bound;
+    action = span_row(&work, INT64_C(13));
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        demand = (*cspan_at(&work, INT64_C(17), i));
+        if ((*cspan_at(&plant, INT64_C(5) + i)) > 0.0)
+        {
+            if (exceeds(demand, (*cspan_at(&plant, INT64_C(14) + i))))
+            {
+                demand = limited(demand, (*cspan_at(&plant, INT64_C(14) + i)));
+                (*cspan_at(&action, INT64_C(3) + i)) = 1.0;
+            }
+            demand = (demand - (*cspan_at(&state, INT64_C(5) + i))) / (*cspan_at(&plant, INT64_C(5) + i));
+        }
+        if (exceeds(demand, (*cspan_at(&plant, INT64_C(11) + i))))
+        {
+            demand = limited(demand, (*cspan_at(&plant, INT64_C(11) + i)));
+            (*cspan_at(&action, INT64_C(3) + i)) = 1.0;
+        }
+        (*cspan_at(&work, INT64_C(17), i)) = demand;
+    }
+    driven_forces(plant, state, work, derivative);
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        bound = force_bound(plant, i, (*cspan_at(&state, INT64_C(5) + i)));
+        if (exceeds((*cspan_at(&action, INT64_C(0) + i)), bound))
+        {
+            limit_accelerations(plant, state, action, span_row(&work, INT64_C(17)), span_row(&work, INT64_C(19)));
+            driven_forces(plant, state, work, derivative);
+            break;
+        }
+    }
+}
 /*Fill in PlantFault for a status other than DONE at a time [s], for messages.       */
 /*                                                                                   */
 /*    Returns the status without the axis: BELOW_TRAVEL or ABOVE_TRAVEL for any axis.*/
@@ -4091,10 +4285,10 @@ int64_t segfmu_plant_failure(int64_t status, double time, array_double_1d state,
     (*cspan_at(&fault, INT64_C(2))) = (*cspan_at(&state, INT64_C(0) + axis));
     if (status >= INT64_C(9))
     {
-        (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(31) + axis));
+        (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(37) + axis));
         return INT64_C(9);
     }
-    (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(28) + axis));
+    (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(34) + axis));
     return INT64_C(6);
 }
 /*Node c of a stage, as a share of the step. */
@@ -4285,7 +4479,7 @@ static void plant_powers(array_double_1d plant, array_double_1d state, array_dou
     squares = squares + (*cspan_at(&state, INT64_C(8) + INT64_C(1))) * (*cspan_at(&state, INT64_C(8) + INT64_C(1)));
     (*cspan_at(&derivative, INT64_C(10))) = 0.0;
     (*cspan_at(&derivative, INT64_C(11))) = 0.0;
-    (*cspan_at(&derivative, INT64_C(12))) = (*cspan_at(&plant, INT64_C(27))) * squares;
+    (*cspan_at(&derivative, INT64_C(12))) = (*cspan_at(&plant, INT64_C(33))) * squares;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         velocity = (*cspan_at(&state, INT64_C(5) + i));
@@ -4319,7 +4513,7 @@ static void plant_derivative(array_double_1d plant, array_double_2d components, 
     }
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
-        torque = (-(*cspan_at(&plant, INT64_C(27)))) * (*cspan_at(&state, INT64_C(8) + i));
+        torque = (-(*cspan_at(&plant, INT64_C(33)))) * (*cspan_at(&state, INT64_C(8) + i));
         (*cspan_at(&work, INT64_C(12), INT64_C(3) + i)) = torque;
     }
     if ((int64_t)((*cspan_at(&plant, INT64_C(4)))) == INT64_C(1))
@@ -4397,11 +4591,11 @@ static int64_t plant_status(array_double_1d plant, array_double_1d state, double
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         /*rest exactly at the limit is allowed*/
-        if ((*cspan_at(&state, INT64_C(0) + i)) < (*cspan_at(&plant, INT64_C(28) + i)) - 1e-09)
+        if ((*cspan_at(&state, INT64_C(0) + i)) < (*cspan_at(&plant, INT64_C(34) + i)) - 1e-09)
         {
             return INT64_C(6) + i;
         }
-        if ((*cspan_at(&state, INT64_C(0) + i)) > (*cspan_at(&plant, INT64_C(31) + i)) + 1e-09)
+        if ((*cspan_at(&state, INT64_C(0) + i)) > (*cspan_at(&plant, INT64_C(37) + i)) + 1e-09)
         {
             return INT64_C(9) + i;
         }
@@ -9577,8 +9771,8 @@ static double next_change(array_double_2d changes, double after, array_double_2d
     double time;
     double first;
     start = (*cspan_at(&memory, INT64_C(6), INT64_C(0)));
-    gust = (*cspan_at(&memory, INT64_C(5), INT64_C(37)));
-    duration = (*cspan_at(&memory, INT64_C(5), INT64_C(38)));
+    gust = (*cspan_at(&memory, INT64_C(5), INT64_C(43)));
+    duration = (*cspan_at(&memory, INT64_C(5), INT64_C(44)));
     first = 1e+300;
     for (i = INT64_C(0); i < changes.shape[INT64_C(0)]; i += INT64_C(1))
     {
@@ -9702,6 +9896,18 @@ static int64_t setpoint_rates(double* result_0_0001, double* result_1, double* r
     (*result_2_0001) = cube / (duration * duration * duration);
     return 0;
 }
+/*A velocity within the bound of its drive, which counts as saturated beyond it. */
+static double bounded_velocity(int64_t axis, double velocity, array_double_2d memory)
+{
+    double bound;
+    bound = (*cspan_at(&memory, INT64_C(5), INT64_C(14) + axis));
+    if (exceeds(velocity, bound))
+    {
+        (*cspan_at(&memory, INT64_C(8), INT64_C(10) + axis)) = 1.0;
+        return limited(velocity, bound);
+    }
+    return velocity;
+}
 /*Command of a drive, and its coefficients over the elapsed time.*/
 static void set_command(int64_t axis, double value, double slope, double square, double cube, array_double_2d memory)
 {
@@ -9732,7 +9938,7 @@ static double longest_delay(array_double_1d plant)
     longest = 0.0;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        longest = span_max(longest, (*cspan_at(&plant, INT64_C(14) + i)));
+        longest = span_max(longest, (*cspan_at(&plant, INT64_C(20) + i)));
     }
     return longest;
 }
@@ -9970,7 +10176,7 @@ static double next_command(array_double_2d settings, double until, array_double_
     newest = (int64_t)((*cspan_at(&delayed, INT64_C(0), INT64_C(1)))) - INT64_C(1);
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        late = (*cspan_at(&memory, INT64_C(5), INT64_C(14) + i));
+        late = (*cspan_at(&memory, INT64_C(5), INT64_C(20) + i));
         latest = present_time(memory) - late + time_tolerance(settings);
         number = command_number(latest, delayed);
         if ((late > 0.0) && (number < newest))
@@ -10001,7 +10207,7 @@ static void late_commands(array_double_2d settings, double length, array_double_
     double end;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        late = (*cspan_at(&memory, INT64_C(5), INT64_C(14) + i));
+        late = (*cspan_at(&memory, INT64_C(5), INT64_C(20) + i));
         if (late > 0.0)
         {
             time = present_time(memory) - late;
@@ -10012,6 +10218,7 @@ static void late_commands(array_double_2d settings, double length, array_double_
             if (is_driven(memory) && ((*cspan_at(&memory, INT64_C(5), INT64_C(5) + i)) == 0.0))
             {
                 end = value + length * (slope + length * (square + length * cube));
+                end = bounded_velocity(i, end, memory);
                 value = (end - (*cspan_at(&memory, INT64_C(4), INT64_C(5) + i))) / length;
                 slope = 0.0;
                 square = 0.0;
@@ -10161,6 +10368,7 @@ static void command_velocities(array_double_1d setpoints, double duration, doubl
             /*at the end it has its setpoint, even after saturation*/
             end = setpoint_at(setpoints, velocity, until / duration, memory);
             end = end + (*cspan_at(&memory, INT64_C(9), i));
+            end = bounded_velocity(i, end, memory);
             acceleration = (end - (*cspan_at(&memory, INT64_C(4), INT64_C(5) + i))) / length;
             set_command(i, acceleration, 0.0, 0.0, 0.0, memory);
         }
@@ -10337,7 +10545,7 @@ void segfmu_rig_start(array_double_2d settings, array_double_2d changes, array_d
     {
         (*cspan_at(&memory, INT64_C(4), i)) = (*cspan_at(&state, i));
     }
-    for (i = INT64_C(0); i < INT64_C(43); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(49); i += INT64_C(1))
     {
         (*cspan_at(&memory, INT64_C(5), i)) = (*cspan_at(&settings, INT64_C(3), i));
     }
@@ -10569,14 +10777,14 @@ static double wind_slope(array_double_1d plant, array_double_2d components, doub
     double sines;
     double slope;
     slope = 0.0;
-    duration = (*cspan_at(&plant, INT64_C(38)));
+    duration = (*cspan_at(&plant, INT64_C(44)));
     if (duration > 0.0)
     {
-        share = (time - (*cspan_at(&plant, INT64_C(37)))) / duration;
+        share = (time - (*cspan_at(&plant, INT64_C(43)))) / duration;
         if ((share > 0.0) && (share < 1.0))
         {
-            rate = gust_rate((*cspan_at(&plant, INT64_C(39))), share);
-            slope = rate / duration * (*cspan_at(&plant, INT64_C(40) + axis));
+            rate = gust_rate((*cspan_at(&plant, INT64_C(45))), share);
+            slope = rate / duration * (*cspan_at(&plant, INT64_C(46) + axis));
         }
     }
     for (k = INT64_C(0); k < components.shape[INT64_C(0)]; k += INT64_C(1))
@@ -10589,6 +10797,21 @@ static double wind_slope(array_double_1d plant, array_double_2d components, doub
     }
     return slope;
 }
+/*Derivative of a drive's force by its velocity [N s/m], where its power bounds it.*/
+static double power_slope(array_double_1d plant, int64_t axis, array_double_1d state, array_double_1d action)
+{
+    double velocity;
+    double bound;
+    double result;
+    velocity = (*cspan_at(&state, INT64_C(5) + axis));
+    bound = force_bound(plant, axis, velocity);
+    if (((*cspan_at(&action, INT64_C(3) + axis)) < 0.5) || (bound == (*cspan_at(&plant, INT64_C(8) + axis))))
+    {
+        return 0.0;
+    }
+    result = (-(*cspan_at(&action, INT64_C(0) + axis))) / velocity;
+    return result;
+}
 /*Add the effect of the sway damping to a row of partial derivatives by the sway rates.*/
 static void add_damping(array_double_1d plant, array_double_1d by, array_double_1d row)
 {
@@ -10596,7 +10819,7 @@ static void add_damping(array_double_1d plant, array_double_1d by, array_double_
     double damped;
     for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
     {
-        damped = (*cspan_at(&plant, INT64_C(27))) * (*cspan_at(&by, INT64_C(13) + j));
+        damped = (*cspan_at(&plant, INT64_C(33))) * (*cspan_at(&by, INT64_C(13) + j));
         (*cspan_at(&row, INT64_C(8) + j)) = (*cspan_at(&row, INT64_C(8) + j)) - damped;
     }
 }
@@ -10609,9 +10832,11 @@ static void forced_partials(array_double_1d plant, array_double_1d state, array_
     int64_t j;
     double by_force;
     double slope;
+    double by_velocity;
     array_double_1d rope;
     int64_t hoist;
     int64_t velocity;
+    double by_power;
     crane_rhs_partials(state, span_row(&rig, INT64_C(12)), span_row(&rig, INT64_C(14)), plant, work);
     saturated = span_row(&rig, INT64_C(13));
     for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
@@ -10631,6 +10856,8 @@ static void forced_partials(array_double_1d plant, array_double_1d state, array_
             {
                 (*cspan_at(&row, INT64_C(10) + j)) = by_force;
             }
+            by_velocity = by_force * power_slope(plant, j, state, saturated);
+            (*cspan_at(&row, INT64_C(5) + j)) = (*cspan_at(&row, INT64_C(5) + j)) + by_velocity;
         }
         add_damping(plant, span_row(&work, i), row);
     }
@@ -10640,12 +10867,15 @@ static void forced_partials(array_double_1d plant, array_double_1d state, array_
         {
             (*cspan_at(&partials, INT64_C(5) + j, INT64_C(10) + j)) = 1.0;
         }
+        by_velocity = power_slope(plant, j, state, saturated);
+        (*cspan_at(&partials, INT64_C(5) + j, INT64_C(5) + j)) = by_velocity;
     }
     rope = span_row(&partials, INT64_C(8));
     hoist = INT64_C(10) + INT64_C(2);
     velocity = INT64_C(5) + INT64_C(2);
     (*cspan_at(&rope, hoist)) = (*cspan_at(&partials, INT64_C(5) + INT64_C(2), hoist));
-    (*cspan_at(&rope, velocity)) = -friction_slope(plant, INT64_C(2), (*cspan_at(&state, velocity)));
+    by_power = (*cspan_at(&partials, INT64_C(5) + INT64_C(2), velocity));
+    (*cspan_at(&rope, velocity)) = by_power - friction_slope(plant, INT64_C(2), (*cspan_at(&state, velocity)));
 }
 /*Accelerations of the drives under velocity commands; false if one is at its force bound. */
 static bool demand_partials(array_double_1d plant, array_double_1d state, array_double_2d rig, array_double_1d command, array_double_2d partials)
@@ -10655,15 +10885,22 @@ static bool demand_partials(array_double_1d plant, array_double_1d state, array_
     double lag;
     double largest;
     double demand;
+    bool clipped;
     bool bounded;
     action = span_row(&rig, INT64_C(13));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         lag = (*cspan_at(&plant, INT64_C(5) + i));
-        largest = (*cspan_at(&plant, INT64_C(8) + i));
-        demand = ((*cspan_at(&command, i)) - (*cspan_at(&state, INT64_C(5) + i))) / lag;
+        largest = force_bound(plant, i, (*cspan_at(&state, INT64_C(5) + i)));
+        demand = (*cspan_at(&command, i));
+        clipped = exceeds(demand, (*cspan_at(&plant, INT64_C(14) + i)));
+        if (clipped)
+        {
+            demand = limited(demand, (*cspan_at(&plant, INT64_C(14) + i)));
+        }
+        demand = (demand - (*cspan_at(&state, INT64_C(5) + i))) / lag;
         bounded = exceeds(demand, (*cspan_at(&plant, INT64_C(11) + i)));
-        if (((*cspan_at(&action, INT64_C(3) + i)) > 0.5) && (!bounded))
+        if (((*cspan_at(&action, INT64_C(3) + i)) > 0.5) && (!(bounded || clipped)))
         {
             return 0;
         }
@@ -10673,7 +10910,10 @@ static bool demand_partials(array_double_1d plant, array_double_1d state, array_
         }
         if (!bounded)
         {
-            (*cspan_at(&partials, i, INT64_C(10) + i)) = 1.0 / lag;
+            if (!clipped)
+            {
+                (*cspan_at(&partials, i, INT64_C(10) + i)) = 1.0 / lag;
+            }
             (*cspan_at(&partials, i, INT64_C(5) + i)) = (-1.0) / lag;
         }
     }
@@ -10775,13 +11015,14 @@ static void power_partials(array_double_1d plant, array_double_1d state, array_d
     }
     for (i = INT64_C(8); i < INT64_C(10); i += INT64_C(1))
     {
-        (*cspan_at(&lost, i)) = 2.0 * (*cspan_at(&plant, INT64_C(27))) * (*cspan_at(&state, i));
+        (*cspan_at(&lost, i)) = 2.0 * (*cspan_at(&plant, INT64_C(33))) * (*cspan_at(&state, i));
     }
 }
-/*All partial derivatives at a time [s] since the start.                 */
-/*                                                                       */
-/*    False if a velocity drive is at its largest force: there they jump.*/
-/*                                                                       */
+/*All partial derivatives at a time [s] since the start.                                           */
+/*                                                                                                 */
+/*    False if a velocity drive is at its largest force, or a force drive at its largest velocity: */
+/*    there they jump.                                                                             */
+/*                                                                                                 */
 bool segfmu_rig_partials(array_double_2d components, double time, array_double_2d memory, array_double_2d work, array_double_2d partials)
 {
     array_double_1d plant;
@@ -10821,6 +11062,13 @@ bool segfmu_rig_partials(array_double_2d components, double time, array_double_2
     }
     else
     {
+        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        {
+            if (at_velocity_bound(plant, i, state))
+            {
+                return 0;
+            }
+        }
         forced_partials(plant, state, rig, work, partials);
     }
     power_partials(plant, state, rig, work, partials);
@@ -10885,7 +11133,7 @@ int64_t segfmu_check_delays(array_double_1d plant, double period, int64_t exchan
     double late;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        late = (*cspan_at(&plant, INT64_C(14) + axis));
+        late = (*cspan_at(&plant, INT64_C(20) + axis));
         (*cspan_at(&fault, INT64_C(1))) = axis;
         (*cspan_at(&fault, INT64_C(2))) = late;
         (*cspan_at(&fault, INT64_C(3))) = period;

@@ -8,14 +8,6 @@
 #include "span.h"
 #include "visible.h"
 
-SEGFMU_API void segfmu_crane_rhs(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative);
-SEGFMU_API void segfmu_crane_driven(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative, array_double_1d force);
-SEGFMU_API void segfmu_crane_flat_inverse(array_double_2d flat, array_double_1d masses, array_double_1d force, array_double_1d state, array_double_1d acceleration);
-SEGFMU_API void segfmu_crane_load(array_double_1d state, array_double_2d load);
-SEGFMU_API void segfmu_crane_energy(array_double_1d state, array_double_1d masses, array_double_1d energy);
-SEGFMU_API double segfmu_next_uniform(array_double_1d numbers);
-SEGFMU_API void segfmu_seed_numbers(int64_t seed, array_double_1d numbers);
-SEGFMU_API void segfmu_noise_components(double bandwidth, array_double_1d deviation, array_double_1d numbers, array_double_2d components);
 SEGFMU_API void segfmu_feedback_correction(array_double_1d state, array_double_1d reference, array_double_3d gains, array_double_1d correction);
 SEGFMU_API double segfmu_feedback_bandwidth(double ratio, double length, double gravity, double delay, double largest);
 SEGFMU_API void segfmu_feedback_gains(array_double_1d plant, double length, double bandwidth, double hoist_bandwidth, double damping, array_double_2d gains);
@@ -32,10 +24,18 @@ SEGFMU_API double segfmu_drive_bound(array_double_1d plant, int64_t axis);
 SEGFMU_API void segfmu_set_tracking(array_double_1d plant, array_double_1d design, double longest, array_double_1d tracking);
 SEGFMU_API void segfmu_set_fading(array_double_1d tracking);
 SEGFMU_API void segfmu_track_setpoint(array_double_1d parameters, array_double_3d table, array_double_3d gains, array_double_2d tick, array_double_2d memory);
+SEGFMU_API void segfmu_crane_rhs(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative);
+SEGFMU_API void segfmu_crane_driven(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative, array_double_1d force);
+SEGFMU_API void segfmu_crane_flat_inverse(array_double_2d flat, array_double_1d masses, array_double_1d force, array_double_1d state, array_double_1d acceleration);
+SEGFMU_API void segfmu_crane_load(array_double_1d state, array_double_2d load);
+SEGFMU_API void segfmu_crane_energy(array_double_1d state, array_double_1d masses, array_double_1d energy);
 SEGFMU_API void segfmu_crane_load_partials(array_double_1d state, array_double_2d partials);
 SEGFMU_API void segfmu_crane_energy_partials(array_double_1d state, array_double_1d masses, array_double_2d partials);
 SEGFMU_API void segfmu_flat_derivatives(array_double_2d flat, int64_t order, array_double_1d masses, array_double_2d work, array_double_1d found);
 SEGFMU_API void segfmu_compensate_setpoints(array_double_1d velocity, array_double_1d acceleration, array_double_1d known, array_double_1d force, array_double_1d setpoint);
+SEGFMU_API double segfmu_next_uniform(array_double_1d numbers);
+SEGFMU_API void segfmu_seed_numbers(int64_t seed, array_double_1d numbers);
+SEGFMU_API void segfmu_noise_components(double bandwidth, array_double_1d deviation, array_double_1d numbers, array_double_2d components);
 SEGFMU_API int64_t segfmu_plant_failure(int64_t status, double time, array_double_1d state, array_double_1d plant, array_double_1d fault);
 SEGFMU_API int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d components, double time, array_double_1d state, double duration, double tolerance, array_double_2d work, array_double_1d report);
 SEGFMU_API void segfmu_evaluate(array_double_1d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, int64_t derivative, array_double_2d values);

@@ -1,233 +1,6 @@
 /* Generated from the kernels in Python by `python -m segfmu.codegen`; never edited. */
 #include "arguments.h"
 
-static PyObject *call_crane_rhs(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "crane_rhs", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_state;
-    Py_buffer *in_generalized_force;
-    Py_buffer *in_load_force;
-    Py_buffer *in_masses;
-    Py_buffer *in_derivative;
-    (void)self;
-    if (take_count(&call, count, 5)
-        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_generalized_force = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_load_force = take_array(&call, 2, 1, 'd', false)) != NULL
-        && (in_masses = take_array(&call, 3, 1, 'd', false)) != NULL
-        && (in_derivative = take_array(&call, 4, 1, 'd', true)) != NULL
-        && has_at_least(&call, "state", 0, in_state->shape[0], 10)
-        && has_at_least(&call, "generalized_force", 0, in_generalized_force->shape[0], 5)
-        && has_at_least(&call, "load_force", 0, in_load_force->shape[0], 3)
-        && has_at_least(&call, "masses", 0, in_masses->shape[0], 4)
-        && has_at_least(&call, "derivative", 0, in_derivative->shape[0], 10)) {
-        segfmu_crane_rhs(
-            (array_double_1d){in_state->buf, {in_state->shape[0]}},
-            (array_double_1d){in_generalized_force->buf, {in_generalized_force->shape[0]}},
-            (array_double_1d){in_load_force->buf, {in_load_force->shape[0]}},
-            (array_double_1d){in_masses->buf, {in_masses->shape[0]}},
-            (array_double_1d){in_derivative->buf, {in_derivative->shape[0]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_crane_driven(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "crane_driven", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_state;
-    Py_buffer *in_carriage;
-    Py_buffer *in_generalized_force;
-    Py_buffer *in_load_force;
-    Py_buffer *in_masses;
-    Py_buffer *in_derivative;
-    Py_buffer *in_force;
-    (void)self;
-    if (take_count(&call, count, 7)
-        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_carriage = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_generalized_force = take_array(&call, 2, 1, 'd', false)) != NULL
-        && (in_load_force = take_array(&call, 3, 1, 'd', false)) != NULL
-        && (in_masses = take_array(&call, 4, 1, 'd', false)) != NULL
-        && (in_derivative = take_array(&call, 5, 1, 'd', true)) != NULL
-        && (in_force = take_array(&call, 6, 1, 'd', true)) != NULL
-        && has_at_least(&call, "state", 0, in_state->shape[0], 10)
-        && has_at_least(&call, "carriage", 0, in_carriage->shape[0], 3)
-        && has_at_least(&call, "generalized_force", 0, in_generalized_force->shape[0], 5)
-        && has_at_least(&call, "load_force", 0, in_load_force->shape[0], 3)
-        && has_at_least(&call, "masses", 0, in_masses->shape[0], 4)
-        && has_at_least(&call, "derivative", 0, in_derivative->shape[0], 10)
-        && has_at_least(&call, "force", 0, in_force->shape[0], 3)) {
-        segfmu_crane_driven(
-            (array_double_1d){in_state->buf, {in_state->shape[0]}},
-            (array_double_1d){in_carriage->buf, {in_carriage->shape[0]}},
-            (array_double_1d){in_generalized_force->buf, {in_generalized_force->shape[0]}},
-            (array_double_1d){in_load_force->buf, {in_load_force->shape[0]}},
-            (array_double_1d){in_masses->buf, {in_masses->shape[0]}},
-            (array_double_1d){in_derivative->buf, {in_derivative->shape[0]}},
-            (array_double_1d){in_force->buf, {in_force->shape[0]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_crane_flat_inverse(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "crane_flat_inverse", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_flat;
-    Py_buffer *in_masses;
-    Py_buffer *in_force;
-    Py_buffer *in_state;
-    Py_buffer *in_acceleration;
-    (void)self;
-    if (take_count(&call, count, 5)
-        && (in_flat = take_array(&call, 0, 2, 'd', false)) != NULL
-        && (in_masses = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_force = take_array(&call, 2, 1, 'd', true)) != NULL
-        && (in_state = take_array(&call, 3, 1, 'd', true)) != NULL
-        && (in_acceleration = take_array(&call, 4, 1, 'd', true)) != NULL
-        && has_at_least(&call, "flat", 0, in_flat->shape[0], 5)
-        && has_at_least(&call, "flat", 1, in_flat->shape[1], 3)
-        && has_at_least(&call, "masses", 0, in_masses->shape[0], 4)
-        && has_at_least(&call, "force", 0, in_force->shape[0], 3)
-        && has_at_least(&call, "state", 0, in_state->shape[0], 10)
-        && has_at_least(&call, "acceleration", 0, in_acceleration->shape[0], 5)) {
-        segfmu_crane_flat_inverse(
-            (array_double_2d){in_flat->buf, {in_flat->shape[0], in_flat->shape[1]}},
-            (array_double_1d){in_masses->buf, {in_masses->shape[0]}},
-            (array_double_1d){in_force->buf, {in_force->shape[0]}},
-            (array_double_1d){in_state->buf, {in_state->shape[0]}},
-            (array_double_1d){in_acceleration->buf, {in_acceleration->shape[0]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_crane_load(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "crane_load", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_state;
-    Py_buffer *in_load;
-    (void)self;
-    if (take_count(&call, count, 2)
-        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_load = take_array(&call, 1, 2, 'd', true)) != NULL
-        && has_at_least(&call, "state", 0, in_state->shape[0], 10)
-        && has_at_least(&call, "load", 0, in_load->shape[0], 2)
-        && has_at_least(&call, "load", 1, in_load->shape[1], 3)) {
-        segfmu_crane_load(
-            (array_double_1d){in_state->buf, {in_state->shape[0]}},
-            (array_double_2d){in_load->buf, {in_load->shape[0], in_load->shape[1]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_crane_energy(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "crane_energy", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_state;
-    Py_buffer *in_masses;
-    Py_buffer *in_energy;
-    (void)self;
-    if (take_count(&call, count, 3)
-        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_masses = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_energy = take_array(&call, 2, 1, 'd', true)) != NULL
-        && has_at_least(&call, "state", 0, in_state->shape[0], 10)
-        && has_at_least(&call, "masses", 0, in_masses->shape[0], 4)
-        && has_at_least(&call, "energy", 0, in_energy->shape[0], 2)) {
-        segfmu_crane_energy(
-            (array_double_1d){in_state->buf, {in_state->shape[0]}},
-            (array_double_1d){in_masses->buf, {in_masses->shape[0]}},
-            (array_double_1d){in_energy->buf, {in_energy->shape[0]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_seed_numbers(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "seed_numbers", .values = values};
-    PyObject *answer = NULL;
-    int64_t in_seed;
-    Py_buffer *in_numbers;
-    (void)self;
-    if (take_count(&call, count, 2)
-        && take_int(&call, 0, &in_seed)
-        && (in_numbers = take_array(&call, 1, 1, 'd', true)) != NULL
-        && has_at_least(&call, "numbers", 0, in_numbers->shape[0], 2)) {
-        segfmu_seed_numbers(
-            in_seed,
-            (array_double_1d){in_numbers->buf, {in_numbers->shape[0]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_next_uniform(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "next_uniform", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_numbers;
-    (void)self;
-    if (take_count(&call, count, 1)
-        && (in_numbers = take_array(&call, 0, 1, 'd', true)) != NULL
-        && has_at_least(&call, "numbers", 0, in_numbers->shape[0], 2)) {
-        answer = PyFloat_FromDouble(segfmu_next_uniform(
-            (array_double_1d){in_numbers->buf, {in_numbers->shape[0]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_noise_components(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "noise_components", .values = values};
-    PyObject *answer = NULL;
-    double in_bandwidth;
-    Py_buffer *in_deviation;
-    Py_buffer *in_numbers;
-    Py_buffer *in_components;
-    (void)self;
-    if (take_count(&call, count, 4)
-        && take_float(&call, 0, &in_bandwidth)
-        && (in_deviation = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_numbers = take_array(&call, 2, 1, 'd', true)) != NULL
-        && (in_components = take_array(&call, 3, 2, 'd', true)) != NULL
-        && has_at_least(&call, "deviation", 0, in_deviation->shape[0], 3)
-        && has_at_least(&call, "numbers", 0, in_numbers->shape[0], 2)
-        && has_at_least(&call, "components", 1, in_components->shape[1], 7)) {
-        segfmu_noise_components(
-            in_bandwidth,
-            (array_double_1d){in_deviation->buf, {in_deviation->shape[0]}},
-            (array_double_1d){in_numbers->buf, {in_numbers->shape[0]}},
-            (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
 static PyObject *call_feedback_correction(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -431,7 +204,7 @@ static PyObject *call_flat_table(
         && take_int(&call, 2, &in_rows)
         && (in_lengths = take_array(&call, 3, 1, 'd', false)) != NULL
         && (in_table = take_array(&call, 4, 3, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 43)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 49)
         && has_at_least(&call, "design", 0, in_design->shape[0], 4)
         && has_at_least(&call, "lengths", 0, in_lengths->shape[0], in_rows)
         && has_at_least(&call, "table", 0, in_table->shape[0], in_rows)
@@ -620,7 +393,7 @@ static PyObject *call_drive_bound(
     if (take_count(&call, count, 2)
         && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
         && take_int(&call, 1, &in_axis)
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 17)) {
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 23)) {
         answer = PyFloat_FromDouble(segfmu_drive_bound(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
             in_axis));
@@ -644,7 +417,7 @@ static PyObject *call_set_tracking(
         && (in_design = take_array(&call, 1, 1, 'd', false)) != NULL
         && take_float(&call, 2, &in_longest)
         && (in_tracking = take_array(&call, 3, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 17)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 23)
         && has_at_least(&call, "design", 0, in_design->shape[0], 9)
         && has_at_least(&call, "tracking", 0, in_tracking->shape[0], 27)) {
         segfmu_set_tracking(
@@ -710,6 +483,166 @@ static PyObject *call_track_setpoint(
             (array_double_3d){in_gains->buf, {in_gains->shape[0], in_gains->shape[1], in_gains->shape[2]}},
             (array_double_2d){in_tick->buf, {in_tick->shape[0], in_tick->shape[1]}},
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_crane_rhs(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "crane_rhs", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_state;
+    Py_buffer *in_generalized_force;
+    Py_buffer *in_load_force;
+    Py_buffer *in_masses;
+    Py_buffer *in_derivative;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_generalized_force = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_load_force = take_array(&call, 2, 1, 'd', false)) != NULL
+        && (in_masses = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_derivative = take_array(&call, 4, 1, 'd', true)) != NULL
+        && has_at_least(&call, "state", 0, in_state->shape[0], 10)
+        && has_at_least(&call, "generalized_force", 0, in_generalized_force->shape[0], 5)
+        && has_at_least(&call, "load_force", 0, in_load_force->shape[0], 3)
+        && has_at_least(&call, "masses", 0, in_masses->shape[0], 4)
+        && has_at_least(&call, "derivative", 0, in_derivative->shape[0], 10)) {
+        segfmu_crane_rhs(
+            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+            (array_double_1d){in_generalized_force->buf, {in_generalized_force->shape[0]}},
+            (array_double_1d){in_load_force->buf, {in_load_force->shape[0]}},
+            (array_double_1d){in_masses->buf, {in_masses->shape[0]}},
+            (array_double_1d){in_derivative->buf, {in_derivative->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_crane_driven(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "crane_driven", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_state;
+    Py_buffer *in_carriage;
+    Py_buffer *in_generalized_force;
+    Py_buffer *in_load_force;
+    Py_buffer *in_masses;
+    Py_buffer *in_derivative;
+    Py_buffer *in_force;
+    (void)self;
+    if (take_count(&call, count, 7)
+        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_carriage = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_generalized_force = take_array(&call, 2, 1, 'd', false)) != NULL
+        && (in_load_force = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_masses = take_array(&call, 4, 1, 'd', false)) != NULL
+        && (in_derivative = take_array(&call, 5, 1, 'd', true)) != NULL
+        && (in_force = take_array(&call, 6, 1, 'd', true)) != NULL
+        && has_at_least(&call, "state", 0, in_state->shape[0], 10)
+        && has_at_least(&call, "carriage", 0, in_carriage->shape[0], 3)
+        && has_at_least(&call, "generalized_force", 0, in_generalized_force->shape[0], 5)
+        && has_at_least(&call, "load_force", 0, in_load_force->shape[0], 3)
+        && has_at_least(&call, "masses", 0, in_masses->shape[0], 4)
+        && has_at_least(&call, "derivative", 0, in_derivative->shape[0], 10)
+        && has_at_least(&call, "force", 0, in_force->shape[0], 3)) {
+        segfmu_crane_driven(
+            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+            (array_double_1d){in_carriage->buf, {in_carriage->shape[0]}},
+            (array_double_1d){in_generalized_force->buf, {in_generalized_force->shape[0]}},
+            (array_double_1d){in_load_force->buf, {in_load_force->shape[0]}},
+            (array_double_1d){in_masses->buf, {in_masses->shape[0]}},
+            (array_double_1d){in_derivative->buf, {in_derivative->shape[0]}},
+            (array_double_1d){in_force->buf, {in_force->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_crane_flat_inverse(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "crane_flat_inverse", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_flat;
+    Py_buffer *in_masses;
+    Py_buffer *in_force;
+    Py_buffer *in_state;
+    Py_buffer *in_acceleration;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && (in_flat = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_masses = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_force = take_array(&call, 2, 1, 'd', true)) != NULL
+        && (in_state = take_array(&call, 3, 1, 'd', true)) != NULL
+        && (in_acceleration = take_array(&call, 4, 1, 'd', true)) != NULL
+        && has_at_least(&call, "flat", 0, in_flat->shape[0], 5)
+        && has_at_least(&call, "flat", 1, in_flat->shape[1], 3)
+        && has_at_least(&call, "masses", 0, in_masses->shape[0], 4)
+        && has_at_least(&call, "force", 0, in_force->shape[0], 3)
+        && has_at_least(&call, "state", 0, in_state->shape[0], 10)
+        && has_at_least(&call, "acceleration", 0, in_acceleration->shape[0], 5)) {
+        segfmu_crane_flat_inverse(
+            (array_double_2d){in_flat->buf, {in_flat->shape[0], in_flat->shape[1]}},
+            (array_double_1d){in_masses->buf, {in_masses->shape[0]}},
+            (array_double_1d){in_force->buf, {in_force->shape[0]}},
+            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+            (array_double_1d){in_acceleration->buf, {in_acceleration->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_crane_load(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "crane_load", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_state;
+    Py_buffer *in_load;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_load = take_array(&call, 1, 2, 'd', true)) != NULL
+        && has_at_least(&call, "state", 0, in_state->shape[0], 10)
+        && has_at_least(&call, "load", 0, in_load->shape[0], 2)
+        && has_at_least(&call, "load", 1, in_load->shape[1], 3)) {
+        segfmu_crane_load(
+            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+            (array_double_2d){in_load->buf, {in_load->shape[0], in_load->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_crane_energy(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "crane_energy", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_state;
+    Py_buffer *in_masses;
+    Py_buffer *in_energy;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_masses = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_energy = take_array(&call, 2, 1, 'd', true)) != NULL
+        && has_at_least(&call, "state", 0, in_state->shape[0], 10)
+        && has_at_least(&call, "masses", 0, in_masses->shape[0], 4)
+        && has_at_least(&call, "energy", 0, in_energy->shape[0], 2)) {
+        segfmu_crane_energy(
+            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+            (array_double_1d){in_masses->buf, {in_masses->shape[0]}},
+            (array_double_1d){in_energy->buf, {in_energy->shape[0]}});
         answer = Py_NewRef(Py_None);
     }
     release_arguments(&call);
@@ -835,6 +768,73 @@ static PyObject *call_compensate_setpoints(
     return answer;
 }
 
+static PyObject *call_seed_numbers(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "seed_numbers", .values = values};
+    PyObject *answer = NULL;
+    int64_t in_seed;
+    Py_buffer *in_numbers;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && take_int(&call, 0, &in_seed)
+        && (in_numbers = take_array(&call, 1, 1, 'd', true)) != NULL
+        && has_at_least(&call, "numbers", 0, in_numbers->shape[0], 2)) {
+        segfmu_seed_numbers(
+            in_seed,
+            (array_double_1d){in_numbers->buf, {in_numbers->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_next_uniform(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "next_uniform", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_numbers;
+    (void)self;
+    if (take_count(&call, count, 1)
+        && (in_numbers = take_array(&call, 0, 1, 'd', true)) != NULL
+        && has_at_least(&call, "numbers", 0, in_numbers->shape[0], 2)) {
+        answer = PyFloat_FromDouble(segfmu_next_uniform(
+            (array_double_1d){in_numbers->buf, {in_numbers->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_noise_components(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "noise_components", .values = values};
+    PyObject *answer = NULL;
+    double in_bandwidth;
+    Py_buffer *in_deviation;
+    Py_buffer *in_numbers;
+    Py_buffer *in_components;
+    (void)self;
+    if (take_count(&call, count, 4)
+        && take_float(&call, 0, &in_bandwidth)
+        && (in_deviation = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_numbers = take_array(&call, 2, 1, 'd', true)) != NULL
+        && (in_components = take_array(&call, 3, 2, 'd', true)) != NULL
+        && has_at_least(&call, "deviation", 0, in_deviation->shape[0], 3)
+        && has_at_least(&call, "numbers", 0, in_numbers->shape[0], 2)
+        && has_at_least(&call, "components", 1, in_components->shape[1], 7)) {
+        segfmu_noise_components(
+            in_bandwidth,
+            (array_double_1d){in_deviation->buf, {in_deviation->shape[0]}},
+            (array_double_1d){in_numbers->buf, {in_numbers->shape[0]}},
+            (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_plant_failure(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -853,7 +853,7 @@ static PyObject *call_plant_failure(
         && (in_plant = take_array(&call, 3, 1, 'd', false)) != NULL
         && (in_fault = take_array(&call, 4, 1, 'd', true)) != NULL
         && has_at_least(&call, "state", 0, in_state->shape[0], 10)
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 43)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 49)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_plant_failure(
             in_status,
@@ -889,11 +889,11 @@ static PyObject *call_plant_advance(
         && take_float(&call, 5, &in_tolerance)
         && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
         && (in_report = take_array(&call, 7, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 43)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 49)
         && has_at_least(&call, "components", 1, in_components->shape[1], 7)
         && has_at_least(&call, "state", 0, in_state->shape[0], 13)
         && has_at_least(&call, "work", 0, in_work->shape[0], 20)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 13)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 15)
         && has_at_least(&call, "report", 0, in_report->shape[0], 13)) {
         answer = PyLong_FromLongLong(segfmu_plant_advance(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
@@ -1429,9 +1429,9 @@ static PyObject *call_rig_next_event(
         && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
         && (in_memory = take_array(&call, 1, 2, 'd', false)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 43)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 49)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 43)) {
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 49)) {
         answer = PyFloat_FromDouble(segfmu_rig_next_event(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}}));
@@ -1452,9 +1452,9 @@ static PyObject *call_switch_correction(
         && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
         && (in_memory = take_array(&call, 1, 2, 'd', true)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 43)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 49)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 43)) {
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 49)) {
         segfmu_switch_correction(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}});
@@ -1490,7 +1490,7 @@ static PyObject *call_rig_event(
         && has_at_least(&call, "table", 0, in_table->shape[0], 1)
         && has_at_least(&call, "gains", 0, in_gains->shape[0], 1)
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 43)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 49)
         && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
         && has_at_least(&call, "table", 1, in_table->shape[1], 19)
         && has_at_least(&call, "table", 2, in_table->shape[2], 10)
@@ -1499,7 +1499,7 @@ static PyObject *call_rig_event(
         && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 25)
         && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 10)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 43)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 49)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
         segfmu_rig_event(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
@@ -1530,8 +1530,8 @@ static PyObject *call_rig_signals(
         && take_float(&call, 1, &in_time)
         && (in_memory = take_array(&call, 2, 2, 'd', true)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 43)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 43)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 49)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 49)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
         segfmu_rig_signals(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
@@ -1563,7 +1563,7 @@ static PyObject *call_rig_rates(
         && has_at_least(&call, "components", 1, in_components->shape[1], 7)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 43)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 49)
         && has_at_least(&call, "derivative", 0, in_derivative->shape[0], 13)) {
         answer = PyLong_FromLongLong(segfmu_rig_rates(
             (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}},
@@ -1586,7 +1586,7 @@ static PyObject *call_rig_rows(
     if (take_count(&call, count, 1)
         && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 43)) {
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 49)) {
         answer = PyLong_FromLongLong(segfmu_rig_rows(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}));
     }
@@ -1614,11 +1614,11 @@ static PyObject *call_rig_start(
         && take_float(&call, 4, &in_start)
         && (in_memory = take_array(&call, 5, 2, 'd', true)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 43)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 49)
         && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
         && has_at_least(&call, "state", 0, in_state->shape[0], 10)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 43)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 49)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
         segfmu_rig_start(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
@@ -1661,7 +1661,7 @@ static PyObject *call_rig_step(
         && has_at_least(&call, "table", 0, in_table->shape[0], 1)
         && has_at_least(&call, "gains", 0, in_gains->shape[0], 1)
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 43)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 49)
         && has_at_least(&call, "components", 1, in_components->shape[1], 7)
         && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
         && has_at_least(&call, "table", 1, in_table->shape[1], 19)
@@ -1671,7 +1671,7 @@ static PyObject *call_rig_step(
         && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 25)
         && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 10)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 43)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 49)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
         answer = PyLong_FromLongLong(segfmu_rig_step(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
@@ -1700,7 +1700,7 @@ static PyObject *call_rig_balance(
         && (in_memory = take_array(&call, 0, 2, 'd', true)) != NULL
         && (in_balance = take_array(&call, 1, 1, 'd', true)) != NULL
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 43)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 49)
         && has_at_least(&call, "balance", 0, in_balance->shape[0], 7)) {
         segfmu_rig_balance(
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}},
@@ -1745,7 +1745,7 @@ static PyObject *call_rig_outputs(
         && (in_outputs = take_array(&call, 3, 1, 'd', true)) != NULL
         && has_at_least(&call, "target", 0, in_target->shape[0], 3)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 43)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 49)
         && has_at_least(&call, "balance", 0, in_balance->shape[0], 7)
         && has_at_least(&call, "outputs", 0, in_outputs->shape[0], 48)) {
         segfmu_rig_outputs(
@@ -1805,7 +1805,7 @@ static PyObject *call_rig_partials(
         && (in_partials = take_array(&call, 4, 2, 'd', true)) != NULL
         && has_at_least(&call, "components", 1, in_components->shape[1], 7)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 43)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 49)
         && has_at_least(&call, "work", 0, in_work->shape[0], 6)
         && has_at_least(&call, "work", 1, in_work->shape[1], 18)
         && has_at_least(&call, "partials", 0, in_partials->shape[0], 12)
@@ -1857,7 +1857,7 @@ static PyObject *call_check_lags(
     if (take_count(&call, count, 2)
         && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
         && (in_fault = take_array(&call, 1, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 43)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 49)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_check_lags(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
@@ -1882,7 +1882,7 @@ static PyObject *call_check_delays(
         && take_float(&call, 1, &in_period)
         && take_int(&call, 2, &in_exchange)
         && (in_fault = take_array(&call, 3, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 43)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 49)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_check_delays(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
@@ -2308,14 +2308,6 @@ static PyObject *call_expand_plan(
 }
 
 static PyMethodDef methods[] = {
-    {"crane_rhs", (PyCFunction)(void (*)(void))call_crane_rhs, METH_FASTCALL, NULL},
-    {"crane_driven", (PyCFunction)(void (*)(void))call_crane_driven, METH_FASTCALL, NULL},
-    {"crane_flat_inverse", (PyCFunction)(void (*)(void))call_crane_flat_inverse, METH_FASTCALL, NULL},
-    {"crane_load", (PyCFunction)(void (*)(void))call_crane_load, METH_FASTCALL, NULL},
-    {"crane_energy", (PyCFunction)(void (*)(void))call_crane_energy, METH_FASTCALL, NULL},
-    {"seed_numbers", (PyCFunction)(void (*)(void))call_seed_numbers, METH_FASTCALL, NULL},
-    {"next_uniform", (PyCFunction)(void (*)(void))call_next_uniform, METH_FASTCALL, NULL},
-    {"noise_components", (PyCFunction)(void (*)(void))call_noise_components, METH_FASTCALL, NULL},
     {"feedback_correction", (PyCFunction)(void (*)(void))call_feedback_correction, METH_FASTCALL, NULL},
     {"feedback_bandwidth", (PyCFunction)(void (*)(void))call_feedback_bandwidth, METH_FASTCALL, NULL},
     {"feedback_gains", (PyCFunction)(void (*)(void))call_feedback_gains, METH_FASTCALL, NULL},
@@ -2332,10 +2324,18 @@ static PyMethodDef methods[] = {
     {"set_tracking", (PyCFunction)(void (*)(void))call_set_tracking, METH_FASTCALL, NULL},
     {"set_fading", (PyCFunction)(void (*)(void))call_set_fading, METH_FASTCALL, NULL},
     {"track_setpoint", (PyCFunction)(void (*)(void))call_track_setpoint, METH_FASTCALL, NULL},
+    {"crane_rhs", (PyCFunction)(void (*)(void))call_crane_rhs, METH_FASTCALL, NULL},
+    {"crane_driven", (PyCFunction)(void (*)(void))call_crane_driven, METH_FASTCALL, NULL},
+    {"crane_flat_inverse", (PyCFunction)(void (*)(void))call_crane_flat_inverse, METH_FASTCALL, NULL},
+    {"crane_load", (PyCFunction)(void (*)(void))call_crane_load, METH_FASTCALL, NULL},
+    {"crane_energy", (PyCFunction)(void (*)(void))call_crane_energy, METH_FASTCALL, NULL},
     {"crane_load_partials", (PyCFunction)(void (*)(void))call_crane_load_partials, METH_FASTCALL, NULL},
     {"crane_energy_partials", (PyCFunction)(void (*)(void))call_crane_energy_partials, METH_FASTCALL, NULL},
     {"flat_derivatives", (PyCFunction)(void (*)(void))call_flat_derivatives, METH_FASTCALL, NULL},
     {"compensate_setpoints", (PyCFunction)(void (*)(void))call_compensate_setpoints, METH_FASTCALL, NULL},
+    {"seed_numbers", (PyCFunction)(void (*)(void))call_seed_numbers, METH_FASTCALL, NULL},
+    {"next_uniform", (PyCFunction)(void (*)(void))call_next_uniform, METH_FASTCALL, NULL},
+    {"noise_components", (PyCFunction)(void (*)(void))call_noise_components, METH_FASTCALL, NULL},
     {"plant_failure", (PyCFunction)(void (*)(void))call_plant_failure, METH_FASTCALL, NULL},
     {"plant_advance", (PyCFunction)(void (*)(void))call_plant_advance, METH_FASTCALL, NULL},
     {"evaluate", (PyCFunction)(void (*)(void))call_evaluate, METH_FASTCALL, NULL},

@@ -7,7 +7,7 @@ entry.
 from math import sqrt
 
 from segfmu.kernels.control.records import Gains
-from segfmu.kernels.crane.drives import carriage_mass
+from segfmu.kernels.crane.bounds import carriage_mass
 from segfmu.kernels.crane.records import Axes, DriveMode, Plant, State
 
 

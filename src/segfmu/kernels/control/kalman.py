@@ -23,7 +23,7 @@ from segfmu.kernels.control.records import (
     ModelWork,
     Observer,
 )
-from segfmu.kernels.crane.drives import carriage_mass
+from segfmu.kernels.crane.bounds import carriage_mass
 from segfmu.kernels.crane.records import Axes, DriveMode, Plant
 from segfmu.kernels.numerics.matrices import (
     matrix_add,

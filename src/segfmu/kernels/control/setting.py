@@ -3,7 +3,7 @@
 from math import exp, sqrt
 
 from segfmu.kernels.control.records import Tracking, TrackingDesign, Uncertainty
-from segfmu.kernels.crane.drives import carriage_mass
+from segfmu.kernels.crane.bounds import carriage_mass
 from segfmu.kernels.crane.records import Axes, DriveMode, Plant
 
 

@@ -1,4 +1,4 @@
-"""Forces on the crane in addition to gravity: drives with bounds, friction, wind.
+"""Forces on the crane in addition to gravity: drives, friction, wind.
 
 `plant` is a `Plant`, `work` a `Work`, see crane/records.py.
 """
@@ -6,10 +6,17 @@
 from math import cos, sin, tanh
 
 from segfmu.kernels.crane._crane import crane_driven, crane_rhs
+from segfmu.kernels.crane.bounds import (
+    at_velocity_bound,
+    exceeds,
+    force_bound,
+    hold_velocities,
+    limit_accelerations,
+    limited,
+)
 from segfmu.kernels.crane.records import (
     Action,
     Axes,
-    ForceLimit,
     GeneralisedForce,
     GustShape,
     Plant,
@@ -69,31 +76,29 @@ def wind_force(
             force[i] = added + components[k, Sinusoid.COSINE + i] * cosine
 
 
-def exceeds(value: float, bound: float) -> bool:
-    """Whether a magnitude exceeds a bound by more than rounding; 0 is no bound."""
-    return bound > 0.0 and abs(value) > bound * (1.0 + 1e-12)
-
-
-def limited(value: float, bound: float) -> float:
-    """A value, limited to plus and minus a bound."""
-    return min(max(value, -bound), bound)
-
-
 def forced_derivative(
     plant: 'float[:]', state: 'float[:]', work: 'float[:,:]', derivative: 'float[:]'
 ) -> None:
     """Derivative of the crane under force demands; see `driven_derivative`."""
     force = work[Work.GENERALISED, :]
     action = work[Work.ACTION, :]
+    fast = False
     for i in range(3):
         drive = work[Work.DEMAND, i]
-        if exceeds(drive, plant[Plant.FORCE_MAX + i]):
-            drive = limited(drive, plant[Plant.FORCE_MAX + i])
+        bound = force_bound(plant, i, state[State.VELOCITY + i])
+        if exceeds(drive, bound):
+            drive = limited(drive, bound)
             action[Action.SATURATED + i] = 1.0
+        fast = fast or at_velocity_bound(plant, i, state)
         action[Action.FORCE + i] = drive
         force[i] = drive - work[Work.FRICTION, i]
-    action[Action.ROPE_FORCE] = force[GeneralisedForce.FORCE + Axes.ROPE]
     crane_rhs(state, force, work[Work.WIND, :], plant, derivative)
+    if fast:
+        hold_velocities(plant, state, derivative, action, work[Work.LIMIT, :])
+        for i in range(3):
+            force[i] = action[Action.FORCE + i] - work[Work.FRICTION, i]
+        crane_rhs(state, force, work[Work.WIND, :], plant, derivative)
+    action[Action.ROPE_FORCE] = force[GeneralisedForce.FORCE + Axes.ROPE]
 
 
 def driven_derivative(
@@ -108,6 +113,9 @@ def driven_derivative(
     for i in range(3):
         demand = work[Work.DEMAND, i]
         if plant[Plant.LAG + i] > 0.0:
+            if exceeds(demand, plant[Plant.VELOCITY_MAX + i]):
+                demand = limited(demand, plant[Plant.VELOCITY_MAX + i])
+                action[Action.SATURATED + i] = 1.0
             demand = (demand - state[State.VELOCITY + i]) / plant[Plant.LAG + i]
         if exceeds(demand, plant[Plant.ACCELERATION_MAX + i]):
             demand = limited(demand, plant[Plant.ACCELERATION_MAX + i])
@@ -115,7 +123,8 @@ def driven_derivative(
         work[Work.DEMAND, i] = demand
     driven_forces(plant, state, work, derivative)
     for i in range(3):
-        if exceeds(action[Action.FORCE + i], plant[Plant.FORCE_MAX + i]):
+        bound = force_bound(plant, i, state[State.VELOCITY + i])
+        if exceeds(action[Action.FORCE + i], bound):
             limit_accelerations(
                 plant, state, action, work[Work.DEMAND, :], work[Work.LIMIT, :]
             )
@@ -135,110 +144,3 @@ def driven_forces(
     action[Action.ROPE_FORCE] = action[Action.FORCE + Axes.ROPE]
     for i in range(3):
         action[Action.FORCE + i] = action[Action.FORCE + i] + work[Work.FRICTION, i]
-
-
-def limit_accelerations(
-    plant: 'float[:]',
-    state: 'float[:]',
-    action: 'float[:]',
-    acceleration: 'float[:]',
-    limit: 'float[:]',
-) -> None:
-    """Reduce accelerations until no drive needs more than its largest force.
-
-    A drive either meets its demand, or it is at its bound and lags behind: a complementarity
-    problem in three unknowns with a positive definite matrix, solved by K. G. Murty's least-index
-    pivoting (Linear Algebra and its Applications 7, 1974). action: an `Action` with the demanded
-    forces; its flags are set for drives at their bound. limit: a `ForceLimit`.
-    """
-    phi_x = state[State.ANGLE]
-    phi_y = state[State.ANGLE + 1]
-    limit[ForceLimit.ROPE] = sin(phi_x)
-    limit[ForceLimit.ROPE + Axes.TROLLEY] = -cos(phi_x) * sin(phi_y)
-    limit[ForceLimit.ROPE + Axes.ROPE] = 1.0
-    for i in range(3):
-        limit[ForceLimit.SIDE + i] = 0.0
-        limit[ForceLimit.CHANGE + i] = 0.0
-    for _ in range(16):
-        changed = False
-        for i in range(3):
-            if not changed:
-                side = limit_side(plant, i, action, limit)
-                changed = side != limit[ForceLimit.SIDE + i]
-                limit[ForceLimit.SIDE + i] = side
-        if not changed:
-            break
-        change_accelerations(plant, action, limit)
-    for i in range(3):
-        acceleration[i] = acceleration[i] + limit[ForceLimit.CHANGE + i]
-        if limit[ForceLimit.SIDE + i] != 0.0:
-            action[Action.SATURATED + i] = 1.0
-
-
-def carriage_mass(masses: 'float[:]', axis: int) -> float:
-    """Mass [kg] that a drive moves in addition to the load."""
-    if axis == Axes.BRIDGE:
-        return masses[Plant.BRIDGE_MASS] + masses[Plant.TROLLEY_MASS]
-    if axis == Axes.TROLLEY:
-        return masses[Plant.TROLLEY_MASS]
-    return 0.0
-
-
-def limit_side(plant: 'float[:]', axis: int, action: 'float[:]', limit: 'float[:]') -> float:
-    """The bound at which a drive must be for the present changes: -1, 1, or 0 for none."""
-    side = limit[ForceLimit.SIDE + axis]
-    change = limit[ForceLimit.CHANGE + axis]
-    if side != 0.0:
-        # it may only lag behind its demand
-        if side * change > 0.0:
-            return 0.0
-        return side
-    along = 0.0
-    for i in range(3):
-        along = along + limit[ForceLimit.ROPE + i] * limit[ForceLimit.CHANGE + i]
-    needed = action[Action.FORCE + axis] + carriage_mass(plant, axis) * change
-    needed = needed + plant[Plant.PAYLOAD_MASS] * limit[ForceLimit.ROPE + axis] * along
-    if not exceeds(needed, plant[Plant.FORCE_MAX + axis]):
-        return 0.0
-    if needed > 0.0:
-        return 1.0
-    return -1.0
-
-
-def missing_force(plant: 'float[:]', axis: int, action: 'float[:]', limit: 'float[:]') -> float:
-    """Difference [N] from a drive's demanded force to the bound on its side."""
-    bound = limit[ForceLimit.SIDE + axis] * plant[Plant.FORCE_MAX + axis]
-    return bound - action[Action.FORCE + axis]
-
-
-def change_accelerations(plant: 'float[:]', action: 'float[:]', limit: 'float[:]') -> None:
-    """Acceleration changes that bring the drives with a side to their bounds; 0 for the others.
-
-    Forces change by (M + m e e') times the changes, with the carriages' masses M, the load's mass m
-    and the rope's direction e: the load resists only along the rope.
-    """
-    payload = plant[Plant.PAYLOAD_MASS]
-    total = 0.0
-    weight = 1.0
-    for i in range(2):
-        if limit[ForceLimit.SIDE + i] != 0.0:
-            missing = missing_force(plant, i, action, limit)
-            mass = carriage_mass(plant, i)
-            rope = limit[ForceLimit.ROPE + i]
-            total = total + rope * missing / mass
-            weight = weight + payload * rope * rope / mass
-    along = total / weight
-    hoist_limited = limit[ForceLimit.SIDE + Axes.ROPE] != 0.0
-    if hoist_limited:
-        along = missing_force(plant, Axes.ROPE, action, limit) / payload
-    rest = along
-    for i in range(2):
-        limit[ForceLimit.CHANGE + i] = 0.0
-        if limit[ForceLimit.SIDE + i] != 0.0:
-            missing = missing_force(plant, i, action, limit)
-            missing = missing - payload * limit[ForceLimit.ROPE + i] * along
-            limit[ForceLimit.CHANGE + i] = missing / carriage_mass(plant, i)
-        rest = rest - limit[ForceLimit.ROPE + i] * limit[ForceLimit.CHANGE + i]
-    limit[ForceLimit.CHANGE + Axes.ROPE] = 0.0
-    if hoist_limited:
-        limit[ForceLimit.CHANGE + Axes.ROPE] = rest

@@ -130,6 +130,14 @@ class Plant(Masses):
         "largest accelerations by velocity drives", "m/s2", size=3,
         variables=[f"drive.{d}.acceleration_max" for d in DRIVES],
     )
+    VELOCITY_MAX = field(
+        "largest velocities of the drives", "m/s", size=3,
+        variables=[f"drive.{d}.velocity_max" for d in DRIVES],
+    )
+    POWER_MAX = field(
+        "largest powers of the drives, driving or braking", "W", size=3,
+        variables=[f"drive.{d}.power_max" for d in DRIVES],
+    )
     DEAD_TIME = field(
         "from the command to the drive", "s", size=3,
         variables=[f"drive.{d}.dead_time" for d in DRIVES],
@@ -265,11 +273,13 @@ class Report(Action):
 
 
 class ForceLimit(Record):
-    """Work space of the drives at their largest force."""
+    """Work space of the drives at their largest force or velocity."""
 
     SIDE = field("-1, 1: the drive is at its bound, 0: it is not", size=3)
     CHANGE = field("change of its acceleration", "m/s2", size=3)
     ROPE = field("direction of the rope in the coordinates of the drives", size=3)
+    BOUND = field("largest force at the present velocity, 0: no bound", "N", size=3)
+    ADDED = field("force that holds a drive at its largest velocity", "N", size=3)
 
 
 class Work(Record):

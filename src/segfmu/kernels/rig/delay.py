@@ -23,7 +23,13 @@ from segfmu.kernels.rig.records import (
     SentCommand,
     Setpoints,
 )
-from segfmu.kernels.rig.setpoints import is_driven, set_command, setpoint_at, setpoint_rates
+from segfmu.kernels.rig.setpoints import (
+    bounded_velocity,
+    is_driven,
+    set_command,
+    setpoint_at,
+    setpoint_rates,
+)
 
 
 def delay_rows(longest: float, period: float) -> int:
@@ -220,6 +226,7 @@ def late_commands(
             value, slope, square, cube = shifted_command(i, after, column, delayed[row, :])
             if is_driven(memory) and memory[Memory.PLANT, Plant.LAG + i] == 0.0:
                 end = value + length * (slope + length * (square + length * cube))
+                end = bounded_velocity(i, end, memory)
                 value = (end - memory[Memory.STATE, State.VELOCITY + i]) / length
                 slope = 0.0
                 square = 0.0

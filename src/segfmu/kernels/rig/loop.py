@@ -20,7 +20,13 @@ from segfmu.kernels.rig.delay import is_late, late_commands
 from segfmu.kernels.rig.events import next_tick, present_time, time_tolerance, update_signals
 from segfmu.kernels.rig.records import Clock, Corrector, Loop, Memory, Setpoints, Settings
 from segfmu.kernels.rig.sensing import sensing_end
-from segfmu.kernels.rig.setpoints import is_driven, set_command, setpoint_at, setpoint_rates
+from segfmu.kernels.rig.setpoints import (
+    bounded_velocity,
+    is_driven,
+    set_command,
+    setpoint_at,
+    setpoint_rates,
+)
 
 
 def controller_due(settings: 'float[:,:]', memory: 'float[:,:]') -> bool:
@@ -172,5 +178,6 @@ def command_velocities(
             # at the end it has its setpoint, even after saturation
             end = setpoint_at(setpoints, velocity, until / duration, memory)
             end = end + memory[Memory.ADDED, i]
+            end = bounded_velocity(i, end, memory)
             acceleration = (end - memory[Memory.STATE, State.VELOCITY + i]) / length
             set_command(i, acceleration, 0.0, 0.0, 0.0, memory)

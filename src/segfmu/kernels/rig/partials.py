@@ -13,7 +13,8 @@ from segfmu.kernels.crane._partials import (
     crane_load_partials,
     crane_rhs_partials,
 )
-from segfmu.kernels.crane.drives import exceeds, friction_force, friction_slope
+from segfmu.kernels.crane.bounds import at_velocity_bound, exceeds, force_bound, limited
+from segfmu.kernels.crane.drives import friction_force, friction_slope
 from segfmu.kernels.crane.records import (
     Action,
     Axes,
@@ -59,6 +60,17 @@ def wind_slope(plant: 'float[:]', components: 'float[:,:]', time: float, axis: i
     return slope
 
 
+def power_slope(
+    plant: 'float[:]', axis: int, state: 'float[:]', action: 'float[:]'
+) -> float:
+    """Derivative of a drive's force by its velocity [N s/m], where its power bounds it."""
+    velocity = state[State.VELOCITY + axis]
+    bound = force_bound(plant, axis, velocity)
+    if action[Action.SATURATED + axis] < 0.5 or bound == plant[Plant.FORCE_MAX + axis]:
+        return 0.0
+    return -action[Action.FORCE + axis] / velocity
+
+
 def forced_partials(
     plant: 'float[:]', state: 'float[:]', rig: 'float[:,:]', work: 'float[:,:]',
     partials: 'float[:,:]',
@@ -77,15 +89,20 @@ def forced_partials(
             row[RigVariables.WIND + j] = work[i, CranePartials.WIND + j]
             if saturated[Action.SATURATED + j] < 0.5:
                 row[RigVariables.COMMAND + j] = by_force
+            by_velocity = by_force * power_slope(plant, j, state, saturated)
+            row[State.VELOCITY + j] = row[State.VELOCITY + j] + by_velocity
         add_damping(plant, work[i, :], row)
     for j in range(3):
         if saturated[Action.SATURATED + j] < 0.5:
             partials[RigPartials.FORCE + j, RigVariables.COMMAND + j] = 1.0
+        by_velocity = power_slope(plant, j, state, saturated)
+        partials[RigPartials.FORCE + j, State.VELOCITY + j] = by_velocity
     rope = partials[RigPartials.ROPE_FORCE, :]
     hoist = RigVariables.COMMAND + Axes.ROPE
     velocity = State.VELOCITY + Axes.ROPE
     rope[hoist] = partials[RigPartials.FORCE + Axes.ROPE, hoist]
-    rope[velocity] = -friction_slope(plant, Axes.ROPE, state[velocity])
+    by_power = partials[RigPartials.FORCE + Axes.ROPE, velocity]
+    rope[velocity] = by_power - friction_slope(plant, Axes.ROPE, state[velocity])
 
 
 def add_damping(plant: 'float[:]', by: 'float[:]', row: 'float[:]') -> None:
@@ -103,15 +120,20 @@ def demand_partials(
     action = rig[Work.ACTION, :]
     for i in range(3):
         lag = plant[Plant.LAG + i]
-        largest = plant[Plant.FORCE_MAX + i]
-        demand = (command[i] - state[State.VELOCITY + i]) / lag
+        largest = force_bound(plant, i, state[State.VELOCITY + i])
+        demand = command[i]
+        clipped = exceeds(demand, plant[Plant.VELOCITY_MAX + i])
+        if clipped:
+            demand = limited(demand, plant[Plant.VELOCITY_MAX + i])
+        demand = (demand - state[State.VELOCITY + i]) / lag
         bounded = exceeds(demand, plant[Plant.ACCELERATION_MAX + i])
-        if action[Action.SATURATED + i] > 0.5 and not bounded:
+        if action[Action.SATURATED + i] > 0.5 and not (bounded or clipped):
             return False
         if largest > 0.0 and abs(action[Action.FORCE + i]) >= largest * (1.0 - 1e-9):
             return False
         if not bounded:
-            partials[i, RigVariables.COMMAND + i] = 1.0 / lag
+            if not clipped:
+                partials[i, RigVariables.COMMAND + i] = 1.0 / lag
             partials[i, State.VELOCITY + i] = -1.0 / lag
     return True
 
@@ -186,7 +208,8 @@ def rig_partials(
 ) -> bool:
     """All partial derivatives at a time [s] since the start.
 
-    False if a velocity drive is at its largest force: there they jump.
+    False if a velocity drive is at its largest force, or a force drive at its largest velocity:
+    there they jump.
     """
     plant = memory[Memory.PLANT, :]
     state = memory[Memory.STATE, :]
@@ -202,6 +225,9 @@ def rig_partials(
         if not driven_partials(plant, state, rig, work, partials):
             return False
     else:
+        for i in range(Axes.SIZE):
+            if at_velocity_bound(plant, i, state):
+                return False
         forced_partials(plant, state, rig, work, partials)
     power_partials(plant, state, rig, work, partials)
     for i in range(RigPartials.SIZE):

@@ -3,7 +3,8 @@
 `setpoints` and `memory` are described in kernels/rig/rig.py.
 """
 
-from segfmu.kernels.crane.records import CommandRates, DriveMode, Plant, Work
+from segfmu.kernels.crane.bounds import exceeds, limited
+from segfmu.kernels.crane.records import CommandRates, DriveMode, Plant, Report, Work
 from segfmu.kernels.rig.records import Memory
 
 
@@ -29,6 +30,15 @@ def setpoint_rates(
     slope = slope + (2.0 * square + 3.0 * cube * share) * share
     bend = (square + 3.0 * cube * share) / (duration * duration)
     return slope / duration, bend, cube / (duration * duration * duration)
+
+
+def bounded_velocity(axis: int, velocity: float, memory: 'float[:,:]') -> float:
+    """A velocity within the bound of its drive, which counts as saturated beyond it."""
+    bound = memory[Memory.PLANT, Plant.VELOCITY_MAX + axis]
+    if exceeds(velocity, bound):
+        memory[Memory.REPORT, Report.STEP_SATURATED + axis] = 1.0
+        return limited(velocity, bound)
+    return velocity
 
 
 def set_command(
