@@ -126,14 +126,20 @@ model GantryCrane "Dynamics of a 3-DOF gantry crane from Lagrange's equations, d
   parameter Real drive_bridge_lag(unit = "s", min = 0.0) = 0.0 "time constant of the bridge drive in mode velocity; 0: none" annotation(Dialog(tab = "drive"));
   parameter Real drive_bridge_force_max(unit = "N", min = 0.0) = 0.0 "largest force of the bridge drive; 0: no bound" annotation(Dialog(tab = "drive"));
   parameter Real drive_bridge_acceleration_max(unit = "m/s2", min = 0.0) = 0.0 "largest acceleration of the bridge drive in mode velocity; 0: no bound" annotation(Dialog(tab = "drive"));
+  parameter Real drive_bridge_velocity_max(unit = "m/s", min = 0.0) = 0.0 "largest velocity of the bridge drive; 0: no bound" annotation(Dialog(tab = "drive"));
+  parameter Real drive_bridge_power_max(unit = "W", min = 0.0) = 0.0 "largest power of the bridge drive, driving or braking; 0: no bound" annotation(Dialog(tab = "drive"));
   parameter Real drive_bridge_dead_time(unit = "s", min = 0.0) = 0.0 "from the command of the bridge, setpoint and correction, to the drive; in model exchange 0" annotation(Dialog(tab = "drive"));
   parameter Real drive_trolley_lag(unit = "s", min = 0.0) = 0.0 "time constant of the trolley drive in mode velocity; 0: none" annotation(Dialog(tab = "drive"));
   parameter Real drive_trolley_force_max(unit = "N", min = 0.0) = 0.0 "largest force of the trolley drive; 0: no bound" annotation(Dialog(tab = "drive"));
   parameter Real drive_trolley_acceleration_max(unit = "m/s2", min = 0.0) = 0.0 "largest acceleration of the trolley drive in mode velocity; 0: no bound" annotation(Dialog(tab = "drive"));
+  parameter Real drive_trolley_velocity_max(unit = "m/s", min = 0.0) = 0.0 "largest velocity of the trolley drive; 0: no bound" annotation(Dialog(tab = "drive"));
+  parameter Real drive_trolley_power_max(unit = "W", min = 0.0) = 0.0 "largest power of the trolley drive, driving or braking; 0: no bound" annotation(Dialog(tab = "drive"));
   parameter Real drive_trolley_dead_time(unit = "s", min = 0.0) = 0.0 "from the command of the trolley, setpoint and correction, to the drive; in model exchange 0" annotation(Dialog(tab = "drive"));
   parameter Real drive_hoist_lag(unit = "s", min = 0.0) = 0.0 "time constant of the hoist drive in mode velocity; 0: none" annotation(Dialog(tab = "drive"));
   parameter Real drive_hoist_force_max(unit = "N", min = 0.0) = 0.0 "largest force of the hoist drive; 0: no bound" annotation(Dialog(tab = "drive"));
   parameter Real drive_hoist_acceleration_max(unit = "m/s2", min = 0.0) = 0.0 "largest acceleration of the hoist drive in mode velocity; 0: no bound" annotation(Dialog(tab = "drive"));
+  parameter Real drive_hoist_velocity_max(unit = "m/s", min = 0.0) = 0.0 "largest velocity of the hoist drive; 0: no bound" annotation(Dialog(tab = "drive"));
+  parameter Real drive_hoist_power_max(unit = "W", min = 0.0) = 0.0 "largest power of the hoist drive, driving or braking; 0: no bound" annotation(Dialog(tab = "drive"));
   parameter Real drive_hoist_dead_time(unit = "s", min = 0.0) = 0.0 "from the command of the hoist, setpoint and correction, to the drive; in model exchange 0" annotation(Dialog(tab = "drive"));
   parameter Real friction_bridge_viscous(unit = "N.s/m", min = 0.0) = 0.0 "viscous friction of the bridge" annotation(Dialog(tab = "friction"));
   parameter Real friction_bridge_coulomb(unit = "N", min = 0.0) = 0.0 "Coulomb friction of the bridge" annotation(Dialog(tab = "friction"));
@@ -277,64 +283,64 @@ model GantryCrane "Dynamics of a 3-DOF gantry crane from Lagrange's equations, d
   Real sway_y_acceleration(unit = "rad/s2", displayUnit = "deg/s2") "acceleration of sway.y";
   Real power_drives(unit = "W", nominal = 10.0) "power of all drives";
 protected
-  constant Integer feedback_table_length_references[17] = {179, 190, 201, 212, 223, 234, 245, 256, 267, 278, 289, 300, 311, 322, 333, 344, 355};
-  constant Integer feedback_table_bridge_references[17, 4] = [180, 181, 182, 183;
-      191, 192, 193, 194;
-      202, 203, 204, 205;
-      213, 214, 215, 216;
-      224, 225, 226, 227;
-      235, 236, 237, 238;
-      246, 247, 248, 249;
-      257, 258, 259, 260;
-      268, 269, 270, 271;
-      279, 280, 281, 282;
-      290, 291, 292, 293;
-      301, 302, 303, 304;
-      312, 313, 314, 315;
-      323, 324, 325, 326;
-      334, 335, 336, 337;
-      345, 346, 347, 348;
-      356, 357, 358, 359];
-  constant Integer feedback_table_trolley_references[17, 4] = [184, 185, 186, 187;
-      195, 196, 197, 198;
-      206, 207, 208, 209;
-      217, 218, 219, 220;
-      228, 229, 230, 231;
-      239, 240, 241, 242;
-      250, 251, 252, 253;
-      261, 262, 263, 264;
-      272, 273, 274, 275;
-      283, 284, 285, 286;
-      294, 295, 296, 297;
-      305, 306, 307, 308;
-      316, 317, 318, 319;
-      327, 328, 329, 330;
-      338, 339, 340, 341;
-      349, 350, 351, 352;
-      360, 361, 362, 363];
-  constant Integer feedback_table_hoist_references[17, 2] = [188, 189;
-      199, 200;
-      210, 211;
-      221, 222;
-      232, 233;
-      243, 244;
-      254, 255;
-      265, 266;
-      276, 277;
-      287, 288;
-      298, 299;
-      309, 310;
-      320, 321;
-      331, 332;
-      342, 343;
-      353, 354;
-      364, 365];
+  constant Integer feedback_table_length_references[17] = {185, 196, 207, 218, 229, 240, 251, 262, 273, 284, 295, 306, 317, 328, 339, 350, 361};
+  constant Integer feedback_table_bridge_references[17, 4] = [186, 187, 188, 189;
+      197, 198, 199, 200;
+      208, 209, 210, 211;
+      219, 220, 221, 222;
+      230, 231, 232, 233;
+      241, 242, 243, 244;
+      252, 253, 254, 255;
+      263, 264, 265, 266;
+      274, 275, 276, 277;
+      285, 286, 287, 288;
+      296, 297, 298, 299;
+      307, 308, 309, 310;
+      318, 319, 320, 321;
+      329, 330, 331, 332;
+      340, 341, 342, 343;
+      351, 352, 353, 354;
+      362, 363, 364, 365];
+  constant Integer feedback_table_trolley_references[17, 4] = [190, 191, 192, 193;
+      201, 202, 203, 204;
+      212, 213, 214, 215;
+      223, 224, 225, 226;
+      234, 235, 236, 237;
+      245, 246, 247, 248;
+      256, 257, 258, 259;
+      267, 268, 269, 270;
+      278, 279, 280, 281;
+      289, 290, 291, 292;
+      300, 301, 302, 303;
+      311, 312, 313, 314;
+      322, 323, 324, 325;
+      333, 334, 335, 336;
+      344, 345, 346, 347;
+      355, 356, 357, 358;
+      366, 367, 368, 369];
+  constant Integer feedback_table_hoist_references[17, 2] = [194, 195;
+      205, 206;
+      216, 217;
+      227, 228;
+      238, 239;
+      249, 250;
+      260, 261;
+      271, 272;
+      282, 283;
+      293, 294;
+      304, 305;
+      315, 316;
+      326, 327;
+      337, 338;
+      348, 349;
+      359, 360;
+      370, 371];
   final parameter Integer real_references[:] = cat(1, {23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 78, 79, 80, 81, 82, 83, 86, 87, 88, 89, 90, 91, 92,
       93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 110, 111, 112,
-      113, 114, 115, 116, 117, 119, 120, 121, 122, 123, 124, 125, 126, 127, 128, 129, 130, 131,
-      132, 133, 134, 135, 136, 137, 138, 140, 141, 142, 143, 144, 145, 146, 149, 150, 151, 152,
-      153, 154, 155, 156, 159, 160, 161, 162, 163, 165, 166, 167, 168, 169, 170, 171, 172, 173,
-      174, 175, 178},
+      113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 125, 126, 127, 128, 129, 130, 131,
+      132, 133, 134, 135, 136, 137, 138, 139, 140, 141, 142, 143, 144, 146, 147, 148, 149, 150,
+      151, 152, 155, 156, 157, 158, 159, 160, 161, 162, 165, 166, 167, 168, 169, 171, 172, 173,
+      174, 175, 176, 177, 178, 179, 180, 181, 184},
       feedback_table_length_references[1:feedback_table_count],
       FMI.references(feedback_table_bridge_references, feedback_table_count),
       FMI.references(feedback_table_trolley_references, feedback_table_count),
@@ -344,9 +350,11 @@ protected
       sway_x_rate_start, sway_y_rate_start, crane_bridge_mass, crane_trolley_mass,
       crane_payload_mass, crane_gravity, crane_rope_min, crane_rope_max, setpoint_lead,
       drive_bridge_lag, drive_bridge_force_max, drive_bridge_acceleration_max,
-      drive_bridge_dead_time, drive_trolley_lag, drive_trolley_force_max,
-      drive_trolley_acceleration_max, drive_trolley_dead_time, drive_hoist_lag,
-      drive_hoist_force_max, drive_hoist_acceleration_max, drive_hoist_dead_time,
+      drive_bridge_velocity_max, drive_bridge_power_max, drive_bridge_dead_time,
+      drive_trolley_lag, drive_trolley_force_max, drive_trolley_acceleration_max,
+      drive_trolley_velocity_max, drive_trolley_power_max, drive_trolley_dead_time,
+      drive_hoist_lag, drive_hoist_force_max, drive_hoist_acceleration_max,
+      drive_hoist_velocity_max, drive_hoist_power_max, drive_hoist_dead_time,
       friction_bridge_viscous, friction_bridge_coulomb, friction_bridge_drag,
       friction_trolley_viscous, friction_trolley_coulomb, friction_trolley_drag,
       friction_hoist_viscous, friction_hoist_coulomb, friction_hoist_drag, friction_width,
@@ -372,11 +380,11 @@ protected
       FMI.rows(feedback_table_bridge),
       FMI.rows(feedback_table_trolley),
       FMI.rows(feedback_table_hoist));
-  constant Integer integer_references[9] = {84, 118, 139, 147, 148, 158, 164, 176, 177};
+  constant Integer integer_references[9] = {84, 124, 145, 153, 154, 164, 170, 182, 183};
   final parameter Integer integers[9] = {Integer(drive_mode), sensor_seed, Integer(wind_gust_shape), wind_noise_seed, payload_count,
       Integer(feedback_design), Integer(feedback_source), feedback_table_count,
       Integer(feedback_table_mode)};
-  constant Integer boolean_references[2] = {85, 157};
+  constant Integer boolean_references[2] = {85, 163};
   final parameter Integer booleans[2] = {if start_on_reference then 1 else 0, if feedback_enabled then 1 else 0};
   constant Integer input_references[22] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22};
   Interfaces.RealInput force_bridge_used;
@@ -409,7 +417,7 @@ protected
       reference_sway_y_rate_used, reference_load_position_x_used, reference_load_position_y_used,
       reference_load_position_z_used, wind_x_used, wind_y_used, wind_z_used};
   FMI.Instance fmu = FMI.Instance(folder, "GantryCrane", getInstanceName(),
-      "{f773a32d-c08e-889b-e603-2eed3bf921ed}", 13);
+      "{0a0858db-bdf4-96ca-a8dd-48e4f67796ff}", 13);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[13](each stateSelect = StateSelect.always, each nominal = 0.1) "states of the FMU";
@@ -523,7 +531,7 @@ equation
       = FMI.reals(fmu, time, x, {1, 2, 3, 4, 5, 6, 20, 21, 22},
       {force_bridge_used, force_trolley_used, force_hoist_used, velocity_bridge_used,
       velocity_trolley_used, velocity_hoist_used, wind_x_used, wind_y_used, wind_z_used},
-      {48, 50, 51, 53, 54, 56, 57, 67, 68, 366, 367, 368, 369, 370, 371}, last);
+      {48, 50, 51, 53, 54, 56, 57, 67, 68, 372, 373, 374, 375, 376, 377}, last);
   {load_speed, sway_total}
       = FMI.reals(fmu, time, x, {1, 2, 3, 4, 5, 6, 20, 21, 22, 17, 18, 19},
       {force_bridge_used, force_trolley_used, force_hoist_used, velocity_bridge_used,
