@@ -104,7 +104,9 @@ VELOCITY: Values = {"drive.mode": "velocity"}
 # in the order in which they are tried
 CRANE: dict[str, Scenario] = {
     "equipment": Scenario(EQUIPMENT | FORCE_BOUNDS | FLAT, TIMES),
-    "velocity": Scenario(EQUIPMENT | VELOCITY | LAGS | DELAYS | ACCELERATIONS | SPEEDS | POWERS | FLAT, TIMES),
+    "velocity": Scenario(
+        EQUIPMENT | VELOCITY | LAGS | DELAYS | ACCELERATIONS | SPEEDS | POWERS | FLAT, TIMES
+    ),
     "observer": Scenario(
         QUIET | OBSERVED | FLAT, np.arange(61) / 20.0, motion=still, held=WINDS, switched=True
     ),
