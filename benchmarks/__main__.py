@@ -23,6 +23,7 @@ PARTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "g": ("fmu_steps", ()),
     "h": ("master_time", ()),
     "i": ("completeness", ()),
+    "j": ("drive_bounds", ()),
 }
 
 LIST = ", ".join(f"{letter} {module}" for letter, (module, _) in PARTS.items())

@@ -27,6 +27,8 @@ from segfmu.kernels.control.records import (
 from segfmu.kernels.crane.records import (
     Compensation,
     CranePartials,
+    Demand,
+    DemandWork,
     FlatInverse,
     FlatSeries,
     LoadPartials,
@@ -182,6 +184,10 @@ def crane_calls() -> dict[str, Call]:
         "crane_rhs": (state, force, axes, masses, derivative),
         "crane_driven": (state, axes, force, axes, masses, derivative.copy(), zeros(3)),
         "crane_flat_inverse": (flat, masses, zeros(3), zeros(State.SIZE), zeros(5)),
+        "drive_demands": (
+            np.stack([flat[:5], flat[:5]]), masses, zeros(DemandWork.SIZE, DemandWork.COLUMNS),
+            zeros(2, Demand.SIZE),
+        ),
         "flat_derivatives": (
             flat, 2, masses, zeros(FlatSeries.SIZE, 5), zeros(FlatInverse.SIZE),
         ),

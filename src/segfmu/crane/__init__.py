@@ -1,6 +1,7 @@
 """The gantry crane: equations of motion, flat inverse, plant, control, and control baselines."""
 
-from segfmu.crane.actuators import ActuatedPlan, ActuatorBounds, plan_actuated
+from segfmu.crane.actuators import ActuatedPlan, plan_actuated
+from segfmu.crane.bounds import ActuatorBounds, BoundUse
 from segfmu.crane.controller import Controller
 from segfmu.crane.disturbance import Gust, PayloadChange, Wind
 from segfmu.crane.equipment import Drive, Friction, TravelLimits
@@ -20,7 +21,7 @@ from segfmu.crane.stability import largest_eigenvalue, stability_map
 from segfmu.crane.tracking import TrackingController
 
 __all__ = [
-    "ActuatedPlan", "ActuatorBounds", "Compensation", "Controller", "Crane", "Drive",
+    "ActuatedPlan", "ActuatorBounds", "BoundUse", "Compensation", "Controller", "Crane", "Drive",
     "Feedforward", "FlatInverse", "Friction", "Gust", "Observer", "PayloadChange",
     "PayloadSchedule", "Plant", "Rig", "Sensors", "Setpoints", "Shaped", "Shaper", "SwayFeedback",
     "TrackingController", "TravelLimits", "Trapezoid", "Uncertainty", "Weights", "Wind",

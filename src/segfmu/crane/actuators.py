@@ -1,238 +1,281 @@
-"""Plans that a crane's drives can follow: limits scaled until all bounds of the drives hold.
+"""Plans that are as short as the drives of a crane allow.
 
-Scaling the limit c_i of the i-th derivative by lambda^i scales time by 1 / lambda (section 3.2), so
-one number slows a plan down. The result is the largest lambda up to 1 at which drive forces,
-velocities, accelerations and sway angles of the flat inverse keep their bounds.
+limit_search.py finds the limits of the load's motion; starting_limits.py where to begin;
+demand.py measures what the result asks of the drives.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.crane.inverse import ANGLE, DRIVE_ACCELERATION, FORCE, VELOCITY, FlatInverse
+from segfmu.crane.bounds import NAMES as BOUNDS
+from segfmu.crane.bounds import ActuatorBounds, BoundUse, uses
+from segfmu.crane.demand import demands_in_state, peaks
+from segfmu.crane.inverse import require_flat
+from segfmu.crane.limit_search import (
+    EXACT,
+    ROUGH,
+    SEARCHED,
+    Found,
+    Task,
+    attempt,
+    just_kept,
+    paced,
+    shortest,
+)
 from segfmu.crane.parameters import Crane
+from segfmu.crane.rope import require_rope
+from segfmu.crane.starting_limits import starting_tables
 from segfmu.errors import InfeasibleError, InputError
-from segfmu.planning.arrays import FloatArray, limit_values
+from segfmu.planning.arrays import FloatArray
 from segfmu.planning.limits import NAMES, Limits
 from segfmu.planning.planner import plan
+from segfmu.planning.request import checked_request
 from segfmu.planning.trajectory import Trajectory
 from segfmu.planning.waypoint import Waypoint
 
-DRIVES = ("bridge", "trolley", "hoist")
-QUANTITIES = ("force", "velocity", "acceleration", "sway_angle")
-UNITS = ("N", "m/s", "m/s2", "rad")
-# index of the first sway angle among the bounds
-ANGLES = 3 * len(DRIVES)
-SAMPLES = 1501
-SLOWEST = 1e-3
-RESOLUTION = 1e-4
-TOLERANCE = 1e-9
-
-
-@dataclass(frozen=True, eq=False)
-class ActuatorBounds:
-    """Bounds of a crane's drives, the same in both directions.
-
-    Parameters
-    ----------
-    force, velocity, acceleration : array_like, scalar or shape (3,), optional
-        Of bridge, trolley and hoist [N], [m/s], [m/s2]; None or infinity for no bound.
-    sway_angle : array_like, scalar or shape (2,), optional
-        Of the rope about both axes [rad].
-
-    Raises
-    ------
-    InputError
-        For values that are not positive and for other shapes.
-    """
-
-    force: FloatArray
-    velocity: FloatArray
-    acceleration: FloatArray
-    sway_angle: FloatArray
-
-    def __init__(
-        self,
-        force: ArrayLike | None = None,
-        velocity: ArrayLike | None = None,
-        acceleration: ArrayLike | None = None,
-        sway_angle: ArrayLike | None = None,
-    ) -> None:
-        given = (force, velocity, acceleration, sway_angle)
-        for name, value in zip(QUANTITIES, given, strict=True):
-            size = 2 if name == "sway_angle" else 3
-            values = limit_values(name, value, required=False)
-            if values.ndim == 1 and values.size not in (1, size):
-                raise InputError(f"{name} has {values.size} values; give one, or {size}")
-            bounds = np.where(values > 0.0, values, np.inf)
-            object.__setattr__(self, name, np.broadcast_to(bounds, (size,)))
-
-    @property
-    def vector(self) -> FloatArray:
-        """All bounds, shape (11,)."""
-        return np.concatenate([getattr(self, name) for name in QUANTITIES])
+# generations of the search: this many, and more for every unknown
+GENERATIONS = 40
+MORE_GENERATIONS = 6
+# a bound is active if it is used beyond this share
+ACTIVE = 0.999
+# for the checks of arguments where none are given
+ANY_LIMITS = Limits(1.0, 1.0)
+# share of the bounds kept free in a second search, where samples missed a peak
+MARGIN = 0.02
 
 
 @dataclass(frozen=True, eq=False)
 class ActuatedPlan:
-    """A trajectory within the bounds, and its active bound.
+    """A trajectory within the bounds, and the use of every bound.
 
     Attributes
     ----------
     trajectory : Trajectory
-    scale : float
-        lambda; the plan's limits are lambda^i c_i.
-    active : str or None
-        The active bound, such as "trolley force"; None if only the limits are active.
-    usage : ndarray, shape (11,)
-        Peaks over bounds of forces, velocities, accelerations (bridge, trolley, hoist) and of the
-        two sway angles.
+        Its `limits` are those found.
+    uses : tuple of BoundUse
+        Exact peaks of forces, velocities, accelerations and powers (bridge, trolley, hoist each)
+        and of both sway angles, with their bounds and times.
     """
 
     trajectory: Trajectory
-    scale: float
-    active: str | None
-    usage: FloatArray
+    uses: tuple[BoundUse, ...]
+
+    @property
+    def active(self) -> tuple[BoundUse, ...]:
+        """Bounds used by more than 99.9 %, the most used first."""
+        used = [found for found in self.uses if found.use >= ACTIVE]
+        return tuple(sorted(used, key=lambda found: -found.use))
+
+    @property
+    def passed(self) -> bool:
+        """Whether all bounds hold, to 1e-9."""
+        return all(found.use <= EXACT.most for found in self.uses)
 
 
 def plan_actuated(
     crane: Crane,
     waypoints: Sequence[Waypoint],
-    limits: Limits,
+    limits: Limits | None,
     bounds: ActuatorBounds,
-    **options: Any,
+    *,
+    smoothness: int = 4,
+    shape: str = "plateau",
+    synchronize: str = "waypoints",
+    sample_time: float | None = None,
+    duration: float | None = None,
+    position_min: ArrayLike | None = None,
+    position_max: ArrayLike | None = None,
+    axis_names: Sequence[str] | None = None,
+    progress: Callable[[float], None] = lambda _: None,
 ) -> ActuatedPlan:
-    """Plan the load's trajectory within limits and within the bounds of the crane's drives.
+    """Plan the load's trajectory as fast as the bounds of the crane's drives allow.
+
+    Limits of velocity, acceleration, jerk and snap are found for each axis by itself, and free
+    states with them. If the plan with the given limits keeps the bounds, it is the result.
 
     Parameters
     ----------
     crane : Crane
-    waypoints, limits
-        As for `plan`, of the axes x, y, z.
+    waypoints : sequence of Waypoint
+        Of the axes x, y, z.
+    limits : Limits or None
+        Limits of the load that hold as well; None for those that follow from the bounds alone.
     bounds : ActuatorBounds
-    **options
-        Those of `plan`.
+        Of the drives and, by `ActuatorBounds.tightened`, those that the mission sets itself.
+    smoothness, shape, synchronize, sample_time, duration, position_min, position_max, axis_names
+        As for `plan`; smoothness 4 or more.
+    progress : callable, optional
+        Called with the share of the search that is done, from 0 to 1.
 
     Raises
     ------
-    InputError, InfeasibleError
-        As `plan` and `FlatInverse`; InfeasibleError also if no slower plan keeps the bounds. It
-        names the bound, the value that the slowest plan needs, and the time.
+    InputError
+        As `plan` and `FlatInverse`; also if neither limits nor bounds restrict an axis.
+    InfeasibleError
+        If no plan keeps limits and bounds. It names the bound, the value needed, and the time or
+        the waypoint.
     """
     if not isinstance(bounds, ActuatorBounds):
         raise InputError(f"bounds must be an ActuatorBounds, got {type(bounds).__name__}")
-    fastest = _attempt(crane, waypoints, limits, bounds, 1.0, options)
-    if fastest.usage.max() <= 1.0 + TOLERANCE:
-        return fastest
-    found = _slower(crane, waypoints, limits, bounds, options, fastest)
-    inside, outside = found.scale, found.scale / 0.9
-    while outside - inside > RESOLUTION * inside:
-        scale = 0.5 * (inside + outside)
-        try:
-            attempt = _attempt(crane, waypoints, limits, bounds, scale, options)
-        except InfeasibleError:
-            break
-        if attempt.usage.max() <= 1.0 + TOLERANCE:
-            found, inside = attempt, scale
-        else:
-            outside = scale
-    worst = int(found.usage.argmax())
-    return ActuatedPlan(found.trajectory, found.scale, _name(worst), found.usage)
+    options: dict[str, Any] = {
+        "smoothness": smoothness, "shape": shape, "synchronize": synchronize,
+        "axis_names": axis_names,
+    }
+    timing: dict[str, Any] = {"sample_time": sample_time, "duration": duration}
+    request = checked_request(waypoints, limits or ANY_LIMITS, **options, **timing)
+    require_flat(crane, len(request.axis_names), smoothness)
+    options |= {"position_min": position_min, "position_max": position_max}
+    if limits is not None:
+        found = _as_limited(crane, bounds, plan(waypoints, limits, **options, **timing))
+        if found is not None:
+            return found
+    task = _task(crane, request.waypoints, limits, bounds, options)
+    _require_states(task, bounds)
+    best = _search(task, bounds, progress)
+    if duration is not None or sample_time is not None:
+        best = _timed(best, replace(best.task, options=options | timing), bounds, progress)
+    return _measured(crane, bounds, best.trajectory)
 
 
-def _slower(
-    crane: Crane,
-    waypoints: Sequence[Waypoint],
-    limits: Limits,
-    bounds: ActuatorBounds,
+def _measured(crane: Crane, bounds: ActuatorBounds, trajectory: Trajectory) -> ActuatedPlan:
+    return ActuatedPlan(trajectory, uses(bounds, *peaks(crane, trajectory)))
+
+
+def _as_limited(
+    crane: Crane, bounds: ActuatorBounds, trajectory: Trajectory
+) -> ActuatedPlan | None:
+    """The plan with the given limits, if nothing needs a slower one."""
+    try:
+        require_rope(crane, trajectory)
+    except InfeasibleError:
+        if not bounds.known:
+            raise
+        return None
+    found = _measured(crane, bounds, trajectory)
+    return found if found.passed else None
+
+
+def _task(
+    crane: Crane, waypoints: tuple[Waypoint, ...], limits: Limits | None, bounds: ActuatorBounds,
     options: dict[str, Any],
-    fastest: ActuatedPlan,
-) -> ActuatedPlan:
-    """The first plan within the bounds, slowed down by 10 % at a time."""
-    last, scale = fastest, 1.0
-    while scale > SLOWEST:
-        scale *= 0.9
-        try:
-            last = _attempt(crane, waypoints, limits, bounds, scale, options)
-        except InfeasibleError as error:
-            raise _unmet(crane, bounds, last, f"slower plans are infeasible: {error}") from None
-        if last.usage.max() <= 1.0 + TOLERANCE:
-            return last
-    raise _unmet(crane, bounds, last, "no slower plan needs less")
-
-
-def _attempt(
-    crane: Crane,
-    waypoints: Sequence[Waypoint],
-    limits: Limits,
-    bounds: ActuatorBounds,
-    scale: float,
-    options: dict[str, Any],
-) -> ActuatedPlan:
-    trajectory = plan(waypoints, scaled(limits, scale), **options)
-    peaks, _ = _peaks(FlatInverse(crane, trajectory), bounds.vector)
-    return ActuatedPlan(trajectory, scale, None, peaks / bounds.vector)
-
-
-def scaled(limits: Limits, scale: float) -> Limits:
-    """Limits lambda^i c_i."""
-    values = (getattr(limits, name) for name in NAMES)
-    return Limits(
-        *(np.where(c > 0.0, c * scale ** (i + 1), np.inf) for i, c in enumerate(values))
+) -> Task:
+    """The task with free states at rest."""
+    caps = np.full((3, SEARCHED), np.inf)
+    higher = {}
+    if limits is not None:
+        for i, name in enumerate(NAMES):
+            values = np.broadcast_to(getattr(limits, name), (3,))
+            present = np.where(values > 0.0, values, np.inf)
+            if i < SEARCHED:
+                caps[:, i] = present
+            elif values.any():
+                higher[name] = present
+    free = np.isnan([[p.velocity, p.acceleration] for p in waypoints])
+    free[[0, -1]] = False
+    free[[p.dwell > 0.0 for p in waypoints]] = False
+    resting = tuple(
+        Waypoint(p.position, np.nan_to_num(p.velocity), np.nan_to_num(p.acceleration), p.dwell)
+        for p in waypoints
     )
+    return Task(crane, resting, free, bounds.vector, caps, higher, options)
 
 
-def _quantities(inverse: FlatInverse, times: FloatArray) -> FloatArray:
-    """Magnitudes in the order of `ActuatorBounds.vector`, shape (times, 11)."""
-    values = inverse.evaluate(times)
-    columns = [values[:, places] for places in (FORCE, VELOCITY, DRIVE_ACCELERATION, ANGLE)]
-    return np.abs(np.concatenate(columns, axis=1))
+def _require_states(task: Task, bounds: ActuatorBounds) -> None:
+    """Refuse waypoints whose states alone exceed a bound."""
+    for number, (point, free) in enumerate(zip(task.waypoints, task.free, strict=True), 1):
+        if free.any():
+            continue
+        needs = demands_in_state(task.crane, point)
+        worst = int((needs / bounds.vector).argmax())
+        found = BoundUse(BOUNDS[worst], float(needs[worst]), float(bounds.vector[worst]), 0.0)
+        if found.use > EXACT.most:
+            raise _exceeded(f"waypoint {number}: ", found, "its state alone")
 
 
-def _peaks(inverse: FlatInverse, bounds: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Peak of every quantity and its time; refined if it is near its bound."""
-    end = inverse.trajectory.duration
-    times = np.linspace(0.0, end, SAMPLES)
-    # imported late: it loads SciPy's _uarray, which frees memory twice when an embedded interpreter
-    # ends, as that of an FMU on PythonFMU does
-    from scipy.optimize import minimize_scalar
-
-    values = _quantities(inverse, times)
-    at = values.argmax(axis=0)
-    peaks, moments = values[at, np.arange(at.size)], times[at]
-    for i in np.flatnonzero(peaks > 0.8 * bounds):
-        low, high = times[max(at[i] - 1, 0)], times[min(at[i] + 1, SAMPLES - 1)]
-        if high > low:
-            best = minimize_scalar(
-                lambda t, i=i: -float(_quantities(inverse, np.array([t]))[0, i]),
-                bounds=(low, high), method="bounded", options={"xatol": 1e-7 * max(end, 1.0)},
-            )
-            if -best.fun > peaks[i]:
-                peaks[i], moments[i] = -best.fun, best.x
-    return peaks, moments
+def _search(task: Task, bounds: ActuatorBounds, progress: Callable[[float], None]) -> Found:
+    """The shortest plan found, its peaks exact."""
+    tables = starting_tables(task, bounds)
+    starts = [(task, paced(task, table, 1.0)) for table in tables]
+    if task.free.any():
+        starts += [start for table in tables if (start := _freed(task, table)) is not None]
+    unknowns = SEARCHED * task.moving.size + int(task.free.sum())
+    generations = GENERATIONS + MORE_GENERATIONS * unknowns
+    for margin in (0.0, MARGIN):
+        aims = [(replace(t, bounds=(1.0 - margin) * task.bounds), table) for t, table in starts]
+        rough = shortest(aims, generations, progress)
+        if rough is None:
+            break
+        exact = just_kept(replace(rough.task, bounds=task.bounds), rough.table, EXACT)
+        if exact is not None and exact.use <= EXACT.most:
+            return exact
+        starts.append((rough.task, rough.table))
+    raise _refused(starts, bounds)
 
 
-def _name(index: int) -> str:
-    angle = index - ANGLES
-    if angle >= 0:
-        return f"sway angle {'xy'[angle]}"
-    return f"{DRIVES[index % 3]} {QUANTITIES[index // 3]}"
+def _timed(
+    found: Found, task: Task, bounds: ActuatorBounds, progress: Callable[[float], None]
+) -> Found:
+    """The plan with a sample time or a duration; slower, so it usually keeps the bounds as well."""
+    best = attempt(task, found.table, 1.0, EXACT)
+    if best is None:
+        # refused with the planner's reason, such as a duration that is too short
+        task.plan(found.table)
+    if best is None or best.use > EXACT.most:
+        best = just_kept(task, found.table, EXACT)
+    if best is None or best.use > EXACT.most:
+        rough = shortest([(task, found.table)], GENERATIONS, progress)
+        best = just_kept(rough.task, rough.table, EXACT) if rough else None
+    if best is None or best.use > EXACT.most:
+        raise _refused([(task, found.table)], bounds)
+    return best
 
 
-def _unmet(
-    crane: Crane, bounds: ActuatorBounds, last: ActuatedPlan, reason: str
+def _freed(task: Task, table: FloatArray) -> tuple[Task, FloatArray] | None:
+    """The task with the free states that the planner chooses; None if it finds no plan."""
+    states = np.where(task.free, np.nan, task.states)
+    points = [
+        Waypoint(p.position, _words(state[0]), _words(state[1]), p.dwell)
+        for p, state in zip(task.waypoints, states, strict=True)
+    ]
+    try:
+        found = plan(points, task.limits(table), **task.options)
+    except InfeasibleError:
+        return None
+    return replace(task, waypoints=found.waypoints), table
+
+
+def _words(values: FloatArray) -> Any:
+    """Numbers as `Waypoint` takes them, None for NaN."""
+    return [None if np.isnan(v) else float(v) for v in values]
+
+
+def _refused(
+    starts: Sequence[tuple[Task, FloatArray]], bounds: ActuatorBounds
 ) -> InfeasibleError:
-    peaks, moments = _peaks(FlatInverse(crane, last.trajectory), bounds.vector)
-    worst = int((peaks / bounds.vector).argmax())
-    value, bound = float(peaks[worst]), float(bounds.vector[worst])
-    unit = UNITS[min(worst // 3, 3)]
+    """What the plan that comes closest exceeds; the planner's own reason if there is no plan."""
+    tried = [found for found in (just_kept(*start, ROUGH) for start in starts) if found]
+    if not tried:
+        try:
+            task, table = starts[0]
+            task.plan(table)
+        except InfeasibleError as error:
+            return error
+    closest = min(tried, key=lambda found: found.use)
+    found = _measured(closest.task.crane, bounds, closest.trajectory)
+    worst = max(found.uses, key=lambda use: use.use)
+    return _exceeded("", worst, f"at {worst.time:.3f} s, however slow the plan")
+
+
+def _exceeded(where: str, found: BoundUse, when: str) -> InfeasibleError:
     return InfeasibleError(
-        f"{_name(worst)} needs {value:.6g} {unit} at {float(moments[worst]):.3f} s, the bound is "
-        f"{bound:.6g} {unit}; {reason}; raise the bound or lower the waypoints' velocities",
-        limit=_name(worst), value=value, bound=bound, time=float(moments[worst]),
+        f"{where}{found.name} needs {found.peak:.6g} {found.unit} {when}; the bound is "
+        f"{found.bound:.6g} {found.unit}; raise the bound or lower the waypoints' velocities "
+        "and accelerations",
+        limit=found.name, value=found.peak, bound=found.bound, time=found.time,
     )

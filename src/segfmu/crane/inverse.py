@@ -43,17 +43,9 @@ class FlatInverse:
     """
 
     def __init__(self, crane: Crane, trajectory: LoadTrajectory) -> None:
-        if not isinstance(crane, Crane):
-            raise InputError(f"crane must be a segfmu.Crane, got {type(crane).__name__}")
         if not hasattr(trajectory, "axes"):
             raise InputError(f"trajectory must be a plan, got {type(trajectory).__name__}")
-        if trajectory.axes != 3:
-            raise InputError(f"the flat inverse needs axes x, y, z; got {trajectory.axes} axes")
-        if trajectory.smoothness < 4:
-            raise InputError(
-                f"the flat inverse needs smoothness 4 or more, got {trajectory.smoothness}; with "
-                "less, the carriage's acceleration jumps"
-            )
+        require_flat(crane, trajectory.axes, trajectory.smoothness)
         self.crane = crane
         self.trajectory = trajectory
         require_rope(crane, trajectory)
@@ -87,3 +79,16 @@ class FlatInverse:
         ):
             backend.crane_flat_inverse(values, masses, row[FORCE], row[STATE], row[ACCELERATION])
         return results
+
+
+def require_flat(crane: Crane, axes: int, smoothness: int) -> None:
+    """Raise InputError unless a trajectory of so many axes, so smooth, has a flat inverse."""
+    if not isinstance(crane, Crane):
+        raise InputError(f"crane must be a segfmu.Crane, got {type(crane).__name__}")
+    if axes != 3:
+        raise InputError(f"the flat inverse needs axes x, y, z; got {axes} axes")
+    if smoothness < 4:
+        raise InputError(
+            f"the flat inverse needs smoothness 4 or more, got {smoothness}; with less, the "
+            "carriage's acceleration jumps"
+        )

@@ -35,6 +35,8 @@ from segfmu.kernels.crane.records import (
     Compensation,
     Coordinates,
     CranePartials,
+    Demand,
+    DemandWork,
     FlatInverse,
     FlatSeries,
     GeneralisedForce,
@@ -249,6 +251,10 @@ ENTRY_POINTS = (
     entry(
         "crane._crane", "crane_flat_inverse", flat=(5, Vector.SIZE), masses=Masses.SIZE,
         force=Axes.SIZE, state=State.SIZE, acceleration=Coordinates.SIZE,
+    ),
+    entry(
+        "crane.demand", "drive_demands", flat=("motions", 5, Vector.SIZE), masses=Masses.SIZE,
+        work=(DemandWork.SIZE, DemandWork.COLUMNS), demands=("motions", Demand.SIZE),
     ),
     entry(
         "crane._series", "flat_derivatives", flat=("order + 5", 3), masses=Masses.SIZE,

@@ -217,6 +217,24 @@ class Feedforward(FlatInverse):
     )
 
 
+class Demand(Record):
+    """What a motion asks of the drives, and how far the rope sways in it."""
+
+    FORCE = field("forces of the drives; the hoist's is negative under tension", "N", size=3)
+    VELOCITY = field("velocities of bridge, trolley and rope", "m/s", size=3)
+    ACCELERATION = field("their accelerations", "m/s2", size=3)
+    POWER = field("powers of the drives, positive when they do work", "W", size=3)
+    SWAY = field("sway angles", "rad", size=2)
+
+
+class DemandWork(Record):
+    """Rows: the work space of `drive_demands`, parts of a `FlatInverse`."""
+
+    FORCE = field("forces of the drives", "N", of=Axes)
+    STATE = field("state of the crane", of=State)
+    ACCELERATION = field("second derivatives of the coordinates", of=Coordinates)
+
+
 class LoadMotion(Record):
     """Position of the load and its derivatives, triples of the directions in space."""
 

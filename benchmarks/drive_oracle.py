@@ -1,0 +1,114 @@
+"""What a plan asks of the drives, and the shortest transfer, without the project's crane.
+
+Demands follow from the geometry of a taut rope: with w = p'' + g e_z the carriage is where the line
+of the rope through the load p, along w, reaches z = 0. Time derivatives are those of truncated
+Taylor series.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import linprog
+
+from segfmu import Crane, Trajectory
+
+FloatArray = NDArray[np.float64]
+ORDER = 3
+FACTORIALS = np.array([1.0, 1.0, 2.0, 6.0, 24.0])
+
+
+def _product(a: FloatArray, b: FloatArray) -> FloatArray:
+    terms = [[a[j] * b[i - j] for j in range(i + 1)] for i in range(ORDER)]
+    return np.array([np.sum(t, axis=0) for t in terms])
+
+
+def _quotient(a: FloatArray, b: FloatArray) -> FloatArray:
+    found: list[FloatArray] = []
+    for i in range(ORDER):
+        found.append((a[i] - sum(found[j] * b[i - j] for j in range(i))) / b[0])
+    return np.array(found)
+
+
+def _root(a: FloatArray) -> FloatArray:
+    found = [np.sqrt(a[0])]
+    for i in range(1, ORDER):
+        inner = sum(found[j] * found[i - j] for j in range(1, i))
+        found.append((a[i] - inner) / (2.0 * found[0]))
+    return np.array(found)
+
+
+def demands(crane: Crane, trajectory: Trajectory, times: FloatArray) -> FloatArray:
+    """Magnitudes of force, velocity, acceleration, power and sway, shape (times, 14)."""
+    series = np.array([trajectory(times, d) / FACTORIALS[d] for d in range(5)])
+    load = series[:ORDER].transpose(2, 0, 1)
+    # series of the second derivative: coefficient i is (i + 2)(i + 1) times that of the position
+    growth = np.array([2.0, 6.0, 12.0])[:, None]
+    pull = series[2:].transpose(2, 0, 1) * growth
+    pull[2, 0] += crane.gravity
+    ratio = _quotient(load[2], pull[2])
+    size = _root(sum((_product(w, w) for w in pull), np.zeros(load[0].shape)))
+    places = [load[i] - _product(ratio, pull[i]) for i in range(2)]
+    places.append(-_product(ratio, size))
+    velocity = np.stack([place[1] for place in places], axis=-1)
+    acceleration = np.stack([2.0 * place[2] for place in places], axis=-1)
+    moved = (crane.bridge_mass + crane.trolley_mass, crane.trolley_mass)
+    force = np.stack(
+        [moved[i] * acceleration[:, i] + crane.payload_mass * pull[i, 0] for i in range(2)]
+        + [-crane.payload_mass * size[0]], axis=-1,
+    )
+    sway = np.stack(
+        [np.arctan2(pull[0, 0], np.hypot(pull[1, 0], pull[2, 0])),
+         np.arctan2(pull[1, 0], pull[2, 0])], axis=-1,
+    )
+    return np.asarray(np.abs(np.hstack([force, velocity, acceleration, force * velocity, sway])))
+
+
+def largest_use(crane: Crane, trajectory: Trajectory, bounds: FloatArray, samples: int) -> float:
+    """Largest share of a bound, (14,), among equidistant samples of a plan."""
+    times = np.linspace(0.0, trajectory.duration, samples)
+    return float((demands(crane, trajectory, times).max(axis=0) / bounds).max())
+
+
+def shortest_transfer(
+    distance: float, rope: float, gravity: float, velocity: float, acceleration: float,
+    intervals: int, tolerance: float,
+) -> float:
+    """Shortest time [s] of a carriage that takes a hanging load from rest to rest, linearised.
+
+    By bisection over linear programs in the carriage's acceleration, constant in each interval. The
+    pendulum is exact; no smoothness is asked for.
+    """
+    low = distance / velocity
+    high = low + velocity / acceleration + 4.0 * np.pi * (rope / gravity) ** 0.5
+    frequency = (gravity / rope) ** 0.5
+    while high - low > tolerance * high:
+        middle = 0.5 * (low + high)
+        if _reaches(middle, distance, frequency, velocity, acceleration, intervals):
+            high = middle
+        else:
+            low = middle
+    return float(high)
+
+
+def _reaches(
+    duration: float, distance: float, frequency: float, velocity: float, acceleration: float,
+    intervals: int,
+) -> bool:
+    step = duration / intervals
+    left = duration - step * np.arange(intervals + 1)
+    early, late = left[:-1], left[1:]
+    # effects of each acceleration on velocity and position of the carriage, and on the sway
+    effects = np.array([
+        np.full(intervals, step), 0.5 * (early**2 - late**2),
+        np.cos(frequency * late) - np.cos(frequency * early),
+        np.sin(frequency * early) - np.sin(frequency * late),
+    ])
+    gained = np.tril(np.full((intervals, intervals), step))
+    return bool(
+        linprog(
+            np.zeros(intervals), A_ub=np.vstack([gained, -gained]),
+            b_ub=np.full(2 * intervals, velocity), A_eq=effects, b_eq=[0.0, distance, 0.0, 0.0],
+            bounds=(-acceleration, acceleration), method="highs",
+        ).status == 0
+    )

@@ -1,0 +1,162 @@
+"""What a load trajectory asks of the drives, and its exact peaks.
+
+The demands are analytic functions on every polynomial piece of the trajectory. There they are
+interpolated at Chebyshev points; a piece is halved until the last coefficients vanish, and the peak
+is found on the interpolating polynomial.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from itertools import pairwise
+
+import numpy as np
+from numpy.polynomial import chebyshev
+
+from segfmu.crane.parameters import Crane
+from segfmu.crane.rope import LoadTrajectory
+from segfmu.kernels import backend
+from segfmu.kernels.crane.records import Demand, DemandWork
+from segfmu.planning.arrays import FloatArray
+from segfmu.planning.waypoint import Waypoint
+
+ORDERS = 5
+DEGREE = 16
+# the last coefficients of a resolved piece, relative to the quantity's largest magnitude
+RESOLVED = 1e-11
+HALVINGS = 12
+# a drive that hardly acts is resolved relative to this share of the one that acts most
+SHARE = 1e-3
+# below this, sway angles [rad] are rounding
+SMALL_SWAY = 1e-6
+# points of a resolved piece among which the peak is sought
+GRID = 65
+NEWTON_STEPS = 5
+
+
+def demands(crane: Crane, trajectory: LoadTrajectory, times: FloatArray) -> FloatArray:
+    """Rows of the record `Demand` at times, shape (times, 14)."""
+    flat = np.empty((times.size, ORDERS, 3))
+    for order in range(ORDERS):
+        flat[:, order] = trajectory(times, order)
+    return _of(crane, flat)
+
+
+def demands_in_state(crane: Crane, point: Waypoint) -> FloatArray:
+    """Magnitudes of the demands in the state of a waypoint, shape (14,)."""
+    flat = np.zeros((1, ORDERS, 3))
+    flat[0, :3] = point.position, point.velocity, point.acceleration
+    return np.asarray(np.abs(_of(crane, flat)[0]))
+
+
+def _of(crane: Crane, flat: FloatArray) -> FloatArray:
+    found = np.empty((flat.shape[0], Demand.SIZE))
+    work = np.zeros((DemandWork.SIZE, DemandWork.COLUMNS))
+    backend.drive_demands(flat, np.array(crane.masses), work, found)
+    return found
+
+
+def joints(trajectory: LoadTrajectory) -> FloatArray:
+    """Times at which a polynomial piece of any axis begins or ends, ascending."""
+    ends = [np.array([0.0, trajectory.duration])]
+    for axis in range(3):
+        starts, lengths, _ = trajectory.pieces(axis)
+        ends += [starts, starts + lengths]
+    times = np.unique(np.clip(np.concatenate(ends), 0.0, trajectory.duration))
+    apart = np.append(True, np.diff(times) > 1e-12 * max(trajectory.duration, 1e-300))
+    return np.asarray(times[apart])
+
+
+def rough_peaks(crane: Crane, trajectory: LoadTrajectory) -> FloatArray:
+    """Largest magnitudes among samples, shape (14,): a look, not a proof."""
+    ends = joints(trajectory)
+    shares = ends[:-1, None] + np.diff(ends)[:, None] * np.array([0.0, 0.21, 0.5, 0.79])
+    even = np.linspace(0.0, trajectory.duration, 129)
+    times = np.sort(np.concatenate([shares.ravel(), even]))
+    peaks: FloatArray = np.abs(demands(crane, trajectory, times)).max(axis=0)
+    return peaks
+
+
+def peaks(crane: Crane, trajectory: LoadTrajectory) -> tuple[FloatArray, FloatArray]:
+    """Exact largest magnitudes of all demands and their times [s], shapes (14,)."""
+    ends = joints(trajectory)
+    if ends.size < 2:
+        return np.abs(demands(crane, trajectory, ends)[0]), np.zeros(Demand.SIZE)
+    starts, lengths, series = _resolved(crane, trajectory, ends)
+    grid = np.linspace(-1.0, 1.0, GRID)
+    values = np.abs(chebyshev.chebval(grid, series))
+    best = values.max(axis=(1, 2))
+    moments = np.empty(Demand.SIZE)
+    found = np.empty(Demand.SIZE)
+    for i in range(Demand.SIZE):
+        # a grid misses a peak by no more than this share of it
+        near = np.flatnonzero(values[i].max(axis=1) >= best[i] * (1.0 - 0.01))
+        at = grid[values[i, near].argmax(axis=1)]
+        places = _stationary(series[:, i][:, near], at)
+        moments_near = starts[near] + 0.5 * (places + 1.0) * lengths[near]
+        heights = np.abs(demands(crane, trajectory, moments_near)[:, i])
+        worst = int(heights.argmax())
+        found[i], moments[i] = heights[worst], moments_near[worst]
+    return found, moments
+
+
+def _resolved(
+    crane: Crane, trajectory: LoadTrajectory, ends: FloatArray
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Starts and lengths (pieces,) and Chebyshev series (17, 14, pieces) of resolved pieces."""
+    starts, lengths = ends[:-1], np.diff(ends)
+    done: list[tuple[FloatArray, FloatArray, FloatArray]] = []
+    size: FloatArray = np.zeros(Demand.SIZE)
+    for halving in range(HALVINGS + 1):
+        times = starts[:, None] + 0.5 * lengths[:, None] * (1.0 + _nodes())
+        values = demands(crane, trajectory, times.ravel()).reshape(*times.shape, Demand.SIZE)
+        size = np.maximum(size, np.abs(values).max(axis=(0, 1)))
+        series = np.einsum("kj,pji->kip", _transform(), values)
+        tail = np.abs(series[-2:]).max(axis=0)
+        rough = (tail > RESOLVED * _scale(size)[:, None]).any(axis=0) & (halving < HALVINGS)
+        done.append((starts[~rough], lengths[~rough], series[..., ~rough]))
+        starts, lengths = starts[rough], 0.5 * lengths[rough]
+        if starts.size == 0:
+            break
+        starts, lengths = np.concatenate([starts, starts + lengths]), np.tile(lengths, 2)
+    return (
+        np.concatenate([d[0] for d in done]), np.concatenate([d[1] for d in done]),
+        np.concatenate([d[2] for d in done], axis=-1),
+    )
+
+
+def _scale(size: FloatArray) -> FloatArray:
+    """Magnitudes relative to which quantities are resolved, from their largest ones, (14,)."""
+    scale = size.copy()
+    for first, last in pairwise((*range(0, Demand.SWAY + 1, 3), Demand.SIZE)):
+        scale[first:last] = np.maximum(size[first:last], SHARE * size[first:last].max())
+    scale[Demand.SWAY :] = np.maximum(scale[Demand.SWAY :], SMALL_SWAY)
+    return scale
+
+
+def _stationary(series: FloatArray, at: FloatArray) -> FloatArray:
+    """Stationary points of series (17, pieces) near starts (pieces,), by Newton's method."""
+    slope, bend = chebyshev.chebder(series, axis=0), chebyshev.chebder(series, 2, axis=0)
+    reach = 2.0 / (GRID - 1)
+    low, high = np.maximum(at - reach, -1.0), np.minimum(at + reach, 1.0)
+    place = at
+    for _ in range(NEWTON_STEPS):
+        rate = chebyshev.chebval(place, slope, tensor=False)
+        change = chebyshev.chebval(place, bend, tensor=False)
+        with np.errstate(all="ignore"):
+            step = np.where(change != 0.0, rate / change, 0.0)
+        place = np.clip(place - np.nan_to_num(step), low, high)
+    best = np.abs(chebyshev.chebval(place, series, tensor=False))
+    return np.where(best >= np.abs(chebyshev.chebval(at, series, tensor=False)), place, at)
+
+
+@cache
+def _nodes() -> FloatArray:
+    """Chebyshev points on [-1, 1], ends included."""
+    return np.asarray(np.cos(np.pi * np.arange(DEGREE, -1, -1) / DEGREE))
+
+
+@cache
+def _transform() -> FloatArray:
+    """Matrix from values at the nodes to the coefficients of the Chebyshev series."""
+    return np.asarray(np.linalg.inv(chebyshev.chebvander(_nodes(), DEGREE)))

@@ -1,0 +1,286 @@
+"""Limits of the load's motion with which a plan is short and keeps the bounds of the drives.
+
+The drives' demands follow from the load's trajectory up to its snap. So the limits that matter are
+those of velocity, acceleration, jerk and snap of each axis, at ramp times near the pendulum's
+period as much as at the drives' own. Scaling the i-th limit by lambda^i scales time by 1 / lambda
+(section 3.2); so every choice of limits has one scale at which it just keeps the bounds, and the
+duration there is what the search minimises.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from segfmu.crane.demand import peaks, rough_peaks
+from segfmu.crane.evolution import Evolution
+from segfmu.crane.parameters import Crane
+from segfmu.crane.rope import require_rope
+from segfmu.errors import InfeasibleError
+from segfmu.planning.arrays import FloatArray
+from segfmu.planning.limits import Limits
+from segfmu.planning.planner import plan
+from segfmu.planning.trajectory import Trajectory
+from segfmu.planning.waypoint import Waypoint
+
+# searched: velocity, acceleration, jerk, snap
+SEARCHED = 4
+ORDERS = np.arange(1, SEARCHED + 1)
+# of the logarithms of limits: first standard deviation, and farthest from the start
+STEP = 0.25
+REACH = 5.0
+# moves of free states in units of the limit, relative to those of the limits' logarithms
+STATE_SHARE = 0.1
+# the search ends when so many generations gain less than this share
+PATIENCE = 25
+GAIN = 5e-4
+
+
+@dataclass(frozen=True, eq=False)
+class Task:
+    """What is planned: the crane, its bounds and all that `plan` takes.
+
+    Attributes
+    ----------
+    waypoints : tuple of Waypoint
+        Without free states.
+    free : ndarray of bool, shape (waypoints, 2, 3)
+        Velocities and accelerations that may be changed.
+    caps : ndarray, shape (3, 4)
+        Largest limits allowed, infinite where there are none.
+    higher : dict
+        Limits above the snap, as given.
+    options : dict
+        Further arguments of `plan`.
+    """
+
+    crane: Crane
+    waypoints: tuple[Waypoint, ...]
+    free: NDArray[np.bool_]
+    bounds: FloatArray
+    caps: FloatArray
+    higher: dict[str, Any]
+    options: dict[str, Any]
+
+    def limits(self, table: FloatArray) -> Limits:
+        """Limits of a table (3, 4)."""
+        return Limits(*table.T, **self.higher)
+
+    def plan(self, table: FloatArray) -> Trajectory:
+        """The plan with a table of limits, of a rope that stays taut and in its range."""
+        trajectory = plan(self.waypoints, self.limits(table), **self.options)
+        require_rope(self.crane, trajectory)
+        return trajectory
+
+    @property
+    def states(self) -> FloatArray:
+        """Velocities and accelerations, shape (waypoints, 2, 3)."""
+        return np.array([[p.velocity, p.acceleration] for p in self.waypoints])
+
+    def with_states(self, states: FloatArray) -> Task:
+        """The task with other velocities and accelerations."""
+        if not self.free.any():
+            return self
+        points = tuple(
+            Waypoint(point.position, state[0], state[1], point.dwell)
+            for point, state in zip(self.waypoints, states, strict=True)
+        )
+        return replace(self, waypoints=points)
+
+    def paced(self, pace: float) -> Task:
+        """The task with free states that are faster by a factor."""
+        if pace == 1.0 or not self.free.any():
+            return self
+        factors = np.array([pace, pace**2])[:, None]
+        return self.with_states(np.where(self.free, factors, 1.0) * self.states)
+
+    @property
+    def floors(self) -> FloatArray:
+        """Least limits that admit the states, shape (3, 4)."""
+        least = np.abs(self.states).max(axis=0)
+        return np.column_stack([least.T, np.zeros((3, SEARCHED - 2))])
+
+    @property
+    def moving(self) -> NDArray[np.intp]:
+        """Axes that move."""
+        positions = np.array([p.position for p in self.waypoints])
+        return np.flatnonzero((np.ptp(positions, axis=0) > 0.0) | self.states.any(axis=(0, 1)))
+
+
+@dataclass(frozen=True, eq=False)
+class Found:
+    """A plan on the way.
+
+    Attributes
+    ----------
+    task : Task
+        With the states of its waypoints.
+    table : ndarray, shape (3, 4)
+        Its limits.
+    trajectory : Trajectory
+    use : float
+        Largest use of a bound.
+    """
+
+    task: Task
+    table: FloatArray
+    trajectory: Trajectory
+    use: float
+
+    @property
+    def duration(self) -> float:
+        """Duration of the plan [s]."""
+        return self.trajectory.duration
+
+    @property
+    def rank(self) -> tuple[bool, float]:
+        """Plans that keep the bounds first, the shortest first; else by their use."""
+        return (self.use > 1.0, self.use if self.use > 1.0 else self.duration)
+
+
+@dataclass(frozen=True)
+class Look:
+    """How closely plans are looked at.
+
+    Attributes
+    ----------
+    peaks : callable
+        Largest magnitudes of all demands for crane and trajectory, shape (14,).
+    full : float
+        A plan with a bound used up to this is fast enough.
+    most : float
+        A plan keeps the bounds if it uses none beyond this.
+    trials : int
+        Paces tried.
+    """
+
+    peaks: Callable[[Crane, Trajectory], FloatArray]
+    full: float
+    most: float
+    trials: int
+
+
+ROUGH = Look(rough_peaks, 0.99, 1.0, 8)
+EXACT = Look(lambda crane, trajectory: peaks(crane, trajectory)[0], 1.0 - 1e-6, 1.0 + 1e-9, 40)
+
+
+def paced(task: Task, table: FloatArray, pace: float) -> FloatArray:
+    """A table whose motion is faster by a factor, within caps and floors."""
+    scaled = table * pace**ORDERS
+    return np.asarray(np.minimum(np.maximum(scaled, task.floors), task.caps))
+
+
+def attempt(task: Task, table: FloatArray, pace: float, look: Look) -> Found | None:
+    """The plan at a pace, None if there is none."""
+    moved = task.paced(pace)
+    chosen = paced(moved, table, pace)
+    try:
+        trajectory = moved.plan(chosen)
+    except InfeasibleError:
+        return None
+    use = float((look.peaks(task.crane, trajectory) / task.bounds).max())
+    return Found(moved, chosen, trajectory, use)
+
+
+def just_kept(task: Task, table: FloatArray, look: Look) -> Found | None:
+    """The fastest pace at which a table keeps the bounds; if none does, what comes closest."""
+    best: Found | None = None
+    # paces known to be too slow for the given states or to keep the bounds, and to be too fast
+    slow, fast, pace, growth = 0.0, np.inf, 1.0, 2.0
+    last: tuple[float, float] | None = None
+    for _ in range(look.trials):
+        found = attempt(task, table, pace, look)
+        if found is None:
+            # a plan that lacks room for given states needs more pace, one that lifts the rope less
+            slow, fast = (pace, fast) if last is not None and pace < last[0] else (slow, pace)
+            pace = _between(slow, fast, pace)
+            continue
+        if last is not None and found.use != last[1] and min(found.use, last[1]) > 0.0:
+            rise = np.log(found.use / last[1]) / np.log(pace / last[0])
+            growth = min(max(float(rise), 0.5), 4.0)
+        last = (pace, found.use)
+        if best is None or _better(found, best, look):
+            best = found
+        if found.use <= look.most:
+            slow = max(slow, pace)
+            capped = np.array_equal(found.table, paced(task, table, 2.0 * pace))
+            if found.use >= look.full or (capped and not task.free.any()):
+                break
+        else:
+            fast = min(fast, pace)
+        aim = 0.5 * (look.full + min(look.most, 1.0))
+        pace *= (aim / max(found.use, 1e-3)) ** (1.0 / growth)
+        if not slow < pace < fast:
+            pace = _between(slow, fast, last[0])
+    return best
+
+
+def _between(slow: float, fast: float, pace: float) -> float:
+    """A pace between a slow and a fast one."""
+    if not np.isfinite(fast):
+        return 2.0 * pace
+    return 0.5 * fast if slow == 0.0 else float((slow * fast) ** 0.5)
+
+
+def _better(found: Found, best: Found, look: Look) -> bool:
+    if found.use <= look.most and best.use <= look.most:
+        return found.duration < best.duration
+    return found.use < best.use
+
+
+def shortest(
+    starts: Sequence[tuple[Task, FloatArray]], generations: int, progress: Callable[[float], None]
+) -> Found | None:
+    """The shortest plan that a search from tasks with tables of limits finds; None: no plan."""
+    tried = [found for found in (just_kept(*start, ROUGH) for start in starts) if found]
+    if not tried:
+        return None
+    best = min(tried, key=lambda found: found.rank)
+    coordinates = _Coordinates(best)
+    if coordinates.size == 0:
+        return best
+    evolution = Evolution(np.zeros(coordinates.size), STEP)
+    history: list[float] = []
+
+    def judged(place: FloatArray) -> tuple[bool, float]:
+        nonlocal best
+        found = just_kept(*coordinates.at(place), ROUGH)
+        if found is None:
+            return (True, np.inf)
+        if found.rank < best.rank:
+            best = found
+        return found.rank
+
+    for generation in range(generations):
+        evolution.advance(judged)
+        progress((generation + 1) / generations)
+        history.append(best.rank[1] if not best.rank[0] else np.inf)
+        stale = len(history) > PATIENCE and history[-1] > (1.0 - GAIN) * history[-1 - PATIENCE]
+        if evolution.settled or (stale and np.isfinite(history[-1 - PATIENCE])):
+            break
+    return best
+
+
+class _Coordinates:
+    """What is searched: limits of moving axes as logarithms, and free states of waypoints."""
+
+    def __init__(self, start: Found) -> None:
+        self.start = start
+        self.axes = start.task.moving
+        self.free = np.argwhere(start.task.free)
+        self.size = SEARCHED * self.axes.size + len(self.free)
+
+    def at(self, place: FloatArray) -> tuple[Task, FloatArray]:
+        """Task and table of a place, whose zero is the start."""
+        task, table = self.start.task, self.start.table.copy()
+        count = SEARCHED * self.axes.size
+        factors = np.exp(np.clip(place[:count], -REACH, REACH)).reshape(-1, SEARCHED)
+        table[self.axes] *= factors
+        states = task.states
+        for (point, order, axis), move in zip(self.free, place[count:], strict=True):
+            states[point, order, axis] += STATE_SHARE * move * self.start.table[axis, order]
+        return task.with_states(states), table

@@ -1,0 +1,81 @@
+"""Limits of the load's motion to begin a search with, from the bounds of the drives alone.
+
+Each is what the drive could do if the rope were rigid; the ramps last a multiple of half the
+pendulum's period, the time in which the load takes over the carriage's acceleration.
+"""
+
+from __future__ import annotations
+
+from math import isfinite, pi, tan
+
+import numpy as np
+
+from segfmu.crane.bounds import DRIVES, ActuatorBounds
+from segfmu.crane.limit_search import SEARCHED, Task
+from segfmu.errors import InputError
+from segfmu.planning.arrays import FloatArray
+
+HOIST = 2
+# acceleration in units of gravity where a bound hardly lifts the load
+LEAST = 1e-3
+# sway [rad] whose tangent is still of use
+STEEPEST = 1.0
+# ramps over half of the pendulum's period, or over the time of the hoist to its speed
+MULTIPLES = (0.5, 0.8, 1.25, 2.0)
+HOIST_RAMP = 0.3
+# peaks of the first and second derivative of a ramp over one second of height one
+JERK, SNAP = 1.9, 5.8
+
+
+def starting_tables(task: Task, bounds: ActuatorBounds) -> list[FloatArray]:
+    """Tables of limits (3, 4), one per multiple of the ramps' duration.
+
+    Raises
+    ------
+    InputError
+        For an axis that moves although nothing bounds its acceleration.
+    """
+    rope = max(-float(p.position[2]) for p in task.waypoints)
+    swing = pi * (max(rope, 0.0) / task.crane.gravity) ** 0.5
+    motions = {int(axis): _rigid(task, bounds, int(axis)) for axis in task.moving}
+    tables = []
+    for multiple in MULTIPLES:
+        table = np.ones((3, SEARCHED))
+        for axis, (velocity, acceleration, distance) in motions.items():
+            rise = min(velocity / acceleration, (distance / acceleration) ** 0.5)
+            ramp = multiple * (HOIST_RAMP * rise if axis == HOIST else min(swing, 2.0 * rise))
+            table[axis] = (
+                velocity, acceleration, JERK * acceleration / ramp, SNAP * acceleration / ramp**2
+            )
+        tables.append(np.minimum(table, task.caps))
+    return tables
+
+
+def _rigid(task: Task, bounds: ActuatorBounds, axis: int) -> tuple[float, float, float]:
+    """Velocity, acceleration and largest distance of an axis, as if the rope were rigid."""
+    crane, power = task.crane, float(bounds.power[axis])
+    velocity = min(float(bounds.velocity[axis]), float(task.caps[axis, 0]))
+    weight = crane.payload_mass * crane.gravity if axis == HOIST else 0.0
+    mass = crane.payload_mass
+    mass += (crane.bridge_mass + crane.trolley_mass, crane.trolley_mass, 0.0)[axis]
+    distance = float(np.abs(np.diff([p.position[axis] for p in task.waypoints])).max())
+    fastest = float(np.abs(task.states[:, 0, axis]).max())
+    accelerations = [float(bounds.acceleration[axis]), float(task.caps[axis, 1])]
+    if isfinite(bounds.force[axis]):
+        accelerations.append(max((bounds.force[axis] - weight) / mass, LEAST * crane.gravity))
+    if axis != HOIST and isfinite(bounds.sway_angle[axis]):
+        accelerations.append(crane.gravity * tan(min(float(bounds.sway_angle[axis]), STEEPEST)))
+    acceleration = min(accelerations)
+    if isfinite(power) and not isfinite(acceleration):
+        # constant power covers the distance in about this time
+        time = (mass * distance**2 / power) ** (1.0 / 3.0)
+        acceleration = min(velocity / time, distance / time**2)
+    if not isfinite(acceleration):
+        raise InputError(
+            f"axis {'xyz'[axis]}: nothing bounds the acceleration; give a bound of the "
+            f"{DRIVES[axis]}'s acceleration, force or power, or limits of the load"
+        )
+    distance = distance or fastest**2 / acceleration
+    if isfinite(power):
+        velocity = min(velocity, power / (weight + mass * acceleration))
+    return min(velocity, 2.0 * (acceleration * distance) ** 0.5), acceleration, distance
