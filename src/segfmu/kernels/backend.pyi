@@ -215,6 +215,14 @@ def compensate_setpoints(
     /,
 ) -> None: ...
 
+def drive_demands(
+    flat: Floats,
+    masses: Floats,
+    work: Floats,
+    demands: Floats,
+    /,
+) -> None: ...
+
 def seed_numbers(
     seed: int,
     numbers: Floats,

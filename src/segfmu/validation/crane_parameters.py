@@ -80,7 +80,7 @@ def bounds(crane: CraneFile) -> ActuatorBounds:
     drives = [getattr(crane, name) for name in DRIVES]
     given: dict[str, Any] = {
         name: [getattr(drive, f"{name}_max") or np.inf for drive in drives]
-        for name in ("force", "velocity", "acceleration")
+        for name in ("force", "velocity", "acceleration", "power")
     }
     sway = None if crane.sway_max is None else np.deg2rad(crane.sway_max)
     return ActuatorBounds(**given, sway_angle=sway)

@@ -93,6 +93,10 @@ class ActuatorEntry(Table):
         PositiveTriple | None,
         Key("greatest of each drive", "m/s2", default=CRANES, parts=DRIVES),
     ] = None
+    power: Annotated[
+        PositiveTriple | None,
+        Key("greatest of each drive, driving or braking", "W", default=CRANES, parts=DRIVES),
+    ] = None
     sway_angle: Annotated[
         PositivePair | None, Key("greatest sway angles", "deg", default=CRANES, parts=SWAY)
     ] = None

@@ -4024,6 +4024,35 @@ void segfmu_compensate_setpoints(array_double_1d velocity, array_double_1d accel
         (*cspan_at(&force, i)) = (*cspan_at(&force, i)) + viscous + coulomb;
     }
 }
+/*Demands of many motions, a `Demand` per row.                                                         */
+/*                                                                                                     */
+/*    flat[row, d, i] is the d-th derivative of the load's position in axis i; masses: `Masses`; work: */
+/*    `DemandWork`. The power is force times velocity: positive where the drive does work.             */
+/*                                                                                                     */
+void segfmu_drive_demands(array_double_3d flat, array_double_1d masses, array_double_2d work, array_double_2d demands)
+{
+    int64_t i;
+    int64_t k;
+    double force;
+    double velocity;
+    for (i = INT64_C(0); i < flat.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        segfmu_crane_flat_inverse(span_matrix(&flat, i), masses, span_row(&work, INT64_C(0)), span_row(&work, INT64_C(1)), span_row(&work, INT64_C(2)));
+        for (k = INT64_C(0); k < INT64_C(3); k += INT64_C(1))
+        {
+            force = (*cspan_at(&work, INT64_C(0), k));
+            velocity = (*cspan_at(&work, INT64_C(1), INT64_C(5) + k));
+            (*cspan_at(&demands, i, INT64_C(0) + k)) = force;
+            (*cspan_at(&demands, i, INT64_C(3) + k)) = velocity;
+            (*cspan_at(&demands, i, INT64_C(6) + k)) = (*cspan_at(&work, INT64_C(2), k));
+            (*cspan_at(&demands, i, INT64_C(9) + k)) = force * velocity;
+        }
+        for (k = INT64_C(0); k < INT64_C(2); k += INT64_C(1))
+        {
+            (*cspan_at(&demands, i, INT64_C(12) + k)) = (*cspan_at(&work, INT64_C(1), INT64_C(3) + k));
+        }
+    }
+}
 /*2 pi; C99 has no name for it.*/
 static double full_circle(void)
 {

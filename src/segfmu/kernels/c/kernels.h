@@ -33,6 +33,7 @@ SEGFMU_API void segfmu_crane_load_partials(array_double_1d state, array_double_2
 SEGFMU_API void segfmu_crane_energy_partials(array_double_1d state, array_double_1d masses, array_double_2d partials);
 SEGFMU_API void segfmu_flat_derivatives(array_double_2d flat, int64_t order, array_double_1d masses, array_double_2d work, array_double_1d found);
 SEGFMU_API void segfmu_compensate_setpoints(array_double_1d velocity, array_double_1d acceleration, array_double_1d known, array_double_1d force, array_double_1d setpoint);
+SEGFMU_API void segfmu_drive_demands(array_double_3d flat, array_double_1d masses, array_double_2d work, array_double_2d demands);
 SEGFMU_API double segfmu_next_uniform(array_double_1d numbers);
 SEGFMU_API void segfmu_seed_numbers(int64_t seed, array_double_1d numbers);
 SEGFMU_API void segfmu_noise_components(double bandwidth, array_double_1d deviation, array_double_1d numbers, array_double_2d components);

@@ -768,6 +768,40 @@ static PyObject *call_compensate_setpoints(
     return answer;
 }
 
+static PyObject *call_drive_demands(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "drive_demands", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_flat;
+    Py_buffer *in_masses;
+    Py_buffer *in_work;
+    Py_buffer *in_demands;
+    (void)self;
+    if (take_count(&call, count, 4)
+        && (in_flat = take_array(&call, 0, 3, 'd', false)) != NULL
+        && (in_masses = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_work = take_array(&call, 2, 2, 'd', true)) != NULL
+        && (in_demands = take_array(&call, 3, 2, 'd', true)) != NULL
+        && has_at_least(&call, "flat", 0, in_flat->shape[0], 1)
+        && has_extent(&call, "demands", 0, in_demands->shape[0], in_flat->shape[0])
+        && has_at_least(&call, "flat", 1, in_flat->shape[1], 5)
+        && has_at_least(&call, "flat", 2, in_flat->shape[2], 3)
+        && has_at_least(&call, "masses", 0, in_masses->shape[0], 4)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 3)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 10)
+        && has_at_least(&call, "demands", 1, in_demands->shape[1], 14)) {
+        segfmu_drive_demands(
+            (array_double_3d){in_flat->buf, {in_flat->shape[0], in_flat->shape[1], in_flat->shape[2]}},
+            (array_double_1d){in_masses->buf, {in_masses->shape[0]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_2d){in_demands->buf, {in_demands->shape[0], in_demands->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_seed_numbers(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -2333,6 +2367,7 @@ static PyMethodDef methods[] = {
     {"crane_energy_partials", (PyCFunction)(void (*)(void))call_crane_energy_partials, METH_FASTCALL, NULL},
     {"flat_derivatives", (PyCFunction)(void (*)(void))call_flat_derivatives, METH_FASTCALL, NULL},
     {"compensate_setpoints", (PyCFunction)(void (*)(void))call_compensate_setpoints, METH_FASTCALL, NULL},
+    {"drive_demands", (PyCFunction)(void (*)(void))call_drive_demands, METH_FASTCALL, NULL},
     {"seed_numbers", (PyCFunction)(void (*)(void))call_seed_numbers, METH_FASTCALL, NULL},
     {"next_uniform", (PyCFunction)(void (*)(void))call_next_uniform, METH_FASTCALL, NULL},
     {"noise_components", (PyCFunction)(void (*)(void))call_noise_components, METH_FASTCALL, NULL},
