@@ -10,11 +10,13 @@ OUT ?= out
 	golden lock wheel check-wheel clean
 .DEFAULT_GOAL := demo
 
-$(VENV)/installed: pyproject.toml setup.py requirements-dev.lock $(wildcard src/segfmu/kernels/c/*)
+$(VENV)/installed: pyproject.toml setup.py requirements-dev.lock \
+		$(wildcard src/segfmu/kernels/c/* src/segfmu/cosim/c/*)
 	@test -n "$(PYTHON)" || { echo "segfmu needs Python 3.11 or newer; none was found"; exit 1; }
 	@test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
 	@# a module of an older build would be found first
 	@rm -f src/segfmu/kernels/_compiled.cpython-* src/segfmu/kernels/_compiled.cp3*
+	@rm -f src/segfmu/cosim/_loop.cpython-* src/segfmu/cosim/_loop.cp3*
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check \
 		--constraint requirements-dev.lock --editable '.[dev]'
 	@$(BIN)/python -c "from segfmu.kernels.backend import COMPILED; \

@@ -1,4 +1,4 @@
-"""The compiled kernels: optional, as the interpreted ones give the same numbers."""
+"""The compiled kernels and step loop: optional, as those in Python give the same numbers."""
 
 import sys
 import sysconfig
@@ -7,6 +7,7 @@ from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 
 SOURCES = "src/segfmu/kernels/c"
+LOOP = "src/segfmu/cosim/c"
 # One binary for every Python from 3.11 on. Python without its global lock has no stable ABI yet.
 STABLE = sys.implementation.name == "cpython" and not sysconfig.get_config_var("Py_GIL_DISABLED")
 
@@ -34,7 +35,15 @@ setup(
             define_macros=[("Py_LIMITED_API", "0x030B0000")] if STABLE else [],
             py_limited_api=STABLE,
             optional=True,
-        )
+        ),
+        Extension(
+            "segfmu.cosim._loop",
+            sources=[f"{LOOP}/{name}.c" for name in ("module", "loop", "copy")],
+            depends=[f"{LOOP}/loop.h"],
+            define_macros=[("Py_LIMITED_API", "0x030B0000")] if STABLE else [],
+            py_limited_api=STABLE,
+            optional=True,
+        ),
     ],
     cmdclass={"build_ext": BuildKernels},
     options={"bdist_wheel": {"py_limited_api": "cp311"}} if STABLE else {},

@@ -21,6 +21,7 @@ PARTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "e": ("growth", ()),
     "f": ("evaluation", ()),
     "g": ("fmu_steps", ()),
+    "m": ("master_runs", ()),
     "h": ("master_time", ()),
     "i": ("completeness", ()),
     "j": ("drive_bounds", ()),

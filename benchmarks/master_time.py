@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from benchmarks.report import Part, Section, Settings
 from benchmarks.timing import ratios
+from segfmu.cosim import native as native_loop
 from segfmu.cosim import simulate
 from segfmu.cosim.load import load
 from segfmu.cosim.unit import Unit
@@ -35,10 +36,15 @@ PLAIN = "plain loop, sequential"
 # a type's name in the functions of fmpy
 GROUPS = {"Enumeration": {"2.0": "Integer", "3.0": "Int64"}}
 # options of the master's runs; FMI 3.0 has no derivatives of inputs
-RUNS: dict[str, dict[str, Any]] = {
+COUPLINGS: dict[str, dict[str, Any]] = {
     "default": {},
     "sequential, no events": {"coupling": "sequential", "events": False},
     "parallel, no events": {"coupling": "parallel", "events": False},
+}
+ENGINES = ("python", "c") if native_loop.COMPILED else ("python",)
+RUNS: dict[str, dict[str, Any]] = {
+    f"{name}, {engine}": {"engine": engine, **options}
+    for name, options in COUPLINGS.items() for engine in ENGINES
 }
 
 Rows = NDArray[np.void]
@@ -71,7 +77,7 @@ def _section(fmi: int, paths: tuple[Path, Path], stop: float, repetitions: int) 
     calls: dict[str, Callable[[], Rows]] = {PLAIN: partial(plain_loop, paths, stop)}
     for name, options in RUNS.items():
         calls[name] = partial(simulate, *paths, stop_time=stop, step=STEP, **options)
-    expected, found = (calls[name]() for name in (PLAIN, "sequential, no events"))
+    expected, found = (calls[name]() for name in (PLAIN, "sequential, no events, python"))
     if expected.tobytes() != found.tobytes():
         raise RuntimeError(f"FMI {fmi}: the plain loop and the master have different rows")
     times: dict[str, list[float]] = {name: [] for name in calls}

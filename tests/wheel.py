@@ -29,9 +29,11 @@ SHIPPED = (
 CODE = """
 import sys
 import segfmu
+from segfmu.cosim import native
 from segfmu.kernels.backend import COMPILED
 
 assert COMPILED, "the wheel has no compiled kernels"
+assert native.COMPILED, "the wheel has no compiled step loop"
 assert not segfmu.__file__.startswith({root!r}), segfmu.__file__
 print(sys.version.split()[0], "segfmu", segfmu.__version__)
 """
@@ -67,7 +69,7 @@ def check_source(source: Path) -> None:
 
 
 def check_wheel(wheel: Path) -> None:
-    """One wheel for every Python from 3.11 on: one compiled module, binaries of FMUs, no tests."""
+    """One wheel for every Python from 3.11 on: two compiled modules, binaries of FMUs, no tests."""
     assert wheel.stat().st_size < LARGEST, f"{wheel.name} has {wheel.stat().st_size} bytes"
     assert "-cp311-abi3-" in wheel.name, wheel.name
     with zipfile.ZipFile(wheel) as archive:
@@ -76,7 +78,7 @@ def check_wheel(wheel: Path) -> None:
     fmus = [n for n in names if n.startswith("segfmu/fmu/native/binaries/")]
     assert len(fmus) == 2 * 2 * len(PLATFORMS), fmus
     modules = [n for n in names if n.endswith((".so", ".pyd")) and n not in fmus]
-    assert len(modules) == 1, modules
+    assert len(modules) == 2, modules
     tops = {n.partition("/")[0].partition("-")[0] for n in names}
     assert tops == {"segfmu"}, tops
     needed = [line for line in metadata.splitlines() if line.startswith("Requires-Dist")]

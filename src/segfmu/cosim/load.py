@@ -16,8 +16,17 @@ from segfmu.cosim.unit3 import Unit3
 from segfmu.errors import InputError
 
 
-def load(path: Path, *, leads: bool = False) -> Unit:
-    """Unpack and instantiate an FMU for co-simulation; a leading one may end steps at its events.
+def load(path: Path, *, leads: bool = False, name: str | None = None) -> Unit:
+    """Unpack and instantiate an FMU for co-simulation.
+
+    Parameters
+    ----------
+    path : Path
+        The archive.
+    leads : bool
+        Whether steps may end at its events.
+    name : str, optional
+        Its name in messages; by default the model's.
 
     Raises
     ------
@@ -30,7 +39,7 @@ def load(path: Path, *, leads: bool = False) -> Unit:
     try:
         description = _describe(path, folder)
         kind = Unit2 if description.fmiVersion == "2.0" else Unit3
-        return kind(folder, description, leads)
+        return kind(folder, description, leads, name)
     except BaseException:
         shutil.rmtree(folder, ignore_errors=True)
         raise

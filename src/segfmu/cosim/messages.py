@@ -70,6 +70,7 @@ class Messages:
         if self._left_out:
             self._log(logging.WARNING, f"{self._left_out} further messages were omitted")
         self._counts.clear()
+        self._reasons.clear()
         self._left_out = 0
 
     def _log(self, level: int, text: str) -> None:

@@ -1,49 +1,97 @@
-"""Rows of a co-simulation's result, collected in blocks, one per type and unit."""
+"""Rows of a co-simulation's result, collected in blocks, one per buffer."""
 
 from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from segfmu.cosim.unit import Unit, alike
-
-# types of values -> those of a result's columns
-COLUMNS: dict[type, type] = {float: np.float64, int: np.int32, bool: np.bool_}
+from segfmu.cosim.unit import Unit
+from segfmu.errors import InputError
 
 # rows in a block before it is copied to the result's columns
 BLOCK = 256
 
 
+@dataclass(frozen=True, eq=False)
+class Column:
+    """A field of the rows, its type, and where its values are read."""
+
+    field: str
+    kind: Any
+    values: NDArray[Any]
+    place: int
+
+
+def columns(units: Mapping[str, Unit], recorded: Mapping[str, Sequence[str]]) -> list[Column]:
+    """Columns of variables that units observe; "unit.name" where two units have one name."""
+    names = ["time", *(name for own in recorded.values() for name in own)]
+    found = []
+    for owner, unit in units.items():
+        wanted = set(recorded.get(owner, ()))
+        for group, channel in unit.observed:
+            kind = unit.COLUMNS[unit.variables[group[0]].type]
+            found += [
+                Column(name if names.count(name) == 1 else f"{owner}.{name}", kind,
+                       channel.values, place)
+                for place, name in enumerate(group) if name in wanted
+            ]
+    return found
+
+
+def chosen(
+    units: Mapping[str, Unit], record: Mapping[str, Sequence[str]] | None
+) -> dict[str, list[str]]:
+    """Names of the variables to record, by unit; by default all scalar outputs.
+
+    Raises
+    ------
+    InputError
+        For units and variables that there are not, and for those that are no single number.
+    """
+    if record is None:
+        return {owner: unit.outputs() for owner, unit in units.items()}
+    for owner, names in record.items():
+        if owner not in units:
+            raise InputError(f"no FMU {owner} in the system; it has {', '.join(units)}")
+        for name in names:
+            variable = units[owner].variables.get(name)
+            if variable is None:
+                raise InputError(f"{owner} has no variable {name}")
+            if variable.type not in units[owner].COLUMNS or variable.dimensions:
+                raise InputError(f"{owner}: {name} is no number, only numbers can be recorded")
+    return {owner: list(dict.fromkeys(record.get(owner, ()))) for owner in units}
+
+
+def row_type(found: Sequence[Column]) -> np.dtype[np.void]:
+    """The type of rows: "time" and the columns."""
+    return np.dtype([("time", np.float64), *((c.field, c.kind) for c in found)])
+
+
 class Table:
-    """Time and all outputs of some units at every communication point.
+    """Time and columns at every communication point.
 
     Parameters
     ----------
     times : ndarray, shape (n,)
         Communication points [s].
-    units : Unit
-        After their `observe`.
+    found : sequence of Column
+        What is recorded.
     """
 
-    def __init__(self, times: NDArray[np.float64], *units: Unit) -> None:
-        fields: list[tuple[str, type]] = [("time", np.float64)]
-        for unit in units:
-            names = [n for group in alike(unit.outputs(), unit) for n in group]
-            fields += [(n, COLUMNS[unit.kind(n)]) for n in names]
-        self.rows: NDArray[np.void] = np.zeros(times.size, dtype=fields)
+    def __init__(self, times: NDArray[np.float64], found: Sequence[Column]) -> None:
+        self.rows: NDArray[np.void] = np.zeros(times.size, row_type(found))
         self.rows["time"] = times
-        observed = [o for unit in units for o in unit.observed]
-        self._blocks = [
-            (np.zeros((BLOCK, c.values.size), c.values.dtype), c.values) for _, c in observed
-        ]
-        self._columns = [
-            (self.rows[name], block[:, j])
-            for (own, _), (block, _) in zip(observed, self._blocks, strict=True)
-            for j, name in enumerate(own)
-        ]
+        buffers = {id(c.values): c.values for c in found}
+        blocks = {k: np.zeros((BLOCK, v.size), v.dtype) for k, v in buffers.items()}
+        self._blocks = [(blocks[k], v) for k, v in buffers.items()]
+        self._columns = [(self.rows[c.field], blocks[id(c.values)][:, c.place]) for c in found]
 
     def record(self, i: int) -> None:
-        """Store the outputs that were read last as row `i`; rows must be consecutive."""
+        """Store the values that were read last as row `i`; rows must be consecutive."""
         place = i % BLOCK
         for block, values in self._blocks:
             block[place] = values

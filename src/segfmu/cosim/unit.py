@@ -3,22 +3,25 @@
 from __future__ import annotations
 
 import ctypes
+import os
 import shutil
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Sequence
-from math import prod
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from segfmu.cosim.channel import Channel
-from segfmu.cosim.messages import ERROR, FATAL, OK, WARNING, Messages
-from segfmu.errors import InputError, SimulationError
+from segfmu.cosim.channel import Call, Channel
+from segfmu.cosim.messages import ERROR, FATAL, OK, Messages
+from segfmu.cosim.values import Setter
+from segfmu.errors import InputError, SegfmuError, SimulationError
 
 # s; times that differ by less are equal
 INSTANT = 1e-9
+# output with the time of the next event, if an FMU of FMI 2.0 has it
+NEXT_EVENT = "plan.next_event"
 
 
 class Unit(ABC):
@@ -32,45 +35,62 @@ class Unit(ABC):
         Its model description, as fmpy reads it.
     leads : bool
         Whether steps may end at its events.
+    name : str, optional
+        Its name in the system and in messages; by default the model's.
 
     Attributes
     ----------
     observed : list of (list of str, Channel)
-        Names and values of all outputs after `observe`, by type.
+        Names and values of the variables of `observe`, by type.
     """
 
-    # types of the standard -> types in Python and in a result
+    # types of the standard -> types in Python
     TYPES: ClassVar[dict[str, type]]
+    # types of the standard -> those of a result's columns
+    COLUMNS: ClassVar[dict[str, Any]]
+    # number of the standard's version
+    version: ClassVar[int]
     # functions of fmpy's instance that end a simulation and free it
     fmu: Any
+    # the instance, for functions of the library
+    instance: ctypes.c_void_p
+    # whether it has event mode
+    has_events: bool
 
-    def __init__(self, folder: Path, description: Any, leads: bool) -> None:
+    def __init__(
+        self, folder: Path, description: Any, leads: bool, name: str | None = None
+    ) -> None:
         self.description = description
-        self.name = description.modelName
+        self.name = name or description.modelName
         self.messages = Messages(self.name)
         self.variables = {v.name: v for v in description.modelVariables}
         self._folder, self._leads = folder, leads
-        self._instantiated = self._initialised = False
+        self._instantiated = self._initialised = self._used = False
         self._worst = OK
         self.observed: list[tuple[list[str], Channel]] = []
-        self._instantiate()
+        self._setter = Setter(self)
+        self._load()
         self._instantiated = True
+
+    def _load(self) -> None:
+        here = Path.cwd()
+        try:
+            self._instantiate()
+        except SegfmuError:
+            raise
+        except Exception as problem:
+            # fmpy raises bare exceptions, and leaves the process in the library's folder
+            os.chdir(here)
+            words = str(problem).splitlines()[0].replace(f"{self._folder}{os.sep}", "")
+            raise InputError(f"{self.name} cannot be loaded: {words}") from None
 
     @abstractmethod
     def _instantiate(self) -> None:
         """Make the instance."""
 
     @abstractmethod
-    def channel(self, names: Sequence[str], values: NDArray[Any] | None = None) -> Channel:
-        """A channel for some variables of one type, at least one; arrays one at a time.
-
-        It uses `values` as its buffer if they are of the FMU's type.
-
-        Raises
-        ------
-        InputError
-            If the number of `values` is not that of the variables.
-        """
+    def channel(self, names: Sequence[str]) -> Channel:
+        """A channel for some variables of one type, at least one; arrays one at a time."""
 
     @abstractmethod
     def output_slopes(self, names: Sequence[str], order: int) -> Channel:
@@ -86,7 +106,7 @@ class Unit(ABC):
     def input_slopes(
         self, names: Sequence[str], order: int, values: NDArray[np.float64]
     ) -> Channel:
-        """Derivatives of some real inputs, from the first to an order, with `values` as buffer.
+        """Derivatives of some real inputs, from the first to an order, in the buffer `values`.
 
         Raises
         ------
@@ -102,9 +122,14 @@ class Unit(ABC):
     def exit_initialization(self) -> None:
         """Leave initialisation mode."""
 
+    @property
     @abstractmethod
-    def next_end(self, time: float, end: float) -> float:
-        """Where a step to `end` should end: there, or at an earlier known event."""
+    def entries(self) -> tuple[Any, ...]:
+        """Functions of the library: of a step; of event mode to enter, update, leave, or None."""
+
+    @abstractmethod
+    def next_event(self) -> NDArray[np.float64] | None:
+        """The place in the buffers of `observed` where its next event is read, if it tells one."""
 
     @abstractmethod
     def step(self, time: float, end: float) -> float:
@@ -113,6 +138,10 @@ class Unit(ABC):
     @abstractmethod
     def meet_event(self) -> bool:
         """Handle the event at which the last step ended; returns whether there was one."""
+
+    @abstractmethod
+    def change(self, calls: Iterable[Call]) -> None:
+        """Set variables between two steps."""
 
     @property
     def order(self) -> int:
@@ -151,77 +180,43 @@ class Unit(ABC):
 
         return self.failure(doing, FMICallException(function, status))
 
-    def prepared(self, doing: str, name: str, *arguments: Any) -> Callable[[], None]:
+    def refused_step(self, time: float, status: int) -> SimulationError:
+        """The error of a step that failed."""
+        return self.refusal(f"step at {time:.6g} s", f"fmi{self.version}DoStep", status)
+
+    def ended(self, time: float | None = None) -> SimulationError:
+        """The error of an FMU that asks for an end, in a step or at an event."""
+        place = "an event" if time is None else f"{time:.6g} s"
+        return SimulationError(f"{self.name} asked to end the simulation at {place}")
+
+    def prepared(self, doing: str, name: str, *arguments: Any) -> Call:
         """A call of the FMU's function `name` with fixed ctypes arguments."""
-        # a call through fmpy takes as long as the FMU itself
-        function = self.fmu.dll[name]
+        return Call(self, doing, name, self.fmu.dll[name], arguments)
 
-        def call() -> None:
-            status = function(*arguments)
-            if status > WARNING:
-                raise self.refusal(doing, name, status)
-
-        return call
-
-    def memory(
-        self, kind: Any, size: int, values: NDArray[Any] | None
-    ) -> tuple[NDArray[Any], ctypes.c_void_p]:
-        """`values` if they are of the type `kind`, else new ones, and their pointer."""
-        if values is not None and values.size != size:
-            raise InputError(f"{self.name}: {size} values are connected to {values.size}")
-        if values is None or values.dtype != kind:
-            values = np.zeros(size, kind)
-        # the pointer keeps the memory alive
-        return values, values.ctypes.data_as(ctypes.c_void_p)
-
-    def set(self, values: dict[str, Any]) -> None:
+    def set(self, values: Mapping[str, Any]) -> None:
         """Set variables by name; enumerations also by the name of an item.
 
         An array takes all its values, or those of its first rows: the others stay.
+
+        Raises
+        ------
+        InputError
+            For a variable that it does not have, or a value that the variable does not take.
+        SimulationError
+            If the FMU refuses a value.
         """
+        self._used = True
         for name, value in values.items():
-            variable = self.variables.get(name)
-            if variable is None:
-                raise InputError(f"{self.name} has no variable {name}")
-            if variable.type not in self.TYPES:
-                raise InputError(f"{self.name}: {name} is of type {variable.type}, not supported")
-            numbers = [self._number(variable, v) for v in _flat(value)]
-            channel = self.channel([name])
-            size = channel.values.size
-            row = prod(int(d.start) for d in variable.dimensions[1:])
-            if len(numbers) > size or len(numbers) % row != 0:
-                raise InputError(
-                    f"{self.name}: {name} takes up to {size} values in rows of {row}, got "
-                    f"{len(numbers)}"
-                )
-            if len(numbers) < size:
-                channel.read()
-            channel.values[: len(numbers)] = numbers
-            self._write(variable, channel)
+            channel = self._setter.fill(name, value)
+            self._write(self.variables[name], channel)
+
+    def assignment(self, name: str, value: Any) -> tuple[Channel, NDArray[Any]]:
+        """The channel that sets a variable, and what its buffer has to hold."""
+        channel = self._setter.fill(name, value)
+        return channel, channel.values.copy()
 
     def _write(self, variable: Any, channel: Channel) -> None:
         channel.write()
-
-    def _number(self, variable: Any, value: Any) -> float | int:
-        if isinstance(value, str):
-            items = {i.name: int(i.value) for i in getattr(variable.declaredType, "items", [])}
-            if value not in items:
-                allowed = ", ".join(items) or "a number"
-                raise InputError(
-                    f"{self.name}: {variable.name} takes {allowed}, got {value!r}"
-                )
-            return items[value]
-        try:
-            number = float(value)
-        except (TypeError, ValueError):
-            raise InputError(
-                f"{self.name}: {variable.name} takes a number, got {value!r}"
-            ) from None
-        if self.TYPES[variable.type] is float:
-            return number
-        if number != int(number):
-            raise InputError(f"{self.name}: {variable.name} takes an integer, got {value!r}")
-        return int(number)
 
     def kind(self, name: str) -> type:
         """Type of a variable's values: float, int or bool."""
@@ -232,27 +227,47 @@ class Unit(ABC):
         order = (float, int, bool)
         found = [
             v for v in self.variables.values()
-            if v.causality == "output" and v.type in self.TYPES and not v.dimensions
+            if v.causality == "output" and v.type in self.COLUMNS and not v.dimensions
         ]
         return [v.name for v in sorted(found, key=lambda v: order.index(self.TYPES[v.type]))]
 
-    def observe(self, leading: Sequence[str] = ()) -> None:
-        """Prepare to read all outputs, one channel per type, with `leading` ones first."""
-        places = {name: i for i, name in enumerate(leading)}
-        for names in alike(self.outputs(), self):
-            ordered = sorted(names, key=lambda n: places.get(n, len(places)))
-            self.observed.append((ordered, self.channel(ordered)))
+    def observe(self, names: Sequence[str]) -> None:
+        """Prepare to read variables, one channel per type."""
+        self.observed = [(group, self.channel(group)) for group in alike(names, self)]
 
     def read_outputs(self) -> None:
-        """Read all outputs into the channels of `observed`."""
+        """Read the variables of `observe` into its channels."""
         for _, channel in self.observed:
             channel.read()
 
-    def observed_values(self, names: Sequence[str]) -> NDArray[Any]:
-        """The part of the buffers in `observed` that holds consecutive outputs."""
-        own, channel = next(o for o in self.observed if names[0] in o[0])
-        place = own.index(names[0])
-        return channel.values[place:place + len(names)]
+    def place(self, name: str) -> tuple[NDArray[Any], int]:
+        """Buffer of a variable of `observe`, and its index there."""
+        own, channel = next(o for o in self.observed if name in o[0])
+        return channel.values, own.index(name)
+
+    def reset(self) -> bool:
+        """Put the instance back to where it was made; False if another one has to be made."""
+        if not self._instantiated or self._worst >= FATAL:
+            return False
+        if self._used:
+            try:
+                self.call("be reset", self.fmu.reset)
+            except SimulationError:
+                return False
+        self._used = self._initialised = False
+        self._worst = OK
+        self._setter.forget()
+        return True
+
+    def finish(self) -> None:
+        """End a run: terminate the instance where that is allowed, and tell counts of messages."""
+        ends = self._initialised and self._worst < ERROR
+        self._initialised = False
+        try:
+            if ends:
+                self.call("terminate", self.fmu.terminate)
+        finally:
+            self.messages.close()
 
     def close(self) -> None:
         """Free the instance and remove the unpacked archive; safe to call in any state."""
@@ -261,12 +276,10 @@ class Unit(ABC):
             try:
                 # before the end of initialisation and after an error only freeing is allowed,
                 # after a fatal one nothing at all
-                if self._initialised and self._worst < ERROR:
-                    self.call("terminate", self.fmu.terminate)
+                self.finish()
             finally:
                 if self._worst < FATAL:
                     self.fmu.freeInstance()
-                self.messages.close()
                 shutil.rmtree(self._folder, ignore_errors=True)
 
     def __enter__(self) -> Unit:
@@ -283,6 +296,3 @@ def alike(names: Sequence[str], *units: Unit) -> list[list[str]]:
         groups.setdefault(tuple(u.variables[name].type for u in units), []).append(name)
     return list(groups.values())
 
-
-def _flat(value: Any) -> list[Any]:
-    return [value] if isinstance(value, str) else list(np.ravel(np.asarray(value, dtype=object)))

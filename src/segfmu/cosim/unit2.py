@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any, ClassVar
 
 import numpy as np
@@ -16,20 +16,26 @@ from fmpy.fmi2 import (
 )
 from numpy.typing import NDArray
 
-from segfmu.cosim.channel import Channel, named
+from segfmu.cosim.channel import Call, Channel, address, named
 from segfmu.cosim.messages import WARNING
-from segfmu.cosim.unit import INSTANT, Unit
+from segfmu.cosim.unit import NEXT_EVENT, Unit
 from segfmu.errors import InputError
-
-# output with the time of the next event, if an FMU has it
-NEXT_EVENT = "plan.next_event"
 
 
 class Unit2(Unit):
     """An FMU of FMI 2.0."""
 
+    version = 2
+    has_events = False
     TYPES: ClassVar[dict[str, type]] = {
-        "Real": float, "Integer": int, "Enumeration": int, "Boolean": bool
+        "Real": float, "Integer": int, "Enumeration": int, "Boolean": bool, "String": str
+    }
+    COLUMNS: ClassVar[dict[str, Any]] = {
+        "Real": np.float64, "Integer": np.int32, "Enumeration": np.int32, "Boolean": np.bool_
+    }
+    # types of the buffers of the functions, by the type in their names
+    BUFFERS: ClassVar[dict[str, Any]] = {
+        "Real": np.float64, "Integer": np.intc, "Boolean": np.intc, "String": np.uintp
     }
 
     def _instantiate(self) -> None:
@@ -46,10 +52,9 @@ class Unit2(Unit):
         self.call(
             "be instantiated", self.fmu.instantiate, callbacks=self._callbacks, loggingOn=True
         )
-        self._instance = ctypes.c_void_p(self.fmu.component)
+        self.instance = ctypes.c_void_p(self.fmu.component)
         self._do_step = self.fmu.dll["fmi2DoStep"]
         self._do_step.argtypes = ctypes.c_void_p, ctypes.c_double, ctypes.c_double, ctypes.c_int
-        self._next_event: NDArray[np.float64] | None = None
 
     def _hear(
         self, _environment: int, _instance: bytes, status: int, category: bytes, message: bytes
@@ -57,14 +62,12 @@ class Unit2(Unit):
         # it is a format of printf, whose other arguments Python does not get
         self.messages.hear(status, category, message and message.replace(b"%%", b"%"))
 
-    def channel(self, names: Sequence[str], values: NDArray[Any] | None = None) -> Channel:
+    def channel(self, names: Sequence[str]) -> Channel:
         kind = self.variables[names[0]].type
         group = "Integer" if kind == "Enumeration" else kind
-        values, pointer = self.memory(
-            np.float64 if kind == "Real" else np.intc, len(names), values
-        )
+        values = np.zeros(len(names), self.BUFFERS[group])
         arguments = (
-            self._instance, self._references(names), ctypes.c_size_t(len(names)), pointer
+            self.instance, self._references(names), ctypes.c_size_t(len(names)), address(values)
         )
         return Channel(
             values,
@@ -72,10 +75,16 @@ class Unit2(Unit):
             self.prepared(f"set {named(names)}", f"fmi2Set{group}", *arguments),
         )
 
-    def observe(self, leading: Sequence[str] = ()) -> None:
-        super().observe(leading)
-        if self._leads and NEXT_EVENT in self.outputs() and self.kind(NEXT_EVENT) is float:
-            self._next_event = self.observed_values([NEXT_EVENT])
+    @property
+    def entries(self) -> tuple[Any, ...]:
+        return self._do_step, None, None, None
+
+    def next_event(self) -> NDArray[np.float64] | None:
+        observed = any(NEXT_EVENT in names for names, _ in self.observed)
+        if not observed or self.kind(NEXT_EVENT) is not float:
+            return None
+        values, place = self.place(NEXT_EVENT)
+        return values[place:place + 1]
 
     def output_slopes(self, names: Sequence[str], order: int) -> Channel:
         if self.order < 1:
@@ -97,11 +106,12 @@ class Unit2(Unit):
         self, names: Sequence[str], order: int, values: NDArray[np.float64] | None = None
     ) -> Channel:
         size = len(names) * order
-        values, pointer = self.memory(np.float64, size, values)
+        if values is None:
+            values = np.zeros(size)
         orders = (ctypes.c_int * size)(*(k for k in range(1, order + 1) for _ in names))
         arguments = (
-            self._instance, self._references([*names] * order), ctypes.c_size_t(size), orders,
-            pointer,
+            self.instance, self._references([*names] * order), ctypes.c_size_t(size), orders,
+            address(values),
         )
         return Channel(
             values,
@@ -119,6 +129,7 @@ class Unit2(Unit):
         return (ctypes.c_uint * len(names))(*(self.variables[n].valueReference for n in names))
 
     def enter_initialization(self, start: float, stop: float) -> None:
+        self._used = True
         self.call("set up", self.fmu.setupExperiment, startTime=start, stopTime=stop)
         self.call("enter initialisation", self.fmu.enterInitializationMode)
 
@@ -126,18 +137,16 @@ class Unit2(Unit):
         self.call("be initialised", self.fmu.exitInitializationMode)
         self._initialised = True
 
-    def next_end(self, time: float, end: float) -> float:
-        if self._next_event is None:
-            return end
-        event = self._next_event.item()
-        return event if time + 1e-3 * INSTANT < event < end - INSTANT else end
-
     def step(self, time: float, end: float) -> float:
-        status = self._do_step(self._instance, time, end - time, fmi2True)
+        status = self._do_step(self.instance, time, end - time, fmi2True)
         if status > WARNING:
-            raise self.refusal(f"step at {time:.6g} s", "fmi2DoStep", status)
+            raise self.refused_step(time, status)
         return end
 
     def meet_event(self) -> bool:
         """FMI 2.0 co-simulation handles events within steps."""
         return False
+
+    def change(self, calls: Iterable[Call]) -> None:
+        for call in calls:
+            call()

@@ -3,30 +3,40 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any, ClassVar
 
 import numpy as np
 from fmpy.fmi3 import FMU3Slave
 from numpy.typing import NDArray
 
-from segfmu.cosim.channel import Channel, named
+from segfmu.cosim.channel import Call, Channel, address, named
 from segfmu.cosim.messages import WARNING
 from segfmu.cosim.unit import INSTANT, Unit
-from segfmu.errors import InputError, SimulationError
+from segfmu.errors import InputError
 
+INTEGERS = {f"{sign}{bits}": np.dtype(f"{sign.lower()}{bits}")
+            for sign in ("Int", "UInt") for bits in (8, 16, 32, 64)}
+# type -> type in the names of functions, and that of their buffers
 FUNCTIONS: dict[str, tuple[str, Any]] = {
-    "Float64": ("Float64", np.float64), "Int32": ("Int32", np.int32),
+    "Float64": ("Float64", np.float64), "Float32": ("Float32", np.float32),
+    **{name: (name, kind) for name, kind in INTEGERS.items()},
     "Boolean": ("Boolean", np.bool_), "Enumeration": ("Int64", np.int64),
-    "UInt64": ("UInt64", np.uint64),
+    "String": ("String", np.uintp),
 }
 
 
 class Unit3(Unit):
     """An FMU of FMI 3.0."""
 
+    version = 3
     TYPES: ClassVar[dict[str, type]] = {
-        "Float64": float, "Int32": int, "Enumeration": int, "UInt64": int, "Boolean": bool
+        "Float64": float, "Float32": float, **dict.fromkeys(INTEGERS, int), "Enumeration": int,
+        "Boolean": bool, "String": str,
+    }
+    COLUMNS: ClassVar[dict[str, Any]] = {
+        "Float64": np.float64, "Float32": np.float64, **INTEGERS, "Enumeration": np.int32,
+        "Boolean": np.bool_,
     }
 
     def _instantiate(self) -> None:
@@ -38,14 +48,14 @@ class Unit3(Unit):
         )
         can = self.description.coSimulation
         early = self._leads and bool(can.mightReturnEarlyFromDoStep)
-        self._has_events = early and bool(can.hasEventMode)
+        self.has_events = early and bool(can.hasEventMode)
         self._at_event = False
         self.call(
             "be instantiated", self.fmu.instantiate, loggingOn=True,
-            eventModeUsed=self._has_events, earlyReturnAllowed=early,
+            eventModeUsed=self.has_events, earlyReturnAllowed=early,
             logMessage=lambda _environment, *message: self.messages.hear(*message),
         )
-        self._instance = ctypes.c_void_p(self.fmu.component)
+        self.instance = ctypes.c_void_p(self.fmu.component)
         self._do_step = self.fmu.dll["fmi3DoStep"]
         self._do_step.argtypes = (
             ctypes.c_void_p, ctypes.c_double, ctypes.c_double, ctypes.c_bool,
@@ -56,14 +66,15 @@ class Unit3(Unit):
         flags, reached = ctypes.addressof(self._flags), ctypes.addressof(self._reached)
         self._told = tuple(ctypes.c_void_p(p) for p in (flags, flags + 1, flags + 2, reached))
 
-    def channel(self, names: Sequence[str], values: NDArray[Any] | None = None) -> Channel:
+    def channel(self, names: Sequence[str]) -> Channel:
         variables = [self.variables[n] for n in names]
         function, kind = FUNCTIONS[variables[0].type]
         size = sum(self._elements(v) for v in variables)
-        values, pointer = self.memory(kind, size, values)
+        values = np.zeros(size, kind)
         references = (ctypes.c_uint * len(names))(*(v.valueReference for v in variables))
         arguments = (
-            self._instance, references, ctypes.c_size_t(len(names)), pointer, ctypes.c_size_t(size)
+            self.instance, references, ctypes.c_size_t(len(names)), address(values),
+            ctypes.c_size_t(size),
         )
         return Channel(
             values,
@@ -101,6 +112,7 @@ class Unit3(Unit):
         return self.output_slopes(names, order)
 
     def enter_initialization(self, start: float, stop: float) -> None:
+        self._used, self._at_event = True, False
         self.call(
             "enter initialisation", self.fmu.enterInitializationMode, startTime=start,
             stopTime=stop,
@@ -109,36 +121,48 @@ class Unit3(Unit):
     def exit_initialization(self) -> None:
         self.call("be initialised", self.fmu.exitInitializationMode)
         self._initialised = True
-        if self._has_events:
+        if self.has_events:
             self._update()
 
-    def next_end(self, time: float, end: float) -> float:
-        """Always `end`: the step itself returns at an event."""
-        return end
+    @property
+    def entries(self) -> tuple[Any, ...]:
+        names = ("fmi3EnterEventMode", "fmi3UpdateDiscreteStates", "fmi3EnterStepMode")
+        return self._do_step, *(self.fmu.dll[name] if self.has_events else None for name in names)
+
+    def next_event(self) -> NDArray[np.float64] | None:
+        """None: the step itself returns at an event."""
+        return None
 
     def step(self, time: float, end: float) -> float:
-        status = self._do_step(self._instance, time, end - time, True, *self._told)
+        status = self._do_step(self.instance, time, end - time, True, *self._told)
         if status > WARNING:
-            raise self.refusal(f"step at {time:.6g} s", "fmi3DoStep", status)
+            raise self.refused_step(time, status)
         event, terminate, early = self._flags
         reached = self._reached.value
         if terminate:
-            raise SimulationError(f"{self.name} asked to end the simulation at {reached:.6g} s")
-        self._at_event = event
+            raise self.ended(reached)
+        self._at_event = event and self.has_events
         return reached if early and reached < end - INSTANT else end
 
     def meet_event(self) -> bool:
         if not self._at_event:
             return False
         self._at_event = False
-        self.call("enter event mode", self.fmu.enterEventMode)
-        self._update()
+        self.change(())
         return True
+
+    def change(self, calls: Iterable[Call]) -> None:
+        if self.has_events:
+            self.call("enter event mode", self.fmu.enterEventMode)
+        for call in calls:
+            call()
+        if self.has_events:
+            self._update()
 
     def _update(self) -> None:
         again = True
         while again:
             again, terminate = self.call("meet an event", self.fmu.updateDiscreteStates)[:2]
             if terminate:
-                raise SimulationError(f"{self.name} asked to end the simulation at an event")
+                raise self.ended()
         self.call("enter step mode", self.fmu.enterStepMode)

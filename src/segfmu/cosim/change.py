@@ -1,0 +1,102 @@
+"""Changes during a run: variables that get new values at a time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Set
+from dataclasses import dataclass
+from math import isfinite
+from typing import Any
+
+from numpy.typing import NDArray
+
+from segfmu.cosim.channel import Call, Channel
+from segfmu.cosim.unit import Unit
+from segfmu.errors import InputError
+
+
+@dataclass(frozen=True)
+class Change:
+    """New values of inputs or tunable parameters of one FMU, from a time on.
+
+    Attributes
+    ----------
+    time : float
+        [s]; a step ends there. The row of this time already has what follows from the values.
+    fmu : str
+        Name of the FMU in the system.
+    values : mapping of str to number or str
+        As start values. They stay until the next change.
+    """
+
+    time: float
+    fmu: str
+    values: Mapping[str, Any]
+
+
+@dataclass(frozen=True, eq=False)
+class Due:
+    """A change whose values are numbers for buffers."""
+
+    time: float
+    unit: int
+    assignments: list[tuple[Channel, NDArray[Any]]]
+
+    def calls(self) -> Iterator[Call]:
+        """The calls, each after its buffer was filled."""
+        for channel, values in self.assignments:
+            channel.values[:] = values
+            yield channel.write
+
+
+def profile(
+    fmu: str, name: str, times: Iterable[float], values: Iterable[Any]
+) -> list[Change]:
+    """Changes that make a variable follow samples, each held until the next one."""
+    return [Change(t, fmu, {name: v}) for t, v in zip(times, values, strict=True)]
+
+
+def due(
+    units: Mapping[str, Unit], changes: Iterable[Change], connected: Set[tuple[str, str]],
+    span: tuple[float, float],
+) -> list[Due]:
+    """Changes in the order of their times; of one time, in the order given.
+
+    Raises
+    ------
+    InputError
+        For an FMU or a variable that there is not, one that cannot change, or a time outside of
+        the run.
+    """
+    names = list(units)
+    found = []
+    for change in changes:
+        if change.fmu not in units:
+            raise InputError(f"no FMU {change.fmu} in the system; it has {', '.join(names)}")
+        if not (isfinite(change.time) and span[0] <= change.time <= span[1]):
+            raise InputError(
+                f"{change.fmu}: a change at {change.time!r} s is outside of the run from "
+                f"{span[0]:.6g} s to {span[1]:.6g} s"
+            )
+        unit = units[change.fmu]
+        assignments = [
+            unit.assignment(_changeable(unit, change.fmu, name, connected), value)
+            for name, value in change.values.items()
+        ]
+        found.append(Due(float(change.time), names.index(change.fmu), assignments))
+    return sorted(found, key=lambda d: d.time)
+
+
+def _changeable(unit: Unit, owner: str, name: str, connected: Set[tuple[str, str]]) -> str:
+    variable = unit.variables.get(name)
+    if variable is None:
+        raise InputError(f"{owner} has no variable {name}")
+    tunable = variable.causality == "parameter" and variable.variability == "tunable"
+    if variable.causality != "input" and not tunable:
+        raise InputError(
+            f"{owner}: {name} cannot change during a run, only inputs and tunable parameters can; "
+            "give it as a start value"
+        )
+    if (owner, name) in connected:
+        raise InputError(f"{owner}: {name} is connected, so a change of it would not last")
+    return name
+

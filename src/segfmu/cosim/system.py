@@ -1,0 +1,285 @@
+"""A prepared co-simulation: FMUs that are loaded once and run many times."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import suppress
+from pathlib import Path
+from threading import Lock
+from typing import Any, Literal, get_args
+
+import numpy as np
+from numpy.typing import NDArray
+
+from segfmu.cosim import native
+from segfmu.cosim.change import Change, due
+from segfmu.cosim.connection import Link, by_name, checked
+from segfmu.cosim.loop import Loop
+from segfmu.cosim.points import communication_points, require_step
+from segfmu.cosim.schedule import Coupling, initialise, scheduled
+from segfmu.cosim.table import chosen, columns
+from segfmu.cosim.unit import NEXT_EVENT, Unit
+from segfmu.errors import InputError, SimulationError
+
+# parameter of a source by which its outputs are ahead of time
+LEAD = "setpoint.lead"
+
+Engine = Literal["auto", "c", "python"]
+
+
+class System:
+    """FMUs, their connections, and how they are stepped; a context manager that frees them.
+
+    Parameters
+    ----------
+    fmus : mapping of str to Path, or sequence of Path
+        Co-simulation FMUs of FMI 2.0 or 3.0, also of both; in the order in which they step. Of a
+        sequence, the names are those of the models.
+    step : float
+        Communication step [s].
+    connections : iterable of Connection, optional
+        Each (source, output, sink, input). By default outputs are connected to the inputs of the
+        same names of the FMUs behind.
+    coupling : str, optional
+        By default "derivatives" where all connected FMUs have what it needs, else "sequential".
+        "sequential": an FMU's step has the outputs of those before it at the end of the step, an
+        error of second order in the step; "parallel": those of its beginning, an error of first
+        order, or none beside that of "sequential" where a source has a parameter `setpoint.lead` as
+        long as the step; "derivatives" (FMI 2.0): those of its beginning and their derivatives, as
+        many as the source tells: k of them make an error of order k + 1.
+    events : bool
+        Steps also end at events: in FMI 3.0 where the first FMU returns early, in FMI 2.0 where an
+        output `plan.next_event` says. Steps in parallel that `setpoint.lead` makes up for have to
+        be equal, so they end at no events.
+    record : mapping of str to sequence of str, optional
+        Names of FMUs and of their variables; by default all scalar outputs.
+    engine : str
+        "c": the step loop in C, for which the package must have been installed with a compiler;
+        "python"; or "auto": C where there is one. Both give the same numbers.
+
+    Attributes
+    ----------
+    names : tuple of str
+        Of the FMUs.
+    engine : str
+        "c" or "python".
+    connections : list of Connection
+        All of them.
+
+    Raises
+    ------
+    InputError
+        For invalid values and files.
+    SimulationError
+        If an FMU cannot be instantiated, with its message.
+    """
+
+    def __init__(
+        self,
+        fmus: Mapping[str, Path] | Sequence[Path],
+        *,
+        step: float,
+        connections: Iterable[Sequence[str]] | None = None,
+        coupling: Coupling | None = None,
+        events: bool = True,
+        record: Mapping[str, Sequence[str]] | None = None,
+        engine: Engine = "auto",
+    ) -> None:
+        if coupling is not None and coupling not in get_args(Coupling):
+            allowed = " or ".join(get_args(Coupling))
+            raise InputError(f"coupling must be {allowed}, got {coupling!r}")
+        require_step(step)
+        self.engine = _engine(engine)
+        self._step, self._events = step, events
+        self._running = Lock()
+        # whether outputs of a source are ahead of time
+        self._ahead = False
+        # whether instances were made since the loop was prepared
+        self._stale = False
+        self._units: dict[str, Unit] = {}
+        self._paths: dict[str, Path] = {}
+        try:
+            self._load(fmus)
+            given = by_name(self._units) if connections is None else connections
+            self.connections = checked(self._units, given)
+            self._recorded = chosen(self._units, record)
+            self._observe()
+            if coupling is None:
+                derivatives = all(link.has_slopes for link in self._links)
+                coupling = "derivatives" if derivatives else "sequential"
+            self._coupling: Coupling = coupling
+            self._loop = self._prepared()
+        except BaseException:
+            self.close()
+            raise
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        return tuple(self._units)
+
+    def run(
+        self,
+        values: Mapping[str, Mapping[str, Any]] | None = None,
+        *,
+        stop_time: float,
+        start_time: float = 0.0,
+        changes: Iterable[Change] = (),
+        progress: Callable[[float], None] = lambda _: None,
+    ) -> NDArray[np.void]:
+        """Co-simulate once, from reset FMUs; nothing of an earlier run is left.
+
+        Parameters
+        ----------
+        values : mapping of str to mapping
+            By name of FMU: parameters, start values and constant inputs; enumerations by the name
+            of an item; arrays of FMI 3.0 after their sizes.
+        stop_time, start_time : float
+            [s]; the last step is shorter if the step does not divide the time.
+        changes : iterable of Change
+            New values of inputs and tunable parameters during the run.
+        progress : callable
+            Called with the share done from time to time.
+
+        Returns
+        -------
+        ndarray, structured, shape (steps + 1,)
+            "time" and the recorded variables, as "fmu.name" where two FMUs have one name; row i
+            belongs to time start_time + i * step.
+
+        Raises
+        ------
+        InputError
+            For invalid values; the system can run again.
+        SimulationError
+            If an FMU reports an error, with its message; the system can run again.
+        """
+        times = communication_points(start_time, stop_time, self._step)
+        values = values or {}
+        for owner in values:
+            if owner not in self._units:
+                raise InputError(f"no FMU {owner} in the system; it has {', '.join(self.names)}")
+        if not self._running.acquire(blocking=False):
+            raise InputError("the system is running; make one for each thread")
+        try:
+            return self._run(values, times, changes, progress)
+        finally:
+            self._running.release()
+
+    def close(self) -> None:
+        """Free all instances."""
+        units, self._units = list(self._units.values()), {}
+        _all(unit.close for unit in reversed(units))
+
+    def __enter__(self) -> System:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def _load(self, fmus: Mapping[str, Path] | Sequence[Path]) -> None:
+        # fmpy is loaded here, so that planning and building do not need it
+        from segfmu.cosim.load import load
+
+        named = dict(fmus) if isinstance(fmus, Mapping) else dict(enumerate(fmus))
+        if not named:
+            raise InputError("a system needs at least one FMU")
+        for key, path in named.items():
+            given = key if isinstance(key, str) else None
+            unit = load(Path(path), leads=not self._units and self._events, name=given)
+            if unit.name in self._units:
+                unit.close()
+                raise InputError(
+                    f"two FMUs are called {unit.name}; give a mapping of names to files"
+                )
+            self._units[unit.name], self._paths[unit.name] = unit, Path(path)
+
+    def _observe(self) -> None:
+        """Let units read what is recorded, connected, or tells of events; make the links."""
+        for owner, unit in self._units.items():
+            needed = {c.output for c in self.connections if c.source == owner}
+            needed |= {NEXT_EVENT} if self._events else set()
+            extra = [n for n in self._recorded[owner] if n not in unit.outputs()]
+            needed |= set(self._recorded[owner])
+            unit.observe([*(n for n in unit.outputs() if n in needed), *extra])
+        pairs: dict[tuple[str, str], list[tuple[str, str]]] = {}
+        for c in self.connections:
+            pairs.setdefault((c.source, c.sink), []).append((c.output, c.input))
+        self._links = [
+            Link(self._units[source], self._units[sink], names)
+            for (source, sink), names in pairs.items()
+        ]
+
+    def _prepared(self) -> Loop | native.NativeLoop:
+        units = list(self._units.values())
+        schedule = scheduled(
+            units, self._links, self._coupling, events=self._events, ahead=self._ahead
+        )
+        kind = native.NativeLoop if self.engine == "c" else Loop
+        return kind(units, schedule, columns(self._units, self._recorded))
+
+    def _renew(self, ahead: bool) -> None:
+        """Reset all units; those that cannot be, and one that may lead no more, are made again."""
+        from segfmu.cosim.load import load
+
+        first, turns = self.names[0], ahead is not self._ahead
+        self._ahead, self._stale = ahead, self._stale or turns
+        for owner, unit in self._units.items():
+            if not unit.reset() or (turns and owner == first):
+                self._stale = True
+                unit.close()
+                leads = owner == first and self._events and not ahead
+                self._units[owner] = load(self._paths[owner], leads=leads, name=owner)
+        if self._stale:
+            self._observe()
+            self._loop = self._prepared()
+            self._stale = False
+
+    def _run(
+        self, values: Mapping[str, Mapping[str, Any]], times: NDArray[np.float64],
+        changes: Iterable[Change], progress: Callable[[float], None],
+    ) -> NDArray[np.void]:
+        sinks = {c.sink for c in self.connections}
+        leading = {n for n in self.names if n not in sinks and values.get(n, {}).get(LEAD)}
+        self._renew(bool(leading) and self._coupling == "parallel")
+        start, stop = float(times[0]), float(times[-1])
+        connected = {(c.sink, c.input) for c in self.connections}
+        pending = due(self._units, changes, connected, (start, stop))
+        units = list(self._units.values())
+        try:
+            for owner, unit in self._units.items():
+                unit.set(values.get(owner, {}))
+            for unit in units:
+                unit.enter_initialization(start, stop)
+            initialise(units, self._links, [self._units[n] for n in leading])
+            rows = self._loop.run(times, pending, progress)
+        except BaseException:
+            with suppress(SimulationError):
+                _all(unit.finish for unit in reversed(units))
+            raise
+        _all(unit.finish for unit in reversed(units))
+        progress(1.0)
+        return rows
+
+
+def _all(calls: Iterable[Callable[[], None]]) -> None:
+    """Make all calls; then raise the first error."""
+    errors = []
+    for call in calls:
+        try:
+            call()
+        except Exception as error:
+            errors.append(error)
+    if errors:
+        raise errors[0]
+
+
+def _engine(wanted: Engine) -> Engine:
+    if wanted not in get_args(Engine):
+        raise InputError(f"engine must be {' or '.join(get_args(Engine))}, got {wanted!r}")
+    if wanted == "c" and not native.COMPILED:
+        raise InputError(
+            "the step loop in C was not compiled when segfmu was installed; take engine python"
+        )
+    if wanted == "auto":
+        return "c" if native.COMPILED else "python"
+    return wanted

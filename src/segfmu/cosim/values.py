@@ -1,0 +1,119 @@
+"""Values of Python for the variables of an FMU."""
+
+from __future__ import annotations
+
+import ctypes
+from math import isfinite, prod
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from segfmu.cosim.channel import Channel
+from segfmu.errors import InputError
+
+if TYPE_CHECKING:
+    from segfmu.cosim.unit import Unit
+
+
+class Setter:
+    """Fills the buffers from which single variables are set; a buffer is made once.
+
+    Parameters
+    ----------
+    unit : Unit
+        The FMU.
+    """
+
+    def __init__(self, unit: Unit) -> None:
+        self._unit = unit
+        self._channels: dict[str, Channel] = {}
+        self._texts: dict[str, Any] = {}
+
+    def fill(self, name: str, value: Any) -> Channel:
+        """The channel of a variable, its buffer filled with a value."""
+        unit = self._unit
+        variable = unit.variables.get(name)
+        if variable is None:
+            raise InputError(f"{unit.name} has no variable {name}")
+        if variable.type not in unit.TYPES:
+            raise InputError(f"{unit.name}: {name} is of type {variable.type}, not supported")
+        channel = self._channels.get(name) or self._made(name, variable)
+        if not variable.dimensions:
+            if not isinstance(value, (float, int, str)):
+                value = self._single(name, value)
+            self._store(channel, name, [self._number(variable, value)])
+            return channel
+        numbers = [self._number(variable, v) for v in _flat(value)]
+        size = channel.values.size
+        row = prod(int(d.start) for d in variable.dimensions[1:])
+        if len(numbers) > size or len(numbers) % row != 0:
+            raise InputError(
+                f"{unit.name}: {name} takes up to {size} values in rows of {row}, got "
+                f"{len(numbers)}"
+            )
+        if len(numbers) < size:
+            channel.read()
+        self._store(channel, name, numbers)
+        return channel
+
+    def forget(self) -> None:
+        """Free the texts of a run."""
+        self._texts.clear()
+
+    def _store(self, channel: Channel, name: str, numbers: list[float | int]) -> None:
+        try:
+            channel.values[: len(numbers)] = numbers
+        except OverflowError:
+            raise InputError(
+                f"{self._unit.name}: {name} takes integers of {8 * channel.values.itemsize} bits, "
+                f"got {numbers[0]}"
+            ) from None
+
+    def _made(self, name: str, variable: Any) -> Channel:
+        channel = self._unit.channel([name])
+        # the size of an array may follow from a structural parameter
+        if not variable.dimensions:
+            self._channels[name] = channel
+        return channel
+
+    def _single(self, name: str, value: Any) -> Any:
+        flat = _flat(value)
+        if len(flat) != 1:
+            raise InputError(f"{self._unit.name}: {name} takes one value, got {len(flat)}")
+        return flat[0]
+
+    def _number(self, variable: Any, value: Any) -> float | int:
+        """A number of the variable's kind; for a string the address of its bytes."""
+        owner, kind = self._unit.name, self._unit.TYPES[variable.type]
+        if kind is str:
+            return self._text(variable, value)
+        if isinstance(value, str):
+            items = {i.name: int(i.value) for i in getattr(variable.declaredType, "items", [])}
+            if value not in items:
+                allowed = ", ".join(items) or "a number"
+                raise InputError(f"{owner}: {variable.name} takes {allowed}, got {value!r}")
+            return items[value]
+        try:
+            number = float(value)
+        except (TypeError, ValueError):
+            raise InputError(f"{owner}: {variable.name} takes a number, got {value!r}") from None
+        if kind is float:
+            return number
+        if not isfinite(number) or number != int(number):
+            raise InputError(f"{owner}: {variable.name} takes an integer, got {value!r}")
+        # exact where a float is not
+        return value if isinstance(value, int) else int(number)
+
+    def _text(self, variable: Any, value: Any) -> int:
+        if not isinstance(value, str):
+            raise InputError(f"{self._unit.name}: {variable.name} takes a text, got {value!r}")
+        if "\0" in value:
+            raise InputError(f"{self._unit.name}: {variable.name} takes no text with a zero byte")
+        memory = ctypes.create_string_buffer(value.encode("utf-8"))
+        # texts of a change are needed until its time
+        self._texts[value] = memory
+        return ctypes.addressof(memory)
+
+
+def _flat(value: Any) -> list[Any]:
+    return [value] if isinstance(value, str) else list(np.ravel(np.asarray(value, dtype=object)))

@@ -1,0 +1,13 @@
+"""The benchmark of many runs measures both engines, kept and loaded, and two processes."""
+
+from __future__ import annotations
+
+from benchmarks import master_runs
+
+
+def test_all_ways_are_measured(native_fmus, monkeypatch) -> None:
+    monkeypatch.setattr(master_runs, "STOP", 0.05)
+    records = master_runs._records(native_fmus[2], "sequential", 4)
+    assert records[0]["instances"] == master_runs.LOADED
+    assert (records[-1]["instances"], records[-1]["processes"]) == (master_runs.KEPT, 2)
+    assert all(r["runs/s"] > 0.0 for r in records)

@@ -1,0 +1,112 @@
+"""Changes during a run: times, values, and a crane in the wind."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from segfmu.cosim import Change, System, native, profile
+from segfmu.errors import InputError
+
+SINK = "GantryCrane"
+ENGINES = ("c", "python") if native.COMPILED else ("python",)
+
+
+@pytest.fixture(params=[(fmi, engine) for fmi in (2, 3) for engine in ENGINES])
+def one(request, probes):
+    """A probe, whose output is gain x + time."""
+    fmi, engine = request.param
+    with System({"one": probes[fmi]}, step=0.1, engine=engine) as system:
+        yield system
+
+
+def test_rows_have_what_follows_from_the_values(one) -> None:
+    changes = [
+        Change(0.7, "one", {"x": 9.0}), Change(0.0, "one", {"x": 1.0}),
+        Change(0.25, "one", {"gain": 10.0, "n": 4}), Change(0.7, "one", {"x": 3.0, "flag": True}),
+        Change(1.0, "one", {"x": -1.0}),
+    ]
+    rows = one.run(stop_time=1.0, changes=changes)
+    times = np.round(np.arange(11) * 0.1, 12)
+    gain = np.where(times < 0.25, 1.0, 10.0)
+    x = np.select([times < 0.65, times < 0.95], [1.0, 3.0], -1.0)
+    assert rows["y"] == pytest.approx(gain * x + times)
+    assert rows["n.out"].tolist() == [0] * 3 + [12] * 8
+    assert rows["flag.out"].tolist() == [True] * 7 + [False] * 4
+    # the next run knows nothing of them
+    assert one.run(stop_time=1.0)["y"] == pytest.approx(times)
+
+
+def test_a_profile_holds_its_samples(one) -> None:
+    times = np.linspace(0.0, 1.0, 301)
+    rows = one.run(stop_time=1.0, changes=profile("one", "x", times, np.sin(times)))
+    held = np.sin(times[np.searchsorted(times, rows["time"] + 1e-9, side="right") - 1])
+    assert rows["y"] == pytest.approx(held + rows["time"])
+
+
+def test_texts_change_nothing_that_runs(one) -> None:
+    with pytest.raises(InputError, match="text cannot change during a run, only inputs and"):
+        one.run(stop_time=1.0, changes=[Change(0.5, "one", {"text": "x"})])
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (Change(0.5, "two", {}), "no FMU two"), (Change(0.5, "one", {"q": 1.0}), "no variable q"),
+        (Change(0.5, "one", {"y": 1.0}), "y cannot change during a run"),
+        (Change(0.5, "one", {"fail.time": 1.0}), "give it as a start value"),
+        (Change(-0.1, "one", {"x": 1.0}), "outside of the run from 0 s to 1 s"),
+        (Change(1.1, "one", {"x": 1.0}), "outside of the run"),
+        (Change(float("nan"), "one", {"x": 1.0}), "outside of the run"),
+        (Change(0.5, "one", {"n": 0.5}), "n takes an integer"),
+    ],
+)
+def test_bad_changes_are_named(one, change: Change, words: str) -> None:
+    with pytest.raises(InputError, match=words):
+        one.run(stop_time=1.0, changes=[change])
+
+
+def test_connected_inputs_cannot_change(probes) -> None:
+    with (
+        System({"a": probes[2], "b": probes[3]}, step=0.1,
+               connections=[("a", "y", "b", "x")]) as system,
+        pytest.raises(InputError, match="b: x is connected, so a change of it would not last"),
+    ):
+        system.run(stop_time=1.0, changes=[Change(0.5, "b", {"x": 1.0})])
+
+
+@pytest.mark.parametrize("coupling", ["sequential", "parallel"])
+def test_a_change_of_a_source_reaches_its_sink(probes, coupling: str) -> None:
+    """Parallel: at once; sequential: with the next step, whose end it has."""
+    with System({"a": probes[2], "b": probes[3]}, step=0.1, connections=[("a", "y", "b", "x")],
+                coupling=coupling) as system:
+        rows = system.run(stop_time=1.0, changes=[Change(0.5, "a", {"x": 100.0})])
+    late = rows["time"] > (0.45 if coupling == "parallel" else 0.55)
+    assert rows["b.y"] == pytest.approx(2.0 * rows["time"] + 100.0 * late)
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize("fmi", [2, 3])
+def test_wind_by_changes_pushes_the_load(native_fmus, fmi: int, engine: str) -> None:
+    """From its time on, not before; farther where a further change turned the feedback off."""
+    start, duration, force = 0.1234, 0.4, 0.5
+    with System(native_fmus[fmi], step=2e-3, engine=engine) as system:
+        calm = system.run(stop_time=1.0)
+        steps = system.run(
+            stop_time=1.0,
+            changes=[Change(start, SINK, {"wind.x": force}),
+                     Change(start + duration, SINK, {"wind.x": 0.0})],
+        )
+        tuned = system.run(
+            stop_time=1.0, changes=[Change(0.3, SINK, {"feedback.enabled": False}),
+                                    Change(start, SINK, {"wind.x": force})],
+        )
+    before = calm["time"] < start
+    for rows in (steps, tuned):
+        assert rows["load.position.x"][before] == pytest.approx(
+            calm["load.position.x"][before], abs=1e-9
+        )
+    pushed = np.abs(steps["load.position.x"] - calm["load.position.x"]).max()
+    assert pushed > 0.005
+    # without feedback it goes farther
+    assert np.abs(tuned["load.position.x"] - calm["load.position.x"]).max() > pushed
