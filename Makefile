@@ -6,7 +6,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 OUT ?= out
 
-.PHONY: help demo quick test interpreted lint examples bench fuzz fmus check-platforms generate \
+.PHONY: help demo quick test interpreted lint examples docs bench fuzz fmus check-platforms generate \
 	golden lock wheel check-wheel clean
 .DEFAULT_GOAL := demo
 
@@ -55,6 +55,14 @@ lint: $(VENV)/installed ## static checks
 examples: $(VENV)/installed ## run every example
 	@set -e; for example in examples/[0-9]*.py; do echo "$$example"; $(BIN)/python $$example; done
 
+$(VENV)/installed-docs: $(VENV)/installed
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check \
+		--constraint requirements-dev.lock --editable '.[dev,docs]'
+	@touch $@
+
+docs: $(VENV)/installed-docs ## the documentation site, into out/site
+	$(BIN)/sphinx-build -W --keep-going -q docs $(OUT)/site
+
 $(VENV)/installed-bench: $(VENV)/installed
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check \
 		--constraint requirements-dev.lock --editable '.[dev,bench]'
@@ -88,7 +96,7 @@ golden: $(VENV)/installed ## write the golden files again
 
 lock: $(VENV)/installed ## update the packages of all extras and write the lock file again
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --upgrade \
-		--upgrade-strategy eager --editable '.[dev,bench,platforms]'
+		--upgrade-strategy eager --editable '.[dev,docs,bench,platforms]'
 	$(BIN)/python -m pip freeze --exclude-editable > requirements-dev.lock
 
 wheel: $(VENV)/installed-platforms ## source distribution and wheel with all binaries, into dist/
