@@ -8,7 +8,14 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from segfmu.crane import ActuatedPlan, ActuatorBounds, Crane, FlatInverse, plan_actuated
+    from segfmu.crane import (
+        ActuatedPlan,
+        ActuatorBounds,
+        BoundUse,
+        Crane,
+        FlatInverse,
+        plan_actuated,
+    )
     from segfmu.errors import (
         BuildError,
         InfeasibleError,
@@ -16,7 +23,16 @@ if TYPE_CHECKING:
         SegfmuError,
         SimulationError,
     )
-    from segfmu.planning import Limits, Trajectory, Waypoint, plan
+    from segfmu.planning import (
+        Clearance,
+        Excursion,
+        Limits,
+        Obstacle,
+        Trajectory,
+        Waypoint,
+        excursions,
+        plan,
+    )
     from segfmu.planning.verify import Verification, verify
 
     __version__: str
@@ -24,29 +40,39 @@ if TYPE_CHECKING:
 __all__ = [
     "ActuatedPlan",
     "ActuatorBounds",
+    "BoundUse",
     "BuildError",
+    "Clearance",
     "Crane",
+    "Excursion",
     "FlatInverse",
     "InfeasibleError",
     "InputError",
     "Limits",
+    "Obstacle",
     "SegfmuError",
     "SimulationError",
     "Trajectory",
     "Verification",
     "Waypoint",
     "__version__",
+    "excursions",
     "plan",
     "plan_actuated",
     "verify",
 ]
 
 _HOMES = {
-    "segfmu.crane": ("ActuatedPlan", "ActuatorBounds", "Crane", "FlatInverse", "plan_actuated"),
+    "segfmu.crane": (
+        "ActuatedPlan", "ActuatorBounds", "BoundUse", "Crane", "FlatInverse", "plan_actuated",
+    ),
     "segfmu.errors": (
         "BuildError", "InfeasibleError", "InputError", "SegfmuError", "SimulationError",
     ),
-    "segfmu.planning": ("Limits", "Trajectory", "Waypoint", "plan"),
+    "segfmu.planning": (
+        "Clearance", "Excursion", "Limits", "Obstacle", "Trajectory", "Waypoint", "excursions",
+        "plan",
+    ),
     "segfmu.planning.verify": ("Verification", "verify"),
 }
 

@@ -41,7 +41,7 @@ from segfmu.planning.waypoint import Waypoint
 
 # generations of the search: this many, and more for every unknown
 GENERATIONS = 40
-MORE_GENERATIONS = 6
+MORE_GENERATIONS = 4
 # a bound is active if it is used beyond this share
 ACTIVE = 0.999
 # for the checks of arguments where none are given

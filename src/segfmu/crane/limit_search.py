@@ -35,8 +35,10 @@ STEP = 0.25
 REACH = 5.0
 # moves of free states in units of the limit, relative to those of the limits' logarithms
 STATE_SHARE = 0.1
+# paces without a plan, after which limits are given up
+FAILURES = 3
 # the search ends when so many generations gain less than this share
-PATIENCE = 25
+PATIENCE = 20
 GAIN = 5e-4
 
 
@@ -164,7 +166,7 @@ class Look:
     trials: int
 
 
-ROUGH = Look(rough_peaks, 0.99, 1.0, 8)
+ROUGH = Look(rough_peaks, 0.98, 1.0, 6)
 EXACT = Look(lambda crane, trajectory: peaks(crane, trajectory)[0], 1.0 - 1e-6, 1.0 + 1e-9, 40)
 
 
@@ -192,9 +194,13 @@ def just_kept(task: Task, table: FloatArray, look: Look) -> Found | None:
     # paces known to be too slow for the given states or to keep the bounds, and to be too fast
     slow, fast, pace, growth = 0.0, np.inf, 1.0, 2.0
     last: tuple[float, float] | None = None
+    failures = 0
     for _ in range(look.trials):
         found = attempt(task, table, pace, look)
         if found is None:
+            failures += 1
+            if failures == FAILURES:
+                break
             # a plan that lacks room for given states needs more pace, one that lifts the rope less
             slow, fast = (pace, fast) if last is not None and pace < last[0] else (slow, pace)
             pace = _between(slow, fast, pace)

@@ -1,8 +1,12 @@
 """The planner's Python interface: waypoints and limits in, a verified trajectory out."""
 
+from segfmu.planning.clearance import Clearance, Obstacle
+from segfmu.planning.excursions import Excursion, excursions
 from segfmu.planning.limits import Limits
 from segfmu.planning.planner import plan
 from segfmu.planning.trajectory import Trajectory
 from segfmu.planning.waypoint import Waypoint
 
-__all__ = ["Limits", "Trajectory", "Waypoint", "plan"]
+__all__ = [
+    "Clearance", "Excursion", "Limits", "Obstacle", "Trajectory", "Waypoint", "excursions", "plan",
+]

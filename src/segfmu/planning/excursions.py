@@ -1,0 +1,71 @@
+"""Where a path leaves the box of the waypoints that it joins."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from segfmu.planning.passages import ROUNDING, both, outside, rounding, turns, within
+from segfmu.planning.trajectory import Trajectory
+
+# of the distance between the waypoints: less is not worth a warning
+SMALL = 1e-6
+
+
+@dataclass(frozen=True)
+class Excursion:
+    """A part of the path outside the box of its two waypoints, along one axis.
+
+    Attributes
+    ----------
+    interval : int
+        Waypoint interval, from 1.
+    axis : int
+    distance : float
+        Farthest from the box [m].
+    time : float
+        When the path leaves the box [s].
+    """
+
+    interval: int
+    axis: int
+    distance: float
+    time: float
+
+
+def excursions(trajectory: Trajectory) -> tuple[Excursion, ...]:
+    """All excursions of a path, interval after interval; none is usual from rest to rest."""
+    found = []
+    for interval in range(1, len(trajectory.waypoints)):
+        for axis in range(trajectory.axes):
+            one = _excursion(trajectory, interval, axis)
+            if one is not None:
+                found.append(one)
+    return tuple(found)
+
+
+def _excursion(trajectory: Trajectory, interval: int, axis: int) -> Excursion | None:
+    begin, end = trajectory.axis_waypoint_times[interval - 1 : interval + 1, axis]
+    ends = [float(w.position[axis]) for w in trajectory.waypoints[interval - 1 : interval + 1]]
+    low, high = min(ends), max(ends)
+    small = max(SMALL * (high - low), rounding(trajectory))
+    away = both(
+        outside(within(trajectory, axis, low - small, high + small), trajectory.duration),
+        np.array([[begin, end]]),
+    )
+    away = away[away[:, 1] - away[:, 0] > ROUNDING * trajectory.duration]
+    if away.size == 0:
+        return None
+    farthest = max(_farthest(trajectory, axis, one, two, low, high) for one, two in away)
+    return Excursion(interval, axis, farthest, float(away[0, 0]))
+
+
+def _farthest(
+    trajectory: Trajectory, axis: int, begin: float, end: float, low: float, high: float
+) -> float:
+    """Largest distance from the box in an interval of time."""
+    inner = turns(trajectory, axis)
+    times = np.concatenate([[begin, end], inner[(inner > begin) & (inner < end)]])
+    values = trajectory(times)[:, axis]
+    return float(np.maximum(low - values, values - high).max())
