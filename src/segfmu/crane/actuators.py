@@ -33,6 +33,7 @@ from segfmu.crane.rope import require_rope
 from segfmu.crane.starting_limits import starting_tables
 from segfmu.errors import InfeasibleError, InputError
 from segfmu.planning.arrays import FloatArray
+from segfmu.planning.clearance import Clearance
 from segfmu.planning.limits import NAMES, Limits
 from segfmu.planning.planner import plan
 from segfmu.planning.request import checked_request
@@ -92,6 +93,7 @@ def plan_actuated(
     position_min: ArrayLike | None = None,
     position_max: ArrayLike | None = None,
     axis_names: Sequence[str] | None = None,
+    clearance: Clearance | None = None,
     progress: Callable[[float], None] = lambda _: None,
 ) -> ActuatedPlan:
     """Plan the load's trajectory as fast as the bounds of the crane's drives allow.
@@ -110,6 +112,8 @@ def plan_actuated(
         Of the drives and, by `ActuatorBounds.tightened`, those that the mission sets itself.
     smoothness, shape, synchronize, sample_time, duration, position_min, position_max, axis_names
         As for `plan`; smoothness 4 or more.
+    clearance : Clearance, optional
+        Workspace and obstacles; the search rejects plans that do not keep off them.
     progress : callable, optional
         Called with the share of the search that is done, from 0 to 1.
 
@@ -132,10 +136,10 @@ def plan_actuated(
     require_flat(crane, len(request.axis_names), smoothness)
     options |= {"position_min": position_min, "position_max": position_max}
     if limits is not None:
-        found = _as_limited(crane, bounds, plan(waypoints, limits, **options, **timing))
+        found = _as_limited(crane, bounds, plan(waypoints, limits, **options, **timing), clearance)
         if found is not None:
             return found
-    task = _task(crane, request.waypoints, limits, bounds, options)
+    task = _task(crane, request.waypoints, limits, bounds, options, clearance)
     _require_states(task, bounds)
     best = _search(task, bounds, progress)
     if duration is not None or sample_time is not None:
@@ -148,7 +152,7 @@ def _measured(crane: Crane, bounds: ActuatorBounds, trajectory: Trajectory) -> A
 
 
 def _as_limited(
-    crane: Crane, bounds: ActuatorBounds, trajectory: Trajectory
+    crane: Crane, bounds: ActuatorBounds, trajectory: Trajectory, clearance: Clearance | None
 ) -> ActuatedPlan | None:
     """The plan with the given limits, if nothing needs a slower one."""
     try:
@@ -158,12 +162,16 @@ def _as_limited(
             raise
         return None
     found = _measured(crane, bounds, trajectory)
-    return found if found.passed else None
+    if not found.passed:
+        return None
+    if clearance is not None:
+        clearance.require(trajectory)
+    return found
 
 
 def _task(
     crane: Crane, waypoints: tuple[Waypoint, ...], limits: Limits | None, bounds: ActuatorBounds,
-    options: dict[str, Any],
+    options: dict[str, Any], clearance: Clearance | None,
 ) -> Task:
     """The task with free states at rest."""
     caps = np.full((3, SEARCHED), np.inf)
@@ -183,7 +191,7 @@ def _task(
         Waypoint(p.position, np.nan_to_num(p.velocity), np.nan_to_num(p.acceleration), p.dwell)
         for p in waypoints
     )
-    return Task(crane, resting, free, bounds.vector, caps, higher, options)
+    return Task(crane, resting, free, bounds.vector, caps, higher, options, clearance)
 
 
 def _require_states(task: Task, bounds: ActuatorBounds) -> None:

@@ -22,6 +22,7 @@ from segfmu.crane.parameters import Crane
 from segfmu.crane.rope import require_rope
 from segfmu.errors import InfeasibleError
 from segfmu.planning.arrays import FloatArray
+from segfmu.planning.clearance import Clearance
 from segfmu.planning.limits import Limits
 from segfmu.planning.planner import plan
 from segfmu.planning.trajectory import Trajectory
@@ -58,6 +59,7 @@ class Task:
         Limits above the snap, as given.
     options : dict
         Further arguments of `plan`.
+    clearance : Clearance or None
     """
 
     crane: Crane
@@ -67,15 +69,18 @@ class Task:
     caps: FloatArray
     higher: dict[str, Any]
     options: dict[str, Any]
+    clearance: Clearance | None
 
     def limits(self, table: FloatArray) -> Limits:
         """Limits of a table (3, 4)."""
         return Limits(*table.T, **self.higher)
 
     def plan(self, table: FloatArray) -> Trajectory:
-        """The plan with a table of limits, of a rope that stays taut and in its range."""
+        """The plan with a table of limits: clear, with a rope that is taut and in its range."""
         trajectory = plan(self.waypoints, self.limits(table), **self.options)
         require_rope(self.crane, trajectory)
+        if self.clearance is not None:
+            self.clearance.require(trajectory)
         return trajectory
 
     @property
