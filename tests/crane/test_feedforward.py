@@ -128,7 +128,8 @@ def late_error(compensation: Compensation, lag, dead) -> float:
 
 def test_force_mode_with_friction_compensated() -> None:
     friction = Friction(VISCOUS, COULOMB)
-    full = Compensation(viscous=VISCOUS, coulomb=COULOMB)
+    # an axis that sticks needs its whole friction from the first moment on
+    full = Compensation(viscous=VISCOUS, coulomb=COULOMB, width=1e-4)
     assert largest_error(2e-3, full, friction=friction) < 1e-4
     half = Compensation(viscous=tuple(0.5 * v for v in VISCOUS),
                         coulomb=tuple(0.5 * c for c in COULOMB))

@@ -151,7 +151,7 @@ def test_slack_rope_is_named() -> None:
 
 
 def test_friction_too_stiff_to_integrate_is_named() -> None:
-    rig = Rig(friction=Friction(coulomb=(50.0, 0.0, 0.0), width=1e-9))
+    rig = Rig(friction=Friction(coulomb=(50.0, 0.0, 0.0), presliding=1e-15))
     stuck = plant(0.05, enabled=False, rig=rig)
     with pytest.raises(SimulationError, match=r"steps became too small; check .* friction"):
         stuck.step(0.01, HOLD)

@@ -107,7 +107,7 @@ def test_viscous_friction_lets_an_axis_coast_exponentially(axis: int, mass: floa
 @pytest.mark.parametrize(("axis", "mass"), [(0, 3.355), (1, 1.155), (2, 1.0)])
 def test_coulomb_friction_decelerates_evenly_to_rest(axis: int, mass: float) -> None:
     crane = LAB if axis == 2 else BARE
-    rig = Rig(friction=Friction(coulomb=only(axis, 0.5), width=1e-5))
+    rig = Rig(friction=Friction(coulomb=only(axis, 0.5), presliding=1e-6))
     coasting = plant(crane, state=moving(axis, 0.2), rig=rig)
     deceleration = 0.5 / mass
     stop = 0.2 / deceleration

@@ -78,6 +78,7 @@ EQUIPMENT: Values = {
 }
 EQUIPMENT |= {f"friction.{d}.viscous": 0.5 for d in DRIVES}
 EQUIPMENT |= {f"friction.{d}.coulomb": 0.3 for d in DRIVES}
+EQUIPMENT |= {f"friction.{d}.static": 0.4 for d in DRIVES} | {"friction.presliding": 1e-4}
 EQUIPMENT |= {f"wind.{n}.{a}": 0.2 for n in ("constant", "gust.force") for a in "xyz"}
 EQUIPMENT |= {f"wind.noise.deviation.{a}": 0.1 for a in "xyz"}
 EQUIPMENT |= {f"sensor.{s}.resolution": 1e-6 for s in SIGNALS}

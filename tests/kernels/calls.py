@@ -168,7 +168,7 @@ def trajectory_calls() -> dict[str, Call]:
 def crane_calls() -> dict[str, Call]:
     rig = everything()
     plant = rig.parameters(LAB, True)
-    masses, state = np.array(LAB.masses), np.append(HANGING, zeros(3))
+    masses, state = np.array(LAB.masses), np.append(HANGING, zeros(PlantState.SIZE - State.SIZE))
     state[State.ANGLE] = 0.1
     flat = zeros(8, 3)
     flat[0], flat[2] = (0.1, 0.2, -1.0), (0.3, 0.2, 0.1)
@@ -293,6 +293,7 @@ def rig_calls() -> dict[str, Call]:
         "check_lengths": (np.array([0.2, 1.0]), fault.copy()),
         "check_range": (3.0, 1.0, 2.0, zeros(RangeFault.SIZE)),
         "check_lags": (settings[Settings.PLANT].copy(), fault.copy()),
+        "check_friction": (np.array([2.0, 0.0, 0.0]), np.ones(3), fault.copy()),
         "check_delays": (settings[Settings.PLANT].copy(), 0.01, 0, fault.copy()),
         "check_sensors": (settings[Settings.SENSORS].copy(), fault.copy()),
         "check_rope_bounds": (1.0, 2.0, 1.5, fault.copy()),

@@ -28,7 +28,15 @@ from segfmu.kernels.control.records import (
     VelocityCommand,
 )
 from segfmu.kernels.crane import _crane, compensation, plant, rope
-from segfmu.kernels.crane.records import CommandRates, Compensation, Report, RopeWork, Work
+from segfmu.kernels.crane.records import (
+    CommandRates,
+    Compensation,
+    PlantState,
+    Report,
+    RopeWork,
+    State,
+    Work,
+)
 from segfmu.kernels.numerics import noise
 from segfmu.kernels.numerics.records import RandomState, Sinusoid
 from segfmu.kernels.planner import parameters, profile, synchronize
@@ -154,7 +162,7 @@ def test_plants_agree(driven: bool) -> None:
     )
     parameters = rig.parameters(Crane(*MASSES), driven)
     for _ in range(20):
-        state = np.append(random.uniform(-0.4, 0.4, 10), np.zeros(3))
+        state = np.append(random.uniform(-0.4, 0.4, 10), np.zeros(PlantState.SIZE - State.SIZE))
         state[2] = random.uniform(0.5, 3.0)
         command, load_force = random.uniform(-1.0, 1.0, (2, 3))
         rate = random.uniform(-1.0, 1.0, 9)

@@ -59,9 +59,10 @@ trolley = [-5.0, 55.0]
 rope = [13.0, 33.0]
 [friction]
 width = 0.002
-bridge = { viscous = 100.0, coulomb = 3000.0, drag = 10.0 }
-trolley = { viscous = 200.0, coulomb = 1000.0, drag = 20.0 }
-hoist = { viscous = 300.0, coulomb = 2000.0, drag = 30.0 }
+presliding = 2e-5
+bridge = { viscous = 100.0, coulomb = 3000.0, static = 3500.0, drag = 10.0 }
+trolley = { viscous = 200.0, coulomb = 1000.0, static = 1500.0, drag = 20.0 }
+hoist = { viscous = 300.0, coulomb = 2000.0, static = 2500.0, drag = 30.0 }
 sway = { viscous = 400.0 }
 [sensors]
 sample_time = 0.01

@@ -73,17 +73,22 @@ class Friction:
     viscous, coulomb : tuple of 3 float
         Of bridge, trolley and hoist [N s/m], [N].
     width : float
-        Velocity [m/s] that smooths the sign of Coulomb friction: coulomb * tanh(v / width). A
-        loaded axis therefore creeps instead of sticking.
+        Velocity [m/s] over which friction falls from static to Coulomb friction as an axis breaks
+        away: coulomb + (static - coulomb) exp(-(v / width)^2).
     sway : float
         Viscous damping of each sway angle [N m s].
     drag : tuple of 3 float
         Of bridge, trolley and hoist [N] at 1 m/s: drag * v |v|, from air and gears at speed.
+    static : tuple of 3 float
+        Static friction [N] of bridge, trolley and hoist; 0 is as Coulomb friction.
+    presliding : float
+        Displacement [m] at which a contact begins to slide.
 
     Raises
     ------
     InputError
-        For negative coefficients and for a width that is not positive.
+        For negative coefficients, for a width or displacement that is not positive, and for static
+        friction below Coulomb friction.
     """
 
     viscous: tuple[float, float, float] = (0.0, 0.0, 0.0)
@@ -91,14 +96,21 @@ class Friction:
     width: float = 1e-3
     sway: float = 0.0
     drag: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    static: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    presliding: float = 1e-5
 
     def __post_init__(self) -> None:
-        for name in ("viscous", "coulomb", "drag"):
+        for name in ("viscous", "coulomb", "drag", "static"):
             values = sized(f"friction {name}", getattr(self, name), 3)
             for axis, value in zip(AXES, values, strict=True):
                 require_not_negative(f"friction {name} of the {axis}", value)
         require_positive("friction width", self.width)
+        require_positive("friction presliding", self.presliding)
         require_not_negative("friction sway", self.sway)
+        fault = np.zeros(SetupFault.SIZE)
+        status = backend.check_friction(np.array(self.static), np.array(self.coulomb), fault)
+        if status != SetupStatus.FITS:
+            raise InputError(SETUP.text(status, fault.tolist()))
 
 
 @dataclass(frozen=True)
@@ -153,6 +165,7 @@ DRIVE = tuple(
 FRICTION = {
     "viscous": fed(Plant, "VISCOUS"), "coulomb": fed(Plant, "COULOMB"),
     "width": fed(Plant, "FRICTION_WIDTH"), "sway": fed(Plant, "SWAY_DAMPING"),
-    "drag": fed(Plant, "DRAG"),
+    "drag": fed(Plant, "DRAG"), "static": fed(Plant, "STATIC"),
+    "presliding": fed(Plant, "PRESLIDING"),
 }
 TRAVEL = {name: _stops(i) for i, name in enumerate(AXES)}

@@ -507,6 +507,13 @@ def check_lags(
     /,
 ) -> int: ...
 
+def check_friction(
+    static: Floats,
+    coulomb: Floats,
+    fault: Floats,
+    /,
+) -> int: ...
+
 def check_delays(
     plant: Floats,
     period: float,

@@ -272,6 +272,9 @@ ENTRY_POINTS = (
         "rig.setup", "check_travel", least=Axes.SIZE, greatest=Axes.SIZE, fault=SetupFault.SIZE
     ),
     entry("rig.setup", "check_lags", plant=Plant.SIZE, fault=SetupFault.SIZE),
+    entry(
+        "rig.setup", "check_friction", static=Axes.SIZE, coulomb=Axes.SIZE, fault=SetupFault.SIZE
+    ),
     entry("rig.setup", "check_delays", plant=Plant.SIZE, fault=SetupFault.SIZE),
     entry("rig.setup", "check_sensors", sensors=Sensors.SIZE, fault=SetupFault.SIZE),
     entry("rig.setup", "check_rope_bounds", fault=SetupFault.SIZE),

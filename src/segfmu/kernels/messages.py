@@ -193,6 +193,8 @@ SETUP = Messages(
         SetupStatus.LONG_DEAD_TIME: "sensor.dead_time {VALUE:g} s is longer than "
         f"{SensorLimits.MOST_SAMPLES} samples of {{BOUND:g}} s; lower it or raise "
         "sensor.sample_time",
+        SetupStatus.LOW_STATIC: "friction.{DRIVE}.static {VALUE:g} N must be 0 or at least "
+        "friction.{DRIVE}.coulomb {BOUND:g} N",
         SetupStatus.LONG_DELAY: "drive.{DRIVE}.dead_time {VALUE:g} s is longer than "
         f"{Delay.MOST_TICKS} periods of {{BOUND:g}} s; lower it or raise feedback.sample_time",
         SetupStatus.LATE_EXCHANGE: "in model exchange drive.{DRIVE}.dead_time must be 0 s, got "

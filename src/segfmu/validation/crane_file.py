@@ -93,6 +93,10 @@ class AxisFriction(Table):
     coulomb: Annotated[
         NotNegative | None, Key("Coulomb friction", "N", ("friction.{}.coulomb",), "none")
     ] = None
+    static: Annotated[
+        NotNegative | None,
+        Key("static friction", "N", ("friction.{}.static",), "as Coulomb friction"),
+    ] = None
     drag: Annotated[
         NotNegative | None,
         Key("friction that grows with the square of the velocity, at 1 m/s", "N",
@@ -118,7 +122,12 @@ class FrictionTable(Table):
     sway: Annotated[SwayFriction, Key("damping of the sway")] = SwayFriction()
     width: Annotated[
         Quantity | None,
-        Key("velocity that smooths the sign of Coulomb friction", "m/s", ("friction.width",)),
+        Key("velocity over which static friction falls to Coulomb friction", "m/s",
+            ("friction.width",)),
+    ] = None
+    presliding: Annotated[
+        Quantity | None,
+        Key("displacement at which a contact begins to slide", "m", ("friction.presliding",)),
     ] = None
 
 

@@ -14,7 +14,8 @@ from tests.fmu.python.test_slaves import LIMITS, POINTS
 from tests.fmu.test_drive_compensation import DRIVEN
 
 FRICTION = {
-    "friction.bridge.viscous": 3.0, "friction.trolley.coulomb": 0.4, "friction.width": 0.05,
+    "friction.bridge.viscous": 3.0, "friction.trolley.coulomb": 0.4, "friction.width": 0.3,
+    "friction.presliding": 0.5, "friction.trolley.static": 0.6, "friction.hoist.coulomb": 0.3,
     "friction.hoist.viscous": 2.0, "friction.sway.viscous": 0.03, "wind.noise.deviation.x": 0.3,
     "wind.gust.start": -1.0, "wind.gust.duration": 3.0, "wind.gust.force.y": 0.4,
 }
@@ -48,7 +49,7 @@ class Point:
         random = np.random.default_rng(seed)
         self.fmu = fmu
         self.states, self.inputs = gantry_crane.STATES, INPUTS
-        state = random.uniform(-0.4, 0.4, 13)
+        state = random.uniform(-0.4, 0.4, len(gantry_crane.STATES))
         state[2] = 0.8 + state[2]
         self.place = np.concatenate([state, random.uniform(-1.0, 1.0, len(INPUTS)), [0.005]])
         # FMI 2.0 has no variable for time

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from segfmu.kernels.crane.drives import driven_derivative, friction_force, gust_factor
+from segfmu.kernels.crane.drives import driven_derivative, gust_factor
 from segfmu.kernels.crane.records import (
     Action,
     DriveMode,
@@ -74,18 +74,6 @@ def test_accelerations_are_bounded_and_flagged() -> None:
     found, _, saturated = driven(state, (1.0, -2.0, 0.2), (0.0,) * 3, (1.0, 0.6, 0.5))
     assert found[:3].tolist() == [1.0, -0.6, 0.2]
     assert saturated.tolist() == [False, True, False]
-
-
-def test_friction_is_odd_and_comes_to_its_value_within_a_few_widths() -> None:
-    parameters = np.zeros(Plant.SIZE)
-    parameters[Plant.VISCOUS : Plant.VISCOUS + 3] = 2.0, 0.0, 1.0
-    parameters[Plant.COULOMB : Plant.COULOMB + 3] = 5.0, 4.0, 0.0
-    parameters[Plant.FRICTION_WIDTH] = 1e-3
-    assert friction_force(parameters, 0, 0.0) == 0.0
-    assert friction_force(parameters, 0, -0.3) == -friction_force(parameters, 0, 0.3)
-    assert friction_force(parameters, 0, 0.3) == pytest.approx(0.6 + 5.0)
-    assert friction_force(parameters, 1, 1e-3) == pytest.approx(4.0 * np.tanh(1.0))
-    assert friction_force(parameters, 2, 0.5) == pytest.approx(0.5)
 
 
 @pytest.mark.parametrize("shape", [0.0, 1.0])

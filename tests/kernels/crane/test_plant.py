@@ -9,11 +9,11 @@ from scipy.integrate import solve_ivp
 from segfmu import Crane
 from segfmu.crane import Drive, Friction, Gust, Rig, TravelLimits, Wind
 from segfmu.kernels.crane.plant import plant_advance
-from segfmu.kernels.crane.records import Report, Work
+from segfmu.kernels.crane.records import PlantState, Report, Work
 from tests.crane.newton import accelerations, direction
 
 MASSES = (2.2, 1.155, 1.0, 9.81)
-START = np.array([0.1, -0.2, 0.7, 0.2, -0.3, 0.3, -0.1, 0.1, 0.4, -0.2, 0.0, 0.0, 0.0])
+START = np.array([0.1, -0.2, 0.7, 0.2, -0.3, 0.3, -0.1, 0.1, 0.4, -0.2, *np.zeros(6)])
 
 
 def advance(
@@ -39,13 +39,21 @@ def load_velocity(x: np.ndarray) -> np.ndarray:
     return np.array([x[5], x[6], 0.0]) + x[7] * direction(x[3], x[4]) + x[2] * turning
 
 
-def reference(command, rate, duration, wind, viscous, coulomb, width, sway):
-    """SciPy's solution with Newton's equations; the sway damping as a force on load and trolley."""
+def reference(command, rate, duration, wind, viscous, coulomb, slides, sway):
+    """SciPy's solution with Newton's equations; the sway damping as a force on load and trolley.
+
+    Dry friction is that of a damped spring that yields at its largest force.
+    """
     bridge, trolley, payload, gravity = MASSES
+    mass = np.array([bridge + trolley, trolley, payload])
 
     def right(t: float, x: np.ndarray) -> np.ndarray:
         drive = np.array(command) + t * np.array(rate)
-        friction = viscous * x[5:8] + coulomb * np.tanh(x[5:8] / width)
+        velocity, z = x[5:8], np.clip(x[10:13] / slides, -1.0, 1.0)
+        damped = 2.0 * np.sqrt(1.5 * coulomb * mass / slides) * velocity
+        damped = damped / np.hypot(1.0, damped / np.maximum(coulomb, 1e-9))
+        friction = viscous * velocity + coulomb * (1.5 * z - 0.5 * z**3) + damped * (1.0 - z**2)
+        yields = (np.abs(x[10:13]) >= slides) & (z * velocity > 0.0)
         torque = -sway * x[8:10]
         sx, cx, sy, cy = np.sin(x[3]), np.cos(x[3]), np.sin(x[4]), np.cos(x[4])
         # torques are a pair of forces across the rope, at the load and at the trolley
@@ -57,7 +65,8 @@ def reference(command, rate, duration, wind, viscous, coulomb, width, sway):
             drive @ x[5:8], np.dot(wind, load_velocity(x)),
             friction @ x[5:8] + sway * x[8:10] @ x[8:10],
         ]
-        return np.concatenate([x[5:10], second, works])
+        moved = np.where(yields | (coulomb == 0.0), 0.0, velocity)
+        return np.concatenate([x[5:10], second, moved, works])
 
     return solve_ivp(
         right, (0.0, duration), START, method="DOP853", rtol=1e-11, atol=1e-12
@@ -70,7 +79,9 @@ def test_forces_linear_in_time_against_scipy(duration: float, rough: bool) -> No
     command, rate, wind = [1.0, -0.5, -10.0], [0.5, 0.4, -0.3], (0.1, 0.2, -0.3)
     viscous, coulomb = rough * np.array([2.0, 1.0, 3.0]), rough * np.array([0.3, 0.2, 0.1])
     expected = reference(command, rate, duration, wind, viscous, coulomb, 0.05, 0.04 * rough)
-    rig = Rig(friction=Friction(tuple(viscous), tuple(coulomb), 0.05, 0.04 * rough))
+    rig = Rig(friction=Friction(
+        tuple(viscous), tuple(coulomb), sway=0.04 * rough, presliding=0.05
+    ))
     status, found, report = advance(START, command, rate, duration, rig=rig, wind=wind)
     assert status == 0
     assert found == pytest.approx(expected, rel=1e-8, abs=1e-8)
@@ -97,7 +108,7 @@ def test_wind_of_the_rig_is_a_force_on_the_load() -> None:
 @pytest.mark.parametrize(("shape", "mean"), [("cosine", 0.5), ("sine", 2.0 / np.pi)])
 def test_a_gust_gives_the_impulse_of_its_shape(shape: str, mean: float) -> None:
     rig = Rig(wind=Wind(gust=Gust(1.0, 0.2, (0.5, 0.0, 0.0), shape)))
-    start = np.zeros(13)
+    start = np.zeros(PlantState.SIZE)
     start[2] = 1.0
     total = np.zeros(2)
     for time in (0.9, 1.0, 1.2):
@@ -129,7 +140,7 @@ def test_failures_are_reported_by_code(state, command, status: int) -> None:
 
 
 def test_falling_faster_than_the_load_slackens_the_rope() -> None:
-    start = np.zeros(13)
+    start = np.zeros(PlantState.SIZE)
     start[2] = 1.0
     assert advance(start, [0.0, 0.0, 9.7], [0.0] * 3, 0.1, driven=True)[0] == 0
     status, _, report = advance(start, [0.0, 0.0, 9.7], [0.0, 0.0, 2.0], 0.1, driven=True)
@@ -140,7 +151,7 @@ def test_falling_faster_than_the_load_slackens_the_rope() -> None:
 @pytest.mark.parametrize("axis", [0, 1, 2])
 @pytest.mark.parametrize("side", [-1.0, 1.0])
 def test_end_stops_are_met_at_their_place_and_time(axis: int, side: float) -> None:
-    start = np.zeros(13)
+    start = np.zeros(PlantState.SIZE)
     start[2] = 1.0
     centre = start[axis]
     name = ("bridge", "trolley", "rope")[axis]
@@ -154,14 +165,14 @@ def test_end_stops_are_met_at_their_place_and_time(axis: int, side: float) -> No
 
 
 def test_resting_at_an_end_stop_is_allowed() -> None:
-    start = np.zeros(13)
+    start = np.zeros(PlantState.SIZE)
     start[2] = 1.0
     rig = Rig(travel=TravelLimits(bridge=(0.0, 1.0), rope=(0.5, 1.0)))
     assert advance(start, [0.0, 0.0, -9.81], [0.0] * 3, 1.0, rig=rig)[0] == 0
 
 
 def test_lag_and_bounds_are_reported() -> None:
-    start = np.zeros(13)
+    start = np.zeros(PlantState.SIZE)
     start[2] = 1.0
     rig = Rig(bridge=Drive(lag=0.1, acceleration_max=0.5), trolley=Drive(lag=0.1, force_max=0.5))
     _, found, report = advance(start, [0.2, 0.02, 0.0], [0.0] * 3, 0.1, rig=rig, driven=True)

@@ -163,12 +163,15 @@ def held(own: Spec) -> Spec:
     return started(own, values | {"force.hoist": -weight})
 
 
-# State of model exchange and its derivatives: the crane's, then the integrated powers.
+DEFLECTIONS = tuple(f"friction.{d}.deflection" for d in DRIVES)
+# State of model exchange and its derivatives: the crane's, the deflections of its contacts, then
+# the integrated powers.
 RATES = (
     *STATE[5:], "bridge.acceleration", "trolley.acceleration", "rope.acceleration",
-    "sway.x.acceleration", "sway.y.acceleration", "power.drives", "power.wind", "power.friction",
+    "sway.x.acceleration", "sway.y.acceleration", *(f"{n}_rate" for n in DEFLECTIONS),
+    "power.drives", "power.wind", "power.friction",
 )
-STATES = (*STATE, "energy.drives", "energy.wind", "energy.dissipated")
+STATES = (*STATE, *DEFLECTIONS, "energy.drives", "energy.wind", "energy.dissipated")
 
 # Correction of each axis, and the indices of its gains among the ten states.
 GAINS = {
@@ -202,6 +205,10 @@ def native_spec(own: Spec | None = None) -> Spec:
             ("sway.y", "rad/s2"),
         )
     ]
+    locals_ += [
+        Variable(f"{n}_rate", "Real", "local", "continuous", f"derivative of {n}", unit="m/s")
+        for n in DEFLECTIONS
+    ]
     power = Variable(
         "power.drives", "Real", "local", "continuous", "power of all drives", unit="W"
     )
@@ -219,7 +226,7 @@ def _dependencies() -> tuple[tuple[str, tuple[str, ...]], ...]:
     """Dependencies of the unknowns of model exchange: states, inputs with direct effect, time."""
     forces = tuple(f"force.{d}" for d in DRIVES) + tuple(f"velocity.{d}" for d in DRIVES)
     winds = tuple(f"wind.{a}" for a in "xyz")
-    acting = (*STATE, *forces, *winds, "time")
+    acting = (*STATE, *DEFLECTIONS, *forces, *winds, "time")
     targets = tuple(f"reference.load.position.{a}" for a in "xyz")
     found: dict[str, tuple[str, ...]] = {n: (n,) for n in STATES}
     found |= {f"measured.{n}": (n,) for n in STATE[:5]}
@@ -232,12 +239,15 @@ def _dependencies() -> tuple[tuple[str, tuple[str, ...]], ...]:
         for name in ("force", "saturated", "power"):
             found[f"drive.{drive}.{name}"] = acting
     found |= dict.fromkeys((*RATES[5:], "rope.force"), acting)
+    for drive, axis in zip(DRIVES, ("bridge", "trolley", "rope"), strict=True):
+        deflection = f"friction.{drive}.deflection"
+        found[f"{deflection}_rate"] = (f"{axis}.velocity", deflection)
     found["energy.kinetic"], found["energy.potential"] = STATE, STATE[:5]
     found["energy.work"] = ("energy.drives", "energy.wind")
     found["energy.imbalance"] = STATES
     # nothing is known of the others
     further = _further_outputs({v.name for v in _described_outputs()})
-    found |= {v.name: (*STATES, *acting[len(STATE):], *targets) for v in further}
+    found |= {v.name: (*STATES, *forces, *winds, "time", *targets) for v in further}
     return tuple(found.items())
 
 

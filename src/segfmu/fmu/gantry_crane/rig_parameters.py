@@ -66,6 +66,10 @@ def _friction() -> list[Variable]:
                 f"{name}.coulomb", 0.0, "N", f"Coulomb friction of the {drive}", minimum=0.0
             ),
             parameter(
+                f"{name}.static", 0.0, "N",
+                f"static friction of the {drive}; 0: as Coulomb friction", minimum=0.0,
+            ),
+            parameter(
                 f"{name}.drag", 0.0, "N", f"friction of the {drive} is drag * v |v|, v in m/s",
                 minimum=0.0,
             ),
@@ -73,7 +77,11 @@ def _friction() -> list[Variable]:
     return [
         *rows,
         parameter(
-            "friction.width", 1e-3, "m/s", "Coulomb friction is coulomb * tanh(v / width)",
+            "friction.width", 1e-3, "m/s",
+            "velocity over which static friction falls to Coulomb friction", minimum=1e-9,
+        ),
+        parameter(
+            "friction.presliding", 1e-5, "m", "displacement at which a contact begins to slide",
             minimum=1e-9,
         ),
         parameter(

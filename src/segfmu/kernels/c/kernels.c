@@ -76,13 +76,20 @@ static void series_root(array_double_1d a, int64_t count, array_double_1d found)
 static void series_angle(array_double_1d y, array_double_1d x, array_double_1d square, int64_t count, array_double_1d scratch, array_double_1d found);
 static double full_circle(void);
 static double next_normal(array_double_1d numbers);
-static double friction_force(array_double_1d plant, int64_t axis, double velocity);
-static double friction_slope(array_double_1d plant, int64_t axis, double velocity);
 static double gust_factor(double shape, double share);
 static void wind_force(array_double_1d plant, array_double_2d components, double time, array_double_2d work);
 static void forced_derivative(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
 static void driven_forces(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
 static void driven_derivative(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
+static double dry_level(array_double_1d plant, int64_t axis, double velocity);
+static double level_slope(array_double_1d plant, int64_t axis, double velocity);
+static bool rubs(array_double_1d plant, int64_t axis);
+static double deflected(array_double_1d plant, double deflection);
+static double contact_damping(array_double_1d plant, int64_t axis);
+static double friction_force(array_double_1d plant, int64_t axis, double velocity, double deflection);
+static int64_t friction_slopes(double* result_0, double* result_1_0001, array_double_1d plant, int64_t axis, double velocity, double deflection);
+static double deflection_rate(array_double_1d plant, int64_t axis, double velocity, double deflection);
+static double first_deflection(array_double_1d plant, int64_t axis, double velocity);
 static double stage_node(int64_t stage);
 static void stage_state(int64_t stage, double h, int64_t count, array_double_1d state, array_double_2d k, array_double_1d trial);
 static double step_error(double h, int64_t count, array_double_1d start, array_double_1d end, array_double_2d k);
@@ -268,6 +275,7 @@ static double total_sway(double angle_x, double angle_y);
 static void drive_outputs(array_double_2d memory, array_double_1d outputs);
 static double gust_rate(double shape, double share);
 static double wind_slope(array_double_1d plant, array_double_2d components, double time, int64_t axis);
+static int64_t axis_slopes(double* result_0, double* result_1, array_double_1d plant, int64_t axis, array_double_1d state);
 static double power_slope(array_double_1d plant, int64_t axis, array_double_1d state, array_double_1d action);
 static void add_damping(array_double_1d plant, array_double_1d by, array_double_1d row);
 static void forced_partials(array_double_1d plant, array_double_1d state, array_double_2d rig, array_double_2d work, array_double_2d partials);
@@ -4127,35 +4135,6 @@ void segfmu_noise_components(double bandwidth, array_double_1d deviation, array_
         }
     }
 }
-/*Viscous and Coulomb friction and drag [N] against a velocity; the sign change is a tanh. */
-static double friction_force(array_double_1d plant, int64_t axis, double velocity)
-{
-    double share;
-    double friction;
-    friction = (*cspan_at(&plant, INT64_C(23) + axis)) * velocity;
-    friction = friction + (*cspan_at(&plant, INT64_C(29) + axis)) * velocity * fabs(velocity);
-    if ((*cspan_at(&plant, INT64_C(26) + axis)) > 0.0)
-    {
-        share = tanh(velocity / (*cspan_at(&plant, INT64_C(32))));
-        friction = friction + (*cspan_at(&plant, INT64_C(26) + axis)) * share;
-    }
-    return friction;
-}
-/*Derivative of the friction force of an axis by its velocity [N s/m]. */
-static double friction_slope(array_double_1d plant, int64_t axis, double velocity)
-{
-    double width;
-    double share;
-    double slope;
-    slope = (*cspan_at(&plant, INT64_C(23) + axis)) + 2.0 * (*cspan_at(&plant, INT64_C(29) + axis)) * fabs(velocity);
-    if ((*cspan_at(&plant, INT64_C(26) + axis)) > 0.0)
-    {
-        width = (*cspan_at(&plant, INT64_C(32)));
-        share = tanh(velocity / width);
-        slope = slope + (*cspan_at(&plant, INT64_C(26) + axis)) * (1.0 - share * share) / width;
-    }
-    return slope;
-}
 /*Force of a gust relative to its peak, at a share of its duration.*/
 static double gust_factor(double shape, double share)
 {
@@ -4182,16 +4161,16 @@ static void wind_force(array_double_1d plant, array_double_2d components, double
     double cosine;
     double added;
     gust = 0.0;
-    if ((*cspan_at(&plant, INT64_C(44))) > 0.0)
+    if ((*cspan_at(&plant, INT64_C(48))) > 0.0)
     {
-        share = (time - (*cspan_at(&plant, INT64_C(43)))) / (*cspan_at(&plant, INT64_C(44)));
-        gust = gust_factor((*cspan_at(&plant, INT64_C(45))), share);
+        share = (time - (*cspan_at(&plant, INT64_C(47)))) / (*cspan_at(&plant, INT64_C(48)));
+        gust = gust_factor((*cspan_at(&plant, INT64_C(49))), share);
     }
     force = span_row(&work, INT64_C(14));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        steady = (*cspan_at(&work, INT64_C(2), i)) + (*cspan_at(&plant, INT64_C(40) + i));
-        (*cspan_at(&force, i)) = steady + gust * (*cspan_at(&plant, INT64_C(46) + i));
+        steady = (*cspan_at(&work, INT64_C(2), i)) + (*cspan_at(&plant, INT64_C(44) + i));
+        (*cspan_at(&force, i)) = steady + gust * (*cspan_at(&plant, INT64_C(50) + i));
     }
     for (k = INT64_C(0); k < components.shape[INT64_C(0)]; k += INT64_C(1))
     {
@@ -4314,11 +4293,158 @@ int64_t segfmu_plant_failure(int64_t status, double time, array_double_1d state,
     (*cspan_at(&fault, INT64_C(2))) = (*cspan_at(&state, INT64_C(0) + axis));
     if (status >= INT64_C(9))
     {
-        (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(37) + axis));
+        (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(41) + axis));
         return INT64_C(9);
     }
-    (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(34) + axis));
+    (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(38) + axis));
     return INT64_C(6);
+}
+/*Dry friction [N] at a velocity: from static to Coulomb friction (R. Stribeck 1902).*/
+static double dry_level(array_double_1d plant, int64_t axis, double velocity)
+{
+    double ratio;
+    double coulomb;
+    coulomb = (*cspan_at(&plant, INT64_C(26) + axis));
+    if ((*cspan_at(&plant, INT64_C(29) + axis)) <= coulomb)
+    {
+        return coulomb;
+    }
+    ratio = velocity / (*cspan_at(&plant, INT64_C(35)));
+    coulomb = coulomb + ((*cspan_at(&plant, INT64_C(29) + axis)) - coulomb) * exp((-ratio) * ratio);
+    return coulomb;
+}
+/*Derivative of the dry friction by the velocity [N s/m].*/
+static double level_slope(array_double_1d plant, int64_t axis, double velocity)
+{
+    double coulomb;
+    double width;
+    double result;
+    coulomb = (*cspan_at(&plant, INT64_C(26) + axis));
+    if ((*cspan_at(&plant, INT64_C(29) + axis)) <= coulomb)
+    {
+        return 0.0;
+    }
+    width = (*cspan_at(&plant, INT64_C(35)));
+    result = (-2.0) * velocity / (width * width) * (dry_level(plant, axis, velocity) - coulomb);
+    return result;
+}
+/*Whether an axis has dry friction.*/
+static bool rubs(array_double_1d plant, int64_t axis)
+{
+    bool result;
+    result = ((*cspan_at(&plant, INT64_C(26) + axis)) > 0.0) || ((*cspan_at(&plant, INT64_C(29) + axis)) > 0.0);
+    return result;
+}
+/*Deflection of a contact over that at which it slides, -1 to 1. */
+static double deflected(array_double_1d plant, double deflection)
+{
+    double result;
+    result = span_min(span_max(deflection / (*cspan_at(&plant, INT64_C(36))), -1.0), 1.0);
+    return result;
+}
+/*Damping [N s/m] that lets a mass come to rest in its contact without a swing.*/
+static double contact_damping(array_double_1d plant, int64_t axis)
+{
+    double mass;
+    double static_0001;
+    double result;
+    mass = carriage_mass(plant, axis);
+    if (axis == INT64_C(2))
+    {
+        mass = (*cspan_at(&plant, INT64_C(2)));
+    }
+    static_0001 = span_max((*cspan_at(&plant, INT64_C(29) + axis)), (*cspan_at(&plant, INT64_C(26) + axis)));
+    result = 2.0 * sqrt(1.5 * static_0001 * mass / (*cspan_at(&plant, INT64_C(36))));
+    return result;
+}
+/*Friction [N] against a velocity [m/s], with the deflection [m] of the contact. */
+static double friction_force(array_double_1d plant, int64_t axis, double velocity, double deflection)
+{
+    double level;
+    double share;
+    double damped;
+    double friction;
+    friction = (*cspan_at(&plant, INT64_C(23) + axis)) * velocity;
+    friction = friction + (*cspan_at(&plant, INT64_C(32) + axis)) * velocity * fabs(velocity);
+    if (rubs(plant, axis))
+    {
+        level = dry_level(plant, axis, velocity);
+        share = deflected(plant, deflection);
+        friction = friction + level * 0.5 * share * (3.0 - share * share);
+        /*damped within the contact, by at most the friction itself*/
+        damped = contact_damping(plant, axis) * velocity / level;
+        damped = damped / sqrt(1.0 + damped * damped);
+        friction = friction + level * damped * (1.0 - share * share);
+    }
+    return friction;
+}
+/*Derivatives of the friction by velocity [N s/m] and deflection [N/m].*/
+static int64_t friction_slopes(double* result_0, double* result_1_0001, array_double_1d plant, int64_t axis, double velocity, double deflection)
+{
+    double by_velocity;
+    double level;
+    double slope;
+    double share;
+    double rest;
+    double damping;
+    double damped;
+    double root;
+    double changed;
+    double by_share;
+    by_velocity = (*cspan_at(&plant, INT64_C(23) + axis)) + 2.0 * (*cspan_at(&plant, INT64_C(32) + axis)) * fabs(velocity);
+    if (!rubs(plant, axis))
+    {
+        (*result_0) = by_velocity;
+        (*result_1_0001) = 0.0;
+        return 0;
+    }
+    level = dry_level(plant, axis, velocity);
+    slope = level_slope(plant, axis, velocity);
+    share = deflected(plant, deflection);
+    rest = 1.0 - share * share;
+    damping = contact_damping(plant, axis);
+    damped = damping * velocity / level;
+    root = sqrt(1.0 + damped * damped);
+    by_velocity = by_velocity + slope * 0.5 * share * (3.0 - share * share);
+    /*level * damped / root, whose ratio changes with the level*/
+    changed = (damping - damped * slope) / (root * root * root);
+    by_velocity = by_velocity + rest * (slope * damped / root + changed);
+    if (fabs(share) >= 1.0)
+    {
+        (*result_0) = by_velocity;
+        (*result_1_0001) = 0.0;
+        return 0;
+    }
+    by_share = level * (1.5 * rest - 2.0 * share * damped / root);
+    (*result_0) = by_velocity;
+    (*result_1_0001) = by_share / (*cspan_at(&plant, INT64_C(36)));
+    return 0;
+}
+/*Derivative of a deflection [m/s]: the velocity, but 0 where the contact slides.*/
+static double deflection_rate(array_double_1d plant, int64_t axis, double velocity, double deflection)
+{
+    if (!rubs(plant, axis))
+    {
+        return 0.0;
+    }
+    if ((fabs(deflection) >= (*cspan_at(&plant, INT64_C(36)))) && (deflection * velocity >= 0.0))
+    {
+        return 0.0;
+    }
+    return velocity;
+}
+/*Deflection [m] of a contact at the start: one that moves slides. */
+static double first_deflection(array_double_1d plant, int64_t axis, double velocity)
+{
+    double share;
+    double result;
+    if (!rubs(plant, axis))
+    {
+        return 0.0;
+    }
+    share = velocity / (*cspan_at(&plant, INT64_C(35)));
+    result = (*cspan_at(&plant, INT64_C(36))) * span_min(span_max(share, -1.0), 1.0);
+    return result;
 }
 /*Node c of a stage, as a share of the step. */
 static double stage_node(int64_t stage)
@@ -4506,21 +4632,21 @@ static void plant_powers(array_double_1d plant, array_double_1d state, array_dou
     }
     squares = (*cspan_at(&state, INT64_C(8))) * (*cspan_at(&state, INT64_C(8)));
     squares = squares + (*cspan_at(&state, INT64_C(8) + INT64_C(1))) * (*cspan_at(&state, INT64_C(8) + INT64_C(1)));
-    (*cspan_at(&derivative, INT64_C(10))) = 0.0;
-    (*cspan_at(&derivative, INT64_C(11))) = 0.0;
-    (*cspan_at(&derivative, INT64_C(12))) = (*cspan_at(&plant, INT64_C(33))) * squares;
+    (*cspan_at(&derivative, INT64_C(13))) = 0.0;
+    (*cspan_at(&derivative, INT64_C(14))) = 0.0;
+    (*cspan_at(&derivative, INT64_C(15))) = (*cspan_at(&plant, INT64_C(37))) * squares;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         velocity = (*cspan_at(&state, INT64_C(5) + i));
         drive = (*cspan_at(&work, INT64_C(13), INT64_C(0) + i)) * velocity;
-        (*cspan_at(&derivative, INT64_C(10))) = (*cspan_at(&derivative, INT64_C(10))) + drive;
+        (*cspan_at(&derivative, INT64_C(13))) = (*cspan_at(&derivative, INT64_C(13))) + drive;
         if (!calm)
         {
             power = (*cspan_at(&wind, i)) * (*cspan_at(&work, INT64_C(15) + INT64_C(1), i));
-            (*cspan_at(&derivative, INT64_C(11))) = (*cspan_at(&derivative, INT64_C(11))) + power;
+            (*cspan_at(&derivative, INT64_C(14))) = (*cspan_at(&derivative, INT64_C(14))) + power;
         }
         lost = (*cspan_at(&work, INT64_C(18), i)) * velocity;
-        (*cspan_at(&derivative, INT64_C(12))) = (*cspan_at(&derivative, INT64_C(12))) + lost;
+        (*cspan_at(&derivative, INT64_C(15))) = (*cspan_at(&derivative, INT64_C(15))) + lost;
     }
 }
 /*Derivative of the state at a time [s] elapsed since the interval's start, `time` [s].*/
@@ -4529,6 +4655,8 @@ static void plant_derivative(array_double_1d plant, array_double_2d components, 
     array_double_1d rate;
     int64_t i;
     double slope;
+    double velocity;
+    double deflection;
     double torque;
     rate = span_row(&work, INT64_C(1));
     wind_force(plant, components, time + elapsed, work);
@@ -4537,12 +4665,15 @@ static void plant_derivative(array_double_1d plant, array_double_2d components, 
         slope = (*cspan_at(&rate, INT64_C(3) + i)) + elapsed * (*cspan_at(&rate, INT64_C(6) + i));
         slope = (*cspan_at(&rate, INT64_C(0) + i)) + elapsed * slope;
         (*cspan_at(&work, INT64_C(17), i)) = (*cspan_at(&work, INT64_C(0), i)) + elapsed * slope;
-        (*cspan_at(&work, INT64_C(18), i)) = friction_force(plant, i, (*cspan_at(&state, INT64_C(5) + i)));
+        velocity = (*cspan_at(&state, INT64_C(5) + i));
+        deflection = (*cspan_at(&state, INT64_C(10) + i));
+        (*cspan_at(&work, INT64_C(18), i)) = friction_force(plant, i, velocity, deflection);
+        (*cspan_at(&derivative, INT64_C(10) + i)) = deflection_rate(plant, i, velocity, deflection);
         (*cspan_at(&work, INT64_C(13), INT64_C(3) + i)) = 0.0;
     }
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
-        torque = (-(*cspan_at(&plant, INT64_C(33)))) * (*cspan_at(&state, INT64_C(8) + i));
+        torque = (-(*cspan_at(&plant, INT64_C(37)))) * (*cspan_at(&state, INT64_C(8) + i));
         (*cspan_at(&work, INT64_C(12), INT64_C(3) + i)) = torque;
     }
     if ((int64_t)((*cspan_at(&plant, INT64_C(4)))) == INT64_C(1))
@@ -4561,7 +4692,7 @@ static void reuse_last_stage(array_double_2d work)
     array_double_1d action;
     int64_t i;
     action = span_row(&work, INT64_C(13));
-    for (i = INT64_C(0); i < INT64_C(13); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(16); i += INT64_C(1))
     {
         (*cspan_at(&work, INT64_C(3), i)) = (*cspan_at(&work, INT64_C(3) + INT64_C(6), i));
     }
@@ -4586,10 +4717,10 @@ static double try_step(array_double_1d plant, array_double_2d components, double
     for (stage = INT64_C(1); stage < INT64_C(7); stage += INT64_C(1))
     {
         /*the derivatives do not depend on the work*/
-        count = INT64_C(10);
+        count = INT64_C(13);
         if (stage == INT64_C(6))
         {
-            count = INT64_C(13);
+            count = INT64_C(16);
         }
         stage_state(stage, h, count, state, stages, trial);
         /*values beyond all bounds: the step was much too long*/
@@ -4599,7 +4730,7 @@ static double try_step(array_double_1d plant, array_double_2d components, double
         }
         plant_derivative(plant, components, time, elapsed + stage_node(stage) * h, trial, work, span_row(&work, INT64_C(3) + stage));
     }
-    result = step_error(h, INT64_C(13), state, trial, stages);
+    result = step_error(h, INT64_C(16), state, trial, stages);
     return result;
 }
 /*Whether the crane is within the range of its equations: a `PlantStatus`. */
@@ -4620,11 +4751,11 @@ static int64_t plant_status(array_double_1d plant, array_double_1d state, double
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         /*rest exactly at the limit is allowed*/
-        if ((*cspan_at(&state, INT64_C(0) + i)) < (*cspan_at(&plant, INT64_C(34) + i)) - 1e-09)
+        if ((*cspan_at(&state, INT64_C(0) + i)) < (*cspan_at(&plant, INT64_C(38) + i)) - 1e-09)
         {
             return INT64_C(6) + i;
         }
-        if ((*cspan_at(&state, INT64_C(0) + i)) > (*cspan_at(&plant, INT64_C(37) + i)) + 1e-09)
+        if ((*cspan_at(&state, INT64_C(0) + i)) > (*cspan_at(&plant, INT64_C(41) + i)) + 1e-09)
         {
             return INT64_C(9) + i;
         }
@@ -4642,7 +4773,7 @@ static void accept_step(array_double_1d state, array_double_2d work, double elap
     int64_t i;
     double saturated;
     action = span_row(&work, INT64_C(13));
-    for (i = INT64_C(0); i < INT64_C(13); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(16); i += INT64_C(1))
     {
         (*cspan_at(&state, i)) = (*cspan_at(&work, INT64_C(10), i));
     }
@@ -4653,8 +4784,8 @@ static void accept_step(array_double_1d state, array_double_2d work, double elap
         (*cspan_at(&report, INT64_C(3) + i)) = span_max((*cspan_at(&report, INT64_C(3) + i)), saturated);
     }
     (*cspan_at(&report, INT64_C(6))) = (*cspan_at(&action, INT64_C(6)));
-    (*cspan_at(&report, INT64_C(7))) = (*cspan_at(&work, INT64_C(3) + INT64_C(6), INT64_C(11)));
-    (*cspan_at(&report, INT64_C(8))) = (*cspan_at(&work, INT64_C(3) + INT64_C(6), INT64_C(12)));
+    (*cspan_at(&report, INT64_C(7))) = (*cspan_at(&work, INT64_C(3) + INT64_C(6), INT64_C(14)));
+    (*cspan_at(&report, INT64_C(8))) = (*cspan_at(&work, INT64_C(3) + INT64_C(6), INT64_C(15)));
     (*cspan_at(&report, INT64_C(9))) = elapsed;
 }
 /*Advance the state, in place, by a duration [s] from a time [s] on.                                 */
@@ -4681,7 +4812,7 @@ int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d components, 
     {
         (*cspan_at(&report, i)) = 0.0;
     }
-    finite = all_finite(state, INT64_C(13)) && all_finite(span_row(&work, INT64_C(0)), INT64_C(3));
+    finite = all_finite(state, INT64_C(16)) && all_finite(span_row(&work, INT64_C(0)), INT64_C(3));
     if ((!finite) || (!all_finite(span_row(&work, INT64_C(2)), INT64_C(3))))
     {
         return INT64_C(4);
@@ -9800,8 +9931,8 @@ static double next_change(array_double_2d changes, double after, array_double_2d
     double time;
     double first;
     start = (*cspan_at(&memory, INT64_C(6), INT64_C(0)));
-    gust = (*cspan_at(&memory, INT64_C(5), INT64_C(43)));
-    duration = (*cspan_at(&memory, INT64_C(5), INT64_C(44)));
+    gust = (*cspan_at(&memory, INT64_C(5), INT64_C(47)));
+    duration = (*cspan_at(&memory, INT64_C(5), INT64_C(48)));
     first = 1e+300;
     for (i = INT64_C(0); i < changes.shape[INT64_C(0)]; i += INT64_C(1))
     {
@@ -10542,8 +10673,8 @@ int64_t segfmu_rig_rates(array_double_2d components, array_double_1d setpoints, 
     {
         (*cspan_at(&report, i)) = (*cspan_at(&work, INT64_C(13), i));
     }
-    (*cspan_at(&report, INT64_C(7))) = (*cspan_at(&derivative, INT64_C(11)));
-    (*cspan_at(&report, INT64_C(8))) = (*cspan_at(&derivative, INT64_C(12)));
+    (*cspan_at(&report, INT64_C(7))) = (*cspan_at(&derivative, INT64_C(14)));
+    (*cspan_at(&report, INT64_C(8))) = (*cspan_at(&derivative, INT64_C(15)));
     result = plant_status(span_row(&memory, INT64_C(5)), span_row(&memory, INT64_C(4)), (*cspan_at(&work, INT64_C(13), INT64_C(6))));
     return result;
 }
@@ -10574,9 +10705,13 @@ void segfmu_rig_start(array_double_2d settings, array_double_2d changes, array_d
     {
         (*cspan_at(&memory, INT64_C(4), i)) = (*cspan_at(&state, i));
     }
-    for (i = INT64_C(0); i < INT64_C(49); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(53); i += INT64_C(1))
     {
         (*cspan_at(&memory, INT64_C(5), i)) = (*cspan_at(&settings, INT64_C(3), i));
+    }
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(4), INT64_C(10) + i)) = first_deflection(span_row(&memory, INT64_C(5)), i, (*cspan_at(&state, INT64_C(5) + i)));
     }
     for (i = INT64_C(0); i < INT64_C(19); i += INT64_C(1))
     {
@@ -10677,10 +10812,10 @@ void segfmu_rig_balance(array_double_2d memory, array_double_1d balance)
     (*cspan_at(&balance, INT64_C(0))) = (*cspan_at(&energy, INT64_C(0)));
     (*cspan_at(&balance, INT64_C(1))) = (*cspan_at(&energy, INT64_C(1)));
     (*cspan_at(&balance, INT64_C(2))) = (*cspan_at(&energy, INT64_C(2)));
-    (*cspan_at(&balance, INT64_C(3))) = (*cspan_at(&state, INT64_C(10)));
-    (*cspan_at(&balance, INT64_C(4))) = (*cspan_at(&state, INT64_C(11)));
+    (*cspan_at(&balance, INT64_C(3))) = (*cspan_at(&state, INT64_C(13)));
+    (*cspan_at(&balance, INT64_C(4))) = (*cspan_at(&state, INT64_C(14)));
     (*cspan_at(&balance, INT64_C(5))) = (*cspan_at(&energy, INT64_C(3)));
-    (*cspan_at(&balance, INT64_C(6))) = (*cspan_at(&state, INT64_C(12)));
+    (*cspan_at(&balance, INT64_C(6))) = (*cspan_at(&state, INT64_C(15)));
 }
 /*Error of the balance by integration and rounding [J].*/
 double segfmu_rig_imbalance(array_double_1d balance)
@@ -10708,13 +10843,13 @@ static void load_outputs(array_double_1d target, array_double_2d memory, array_d
     {
         speed = speed + (*cspan_at(&load, INT64_C(1), i)) * (*cspan_at(&load, INT64_C(1), i));
         error = (*cspan_at(&load, INT64_C(0), i)) - (*cspan_at(&target, i));
-        (*cspan_at(&outputs, INT64_C(15) + i)) = (*cspan_at(&load, INT64_C(0), i));
-        (*cspan_at(&outputs, INT64_C(18) + i)) = (*cspan_at(&load, INT64_C(1), i));
-        (*cspan_at(&outputs, INT64_C(23) + i)) = error;
+        (*cspan_at(&outputs, INT64_C(18) + i)) = (*cspan_at(&load, INT64_C(0), i));
+        (*cspan_at(&outputs, INT64_C(21) + i)) = (*cspan_at(&load, INT64_C(1), i));
+        (*cspan_at(&outputs, INT64_C(26) + i)) = error;
         square = square + error * error;
     }
-    (*cspan_at(&outputs, INT64_C(21))) = sqrt(speed);
-    (*cspan_at(&outputs, INT64_C(26))) = sqrt(square);
+    (*cspan_at(&outputs, INT64_C(24))) = sqrt(speed);
+    (*cspan_at(&outputs, INT64_C(29))) = sqrt(square);
 }
 /*Angle [rad] between rope and vertical, of the angles phi_x and phi_y [rad] of (16).*/
 static double total_sway(double angle_x, double angle_y)
@@ -10731,14 +10866,14 @@ static void drive_outputs(array_double_2d memory, array_double_1d outputs)
     report = span_row(&memory, INT64_C(8));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        (*cspan_at(&outputs, INT64_C(27) + i)) = (*cspan_at(&report, INT64_C(0) + i));
-        (*cspan_at(&outputs, INT64_C(30) + i)) = (*cspan_at(&report, INT64_C(10) + i));
-        (*cspan_at(&outputs, INT64_C(33) + i)) = (*cspan_at(&report, INT64_C(0) + i)) * (*cspan_at(&memory, INT64_C(4), INT64_C(5) + i));
+        (*cspan_at(&outputs, INT64_C(30) + i)) = (*cspan_at(&report, INT64_C(0) + i));
+        (*cspan_at(&outputs, INT64_C(33) + i)) = (*cspan_at(&report, INT64_C(10) + i));
+        (*cspan_at(&outputs, INT64_C(36) + i)) = (*cspan_at(&report, INT64_C(0) + i)) * (*cspan_at(&memory, INT64_C(4), INT64_C(5) + i));
     }
-    (*cspan_at(&outputs, INT64_C(36))) = (*cspan_at(&report, INT64_C(6)));
-    (*cspan_at(&outputs, INT64_C(46))) = (*cspan_at(&report, INT64_C(7)));
-    (*cspan_at(&outputs, INT64_C(47))) = (*cspan_at(&report, INT64_C(8)));
-    (*cspan_at(&outputs, INT64_C(37))) = (*cspan_at(&memory, INT64_C(5), INT64_C(2)));
+    (*cspan_at(&outputs, INT64_C(39))) = (*cspan_at(&report, INT64_C(6)));
+    (*cspan_at(&outputs, INT64_C(49))) = (*cspan_at(&report, INT64_C(7)));
+    (*cspan_at(&outputs, INT64_C(50))) = (*cspan_at(&report, INT64_C(8)));
+    (*cspan_at(&outputs, INT64_C(40))) = (*cspan_at(&memory, INT64_C(5), INT64_C(2)));
 }
 /*Write Outputs; target: reference of the load (Target), balance (Balance): work space.*/
 void segfmu_rig_outputs(array_double_1d target, array_double_2d memory, array_double_1d balance, array_double_1d outputs)
@@ -10750,22 +10885,26 @@ void segfmu_rig_outputs(array_double_1d target, array_double_2d memory, array_do
     {
         (*cspan_at(&outputs, INT64_C(0) + i)) = (*cspan_at(&state, i));
     }
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&outputs, INT64_C(10) + i)) = (*cspan_at(&state, INT64_C(10) + i));
+    }
     for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
     {
-        (*cspan_at(&outputs, INT64_C(10) + i)) = (*cspan_at(&memory, INT64_C(0), i));
+        (*cspan_at(&outputs, INT64_C(13) + i)) = (*cspan_at(&memory, INT64_C(0), i));
     }
     load_outputs(target, memory, outputs);
-    (*cspan_at(&outputs, INT64_C(22))) = total_sway((*cspan_at(&state, INT64_C(3))), (*cspan_at(&state, INT64_C(3) + INT64_C(1))));
+    (*cspan_at(&outputs, INT64_C(25))) = total_sway((*cspan_at(&state, INT64_C(3))), (*cspan_at(&state, INT64_C(3) + INT64_C(1))));
     drive_outputs(memory, outputs);
     segfmu_rig_balance(memory, balance);
-    (*cspan_at(&outputs, INT64_C(38))) = (*cspan_at(&balance, INT64_C(0)));
-    (*cspan_at(&outputs, INT64_C(39))) = (*cspan_at(&balance, INT64_C(1)));
-    (*cspan_at(&outputs, INT64_C(40))) = (*cspan_at(&state, INT64_C(10))) + (*cspan_at(&state, INT64_C(11)));
-    (*cspan_at(&outputs, INT64_C(41))) = (*cspan_at(&balance, INT64_C(3)));
-    (*cspan_at(&outputs, INT64_C(42))) = (*cspan_at(&balance, INT64_C(4)));
-    (*cspan_at(&outputs, INT64_C(43))) = (*cspan_at(&balance, INT64_C(5)));
-    (*cspan_at(&outputs, INT64_C(44))) = (*cspan_at(&balance, INT64_C(6)));
-    (*cspan_at(&outputs, INT64_C(45))) = segfmu_rig_imbalance(balance);
+    (*cspan_at(&outputs, INT64_C(41))) = (*cspan_at(&balance, INT64_C(0)));
+    (*cspan_at(&outputs, INT64_C(42))) = (*cspan_at(&balance, INT64_C(1)));
+    (*cspan_at(&outputs, INT64_C(43))) = (*cspan_at(&state, INT64_C(13))) + (*cspan_at(&state, INT64_C(14)));
+    (*cspan_at(&outputs, INT64_C(44))) = (*cspan_at(&balance, INT64_C(3)));
+    (*cspan_at(&outputs, INT64_C(45))) = (*cspan_at(&balance, INT64_C(4)));
+    (*cspan_at(&outputs, INT64_C(46))) = (*cspan_at(&balance, INT64_C(5)));
+    (*cspan_at(&outputs, INT64_C(47))) = (*cspan_at(&balance, INT64_C(6)));
+    (*cspan_at(&outputs, INT64_C(48))) = segfmu_rig_imbalance(balance);
 }
 /*Write the estimates (Estimates) of a tracking controller (Tracking, Tracker).*/
 void segfmu_tracking_estimates(array_double_1d parameters, array_double_2d tracker, array_double_1d estimates)
@@ -10806,14 +10945,14 @@ static double wind_slope(array_double_1d plant, array_double_2d components, doub
     double sines;
     double slope;
     slope = 0.0;
-    duration = (*cspan_at(&plant, INT64_C(44)));
+    duration = (*cspan_at(&plant, INT64_C(48)));
     if (duration > 0.0)
     {
-        share = (time - (*cspan_at(&plant, INT64_C(43)))) / duration;
+        share = (time - (*cspan_at(&plant, INT64_C(47)))) / duration;
         if ((share > 0.0) && (share < 1.0))
         {
-            rate = gust_rate((*cspan_at(&plant, INT64_C(45))), share);
-            slope = rate / duration * (*cspan_at(&plant, INT64_C(46) + axis));
+            rate = gust_rate((*cspan_at(&plant, INT64_C(49))), share);
+            slope = rate / duration * (*cspan_at(&plant, INT64_C(50) + axis));
         }
     }
     for (k = INT64_C(0); k < components.shape[INT64_C(0)]; k += INT64_C(1))
@@ -10825,6 +10964,14 @@ static double wind_slope(array_double_1d plant, array_double_2d components, doub
         slope = slope + frequency * sines;
     }
     return slope;
+}
+/*Derivatives of an axis' friction by its velocity and its deflection. */
+static int64_t axis_slopes(double* result_0, double* result_1, array_double_1d plant, int64_t axis, array_double_1d state)
+{
+    double velocity;
+    velocity = (*cspan_at(&state, INT64_C(5) + axis));
+    friction_slopes(result_0, result_1, plant, axis, velocity, (*cspan_at(&state, INT64_C(10) + axis)));
+    return 0;
 }
 /*Derivative of a drive's force by its velocity [N s/m], where its power bounds it.*/
 static double power_slope(array_double_1d plant, int64_t axis, array_double_1d state, array_double_1d action)
@@ -10848,7 +10995,7 @@ static void add_damping(array_double_1d plant, array_double_1d by, array_double_
     double damped;
     for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
     {
-        damped = (*cspan_at(&plant, INT64_C(33))) * (*cspan_at(&by, INT64_C(13) + j));
+        damped = (*cspan_at(&plant, INT64_C(37))) * (*cspan_at(&by, INT64_C(13) + j));
         (*cspan_at(&row, INT64_C(8) + j)) = (*cspan_at(&row, INT64_C(8) + j)) - damped;
     }
 }
@@ -10861,6 +11008,7 @@ static void forced_partials(array_double_1d plant, array_double_1d state, array_
     int64_t j;
     double by_force;
     double slope;
+    double by_deflection;
     double by_velocity;
     array_double_1d rope;
     int64_t hoist;
@@ -10878,8 +11026,9 @@ static void forced_partials(array_double_1d plant, array_double_1d state, array_
         for (j = INT64_C(0); j < INT64_C(3); j += INT64_C(1))
         {
             by_force = (*cspan_at(&work, i, INT64_C(10) + j));
-            slope = friction_slope(plant, j, (*cspan_at(&state, INT64_C(5) + j)));
+            axis_slopes(&slope, &by_deflection, plant, j, state);
             (*cspan_at(&row, INT64_C(5) + j)) = (*cspan_at(&row, INT64_C(5) + j)) - slope * by_force;
+            (*cspan_at(&row, INT64_C(16) + j)) = (-by_deflection) * by_force;
             (*cspan_at(&row, INT64_C(13) + j)) = (*cspan_at(&work, i, INT64_C(15) + j));
             if ((*cspan_at(&saturated, INT64_C(3) + j)) < 0.5)
             {
@@ -10904,7 +11053,9 @@ static void forced_partials(array_double_1d plant, array_double_1d state, array_
     velocity = INT64_C(5) + INT64_C(2);
     (*cspan_at(&rope, hoist)) = (*cspan_at(&partials, INT64_C(5) + INT64_C(2), hoist));
     by_power = (*cspan_at(&partials, INT64_C(5) + INT64_C(2), velocity));
-    (*cspan_at(&rope, velocity)) = by_power - friction_slope(plant, INT64_C(2), (*cspan_at(&state, velocity)));
+    axis_slopes(&slope, &by_deflection, plant, INT64_C(2), state);
+    (*cspan_at(&rope, velocity)) = by_power - slope;
+    (*cspan_at(&rope, INT64_C(16) + INT64_C(2))) = -by_deflection;
 }
 /*Accelerations of the drives under velocity commands; false if one is at its force bound. */
 static bool demand_partials(array_double_1d plant, array_double_1d state, array_double_2d rig, array_double_1d command, array_double_2d partials)
@@ -10960,6 +11111,7 @@ static bool driven_partials(array_double_1d plant, array_double_1d state, array_
     int64_t command;
     double hoist;
     double slope;
+    double by_deflection;
     array_double_1d force;
     if (!demand_partials(plant, state, rig, span_row(&rig, INT64_C(0)), partials))
     {
@@ -10987,7 +11139,7 @@ static bool driven_partials(array_double_1d plant, array_double_1d state, array_
         }
         add_damping(plant, span_row(&work, i), row);
     }
-    for (j = INT64_C(0); j < INT64_C(17); j += INT64_C(1))
+    for (j = INT64_C(0); j < INT64_C(20); j += INT64_C(1))
     {
         hoist = (*cspan_at(&partials, INT64_C(5) + INT64_C(2), j));
         (*cspan_at(&partials, INT64_C(8), j)) = hoist;
@@ -10995,9 +11147,10 @@ static bool driven_partials(array_double_1d plant, array_double_1d state, array_
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         velocity = INT64_C(5) + i;
-        slope = friction_slope(plant, i, (*cspan_at(&state, velocity)));
+        axis_slopes(&slope, &by_deflection, plant, i, state);
         force = span_row(&partials, INT64_C(5) + i);
         (*cspan_at(&force, velocity)) = (*cspan_at(&force, velocity)) + slope;
+        (*cspan_at(&force, INT64_C(16) + i)) = by_deflection;
     }
     return 1;
 }
@@ -11013,6 +11166,8 @@ static void power_partials(array_double_1d plant, array_double_1d state, array_d
     double velocity;
     int64_t by_wind;
     double slope;
+    double by_deflection;
+    double deflection;
     drive = span_row(&partials, INT64_C(9));
     wind = span_row(&partials, INT64_C(10));
     lost = span_row(&partials, INT64_C(11));
@@ -11028,7 +11183,7 @@ static void power_partials(array_double_1d plant, array_double_1d state, array_d
     {
         rate = INT64_C(5) + i;
         velocity = (*cspan_at(&state, rate));
-        for (j = INT64_C(0); j < INT64_C(16); j += INT64_C(1))
+        for (j = INT64_C(0); j < INT64_C(19); j += INT64_C(1))
         {
             (*cspan_at(&drive, j)) = (*cspan_at(&drive, j)) + (*cspan_at(&partials, INT64_C(5) + i, j)) * velocity;
         }
@@ -11039,12 +11194,18 @@ static void power_partials(array_double_1d plant, array_double_1d state, array_d
         {
             (*cspan_at(&wind, by_wind)) = (*cspan_at(&wind, by_wind)) + (*cspan_at(&work, INT64_C(3) + i, j)) * (*cspan_at(&state, j));
         }
-        slope = friction_slope(plant, i, velocity);
-        (*cspan_at(&lost, rate)) = slope * velocity + friction_force(plant, i, velocity);
+        axis_slopes(&slope, &by_deflection, plant, i, state);
+        deflection = (*cspan_at(&state, INT64_C(10) + i));
+        (*cspan_at(&lost, rate)) = slope * velocity + friction_force(plant, i, velocity, deflection);
+        (*cspan_at(&lost, INT64_C(16) + i)) = by_deflection * velocity;
+        if (deflection_rate(plant, i, velocity, deflection) != 0.0)
+        {
+            (*cspan_at(&partials, INT64_C(12) + i, rate)) = 1.0;
+        }
     }
     for (i = INT64_C(8); i < INT64_C(10); i += INT64_C(1))
     {
-        (*cspan_at(&lost, i)) = 2.0 * (*cspan_at(&plant, INT64_C(33))) * (*cspan_at(&state, i));
+        (*cspan_at(&lost, i)) = 2.0 * (*cspan_at(&plant, INT64_C(37))) * (*cspan_at(&state, i));
     }
 }
 /*All partial derivatives at a time [s] since the start.                                           */
@@ -11067,9 +11228,9 @@ bool segfmu_rig_partials(array_double_2d components, double time, array_double_2
     plant = span_row(&memory, INT64_C(5));
     state = span_row(&memory, INT64_C(4));
     rig = span_rows(&memory, INT64_C(13), INT64_C(13) + INT64_C(20));
-    for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(15); i += INT64_C(1))
     {
-        for (j = INT64_C(0); j < INT64_C(17); j += INT64_C(1))
+        for (j = INT64_C(0); j < INT64_C(20); j += INT64_C(1))
         {
             (*cspan_at(&partials, i, j)) = 0.0;
         }
@@ -11101,20 +11262,20 @@ bool segfmu_rig_partials(array_double_2d components, double time, array_double_2
         forced_partials(plant, state, rig, work, partials);
     }
     power_partials(plant, state, rig, work, partials);
-    for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(15); i += INT64_C(1))
     {
         row = span_row(&partials, i);
         for (j = INT64_C(0); j < INT64_C(3); j += INT64_C(1))
         {
             slope = wind_slope(plant, components, (*cspan_at(&memory, INT64_C(6), INT64_C(0))) + time, j);
-            added = (*cspan_at(&row, INT64_C(16))) + (*cspan_at(&row, INT64_C(13) + j)) * slope;
+            added = (*cspan_at(&row, INT64_C(19))) + (*cspan_at(&row, INT64_C(13) + j)) * slope;
             if (driven)
             {
                 /*corrections are integrated into the velocities*/
                 correction = (*cspan_at(&memory, INT64_C(3), INT64_C(0) + j));
                 added = added + (*cspan_at(&row, INT64_C(10) + j)) * correction;
             }
-            (*cspan_at(&row, INT64_C(16))) = added;
+            (*cspan_at(&row, INT64_C(19))) = added;
         }
     }
     return 1;
@@ -11148,6 +11309,22 @@ int64_t segfmu_check_lags(array_double_1d plant, array_double_1d fault)
                 (*cspan_at(&fault, INT64_C(1))) = axis;
                 return INT64_C(2);
             }
+        }
+    }
+    return INT64_C(0);
+}
+/*Check that static friction [N], of each axis (Axes,), is not below Coulomb friction or 0.*/
+int64_t segfmu_check_friction(array_double_1d static_0001, array_double_1d coulomb, array_double_1d fault)
+{
+    int64_t axis;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        if (((*cspan_at(&static_0001, axis)) > 0.0) && ((*cspan_at(&static_0001, axis)) < (*cspan_at(&coulomb, axis))))
+        {
+            (*cspan_at(&fault, INT64_C(1))) = axis;
+            (*cspan_at(&fault, INT64_C(2))) = (*cspan_at(&static_0001, axis));
+            (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&coulomb, axis));
+            return INT64_C(12);
         }
     }
     return INT64_C(0);

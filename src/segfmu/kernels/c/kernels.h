@@ -69,6 +69,7 @@ SEGFMU_API void segfmu_tracking_estimates(array_double_1d parameters, array_doub
 SEGFMU_API bool segfmu_rig_partials(array_double_2d components, double time, array_double_2d memory, array_double_2d work, array_double_2d partials);
 SEGFMU_API int64_t segfmu_check_travel(array_double_1d least, array_double_1d greatest, array_double_1d fault);
 SEGFMU_API int64_t segfmu_check_lags(array_double_1d plant, array_double_1d fault);
+SEGFMU_API int64_t segfmu_check_friction(array_double_1d static_0001, array_double_1d coulomb, array_double_1d fault);
 SEGFMU_API int64_t segfmu_check_delays(array_double_1d plant, double period, int64_t exchange, array_double_1d fault);
 SEGFMU_API int64_t segfmu_check_sensors(array_double_1d sensors, array_double_1d fault);
 SEGFMU_API int64_t segfmu_check_rope_bounds(double length, double shortest, double longest, array_double_1d fault);

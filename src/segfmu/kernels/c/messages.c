@@ -270,6 +270,14 @@ bool segfmu_setup_message(
             report[SETUP_FAULT_VALUE],
             report[SETUP_FAULT_BOUND]);
         return true;
+    case 12:
+        snprintf(text, size,
+            "friction.%s.static %g N must be 0 or at least friction.%s.coulomb %g N",
+            drive[(int)report[SETUP_FAULT_DRIVE]],
+            report[SETUP_FAULT_VALUE],
+            drive[(int)report[SETUP_FAULT_DRIVE]],
+            report[SETUP_FAULT_BOUND]);
+        return true;
     case 10:
         snprintf(text, size,
             "drive.%s.dead_time %g s is longer than 100000 periods of %g s; lower it or "

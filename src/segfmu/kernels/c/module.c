@@ -204,7 +204,7 @@ static PyObject *call_flat_table(
         && take_int(&call, 2, &in_rows)
         && (in_lengths = take_array(&call, 3, 1, 'd', false)) != NULL
         && (in_table = take_array(&call, 4, 3, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 49)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 53)
         && has_at_least(&call, "design", 0, in_design->shape[0], 4)
         && has_at_least(&call, "lengths", 0, in_lengths->shape[0], in_rows)
         && has_at_least(&call, "table", 0, in_table->shape[0], in_rows)
@@ -887,7 +887,7 @@ static PyObject *call_plant_failure(
         && (in_plant = take_array(&call, 3, 1, 'd', false)) != NULL
         && (in_fault = take_array(&call, 4, 1, 'd', true)) != NULL
         && has_at_least(&call, "state", 0, in_state->shape[0], 10)
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 49)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 53)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_plant_failure(
             in_status,
@@ -923,11 +923,11 @@ static PyObject *call_plant_advance(
         && take_float(&call, 5, &in_tolerance)
         && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
         && (in_report = take_array(&call, 7, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 49)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 53)
         && has_at_least(&call, "components", 1, in_components->shape[1], 7)
-        && has_at_least(&call, "state", 0, in_state->shape[0], 13)
+        && has_at_least(&call, "state", 0, in_state->shape[0], 16)
         && has_at_least(&call, "work", 0, in_work->shape[0], 20)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 15)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 16)
         && has_at_least(&call, "report", 0, in_report->shape[0], 13)) {
         answer = PyLong_FromLongLong(segfmu_plant_advance(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
@@ -1463,9 +1463,9 @@ static PyObject *call_rig_next_event(
         && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
         && (in_memory = take_array(&call, 1, 2, 'd', false)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 49)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 53)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 49)) {
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 53)) {
         answer = PyFloat_FromDouble(segfmu_rig_next_event(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}}));
@@ -1486,9 +1486,9 @@ static PyObject *call_switch_correction(
         && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
         && (in_memory = take_array(&call, 1, 2, 'd', true)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 49)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 53)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 49)) {
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 53)) {
         segfmu_switch_correction(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}});
@@ -1524,7 +1524,7 @@ static PyObject *call_rig_event(
         && has_at_least(&call, "table", 0, in_table->shape[0], 1)
         && has_at_least(&call, "gains", 0, in_gains->shape[0], 1)
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 49)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 53)
         && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
         && has_at_least(&call, "table", 1, in_table->shape[1], 19)
         && has_at_least(&call, "table", 2, in_table->shape[2], 10)
@@ -1533,7 +1533,7 @@ static PyObject *call_rig_event(
         && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 25)
         && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 10)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 49)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 53)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
         segfmu_rig_event(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
@@ -1564,8 +1564,8 @@ static PyObject *call_rig_signals(
         && take_float(&call, 1, &in_time)
         && (in_memory = take_array(&call, 2, 2, 'd', true)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 49)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 49)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 53)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 53)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
         segfmu_rig_signals(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
@@ -1597,8 +1597,8 @@ static PyObject *call_rig_rates(
         && has_at_least(&call, "components", 1, in_components->shape[1], 7)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 49)
-        && has_at_least(&call, "derivative", 0, in_derivative->shape[0], 13)) {
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 53)
+        && has_at_least(&call, "derivative", 0, in_derivative->shape[0], 16)) {
         answer = PyLong_FromLongLong(segfmu_rig_rates(
             (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}},
             (array_double_1d){in_setpoints->buf, {in_setpoints->shape[0]}},
@@ -1620,7 +1620,7 @@ static PyObject *call_rig_rows(
     if (take_count(&call, count, 1)
         && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 49)) {
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 53)) {
         answer = PyLong_FromLongLong(segfmu_rig_rows(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}));
     }
@@ -1648,11 +1648,11 @@ static PyObject *call_rig_start(
         && take_float(&call, 4, &in_start)
         && (in_memory = take_array(&call, 5, 2, 'd', true)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 49)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 53)
         && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
         && has_at_least(&call, "state", 0, in_state->shape[0], 10)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 49)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 53)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
         segfmu_rig_start(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
@@ -1695,7 +1695,7 @@ static PyObject *call_rig_step(
         && has_at_least(&call, "table", 0, in_table->shape[0], 1)
         && has_at_least(&call, "gains", 0, in_gains->shape[0], 1)
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 49)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 53)
         && has_at_least(&call, "components", 1, in_components->shape[1], 7)
         && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
         && has_at_least(&call, "table", 1, in_table->shape[1], 19)
@@ -1705,7 +1705,7 @@ static PyObject *call_rig_step(
         && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 25)
         && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 10)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 49)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 53)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
         answer = PyLong_FromLongLong(segfmu_rig_step(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
@@ -1734,7 +1734,7 @@ static PyObject *call_rig_balance(
         && (in_memory = take_array(&call, 0, 2, 'd', true)) != NULL
         && (in_balance = take_array(&call, 1, 1, 'd', true)) != NULL
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 49)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 53)
         && has_at_least(&call, "balance", 0, in_balance->shape[0], 7)) {
         segfmu_rig_balance(
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}},
@@ -1779,9 +1779,9 @@ static PyObject *call_rig_outputs(
         && (in_outputs = take_array(&call, 3, 1, 'd', true)) != NULL
         && has_at_least(&call, "target", 0, in_target->shape[0], 3)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 49)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 53)
         && has_at_least(&call, "balance", 0, in_balance->shape[0], 7)
-        && has_at_least(&call, "outputs", 0, in_outputs->shape[0], 48)) {
+        && has_at_least(&call, "outputs", 0, in_outputs->shape[0], 51)) {
         segfmu_rig_outputs(
             (array_double_1d){in_target->buf, {in_target->shape[0]}},
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}},
@@ -1839,11 +1839,11 @@ static PyObject *call_rig_partials(
         && (in_partials = take_array(&call, 4, 2, 'd', true)) != NULL
         && has_at_least(&call, "components", 1, in_components->shape[1], 7)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 49)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 53)
         && has_at_least(&call, "work", 0, in_work->shape[0], 6)
         && has_at_least(&call, "work", 1, in_work->shape[1], 18)
-        && has_at_least(&call, "partials", 0, in_partials->shape[0], 12)
-        && has_at_least(&call, "partials", 1, in_partials->shape[1], 17)) {
+        && has_at_least(&call, "partials", 0, in_partials->shape[0], 15)
+        && has_at_least(&call, "partials", 1, in_partials->shape[1], 20)) {
         answer = PyBool_FromLong(segfmu_rig_partials(
             (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}},
             in_time,
@@ -1891,10 +1891,35 @@ static PyObject *call_check_lags(
     if (take_count(&call, count, 2)
         && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
         && (in_fault = take_array(&call, 1, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 49)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 53)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_check_lags(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
+            (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_check_friction(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "check_friction", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_static;
+    Py_buffer *in_coulomb;
+    Py_buffer *in_fault;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && (in_static = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_coulomb = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_fault = take_array(&call, 2, 1, 'd', true)) != NULL
+        && has_at_least(&call, "static", 0, in_static->shape[0], 3)
+        && has_at_least(&call, "coulomb", 0, in_coulomb->shape[0], 3)
+        && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
+        answer = PyLong_FromLongLong(segfmu_check_friction(
+            (array_double_1d){in_static->buf, {in_static->shape[0]}},
+            (array_double_1d){in_coulomb->buf, {in_coulomb->shape[0]}},
             (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
     }
     release_arguments(&call);
@@ -1916,7 +1941,7 @@ static PyObject *call_check_delays(
         && take_float(&call, 1, &in_period)
         && take_int(&call, 2, &in_exchange)
         && (in_fault = take_array(&call, 3, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 49)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 53)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_check_delays(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
@@ -2403,6 +2428,7 @@ static PyMethodDef methods[] = {
     {"rig_partials", (PyCFunction)(void (*)(void))call_rig_partials, METH_FASTCALL, NULL},
     {"check_travel", (PyCFunction)(void (*)(void))call_check_travel, METH_FASTCALL, NULL},
     {"check_lags", (PyCFunction)(void (*)(void))call_check_lags, METH_FASTCALL, NULL},
+    {"check_friction", (PyCFunction)(void (*)(void))call_check_friction, METH_FASTCALL, NULL},
     {"check_delays", (PyCFunction)(void (*)(void))call_check_delays, METH_FASTCALL, NULL},
     {"check_sensors", (PyCFunction)(void (*)(void))call_check_sensors, METH_FASTCALL, NULL},
     {"check_rope_bounds", (PyCFunction)(void (*)(void))call_check_rope_bounds, METH_FASTCALL, NULL},

@@ -3,7 +3,7 @@
 `plant` is a `Plant`, `work` a `Work`, see crane/records.py.
 """
 
-from math import cos, sin, tanh
+from math import cos, sin
 
 from segfmu.kernels.crane._crane import crane_driven, crane_rhs
 from segfmu.kernels.crane.bounds import (
@@ -25,26 +25,6 @@ from segfmu.kernels.crane.records import (
 )
 from segfmu.kernels.numerics.noise import full_circle
 from segfmu.kernels.numerics.records import Sinusoid
-
-
-def friction_force(plant: 'float[:]', axis: int, velocity: float) -> float:
-    """Viscous and Coulomb friction and drag [N] against a velocity; the sign change is a tanh."""
-    friction = plant[Plant.VISCOUS + axis] * velocity
-    friction = friction + plant[Plant.DRAG + axis] * velocity * abs(velocity)
-    if plant[Plant.COULOMB + axis] > 0.0:
-        share = tanh(velocity / plant[Plant.FRICTION_WIDTH])
-        friction = friction + plant[Plant.COULOMB + axis] * share
-    return friction
-
-
-def friction_slope(plant: 'float[:]', axis: int, velocity: float) -> float:
-    """Derivative of the friction force of an axis by its velocity [N s/m]."""
-    slope = plant[Plant.VISCOUS + axis] + 2.0 * plant[Plant.DRAG + axis] * abs(velocity)
-    if plant[Plant.COULOMB + axis] > 0.0:
-        width = plant[Plant.FRICTION_WIDTH]
-        share = tanh(velocity / width)
-        slope = slope + plant[Plant.COULOMB + axis] * (1.0 - share * share) / width
-    return slope
 
 
 def gust_factor(shape: float, share: float) -> float:

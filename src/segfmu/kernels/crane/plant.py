@@ -8,9 +8,9 @@ from segfmu.kernels.crane._crane import crane_load
 from segfmu.kernels.crane.drives import (
     driven_derivative,
     forced_derivative,
-    friction_force,
     wind_force,
 )
+from segfmu.kernels.crane.friction import deflection_rate, friction_force
 from segfmu.kernels.crane.records import (
     Action,
     Axes,
@@ -53,7 +53,10 @@ def plant_derivative(
         slope = rate[CommandRates.SQUARE + i] + elapsed * rate[CommandRates.CUBE + i]
         slope = rate[CommandRates.LINEAR + i] + elapsed * slope
         work[Work.DEMAND, i] = work[Work.COMMAND, i] + elapsed * slope
-        work[Work.FRICTION, i] = friction_force(plant, i, state[State.VELOCITY + i])
+        velocity = state[State.VELOCITY + i]
+        deflection = state[PlantState.DEFLECTION + i]
+        work[Work.FRICTION, i] = friction_force(plant, i, velocity, deflection)
+        derivative[PlantState.DEFLECTION + i] = deflection_rate(plant, i, velocity, deflection)
         work[Work.ACTION, Action.SATURATED + i] = 0.0
     for i in range(2):
         torque = -plant[Plant.SWAY_DAMPING] * state[State.RATE + i]
@@ -116,7 +119,7 @@ def try_step(
     trial = work[Work.TRIAL, :]
     for stage in range(1, Stages.SIZE):
         # the derivatives do not depend on the work
-        count = State.SIZE
+        count = PlantState.DRIVE_WORK
         if stage == Stages.K7:
             count = PlantState.SIZE
         stage_state(stage, h, count, state, stages, trial)

@@ -98,8 +98,12 @@ class State(Coordinates):
 
 
 class PlantState(State):
-    """State of the crane and works since the start."""
+    """State of the crane, deflections of the contacts that rub, and works since the start."""
 
+    DEFLECTION = field(
+        "deflections of the contacts, see `friction_force`", "m", size=3,
+        variables=[f"friction.{d}.deflection" for d in DRIVES],
+    )
     DRIVE_WORK = field("work of the drives", "J")
     WIND_WORK = field("work of the wind", "J")
     DISSIPATED = field("energy dissipated by friction", "J")
@@ -148,13 +152,20 @@ class Plant(Masses):
     COULOMB = field(
         "Coulomb friction", "N", size=3, variables=[f"friction.{d}.coulomb" for d in DRIVES]
     )
+    STATIC = field(
+        "static friction; 0: as Coulomb friction", "N", size=3,
+        variables=[f"friction.{d}.static" for d in DRIVES],
+    )
     DRAG = field(
         "friction at 1 m/s that grows with the square of the velocity", "N", size=3,
         variables=[f"friction.{d}.drag" for d in DRIVES],
     )
     FRICTION_WIDTH = field(
-        "velocity at which Coulomb friction comes to tanh(1) of its value", "m/s",
+        "velocity at which static friction has fallen to Coulomb friction but for 1/e", "m/s",
         variables=("friction.width",),
+    )
+    PRESLIDING = field(
+        "displacement at which a contact slides", "m", variables=("friction.presliding",)
     )
     SWAY_DAMPING = field(
         "viscous damping of both sway angles", "N.m.s", variables=("friction.sway.viscous",)

@@ -34,6 +34,8 @@ def rig_outputs(
     state = memory[Memory.STATE, :]
     for i in range(State.SIZE):
         outputs[Outputs.STATE + i] = state[i]
+    for i in range(Axes.SIZE):
+        outputs[Outputs.DEFLECTION + i] = state[PlantState.DEFLECTION + i]
     for i in range(Coordinates.SIZE):
         outputs[Outputs.MEASURED + i] = memory[Memory.SIGNALS, i]
     load_outputs(target, memory, outputs)

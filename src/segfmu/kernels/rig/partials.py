@@ -14,7 +14,7 @@ from segfmu.kernels.crane._partials import (
     crane_rhs_partials,
 )
 from segfmu.kernels.crane.bounds import at_velocity_bound, exceeds, force_bound, limited
-from segfmu.kernels.crane.drives import friction_force, friction_slope
+from segfmu.kernels.crane.friction import deflection_rate, friction_force, friction_slopes
 from segfmu.kernels.crane.records import (
     Action,
     Axes,
@@ -24,6 +24,7 @@ from segfmu.kernels.crane.records import (
     GustShape,
     LoadPartials,
     Plant,
+    PlantState,
     State,
     Work,
 )
@@ -60,6 +61,12 @@ def wind_slope(plant: 'float[:]', components: 'float[:,:]', time: float, axis: i
     return slope
 
 
+def axis_slopes(plant: 'float[:]', axis: int, state: 'float[:]') -> 'tuple[float, float]':
+    """Derivatives of an axis' friction by its velocity and its deflection."""
+    velocity = state[State.VELOCITY + axis]
+    return friction_slopes(plant, axis, velocity, state[PlantState.DEFLECTION + axis])
+
+
 def power_slope(
     plant: 'float[:]', axis: int, state: 'float[:]', action: 'float[:]'
 ) -> float:
@@ -84,8 +91,9 @@ def forced_partials(
             row[j] = work[i, j]
         for j in range(3):
             by_force = work[i, CranePartials.DRIVE + j]
-            slope = friction_slope(plant, j, state[State.VELOCITY + j])
+            slope, by_deflection = axis_slopes(plant, j, state)
             row[State.VELOCITY + j] = row[State.VELOCITY + j] - slope * by_force
+            row[RigVariables.DEFLECTION + j] = -by_deflection * by_force
             row[RigVariables.WIND + j] = work[i, CranePartials.WIND + j]
             if saturated[Action.SATURATED + j] < 0.5:
                 row[RigVariables.COMMAND + j] = by_force
@@ -102,7 +110,9 @@ def forced_partials(
     velocity = State.VELOCITY + Axes.ROPE
     rope[hoist] = partials[RigPartials.FORCE + Axes.ROPE, hoist]
     by_power = partials[RigPartials.FORCE + Axes.ROPE, velocity]
-    rope[velocity] = by_power - friction_slope(plant, Axes.ROPE, state[velocity])
+    slope, by_deflection = axis_slopes(plant, Axes.ROPE, state)
+    rope[velocity] = by_power - slope
+    rope[RigVariables.DEFLECTION + Axes.ROPE] = -by_deflection
 
 
 def add_damping(plant: 'float[:]', by: 'float[:]', row: 'float[:]') -> None:
@@ -168,9 +178,10 @@ def driven_partials(
         partials[RigPartials.ROPE_FORCE, j] = hoist
     for i in range(3):
         velocity = State.VELOCITY + i
-        slope = friction_slope(plant, i, state[velocity])
+        slope, by_deflection = axis_slopes(plant, i, state)
         force = partials[RigPartials.FORCE + i, :]
         force[velocity] = force[velocity] + slope
+        force[RigVariables.DEFLECTION + i] = by_deflection
     return True
 
 
@@ -196,8 +207,12 @@ def power_partials(
         by_wind = RigVariables.WIND + i
         for j in range(State.VELOCITY, State.SIZE):
             wind[by_wind] = wind[by_wind] + work[LoadPartials.VELOCITY + i, j] * state[j]
-        slope = friction_slope(plant, i, velocity)
-        lost[rate] = slope * velocity + friction_force(plant, i, velocity)
+        slope, by_deflection = axis_slopes(plant, i, state)
+        deflection = state[PlantState.DEFLECTION + i]
+        lost[rate] = slope * velocity + friction_force(plant, i, velocity, deflection)
+        lost[RigVariables.DEFLECTION + i] = by_deflection * velocity
+        if deflection_rate(plant, i, velocity, deflection) != 0.0:
+            partials[RigPartials.DEFLECTION + i, rate] = 1.0
     for i in range(State.RATE, State.SIZE):
         lost[i] = 2.0 * plant[Plant.SWAY_DAMPING] * state[i]
 

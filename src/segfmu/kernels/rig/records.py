@@ -45,7 +45,7 @@ class SetupStatus(Codes):
     LONG_DEAD_TIME: of the sensors. ROPE_START: the rope has no length. ROPE_BOUNDS: its bounds are
     not ascending. LENGTHS, OBSERVER: of a controller's table, the observer's is not finite.
     LONG_DELAY, LATE_EXCHANGE: dead time of a drive, longer than there is memory for, or in model
-    exchange.
+    exchange. LOW_STATIC: static friction below Coulomb friction.
     """
 
     FITS = 0
@@ -60,6 +60,7 @@ class SetupStatus(Codes):
     OBSERVER = 9
     LONG_DELAY = 10
     LATE_EXCHANGE = 11
+    LOW_STATIC = 12
 
 
 class SetupFault(Record):
@@ -333,6 +334,10 @@ class Outputs(Record):
         "state", size=State.SIZE, of=State,
         variables=[v for f in State.FIELDS.values() for v in f.variables],
     )
+    DEFLECTION = field(
+        "deflection of the contact that rubs", "m", size=3,
+        variables=[f"friction.{d}.deflection" for d in DRIVES],
+    )
     MEASURED = field(
         "signals of the sensors", size=Coordinates.SIZE, of=Coordinates,
         variables=[f"measured.{s}" for s in SIGNALS],
@@ -376,7 +381,7 @@ class Outputs(Record):
 
 
 class Accelerations(Record):
-    """Second derivatives of the coordinates, as variables of model exchange."""
+    """Derivatives of velocities, rates and deflections, as variables of model exchange."""
 
     POSITION = field(
         "of the positions", "m/s2", size=3,
@@ -385,6 +390,10 @@ class Accelerations(Record):
     ANGLE = field(
         "of the sway angles", "rad/s2", size=2,
         variables=("sway.x.acceleration", "sway.y.acceleration"),
+    )
+    DEFLECTION = field(
+        "of the deflections of the contacts", "m/s", size=3,
+        variables=[f"friction.{d}.deflection_rate" for d in DRIVES],
     )
 
 
@@ -397,6 +406,7 @@ class RigPartials(Record):
     DRIVE_POWER = field("power of the drives")
     WIND_POWER = field("power of the wind")
     FRICTION_POWER = field("power of friction")
+    DEFLECTION = field("derivatives of the deflections", size=3)
 
 
 class RigVariables(State):
@@ -404,4 +414,5 @@ class RigVariables(State):
 
     COMMAND = field("commands of the drives, forces or velocities", size=3)
     WIND = field("forces on the load", size=3)
+    DEFLECTION = field("deflections of the contacts that rub", "m", size=3)
     TIME = field("time")

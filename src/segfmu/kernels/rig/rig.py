@@ -20,6 +20,7 @@ memory               `Memory`, of `rig_rows` rows; a copy of it is the state of 
 """
 
 from segfmu.kernels.crane._crane import crane_energy
+from segfmu.kernels.crane.friction import first_deflection
 from segfmu.kernels.crane.records import Axes, Plant, PlantState, PlantStatus, Report, State
 from segfmu.kernels.numerics.integrate import all_finite
 from segfmu.kernels.rig.delay import (
@@ -76,6 +77,10 @@ def rig_start(
         memory[Memory.STATE, i] = state[i]
     for i in range(Plant.SIZE):
         memory[Memory.PLANT, i] = settings[Settings.PLANT, i]
+    for i in range(Axes.SIZE):
+        memory[Memory.STATE, PlantState.DEFLECTION + i] = first_deflection(
+            memory[Memory.PLANT, :], i, state[State.VELOCITY + i]
+        )
     for i in range(Setpoints.SIZE):
         memory[Memory.LAST, i] = setpoints[i]
     for i in range(3):

@@ -26,6 +26,17 @@ def check_lags(plant: 'float[:]', fault: 'float[:]') -> int:
     return SetupStatus.FITS
 
 
+def check_friction(static: 'float[:]', coulomb: 'float[:]', fault: 'float[:]') -> int:
+    """Check that static friction [N], of each axis (Axes,), is not below Coulomb friction or 0."""
+    for axis in range(Axes.SIZE):
+        if static[axis] > 0.0 and static[axis] < coulomb[axis]:
+            fault[SetupFault.DRIVE] = axis
+            fault[SetupFault.VALUE] = static[axis]
+            fault[SetupFault.BOUND] = coulomb[axis]
+            return SetupStatus.LOW_STATIC
+    return SetupStatus.FITS
+
+
 def check_delays(plant: 'float[:]', period: float, exchange: int, fault: 'float[:]') -> int:
     """Check that there is memory for the dead times of the drives; in model exchange there is none.
 

@@ -44,7 +44,7 @@ double crane_difference(crane *m, int output, int column, int energy, int refere
     if (reference >= 0) {
         slope = slope_by(m, target, output, &target[reference]);
     } else if (energy >= 0) {
-        slope = slope_by(m, target, output, &state[STATE_SIZE + energy]);
+        slope = slope_by(m, target, output, &state[PLANT_STATE_DRIVE_WORK + energy]);
     } else if (column >= 0) {
         slope = column < STATE_SIZE ? slope_by(m, target, output, &state[column]) : 0.0;
         for (size_t i = 0; i < sizeof REPORTED / sizeof *REPORTED; i++) {

@@ -5,7 +5,7 @@
 #include "crane.h"
 #include "feeds.h"
 
-enum { WORKS = PLANT_STATE_SIZE - STATE_SIZE };
+enum { WORKS = PLANT_STATE_SIZE - PLANT_STATE_DRIVE_WORK };
 
 /* A variable by which is differentiated: a column of the kernel's, a state that is an energy, or a
    component of the load's reference; -1 where it is none. */
@@ -38,6 +38,8 @@ static bool find_known(const crane *m, const variable *v, known_place *k)
         k->column = driven(m) ? RIG_VARIABLES_COMMAND + which : -1;
     } else if (among(setpoint, SETPOINTS_WIND, VECTOR_SIZE, &which)) {
         k->column = RIG_VARIABLES_WIND + which;
+    } else if (among(output, OUTPUTS_DEFLECTION, AXES_SIZE, &which)) {
+        k->column = RIG_VARIABLES_DEFLECTION + which;
     } else if (v->offset == V_TIME) {
         k->column = RIG_VARIABLES_TIME;
     } else if (output == OUTPUTS_DRIVE_WORK || output == OUTPUTS_WIND_WORK
@@ -146,7 +148,9 @@ static bool of_forces(const crane *m, const variable *unknown, int output, const
                       double *value)
 {
     int which, acceleration = feed_place(&feeds_accelerations, unknown->offset);
-    if (acceleration >= 0) {
+    if (among(acceleration, ACCELERATIONS_DEFLECTION, AXES_SIZE, &which)) {
+        *value = of_rig(m, RIG_PARTIALS_DEFLECTION + which, k);
+    } else if (acceleration >= 0) {
         *value = of_rig(m, RIG_PARTIALS_ACCELERATION + acceleration, k);
     } else if (among(output, OUTPUTS_FORCE, AXES_SIZE, &which)) {
         *value = of_rig(m, RIG_PARTIALS_FORCE + which, k);
@@ -172,6 +176,8 @@ static bool of_place(const crane *m, int output, const known_place *k, double *v
     int which;
     if (among(output, OUTPUTS_STATE, STATE_SIZE, &which)) {
         *value = k->column == which;
+    } else if (among(output, OUTPUTS_DEFLECTION, AXES_SIZE, &which)) {
+        *value = k->column == RIG_VARIABLES_DEFLECTION + which;
     } else if (among(output, OUTPUTS_MEASURED, COORDINATES_SIZE, &which)) {
         *value = of_signal(m, which, k);
     } else if (among(output, OUTPUTS_LOAD_POSITION, VECTOR_SIZE, &which)) {
@@ -266,11 +272,15 @@ bool model_output_derivative(model *base, const variable *output, int64_t order,
         k.column = RIG_VARIABLES_COMMAND + i;
         sum += partial_of(m, output, &k) * m->slope[feed_offset(&feeds_setpoints, commands + i)];
     }
+    for (int i = 0; i < AXES_SIZE; i++) {
+        k.column = RIG_VARIABLES_DEFLECTION + i;
+        sum += partial_of(m, output, &k) * m->derivative[PLANT_STATE_DEFLECTION + i];
+    }
     k.column = RIG_VARIABLES_TIME;
     sum += partial_of(m, output, &k);
     k.column = -1;
     for (k.energy = 0; k.energy < WORKS; k.energy++) {
-        sum += partial_of(m, output, &k) * m->derivative[STATE_SIZE + k.energy];
+        sum += partial_of(m, output, &k) * m->derivative[PLANT_STATE_DRIVE_WORK + k.energy];
     }
     k.energy = -1;
     for (k.reference = 0; k.reference < VECTOR_SIZE; k.reference++) {

@@ -15,7 +15,7 @@ static const double MOST_LATE = 2.0;
 
 /* the states in the order of the description: the crane's and its energies */
 static const double model_nominals[MODEL_STATES + 1] = {
-    1.0, 1.0, 1.0, 0.1, 0.1, 1.0, 1.0, 1.0, 0.1, 0.1, 10.0, 10.0, 10.0, 0.0
+    1.0, 1.0, 1.0, 0.1, 0.1, 1.0, 1.0, 1.0, 0.1, 0.1, 1e-5, 1e-5, 1e-5, 10.0, 10.0, 10.0, 0.0
 };
 
 /* Bytes of a block for the times in the settings; those that are refused need no room. */
