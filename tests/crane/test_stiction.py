@@ -82,10 +82,11 @@ def test_breaks_away_at_its_static_friction(crane: Crane, static: float) -> None
     coulomb = 0.01 * own.gravity * (mass + own.payload_mass)
     breaks = max(static, 1.0)
     for share in np.linspace(0.0, 0.999 * breaks, 400):
-        plant.step(0.01, replace(given, force=given.force + [share * coulomb, 0.0, 0.0]))
+        added = np.array([share * coulomb, 0.0, 0.0])
+        plant.step(0.01, replace(given, force=given.force + added))
     assert abs(plant.state[0]) <= 1e-5
     push = 1.2 * breaks
-    pushed = replace(given, force=given.force + [push * coulomb, 0.0, 0.0])
+    pushed = replace(given, force=given.force + np.array([push * coulomb, 0.0, 0.0]))
     plant.step(1e-9, pushed)
     plant.step(1.0, pushed)
     before = plant.state[5]
@@ -95,7 +96,7 @@ def test_breaks_away_at_its_static_friction(crane: Crane, static: float) -> None
 
 @SIZES
 def test_comes_to_rest_and_sticks(crane: Crane) -> None:
-    """From v0 the friction alone takes v0 / (0.01 g), and v0^2 / (0.02 g) of way; then all rests."""
+    """From v0 friction takes v0 / (0.01 g), and v0^2 / (0.02 g) of way; then all rests."""
     own = replace(crane, payload_mass=1e-6 * crane.payload_mass)
     plant, given = rubbing(own, 0.0)
     state = plant.state
