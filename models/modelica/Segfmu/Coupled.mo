@@ -1,7 +1,7 @@
 within Segfmu;
 partial model Coupled "Planner and crane, connected by name"
   GantryFeedforward feedforward annotation(Placement(transformation(origin = {-300, 0}, extent = {{-200, -430}, {200, 430}})));
-  GantryCrane gantry annotation(Placement(transformation(origin = {300, 0}, extent = {{-200, -760}, {200, 760}})));
+  GantryCrane gantry annotation(Placement(transformation(origin = {300, 0}, extent = {{-200, -800}, {200, 800}})));
 equation
   connect(feedforward.force_bridge, gantry.force_bridge) annotation(Line(color = {0, 0, 127}));
   connect(feedforward.force_trolley, gantry.force_trolley) annotation(Line(color = {0, 0, 127}));
@@ -22,5 +22,5 @@ equation
   connect(feedforward.reference_load_position_x, gantry.reference_load_position_x) annotation(Line(color = {0, 0, 127}));
   connect(feedforward.reference_load_position_y, gantry.reference_load_position_y) annotation(Line(color = {0, 0, 127}));
   connect(feedforward.reference_load_position_z, gantry.reference_load_position_z) annotation(Line(color = {0, 0, 127}));
-  annotation(Diagram(coordinateSystem(extent = {{-600, -820}, {600, 820}})));
+  annotation(Diagram(coordinateSystem(extent = {{-600, -860}, {600, 860}})));
 end Coupled;

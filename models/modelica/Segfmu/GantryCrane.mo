@@ -49,61 +49,64 @@ model GantryCrane "Dynamics of a 3-DOF gantry crane from Lagrange's equations, d
   parameter Real wind_y_start(unit = "N", nominal = 10.0) = 0.0 "value where wind_y is not there" annotation(Dialog(tab = "inputs"));
   Interfaces.RealInput wind_z(unit = "N", nominal = 10.0, start = 0.0) if use_wind "external force on the load, z" annotation(Placement(transformation(extent = {{-216, -228}, {-200, -212}})));
   parameter Real wind_z_start(unit = "N", nominal = 10.0) = 0.0 "value where wind_z is not there" annotation(Dialog(tab = "inputs"));
-  Interfaces.RealOutput bridge_position(unit = "m") "true bridge.position" annotation(Placement(transformation(extent = {{200, 732}, {216, 748}})));
-  Interfaces.RealOutput trolley_position(unit = "m") "true trolley.position" annotation(Placement(transformation(extent = {{200, 692}, {216, 708}})));
-  Interfaces.RealOutput rope_length(unit = "m") "true rope.length" annotation(Placement(transformation(extent = {{200, 652}, {216, 668}})));
-  Interfaces.RealOutput sway_x_angle(unit = "rad", displayUnit = "deg", nominal = 0.1) "true sway.x.angle" annotation(Placement(transformation(extent = {{200, 612}, {216, 628}})));
-  Interfaces.RealOutput sway_y_angle(unit = "rad", displayUnit = "deg", nominal = 0.1) "true sway.y.angle" annotation(Placement(transformation(extent = {{200, 592}, {216, 608}})));
-  Interfaces.RealOutput bridge_velocity(unit = "m/s") "true bridge.velocity" annotation(Placement(transformation(extent = {{200, 552}, {216, 568}})));
-  Interfaces.RealOutput trolley_velocity(unit = "m/s") "true trolley.velocity" annotation(Placement(transformation(extent = {{200, 512}, {216, 528}})));
-  Interfaces.RealOutput rope_velocity(unit = "m/s") "true rope.velocity" annotation(Placement(transformation(extent = {{200, 472}, {216, 488}})));
-  Interfaces.RealOutput sway_x_rate(unit = "rad/s", displayUnit = "deg/s", nominal = 0.1) "true sway.x.rate" annotation(Placement(transformation(extent = {{200, 432}, {216, 448}})));
-  Interfaces.RealOutput sway_y_rate(unit = "rad/s", displayUnit = "deg/s", nominal = 0.1) "true sway.y.rate" annotation(Placement(transformation(extent = {{200, 412}, {216, 428}})));
-  Interfaces.RealOutput measured_bridge_position(unit = "m") "measured bridge.position" annotation(Placement(transformation(extent = {{200, 372}, {216, 388}})));
-  Interfaces.RealOutput measured_trolley_position(unit = "m") "measured trolley.position" annotation(Placement(transformation(extent = {{200, 352}, {216, 368}})));
-  Interfaces.RealOutput measured_rope_length(unit = "m") "measured rope.length" annotation(Placement(transformation(extent = {{200, 332}, {216, 348}})));
-  Interfaces.RealOutput measured_sway_x_angle(unit = "rad", displayUnit = "deg", nominal = 0.1) "measured sway.x.angle" annotation(Placement(transformation(extent = {{200, 312}, {216, 328}})));
-  Interfaces.RealOutput measured_sway_y_angle(unit = "rad", displayUnit = "deg", nominal = 0.1) "measured sway.y.angle" annotation(Placement(transformation(extent = {{200, 292}, {216, 308}})));
-  Interfaces.RealOutput load_position_x(unit = "m") "true position of the load, x" annotation(Placement(transformation(extent = {{200, 252}, {216, 268}})));
-  Interfaces.RealOutput load_position_y(unit = "m") "true position of the load, y" annotation(Placement(transformation(extent = {{200, 232}, {216, 248}})));
-  Interfaces.RealOutput load_position_z(unit = "m") "true position of the load, z" annotation(Placement(transformation(extent = {{200, 212}, {216, 228}})));
-  Interfaces.RealOutput load_velocity_x(unit = "m/s") "true velocity of the load, x" annotation(Placement(transformation(extent = {{200, 192}, {216, 208}})));
-  Interfaces.RealOutput load_velocity_y(unit = "m/s") "true velocity of the load, y" annotation(Placement(transformation(extent = {{200, 172}, {216, 188}})));
-  Interfaces.RealOutput load_velocity_z(unit = "m/s") "true velocity of the load, z" annotation(Placement(transformation(extent = {{200, 152}, {216, 168}})));
-  Interfaces.RealOutput error_load_x(unit = "m") "load minus its reference, x" annotation(Placement(transformation(extent = {{200, 112}, {216, 128}})));
-  Interfaces.RealOutput error_load_y(unit = "m") "load minus its reference, y" annotation(Placement(transformation(extent = {{200, 92}, {216, 108}})));
-  Interfaces.RealOutput error_load_z(unit = "m") "load minus its reference, z" annotation(Placement(transformation(extent = {{200, 72}, {216, 88}})));
-  Interfaces.RealOutput error_load_norm(unit = "m") "distance of the load from its reference" annotation(Placement(transformation(extent = {{200, 52}, {216, 68}})));
-  Interfaces.RealOutput drive_bridge_force(unit = "N", nominal = 10.0) "force that the bridge drive applies" annotation(Placement(transformation(extent = {{200, 12}, {216, 28}})));
-  Interfaces.BooleanOutput drive_bridge_saturated "bridge drive at a bound at some time in the last step" annotation(Placement(transformation(extent = {{200, -8}, {216, 8}})));
-  Interfaces.RealOutput drive_bridge_power(unit = "W", nominal = 10.0) "power of the bridge drive" annotation(Placement(transformation(extent = {{200, -28}, {216, -12}})));
-  Interfaces.RealOutput drive_trolley_force(unit = "N", nominal = 10.0) "force that the trolley drive applies" annotation(Placement(transformation(extent = {{200, -48}, {216, -32}})));
-  Interfaces.BooleanOutput drive_trolley_saturated "trolley drive at a bound at some time in the last step" annotation(Placement(transformation(extent = {{200, -68}, {216, -52}})));
-  Interfaces.RealOutput drive_trolley_power(unit = "W", nominal = 10.0) "power of the trolley drive" annotation(Placement(transformation(extent = {{200, -88}, {216, -72}})));
-  Interfaces.RealOutput drive_hoist_force(unit = "N", nominal = 10.0) "force that the hoist drive applies" annotation(Placement(transformation(extent = {{200, -108}, {216, -92}})));
-  Interfaces.BooleanOutput drive_hoist_saturated "hoist drive at a bound at some time in the last step" annotation(Placement(transformation(extent = {{200, -128}, {216, -112}})));
-  Interfaces.RealOutput drive_hoist_power(unit = "W", nominal = 10.0) "power of the hoist drive" annotation(Placement(transformation(extent = {{200, -148}, {216, -132}})));
-  Interfaces.RealOutput rope_force(unit = "N", nominal = 10.0) "force on the rope, tension is negative" annotation(Placement(transformation(extent = {{200, -188}, {216, -172}})));
-  Interfaces.RealOutput payload_mass(unit = "kg") "present mass of the load" annotation(Placement(transformation(extent = {{200, -228}, {216, -212}})));
-  Interfaces.RealOutput energy_kinetic(unit = "J", nominal = 10.0) "kinetic energy of bridge, trolley and load" annotation(Placement(transformation(extent = {{200, -268}, {216, -252}})));
-  Interfaces.RealOutput energy_potential(unit = "J", nominal = 10.0) "potential energy of the load, zero at the trolley" annotation(Placement(transformation(extent = {{200, -288}, {216, -272}})));
-  Interfaces.RealOutput energy_work(unit = "J", nominal = 10.0) "work of drives and wind since the start" annotation(Placement(transformation(extent = {{200, -308}, {216, -292}})));
-  Interfaces.RealOutput energy_drives(unit = "J", nominal = 10.0) "work of the drives since the start" annotation(Placement(transformation(extent = {{200, -328}, {216, -312}})));
-  Interfaces.RealOutput energy_wind(unit = "J", nominal = 10.0) "work of the wind since the start" annotation(Placement(transformation(extent = {{200, -348}, {216, -332}})));
-  Interfaces.RealOutput energy_payload(unit = "J", nominal = 10.0) "energy that payload changes brought since the start" annotation(Placement(transformation(extent = {{200, -368}, {216, -352}})));
-  Interfaces.RealOutput energy_dissipated(unit = "J", nominal = 10.0) "energy that friction took since the start" annotation(Placement(transformation(extent = {{200, -388}, {216, -372}})));
-  Interfaces.RealOutput energy_imbalance(unit = "J", nominal = 10.0) "error of the balance of these by integration" annotation(Placement(transformation(extent = {{200, -408}, {216, -392}})));
-  Interfaces.RealOutput power_wind(unit = "W", nominal = 10.0) "power of the wind" annotation(Placement(transformation(extent = {{200, -448}, {216, -432}})));
-  Interfaces.RealOutput power_friction(unit = "W", nominal = 10.0) "power that friction dissipates" annotation(Placement(transformation(extent = {{200, -468}, {216, -452}})));
-  Interfaces.RealOutput estimate_payload_mass(unit = "kg") "estimated mass of the load in drive.mode force; of source measured" annotation(Placement(transformation(extent = {{200, -508}, {216, -492}})));
-  Interfaces.RealOutput estimate_disturbance_bridge(unit = "m/s2") "estimated unknown acceleration of the bridge; of source measured" annotation(Placement(transformation(extent = {{200, -528}, {216, -512}})));
-  Interfaces.RealOutput estimate_disturbance_trolley(unit = "m/s2") "estimated unknown acceleration of the trolley; of source measured" annotation(Placement(transformation(extent = {{200, -548}, {216, -532}})));
-  Interfaces.RealOutput estimate_disturbance_hoist(unit = "m/s2") "estimated unknown acceleration of the hoist; of source measured" annotation(Placement(transformation(extent = {{200, -568}, {216, -552}})));
-  Interfaces.RealOutput estimate_disturbance_load_x(unit = "m/s2") "estimated acceleration of the load, x; of source measured" annotation(Placement(transformation(extent = {{200, -588}, {216, -572}})));
-  Interfaces.RealOutput estimate_disturbance_load_y(unit = "m/s2") "estimated acceleration of the load, y; of source measured" annotation(Placement(transformation(extent = {{200, -608}, {216, -592}})));
-  Interfaces.RealOutput estimate_rope_offset(unit = "m") "what is added to the measured length of the rope; of source measured" annotation(Placement(transformation(extent = {{200, -628}, {216, -612}})));
-  Interfaces.RealOutput load_speed(unit = "m/s") "speed of the load" annotation(Placement(transformation(extent = {{200, -668}, {216, -652}})));
-  Interfaces.RealOutput sway_total(unit = "rad", displayUnit = "deg", nominal = 0.1) "angle between rope and vertical" annotation(Placement(transformation(extent = {{200, -708}, {216, -692}})));
+  Interfaces.RealOutput bridge_position(unit = "m") "true bridge.position" annotation(Placement(transformation(extent = {{200, 772}, {216, 788}})));
+  Interfaces.RealOutput trolley_position(unit = "m") "true trolley.position" annotation(Placement(transformation(extent = {{200, 732}, {216, 748}})));
+  Interfaces.RealOutput rope_length(unit = "m") "true rope.length" annotation(Placement(transformation(extent = {{200, 692}, {216, 708}})));
+  Interfaces.RealOutput sway_x_angle(unit = "rad", displayUnit = "deg", nominal = 0.1) "true sway.x.angle" annotation(Placement(transformation(extent = {{200, 652}, {216, 668}})));
+  Interfaces.RealOutput sway_y_angle(unit = "rad", displayUnit = "deg", nominal = 0.1) "true sway.y.angle" annotation(Placement(transformation(extent = {{200, 632}, {216, 648}})));
+  Interfaces.RealOutput bridge_velocity(unit = "m/s") "true bridge.velocity" annotation(Placement(transformation(extent = {{200, 592}, {216, 608}})));
+  Interfaces.RealOutput trolley_velocity(unit = "m/s") "true trolley.velocity" annotation(Placement(transformation(extent = {{200, 552}, {216, 568}})));
+  Interfaces.RealOutput rope_velocity(unit = "m/s") "true rope.velocity" annotation(Placement(transformation(extent = {{200, 512}, {216, 528}})));
+  Interfaces.RealOutput sway_x_rate(unit = "rad/s", displayUnit = "deg/s", nominal = 0.1) "true sway.x.rate" annotation(Placement(transformation(extent = {{200, 472}, {216, 488}})));
+  Interfaces.RealOutput sway_y_rate(unit = "rad/s", displayUnit = "deg/s", nominal = 0.1) "true sway.y.rate" annotation(Placement(transformation(extent = {{200, 452}, {216, 468}})));
+  Interfaces.RealOutput measured_bridge_position(unit = "m") "measured bridge.position" annotation(Placement(transformation(extent = {{200, 412}, {216, 428}})));
+  Interfaces.RealOutput measured_trolley_position(unit = "m") "measured trolley.position" annotation(Placement(transformation(extent = {{200, 392}, {216, 408}})));
+  Interfaces.RealOutput measured_rope_length(unit = "m") "measured rope.length" annotation(Placement(transformation(extent = {{200, 372}, {216, 388}})));
+  Interfaces.RealOutput measured_sway_x_angle(unit = "rad", displayUnit = "deg", nominal = 0.1) "measured sway.x.angle" annotation(Placement(transformation(extent = {{200, 352}, {216, 368}})));
+  Interfaces.RealOutput measured_sway_y_angle(unit = "rad", displayUnit = "deg", nominal = 0.1) "measured sway.y.angle" annotation(Placement(transformation(extent = {{200, 332}, {216, 348}})));
+  Interfaces.RealOutput load_position_x(unit = "m") "true position of the load, x" annotation(Placement(transformation(extent = {{200, 292}, {216, 308}})));
+  Interfaces.RealOutput load_position_y(unit = "m") "true position of the load, y" annotation(Placement(transformation(extent = {{200, 272}, {216, 288}})));
+  Interfaces.RealOutput load_position_z(unit = "m") "true position of the load, z" annotation(Placement(transformation(extent = {{200, 252}, {216, 268}})));
+  Interfaces.RealOutput load_velocity_x(unit = "m/s") "true velocity of the load, x" annotation(Placement(transformation(extent = {{200, 232}, {216, 248}})));
+  Interfaces.RealOutput load_velocity_y(unit = "m/s") "true velocity of the load, y" annotation(Placement(transformation(extent = {{200, 212}, {216, 228}})));
+  Interfaces.RealOutput load_velocity_z(unit = "m/s") "true velocity of the load, z" annotation(Placement(transformation(extent = {{200, 192}, {216, 208}})));
+  Interfaces.RealOutput error_load_x(unit = "m") "load minus its reference, x" annotation(Placement(transformation(extent = {{200, 152}, {216, 168}})));
+  Interfaces.RealOutput error_load_y(unit = "m") "load minus its reference, y" annotation(Placement(transformation(extent = {{200, 132}, {216, 148}})));
+  Interfaces.RealOutput error_load_z(unit = "m") "load minus its reference, z" annotation(Placement(transformation(extent = {{200, 112}, {216, 128}})));
+  Interfaces.RealOutput error_load_norm(unit = "m") "distance of the load from its reference" annotation(Placement(transformation(extent = {{200, 92}, {216, 108}})));
+  Interfaces.RealOutput drive_bridge_force(unit = "N", nominal = 10.0) "force that the bridge drive applies" annotation(Placement(transformation(extent = {{200, 52}, {216, 68}})));
+  Interfaces.BooleanOutput drive_bridge_saturated "bridge drive at a bound at some time in the last step" annotation(Placement(transformation(extent = {{200, 32}, {216, 48}})));
+  Interfaces.RealOutput drive_bridge_power(unit = "W", nominal = 10.0) "power of the bridge drive" annotation(Placement(transformation(extent = {{200, 12}, {216, 28}})));
+  Interfaces.RealOutput drive_trolley_force(unit = "N", nominal = 10.0) "force that the trolley drive applies" annotation(Placement(transformation(extent = {{200, -8}, {216, 8}})));
+  Interfaces.BooleanOutput drive_trolley_saturated "trolley drive at a bound at some time in the last step" annotation(Placement(transformation(extent = {{200, -28}, {216, -12}})));
+  Interfaces.RealOutput drive_trolley_power(unit = "W", nominal = 10.0) "power of the trolley drive" annotation(Placement(transformation(extent = {{200, -48}, {216, -32}})));
+  Interfaces.RealOutput drive_hoist_force(unit = "N", nominal = 10.0) "force that the hoist drive applies" annotation(Placement(transformation(extent = {{200, -68}, {216, -52}})));
+  Interfaces.BooleanOutput drive_hoist_saturated "hoist drive at a bound at some time in the last step" annotation(Placement(transformation(extent = {{200, -88}, {216, -72}})));
+  Interfaces.RealOutput drive_hoist_power(unit = "W", nominal = 10.0) "power of the hoist drive" annotation(Placement(transformation(extent = {{200, -108}, {216, -92}})));
+  Interfaces.RealOutput rope_force(unit = "N", nominal = 10.0) "force on the rope, tension is negative" annotation(Placement(transformation(extent = {{200, -148}, {216, -132}})));
+  Interfaces.RealOutput payload_mass(unit = "kg") "present mass of the load" annotation(Placement(transformation(extent = {{200, -188}, {216, -172}})));
+  Interfaces.RealOutput energy_kinetic(unit = "J", nominal = 10.0) "kinetic energy of bridge, trolley and load" annotation(Placement(transformation(extent = {{200, -228}, {216, -212}})));
+  Interfaces.RealOutput energy_potential(unit = "J", nominal = 10.0) "potential energy of the load, zero at the trolley" annotation(Placement(transformation(extent = {{200, -248}, {216, -232}})));
+  Interfaces.RealOutput energy_work(unit = "J", nominal = 10.0) "work of drives and wind since the start" annotation(Placement(transformation(extent = {{200, -268}, {216, -252}})));
+  Interfaces.RealOutput energy_drives(unit = "J", nominal = 10.0) "work of the drives since the start" annotation(Placement(transformation(extent = {{200, -288}, {216, -272}})));
+  Interfaces.RealOutput energy_wind(unit = "J", nominal = 10.0) "work of the wind since the start" annotation(Placement(transformation(extent = {{200, -308}, {216, -292}})));
+  Interfaces.RealOutput energy_payload(unit = "J", nominal = 10.0) "energy that payload changes brought since the start" annotation(Placement(transformation(extent = {{200, -328}, {216, -312}})));
+  Interfaces.RealOutput energy_dissipated(unit = "J", nominal = 10.0) "energy that friction took since the start" annotation(Placement(transformation(extent = {{200, -348}, {216, -332}})));
+  Interfaces.RealOutput energy_imbalance(unit = "J", nominal = 10.0) "error of the balance of these by integration" annotation(Placement(transformation(extent = {{200, -368}, {216, -352}})));
+  Interfaces.RealOutput power_wind(unit = "W", nominal = 10.0) "power of the wind" annotation(Placement(transformation(extent = {{200, -408}, {216, -392}})));
+  Interfaces.RealOutput power_friction(unit = "W", nominal = 10.0) "power that friction dissipates" annotation(Placement(transformation(extent = {{200, -428}, {216, -412}})));
+  Interfaces.RealOutput estimate_payload_mass(unit = "kg") "estimated mass of the load in drive.mode force; of source measured" annotation(Placement(transformation(extent = {{200, -468}, {216, -452}})));
+  Interfaces.RealOutput estimate_disturbance_bridge(unit = "m/s2") "estimated unknown acceleration of the bridge; of source measured" annotation(Placement(transformation(extent = {{200, -488}, {216, -472}})));
+  Interfaces.RealOutput estimate_disturbance_trolley(unit = "m/s2") "estimated unknown acceleration of the trolley; of source measured" annotation(Placement(transformation(extent = {{200, -508}, {216, -492}})));
+  Interfaces.RealOutput estimate_disturbance_hoist(unit = "m/s2") "estimated unknown acceleration of the hoist; of source measured" annotation(Placement(transformation(extent = {{200, -528}, {216, -512}})));
+  Interfaces.RealOutput estimate_disturbance_load_x(unit = "m/s2") "estimated acceleration of the load, x; of source measured" annotation(Placement(transformation(extent = {{200, -548}, {216, -532}})));
+  Interfaces.RealOutput estimate_disturbance_load_y(unit = "m/s2") "estimated acceleration of the load, y; of source measured" annotation(Placement(transformation(extent = {{200, -568}, {216, -552}})));
+  Interfaces.RealOutput estimate_rope_offset(unit = "m") "what is added to the measured length of the rope; of source measured" annotation(Placement(transformation(extent = {{200, -588}, {216, -572}})));
+  Interfaces.RealOutput friction_bridge_deflection(unit = "m") "deflection of the contact that rubs" annotation(Placement(transformation(extent = {{200, -628}, {216, -612}})));
+  Interfaces.RealOutput friction_trolley_deflection(unit = "m") "deflection of the contact that rubs" annotation(Placement(transformation(extent = {{200, -648}, {216, -632}})));
+  Interfaces.RealOutput friction_hoist_deflection(unit = "m") "deflection of the contact that rubs" annotation(Placement(transformation(extent = {{200, -668}, {216, -652}})));
+  Interfaces.RealOutput load_speed(unit = "m/s") "speed of the load" annotation(Placement(transformation(extent = {{200, -708}, {216, -692}})));
+  Interfaces.RealOutput sway_total(unit = "rad", displayUnit = "deg", nominal = 0.1) "angle between rope and vertical" annotation(Placement(transformation(extent = {{200, -748}, {216, -732}})));
   parameter Real bridge_position_start(unit = "m") = 0.0 "start value: true bridge.position" annotation(Dialog(tab = "start"));
   parameter Real trolley_position_start(unit = "m") = 0.0 "start value: true trolley.position" annotation(Dialog(tab = "start"));
   parameter Real rope_length_start(unit = "m") = 0.5 "start value: true rope.length" annotation(Dialog(tab = "start"));
@@ -143,14 +146,18 @@ model GantryCrane "Dynamics of a 3-DOF gantry crane from Lagrange's equations, d
   parameter Real drive_hoist_dead_time(unit = "s", min = 0.0) = 0.0 "from the command of the hoist, setpoint and correction, to the drive; in model exchange 0" annotation(Dialog(tab = "drive"));
   parameter Real friction_bridge_viscous(unit = "N.s/m", min = 0.0) = 0.0 "viscous friction of the bridge" annotation(Dialog(tab = "friction"));
   parameter Real friction_bridge_coulomb(unit = "N", min = 0.0) = 0.0 "Coulomb friction of the bridge" annotation(Dialog(tab = "friction"));
+  parameter Real friction_bridge_static(unit = "N", min = 0.0) = 0.0 "static friction of the bridge; 0: as Coulomb friction" annotation(Dialog(tab = "friction"));
   parameter Real friction_bridge_drag(unit = "N", min = 0.0) = 0.0 "friction of the bridge is drag * v |v|, v in m/s" annotation(Dialog(tab = "friction"));
   parameter Real friction_trolley_viscous(unit = "N.s/m", min = 0.0) = 0.0 "viscous friction of the trolley" annotation(Dialog(tab = "friction"));
   parameter Real friction_trolley_coulomb(unit = "N", min = 0.0) = 0.0 "Coulomb friction of the trolley" annotation(Dialog(tab = "friction"));
+  parameter Real friction_trolley_static(unit = "N", min = 0.0) = 0.0 "static friction of the trolley; 0: as Coulomb friction" annotation(Dialog(tab = "friction"));
   parameter Real friction_trolley_drag(unit = "N", min = 0.0) = 0.0 "friction of the trolley is drag * v |v|, v in m/s" annotation(Dialog(tab = "friction"));
   parameter Real friction_hoist_viscous(unit = "N.s/m", min = 0.0) = 0.0 "viscous friction of the hoist" annotation(Dialog(tab = "friction"));
   parameter Real friction_hoist_coulomb(unit = "N", min = 0.0) = 0.0 "Coulomb friction of the hoist" annotation(Dialog(tab = "friction"));
+  parameter Real friction_hoist_static(unit = "N", min = 0.0) = 0.0 "static friction of the hoist; 0: as Coulomb friction" annotation(Dialog(tab = "friction"));
   parameter Real friction_hoist_drag(unit = "N", min = 0.0) = 0.0 "friction of the hoist is drag * v |v|, v in m/s" annotation(Dialog(tab = "friction"));
-  parameter Real friction_width(unit = "m/s", min = 1e-09) = 0.001 "Coulomb friction is coulomb * tanh(v / width)" annotation(Dialog(tab = "friction"));
+  parameter Real friction_width(unit = "m/s", min = 1e-09) = 0.001 "velocity over which static friction falls to Coulomb friction" annotation(Dialog(tab = "friction"));
+  parameter Real friction_presliding(unit = "m", min = 1e-09) = 1e-05 "displacement at which a contact begins to slide" annotation(Dialog(tab = "friction"));
   parameter Real friction_sway_viscous(unit = "N.m.s", min = 0.0) = 0.0 "damping of both sway angles" annotation(Dialog(tab = "friction"));
   parameter Real travel_bridge_min(unit = "m") = -1000000000.0 "lower end stop of the bridge" annotation(Dialog(tab = "travel"));
   parameter Real travel_bridge_max(unit = "m") = 1000000000.0 "upper end stop of the bridge" annotation(Dialog(tab = "travel"));
@@ -281,11 +288,30 @@ model GantryCrane "Dynamics of a 3-DOF gantry crane from Lagrange's equations, d
   Real rope_acceleration(unit = "m/s2") "acceleration of rope";
   Real sway_x_acceleration(unit = "rad/s2", displayUnit = "deg/s2") "acceleration of sway.x";
   Real sway_y_acceleration(unit = "rad/s2", displayUnit = "deg/s2") "acceleration of sway.y";
+  Real friction_bridge_deflection_rate(unit = "m/s") "derivative of friction.bridge.deflection";
+  Real friction_trolley_deflection_rate(unit = "m/s") "derivative of friction.trolley.deflection";
+  Real friction_hoist_deflection_rate(unit = "m/s") "derivative of friction.hoist.deflection";
   Real power_drives(unit = "W", nominal = 10.0) "power of all drives";
 protected
-  constant Integer feedback_table_length_references[17] = {185, 196, 207, 218, 229, 240, 251, 262, 273, 284, 295, 306, 317, 328, 339, 350, 361};
-  constant Integer feedback_table_bridge_references[17, 4] = [186, 187, 188, 189;
-      197, 198, 199, 200;
+  constant Integer feedback_table_length_references[17] = {192, 203, 214, 225, 236, 247, 258, 269, 280, 291, 302, 313, 324, 335, 346, 357, 368};
+  constant Integer feedback_table_bridge_references[17, 4] = [193, 194, 195, 196;
+      204, 205, 206, 207;
+      215, 216, 217, 218;
+      226, 227, 228, 229;
+      237, 238, 239, 240;
+      248, 249, 250, 251;
+      259, 260, 261, 262;
+      270, 271, 272, 273;
+      281, 282, 283, 284;
+      292, 293, 294, 295;
+      303, 304, 305, 306;
+      314, 315, 316, 317;
+      325, 326, 327, 328;
+      336, 337, 338, 339;
+      347, 348, 349, 350;
+      358, 359, 360, 361;
+      369, 370, 371, 372];
+  constant Integer feedback_table_trolley_references[17, 4] = [197, 198, 199, 200;
       208, 209, 210, 211;
       219, 220, 221, 222;
       230, 231, 232, 233;
@@ -300,47 +326,31 @@ protected
       329, 330, 331, 332;
       340, 341, 342, 343;
       351, 352, 353, 354;
-      362, 363, 364, 365];
-  constant Integer feedback_table_trolley_references[17, 4] = [190, 191, 192, 193;
-      201, 202, 203, 204;
-      212, 213, 214, 215;
-      223, 224, 225, 226;
-      234, 235, 236, 237;
-      245, 246, 247, 248;
-      256, 257, 258, 259;
-      267, 268, 269, 270;
-      278, 279, 280, 281;
-      289, 290, 291, 292;
-      300, 301, 302, 303;
-      311, 312, 313, 314;
-      322, 323, 324, 325;
-      333, 334, 335, 336;
-      344, 345, 346, 347;
-      355, 356, 357, 358;
-      366, 367, 368, 369];
-  constant Integer feedback_table_hoist_references[17, 2] = [194, 195;
-      205, 206;
-      216, 217;
-      227, 228;
-      238, 239;
-      249, 250;
-      260, 261;
-      271, 272;
-      282, 283;
-      293, 294;
-      304, 305;
-      315, 316;
-      326, 327;
-      337, 338;
-      348, 349;
-      359, 360;
-      370, 371];
-  final parameter Integer real_references[:] = cat(1, {23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 78, 79, 80, 81, 82, 83, 86, 87, 88, 89, 90, 91, 92,
-      93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 110, 111, 112,
-      113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 125, 126, 127, 128, 129, 130, 131,
-      132, 133, 134, 135, 136, 137, 138, 139, 140, 141, 142, 143, 144, 146, 147, 148, 149, 150,
-      151, 152, 155, 156, 157, 158, 159, 160, 161, 162, 165, 166, 167, 168, 169, 171, 172, 173,
-      174, 175, 176, 177, 178, 179, 180, 181, 184},
+      362, 363, 364, 365;
+      373, 374, 375, 376];
+  constant Integer feedback_table_hoist_references[17, 2] = [201, 202;
+      212, 213;
+      223, 224;
+      234, 235;
+      245, 246;
+      256, 257;
+      267, 268;
+      278, 279;
+      289, 290;
+      300, 301;
+      311, 312;
+      322, 323;
+      333, 334;
+      344, 345;
+      355, 356;
+      366, 367;
+      377, 378];
+  final parameter Integer real_references[:] = cat(1, {23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 81, 82, 83, 84, 85, 86, 89, 90, 91, 92, 93, 94, 95,
+      96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 110, 111, 112, 113, 114,
+      115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 126, 127, 128, 129, 130, 132, 133,
+      134, 135, 136, 137, 138, 139, 140, 141, 142, 143, 144, 145, 146, 147, 148, 149, 150, 151,
+      153, 154, 155, 156, 157, 158, 159, 162, 163, 164, 165, 166, 167, 168, 169, 172, 173, 174,
+      175, 176, 178, 179, 180, 181, 182, 183, 184, 185, 186, 187, 188, 191},
       feedback_table_length_references[1:feedback_table_count],
       FMI.references(feedback_table_bridge_references, feedback_table_count),
       FMI.references(feedback_table_trolley_references, feedback_table_count),
@@ -355,36 +365,37 @@ protected
       drive_trolley_velocity_max, drive_trolley_power_max, drive_trolley_dead_time,
       drive_hoist_lag, drive_hoist_force_max, drive_hoist_acceleration_max,
       drive_hoist_velocity_max, drive_hoist_power_max, drive_hoist_dead_time,
-      friction_bridge_viscous, friction_bridge_coulomb, friction_bridge_drag,
-      friction_trolley_viscous, friction_trolley_coulomb, friction_trolley_drag,
-      friction_hoist_viscous, friction_hoist_coulomb, friction_hoist_drag, friction_width,
-      friction_sway_viscous, travel_bridge_min, travel_bridge_max, travel_trolley_min,
-      travel_trolley_max, travel_rope_min, travel_rope_max, sensor_sample_time, sensor_dead_time,
-      sensor_bridge_position_resolution, sensor_bridge_position_deviation,
-      sensor_bridge_position_offset, sensor_trolley_position_resolution,
-      sensor_trolley_position_deviation, sensor_trolley_position_offset,
-      sensor_rope_length_resolution, sensor_rope_length_deviation, sensor_rope_length_offset,
-      sensor_sway_x_angle_resolution, sensor_sway_x_angle_deviation, sensor_sway_x_angle_offset,
-      sensor_sway_y_angle_resolution, sensor_sway_y_angle_deviation, sensor_sway_y_angle_offset,
-      wind_constant_x, wind_constant_y, wind_constant_z, wind_gust_start, wind_gust_duration,
-      wind_gust_force_x, wind_gust_force_y, wind_gust_force_z, wind_noise_deviation_x,
-      wind_noise_deviation_y, wind_noise_deviation_z, wind_noise_bandwidth, payload_1_time,
-      payload_1_mass, payload_2_time, payload_2_mass, payload_3_time, payload_3_mass,
-      payload_4_time, payload_4_mass, feedback_sample_time, feedback_payload_mass,
-      feedback_bandwidth, feedback_hoist_bandwidth, feedback_damping, feedback_rejection_carriage,
-      feedback_rejection_load, feedback_fade, feedback_payload_time, feedback_observer_position,
-      feedback_observer_length, feedback_observer_angle, feedback_observer_drift,
-      feedback_observer_wind, feedback_observer_wake, feedback_observer_offset,
-      feedback_table_payload_mass},
+      friction_bridge_viscous, friction_bridge_coulomb, friction_bridge_static,
+      friction_bridge_drag, friction_trolley_viscous, friction_trolley_coulomb,
+      friction_trolley_static, friction_trolley_drag, friction_hoist_viscous,
+      friction_hoist_coulomb, friction_hoist_static, friction_hoist_drag, friction_width,
+      friction_presliding, friction_sway_viscous, travel_bridge_min, travel_bridge_max,
+      travel_trolley_min, travel_trolley_max, travel_rope_min, travel_rope_max,
+      sensor_sample_time, sensor_dead_time, sensor_bridge_position_resolution,
+      sensor_bridge_position_deviation, sensor_bridge_position_offset,
+      sensor_trolley_position_resolution, sensor_trolley_position_deviation,
+      sensor_trolley_position_offset, sensor_rope_length_resolution, sensor_rope_length_deviation,
+      sensor_rope_length_offset, sensor_sway_x_angle_resolution, sensor_sway_x_angle_deviation,
+      sensor_sway_x_angle_offset, sensor_sway_y_angle_resolution, sensor_sway_y_angle_deviation,
+      sensor_sway_y_angle_offset, wind_constant_x, wind_constant_y, wind_constant_z,
+      wind_gust_start, wind_gust_duration, wind_gust_force_x, wind_gust_force_y,
+      wind_gust_force_z, wind_noise_deviation_x, wind_noise_deviation_y, wind_noise_deviation_z,
+      wind_noise_bandwidth, payload_1_time, payload_1_mass, payload_2_time, payload_2_mass,
+      payload_3_time, payload_3_mass, payload_4_time, payload_4_mass, feedback_sample_time,
+      feedback_payload_mass, feedback_bandwidth, feedback_hoist_bandwidth, feedback_damping,
+      feedback_rejection_carriage, feedback_rejection_load, feedback_fade, feedback_payload_time,
+      feedback_observer_position, feedback_observer_length, feedback_observer_angle,
+      feedback_observer_drift, feedback_observer_wind, feedback_observer_wake,
+      feedback_observer_offset, feedback_table_payload_mass},
       feedback_table_length,
       FMI.rows(feedback_table_bridge),
       FMI.rows(feedback_table_trolley),
       FMI.rows(feedback_table_hoist));
-  constant Integer integer_references[9] = {84, 124, 145, 153, 154, 164, 170, 182, 183};
+  constant Integer integer_references[9] = {87, 131, 152, 160, 161, 171, 177, 189, 190};
   final parameter Integer integers[9] = {Integer(drive_mode), sensor_seed, Integer(wind_gust_shape), wind_noise_seed, payload_count,
       Integer(feedback_design), Integer(feedback_source), feedback_table_count,
       Integer(feedback_table_mode)};
-  constant Integer boolean_references[2] = {85, 163};
+  constant Integer boolean_references[2] = {88, 170};
   final parameter Integer booleans[2] = {if start_on_reference then 1 else 0, if feedback_enabled then 1 else 0};
   constant Integer input_references[22] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22};
   Interfaces.RealInput force_bridge_used;
@@ -417,10 +428,10 @@ protected
       reference_sway_y_rate_used, reference_load_position_x_used, reference_load_position_y_used,
       reference_load_position_z_used, wind_x_used, wind_y_used, wind_z_used};
   FMI.Instance fmu = FMI.Instance(folder, "GantryCrane", getInstanceName(),
-      "{0a0858db-bdf4-96ca-a8dd-48e4f67796ff}", 13);
+      "{4325d900-b0a5-ee80-9f93-62a18d80565d}", 16);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
-  Real x[13](each stateSelect = StateSelect.always, each nominal = 0.1) "states of the FMU";
+  Real x[16](each stateSelect = StateSelect.always, each nominal = 0.1) "states of the FMU";
   discrete Real next(start = 0, fixed = true) "time of the next event";
   Real last "changes with every event";
 initial equation
@@ -432,7 +443,7 @@ initial equation
       reference_sway_x_angle_used, reference_sway_y_angle_used, reference_bridge_velocity_used,
       reference_trolley_velocity_used, reference_rope_velocity_used, reference_sway_x_rate_used,
       reference_sway_y_rate_used, reference_load_position_x_used, reference_load_position_y_used,
-      reference_load_position_z_used}, 13, started);
+      reference_load_position_z_used}, 16, started);
 equation
   connect(force_bridge, force_bridge_used);
   connect(force_trolley, force_trolley_used);
@@ -502,11 +513,12 @@ equation
       energy_work, energy_drives, energy_wind, energy_payload, energy_dissipated,
       energy_imbalance, estimate_payload_mass, estimate_disturbance_bridge,
       estimate_disturbance_trolley, estimate_disturbance_hoist, estimate_disturbance_load_x,
-      estimate_disturbance_load_y, estimate_rope_offset}
+      estimate_disturbance_load_y, estimate_rope_offset, friction_bridge_deflection_rate,
+      friction_trolley_deflection_rate, friction_hoist_deflection_rate}
       = FMI.reals(fmu, time, x, fill(0, 0),
       fill(0.0, 0),
       {23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 58, 59,
-      60, 61, 62, 63, 64, 65, 66, 69, 70, 71, 72, 73, 74, 75}, last);
+      60, 61, 62, 63, 64, 65, 66, 69, 70, 71, 72, 73, 74, 75, 384, 385, 386}, last);
   {error_load_x}
       = FMI.reals(fmu, time, x, {17},
       {reference_load_position_x_used},
@@ -531,22 +543,23 @@ equation
       = FMI.reals(fmu, time, x, {1, 2, 3, 4, 5, 6, 20, 21, 22},
       {force_bridge_used, force_trolley_used, force_hoist_used, velocity_bridge_used,
       velocity_trolley_used, velocity_hoist_used, wind_x_used, wind_y_used, wind_z_used},
-      {48, 50, 51, 53, 54, 56, 57, 67, 68, 372, 373, 374, 375, 376, 377}, last);
-  {load_speed, sway_total}
+      {48, 50, 51, 53, 54, 56, 57, 67, 68, 379, 380, 381, 382, 383, 387}, last);
+  {friction_bridge_deflection, friction_trolley_deflection, friction_hoist_deflection,
+      load_speed, sway_total}
       = FMI.reals(fmu, time, x, {1, 2, 3, 4, 5, 6, 20, 21, 22, 17, 18, 19},
       {force_bridge_used, force_trolley_used, force_hoist_used, velocity_bridge_used,
       velocity_trolley_used, velocity_hoist_used, wind_x_used, wind_y_used, wind_z_used,
       reference_load_position_x_used, reference_load_position_y_used,
       reference_load_position_z_used},
-      {76, 77}, last);
+      {76, 77, 78, 79, 80}, last);
   drive_bridge_saturated = FMI.boolean(fmu, 49, last);
   drive_trolley_saturated = FMI.boolean(fmu, 52, last);
   drive_hoist_saturated = FMI.boolean(fmu, 55, last);
   annotation(
-    Diagram(coordinateSystem(extent = {{-200, -760}, {200, 760}})),
-    Icon(coordinateSystem(extent = {{-200, -760}, {200, 760}}), graphics = {
-      Rectangle(extent = {{-200, -760}, {200, 760}}, lineColor = {60, 60, 60}, fillColor = {255, 255, 255}, fillPattern = FillPattern.Solid),
-      Text(extent = {{-200, 770}, {200, 830}}, textString = "%name", textColor = {0, 0, 255}),
+    Diagram(coordinateSystem(extent = {{-200, -800}, {200, 800}})),
+    Icon(coordinateSystem(extent = {{-200, -800}, {200, 800}}), graphics = {
+      Rectangle(extent = {{-200, -800}, {200, 800}}, lineColor = {60, 60, 60}, fillColor = {255, 255, 255}, fillPattern = FillPattern.Solid),
+      Text(extent = {{-200, 810}, {200, 870}}, textString = "%name", textColor = {0, 0, 255}),
       Line(points = {{-60, 60}, {60, 60}}, color = {60, 60, 60}, thickness = 3),
       Line(points = {{-20, 60}, {10, -10}}, color = {60, 60, 60}),
       Ellipse(extent = {{-2, -52}, {42, -8}}, lineColor = {200, 90, 0}, fillColor = {200, 90, 0}, fillPattern = FillPattern.Solid),
@@ -554,16 +567,17 @@ equation
       Text(extent = {{-190, 172}, {-90, 188}}, textString = "velocity", horizontalAlignment = TextAlignment.Left, textColor = {60, 60, 60}),
       Text(extent = {{-190, 92}, {-90, 108}}, textString = "reference", horizontalAlignment = TextAlignment.Left, textColor = {60, 60, 60}),
       Text(extent = {{-190, -188}, {-90, -172}}, textString = "wind", horizontalAlignment = TextAlignment.Left, textColor = {60, 60, 60}),
-      Text(extent = {{90, 732}, {190, 748}}, textString = "bridge", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
-      Text(extent = {{90, 692}, {190, 708}}, textString = "trolley", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
-      Text(extent = {{90, 652}, {190, 668}}, textString = "rope", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
-      Text(extent = {{90, 612}, {190, 628}}, textString = "sway", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
-      Text(extent = {{90, 372}, {190, 388}}, textString = "measured", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
-      Text(extent = {{90, 252}, {190, 268}}, textString = "load", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
-      Text(extent = {{90, 112}, {190, 128}}, textString = "error", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
-      Text(extent = {{90, 12}, {190, 28}}, textString = "drive", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
-      Text(extent = {{90, -228}, {190, -212}}, textString = "payload", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
-      Text(extent = {{90, -268}, {190, -252}}, textString = "energy", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
-      Text(extent = {{90, -448}, {190, -432}}, textString = "power", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
-      Text(extent = {{90, -508}, {190, -492}}, textString = "estimate", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60})}));
+      Text(extent = {{90, 772}, {190, 788}}, textString = "bridge", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, 732}, {190, 748}}, textString = "trolley", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, 692}, {190, 708}}, textString = "rope", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, 652}, {190, 668}}, textString = "sway", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, 412}, {190, 428}}, textString = "measured", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, 292}, {190, 308}}, textString = "load", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, 152}, {190, 168}}, textString = "error", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, 52}, {190, 68}}, textString = "drive", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, -188}, {190, -172}}, textString = "payload", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, -228}, {190, -212}}, textString = "energy", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, -408}, {190, -392}}, textString = "power", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, -468}, {190, -452}}, textString = "estimate", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, -628}, {190, -612}}, textString = "friction", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60})}));
 end GantryCrane;
