@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import multiprocessing
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -61,6 +61,10 @@ def measure(settings: Settings) -> Part:
         for coupling in couplings[: 3 if fmi == 2 else 1]:
             records = _records((paths[0], paths[1]), coupling, 2 * settings.samples)
             sections.append(Section(f"FMI {fmi}, {coupling}", records))
+        if native.COMPILED:
+            long = Job((paths[0], paths[1]), "sequential", "c", KEPT, settings.problems)
+            record = _record(long, 1, settings.problems, _side_by_side([long]))
+            sections.append(Section(f"FMI {fmi}, sequential, one system all along", [record]))
     return Part(TITLE, sections, (
         "ratio: runs per second of the processor over those of the first row",
         "more memory: of the process, from a tenth of the runs to the last one",
@@ -72,24 +76,23 @@ def _records(paths: tuple[Path, Path], coupling: Coupling, runs: int) -> list[Re
     jobs: list[tuple[str, Engine, int]] = [(LOADED, "python", few), (KEPT, "python", few)]
     if native.COMPILED:
         jobs += [(LOADED, "c", few), (KEPT, "c", runs)]
-    rows = [
-        (way, engine, 1, count, _side_by_side([Job(paths, coupling, engine, way, count)]))
-        for way, engine, count in jobs
-    ]
-    best = jobs[-1][1]
-    halves = [Job(paths, coupling, best, KEPT, jobs[-1][2] // 2)] * 2
-    rows.append((KEPT, best, 2, 2 * halves[0].runs, _side_by_side(halves)))
-    reference = rows[0][3] / sum(f.processor for f in rows[0][4])
-    return [
-        {
-            "instances": way, "engine": engine, "processes": processes, "runs": count,
-            "runs/s": count / max(f.clock for f in found),
-            "runs/s of processor": count / sum(f.processor for f in found),
-            "ratio": count / sum(f.processor for f in found) / reference,
-            "more memory kB": max(f.memory[1] - f.memory[0] for f in found),
-        }
-        for way, engine, processes, count, found in rows
-    ]
+    records = []
+    for way, engine, count in jobs:
+        job = Job(paths, coupling, engine, way, count)
+        records.append(_record(job, 1, count, _side_by_side([job])))
+    half = replace(job, runs=job.runs // 2)
+    records.append(_record(half, 2, 2 * half.runs, _side_by_side([half, half])))
+    reference = float(records[0]["runs/s of processor"] or 0.0)
+    return [r | {"ratio": float(r["runs/s of processor"] or 0.0) / reference} for r in records]
+
+
+def _record(job: Job, processes: int, runs: int, found: list[Found]) -> Record:
+    return {
+        "instances": job.way, "engine": job.engine, "processes": processes, "runs": runs,
+        "runs/s": runs / max(f.clock for f in found),
+        "runs/s of processor": runs / sum(f.processor for f in found),
+        "more memory kB": max(f.memory[1] - f.memory[0] for f in found),
+    }
 
 
 def _side_by_side(jobs: list[Job]) -> list[Found]:

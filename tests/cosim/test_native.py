@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import ctypes
+import os
 import subprocess
 import threading
 import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -14,9 +16,10 @@ import pytest
 
 from segfmu.cosim import Change, Connection, System, native
 from segfmu.cosim.layout import TYPES, CCopy, CSimulation
+from segfmu.kernels.backend import COMPILED
 from tests.compiler import CC
 
-pytestmark = pytest.mark.skipif(not native.COMPILED, reason="the step loop in C is not compiled")
+pytestmark = pytest.mark.skipif(not COMPILED, reason="the package was built without a compiler")
 
 SOURCE, SINK = "GantryFeedforward", "GantryCrane"
 STEP, STOP = 2e-3, 1.0
@@ -174,6 +177,27 @@ def test_other_threads_run_meanwhile(native_fmus) -> None:
         done.set()
         thread.join()
     assert after - before > 10
+
+
+def test_systems_run_side_by_side(native_fmus) -> None:
+    """Each thread loads, runs, and frees systems of its own."""
+    def work(sway: float) -> list[bytes]:
+        found = []
+        for _ in range(3):
+            with System(native_fmus[2], step=STEP, engine="c") as system:
+                for _ in range(3):
+                    rows = system.run({SINK: {"sway.x.angle": sway}}, stop_time=STOP)
+                    found.append(rows.tobytes())
+        return found
+
+    sways = [0.02 * i for i in range(4)]
+    here = os.getcwd()
+    with ThreadPoolExecutor(4) as pool:
+        together = list(pool.map(work, sways))
+    assert os.getcwd() == here
+    for sway, found in zip(sways, together, strict=True):
+        alone = both(native_fmus[2], {SINK: {"sway.x.angle": sway}})
+        assert set(found) == {alone.tobytes()}
 
 
 def test_layout_is_that_of_the_c_code() -> None:

@@ -195,6 +195,12 @@ def test_systems_need_fmus_with_names(probes) -> None:
         System([], step=0.1)
     with pytest.raises(InputError, match="two FMUs are called Probe2; give a mapping"):
         System([probes[2]] * 2, step=0.1)
+    with pytest.raises(InputError, match="takes a mapping or a sequence of files"):
+        System(str(probes[2]), step=0.1)  # type: ignore[arg-type]
+    with System([probes[2]], step=0.1) as system:
+        system.close()
+        with pytest.raises(InputError, match="the system is closed"):
+            system.run(stop_time=1.0)
 
 
 def test_the_engine_in_c_needs_the_extension(probes, monkeypatch) -> None:

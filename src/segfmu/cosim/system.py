@@ -153,6 +153,8 @@ class System:
         SimulationError
             If an FMU reports an error, with its message; the system can run again.
         """
+        if not self._units:
+            raise InputError("the system is closed")
         times = communication_points(start_time, stop_time, self._step)
         values = values or {}
         for owner in values:
@@ -180,6 +182,8 @@ class System:
         # fmpy is loaded here, so that planning and building do not need it
         from segfmu.cosim.load import load
 
+        if isinstance(fmus, str | Path):
+            raise InputError(f"a system takes a mapping or a sequence of files, got {fmus!r}")
         named = dict(fmus) if isinstance(fmus, Mapping) else dict(enumerate(fmus))
         if not named:
             raise InputError("a system needs at least one FMU")
@@ -278,7 +282,8 @@ def _engine(wanted: Engine) -> Engine:
         raise InputError(f"engine must be {' or '.join(get_args(Engine))}, got {wanted!r}")
     if wanted == "c" and not native.COMPILED:
         raise InputError(
-            "the step loop in C was not compiled when segfmu was installed; take engine python"
+            "the step loop in C was not compiled when segfmu was installed, or is turned off by "
+            "SEGFMU_INTERPRETED; take engine python"
         )
     if wanted == "auto":
         return "c" if native.COMPILED else "python"

@@ -8,6 +8,7 @@ import shutil
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
+from threading import Lock
 from typing import Any, ClassVar
 
 import numpy as np
@@ -22,6 +23,8 @@ from segfmu.errors import InputError, SegfmuError, SimulationError
 INSTANT = 1e-9
 # output with the time of the next event, if an FMU of FMI 2.0 has it
 NEXT_EVENT = "plan.next_event"
+# held while a library is loaded: the working folder is the process's
+LOADING = Lock()
 
 
 class Unit(ABC):
@@ -73,14 +76,18 @@ class Unit(ABC):
         self._instantiated = True
 
     def _load(self) -> None:
-        here = Path.cwd()
         try:
-            self._instantiate()
+            # fmpy goes to the library's folder, and stays there after an error
+            with LOADING:
+                here = Path.cwd()
+                try:
+                    self._instantiate()
+                finally:
+                    os.chdir(here)
         except SegfmuError:
             raise
         except Exception as problem:
-            # fmpy raises bare exceptions, and leaves the process in the library's folder
-            os.chdir(here)
+            # fmpy raises bare exceptions
             words = str(problem).splitlines()[0].replace(f"{self._folder}{os.sep}", "")
             raise InputError(f"{self.name} cannot be loaded: {words}") from None
 

@@ -27,6 +27,9 @@ typedef struct {
        they are those of the present time */
     int64_t derived[MODEL_ORDERS][1 + AXES_SIZE];
     double derivatives[MODEL_ORDERS][1 + AXES_SIZE][RESULTS];
+    /* the same of the load's motion, with which they are found */
+    int64_t moved[1 + AXES_SIZE];
+    double motion[1 + AXES_SIZE][(ORDERS + MODEL_ORDERS) * AXES];
     double space[];                  /* timing, coefficients, offsets, times, ends */
 } feedforward;
 

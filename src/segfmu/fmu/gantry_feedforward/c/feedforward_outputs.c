@@ -38,6 +38,7 @@ bool model_evaluate(model *base, char message[MESSAGE])
     double results[RESULTS], other[RESULTS];
     begin_lead(m, message);
     memset(m->derived, 0, sizeof m->derived);
+    memset(m->moved, 0, sizeof m->moved);
     drives_of(m, known);
     double time = base->real[V_TIME] - beginning(m);
     evaluate(&trajectory, time, ORDERS, load);
@@ -57,23 +58,34 @@ bool model_evaluate(model *base, char message[MESSAGE])
     return true;
 }
 
+/* The load's motion from now on, one row a derivative, kept until the time changes; of the reference, or
+   of a drive's setpoints. */
+static double *motion(feedforward *m, int of, double dead)
+{
+    double *found = m->motion[of];
+    if (!m->moved[of]) {
+        const segfmu_trajectory t = feedforward_trajectory(m);
+        double time = segfmu_right_of_break(
+            m->base.real[V_TIME], beginning(m) - dead, timing_of(&t), offsets_of(&t),
+            vector((double *)t.ends, AXES));
+        evaluate(&t, time, ORDERS + MODEL_ORDERS, found);
+        m->moved[of] = 1;
+    }
+    return found;
+}
+
 /* Derivatives of what the flat inverse gives, kept until the time changes; of those of the reference, or
    of a drive's setpoints. At a break of the plan, those from then on. */
 static const double *derivatives(feedforward *m, int of, double dead, int64_t order)
 {
     enum { COLUMNS = MODEL_ORDERS + 3 };
-    const segfmu_trajectory t = feedforward_trajectory(m);
-    double masses[MASSES_SIZE], flat[(ORDERS + MODEL_ORDERS) * AXES];
+    double masses[MASSES_SIZE];
     double work[FLAT_SERIES_SIZE * COLUMNS];
     double *found = m->derivatives[order - 1][of];
     if (!m->derived[order - 1][of]) {
-        double time = segfmu_right_of_break(
-            m->base.real[V_TIME], beginning(m) - dead, timing_of(&t), offsets_of(&t),
-            vector((double *)t.ends, AXES));
-        evaluate(&t, time, ORDERS + order, flat);
         feed_record(&feeds_masses, &m->base, masses);
         segfmu_flat_derivatives(
-            matrix(flat, ORDERS + order, AXES), order, vector(masses, MASSES_SIZE),
+            matrix(motion(m, of, dead), ORDERS + order, AXES), order, vector(masses, MASSES_SIZE),
             matrix(work, FLAT_SERIES_SIZE, COLUMNS), vector(found, RESULTS));
         m->derived[order - 1][of] = 1;
     }
@@ -99,16 +111,10 @@ static double derivative_of(feedforward *m, int place, int64_t order)
 bool model_output_derivative(model *base, const variable *output, int64_t order, double *value)
 {
     feedforward *m = (feedforward *)base;
-    const segfmu_trajectory t = feedforward_trajectory(m);
     int load = feed_place(&feeds_load_motion, output->offset);
     int place = feed_place(&feeds_feedforward, output->offset);
     if (load >= 0) {
-        double values[AXES];
-        double time = segfmu_right_of_break(
-            base->real[V_TIME], beginning(m), timing_of(&t), offsets_of(&t),
-            vector((double *)t.ends, AXES));
-        segfmu_value(&t, time, load / AXES + order, values);
-        *value = values[load % AXES];
+        *value = motion(m, 0, 0.0)[(load / AXES + order) * AXES + load % AXES];
         return true;
     }
     if (place < 0) {
