@@ -25,6 +25,7 @@ PARTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "h": ("master_time", ()),
     "i": ("completeness", ()),
     "j": ("drive_bounds", ()),
+    "r": ("replanning", ()),
 }
 
 LIST = ", ".join(f"{letter} {module}" for letter, (module, _) in PARTS.items())

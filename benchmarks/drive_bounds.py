@@ -128,7 +128,9 @@ def _random(count: int) -> Record:
 def feasible(problem: DriveProblem) -> bool:
     """Whether a scan over scaled limits finds a plan that keeps the bounds."""
     rest = replace(problem, waypoints=tuple(
-        Waypoint(p.position, np.nan_to_num(p.velocity), np.nan_to_num(p.acceleration), p.dwell)
+        Waypoint(
+            p.position, np.nan_to_num(p.velocity), np.nan_to_num(p.acceleration), dwell=p.dwell
+        )
         for p in problem.waypoints
     ))
     states = np.array([[p.velocity, p.acceleration] for p in rest.waypoints])

@@ -32,6 +32,9 @@ if TYPE_CHECKING:
         Waypoint,
         excursions,
         plan,
+        reach_velocity,
+        replan,
+        stop,
     )
     from segfmu.planning.verify import Verification, verify
 
@@ -59,6 +62,9 @@ __all__ = [
     "excursions",
     "plan",
     "plan_actuated",
+    "reach_velocity",
+    "replan",
+    "stop",
     "verify",
 ]
 
@@ -71,7 +77,7 @@ _HOMES = {
     ),
     "segfmu.planning": (
         "Clearance", "Excursion", "Limits", "Obstacle", "Trajectory", "Waypoint", "excursions",
-        "plan",
+        "plan", "reach_velocity", "replan", "stop",
     ),
     "segfmu.planning.verify": ("Verification", "verify"),
 }

@@ -68,6 +68,7 @@ from segfmu.kernels.rig.records import (
     SetupFault,
     StartFault,
 )
+from segfmu.kernels.settling.records import LeadRows, LeadWork
 from segfmu.kernels.trajectory.records import Check, Expansion, Timing
 from tests.kernels.rigs import HANGING, LAB, everything, feedback, observer, tracking
 from tests.problems import packed_axis
@@ -107,6 +108,7 @@ def planner_calls() -> dict[str, Call]:
         "axis_limits": (SMOOTHNESS, 1, np.array(bounds), zeros(Axis.SIZE)),
         "ramp_parameters": (0.1, axis.copy(), zeros(2, 12)),
         "ramp_duration": (0.3, axis),
+        "ramp_pieces": (axis,),
         "measure_phases": (phases, count, 0.0, 0.0, axis),
         "shortest_profile": (boundary, axis, zeros(Cell.ABOVE, Phase.SIZE), work.copy()),
         "timed_profile": (2.0 * duration, axis, cell, work.copy()),
@@ -151,7 +153,26 @@ def trajectory_calls() -> dict[str, Call]:
     states[:, :, WaypointState.POSITION] = [p.position for p in points]
     bounds = np.stack([limits.velocity, limits.acceleration, limits.jerk], axis=1)
     rope = zeros(RopeWork.SIZE, 8 * SMOOTHNESS - 5)
+    rows, width = len(found.timing), 2 * SMOOTHNESS
+    lead = zeros(LeadWork.SIZE, LeadWork.COLUMNS)
+    lead[LeadWork.NOW, 1] = 0.3
+    leads = zeros(2 * LeadRows.PIECES, Timing.SIZE), zeros(2 * LeadRows.PIECES, width)
     return {
+        "find_lead": (
+            1, 0, found.offsets, found.timing, found.coefficients,
+            np.array([1.0, 0.5, 10.0, 20.0, 0.0]), lead, *leads,
+        ),
+        "cut_plan": (
+            0.3, *pieces, zeros(rows + 4, Timing.SIZE), zeros(rows + 4, width),
+            np.zeros(4, dtype=np.int64),
+        ),
+        "anchor_plan": (
+            zeros(3, 1), found.timing, found.coefficients.copy(), found.offsets,
+        ),
+        "join_plans": (
+            *pieces, *pieces, zeros(2 * rows, Timing.SIZE), zeros(2 * rows, width),
+            np.zeros(4, dtype=np.int64),
+        ),
         "check_plan": (
             states, np.vstack([times, ends]), *pieces, bounds, 1e-9,
             zeros(Check.SIZE, Check.COLUMNS),

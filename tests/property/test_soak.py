@@ -7,6 +7,7 @@ import pytest
 from segfmu.kernels.backend import COMPILED
 from tests.property.soak import soak
 from tests.property.soak_axes import soak_axes
+from tests.property.soak_replan import soak as soak_replan
 
 pytestmark = pytest.mark.interpreted
 
@@ -27,3 +28,12 @@ def test_axes_meet_as_early_as_they_can() -> None:
     planned, _, wrong = soak_axes(problems, seed=7)
     assert planned > least
     assert wrong == []
+
+
+@pytest.mark.parametrize("smoothness", [2, 3, 4, 5, 6])
+def test_plans_are_replanned_and_stopped_anywhere(smoothness: int) -> None:
+    tally = soak_replan(smoothness, 480 if COMPILED else 32, seed=7)
+    assert tally.states > 30
+    assert tally.refused == []
+    assert tally.invalid == []
+    assert tally.late == []

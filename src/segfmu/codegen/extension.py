@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from segfmu.codegen.functions import Function, functions
 from segfmu.codegen.native import BANNER, PREFIX
 from segfmu.errors import BuildError
-from segfmu.kernels.entry_points import ENTRY_POINTS, MAY_BE_EMPTY, Extent
+from segfmu.kernels.entry_points import ENTRY_POINTS, MAY_BE_EMPTY, MAY_LACK_PIECES, Extent
 
 # C type, rank, and kind of the numbers
 Array = tuple[str, int, str]
@@ -156,7 +156,9 @@ def _pieces(
             count = _in_c(
                 ast.parse(str(extents[name][0]), mode="eval").body, known, {}, function.name
             )
-            yield f'has_pieces(&call, "{name}", in_{name}->buf, {count}, {known["pieces"]})'
+            least = 0 if name in MAY_LACK_PIECES else 1
+            where = f'&call, "{name}", in_{name}->buf'
+            yield f"has_pieces({where}, {count}, {least}, {known['pieces']})"
 
 
 def _evaluate(function: Function) -> Iterator[str]:

@@ -188,7 +188,9 @@ def _task(
     free[[0, -1]] = False
     free[[p.dwell > 0.0 for p in waypoints]] = False
     resting = tuple(
-        Waypoint(p.position, np.nan_to_num(p.velocity), np.nan_to_num(p.acceleration), p.dwell)
+        Waypoint(
+            p.position, np.nan_to_num(p.velocity), np.nan_to_num(p.acceleration), dwell=p.dwell
+        )
         for p in waypoints
     )
     return Task(crane, resting, free, bounds.vector, caps, higher, options, clearance)
@@ -248,7 +250,7 @@ def _freed(task: Task, table: FloatArray) -> tuple[Task, FloatArray] | None:
     """The task with the free states that the planner chooses; None if it finds no plan."""
     states = np.where(task.free, np.nan, task.states)
     points = [
-        Waypoint(p.position, _words(state[0]), _words(state[1]), p.dwell)
+        Waypoint(p.position, _words(state[0]), _words(state[1]), dwell=p.dwell)
         for p, state in zip(task.waypoints, states, strict=True)
     ]
     try:

@@ -93,7 +93,7 @@ class Task:
         if not self.free.any():
             return self
         points = tuple(
-            Waypoint(point.position, state[0], state[1], point.dwell)
+            Waypoint(point.position, state[0], state[1], dwell=point.dwell)
             for point, state in zip(self.waypoints, states, strict=True)
         )
         return replace(self, waypoints=points)

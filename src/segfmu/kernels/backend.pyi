@@ -580,6 +580,30 @@ def is_elsewhere(
     /,
 ) -> int: ...
 
+def expand_phases(
+    phases: Floats,
+    count: int,
+    axis: Floats,
+    timing: Floats,
+    coefficients: Floats,
+    row: int,
+    work: Floats,
+    /,
+) -> int: ...
+
+def find_lead(
+    order: int,
+    axis: int,
+    plan_offsets: Integers,
+    plan_timing: Floats,
+    plan_coefficients: Floats,
+    limits: Floats,
+    lead: Floats,
+    timing: Floats,
+    coefficients: Floats,
+    /,
+) -> bool: ...
+
 def same_break(
     time: float,
     /,
@@ -604,14 +628,35 @@ def right_of_break(
     /,
 ) -> float: ...
 
-def expand_phases(
-    phases: Floats,
-    count: int,
-    axis: Floats,
+def cut_plan(
+    time: float,
     timing: Floats,
     coefficients: Floats,
-    row: int,
-    work: Floats,
+    offsets: Integers,
+    cut_timing: Floats,
+    cut_coefficients: Floats,
+    cut_offsets: Integers,
+    /,
+) -> int: ...
+
+def anchor_plan(
+    ends: Floats,
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    /,
+) -> None: ...
+
+def join_plans(
+    lead_timing: Floats,
+    lead_coefficients: Floats,
+    lead_offsets: Integers,
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    joined_timing: Floats,
+    joined_coefficients: Floats,
+    joined_offsets: Integers,
     /,
 ) -> int: ...
 

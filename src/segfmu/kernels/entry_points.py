@@ -84,12 +84,16 @@ from segfmu.kernels.rig.records import (
     StartFault,
     Target,
 )
+from segfmu.kernels.settling.records import LeadRows, LeadWork
 from segfmu.kernels.trajectory.records import Check, Expansion, Timing
 
 Extent = int | str
 
 # without noise, changes of the payload, or times
 MAY_BE_EMPTY = ("sines", "changes", "samples")
+
+# first pieces of axes that may have none
+MAY_LACK_PIECES = ("lead_offsets", "plan_offsets")
 
 
 @dataclass(frozen=True)
@@ -162,6 +166,30 @@ ENTRY_POINTS = (
         times=("points + 1", "axes"), timing=("pieces", Timing.SIZE),
         coefficients=("pieces", 4), offsets="axes + 1", limits=("axes", 3),
         work=(Check.SIZE, Check.COLUMNS),
+    ),
+    entry(
+        "settling.lead", "find_lead", plan_offsets="axis + 2", plan_timing=("pieces", Timing.SIZE),
+        plan_coefficients=("pieces", "width"), limits="limits",
+        lead=(LeadWork.SIZE, LeadWork.COLUMNS),
+        timing=(2 * LeadRows.PIECES, Timing.SIZE),
+        coefficients=(2 * LeadRows.PIECES, "width"),
+    ),
+    entry(
+        "trajectory.cut", "cut_plan", timing=("pieces", Timing.SIZE),
+        coefficients=("pieces", "width"), offsets="bounds",
+        cut_timing=("pieces + bounds", Timing.SIZE), cut_coefficients=("pieces + bounds", "width"),
+        cut_offsets="bounds",
+    ),
+    entry(
+        "trajectory.cut", "anchor_plan", ends=("axes", 1), timing=("pieces", Timing.SIZE),
+        coefficients=("pieces", 4), offsets="axes + 1",
+    ),
+    entry(
+        "trajectory.cut", "join_plans", lead_timing=("pieces", Timing.SIZE),
+        lead_coefficients=("pieces", "width"), lead_offsets="bounds",
+        timing=("pieces", Timing.SIZE), coefficients=("pieces", "width"), offsets="bounds",
+        joined_timing=("2 * pieces", Timing.SIZE),
+        joined_coefficients=("2 * pieces", "width"), joined_offsets="bounds",
     ),
     entry(
         "crane.rope", "check_rope", timing=("pieces", 2), coefficients=("pieces", "width"),

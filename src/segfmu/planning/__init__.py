@@ -4,9 +4,11 @@ from segfmu.planning.clearance import Clearance, Obstacle
 from segfmu.planning.excursions import Excursion, excursions
 from segfmu.planning.limits import Limits
 from segfmu.planning.planner import plan
+from segfmu.planning.replanning import reach_velocity, replan, stop
 from segfmu.planning.trajectory import Trajectory
 from segfmu.planning.waypoint import Waypoint
 
 __all__ = [
     "Clearance", "Excursion", "Limits", "Obstacle", "Trajectory", "Waypoint", "excursions", "plan",
+    "reach_velocity", "replan", "stop",
 ]

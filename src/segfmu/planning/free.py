@@ -39,7 +39,7 @@ def choose_states(request: Request) -> Request:
         states = _fastest(replace(problem, states=states), free)
     waypoints = tuple(
         Waypoint(state[:, WaypointState.POSITION], state[:, WaypointState.VELOCITY],
-                 state[:, WaypointState.ACCELERATION], point.dwell)
+                 state[:, WaypointState.ACCELERATION], dwell=point.dwell)
         for point, state in zip(request.waypoints, states, strict=True)
     )
     return replace(request, waypoints=waypoints, problem=replace(problem, states=states))

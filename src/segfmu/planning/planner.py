@@ -7,14 +7,16 @@ phases and expand them to polynomials; verify.py checks the trajectory.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from segfmu.errors import InfeasibleError
 from segfmu.planning.free import choose_states
+from segfmu.planning.lead import Pieces
 from segfmu.planning.limits import Limits
-from segfmu.planning.request import checked_request, position_bounds
+from segfmu.planning.request import Request, checked_request, position_bounds
 from segfmu.planning.solver import solve
 from segfmu.planning.trajectory import Trajectory
 from segfmu.planning.verify import TOLERANCE, require
@@ -68,16 +70,30 @@ def plan(
     InfeasibleError
         If no plan keeps the limits; names axis, waypoint interval and limit.
     """
-    request = choose_states(
-        checked_request(
-            waypoints, limits, smoothness, shape, synchronize, sample_time, duration, axis_names
-        )
+    request = checked_request(
+        waypoints, limits, smoothness, shape, synchronize, sample_time, duration, axis_names
     )
-    request.require_different()
-    trajectory, proved = solve(request, TOLERANCE)
+    trajectory = planned(request)
+    _check_positions(trajectory, position_min, position_max)
+    return trajectory
+
+
+def planned(request: Request, follow: Pieces | None = None) -> Trajectory:
+    """The verified trajectory of a request; it may follow a plan from its start on at first."""
+    first = request.waypoints[0]
+    request = choose_states(request)
+    if first.settled:
+        request.require_different()
+    else:
+        chosen, *others = request.waypoints
+        start = Waypoint(
+            chosen.position, chosen.velocity, chosen.acceleration, first.jerk, first.snap,
+            first.crackle, first.pop,
+        )
+        request = replace(request, waypoints=(start, *others))
+    trajectory, proved = solve(request, TOLERANCE, follow)
     if not proved:
         require(trajectory)
-    _check_positions(trajectory, position_min, position_max)
     return trajectory
 
 

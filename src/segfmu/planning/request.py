@@ -15,7 +15,7 @@ from segfmu.kernels.planner.records import PlanStatus, Refusal
 from segfmu.planning.arrays import FloatArray, finite_vector
 from segfmu.planning.limits import Limits
 from segfmu.planning.problem import SHAPES, SYNCHRONIZATIONS, Options, Problem
-from segfmu.planning.waypoint import Waypoint
+from segfmu.planning.waypoint import DERIVATIVES, FREE, Waypoint
 
 SMOOTHNESS = range(2, 7)
 
@@ -36,6 +36,11 @@ class Request:
     limits: Limits
     axis_names: tuple[str, ...]
     problem: Problem
+
+    @property
+    def start(self) -> FloatArray:
+        """Position and the derivatives 1 .. n at the first waypoint, shape (axes, n + 1)."""
+        return self.waypoints[0].state(self.problem.options.smoothness)
 
     def require_different(self) -> None:
         """Raise InputError unless consecutive waypoints differ within double precision."""
@@ -72,6 +77,7 @@ def checked_request(
         [np.column_stack([p.position, p.velocity, p.acceleration]) for p in points]
     )
     dwells = np.array([p.dwell for p in points])
+    _require_settled(points, options.smoothness)
     table = limits.table(axes, options.smoothness)
     return Request(points, limits, names, Problem(states, dwells, table, options))
 
@@ -99,6 +105,23 @@ def _checked_waypoints(waypoints: Sequence[Waypoint]) -> tuple[Waypoint, ...]:
     if len(points) < 2:
         raise InputError(f"a plan needs at least 2 waypoints, got {len(points)}")
     return points
+
+
+def _require_settled(points: tuple[Waypoint, ...], smoothness: int) -> None:
+    for i, point in enumerate(points, 1):
+        for order, name in enumerate(DERIVATIVES[FREE:], FREE + 1):
+            given = getattr(point, name)
+            if i > 1 and given.any():
+                raise InputError(
+                    f"waypoint {i}: {name} is {given.tolist()}; only the first waypoint has one"
+                )
+            if order > smoothness and given.any():
+                raise InputError(
+                    f"waypoint {i}: {name} is {given.tolist()}; with smoothness {smoothness} it "
+                    f"may jump anywhere; omit it or raise smoothness to {order}"
+                )
+    if not points[0].settled and points[0].dwell > 0.0:
+        raise InputError("waypoint 1: a dwell needs a point at rest")
 
 
 def _names(axis_names: Sequence[str] | None, axes: int) -> tuple[str, ...]:

@@ -2,56 +2,119 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
+from segfmu.errors import InfeasibleError
 from segfmu.kernels import backend
+from segfmu.kernels.planner.records import DelayedState, WaypointState
 from segfmu.kernels.trajectory.records import Check, Expansion, Timing
+from segfmu.planning.arrays import FloatArray
+from segfmu.planning.lead import TO_PLAN, Leads, Pieces, find_leads
 from segfmu.planning.messages import refusal
-from segfmu.planning.problem import Phases, plan_phases
+from segfmu.planning.problem import Phases, Problem, plan_phases
 from segfmu.planning.request import Request
 from segfmu.planning.trajectory import Trajectory
 
 
-def solve(request: Request, tolerance: float) -> tuple[Trajectory, bool]:
+def solve(
+    request: Request, tolerance: float, follow: Pieces | None = None
+) -> tuple[Trajectory, bool]:
     """Plan and expand a trajectory; True if the kernels prove that it keeps the tolerance.
+
+    follow: a plan that begins in the state of the first waypoint, and that can be followed.
 
     Raises
     ------
     InfeasibleError
         If no plan keeps the limits.
     """
+    if follow is None and request.waypoints[0].settled:
+        problem = request.problem
+        pieces, times = _expand(problem, _phases(request, problem))
+        return judged(request, problem.states, pieces, times, tolerance)
+    return solve_after(request, _leads(request, follow), tolerance)
+
+
+def solve_after(request: Request, leads: Leads, tolerance: float) -> tuple[Trajectory, bool]:
+    """`solve` behind given leads."""
     problem = request.problem
+    points, axes = problem.states.shape[:2]
+    delayed = np.zeros((points, axes, DelayedState.SIZE))
+    delayed[:, :, : WaypointState.SIZE] = problem.states
+    delayed[0] = leads.states
+    problem = replace(problem, states=delayed)
+    pieces, times = _expand(problem, _phases(request, problem))
+    full = np.stack([p.state(problem.options.smoothness) for p in request.waypoints])
+    return judged(request, full, pieces.after(leads.pieces), times, tolerance)
+
+
+def _leads(request: Request, follow: Pieces | None) -> Leads:
+    problem = request.problem
+    options = problem.options
+    axes = problem.states.shape[1]
+    leads = find_leads(
+        TO_PLAN, request.start, problem.states[1], problem.limits, options.shape,
+        follow or Pieces.none(axes, options.smoothness),
+    )
+    if leads.failed >= 0:
+        # from rest the target may be refused for itself
+        states = problem.states.copy()
+        states[0, :, WaypointState.VELOCITY :] = 0.0
+        _phases(request, replace(problem, states=states))
+        raise no_lead(request.axis_names[leads.failed], leads.failed)
+    return leads
+
+
+def no_lead(name: str, axis: int) -> InfeasibleError:
+    """The error for an axis that cannot settle within its limits."""
+    return InfeasibleError(
+        f"axis {name}, waypoint 1: no motion from its velocity, acceleration and higher "
+        "derivatives keeps the limits; raise the limits or lower the derivatives",
+        axis=axis, interval=1,
+    )
+
+
+def _phases(request: Request, problem: Problem) -> Phases:
     phases = plan_phases(problem)
     if not phases.feasible:
-        raise refusal(
-            phases.status, phases.refusal, request.axis_names
-        )
-    return _expand(request, phases, tolerance)
+        raise refusal(phases.status, phases.refusal, request.axis_names)
+    return phases
 
 
-def _expand(
-    request: Request, phases: Phases, tolerance: float
-) -> tuple[Trajectory, bool]:
-    problem = request.problem
+def _expand(problem: Problem, phases: Phases) -> tuple[Pieces, FloatArray]:
+    """The pieces, and the arrivals (waypoints, axes) with the ends as their last row [s]."""
     points, axes = problem.states.shape[:2]
     rows = backend.count_pieces(phases.axes, phases.cells)
     timing = np.empty((rows, Timing.SIZE))
     coefficients = np.empty((rows, 2 * problem.options.smoothness))
     offsets = np.zeros(axes + 1, dtype=np.int64)
     times = np.zeros((points + 1, axes))
-    used = backend.expand_plan(
+    backend.expand_plan(
         problem.states, problem.dwells, phases.axes, phases.cells, timing, coefficients, offsets,
         times, np.empty((Expansion.SIZE, Expansion.COLUMNS)),
     )
+    return Pieces(timing, coefficients, offsets), times
+
+
+def judged(
+    request: Request, states: FloatArray, pieces: Pieces, times: FloatArray, tolerance: float
+) -> tuple[Trajectory, bool]:
+    """The trajectory of some pieces, and whether the kernels prove that it keeps the tolerance.
+
+    states (waypoints, axes, 3 or more) are those that it has to reach at the times.
+    """
+    options = request.problem.options
     wrong = backend.check_plan(
-        problem.states, times, timing, coefficients, offsets, problem.limits, tolerance,
-        np.empty((Check.SIZE, Check.COLUMNS)),
+        states, times, pieces.timing, pieces.coefficients, pieces.offsets, request.problem.limits,
+        tolerance, np.empty((Check.SIZE, Check.COLUMNS)),
     )
-    for array in (timing, coefficients, offsets, times):
+    timing, coefficients = pieces.timing[: pieces.used], pieces.coefficients[: pieces.used]
+    for array in (timing, coefficients, pieces.offsets, times):
         array.flags.writeable = False
     trajectory = Trajectory(
-        request.waypoints, request.limits, problem.options.smoothness, problem.options.shape,
-        problem.options.synchronize, request.axis_names, timing[:used], coefficients[:used],
-        offsets, times[:-1], times[-1],
+        request.waypoints, request.limits, options.smoothness, options.shape, options.synchronize,
+        request.axis_names, timing, coefficients, pieces.offsets, times[:-1], times[-1],
     )
     return trajectory, wrong == 0

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from segfmu.errors import InputError
 from segfmu.kernels import backend
-from segfmu.planning.arrays import FloatArray
+from segfmu.planning.arrays import FloatArray, finite_vector
 from segfmu.planning.limits import Limits
 from segfmu.planning.polynomials import extrema
 from segfmu.planning.sketch import sketch
@@ -108,6 +108,15 @@ class Trajectory:
                 int(derivative), values,
             )
         return values.reshape((*times.shape, self.axes))
+
+    def state(self, t: float) -> Waypoint:
+        """Position and all continuous derivatives at a time t [s], as the start of another plan."""
+        states = np.zeros((self.smoothness + 1, self.axes))
+        backend.evaluate_orders(
+            float(finite_vector("t", t)[0]), self.timing, self.coefficients, self.offsets,
+            self.axis_durations, states,
+        )
+        return Waypoint(*states)
 
     def pieces(self, axis: int) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Starts (pieces,), lengths (pieces,) and coefficients (pieces, width) of one axis."""

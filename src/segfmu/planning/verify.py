@@ -148,31 +148,39 @@ def _jumps(trajectory: Trajectory, scales: FloatArray) -> FloatArray:
 def _waypoint_error(trajectory: Trajectory, limits: FloatArray, scales: FloatArray) -> float:
     worst = [0.0]
     for axis in range(trajectory.axes):
-        left, right = _states(trajectory, axis, 3)
-        scale = np.array([scales[0, axis], limits[0, axis], limits[1, axis]])
+        left, right = _states(trajectory, axis, trajectory.smoothness + 1)
+        bounds = np.where(np.isfinite(limits[:-1, axis]), limits[:-1, axis], scales[1:-1, axis])
+        scale = np.concatenate([scales[:1, axis], bounds])
         for j, waypoint in enumerate(trajectory.waypoints):
             time = float(trajectory.axis_waypoint_times[j, axis])
-            asked = np.array(
-                [waypoint.position[axis], waypoint.velocity[axis], waypoint.acceleration[axis]]
-            )
-            first, last = _touched(trajectory, axis, time, waypoint.dwell)
-            # from where it arrives to where it leaves: both sides, and all pieces between
-            reached = [right[:, max(first - 1, 0) : last], left[:, first : last + 1]]
-            worst += [
-                float(np.max(_relative(np.abs(side - asked[:, None]), scale[:, None])))
-                for side in reached if side.size
-            ]
-            if last > first:
-                worst.append(_moved(trajectory, axis, slice(first, last)) / scales[0, axis])
+            asked = waypoint.state(trajectory.smoothness)[axis]
+            found = []
+            for first, last in _touched(trajectory, axis, time, waypoint.dwell):
+                # from where it arrives to where it leaves: both sides, and all pieces between
+                sides = np.hstack([right[:, max(first - 1, 0) : last], left[:, first : last + 1]])
+                error = _largest(_relative(np.abs(sides - asked[:, None]), scale[:, None]))
+                if last > first:
+                    moved = _moved(trajectory, axis, slice(first, last)) / scales[0, axis]
+                    error = max(error, moved)
+                found.append(error)
+            worst.append(min(found))
     return _largest(worst)
 
 
-def _touched(trajectory: Trajectory, axis: int, time: float, dwell: float) -> tuple[int, int]:
-    """The piece of an axis that starts at `time`, and the one that starts after the dwell."""
+def _touched(
+    trajectory: Trajectory, axis: int, time: float, dwell: float
+) -> list[tuple[int, int]]:
+    """The piece of an axis that starts at `time`, and the one that starts after the dwell.
+
+    There are several where the clock is too coarse to tell short pieces apart.
+    """
     starts, lengths, _ = trajectory.pieces(axis)
     switches = np.append(starts, starts[-1] + lengths[-1])
-    first, last = (int(np.argmin(np.abs(switches - t))) for t in (time, time + dwell))
-    return first, last
+    arrival, leaving = (np.abs(switches - t) for t in (time, time + dwell))
+    same = 4.0 * np.finfo(float).eps * abs(time)
+    if dwell > 0.0 or np.isnan(arrival).any():
+        return [(int(np.argmin(arrival)), int(np.argmin(leaving)))]
+    return [(int(i), int(i)) for i in np.flatnonzero(arrival <= arrival.min() + same)]
 
 
 def _moved(trajectory: Trajectory, axis: int, rows: slice) -> float:
@@ -182,7 +190,7 @@ def _moved(trajectory: Trajectory, axis: int, rows: slice) -> float:
     return high - low
 
 
-def _largest(values: list[float]) -> float:
+def _largest(values: list[float] | FloatArray) -> float:
     """The largest value; NaN if one is."""
     return float(np.max(values))
 
@@ -207,7 +215,8 @@ def time_error(trajectory: Trajectory) -> float:
         errors += np.ptp(arrivals, axis=1).tolist()
     if trajectory.synchronize != "none":
         errors.append(float(np.ptp(ends)))
-    return _largest(errors) / trajectory.duration
+    largest = np.array(_largest(errors))
+    return float(_relative(largest, np.array(trajectory.duration)))
 
 
 def require(trajectory: Trajectory) -> None:

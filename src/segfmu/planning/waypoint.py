@@ -10,6 +10,10 @@ from numpy.typing import ArrayLike
 from segfmu.errors import InputError
 from segfmu.planning.arrays import FloatArray, finite_vector
 
+DERIVATIVES = ("velocity", "acceleration", "jerk", "snap", "crackle", "pop")
+# how many of them may be free
+FREE = 2
+
 
 @dataclass(frozen=True, eq=False)
 class Waypoint:
@@ -21,8 +25,10 @@ class Waypoint:
         Position [m].
     velocity, acceleration : array_like, shape (axes,), or "free", optional
         State at the point [m/s, m/s2]; rest by default. With "free", or None for single axes,
-        `plan` chooses a state that makes the move short; before planning it is NaN. The higher
-        derivatives are zero.
+        `plan` chooses a state that makes the move short; before planning it is NaN.
+    jerk, snap, crackle, pop : array_like, shape (axes,), optional
+        Higher derivatives [m/s3 .. m/s6] of the first waypoint of a plan, as far as its smoothness
+        has them continuous; zero by default, and at all other waypoints.
     dwell : float
         Time to rest there [s]; only if the point is at rest.
 
@@ -35,6 +41,10 @@ class Waypoint:
     position: FloatArray
     velocity: FloatArray
     acceleration: FloatArray
+    jerk: FloatArray
+    snap: FloatArray
+    crackle: FloatArray
+    pop: FloatArray
     dwell: float = field(default=0.0)
 
     def __init__(
@@ -42,12 +52,21 @@ class Waypoint:
         position: ArrayLike,
         velocity: ArrayLike | str | None = None,
         acceleration: ArrayLike | str | None = None,
+        jerk: ArrayLike | None = None,
+        snap: ArrayLike | None = None,
+        crackle: ArrayLike | None = None,
+        pop: ArrayLike | None = None,
         dwell: float = 0.0,
     ) -> None:
         values = finite_vector("position", position)
         object.__setattr__(self, "position", values)
-        for name, given in (("velocity", velocity), ("acceleration", acceleration)):
-            vector = _state(name, given, values.size)
+        higher = (jerk, snap, crackle, pop)
+        states = zip(DERIVATIVES, (velocity, acceleration, *higher), strict=True)
+        for i, (name, given) in enumerate(states):
+            if i < FREE:
+                vector = _state(name, given, values.size)
+            else:
+                vector = finite_vector(name, np.zeros(values.size) if given is None else given)
             if vector.size != values.size:
                 raise InputError(
                     f"{name} has {vector.size} values, position has {values.size}; "
@@ -63,6 +82,16 @@ class Waypoint:
     def axes(self) -> int:
         """Number of axes."""
         return int(self.position.size)
+
+    @property
+    def settled(self) -> bool:
+        """Whether all derivatives above the acceleration are zero."""
+        return not any(getattr(self, name).any() for name in DERIVATIVES[FREE:])
+
+    def state(self, order: int) -> FloatArray:
+        """Position and the derivatives 1 .. order, shape (axes, order + 1)."""
+        names = ("position", *DERIVATIVES)[: order + 1]
+        return np.column_stack([getattr(self, name) for name in names])
 
 
 def _state(name: str, given: ArrayLike | str | None, axes: int) -> FloatArray:

@@ -92,7 +92,7 @@ class FeedforwardSlave(SpecSlave):
             for array in gantry_feedforward.arrays(count)
         ]
         rows = (c.reshape(count, -1).tolist() for c in columns)
-        return [Waypoint(p, v, a, dwell) for p, v, a, (dwell,) in zip(*rows, strict=True)]
+        return [Waypoint(p, v, a, dwell=dwell) for p, v, a, (dwell,) in zip(*rows, strict=True)]
 
     def _evaluate(self, time: float) -> None:
         inverse, trajectory = self._inverse, self._trajectory

@@ -98,11 +98,11 @@ static bool has_at_least(const arguments *call, const char *name, int dimension,
 
 /* The first piece of each axis and the end of the last one: every axis has one of the `pieces`. */
 static bool has_pieces(const arguments *call, const char *name, const int64_t *offsets,
-                       int64_t count, int64_t pieces)
+                       int64_t count, int64_t least, int64_t pieces)
 {
     bool good = offsets[0] >= 0 && offsets[count - 1] <= pieces;
     for (int64_t i = 1; i < count; i++) {
-        good = good && offsets[i - 1] < offsets[i];
+        good = good && offsets[i] - offsets[i - 1] >= least;
     }
     if (!good) {
         PyErr_Format(PyExc_IndexError, "%s() argument %s: must ascend from 0 to at most %lld",

@@ -79,10 +79,14 @@ SEGFMU_API int64_t segfmu_check_start(array_double_1d state, array_double_1d ref
 SEGFMU_API int64_t segfmu_judge_start(array_double_1d state, array_double_1d reference, double gravity, array_double_1d fault);
 SEGFMU_API int64_t segfmu_check_start_rope(double length, double shortest, double longest, array_double_1d fault);
 SEGFMU_API int64_t segfmu_is_elsewhere(array_double_1d before, array_double_1d reference, double step);
+SEGFMU_API int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work);
+SEGFMU_API bool segfmu_find_lead(int64_t order, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 SEGFMU_API double segfmu_same_break(double time);
 SEGFMU_API double segfmu_next_plan_event(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends, array_double_2d times);
 SEGFMU_API double segfmu_right_of_break(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends);
-SEGFMU_API int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work);
+SEGFMU_API int64_t segfmu_cut_plan(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d cut_timing, array_double_2d cut_coefficients, array_int64_t_1d cut_offsets);
+SEGFMU_API void segfmu_anchor_plan(array_double_2d ends, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets);
+SEGFMU_API int64_t segfmu_join_plans(array_double_2d lead_timing, array_double_2d lead_coefficients, array_int64_t_1d lead_offsets, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d joined_timing, array_double_2d joined_coefficients, array_int64_t_1d joined_offsets);
 SEGFMU_API int64_t segfmu_count_pieces(array_double_2d axes, array_double_3d cells);
 SEGFMU_API int64_t segfmu_expand_plan(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d work);
 

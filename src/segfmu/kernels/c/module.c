@@ -972,7 +972,7 @@ static PyObject *call_evaluate(
         && has_extent(&call, "values", 1, in_values->shape[1], in_ends->shape[0])
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_ends->shape[0] + 1))
-        && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), in_timing->shape[0])) {
+        && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), 1, in_timing->shape[0])) {
         segfmu_evaluate(
             (array_double_1d){in_times->buf, {in_times->shape[0]}},
             (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
@@ -1014,7 +1014,7 @@ static PyObject *call_evaluate_orders(
         && has_extent(&call, "values", 1, in_values->shape[1], in_ends->shape[0])
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_ends->shape[0] + 1))
-        && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), in_timing->shape[0])) {
+        && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), 1, in_timing->shape[0])) {
         segfmu_evaluate_orders(
             in_time,
             (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
@@ -1065,7 +1065,7 @@ static PyObject *call_check_plan(
         && has_at_least(&call, "limits", 1, in_limits->shape[1], 3)
         && has_at_least(&call, "work", 0, in_work->shape[0], 43)
         && has_at_least(&call, "work", 1, in_work->shape[1], 14)
-        && has_pieces(&call, "offsets", in_offsets->buf, (in_states->shape[1] + 1), in_timing->shape[0])) {
+        && has_pieces(&call, "offsets", in_offsets->buf, (in_states->shape[1] + 1), 1, in_timing->shape[0])) {
         answer = PyLong_FromLongLong(segfmu_check_plan(
             (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
             (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}},
@@ -1108,7 +1108,7 @@ static PyObject *call_check_rope(
         && has_at_least(&call, "work", 0, in_work->shape[0], 52)
         && has_at_least(&call, "work", 1, in_work->shape[1], ((4 * in_coefficients->shape[1]) - 5))
         && has_at_least(&call, "report", 0, in_report->shape[0], 3)
-        && has_pieces(&call, "offsets", in_offsets->buf, 4, in_timing->shape[0])) {
+        && has_pieces(&call, "offsets", in_offsets->buf, 4, 1, in_timing->shape[0])) {
         answer = PyLong_FromLongLong(segfmu_check_rope(
             (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
             (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
@@ -1279,7 +1279,7 @@ static PyObject *call_timed_profile(
         && (in_work = take_array(&call, 3, 2, 'd', true)) != NULL
         && has_at_least(&call, "axis", 0, in_axis->shape[0], 41)
         && has_at_least(&call, "cell", 0, in_cell->shape[0], 28)
-        && has_at_least(&call, "cell", 1, in_cell->shape[1], 8)
+        && has_at_least(&call, "cell", 1, in_cell->shape[1], 9)
         && has_at_least(&call, "work", 0, in_work->shape[0], 47)
         && has_at_least(&call, "work", 1, in_work->shape[1], 19)) {
         answer = PyFloat_FromDouble(segfmu_timed_profile(
@@ -1376,7 +1376,7 @@ static PyObject *call_plan_phases(
         && has_at_least(&call, "axes", 1, in_axes->shape[1], 41)
         && has_at_least(&call, "cells", 0, in_cells->shape[0], ((in_states->shape[0] - 1) * in_states->shape[1]))
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 28)
-        && has_at_least(&call, "cells", 2, in_cells->shape[2], 8)
+        && has_at_least(&call, "cells", 2, in_cells->shape[2], 9)
         && has_at_least(&call, "work", 0, in_work->shape[0], 47)
         && has_at_least(&call, "work", 1, in_work->shape[1], 19)
         && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_options->buf)[0] + 1))) {
@@ -2154,93 +2154,6 @@ static PyObject *call_is_elsewhere(
     return answer;
 }
 
-static PyObject *call_same_break(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "same_break", .values = values};
-    PyObject *answer = NULL;
-    double in_time;
-    (void)self;
-    if (take_count(&call, count, 1)
-        && take_float(&call, 0, &in_time)) {
-        answer = PyFloat_FromDouble(segfmu_same_break(
-            in_time));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_next_plan_event(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "next_plan_event", .values = values};
-    PyObject *answer = NULL;
-    double in_time;
-    double in_start;
-    Py_buffer *in_timing;
-    Py_buffer *in_offsets;
-    Py_buffer *in_ends;
-    Py_buffer *in_times;
-    (void)self;
-    if (take_count(&call, count, 6)
-        && take_float(&call, 0, &in_time)
-        && take_float(&call, 1, &in_start)
-        && (in_timing = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
-        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
-        && (in_times = take_array(&call, 5, 2, 'd', false)) != NULL
-        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
-        && has_at_least(&call, "ends", 0, in_ends->shape[0], 1)
-        && has_at_least(&call, "times", 0, in_times->shape[0], 1)
-        && has_extent(&call, "times", 1, in_times->shape[1], in_ends->shape[0])
-        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_ends->shape[0] + 1))
-        && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), in_timing->shape[0])) {
-        answer = PyFloat_FromDouble(segfmu_next_plan_event(
-            in_time,
-            in_start,
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
-            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
-            (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_right_of_break(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "right_of_break", .values = values};
-    PyObject *answer = NULL;
-    double in_time;
-    double in_start;
-    Py_buffer *in_timing;
-    Py_buffer *in_offsets;
-    Py_buffer *in_ends;
-    (void)self;
-    if (take_count(&call, count, 5)
-        && take_float(&call, 0, &in_time)
-        && take_float(&call, 1, &in_start)
-        && (in_timing = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
-        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
-        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
-        && has_at_least(&call, "ends", 0, in_ends->shape[0], 1)
-        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_ends->shape[0] + 1))
-        && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), in_timing->shape[0])) {
-        answer = PyFloat_FromDouble(segfmu_right_of_break(
-            in_time,
-            in_start,
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
-            (array_double_1d){in_ends->buf, {in_ends->shape[0]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
 static PyObject *call_expand_phases(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -2284,6 +2197,282 @@ static PyObject *call_expand_phases(
     return answer;
 }
 
+static PyObject *call_find_lead(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "find_lead", .values = values};
+    PyObject *answer = NULL;
+    int64_t in_order;
+    int64_t in_axis;
+    Py_buffer *in_plan_offsets;
+    Py_buffer *in_plan_timing;
+    Py_buffer *in_plan_coefficients;
+    Py_buffer *in_limits;
+    Py_buffer *in_lead;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    (void)self;
+    if (take_count(&call, count, 9)
+        && take_int(&call, 0, &in_order)
+        && take_int(&call, 1, &in_axis)
+        && (in_plan_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
+        && (in_plan_timing = take_array(&call, 3, 2, 'd', false)) != NULL
+        && (in_plan_coefficients = take_array(&call, 4, 2, 'd', false)) != NULL
+        && (in_limits = take_array(&call, 5, 1, 'd', false)) != NULL
+        && (in_lead = take_array(&call, 6, 2, 'd', true)) != NULL
+        && (in_timing = take_array(&call, 7, 2, 'd', true)) != NULL
+        && (in_coefficients = take_array(&call, 8, 2, 'd', true)) != NULL
+        && has_at_least(&call, "plan_timing", 0, in_plan_timing->shape[0], 1)
+        && has_at_least(&call, "plan_coefficients", 1, in_plan_coefficients->shape[1], 1)
+        && has_at_least(&call, "limits", 0, in_limits->shape[0], 1)
+        && has_extent(&call, "plan_coefficients", 0, in_plan_coefficients->shape[0], in_plan_timing->shape[0])
+        && has_extent(&call, "coefficients", 1, in_coefficients->shape[1], in_plan_coefficients->shape[1])
+        && has_at_least(&call, "plan_offsets", 0, in_plan_offsets->shape[0], (in_axis + 2))
+        && has_at_least(&call, "plan_timing", 1, in_plan_timing->shape[1], 2)
+        && has_at_least(&call, "lead", 0, in_lead->shape[0], 123)
+        && has_at_least(&call, "lead", 1, in_lead->shape[1], 41)
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 400)
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], 400)
+        && has_pieces(&call, "plan_offsets", in_plan_offsets->buf, (in_axis + 2), 0, in_plan_timing->shape[0])) {
+        answer = PyBool_FromLong(segfmu_find_lead(
+            in_order,
+            in_axis,
+            (array_int64_t_1d){in_plan_offsets->buf, {in_plan_offsets->shape[0]}},
+            (array_double_2d){in_plan_timing->buf, {in_plan_timing->shape[0], in_plan_timing->shape[1]}},
+            (array_double_2d){in_plan_coefficients->buf, {in_plan_coefficients->shape[0], in_plan_coefficients->shape[1]}},
+            (array_double_1d){in_limits->buf, {in_limits->shape[0]}},
+            (array_double_2d){in_lead->buf, {in_lead->shape[0], in_lead->shape[1]}},
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_same_break(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "same_break", .values = values};
+    PyObject *answer = NULL;
+    double in_time;
+    (void)self;
+    if (take_count(&call, count, 1)
+        && take_float(&call, 0, &in_time)) {
+        answer = PyFloat_FromDouble(segfmu_same_break(
+            in_time));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_next_plan_event(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "next_plan_event", .values = values};
+    PyObject *answer = NULL;
+    double in_time;
+    double in_start;
+    Py_buffer *in_timing;
+    Py_buffer *in_offsets;
+    Py_buffer *in_ends;
+    Py_buffer *in_times;
+    (void)self;
+    if (take_count(&call, count, 6)
+        && take_float(&call, 0, &in_time)
+        && take_float(&call, 1, &in_start)
+        && (in_timing = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
+        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
+        && (in_times = take_array(&call, 5, 2, 'd', false)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "ends", 0, in_ends->shape[0], 1)
+        && has_at_least(&call, "times", 0, in_times->shape[0], 1)
+        && has_extent(&call, "times", 1, in_times->shape[1], in_ends->shape[0])
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_ends->shape[0] + 1))
+        && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), 1, in_timing->shape[0])) {
+        answer = PyFloat_FromDouble(segfmu_next_plan_event(
+            in_time,
+            in_start,
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
+            (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_right_of_break(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "right_of_break", .values = values};
+    PyObject *answer = NULL;
+    double in_time;
+    double in_start;
+    Py_buffer *in_timing;
+    Py_buffer *in_offsets;
+    Py_buffer *in_ends;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && take_float(&call, 0, &in_time)
+        && take_float(&call, 1, &in_start)
+        && (in_timing = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
+        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "ends", 0, in_ends->shape[0], 1)
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_ends->shape[0] + 1))
+        && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), 1, in_timing->shape[0])) {
+        answer = PyFloat_FromDouble(segfmu_right_of_break(
+            in_time,
+            in_start,
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_1d){in_ends->buf, {in_ends->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_cut_plan(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "cut_plan", .values = values};
+    PyObject *answer = NULL;
+    double in_time;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_cut_timing;
+    Py_buffer *in_cut_coefficients;
+    Py_buffer *in_cut_offsets;
+    (void)self;
+    if (take_count(&call, count, 7)
+        && take_float(&call, 0, &in_time)
+        && (in_timing = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
+        && (in_cut_timing = take_array(&call, 4, 2, 'd', true)) != NULL
+        && (in_cut_coefficients = take_array(&call, 5, 2, 'd', true)) != NULL
+        && (in_cut_offsets = take_array(&call, 6, 1, 'l', true)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 1)
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_extent(&call, "cut_coefficients", 1, in_cut_coefficients->shape[1], in_coefficients->shape[1])
+        && has_extent(&call, "cut_offsets", 0, in_cut_offsets->shape[0], in_offsets->shape[0])
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "cut_timing", 0, in_cut_timing->shape[0], (in_timing->shape[0] + in_offsets->shape[0]))
+        && has_at_least(&call, "cut_timing", 1, in_cut_timing->shape[1], 2)
+        && has_at_least(&call, "cut_coefficients", 0, in_cut_coefficients->shape[0], (in_timing->shape[0] + in_offsets->shape[0]))
+        && has_pieces(&call, "offsets", in_offsets->buf, in_offsets->shape[0], 1, in_timing->shape[0])) {
+        answer = PyLong_FromLongLong(segfmu_cut_plan(
+            in_time,
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_2d){in_cut_timing->buf, {in_cut_timing->shape[0], in_cut_timing->shape[1]}},
+            (array_double_2d){in_cut_coefficients->buf, {in_cut_coefficients->shape[0], in_cut_coefficients->shape[1]}},
+            (array_int64_t_1d){in_cut_offsets->buf, {in_cut_offsets->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_anchor_plan(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "anchor_plan", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_ends;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    (void)self;
+    if (take_count(&call, count, 4)
+        && (in_ends = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_timing = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 2, 2, 'd', true)) != NULL
+        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
+        && has_at_least(&call, "ends", 0, in_ends->shape[0], 1)
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_at_least(&call, "ends", 1, in_ends->shape[1], 1)
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 4)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_ends->shape[0] + 1))
+        && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), 1, in_timing->shape[0])) {
+        segfmu_anchor_plan(
+            (array_double_2d){in_ends->buf, {in_ends->shape[0], in_ends->shape[1]}},
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_join_plans(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "join_plans", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_lead_timing;
+    Py_buffer *in_lead_coefficients;
+    Py_buffer *in_lead_offsets;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_joined_timing;
+    Py_buffer *in_joined_coefficients;
+    Py_buffer *in_joined_offsets;
+    (void)self;
+    if (take_count(&call, count, 9)
+        && (in_lead_timing = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_lead_coefficients = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_lead_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
+        && (in_timing = take_array(&call, 3, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 4, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 5, 1, 'l', false)) != NULL
+        && (in_joined_timing = take_array(&call, 6, 2, 'd', true)) != NULL
+        && (in_joined_coefficients = take_array(&call, 7, 2, 'd', true)) != NULL
+        && (in_joined_offsets = take_array(&call, 8, 1, 'l', true)) != NULL
+        && has_at_least(&call, "lead_timing", 0, in_lead_timing->shape[0], 1)
+        && has_at_least(&call, "lead_coefficients", 1, in_lead_coefficients->shape[1], 1)
+        && has_at_least(&call, "lead_offsets", 0, in_lead_offsets->shape[0], 1)
+        && has_extent(&call, "lead_coefficients", 0, in_lead_coefficients->shape[0], in_lead_timing->shape[0])
+        && has_extent(&call, "timing", 0, in_timing->shape[0], in_lead_timing->shape[0])
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_lead_timing->shape[0])
+        && has_extent(&call, "coefficients", 1, in_coefficients->shape[1], in_lead_coefficients->shape[1])
+        && has_extent(&call, "offsets", 0, in_offsets->shape[0], in_lead_offsets->shape[0])
+        && has_extent(&call, "joined_coefficients", 1, in_joined_coefficients->shape[1], in_lead_coefficients->shape[1])
+        && has_extent(&call, "joined_offsets", 0, in_joined_offsets->shape[0], in_lead_offsets->shape[0])
+        && has_at_least(&call, "lead_timing", 1, in_lead_timing->shape[1], 2)
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "joined_timing", 0, in_joined_timing->shape[0], (2 * in_lead_timing->shape[0]))
+        && has_at_least(&call, "joined_timing", 1, in_joined_timing->shape[1], 2)
+        && has_at_least(&call, "joined_coefficients", 0, in_joined_coefficients->shape[0], (2 * in_lead_timing->shape[0]))
+        && has_pieces(&call, "lead_offsets", in_lead_offsets->buf, in_lead_offsets->shape[0], 0, in_lead_timing->shape[0])
+        && has_pieces(&call, "offsets", in_offsets->buf, in_lead_offsets->shape[0], 1, in_lead_timing->shape[0])) {
+        answer = PyLong_FromLongLong(segfmu_join_plans(
+            (array_double_2d){in_lead_timing->buf, {in_lead_timing->shape[0], in_lead_timing->shape[1]}},
+            (array_double_2d){in_lead_coefficients->buf, {in_lead_coefficients->shape[0], in_lead_coefficients->shape[1]}},
+            (array_int64_t_1d){in_lead_offsets->buf, {in_lead_offsets->shape[0]}},
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_2d){in_joined_timing->buf, {in_joined_timing->shape[0], in_joined_timing->shape[1]}},
+            (array_double_2d){in_joined_coefficients->buf, {in_joined_coefficients->shape[0], in_joined_coefficients->shape[1]}},
+            (array_int64_t_1d){in_joined_offsets->buf, {in_joined_offsets->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_count_pieces(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -2299,7 +2488,7 @@ static PyObject *call_count_pieces(
         && has_at_least(&call, "cells", 0, in_cells->shape[0], 1)
         && has_at_least(&call, "axes", 1, in_axes->shape[1], 41)
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 28)
-        && has_at_least(&call, "cells", 2, in_cells->shape[2], 8)) {
+        && has_at_least(&call, "cells", 2, in_cells->shape[2], 9)) {
         answer = PyLong_FromLongLong(segfmu_count_pieces(
             (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
             (array_double_3d){in_cells->buf, {in_cells->shape[0], in_cells->shape[1], in_cells->shape[2]}}));
@@ -2342,7 +2531,7 @@ static PyObject *call_expand_plan(
         && has_at_least(&call, "axes", 1, in_axes->shape[1], 41)
         && has_at_least(&call, "cells", 0, in_cells->shape[0], ((in_states->shape[0] - 1) * in_states->shape[1]))
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 28)
-        && has_at_least(&call, "cells", 2, in_cells->shape[2], 8)
+        && has_at_least(&call, "cells", 2, in_cells->shape[2], 9)
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
         && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
@@ -2438,10 +2627,14 @@ static PyMethodDef methods[] = {
     {"judge_start", (PyCFunction)(void (*)(void))call_judge_start, METH_FASTCALL, NULL},
     {"check_start_rope", (PyCFunction)(void (*)(void))call_check_start_rope, METH_FASTCALL, NULL},
     {"is_elsewhere", (PyCFunction)(void (*)(void))call_is_elsewhere, METH_FASTCALL, NULL},
+    {"expand_phases", (PyCFunction)(void (*)(void))call_expand_phases, METH_FASTCALL, NULL},
+    {"find_lead", (PyCFunction)(void (*)(void))call_find_lead, METH_FASTCALL, NULL},
     {"same_break", (PyCFunction)(void (*)(void))call_same_break, METH_FASTCALL, NULL},
     {"next_plan_event", (PyCFunction)(void (*)(void))call_next_plan_event, METH_FASTCALL, NULL},
     {"right_of_break", (PyCFunction)(void (*)(void))call_right_of_break, METH_FASTCALL, NULL},
-    {"expand_phases", (PyCFunction)(void (*)(void))call_expand_phases, METH_FASTCALL, NULL},
+    {"cut_plan", (PyCFunction)(void (*)(void))call_cut_plan, METH_FASTCALL, NULL},
+    {"anchor_plan", (PyCFunction)(void (*)(void))call_anchor_plan, METH_FASTCALL, NULL},
+    {"join_plans", (PyCFunction)(void (*)(void))call_join_plans, METH_FASTCALL, NULL},
     {"count_pieces", (PyCFunction)(void (*)(void))call_count_pieces, METH_FASTCALL, NULL},
     {"expand_plan", (PyCFunction)(void (*)(void))call_expand_plan, METH_FASTCALL, NULL},
     {NULL, NULL, 0, NULL},

@@ -701,6 +701,14 @@ enum {
 };
 
 enum {
+    DELAYED_STATE_POSITION = 0,
+    DELAYED_STATE_VELOCITY = 1,
+    DELAYED_STATE_ACCELERATION = 2,
+    DELAYED_STATE_DELAY = 3,
+    DELAYED_STATE_SIZE = 4
+};
+
+enum {
     AXIS_SMOOTHNESS = 0,
     AXIS_SHAPE = 1,
     AXIS_VELOCITY = 2,
@@ -769,8 +777,9 @@ enum {
     INTERVAL_ABOVE_COUNT = 4,
     INTERVAL_POSITION = 5,
     INTERVAL_START = 6,
-    INTERVAL_PROLONGED = 7,
-    INTERVAL_SIZE = 8
+    INTERVAL_DELAY = 7,
+    INTERVAL_PROLONGED = 8,
+    INTERVAL_SIZE = 9
 };
 
 enum {
@@ -779,7 +788,7 @@ enum {
     CELL_PROBLEM = 26,
     CELL_RESULT = 27,
     CELL_SIZE = 28,
-    CELL_COLUMNS = 8
+    CELL_COLUMNS = 9
 };
 
 enum {
@@ -1109,6 +1118,51 @@ enum {
     RIG_VARIABLES_DEFLECTION = 16,
     RIG_VARIABLES_TIME = 19,
     RIG_VARIABLES_SIZE = 20
+};
+
+/* kernels/settling/records.py */
+
+enum {
+    CHAIN_DERIVATIVES = 0,
+    CHAIN_TIME = 8,
+    CHAIN_SIZE = 9
+};
+
+enum {
+    ENDS_VALUES = 0,
+    ENDS_SIZE = 8
+};
+
+enum {
+    LEAD_TIME = 0,
+    LEAD_COUNT = 1,
+    LEAD_GAIN = 2,
+    LEAD_SIZE = 3
+};
+
+enum {
+    LEAD_ROWS_PIECES = 200
+};
+
+enum {
+    LEAD_WORK_NOW = 0,
+    LEAD_WORK_START = 1,
+    LEAD_WORK_STATE = 2,
+    LEAD_WORK_REACHED = 3,
+    LEAD_WORK_LIMITS = 4,
+    LEAD_WORK_ENDS = 5,
+    LEAD_WORK_BEST_ENDS = 6,
+    LEAD_WORK_BEST = 7,
+    LEAD_WORK_TARGET = 8,
+    LEAD_WORK_PROBLEM = 9,
+    LEAD_WORK_PHASES = 10,
+    LEAD_WORK_AXIS = 23,
+    LEAD_WORK_CHAINS = 24,
+    LEAD_WORK_PLAN = 31,
+    LEAD_WORK_EXPANSION = 78,
+    LEAD_WORK_CHECK = 80,
+    LEAD_WORK_SIZE = 123,
+    LEAD_WORK_COLUMNS = 41
 };
 
 /* kernels/trajectory/records.py */

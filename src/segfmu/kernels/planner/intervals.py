@@ -46,7 +46,7 @@ def set_stretched(
 ) -> None:
     """Write the shortest profile, stretched from rest to rest to the target duration [s]."""
     phases = cell[Cell.BELOW:Cell.ABOVE, :]
-    shortest = cell[Cell.RESULT, Interval.SHORTEST]
+    shortest = cell[Cell.RESULT, Interval.SHORTEST] - cell[Cell.RESULT, Interval.DELAY]
     # the shortest profile may still be stored, from the first step of planning
     duration = 0.0
     if cell[Cell.RESULT, Interval.ABOVE_COUNT] == 0.0:
@@ -64,15 +64,16 @@ def set_stretched(
 def set_duration(
     target: float, cell: 'float[:,:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> bool:
-    """Write a profile of the given duration [s]; False if that duration is not feasible."""
+    """Write a profile of the given duration [s], delay included; False if that is not feasible."""
+    delay = cell[Cell.RESULT, Interval.DELAY]
     shortest = cell[Cell.RESULT, Interval.SHORTEST]
     if target < shortest * (1.0 - 1e-13):
         return False
     resting = is_resting(cell[Cell.PROBLEM, :], axis)
     if resting or target <= shortest * (1.0 + 1e-13):
-        set_stretched(target, resting, cell, axis, work)
+        set_stretched(target - delay, resting, cell, axis, work)
         return True
-    weight = timed_profile(target, axis, cell, work)
+    weight = timed_profile(target - delay, axis, cell, work)
     if weight < 0.0:
         return False
     cell[Cell.RESULT, Interval.WEIGHT] = weight
@@ -90,10 +91,11 @@ def next_feasible(
     feasible too, or none of them is feasible, the end is searched for.
     """
     after = start
+    delay = cell[Cell.RESULT, Interval.DELAY]
     for sweep in range(8):
-        count = gap_ends(after, cell[Cell.PROBLEM, :], axis, work)
+        count = gap_ends(after - delay, cell[Cell.PROBLEM, :], axis, work)
         for i in range(count):
-            duration = work[PlanWork.GAP_ENDS + i, 0] * (1.0 + 1e-9)
+            duration = delay + work[PlanWork.GAP_ENDS + i, 0] * (1.0 + 1e-9)
             if set_duration(duration, cell, axis, work):
                 return first_feasible(after, duration, cell, axis, work)
             after = duration

@@ -8,6 +8,7 @@ from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters
 from segfmu.kernels.planner.records import (
     Axis,
     Cell,
+    DelayedState,
     Interval,
     PlanOptions,
     PlanStatus,
@@ -131,6 +132,9 @@ def set_problems(states: 'float[:,:,:]', cells: 'float[:,:,:]') -> None:
                 states[j + 1, i, WaypointState.POSITION] - states[j, i, WaypointState.POSITION]
             )
             cell[Cell.PROBLEM, Problem.DURATION] = 0.0
+            cell[Cell.RESULT, Interval.DELAY] = 0.0
+            if j == 0 and states.shape[2] > DelayedState.DELAY:
+                cell[Cell.RESULT, Interval.DELAY] = states[j, i, DelayedState.DELAY]
 
 
 def plan_axis(
@@ -150,6 +154,7 @@ def plan_axis(
                 report[Refusal.VALUE] = cells[j, Cell.PROBLEM, Problem.B]
             report[Refusal.BOUND] = axes[axis, Axis.VELOCITY]
             return status
+        time = time + cells[j, Cell.RESULT, Interval.DELAY]
         cells[j, Cell.RESULT, Interval.SHORTEST] = time
         cells[j, Cell.RESULT, Interval.DURATION] = time
     return PlanStatus.PLANNED
@@ -166,10 +171,10 @@ def plan_phases(
 ) -> int:
     """Plan all intervals. Returns PLANNED or the reason of a refusal (PlanStatus).
 
-    m waypoints, k axes: states (m, k, WaypointState), dwells (m,) [s], limits (k, smoothness + 1)
-    with 0 for absent, options (PlanOptions,). Written: axes (k, Axis), and cells ((m - 1) k, Cell
-    rows, Cell columns), all axes of the first interval, then of the next; after a refusal also the
-    row REFUSAL of `work` (PlanWork rows, PlanWork columns).
+    m waypoints, k axes: states (m, k, WaypointState or DelayedState), dwells (m,) [s], limits
+    (k, smoothness + 1) with 0 for absent, options (PlanOptions,). Written: axes (k, Axis), and
+    cells ((m - 1) k, Cell rows, Cell columns), all axes of the first interval, then of the next;
+    after a refusal also the row REFUSAL of `work` (PlanWork rows, PlanWork columns).
     """
     report = work[PlanWork.REFUSAL, :]
     report[Refusal.VALUE] = options[PlanOptions.SAMPLE_TIME]

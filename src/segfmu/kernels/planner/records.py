@@ -99,6 +99,12 @@ class WaypointState(Record):
     ACCELERATION = field("acceleration", "m/s2")
 
 
+class DelayedState(WaypointState):
+    """State of one axis at a waypoint that it leaves later than the others."""
+
+    DELAY = field("at the first waypoint: time before the axis is in its state", "s")
+
+
 class Axis(Record):
     """Limits of one axis, and the parameters of its ramps (parameters.py)."""
 
@@ -174,6 +180,7 @@ class Interval(Record):
     ABOVE_COUNT = field("number of phases of the second profile; 0: there is none")
     POSITION = field("position at its start", "m")
     START = field("time of its start", "s")
+    DELAY = field("time before its profile begins", "s")
     PROLONGED = field("of the first axis: 1 while the interval can be prolonged, else 0")
 
 

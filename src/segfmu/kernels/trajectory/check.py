@@ -181,8 +181,8 @@ def check_plan(
             local = local_time(times[j, axis], timing, row)
             for d in range(states.shape[2]):
                 value = evaluate_piece(coefficients, row, width, local, d)
-                scale = work[Check.PEAKS, 0]
-                if d > 0:
+                scale = work[Check.PEAKS, d]
+                if d > 0 and limits[axis, d - 1] > 0.0:
                     scale = limits[axis, d - 1]
                 if not abs(value - states[point, axis, d]) <= tolerance * scale:
                     return 1 + axis

@@ -156,7 +156,7 @@ def expand_plan(
             if j < points - 1:
                 cell = cells[j * count + axis, :, :]
                 cell[Cell.RESULT, Interval.POSITION] = states[j, axis, WaypointState.POSITION]
-                cell[Cell.RESULT, Interval.START] = now
+                cell[Cell.RESULT, Interval.START] = now + cell[Cell.RESULT, Interval.DELAY]
                 row = expand_cell(cell, axes[axis, :], timing, coefficients, row, work)
                 now = now + cell[Cell.RESULT, Interval.DURATION]
         times[points, axis] = now

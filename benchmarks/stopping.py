@@ -1,0 +1,67 @@
+"""The shortest stop of one axis from any state, by linear programming."""
+
+from __future__ import annotations
+
+from math import factorial
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import linprog
+
+FloatArray = NDArray[np.float64]
+
+
+def shortest_stop(
+    state: FloatArray, limits: FloatArray, longest: float, intervals: int = 50,
+    tolerance: float = 1e-3,
+) -> float | None:
+    """Shortest time [s] to the velocity 0, by bisection to a relative tolerance; None: not known.
+
+    Parameters
+    ----------
+    state : ndarray
+        Velocity and the derivatives above, below the highest limited one: that one is constant on
+        each interval, and may jump.
+    limits : ndarray
+        One more than the state, 0 where absent; kept at the ends of the intervals.
+    longest : float
+        A time that suffices [s].
+    """
+    if not _feasible(state, limits, longest, intervals):
+        return None
+    low, high = 0.0, longest
+    while high - low > tolerance * high:
+        middle = 0.5 * (low + high)
+        if _feasible(state, limits, middle, intervals):
+            high = middle
+        else:
+            low = middle
+    return high
+
+
+def _feasible(state: FloatArray, limits: FloatArray, duration: float, intervals: int) -> bool:
+    order = state.size
+    h = duration / intervals
+    step = np.array([
+        [h ** (j - i) / factorial(j - i) if j >= i else 0.0 for j in range(order)]
+        for i in range(order)
+    ])
+    gain = limits[-1] * np.array([h ** (order - i) / factorial(order - i) for i in range(order)])
+    effect, free = np.zeros((intervals + 1, order, intervals)), np.zeros((intervals + 1, order))
+    free[0] = state
+    for k in range(intervals):
+        effect[k + 1] = step @ effect[k]
+        effect[k + 1, :, k] += gain
+        free[k + 1] = step @ free[k]
+    rows, bounds = [], []
+    for i in np.flatnonzero(limits[:-1] > 0.0):
+        inner, offset = effect[1:-1, i] / limits[i], free[1:-1, i] / limits[i]
+        rows += [inner, -inner]
+        bounds += [1.0 - offset, 1.0 + offset]
+    scale = np.where(limits[:-1] > 0.0, limits[:-1], 1.0)
+    found = linprog(
+        np.zeros(intervals), A_ub=np.vstack(rows), b_ub=np.concatenate(bounds),
+        A_eq=effect[-1] / scale[:, None], b_eq=-free[-1] / scale, bounds=(-1.0, 1.0),
+        method="highs",
+    )
+    return bool(found.status == 0)

@@ -1,0 +1,107 @@
+"""The lead of one axis: from any state to one from which the planner goes on, or to a velocity.
+
+Two kinds are tried: settling at once (search.py), and following an old plan to the end of one of
+its ramps, where all derivatives above the acceleration are zero, and settling there.
+"""
+
+from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters
+from segfmu.kernels.planner.records import Axis, Problem
+from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadWork
+from segfmu.kernels.settling.search import search_lead, try_lead
+from segfmu.kernels.trajectory.evaluate import evaluate_piece
+from segfmu.kernels.trajectory.records import Timing
+
+
+def settled_end(
+    row: int, last: int, lead: 'float[:,:]', timing: 'float[:,:]', coefficients: 'float[:,:]'
+) -> bool:
+    """Whether a ramp ends with a piece; the row START of `lead` becomes the state there."""
+    state = lead[LeadWork.START, :]
+    width = coefficients.shape[1]
+    length = timing[row, Timing.LENGTH]
+    settled = True
+    for i in range(width // 2 + 1):
+        if row + 1 < last:
+            # the start of the next piece has no rounding errors
+            state[i] = evaluate_piece(coefficients, row + 1, width, 0.0, i)
+        else:
+            state[i] = evaluate_piece(coefficients, row, width, length, i)
+        if i > 2:
+            if abs(state[i]) > 1e-10 * lead[LeadWork.LIMITS, i]:
+                settled = False
+            state[i] = 0.0
+    state[Chain.TIME] = timing[row, Timing.START] + length
+    return settled
+
+
+def follow_plan(
+    order: int,
+    axis: int,
+    plan_offsets: 'int[:]',
+    plan_timing: 'float[:,:]',
+    plan_coefficients: 'float[:,:]',
+    limits: 'float[:]',
+    lead: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> None:
+    """Try leads that follow the pieces of an axis to the end of a ramp."""
+    first = plan_offsets[axis]
+    last = plan_offsets[axis + 1]
+    tried = 0
+    for row in range(first, last):
+        place = LeadRows.PIECES + row - first
+        if row - first >= 3 * LeadRows.PIECES // 4 or tried >= 8:
+            break
+        for i in range(Timing.SIZE):
+            timing[place, i] = plan_timing[row, i]
+        for i in range(coefficients.shape[1]):
+            coefficients[place, i] = plan_coefficients[row, i]
+        if settled_end(row, last, lead, plan_timing, plan_coefficients):
+            tried = tried + 1
+            for i in range(Chain.SIZE):
+                lead[LeadWork.ENDS, i] = 1e300
+            if order == 1:
+                lead[LeadWork.ENDS, order] = lead[LeadWork.TARGET, Problem.W]
+            try_lead(order, place + 1, limits, lead, timing, coefficients)
+
+
+def find_lead(
+    order: int,
+    axis: int,
+    plan_offsets: 'int[:]',
+    plan_timing: 'float[:,:]',
+    plan_coefficients: 'float[:,:]',
+    limits: 'float[:]',
+    lead: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> bool:
+    """Find the shortest lead of one axis; False: none keeps the limits.
+
+    With the order 1 it ends at the velocity in the row TARGET of `lead` (LeadWork), with the order
+    2 where the planner goes on to the position there. The caller sets that row, the state in the
+    row NOW, and the shape of the ramps in the row AXIS. limits are c_1 .. c_{n+1}, 0 where absent.
+    The plan to follow has no pieces where there is none; its times count from now on.
+
+    Written: the rows REACHED and BEST, and pieces from the first row on of timing and coefficients,
+    which have twice LeadRows.PIECES rows.
+    """
+    lead[LeadWork.BEST, Lead.TIME] = -1.0
+    lead[LeadWork.BEST, Lead.COUNT] = 0.0
+    smoothness = limits.shape[0] - 1
+    if axis < 0 or smoothness < 2 or smoothness > 6 or coefficients.shape[1] != 2 * smoothness:
+        return False
+    shape = int(lead[LeadWork.AXIS, Axis.SHAPE])
+    axis_limits(smoothness, shape, limits, lead[LeadWork.AXIS, :])
+    if not ramp_parameters(0.1, lead[LeadWork.AXIS, :], lead[LeadWork.CHAINS:LeadWork.PLAN, :]):
+        return False
+    for i in range(Chain.SIZE):
+        lead[LeadWork.START, i] = lead[LeadWork.NOW, i]
+    search_lead(order, limits, lead, timing, coefficients)
+    lead[LeadWork.BEST, Lead.GAIN] = 1.0 - 1e-12
+    follow_plan(
+        order, axis, plan_offsets, plan_timing, plan_coefficients, limits, lead, timing,
+        coefficients,
+    )
+    return lead[LeadWork.BEST, Lead.TIME] >= 0.0

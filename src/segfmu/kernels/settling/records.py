@@ -1,0 +1,54 @@
+"""Records of settling: a full state of an axis, and the work space of the search for a lead."""
+
+from segfmu.kernels.planner.records import Axis, Phase, PlanWork, Problem
+from segfmu.kernels.records import Codes, Record, field
+from segfmu.kernels.trajectory.records import Check, Expansion
+
+
+class Chain(Record):
+    """Position of one axis and its derivatives by their order, as far as they are continuous."""
+
+    DERIVATIVES = field("position and its derivatives 1 .. n, and of limits n + 1", size=8)
+    TIME = field("time", "s")
+
+
+class Ends(Record):
+    """Where the stages of a lead end."""
+
+    VALUES = field("by the order that a stage is for: its derivative; 1e300: any", size=8)
+
+
+class Lead(Record):
+    """The shortest lead that was found."""
+
+    TIME = field("from its start to the target, -1: there is none", "s")
+    COUNT = field("number of its pieces")
+    GAIN = field("a lead is better if it takes less than this share of its time")
+
+
+class LeadRows(Codes):
+    """Most pieces of a lead; its arrays have twice as many rows, the second half is work space."""
+
+    PIECES = 200
+
+
+class LeadWork(Record):
+    """Rows of the work space in which one axis settles."""
+
+    NOW = field("state at the start", of=Chain)
+    START = field("state from which the axis settles: at the start, or later in a plan", of=Chain)
+    STATE = field("state that is reached", of=Chain)
+    REACHED = field("state that the best lead reaches", of=Chain)
+    LIMITS = field("limits by order; natural ones where there are none", of=Chain)
+    ENDS = field("where stages end", of=Ends)
+    BEST_ENDS = field("where the stages of the best lead end", of=Ends)
+    BEST = field("the best lead", of=Lead)
+    TARGET = field("boundary problem of the plan that follows, from the position 0", of=Problem)
+    PROBLEM = field("boundary problem of a stage, or after settling", of=Problem)
+    PHASES = field("phases of a stage, or after settling", size=13, of=Phase)
+    AXIS = field("the axis", of=Axis)
+    CHAINS = field("the axis seen from its derivatives of order 0 .. 4, and work space", size=7,
+                   of=Axis)
+    PLAN = field("of the planner", size=PlanWork.SIZE, of=PlanWork)
+    EXPANSION = field("of the expansion", size=Expansion.SIZE, of=Expansion)
+    CHECK = field("of the check, to the end", size=Check.SIZE, of=Check)

@@ -1,0 +1,99 @@
+"""Settling in stages: bring the derivatives of high order to zero, the highest ones first.
+
+A stage for the order q leads the derivative of this order to a given value, or to wherever it is
+soonest, and all derivatives above to zero. Those above q + 2 are zero before: they were brought to
+zero by the stage for the order q + 2. So the stage is a boundary problem of the planner, from
+(position, velocity, acceleration) to a position at rest, on the axis seen from that derivative; if
+q is n - 1, or the end is free, it is a change of velocity.
+"""
+
+from segfmu.kernels.planner.cruise import append_velocity_change
+from segfmu.kernels.planner.nested import ramp_pieces
+from segfmu.kernels.planner.phases import append_change
+from segfmu.kernels.planner.profile import shortest_profile
+from segfmu.kernels.planner.records import Axis, Problem
+from segfmu.kernels.settling.chain import lift_pieces
+from segfmu.kernels.settling.records import Chain, LeadRows, LeadWork
+from segfmu.kernels.trajectory.pieces import expand_phases
+from segfmu.kernels.trajectory.records import Expansion, PieceState
+
+
+def stage_phases(order: int, end: float, free: bool, lead: 'float[:,:]') -> int:
+    """Phases of the stage for an order in the row PHASES of `lead`; their number, below 0: none."""
+    state = lead[LeadWork.STATE, :]
+    phases = lead[LeadWork.PHASES:LeadWork.AXIS, :]
+    smoothness = int(lead[LeadWork.CHAINS, Axis.SMOOTHNESS])
+    if order == smoothness - 1:
+        chain = lead[LeadWork.CHAINS + order - 1, :]
+        if free:
+            return append_change(phases, 0, state[order + 1], 0.0, chain)
+        return append_velocity_change(phases, 0, state[order], state[order + 1], end, chain)
+    chain = lead[LeadWork.CHAINS + order, :]
+    if free:
+        return append_velocity_change(phases, 0, state[order + 1], state[order + 2], 0.0, chain)
+    problem = lead[LeadWork.PROBLEM, :]
+    problem[Problem.V] = state[order + 1]
+    problem[Problem.A] = state[order + 2]
+    problem[Problem.W] = 0.0
+    problem[Problem.B] = 0.0
+    problem[Problem.DISTANCE] = end - state[order]
+    return shortest_profile(problem, chain, phases, lead[LeadWork.PLAN:LeadWork.EXPANSION, :])
+
+
+def run_stage(
+    order: int,
+    row: int,
+    lead: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> int:
+    """Append the pieces of the stage for an order from `row` on; the row after them, -1: none.
+
+    The row STATE of `lead` (LeadWork) goes on to the end of the stage.
+    """
+    state = lead[LeadWork.STATE, :]
+    smoothness = int(lead[LeadWork.CHAINS, Axis.SMOOTHNESS])
+    end = lead[LeadWork.ENDS, order]
+    free = end > 1e299
+    count = stage_phases(order, end, free, lead)
+    seen = min(order, smoothness - 2)
+    chain = lead[LeadWork.CHAINS + seen, :]
+    if count < 0 or row + ramp_pieces(chain) * count > 2 * LeadRows.PIECES:
+        return -1
+    expansion = lead[LeadWork.EXPANSION:LeadWork.CHECK, :]
+    now = expansion[Expansion.STATE, :]
+    now[PieceState.POSITION] = state[seen]
+    now[PieceState.VELOCITY] = state[seen + 1]
+    now[PieceState.TIME] = state[Chain.TIME]
+    phases = lead[LeadWork.PHASES:LeadWork.AXIS, :]
+    last = expand_phases(phases, count, chain, timing, coefficients, row, expansion)
+    lift_pieces(seen, row, last, state, timing, coefficients)
+    state[seen] = now[PieceState.POSITION]
+    state[seen + 1] = now[PieceState.VELOCITY]
+    if not free:
+        state[order] = end
+    for i in range(order + 1, smoothness + 1):
+        state[i] = 0.0
+    state[Chain.TIME] = now[PieceState.TIME]
+    return last
+
+
+def settle(
+    order: int,
+    row: int,
+    lead: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> int:
+    """Settle from the row START of `lead` so that all derivatives above an order are zero.
+
+    The row ENDS tells where stages end. Returns the row after the last piece, -1: there is none.
+    """
+    smoothness = int(lead[LeadWork.CHAINS, Axis.SMOOTHNESS])
+    for i in range(Chain.SIZE):
+        lead[LeadWork.STATE, i] = lead[LeadWork.START, i]
+    for i in range(3):
+        stage = order + 4 - 2 * i
+        if stage < smoothness and row >= 0:
+            row = run_stage(stage, row, lead, timing, coefficients)
+    return row

@@ -1,0 +1,182 @@
+"""Parts of plans: what is left from a time on, and one plan's pieces after another's."""
+
+from segfmu.kernels.trajectory.evaluate import evaluate_piece, find_piece, local_time
+from segfmu.kernels.trajectory.pieces import clear_piece
+from segfmu.kernels.trajectory.records import Timing
+
+
+def end_derivative(
+    row: int, last: int, order: int, timing: 'float[:,:]', coefficients: 'float[:,:]'
+) -> float:
+    """A derivative at the end of a piece, without rounding errors if it is continuous or zero."""
+    width = coefficients.shape[1]
+    length = timing[row, Timing.LENGTH]
+    if row + 1 < last and order <= width // 2:
+        return evaluate_piece(coefficients, row + 1, width, 0.0, order)
+    value = evaluate_piece(coefficients, row, width, length, order)
+    largest = 0.0
+    power = 1.0
+    for i in range(order, width):
+        start = evaluate_piece(coefficients, row, width, 0.0, i)
+        largest = max(largest, abs(start) * power)
+        power = power * length / (i - order + 1)
+    if order > 0 and abs(value) <= 1e-13 * largest:
+        return 0.0
+    return value
+
+
+def cut_piece(
+    row: int,
+    last: int,
+    local: float,
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+    cut_coefficients: 'float[:,:]',
+    target: int,
+) -> None:
+    """Write a piece from its local time on. Its second half is expanded from the end.
+
+    Near the end of a motion all derivatives are small there; from the start on they would be
+    differences of large numbers.
+    """
+    width = coefficients.shape[1]
+    rest = timing[row, Timing.LENGTH] - local
+    factorial = 1.0
+    for i in range(width):
+        if i > 0:
+            factorial = factorial * i
+        value = 0.0
+        if rest > local:
+            value = evaluate_piece(coefficients, row, width, local, i)
+        else:
+            for j in range(width - i):
+                order = width - 1 - j
+                end = end_derivative(row, last, order, timing, coefficients)
+                value = end - value * rest / (order - i + 1)
+        cut_coefficients[target, i] = value / factorial
+
+
+def cut_plan(
+    time: float,
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+    offsets: 'int[:]',
+    cut_timing: 'float[:,:]',
+    cut_coefficients: 'float[:,:]',
+    cut_offsets: 'int[:]',
+) -> int:
+    """Write what is left of every axis from `time` on, which becomes time 0; the number of pieces.
+
+    An axis that has ended stays: one piece without length. The cut arrays have as many rows as
+    there are pieces and offsets together.
+    """
+    target = 0
+    for axis in range(offsets.shape[0] - 1):
+        cut_offsets[axis] = target
+        last = offsets[axis + 1]
+        row = find_piece(time, timing, offsets[axis], last)
+        local = max(local_time(time, timing, row), 0.0)
+        start = 0.0
+        rest = timing[row, Timing.LENGTH] - local
+        cut_piece(row, last, local, timing, coefficients, cut_coefficients, target)
+        # up to the resolution of the clock, this is the end
+        if row == last - 1 and rest <= 1e-15 * time:
+            rest = 0.0
+            value = cut_coefficients[target, 0]
+            clear_piece(cut_coefficients, target)
+            cut_coefficients[target, 0] = value
+        while row < last:
+            cut_timing[target, Timing.START] = start
+            cut_timing[target, Timing.LENGTH] = rest
+            start = start + rest
+            target = target + 1
+            row = row + 1
+            if row < last:
+                rest = timing[row, Timing.LENGTH]
+                copy_piece(timing, coefficients, row, cut_timing, cut_coefficients, target)
+    cut_offsets[offsets.shape[0] - 1] = target
+    return target
+
+
+def add_power(
+    value: float, order: int, before: float, coefficients: 'float[:,:]', row: int
+) -> None:
+    """Add to a piece what has but one derivative, of a value, `before` [s] after its start."""
+    for power in range(order + 1):
+        term = value
+        for i in range(1, order - power + 1):
+            term = -term * before / i
+        for i in range(1, power + 1):
+            term = term / i
+        coefficients[row, power] = coefficients[row, power] + term
+
+
+def anchor_plan(
+    ends: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+    offsets: 'int[:]',
+) -> None:
+    """Change pieces by rounding errors so that every axis ends exactly in its state ends[axis, :].
+
+    Derivatives that it does not have are zero there. Rounding errors of a whole motion may be large
+    against what is left of it.
+    """
+    width = coefficients.shape[1]
+    for axis in range(offsets.shape[0] - 1):
+        last = offsets[axis + 1] - 1
+        length = timing[last, Timing.LENGTH]
+        end = timing[last, Timing.START] + length
+        for order in range(width // 2 + 1):
+            wanted = 0.0
+            if order < ends.shape[1]:
+                wanted = ends[axis, order]
+            missed = wanted - evaluate_piece(coefficients, last, width, length, order)
+            for row in range(offsets[axis], offsets[axis + 1]):
+                add_power(missed, order, end - timing[row, Timing.START], coefficients, row)
+
+
+def join_plans(
+    lead_timing: 'float[:,:]',
+    lead_coefficients: 'float[:,:]',
+    lead_offsets: 'int[:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+    offsets: 'int[:]',
+    joined_timing: 'float[:,:]',
+    joined_coefficients: 'float[:,:]',
+    joined_offsets: 'int[:]',
+) -> int:
+    """Write the pieces of each axis of leads and then those of a plan; returns their number.
+
+    Times stay as they are; axes may have no lead. The arrays of leads and plan have the same number
+    of rows, the joined ones twice as many.
+    """
+    target = 0
+    for axis in range(offsets.shape[0] - 1):
+        joined_offsets[axis] = target
+        for row in range(lead_offsets[axis], lead_offsets[axis + 1]):
+            copy_piece(
+                lead_timing, lead_coefficients, row, joined_timing, joined_coefficients, target
+            )
+            target = target + 1
+        for row in range(offsets[axis], offsets[axis + 1]):
+            copy_piece(timing, coefficients, row, joined_timing, joined_coefficients, target)
+            target = target + 1
+    joined_offsets[offsets.shape[0] - 1] = target
+    return target
+
+
+def copy_piece(
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+    row: int,
+    target_timing: 'float[:,:]',
+    target_coefficients: 'float[:,:]',
+    target: int,
+) -> None:
+    """Copy one piece."""
+    for i in range(Timing.SIZE):
+        target_timing[target, i] = timing[row, i]
+    for i in range(coefficients.shape[1]):
+        target_coefficients[target, i] = coefficients[row, i]

@@ -1,0 +1,200 @@
+"""Leads: from any state of the axes to states from which the planner goes on, or to velocities."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from segfmu.kernels import backend
+from segfmu.kernels.planner.records import Axis, DelayedState, Problem, WaypointState
+from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadWork
+from segfmu.kernels.trajectory.records import Timing
+from segfmu.planning.arrays import FloatArray
+from segfmu.planning.problem import SHAPES
+
+# what a lead goes to: the order of the derivative that its last stage leads to a value
+TO_VELOCITY = 1
+TO_PLAN = 2
+# of velocity and acceleration at the end of a plan, relative to their limits
+ROUNDING = 1e-11
+
+
+@dataclass(frozen=True, eq=False)
+class Pieces:
+    """Polynomial pieces of all axes, as in `Trajectory`.
+
+    Attributes
+    ----------
+    timing : ndarray, shape (rows, 2)
+    coefficients : ndarray, shape (rows, 2 * smoothness)
+    offsets : ndarray of int, shape (axes + 1,)
+    """
+
+    timing: FloatArray
+    coefficients: FloatArray
+    offsets: NDArray[np.int64]
+
+    @staticmethod
+    def none(axes: int, smoothness: int) -> Pieces:
+        """No pieces at all."""
+        return Pieces(
+            np.zeros((1, Timing.SIZE)), np.zeros((1, 2 * smoothness)),
+            np.zeros(axes + 1, dtype=np.int64),
+        )
+
+    @staticmethod
+    def one(timing: FloatArray, coefficients: FloatArray, count: int) -> Pieces:
+        """The first `count` pieces as those of one axis."""
+        offsets = np.array([0, count], dtype=np.int64)
+        return Pieces(timing[:count].copy(), coefficients[:count].copy(), offsets)
+
+    @staticmethod
+    def together(parts: list[Pieces], width: int) -> Pieces:
+        """Pieces of single axes as those of several."""
+        offsets = np.cumsum([0, *(part.used for part in parts)], dtype=np.int64)
+        if offsets[-1] == 0:
+            return Pieces.none(len(parts), width // 2)
+        return Pieces(
+            np.concatenate([part.timing for part in parts]),
+            np.concatenate([part.coefficients for part in parts]), offsets,
+        )
+
+    def axis(self, axis: int) -> Pieces:
+        """The pieces of one axis."""
+        first, last = self.offsets[axis], self.offsets[axis + 1]
+        return Pieces.one(self.timing[first:], self.coefficients[first:], int(last - first))
+
+    def ends(self) -> FloatArray:
+        """Where the last piece ends, and when (DelayedState)."""
+        start, length = self.timing[self.used - 1]
+        piece = np.polynomial.Polynomial(self.coefficients[self.used - 1])
+        values = [piece.deriv(i)(length) if i else piece(length) for i in range(3)]
+        return np.array([*values, start + length])
+
+    def stops(self) -> FloatArray:
+        """When the last piece of each axis ends [s], shape (axes,)."""
+        stops: FloatArray = self.timing[self.offsets[1:] - 1].sum(axis=1)
+        return stops
+
+    def meeting(self) -> Pieces:
+        """The same with last pieces that end together to the last bit."""
+        last = self.offsets[1:] - 1
+        timing = self.timing.copy()
+        timing[last, Timing.LENGTH] = self.stops().max() - timing[last, Timing.START]
+        return replace(self, timing=timing)
+
+    def anchored(self, ends: FloatArray) -> Pieces:
+        """The same, changed by rounding errors: each axis ends exactly in `ends` (axes, ..)."""
+        coefficients = self.coefficients.copy()
+        backend.anchor_plan(ends, self.timing, coefficients, self.offsets)
+        return replace(self, coefficients=coefficients)
+
+    def starts(self) -> FloatArray:
+        """Position and the derivatives 1 .. n of every axis at its start, shape (axes, n + 1)."""
+        first = self.coefficients[self.offsets[:-1], : self.coefficients.shape[1] // 2 + 1]
+        return first * np.cumprod([1.0, *range(1, first.shape[1])])
+
+    @property
+    def used(self) -> int:
+        """Number of the pieces; there may be more rows."""
+        return int(self.offsets[-1])
+
+    def after(self, first: Pieces) -> Pieces:
+        """These pieces behind those of `first`, axis by axis; times stay as they are."""
+        rows = max(self.used, first.used)
+        timing = np.empty((2 * rows, Timing.SIZE))
+        coefficients = np.empty((2 * rows, self.coefficients.shape[1]))
+        offsets = np.zeros_like(self.offsets)
+        used = backend.join_plans(
+            *first._padded(rows), *self._padded(rows), timing, coefficients, offsets
+        )
+        return Pieces(timing[:used], coefficients[:used], offsets)
+
+    def _padded(self, rows: int) -> tuple[FloatArray, FloatArray, NDArray[np.int64]]:
+        more = ((0, rows - self.used), (0, 0))
+        used = slice(self.used)
+        return np.pad(self.timing[used], more), np.pad(self.coefficients[used], more), self.offsets
+
+
+@dataclass(frozen=True, eq=False)
+class Leads:
+    """Leads of all axes.
+
+    Attributes
+    ----------
+    pieces : Pieces
+    states : ndarray, shape (axes, DelayedState)
+        Where they end, and after which time.
+    failed : int
+        First axis without one; -1 if there is none.
+    following : ndarray of bool, shape (axes,)
+        Axes whose start is that of the pieces, up to rounding that of the axes.
+    """
+
+    pieces: Pieces
+    states: FloatArray
+    failed: int = -1
+    following: NDArray[np.bool_] = field(default_factory=lambda: np.zeros(0, dtype=bool))
+
+    def anchored(self, velocity: FloatArray) -> Leads:
+        """The same, changed by rounding errors: each axis ends exactly at a velocity (axes,)."""
+        parts = [self.pieces.axis(axis) for axis in range(len(self.states))]
+        for axis, part in enumerate(parts):
+            if part.used > 0:
+                end = [[self.states[axis, WaypointState.POSITION], velocity[axis]]]
+                parts[axis] = part.anchored(np.array(end))
+        pieces = Pieces.together(parts, self.pieces.coefficients.shape[1])
+        return replace(self, pieces=pieces, following=np.array([p.used > 0 for p in parts]))
+
+
+def find_leads(
+    order: int, now: FloatArray, targets: FloatArray, limits: FloatArray, shape: str, follow: Pieces
+) -> Leads:
+    """The shortest lead of every axis.
+
+    Parameters
+    ----------
+    order : {TO_VELOCITY, TO_PLAN}
+    now : ndarray, shape (axes, n + 1)
+        Position and the derivatives 1 .. n.
+    targets : ndarray, shape (axes, 3)
+        WaypointState; of a lead to a velocity only this counts.
+    limits : ndarray, shape (axes, n + 1)
+    follow : Pieces
+        Plan that can be followed.
+    """
+    axes, count = now.shape
+    work = np.zeros((LeadWork.SIZE, LeadWork.COLUMNS))
+    timing = np.zeros((2 * LeadRows.PIECES, Timing.SIZE))
+    coefficients = np.zeros((2 * LeadRows.PIECES, 2 * (count - 1)))
+    states = np.zeros((axes, DelayedState.SIZE))
+    parts, following = [], np.zeros(axes, dtype=bool)
+    for axis in range(axes):
+        work[LeadWork.AXIS, Axis.SHAPE] = SHAPES.index(shape)
+        work[LeadWork.NOW] = 0.0
+        work[LeadWork.NOW, :count] = now[axis]
+        target = work[LeadWork.TARGET]
+        target[Problem.W] = targets[axis, WaypointState.VELOCITY]
+        target[Problem.B] = targets[axis, WaypointState.ACCELERATION]
+        target[Problem.DISTANCE] = targets[axis, WaypointState.POSITION]
+        found = backend.find_lead(
+            order, axis, follow.offsets, follow.timing, follow.coefficients, limits[axis], work,
+            timing, coefficients,
+        )
+        best = (Pieces.one(timing, coefficients, int(work[LeadWork.BEST, Lead.COUNT])),
+                work[LeadWork.REACHED, [*range(WaypointState.SIZE), Chain.TIME]].copy())
+        kept = follow.axis(axis)
+        if order == TO_VELOCITY and kept.used > 0:
+            ends = kept.ends()
+            missed = np.abs(ends[1:3] - [targets[axis, WaypointState.VELOCITY], 0.0])
+            reached = (missed <= ROUNDING * limits[axis, :2]).all()
+            if reached and (not found or ends[DelayedState.DELAY] < best[1][DelayedState.DELAY]):
+                best, found = (kept, ends), True
+                following[axis] = True
+        if not found:
+            return Leads(follow, states, axis)
+        states[axis] = best[1]
+        parts.append(best[0])
+    return Leads(Pieces.together(parts, 2 * (count - 1)), states, following=following)

@@ -1,0 +1,170 @@
+"""Plans that begin on other plans: to the same target, to others, to a velocity, to rest."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from benchmarks.replanning import over_optimum, random_plan
+
+from segfmu import (
+    InfeasibleError,
+    InputError,
+    Limits,
+    Trajectory,
+    Waypoint,
+    plan,
+    reach_velocity,
+    replan,
+    stop,
+    verify,
+)
+
+TARGET = Waypoint([1.0, 0.5, 0.2])
+BOUNDS = (1.0, 1.0, 4.0, 20.0)
+TIMES = (0.0, 0.05, 0.37, 0.9, 1.5, 2.2, 2.4)
+
+
+def first_plan(n: int) -> Trajectory:
+    limits = Limits(*BOUNDS[: min(max(n, 3), 4)])
+    return plan([Waypoint([0.0, 0.0, 0.0]), TARGET], limits, smoothness=n)
+
+
+def assert_continues(old: Trajectory, t: float, new: Trajectory) -> None:
+    """The new plan begins in the state of the old one, and is sound."""
+    assert verify(new).passed
+    for derivative in range(old.smoothness + 1):
+        low, high = old.extrema(derivative)
+        scale = np.maximum(high - low, 1e-3)
+        there = (new(0.0, derivative) - old(t, derivative)) / scale
+        assert np.abs(there).max() < 1e-9
+
+
+@pytest.mark.parametrize("n", [2, 3, 4, 5, 6])
+@pytest.mark.parametrize("t", TIMES)
+def test_a_plan_to_the_same_target_ends_when_the_first_one_would_have(n: int, t: float) -> None:
+    old = first_plan(n)
+    t = min(t, old.duration)
+    new = replan(old, t, TARGET)
+    assert_continues(old, t, new)
+    assert t + new.duration <= old.duration * (1.0 + 1e-9)
+
+
+@pytest.mark.parametrize("n", [2, 3, 4, 5, 6])
+def test_replanned_in_cycles_it_arrives_in_time(n: int) -> None:
+    first = trajectory = first_plan(n)
+    passed = 0.0
+    while trajectory.duration > 0.01:
+        trajectory = replan(trajectory, 0.01, TARGET)
+        passed += 0.01
+    assert passed + trajectory.duration <= first.duration * (1.0 + 1e-9)
+    assert verify(trajectory).passed
+    np.testing.assert_allclose(trajectory(trajectory.duration), TARGET.position, atol=1e-12)
+
+
+@pytest.mark.parametrize("n", [2, 3, 4, 5, 6])
+@pytest.mark.parametrize("t", TIMES)
+def test_a_new_target_is_reached_from_any_time(n: int, t: float) -> None:
+    old = first_plan(n)
+    target = Waypoint([-0.3, 0.8, 0.2], [0.2, 0.0, -0.1])
+    new = replan(old, t, [Waypoint([0.5, 0.4, 0.3]), target])
+    assert_continues(old, t, new)
+    np.testing.assert_allclose(new(new.duration, 1), target.velocity, atol=1e-9)
+
+
+@pytest.mark.parametrize("n", [2, 3, 4, 5, 6])
+@pytest.mark.parametrize("t", TIMES)
+def test_a_stop_from_any_time_ends_before_the_plan(n: int, t: float) -> None:
+    old = first_plan(n)
+    t = min(t, old.duration)
+    new = stop(old, t)
+    assert_continues(old, t, new)
+    assert new.duration <= (old.duration - t) * (1.0 + 1e-9)
+    for derivative in range(1, n + 1):
+        assert np.abs(new(new.duration, derivative)).max() < 1e-9
+
+
+def test_stops_are_near_the_optimum() -> None:
+    random = np.random.default_rng(3)
+    ratios = []
+    for _ in range(12):
+        old = random_plan(random, 4)
+        ratio = over_optimum(old, random.uniform(0.0, old.duration))
+        if ratio is not None:
+            ratios.append(ratio)
+    assert len(ratios) > 6
+    # the programme is solved to 1e-3
+    assert min(ratios) > 0.998
+    assert np.median(ratios) < 1.02
+
+
+@pytest.mark.parametrize("n", [2, 3, 4, 5, 6])
+def test_a_velocity_is_reached_and_kept(n: int) -> None:
+    old = first_plan(n)
+    wanted = [0.4, -0.3, 0.0]
+    new = reach_velocity(old, wanted, 0.4)
+    assert_continues(old, 0.4, new)
+    np.testing.assert_allclose(new(new.duration, 1), wanted, atol=1e-9)
+    np.testing.assert_allclose(new(new.duration, 2), 0.0, atol=1e-9)
+    ends = [new.pieces(axis)[0][-1] for axis in range(3)]
+    assert min(ends) < max(ends)
+
+
+def test_a_state_needs_no_trajectory() -> None:
+    old = first_plan(4)
+    state = old.state(0.4)
+    assert np.abs(state.snap).max() > 0.0
+    resting = stop(state, limits=old.limits)
+    assert verify(resting).passed
+    # without the old plan to follow it may take longer, not less
+    assert resting.duration >= stop(old, 0.4).duration * (1.0 - 1e-9)
+    beyond = plan([state, TARGET], old.limits)
+    assert_continues(old, 0.4, beyond)
+    assert beyond.duration < 1.05 * (old.duration - 0.4)
+
+
+def test_after_its_end_a_plan_stays() -> None:
+    old = first_plan(4)
+    assert replan(old, old.duration + 1.0, TARGET).duration == 0.0
+    assert stop(old, old.duration + 1.0).duration == 0.0
+    back = replan(old, old.duration + 1.0, Waypoint([0.0, 0.0, 0.0]))
+    assert back.duration == pytest.approx(old.duration, rel=1e-9)
+
+
+def test_what_is_left_keeps_its_dwell() -> None:
+    end = Waypoint([1.0], dwell=2.0)
+    old = plan([Waypoint([0.0]), Waypoint([0.4], [0.3]), end], Limits(1.0, 1.0, 4.0, 20.0))
+    new = replan(old, 0.5, end)
+    assert new.duration <= old.duration - 0.5 + 1e-9
+    assert verify(new).passed
+
+
+def test_tighter_limits_hold_where_the_state_keeps_them() -> None:
+    old = first_plan(4)
+    tight = Limits(0.8, 0.9, 3.0, 20.0)
+    new = replan(old, 0.0, TARGET, tight)
+    assert verify(new).passed
+    assert new.duration > old.duration
+    with pytest.raises(InfeasibleError):
+        replan(old, 0.9, TARGET, Limits(0.1, 0.9, 3.0, 20.0))
+
+
+def test_what_cannot_be_is_refused() -> None:
+    old = first_plan(4)
+    with pytest.raises(InputError, match="time must be"):
+        replan(old, -1.0, TARGET)
+    with pytest.raises(InputError, match="trajectory must be"):
+        replan(TARGET, 0.0, TARGET)
+    with pytest.raises(InputError, match="with limits"):
+        stop(TARGET)
+    with pytest.raises(InputError, match="velocity has 2 values for 3 axes"):
+        reach_velocity(old, [1.0, 2.0], 0.1)
+    with pytest.raises(InfeasibleError, match=r"axis y: velocity 2 m/s exceeds the limit 1 m/s"):
+        reach_velocity(old, [0.0, 2.0, 0.0], 0.1)
+    with pytest.raises(InfeasibleError, match="axis x, waypoint 1: no motion"):
+        stop(Waypoint(0.0, 0.999, 0.9, 3.0), limits=old.limits)
+    with pytest.raises(InputError, match="waypoint 2: jerk"):
+        plan([Waypoint(0.0), Waypoint(1.0, jerk=1.0)], old.limits)
+    with pytest.raises(InputError, match="raise smoothness to 5"):
+        plan([Waypoint(0.0, crackle=1.0), Waypoint(1.0)], old.limits)
+    with pytest.raises(InputError, match="dwell"):
+        plan([Waypoint(0.0, jerk=1.0, dwell=1.0), Waypoint(1.0)], old.limits)

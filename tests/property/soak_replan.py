@@ -1,0 +1,136 @@
+"""Random plans, replanned and stopped at random times: none may be refused or break a limit.
+
+`python -m tests.property.soak_replan --problems 100000` takes the problems of each smoothness; the
+test suite runs some hundreds of them. `verify` judges every plan.
+"""
+
+from __future__ import annotations
+
+import argparse
+import time
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from segfmu import (
+    InfeasibleError,
+    Limits,
+    Trajectory,
+    Waypoint,
+    plan,
+    reach_velocity,
+    replan,
+    stop,
+    verify,
+)
+from tests.property.soak import problems
+
+TIMES = 8
+
+
+@dataclass
+class Tally:
+    """What became of the states, and the new plan's duration over the old plan's rest."""
+
+    states: int = 0
+    refused: list[str] = field(default_factory=list)
+    invalid: list[str] = field(default_factory=list)
+    late: list[str] = field(default_factory=list)
+
+
+def random_plan(random: np.random.Generator, n: int, axes: int) -> Trajectory:
+    """A plan that ends at rest, over one or two waypoints more, often moving."""
+    while True:
+        table = problems(random, n, axes)[0]
+        # a limit is given for all axes or for none
+        table[:, (table == 0.0).any(axis=0)] = 0.0
+        if not table[:, 2:].any():
+            continue
+        count = int(random.integers(2, 4))
+        points = []
+        for i in range(count):
+            moving = 0.7 * (0 < i < count - 1 and random.random() < 0.6)
+            share = moving * random.uniform(-1.0, 1.0, (2, axes))
+            way = random.normal(size=axes) * 10.0 ** random.uniform(-2.0, 1.5)
+            points.append(Waypoint(way, *(share * table.T[:2])))
+        limits = Limits(*(column if column.any() else None for column in table.T[:6]))
+        shape = "plateau" if random.random() < 0.8 else "smoothstep"
+        synchronize = random.choice(["waypoints", "none", "total"])
+        try:
+            return plan(points, limits, smoothness=n, shape=shape, synchronize=synchronize)
+        except InfeasibleError:
+            continue
+
+
+def random_target(random: np.random.Generator, trajectory: Trajectory) -> Waypoint:
+    """A position near the plan's, often with a velocity."""
+    reach = random.normal(size=trajectory.axes) * 10.0 ** random.uniform(-2.0, 1.0)
+    bounds = trajectory.limits.table(trajectory.axes, trajectory.smoothness).T
+    moving = random.random() < 0.3
+    share = 0.5 * moving * random.uniform(-1.0, 1.0, (2, trajectory.axes))
+    target = Waypoint(trajectory.waypoints[-1].position + reach, *(share * bounds[:2]))
+    try:
+        plan([trajectory.waypoints[-1], target], trajectory.limits, shape=trajectory.shape,
+             smoothness=trajectory.smoothness, synchronize=trajectory.synchronize)
+    except InfeasibleError:
+        # not even from rest
+        return Waypoint(target.position)
+    return target
+
+
+def try_time(
+    random: np.random.Generator, old: Trajectory, t: float, name: str, tally: Tally
+) -> None:
+    """Replan to the same and to a new target, stop, and reach a velocity."""
+    wanted = random.uniform(-0.9, 0.9, old.axes) * old.limits.table(old.axes, old.smoothness)[:, 0]
+    tasks = {
+        "same": lambda: replan(old, t, old.waypoints[-1]),
+        "new": lambda: replan(old, t, random_target(random, old)),
+        "stop": lambda: stop(old, t),
+        "velocity": lambda: reach_velocity(old, wanted, t),
+    }
+    rest = max(old.duration - t, 0.0)
+    for task, call in tasks.items():
+        tally.states += 1
+        try:
+            found = call()
+        except InfeasibleError as error:
+            tally.refused.append(f"{name}, {task}, t = {t!r}: {error}")
+            continue
+        if not verify(found).passed:
+            tally.invalid.append(f"{name}, {task}, t = {t!r}")
+        if task in ("same", "stop") and found.duration > rest * (1.0 + 1e-9):
+            tally.late.append(f"{name}, {task}, t = {t!r}: {found.duration} s, was {rest} s")
+
+
+def soak(n: int, count: int, seed: int) -> Tally:
+    """`count` states of random plans of one smoothness, each for four tasks."""
+    tally = Tally()
+    for number in range(max(count // (4 * TIMES), 1)):
+        random = np.random.default_rng([seed, n, number])
+        old = random_plan(random, n, int(random.integers(1, 4)))
+        for t in random.uniform(0.0, old.duration, TIMES):
+            try_time(random, old, float(t), f"n = {n}, problem {number}", tally)
+    return tally
+
+
+def main() -> None:
+    """Run the soak for every smoothness and print what became of it."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--problems", type=int, default=10_000, help="of each smoothness")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--smoothness", type=int, nargs="*", default=[2, 3, 4, 5, 6])
+    given = parser.parse_args()
+    for n in given.smoothness:
+        begin = time.perf_counter()
+        tally = soak(n, given.problems, given.seed)
+        print(
+            f"n = {n}: {tally.states} plans, {len(tally.refused)} refused, {len(tally.invalid)} "
+            f"invalid, {len(tally.late)} late, {time.perf_counter() - begin:.0f} s", flush=True,
+        )
+        for line in (tally.refused + tally.invalid + tally.late)[:20]:
+            print("  ", line)
+
+
+if __name__ == "__main__":
+    main()
