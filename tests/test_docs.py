@@ -34,7 +34,8 @@ MODULE = re.compile(r"python -m ((?:segfmu|tests|benchmarks)[\w.]*)")
 # what commands write, and files of the reader's own
 WRITTEN = ("out", "dist", "build", "fmus/dist", "/home", "sources", "documentation", "resources")
 OTHERS = {
-    "mission.toml", "campaign.json", "package.mo", "MyMission.mo", "Mission.mo", "feeds.c",
+    "mission.toml", "crane.toml", "./mission.schema.json", "mission.schema.json",
+    "campaign.json", "package.mo", "MyMission.mo", "Mission.mo", "feeds.c",
     "GantryFeedforward_me_FMU.mo", "GantryCrane_me_FMU.mo", "feeds.h",
     "variables.c", "variables.h",
 }

@@ -1,4 +1,4 @@
-"""The command line: plan, build, simulate, campaign."""
+"""The command line."""
 
 from __future__ import annotations
 
@@ -82,6 +82,33 @@ def plan(
         _tell(NO_BOUNDS)
     if target is not None:
         _write_plan(task, trajectory, target, every)
+
+
+@app.command(epilog="Example: segfmu init hall")
+def init(
+    output: Annotated[str, typer.Argument(metavar="FOLDER", help="Where to write them.")] = ".",
+) -> None:
+    """Write a commented mission and crane file to begin with; existing files are kept."""
+    from segfmu.validation.template import write
+
+    target = folder(output)
+    for path in write(target):
+        _tell(str(path))
+    _tell(f"next: segfmu plan {target / 'mission.toml'}")
+
+
+@app.command(epilog="Example: segfmu schema mission > mission.schema.json")
+def schema(
+    kind: Annotated[
+        str, typer.Argument(metavar="[mission|crane]", help="Kind of file.")
+    ] = "mission",
+) -> None:
+    """Print the JSON schema of mission or crane files, with which editors complete and check."""
+    from segfmu.validation.schema import KINDS, text
+
+    if kind not in KINDS:
+        raise InputError(f"schema of {kind!r}: give {' or '.join(KINDS)}")
+    print(text(kind), end="")
 
 
 @app.command(epilog="Example: segfmu build models/paper.toml --output fmus/dist --fmi 3")
@@ -182,6 +209,9 @@ def simulate(
     console.print(run_table(task.name, found))
     _tell(note("run.csv", every, limits.step))
     _tell(f"FMUs, run.csv and run.png are in {target}")
+    for row in found.rows:
+        if not row.passed:
+            _tell(f"failed: {row.name} {row}; {row.key} sets what is allowed")
     if not found.passed:
         raise typer.Exit(1)
 
@@ -240,6 +270,8 @@ def campaign(
         console.print(outcome_table(mode, outcomes))
     console.print(verdict_table(comparisons))
     _tell(f"tables (CSV, JSON) and maps (CSV, PNG) are in {target}")
+    for missed in (c for c in comparisons if not c.reached):
+        _tell(f"missed: {missed}")
     if not all(c.reached for c in comparisons):
         raise typer.Exit(1)
 

@@ -15,6 +15,7 @@ from segfmu.crane.checks import LARGEST_SEED
 from segfmu.kernels.rig.records import Disturbance
 from segfmu.validation.keys import (
     AXES,
+    NUMBER,
     RANGE,
     SWAY,
     Key,
@@ -291,7 +292,7 @@ class ControllerTable(Table):
         Key("gains of a linear-quadratic design, or in closed form", "", ("feedback.design",)),
     ] = "lqr"
     sample_time: Annotated[
-        Annotated[Number, Field(ge=1e-6, le=10.0)] | None,
+        Annotated[float, Field(ge=1e-6, le=10.0), NUMBER] | None,
         Key("period", "s", ("feedback.sample_time",)),
     ] = None
     bandwidth: Annotated[
@@ -383,7 +384,7 @@ class CraneFile(Table):
     ]
     payload_mass: Annotated[Quantity, Key("mass of the load", "kg", ("crane.payload_mass",))]
     gravity: Annotated[
-        Annotated[Number, Field(ge=1e-3, le=1e3)],
+        Annotated[float, Field(ge=1e-3, le=1e3), NUMBER],
         Key("acceleration of gravity", "m/s2", ("crane.gravity",)),
     ] = 9.81
     rope_min: Annotated[

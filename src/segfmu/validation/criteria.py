@@ -14,6 +14,35 @@ RATES = {"bridge": "bridge.velocity", "trolley": "trolley.velocity", "hoist": "r
 
 
 @dataclass(frozen=True)
+class Row:
+    """A measure of a run against what is allowed.
+
+    Attributes
+    ----------
+    name : str
+    value, allowed : float
+    unit : str
+        Of both.
+    key : str
+        That sets what is allowed.
+    """
+
+    name: str
+    value: float
+    allowed: float
+    unit: str
+    key: str
+
+    @property
+    def passed(self) -> bool:
+        """Whether it is within what is allowed."""
+        return self.value <= self.allowed
+
+    def __str__(self) -> str:
+        return f"{self.value:.4g} {self.unit} (at most {self.allowed:g})"
+
+
+@dataclass(frozen=True)
 class Criteria:
     """The measures of a run and their tolerances.
 
@@ -38,12 +67,23 @@ class Criteria:
     sway_tolerance: float
 
     @property
+    def rows(self) -> tuple[Row, ...]:
+        """What the verdict follows from."""
+        return (
+            Row(
+                "largest tracking error", 1e3 * self.tracking_error, 1e3 * self.tracking_tolerance,
+                "mm", "simulation.tracking_tolerance",
+            ),
+            Row(
+                "residual sway", self.residual_sway, self.sway_tolerance, "deg",
+                "simulation.sway_tolerance",
+            ),
+        )
+
+    @property
     def passed(self) -> bool:
         """The verdict."""
-        return (
-            self.tracking_error <= self.tracking_tolerance
-            and self.residual_sway <= self.sway_tolerance
-        )
+        return all(row.passed for row in self.rows)
 
 
 def judge(

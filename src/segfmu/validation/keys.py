@@ -121,21 +121,23 @@ def _number(value: Any) -> Any:
     return value
 
 
-Number = Annotated[float, BeforeValidator(_number)]
-Positive = Annotated[Number, Field(gt=0.0)]
-NotNegative = Annotated[Number, Field(ge=0.0)]
-Share = Annotated[Number, Field(ge=0.0, le=1.0)]
+# behind the constraints, so that these are in the schema
+NUMBER = BeforeValidator(_number)
+Number = Annotated[float, NUMBER]
+Positive = Annotated[float, Field(gt=0.0), NUMBER]
+NotNegative = Annotated[float, Field(ge=0.0), NUMBER]
+Share = Annotated[float, Field(ge=0.0, le=1.0), NUMBER]
 Pair = Annotated[list[Number], Field(min_length=2, max_length=2)]
 PositivePair = Annotated[list[Positive], Field(min_length=2, max_length=2)]
 Triple = Annotated[list[Number], Field(min_length=3, max_length=3)]
 PositiveTriple = Annotated[list[Positive], Field(min_length=3, max_length=3)]
 NotNegativeTriple = Annotated[list[NotNegative], Field(min_length=3, max_length=3)]
 # ranges that every crane is far within, so that a slip of the pen is told by its key
-Length = Annotated[Number, Field(ge=-1e6, le=1e6)]
-Time = Annotated[Number, Field(ge=0.0, le=1e6)]
+Length = Annotated[float, Field(ge=-1e6, le=1e6), NUMBER]
+Time = Annotated[float, Field(ge=0.0, le=1e6), NUMBER]
 Place = Annotated[list[Length], Field(min_length=3, max_length=3)]
 # the least is that of the FMUs; the greatest avoids overflow in the design of gains
-Quantity = Annotated[Number, Field(ge=1e-9, le=1e9)]
+Quantity = Annotated[float, Field(ge=1e-9, le=1e9), NUMBER]
 
 
 AXES = ("x", "y", "z")

@@ -9,9 +9,9 @@ from pydantic import BeforeValidator, Field, StrictBool
 from segfmu.validation.keys import (
     AXES,
     DRIVES,
+    NUMBER,
     SWAY,
     Key,
-    Number,
     Place,
     Positive,
     PositivePair,
@@ -22,10 +22,10 @@ from segfmu.validation.keys import (
 )
 
 # of limits, durations between waypoints, and periods
-Limit = Annotated[Number, Field(ge=1e-6, le=1e6)]
+Limit = Annotated[float, Field(ge=1e-6, le=1e6), NUMBER]
 # of the higher derivatives
-HighLimit = Annotated[Number, Field(ge=1e-6, le=1e12)]
-Angle = Annotated[Number, Field(ge=-45.0, le=45.0)]
+HighLimit = Annotated[float, Field(ge=1e-6, le=1e12), NUMBER]
+Angle = Annotated[float, Field(ge=-45.0, le=45.0), NUMBER]
 
 
 def _state(value: Any) -> Any:
@@ -106,10 +106,10 @@ class SimulationEntry(Table):
     """How `segfmu simulate` runs the mission."""
 
     step: Annotated[
-        Annotated[Number, Field(ge=1e-6, le=0.1)], Key("communication step", "s")
+        Annotated[float, Field(ge=1e-6, le=0.1), NUMBER], Key("communication step", "s")
     ] = 0.001
     output_step: Annotated[
-        Annotated[Number, Field(ge=1e-6, le=1e6)] | None,
+        Annotated[float, Field(ge=1e-6, le=1e6), NUMBER] | None,
         Key("time between the rows of plan.csv and run.csv", "s",
             default="`step`, or as long as makes 20000 rows"),
     ] = None

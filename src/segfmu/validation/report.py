@@ -39,12 +39,8 @@ def run_table(name: str, found: Criteria) -> Table:
         force, velocity = found.peak_force[drive], found.peak_velocity[drive]
         table.add_row(f"peak force, {drive}", f"{force:.3f} N")
         table.add_row(f"peak velocity, {drive}", f"{velocity:.3f} m/s")
-    table.add_row(
-        "largest tracking error",
-        f"{1e3 * found.tracking_error:.4f} mm (at most {1e3 * found.tracking_tolerance:g})",
-    )
-    table.add_row(
-        "residual sway", f"{found.residual_sway:.5f} deg (at most {found.sway_tolerance:g})"
-    )
+    for row in found.rows:
+        colour = "" if row.passed else "red"
+        table.add_row(row.name, f"{row}{'' if row.passed else ', failed'}", style=colour)
     table.add_row("verdict", "[green]passed[/]" if found.passed else "[red]failed[/]")
     return table

@@ -48,6 +48,13 @@ class Comparison:
         missed = self.error_ratio < ERROR_FACTOR or self.sway_ratio < SWAY_FACTOR
         return not self.worse and not (self.demanded and missed)
 
+    def __str__(self) -> str:
+        worse = "worse than without" if self.worse else (
+            f"RMS error {self.error_ratio:.3g} of {ERROR_FACTOR:g} times less, "
+            f"residual sway {self.sway_ratio:.3g} of {SWAY_FACTOR:g} times less"
+        )
+        return f"{self.mode} mode, {self.disturbance}, {self.method}: {worse}"
+
 
 def compare(
     outcomes: Iterable[Outcome], disturbances: Iterable[Disturbance] = DISTURBANCES

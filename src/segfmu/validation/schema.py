@@ -1,0 +1,55 @@
+"""JSON schemas of mission and crane files, for editors that complete and check TOML."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from segfmu.validation.crane_file import CraneFile
+from segfmu.validation.keys import Table
+from segfmu.validation.mission import Mission
+
+KINDS: dict[str, type[Table]] = {"mission": Mission, "crane": CraneFile}
+DIALECT = "https://json-schema.org/draft/2020-12/schema"
+
+
+def schema(kind: str) -> dict[str, Any]:
+    """The schema of a "mission" or a "crane" file."""
+    found = KINDS[kind].model_json_schema()
+    parts = found.get("$defs", {})
+    for part in (found, *parts.values()):
+        _shorten(part)
+    if kind == "mission":
+        # a table of its own: what differs needs none of the keys
+        parts["TrueCrane"] = {k: v for k, v in parts["CraneFile"].items() if k != "required"}
+        keys = found["properties"]
+        keys["true_crane"] = _table(keys["true_crane"], "TrueCrane")
+        crane = _table(keys["crane"], "CraneFile")
+        name = {"type": "string", "minLength": 1, "description": "name of a crane file"}
+        keys["crane"] = {
+            "description": crane["description"], "anyOf": [name, {"$ref": crane["$ref"]}],
+        }
+    return {"$schema": DIALECT, "title": f"segfmu {kind} file", **{
+        k: v for k, v in found.items() if k != "title"
+    }}
+
+
+def text(kind: str) -> str:
+    """The same as JSON."""
+    return json.dumps(schema(kind), indent=2, ensure_ascii=False) + "\n"
+
+
+def _table(key: dict[str, Any], name: str) -> dict[str, Any]:
+    return {"$ref": f"#/$defs/{name}", "description": key["description"]}
+
+
+def _shorten(part: dict[str, Any]) -> None:
+    """Drop titles that repeat the key, and null, which TOML does not have."""
+    for key in part.get("properties", {}).values():
+        key.pop("title", None)
+        if key.get("default", 0) is None:
+            del key["default"]
+        choices = [c for c in key.get("anyOf", ()) if c != {"type": "null"}]
+        if len(choices) == 1:
+            del key["anyOf"]
+            key.update({k: v for k, v in choices[0].items() if k not in key})
