@@ -2,7 +2,8 @@
 
 Only the standard library is imported here. A signal during the imports of the rest ends the process
 at once, as there is nothing to clean up yet; later it raises SystemExit, so that temporary folders
-and processes go. A second signal kills.
+and processes go. It is raised again every second, because it may come where it is swallowed: in
+callbacks, and in imports by other packages. A second signal kills.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ import sys
 from types import FrameType
 
 TEXTS = {signal.SIGINT: b"segfmu: interrupted\n", signal.SIGTERM: b"segfmu: terminated\n"}
+AGAIN = 1.0  # s
 
 
 def main() -> None:
@@ -20,15 +22,43 @@ def main() -> None:
     _handle(_end)
     from segfmu.cli import run
 
-    _handle(_leave)
+    stop = _Stop()
+    _handle(stop)
     try:
         code = run()
     finally:
-        _handle(_end)
-    sys.exit(code)
+        # what was asked is done; a signal while the interpreter ends would be a traceback
+        stop.finish()
+        _handle(signal.SIG_IGN)
+    sys.exit(stop.code or code)
 
 
-def _handle(action: signal.Handlers | object) -> None:
+class _Stop:
+    """The handler of signals while the command runs."""
+
+    def __init__(self) -> None:
+        self.code = 0
+
+    def __call__(self, number: int, _: FrameType | None) -> None:
+        self.code = 128 + number
+        _handle(signal.SIG_DFL)
+        os.write(2, TEXTS[signal.Signals(number)])
+        # nothing that follows from the stop is news
+        sys.stderr = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115
+        if hasattr(signal, "setitimer"):
+            signal.signal(signal.SIGALRM, self._again)
+            signal.setitimer(signal.ITIMER_REAL, AGAIN, AGAIN)
+        sys.exit(self.code)
+
+    def _again(self, number: int, _: FrameType | None) -> None:
+        sys.exit(self.code)
+
+    def finish(self) -> None:
+        if self.code and hasattr(signal, "setitimer"):
+            signal.setitimer(signal.ITIMER_REAL, 0.0)
+
+
+def _handle(action: object) -> None:
     for number in TEXTS:
         signal.signal(number, action)  # type: ignore[arg-type]
 
@@ -36,12 +66,6 @@ def _handle(action: signal.Handlers | object) -> None:
 def _end(number: int, _: FrameType | None) -> None:
     os.write(2, TEXTS[signal.Signals(number)])
     os._exit(128 + number)
-
-
-def _leave(number: int, _: FrameType | None) -> None:
-    _handle(signal.SIG_DFL)
-    os.write(2, TEXTS[signal.Signals(number)])
-    sys.exit(128 + number)
 
 
 if __name__ == "__main__":

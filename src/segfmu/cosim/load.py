@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
-import tempfile
 import zipfile
 from pathlib import Path
 from typing import Any
@@ -13,6 +11,7 @@ from fmpy import extract, platform, platform_tuple, read_model_description
 from segfmu.cosim.unit import Unit
 from segfmu.cosim.unit2 import Unit2
 from segfmu.cosim.unit3 import Unit3
+from segfmu.cosim.unpacked import make_folder, remove_folder
 from segfmu.errors import InputError
 
 
@@ -35,13 +34,13 @@ def load(path: Path, *, leads: bool = False, name: str | None = None) -> Unit:
     SimulationError
         If it cannot be instantiated, with its message.
     """
-    folder = Path(tempfile.mkdtemp(prefix="segfmu_fmu_"))
+    folder = make_folder()
     try:
         description = _describe(path, folder)
         kind = Unit2 if description.fmiVersion == "2.0" else Unit3
         return kind(folder, description, leads, name)
     except BaseException:
-        shutil.rmtree(folder, ignore_errors=True)
+        remove_folder(folder)
         raise
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ctypes
 import os
-import shutil
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
@@ -16,6 +15,7 @@ from numpy.typing import NDArray
 
 from segfmu.cosim.channel import Call, Channel
 from segfmu.cosim.messages import ERROR, FATAL, OK, Messages
+from segfmu.cosim.unpacked import remove_folder
 from segfmu.cosim.values import Setter
 from segfmu.errors import InputError, SegfmuError, SimulationError
 
@@ -287,7 +287,7 @@ class Unit(ABC):
             finally:
                 if self._worst < FATAL:
                     self.fmu.freeInstance()
-                shutil.rmtree(self._folder, ignore_errors=True)
+                remove_folder(self._folder)
 
     def __enter__(self) -> Unit:
         return self
