@@ -101,8 +101,11 @@ def _measured(trajectory: Trajectory) -> Verification:
     limits = np.where(table > 0.0, table, np.inf)
     peaks = np.array([_magnitude(trajectory, d) for d in range(1, order + 2)])
     low, high = trajectory.extrema(0)
-    # where the position is large, its rounding is a part of the distance that counts
-    distance = np.maximum(high - low, ROUNDING / TOLERANCE * np.maximum(np.abs(low), np.abs(high)))
+    # where the position is large, its rounding is a part of the distance that counts; a motion of
+    # less than a billionth of that from full speed to rest counts as that long
+    rounding = ROUNDING / TOLERANCE * np.maximum(np.abs(low), np.abs(high))
+    least = TOLERANCE * limits[0] ** 2 / limits[1]
+    distance = np.maximum.reduce([high - low, rounding, least])
     scales = np.vstack([distance, np.minimum(limits, peaks)])
     return Verification(
         peaks, limits, _waypoint_error(trajectory, limits, scales), _jumps(trajectory, scales),
