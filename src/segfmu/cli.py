@@ -197,7 +197,7 @@ def simulate(
     from segfmu.validation.criteria import judge
     from segfmu.validation.plots import plot_run, save
     from segfmu.validation.report import run_table
-    from segfmu.validation.scenario import specs
+    from segfmu.validation.scenario import ending, specs
 
     choice = chosen(2, "native", "", everywhere=False)
     feedforward, crane = _built(target, choice, specs(task, trajectory))
@@ -205,7 +205,7 @@ def simulate(
     write_csv(target / "run.csv", thinned(rows, every))
     save(plot_run(rows, trajectory.waypoint_times, task.name), target / "run.png")
     limits = task.simulation
-    found = judge(rows, trajectory.duration, limits.tracking_tolerance, limits.sway_tolerance)
+    found = judge(rows, ending(task, trajectory), limits.tracking_tolerance, limits.sway_tolerance)
     console.print(run_table(task.name, found))
     _tell(note("run.csv", every, limits.step))
     _tell(f"FMUs, run.csv and run.png are in {target}")

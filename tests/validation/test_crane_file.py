@@ -11,12 +11,13 @@ import pytest
 
 from segfmu.errors import InputError
 from segfmu.fmu.gantry_crane import interface as gantry_crane
+from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.validation import crane_parameters
 from segfmu.validation.crane_file import CraneFile
 from segfmu.validation.keys import entries
 from segfmu.validation.mission import Mission, load_mission
 from segfmu.validation.reading import checked
-from segfmu.validation.scenario import crane_values, specs
+from segfmu.validation.scenario import crane_values, ending, feedforward_values, specs
 
 MODELS = Path(__file__).parents[2] / "models"
 SPEC = gantry_crane.spec()
@@ -224,6 +225,31 @@ def test_the_true_crane_differs_where_it_says_so(tmp_path: Path) -> None:
     feedforward, plant = specs(own, own.plan())
     assert feedforward.variable("crane.payload_mass").start == 40e3
     assert plant.variable("crane.payload_mass").start == 45e3
+
+
+# parameters of GantryFeedforward that no mission sets, and why
+NOT_OF_MISSIONS = {
+    "planner.start_time": "a mission begins at once",
+    "setpoint.lead": "a matter of the importer that couples the FMUs",
+}
+
+
+def test_a_mission_sets_every_parameter_of_the_feedforward(tmp_path: Path) -> None:
+    own = mission(tmp_path, EVERYTHING.replace("sway_max", "# sway_max"))
+    trajectory = own.plan()
+    values = feedforward_values(own, trajectory)
+    spec = gantry_feedforward.spec(len(trajectory.waypoints))
+    assert {v.name for v in spec.where("parameter")} == {*values, *NOT_OF_MISSIONS}
+    assert (values["drive.trolley.lag"], values["drive.hoist.dead_time"]) == (0.2, 0.01)
+
+
+def test_the_motion_ends_a_dead_time_later(tmp_path: Path) -> None:
+    late = "hoist = { dead_time = 0.03 }\ntrolley = { dead_time = 0.25 }\n"
+    own = mission(tmp_path, MASSES + late, "[true_crane]\ntrolley = { dead_time = 0.3 }\n")
+    trajectory = own.plan()
+    assert ending(own, trajectory) == trajectory.duration + 0.25
+    feedforward, _ = specs(own, trajectory)
+    assert feedforward.stop_time == pytest.approx(trajectory.duration + 3.25)
 
 
 def test_a_mass_outside_its_range_is_refused(tmp_path: Path) -> None:

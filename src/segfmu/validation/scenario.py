@@ -40,13 +40,19 @@ def specs(
         max(waypoints or gantry_feedforward.WAYPOINTS, len(mission.waypoints))
     )
     changes = {
-        "stop_time": trajectory.duration + mission.simulation.settle,
+        "stop_time": ending(mission, trajectory) + mission.simulation.settle,
         "step_size": mission.simulation.step,
     }
     return (
         started(feedforward, feedforward_values(mission, trajectory), **changes),
         gantry_crane.held(started(crane, crane_values(mission), **changes)),
     )
+
+
+def ending(mission: Mission, trajectory: Trajectory) -> float:
+    """Time at which the motion ends [s]: it begins when the longest dead time has passed."""
+    drives = (mission.crane.bridge, mission.crane.trolley, mission.crane.hoist)
+    return trajectory.duration + max(drive.dead_time or 0.0 for drive in drives)
 
 
 def feedforward_values(mission: Mission, trajectory: Trajectory) -> dict[str, float | str]:
@@ -111,7 +117,7 @@ def run(
     return simulate(
         feedforward,
         crane,
-        stop_time=trajectory.duration + mission.simulation.settle,
+        stop_time=ending(mission, trajectory) + mission.simulation.settle,
         step=mission.simulation.step,
         source_values=feedforward_values(mission, trajectory),
         # weights are those of the build
