@@ -88,29 +88,28 @@ def test_tightening_a_limit_never_shortens(problem: AxisProblem, order: int, sha
     assert planned(problem, limits=tuple(tight)).duration >= loose.duration * (1.0 - 0.05)
 
 
-# Known faults: a plan goes through a state, but the planner refuses a part of it as a request of
-# its own, or finds a longer one. It plans every part by way of zero acceleration (docs/planner.md).
+# A plan goes through a state; its parts were once refused, or planned by way of zero acceleration.
 NO_ROOM = AxisProblem(4, 0, (0.5, 0.5, 0.0, 0.5, 0.0), 0.0, -0.25, -0.375, -0.5, -0.1)
 LONGER = AxisProblem(4, 0, (1.0, 1.0, 2.0, 8.0, 0.0), 0.0, -1.0, 0.0, -1.0, 1.0)
 LONGER_BY_LESS = AxisProblem(4, 0, (0.5, 0.5, 0.0, 4.0, 0.0), -0.25, 0.375, 0.25, -0.375, 0.75)
-FAULTS = {
-    "a feasible request is refused, no room to brake": (NO_ROOM, 0.5),
-    "split at a state on it, the plan is 23.6 % longer": (LONGER, 0.4),
-    "split at a state on it, the plan is 6.1 % longer": (LONGER_BY_LESS, 0.65),
-}
+SPLITS = [
+    (NO_ROOM, 0.5),
+    (LONGER_BY_LESS, 0.65),
+    pytest.param(LONGER, 0.4, marks=pytest.mark.xfail(
+        strict=True, raises=AssertionError,
+        reason="known fault: split at a state on it, the plan is 23.6 % longer (docs/planner.md)",
+    )),
+]
 
 
-@pytest.mark.parametrize(("problem", "share"), [
-    pytest.param(*case, marks=pytest.mark.xfail(strict=True, raises=AssertionError, reason=fault))
-    for fault, case in FAULTS.items()
-])
+@pytest.mark.parametrize(("problem", "share"), SPLITS)
 def test_every_state_of_a_plan_is_a_waypoint(problem: AxisProblem, share: float) -> None:
     assert split_and_join(problem, move(problem), share) == "joined"
 
 
 def test_split_and_join() -> None:
-    # a state while cruising or at the acceleration limit is a waypoint that costs nothing; it is
-    # refused where the velocity limit leaves no room to bring its acceleration to zero (see FAULTS)
+    # a state while cruising or at the acceleration limit is a waypoint that costs nothing; it can
+    # be refused where the velocity limit leaves no room to bring its acceleration to zero
     outcomes = {"joined": 0, "no room": 0}
 
     @settings(max_examples=60, deadline=None)
@@ -122,7 +121,6 @@ def test_split_and_join() -> None:
         outcomes[outcome] += 1
 
     check()
-    assert outcomes["no room"] > 0
     assert outcomes["joined"] >= 9 * outcomes["no room"]
 
 

@@ -146,6 +146,8 @@ static void mirror_phases(array_double_2d phases, int64_t count);
 static void swap_entries(array_double_2d phases, int64_t i, int64_t j, int64_t column);
 static void reverse_phases(array_double_2d phases, int64_t first, int64_t count);
 static void boundary_problem(array_double_1d problem, array_double_1d axis, array_double_1d cleaned);
+static double total_duration(array_double_2d phases, int64_t count);
+static double valid_duration(array_double_2d phases, int64_t count, array_double_1d problem, array_double_1d axis);
 static double peak_past_zero(double v, double a, double level, array_double_1d axis);
 static double level_past_zero(double v, double a, array_double_1d axis);
 static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, array_double_1d axis, array_double_2d phases);
@@ -172,12 +174,22 @@ static double canonical_search(array_double_1d family, array_double_1d axis);
 static double member_search(array_double_1d family, array_double_1d axis);
 static void set_family(int64_t branch, array_double_1d problem, array_double_1d axis, array_double_1d family);
 static void set_member(int64_t member, double time, bool by_time, array_double_1d family);
+static int64_t write_member(array_double_2d phases, array_double_1d family, array_double_1d axis);
 static int64_t merged_form(array_double_2d phases, double highest, array_double_1d family, array_double_1d axis);
 static double velocity_excess(array_double_2d phases, int64_t count, double v, double limit_kept, array_double_1d axis);
 static int64_t level_within(double* result_0, double* result_1_0001, double* result_2_0001, double* result_3_0001, double outside, double e_outside, array_double_2d phases, array_double_1d family, array_double_1d axis);
 static double highest_within(double inside, double outside, double e_inside, double e_outside, array_double_2d phases, array_double_1d family, array_double_1d axis);
 static int64_t tempered_form(array_double_2d phases, array_double_1d family, array_double_1d axis);
-static double valid_duration(array_double_2d phases, int64_t count, array_double_1d problem, array_double_1d axis);
+static double set_loop(array_double_1d problem, array_double_1d axis, array_double_1d family);
+static int64_t level_from(double* result_0_0001, double* result_1_0001, double* result_2_0001, double a, double time, double up, double down, array_double_1d axis);
+static double set_point(double place, double radius, array_double_1d family, array_double_1d axis);
+static double loop_radius(int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis);
+static bool slow_middle(double place, double radius, array_double_1d family, array_double_1d axis);
+static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis);
+static double loop_root(int64_t arc, double lower, double upper, double e_lower, double e_upper, double missing, double largest, array_double_1d family, array_double_1d axis);
+static int64_t arc_root(int64_t* result_0, double* result_1, int64_t arc, int64_t sample, double missing, double largest, array_double_1d family, array_double_1d axis);
+static int64_t loop_form(int64_t count, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static double early_window(double duration, array_double_1d problem, array_double_1d axis);
 static double usual_duration(array_double_1d problem, array_double_1d axis);
 static int64_t fastest_between(array_double_2d phases, array_double_1d problem, array_double_1d axis);
 static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
@@ -6448,6 +6460,47 @@ int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result
     (*result_4) = highest;
     return 0;
 }
+/*Sum of the durations of phases [s].*/
+static double total_duration(array_double_2d phases, int64_t count)
+{
+    int64_t i;
+    double total;
+    total = 0.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        total = total + (*cspan_at(&phases, i, INT64_C(0)));
+    }
+    return total;
+}
+/*Duration [s] of phases that join the boundary states within the velocity limit, else -1. */
+static double valid_duration(array_double_2d phases, int64_t count, array_double_1d problem, array_double_1d axis)
+{
+    double limit;
+    double distance;
+    double most;
+    double y;
+    double end;
+    double lowest;
+    double highest;
+    double duration;
+    limit = (*cspan_at(&axis, INT64_C(2)));
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    most = limit * (1.0 + 1e-12);
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, (*cspan_at(&problem, INT64_C(0))), most, axis);
+    if ((lowest < -most) || (highest > most))
+    {
+        return -1.0;
+    }
+    if (fabs(end - (*cspan_at(&problem, INT64_C(2)))) > 1e-12 * limit)
+    {
+        return -1.0;
+    }
+    if (fabs(y - distance) > 1e-12 * (fabs(distance) + limit * duration))
+    {
+        return -1.0;
+    }
+    return duration;
+}
 /*Extreme velocity of the ramp from a > 0 to a level <= 0 that starts with velocity v. */
 static double peak_past_zero(double v, double a, double level, array_double_1d axis)
 {
@@ -6868,19 +6921,22 @@ static int64_t member_distance(double* result_0_0001, double* result_1, array_do
     double hold2;
     double level2;
     double t3;
-    double t2;
+    double basis;
     double slope;
+    double t2;
     double y;
     v = (*cspan_at(&family, INT64_C(0)));
     a = (*cspan_at(&family, INT64_C(1)));
     b = (*cspan_at(&family, INT64_C(3)));
-    t1 = (*cspan_at(&family, INT64_C(13)));
-    hold1 = (*cspan_at(&family, INT64_C(14)));
-    level1 = (*cspan_at(&family, INT64_C(15)));
-    hold2 = (*cspan_at(&family, INT64_C(16)));
-    level2 = (*cspan_at(&family, INT64_C(17)));
-    t3 = (*cspan_at(&family, INT64_C(18)));
-    segfmu_ramp_duration(&t2, &slope, fabs(level2 - level1), axis);
+    t1 = (*cspan_at(&family, INT64_C(17)));
+    hold1 = (*cspan_at(&family, INT64_C(18)));
+    level1 = (*cspan_at(&family, INT64_C(19)));
+    hold2 = (*cspan_at(&family, INT64_C(20)));
+    level2 = (*cspan_at(&family, INT64_C(21)));
+    t3 = (*cspan_at(&family, INT64_C(22)));
+    segfmu_ramp_duration(&basis, &slope, fabs(level2 - level1), axis);
+    t2 = basis * (*cspan_at(&family, INT64_C(23)));
+    basis = basis + (*cspan_at(&family, INT64_C(24))) * (t2 - basis);
     y = ramp_distance(v, a, level1, t1, t1, axis);
     v = v + 0.5 * (a + level1) * t1;
     if (hold1 > 0.0)
@@ -6888,7 +6944,7 @@ static int64_t member_distance(double* result_0_0001, double* result_1, array_do
         y = y + (v + 0.5 * level1 * hold1) * hold1;
         v = v + level1 * hold1;
     }
-    y = y + ramp_distance(v, level1, level2, t2, t2, axis);
+    y = y + ramp_distance(v, level1, level2, t2, basis, axis);
     v = v + 0.5 * (level1 + level2) * t2;
     if (hold2 > 0.0)
     {
@@ -6947,12 +7003,12 @@ static int64_t canonical_member(double* result_0, double* result_1, double p, ar
         (*result_1) = 0.0;
         return 0;
     }
-    (*cspan_at(&family, INT64_C(13))) = t1;
-    (*cspan_at(&family, INT64_C(14))) = hold1;
-    (*cspan_at(&family, INT64_C(15))) = level1;
-    (*cspan_at(&family, INT64_C(16))) = hold2;
-    (*cspan_at(&family, INT64_C(17))) = level2;
-    (*cspan_at(&family, INT64_C(18))) = t3;
+    (*cspan_at(&family, INT64_C(17))) = t1;
+    (*cspan_at(&family, INT64_C(18))) = hold1;
+    (*cspan_at(&family, INT64_C(19))) = level1;
+    (*cspan_at(&family, INT64_C(20))) = hold2;
+    (*cspan_at(&family, INT64_C(21))) = level2;
+    (*cspan_at(&family, INT64_C(22))) = t3;
     member_distance(result_0, result_1, family, axis);
     return 0;
 }
@@ -7225,7 +7281,7 @@ static int64_t canonical_value(double* result_0_0001, double* result_1, double p
     double duration;
     double y;
     canonical_member(&duration, &y, p, family, axis);
-    if ((*cspan_at(&family, INT64_C(9))) > 0.5)
+    if ((*cspan_at(&family, INT64_C(13))) > 0.5)
     {
         (*result_0_0001) = duration;
         (*result_1) = duration;
@@ -7255,7 +7311,7 @@ static double bracketed_root(double lower, double upper, double f_lower, double 
     double value;
     double duration;
     double error;
-    target = (*cspan_at(&family, INT64_C(10)));
+    target = (*cspan_at(&family, INT64_C(14)));
     newest = upper;
     e_newest = f_upper - target;
     other = lower;
@@ -7263,7 +7319,7 @@ static double bracketed_root(double lower, double upper, double f_lower, double 
     before = lower;
     e_before = e_other;
     speed = fabs((*cspan_at(&family, INT64_C(0)))) + fabs((*cspan_at(&family, INT64_C(2))));
-    if ((*cspan_at(&family, INT64_C(9))) > 0.5)
+    if ((*cspan_at(&family, INT64_C(13))) > 0.5)
     {
         speed = 0.0;
     }
@@ -7311,7 +7367,7 @@ static int64_t first_window(double* result_0, double* result_1_0001, double f_st
     double duration;
     double end;
     double going_on;
-    target = (*cspan_at(&family, INT64_C(10)));
+    target = (*cspan_at(&family, INT64_C(14)));
     if ((*cspan_at(&family, INT64_C(0))) < 0.0)
     {
         samples = INT64_C(8);
@@ -7382,7 +7438,7 @@ static double shorter_member(double f_start, array_double_1d family, array_doubl
         {
             return -1.0;
         }
-        if (value <= (*cspan_at(&family, INT64_C(10))))
+        if (value <= (*cspan_at(&family, INT64_C(14))))
         {
             result = bracketed_root(p, 0.0, value, f_start, family, axis);
             return result;
@@ -7429,7 +7485,7 @@ static double farther_member(double lower, double f_lower, array_double_1d famil
     for (i = INT64_C(0); i < INT64_C(200); i += INT64_C(1))
     {
         canonical_value(&f_upper, &duration, upper, family, axis);
-        if (f_upper >= (*cspan_at(&family, INT64_C(10))))
+        if (f_upper >= (*cspan_at(&family, INT64_C(14))))
         {
             result = bracketed_root(lower, upper, f_lower, f_upper, family, axis);
             return result;
@@ -7452,7 +7508,7 @@ static double canonical_search(array_double_1d family, array_double_1d axis)
     double t_zero;
     double slope;
     double p;
-    target = (*cspan_at(&family, INT64_C(10)));
+    target = (*cspan_at(&family, INT64_C(14)));
     v = (*cspan_at(&family, INT64_C(0)));
     w = (*cspan_at(&family, INT64_C(2)));
     canonical_value(&f_lower, &duration, 0.0, family, axis);
@@ -7517,7 +7573,7 @@ static double member_search(array_double_1d family, array_double_1d axis)
     double upper;
     bool inside;
     double result;
-    target = (*cspan_at(&family, INT64_C(10)));
+    target = (*cspan_at(&family, INT64_C(14)));
     passed = INT64_C(0);
     previous = 0.0;
     lower = -1.0;
@@ -7525,7 +7581,7 @@ static double member_search(array_double_1d family, array_double_1d axis)
     p = 0.0;
     for (i = INT64_C(0); i < INT64_C(36); i += INT64_C(1))
     {
-        p = (*cspan_at(&family, INT64_C(12))) * i * i / 144.0;
+        p = (*cspan_at(&family, INT64_C(16))) * i * i / 144.0;
         canonical_value(&value, &duration, p, family, axis);
         upper = p;
         inside = duration >= 0.0;
@@ -7541,7 +7597,7 @@ static double member_search(array_double_1d family, array_double_1d axis)
         }
         if ((lower >= 0.0) && ((f_lower - target) * (value - target) <= 0.0) && (value != f_lower))
         {
-            if (passed == (int64_t)((*cspan_at(&family, INT64_C(11)))))
+            if (passed == (int64_t)((*cspan_at(&family, INT64_C(15)))))
             {
                 if (value > f_lower)
                 {
@@ -7591,7 +7647,7 @@ static void set_family(int64_t branch, array_double_1d problem, array_double_1d 
     w = (*cspan_at(&problem, INT64_C(2)));
     b = (*cspan_at(&problem, INT64_C(3)));
     distance = (*cspan_at(&problem, INT64_C(4)));
-    (*cspan_at(&family, INT64_C(6))) = v;
+    (*cspan_at(&family, INT64_C(10))) = v;
     if (reverse)
     {
         v = (*cspan_at(&problem, INT64_C(2)));
@@ -7613,12 +7669,13 @@ static void set_family(int64_t branch, array_double_1d problem, array_double_1d 
     (*cspan_at(&family, INT64_C(2))) = w;
     (*cspan_at(&family, INT64_C(3))) = b;
     (*cspan_at(&family, INT64_C(5))) = last_ramp;
-    (*cspan_at(&family, INT64_C(7))) = reverse;
-    (*cspan_at(&family, INT64_C(8))) = mirror;
-    (*cspan_at(&family, INT64_C(9))) = 0.0;
-    (*cspan_at(&family, INT64_C(10))) = distance;
-    (*cspan_at(&family, INT64_C(11))) = -1.0;
-    (*cspan_at(&family, INT64_C(12))) = last_ramp;
+    (*cspan_at(&family, INT64_C(11))) = reverse;
+    (*cspan_at(&family, INT64_C(12))) = mirror;
+    (*cspan_at(&family, INT64_C(13))) = 0.0;
+    (*cspan_at(&family, INT64_C(14))) = distance;
+    (*cspan_at(&family, INT64_C(15))) = -1.0;
+    (*cspan_at(&family, INT64_C(16))) = last_ramp;
+    (*cspan_at(&family, INT64_C(23))) = 1.0;
 }
 /*Set which of several members to search for: its number, from 0.                                    */
 /*                                                                                                   */
@@ -7626,13 +7683,51 @@ static void set_family(int64_t branch, array_double_1d problem, array_double_1d 
 /*                                                                                                   */
 static void set_member(int64_t member, double time, bool by_time, array_double_1d family)
 {
-    (*cspan_at(&family, INT64_C(11))) = member;
-    (*cspan_at(&family, INT64_C(12))) = span_max((*cspan_at(&family, INT64_C(5))), 0.1 * time);
+    (*cspan_at(&family, INT64_C(15))) = member;
+    (*cspan_at(&family, INT64_C(16))) = span_max((*cspan_at(&family, INT64_C(5))), 0.1 * time);
     if (by_time)
     {
-        (*cspan_at(&family, INT64_C(9))) = 1.0;
-        (*cspan_at(&family, INT64_C(10))) = time;
+        (*cspan_at(&family, INT64_C(13))) = 1.0;
+        (*cspan_at(&family, INT64_C(14))) = time;
     }
+}
+/*Write the member of a family as phases, on its own branch; their number. */
+static int64_t write_member(array_double_2d phases, array_double_1d family, array_double_1d axis)
+{
+    double a;
+    double b;
+    double level1;
+    double level2;
+    int64_t before;
+    double basis;
+    double duration;
+    int64_t count;
+    a = (*cspan_at(&family, INT64_C(1)));
+    b = (*cspan_at(&family, INT64_C(3)));
+    level1 = (*cspan_at(&family, INT64_C(19)));
+    level2 = (*cspan_at(&family, INT64_C(21)));
+    count = append_ramp(phases, INT64_C(0), a, level1, (*cspan_at(&family, INT64_C(17))), axis);
+    count = append_hold(phases, count, level1, (*cspan_at(&family, INT64_C(18))));
+    before = count;
+    count = append_change(phases, count, level1, level2, axis);
+    if ((count > before) && ((*cspan_at(&family, INT64_C(23))) > 1.0))
+    {
+        basis = (*cspan_at(&phases, before, INT64_C(1)));
+        duration = basis * (*cspan_at(&family, INT64_C(23)));
+        (*cspan_at(&phases, before, INT64_C(0))) = duration;
+        (*cspan_at(&phases, before, INT64_C(1))) = basis + (*cspan_at(&family, INT64_C(24))) * (duration - basis);
+    }
+    count = append_hold(phases, count, level2, (*cspan_at(&family, INT64_C(20))));
+    count = append_ramp(phases, count, level2, b, (*cspan_at(&family, INT64_C(22))), axis);
+    if ((*cspan_at(&family, INT64_C(11))) > 0.5)
+    {
+        reverse_phases(phases, INT64_C(0), count);
+    }
+    if ((*cspan_at(&family, INT64_C(12))) > 0.5)
+    {
+        mirror_phases(phases, count);
+    }
+    return count;
 }
 /*Write the member of a family that is searched for; its number of phases, -1 if none. */
 /*                                                                                     */
@@ -7643,13 +7738,9 @@ static int64_t merged_form(array_double_2d phases, double highest, array_double_
     double p;
     double duration;
     double y;
-    double a;
-    double b;
-    double level1;
-    double level2;
-    int64_t count;
+    int64_t result;
     (*cspan_at(&family, INT64_C(4))) = highest;
-    if ((*cspan_at(&family, INT64_C(11))) < 0.0)
+    if ((*cspan_at(&family, INT64_C(15))) < 0.0)
     {
         p = canonical_search(family, axis);
     }
@@ -7666,24 +7757,8 @@ static int64_t merged_form(array_double_2d phases, double highest, array_double_
     {
         return -INT64_C(1);
     }
-    a = (*cspan_at(&family, INT64_C(1)));
-    b = (*cspan_at(&family, INT64_C(3)));
-    level1 = (*cspan_at(&family, INT64_C(15)));
-    level2 = (*cspan_at(&family, INT64_C(17)));
-    count = append_ramp(phases, INT64_C(0), a, level1, (*cspan_at(&family, INT64_C(13))), axis);
-    count = append_hold(phases, count, level1, (*cspan_at(&family, INT64_C(14))));
-    count = append_change(phases, count, level1, level2, axis);
-    count = append_hold(phases, count, level2, (*cspan_at(&family, INT64_C(16))));
-    count = append_ramp(phases, count, level2, b, (*cspan_at(&family, INT64_C(18))), axis);
-    if ((*cspan_at(&family, INT64_C(7))) > 0.5)
-    {
-        reverse_phases(phases, INT64_C(0), count);
-    }
-    if ((*cspan_at(&family, INT64_C(8))) > 0.5)
-    {
-        mirror_phases(phases, count);
-    }
-    return count;
+    result = write_member(phases, family, axis);
+    return result;
 }
 /*Excess over the velocity limit [m/s] of phases that start with velocity v; below 0: none.*/
 /*                                                                                         */
@@ -7724,7 +7799,7 @@ static int64_t level_within(double* result_0, double* result_1_0001, double* res
     double peak;
     double other;
     velocity_limit = (*cspan_at(&axis, INT64_C(2)));
-    v = (*cspan_at(&family, INT64_C(6)));
+    v = (*cspan_at(&family, INT64_C(10)));
     rounding = 1e-12 * velocity_limit;
     margin = 1e-09 * velocity_limit;
     too_low = span_max((*cspan_at(&family, INT64_C(1))), span_max((*cspan_at(&family, INT64_C(3))), 0.001 * (*cspan_at(&axis, INT64_C(3)))));
@@ -7735,7 +7810,7 @@ static int64_t level_within(double* result_0, double* result_1_0001, double* res
         segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, span_max_int(count, INT64_C(0)), v, 0.0, axis);
         peak = highest;
         other = -lowest;
-        if ((*cspan_at(&family, INT64_C(8))) > 0.5)
+        if ((*cspan_at(&family, INT64_C(12))) > 0.5)
         {
             peak = -lowest;
             other = highest;
@@ -7825,7 +7900,7 @@ static double highest_within(double inside, double outside, double e_inside, dou
         error = 0.0;
         if (count > INT64_C(0))
         {
-            v = (*cspan_at(&family, INT64_C(6)));
+            v = (*cspan_at(&family, INT64_C(10)));
             error = velocity_excess(phases, count, v, 0.0, axis) + margin;
         }
         if ((count > INT64_C(0)) && (error <= margin))
@@ -7890,7 +7965,7 @@ static int64_t tempered_form(array_double_2d phases, array_double_1d family, arr
     {
         return count;
     }
-    v = (*cspan_at(&family, INT64_C(6)));
+    v = (*cspan_at(&family, INT64_C(10)));
     e_outside = velocity_excess(phases, count, v, velocity_limit, axis) + margin;
     if (e_outside <= margin + rounding)
     {
@@ -7900,7 +7975,7 @@ static int64_t tempered_form(array_double_2d phases, array_double_1d family, arr
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         level = (*cspan_at(&phases, i, INT64_C(2)));
-        if ((*cspan_at(&family, INT64_C(7))) != (*cspan_at(&family, INT64_C(8))))
+        if ((*cspan_at(&family, INT64_C(11))) != (*cspan_at(&family, INT64_C(12))))
         {
             level = -level;
         }
@@ -7915,34 +7990,538 @@ static int64_t tempered_form(array_double_2d phases, array_double_1d family, arr
     count = merged_form(phases, inside, family, axis);
     return count;
 }
-/*Duration [s] of phases that join the boundary states within the velocity limit, else -1. */
-static double valid_duration(array_double_2d phases, int64_t count, array_double_1d problem, array_double_1d axis)
+/*Set the family of a problem; returns the velocity that the single ramp misses [m/s]. */
+/*                                                                                     */
+/*    The problem is mirrored if the single ramp gains too much.                       */
+/*                                                                                     */
+static double set_loop(array_double_1d problem, array_double_1d axis, array_double_1d family)
 {
-    double limit;
-    double distance;
-    double most;
-    double y;
-    double end;
-    double lowest;
-    double highest;
+    double top;
+    double v;
+    double a;
+    double w;
+    double b;
+    double single;
+    double slope;
+    double missing;
+    double sign;
+    top = (*cspan_at(&axis, INT64_C(3)));
+    v = (*cspan_at(&problem, INT64_C(0)));
+    a = (*cspan_at(&problem, INT64_C(1)));
+    w = (*cspan_at(&problem, INT64_C(2)));
+    b = (*cspan_at(&problem, INT64_C(3)));
+    segfmu_ramp_duration(&single, &slope, fabs(b - a), axis);
+    missing = w - v - 0.5 * (a + b) * single;
+    sign = 1.0;
+    if (missing < 0.0)
+    {
+        sign = -1.0;
+    }
+    (*cspan_at(&family, INT64_C(0))) = sign * v;
+    (*cspan_at(&family, INT64_C(1))) = sign * a;
+    (*cspan_at(&family, INT64_C(2))) = sign * w;
+    (*cspan_at(&family, INT64_C(3))) = sign * b;
+    (*cspan_at(&family, INT64_C(14))) = sign * (*cspan_at(&problem, INT64_C(4)));
+    (*cspan_at(&family, INT64_C(10))) = v;
+    (*cspan_at(&family, INT64_C(11))) = 0.0;
+    (*cspan_at(&family, INT64_C(12))) = 0.5 - 0.5 * sign;
+    segfmu_ramp_duration(cspan_at(&family, INT64_C(6)), &slope, top - sign * a, axis);
+    segfmu_ramp_duration(cspan_at(&family, INT64_C(7)), &slope, top + sign * a, axis);
+    segfmu_ramp_duration(cspan_at(&family, INT64_C(8)), &slope, top - sign * b, axis);
+    segfmu_ramp_duration(cspan_at(&family, INT64_C(9)), &slope, top + sign * b, axis);
+    return sign * missing;
+}
+/*The ramp from a that takes `time`, downwards if negative: its duration, hold, and level. */
+/*                                                                                         */
+/*    up and down are the durations of the ramps to the limits.                            */
+/*                                                                                         */
+static int64_t level_from(double* result_0_0001, double* result_1_0001, double* result_2_0001, double a, double time, double up, double down, array_double_1d axis)
+{
+    double change;
+    double slope;
+    if (time >= up)
+    {
+        (*result_0_0001) = up;
+        (*result_1_0001) = time - up;
+        (*result_2_0001) = (*cspan_at(&axis, INT64_C(3)));
+        return 0;
+    }
+    if (-time >= down)
+    {
+        (*result_0_0001) = down;
+        (*result_1_0001) = (-time) - down;
+        (*result_2_0001) = -(*cspan_at(&axis, INT64_C(3)));
+        return 0;
+    }
+    ramp_change(&change, &slope, fabs(time), axis);
+    if (time < 0.0)
+    {
+        (*result_0_0001) = -time;
+        (*result_1_0001) = 0.0;
+        (*result_2_0001) = a - change;
+        return 0;
+    }
+    (*result_0_0001) = time;
+    (*result_1_0001) = 0.0;
+    (*result_2_0001) = a + change;
+    return 0;
+}
+/*Set a member of the family; returns how much it gains too much [m/s].                              */
+/*                                                                                                   */
+/*    radius is |p| + |q|; the place along the loop is 0 for p = radius, 1 for q = radius, and so on.*/
+/*                                                                                                   */
+static double set_point(double place, double radius, array_double_1d family, array_double_1d axis)
+{
+    double part;
+    double p_sign;
+    double q_sign;
+    double a;
+    double b;
+    double t1;
+    double hold1;
+    double level1;
+    double t3;
+    double hold2;
+    double level2;
+    double t2;
+    double slope;
+    double gain;
+    double result;
+    part = place;
+    p_sign = 1.0;
+    q_sign = 1.0;
+    if (place >= 3.0)
+    {
+        part = 4.0 - place;
+        q_sign = -1.0;
+    }
+    else if (place >= 2.0)
+    {
+        part = place - 2.0;
+        p_sign = -1.0;
+        q_sign = -1.0;
+    }
+    else if (place >= 1.0)
+    {
+        part = 2.0 - place;
+        p_sign = -1.0;
+    }
+    a = (*cspan_at(&family, INT64_C(1)));
+    b = (*cspan_at(&family, INT64_C(3)));
+    level_from(&t1, &hold1, &level1, a, p_sign * radius * (1.0 - part), (*cspan_at(&family, INT64_C(6))), (*cspan_at(&family, INT64_C(7))), axis);
+    level_from(&t3, &hold2, &level2, b, q_sign * radius * part, (*cspan_at(&family, INT64_C(8))), (*cspan_at(&family, INT64_C(9))), axis);
+    segfmu_ramp_duration(&t2, &slope, fabs(level2 - level1), axis);
+    (*cspan_at(&family, INT64_C(17))) = t1;
+    (*cspan_at(&family, INT64_C(18))) = hold1;
+    (*cspan_at(&family, INT64_C(19))) = level1;
+    (*cspan_at(&family, INT64_C(20))) = hold2;
+    (*cspan_at(&family, INT64_C(21))) = level2;
+    (*cspan_at(&family, INT64_C(22))) = t3;
+    gain = 0.5 * ((a + level1) * t1 + (level1 + level2) * t2 + (level2 + b) * t3);
+    gain = gain + level1 * hold1 + level2 * hold2;
+    result = gain - ((*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))));
+    return result;
+}
+/*The radius at which the velocity is reached at a place, and that member; -1: none. */
+/*                                                                                   */
+/*    arc: LOOP for the least such radius, FOLD for the next one.                    */
+/*                                                                                   */
+static double loop_radius(int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis)
+{
+    double lower;
+    double e_lower;
+    double upper;
+    double e_upper;
+    double other;
+    double before;
+    double e_newest;
+    double e_other;
+    double e_before;
+    double scale;
+    int64_t i;
+    double share;
+    double radius;
+    double error;
+    double newest;
+    lower = 0.0;
+    e_lower = -missing;
+    upper = span_min(span_max(0.25 * missing / (*cspan_at(&axis, INT64_C(3))), 1e-06 * largest), 0.25 * largest);
+    e_upper = set_point(place, upper, family, axis);
+    while((e_upper < 0.0) || (arc == INT64_C(6)))
+    {
+        if (!(upper < largest))
+        {
+            return -1.0;
+        }
+        lower = upper;
+        e_lower = e_upper;
+        upper = span_min(2.0 * upper, largest);
+        e_upper = set_point(place, upper, family, axis);
+        if ((arc == INT64_C(6)) && (e_lower >= 0.0) && (e_upper < 0.0))
+        {
+            break;
+        }
+    }
+    newest = upper;
+    other = lower;
+    before = lower;
+    e_newest = e_upper;
+    e_other = e_lower;
+    e_before = e_lower;
+    scale = fabs((*cspan_at(&family, INT64_C(0)))) + fabs((*cspan_at(&family, INT64_C(2)))) + missing;
+    for (i = INT64_C(0); i < INT64_C(80); i += INT64_C(1))
+    {
+        if ((fabs(e_newest) <= 1e-16 * scale) || (fabs(other - newest) <= 4e-16 * newest))
+        {
+            break;
+        }
+        share = root_share(newest, other, before, e_newest, e_other, e_before);
+        radius = newest + share * (other - newest);
+        error = set_point(place, radius, family, axis);
+        next_bracket(&other, &before, &e_other, &e_before, error * e_newest < 0.0, newest, other, e_newest, e_other);
+        newest = radius;
+        e_newest = error;
+    }
+    return newest;
+}
+/*Set the member with one of p and q zero (as in `set_point`) whose second ramp is slow. */
+static bool slow_middle(double place, double radius, array_double_1d family, array_double_1d axis)
+{
+    double error;
+    double level1;
+    double level2;
+    double fastest;
+    double slope;
+    double mean;
+    double stretch;
+    error = set_point(place, radius, family, axis);
+    level1 = (*cspan_at(&family, INT64_C(19)));
+    level2 = (*cspan_at(&family, INT64_C(21)));
+    segfmu_ramp_duration(&fastest, &slope, fabs(level2 - level1), axis);
+    mean = 0.5 * (level1 + level2);
+    if ((fastest <= 0.0) || (mean == 0.0))
+    {
+        return 0;
+    }
+    stretch = 1.0 - error / (mean * fastest);
+    (*cspan_at(&family, INT64_C(23))) = stretch;
+    return stretch >= 1.0;
+}
+/*Duration of the member at a place (-1: none), and how far it goes too far [m].               */
+/*                                                                                             */
+/*    On an arc with a slow ramp, places are 0 .. 4 from the largest downward to upward change.*/
+/*                                                                                             */
+static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis)
+{
+    double part;
+    double side;
     double duration;
-    limit = (*cspan_at(&axis, INT64_C(2)));
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    most = limit * (1.0 + 1e-12);
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, (*cspan_at(&problem, INT64_C(0))), most, axis);
-    if ((lowest < -most) || (highest > most))
+    double y;
+    double error;
+    (*cspan_at(&family, INT64_C(23))) = 1.0;
+    (*cspan_at(&family, INT64_C(24))) = 0.0;
+    if ((arc == INT64_C(0)) || (arc == INT64_C(6)))
     {
-        return -1.0;
+        if (loop_radius(arc, place, missing, largest, family, axis) < 0.0)
+        {
+            (*result_0) = -1.0;
+            (*result_1) = 0.0;
+            return 0;
+        }
     }
-    if (fabs(end - (*cspan_at(&problem, INT64_C(2)))) > 1e-12 * limit)
+    else if (arc == INT64_C(5))
     {
-        return -1.0;
+        (*cspan_at(&family, INT64_C(24))) = 0.25 * place;
+        if (!slow_middle(0.0, 0.0, family, axis))
+        {
+            (*result_0) = -1.0;
+            (*result_1) = 0.0;
+            return 0;
+        }
     }
-    if (fabs(y - distance) > 1e-12 * (fabs(distance) + limit * duration))
+    else
     {
-        return -1.0;
+        if ((arc == INT64_C(3)) || (arc == INT64_C(4)))
+        {
+            (*cspan_at(&family, INT64_C(24))) = 1.0;
+        }
+        part = 0.5 * place - 1.0;
+        side = 0.0;
+        if (part < 0.0)
+        {
+            side = 2.0;
+        }
+        if ((arc == INT64_C(2)) || (arc == INT64_C(4)))
+        {
+            side = side + 1.0;
+        }
+        if (!slow_middle(side, largest * part * part, family, axis))
+        {
+            (*result_0) = -1.0;
+            (*result_1) = 0.0;
+            return 0;
+        }
+    }
+    member_distance(&duration, &y, family, axis);
+    error = y - (*cspan_at(&family, INT64_C(14)));
+    /*states on another plan have its rounding errors, and an arc can end at the distance*/
+    if (fabs(error) <= 2e-13 * (fabs(y) + (*cspan_at(&axis, INT64_C(2))) * duration))
+    {
+        error = 0.0;
+    }
+    (*result_0) = duration;
+    (*result_1) = error;
+    return 0;
+}
+/*Duration of the member between two places that covers the distance; sets it. -1: none. */
+static double loop_root(int64_t arc, double lower, double upper, double e_lower, double e_upper, double missing, double largest, array_double_1d family, array_double_1d axis)
+{
+    double place;
+    double error;
+    double newest;
+    double other;
+    double before;
+    double e_newest;
+    double e_other;
+    double e_before;
+    int64_t i;
+    double share;
+    double duration;
+    if ((e_lower == 0.0) || (e_upper == 0.0))
+    {
+        place = upper;
+        if (e_lower == 0.0)
+        {
+            place = lower;
+        }
+        loop_excess(&duration, &error, arc, place, missing, largest, family, axis);
+        return duration;
+    }
+    newest = upper;
+    other = lower;
+    before = lower;
+    e_newest = e_upper;
+    e_other = e_lower;
+    e_before = e_lower;
+    duration = -1.0;
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
+    {
+        share = root_share(newest, other, before, e_newest, e_other, e_before);
+        place = newest + share * (other - newest);
+        if ((place == newest) || (place == other))
+        {
+            break;
+        }
+        loop_excess(&duration, &error, arc, place, missing, largest, family, axis);
+        if (duration < 0.0)
+        {
+            return -1.0;
+        }
+        next_bracket(&other, &before, &e_other, &e_before, error * e_newest < 0.0, newest, other, e_newest, e_other);
+        newest = place;
+        e_newest = error;
+        if (error == 0.0)
+        {
+            break;
+        }
     }
     return duration;
+}
+/*Set the next member of an arc that is searched for, after a sample 0 .. 47 of its places.      */
+/*                                                                                               */
+/*    Returns the sample after it, or -1 if there is none, and its duration [s]. Between the last*/
+/*    place with a member and one without, members are searched by halving.                      */
+/*                                                                                               */
+static int64_t arc_root(int64_t* result_0, double* result_1, int64_t arc, int64_t sample, double missing, double largest, array_double_1d family, array_double_1d axis)
+{
+    int64_t samples;
+    double place;
+    double duration;
+    double e_place;
+    bool known;
+    int64_t i;
+    double before;
+    double e_before;
+    bool was_known;
+    double other;
+    double e_other;
+    double inside;
+    double e_inside;
+    double outside;
+    int64_t j;
+    double middle;
+    double error;
+    samples = INT64_C(48);
+    place = 4.0 * sample / samples;
+    loop_excess(&duration, &e_place, arc, place, missing, largest, family, axis);
+    known = duration >= 0.0;
+    for (i = sample + INT64_C(1); i < samples + INT64_C(1); i += INT64_C(1))
+    {
+        before = place;
+        e_before = e_place;
+        was_known = known;
+        place = 4.0 * i / samples;
+        loop_excess(&duration, &e_place, arc, place, missing, largest, family, axis);
+        known = duration >= 0.0;
+        if ((!known) && (!was_known))
+        {
+            continue;
+        }
+        /*the arc from `other`, to `inside`, perhaps on its way to a place without a member*/
+        other = before;
+        e_other = e_before;
+        inside = place;
+        e_inside = e_place;
+        if (known != was_known)
+        {
+            outside = before;
+            other = place;
+            e_other = e_place;
+            if (was_known)
+            {
+                outside = place;
+                other = before;
+                e_other = e_before;
+            }
+            inside = other;
+            e_inside = e_other;
+            for (j = INT64_C(0); j < INT64_C(12); j += INT64_C(1))
+            {
+                middle = 0.5 * (inside + outside);
+                loop_excess(&duration, &error, arc, middle, missing, largest, family, axis);
+                if (duration < 0.0)
+                {
+                    outside = middle;
+                }
+                else
+                {
+                    inside = middle;
+                    e_inside = error;
+                    if (error * e_other <= 0.0)
+                    {
+                        break;
+                    }
+                }
+            }
+        }
+        if ((other != inside) && (e_other * e_inside <= 0.0))
+        {
+            duration = loop_root(arc, other, inside, e_other, e_inside, missing, largest, family, axis);
+            if (duration >= 0.0)
+            {
+                (*result_0) = i;
+                (*result_1) = duration;
+                return 0;
+            }
+        }
+    }
+    (*result_0) = -INT64_C(1);
+    (*result_1) = -1.0;
+    return 0;
+}
+/*Replace a profile by the shortest one of all arcs, if that is shorter.                             */
+/*                                                                                                   */
+/*    count: number of its phases, 0 if there is none; longest: its duration, or the longest one that*/
+/*    is looked for [s]. Returns the new number.                                                     */
+/*                                                                                                   */
+static int64_t loop_form(int64_t count, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d family;
+    array_double_2d trial;
+    double missing;
+    double given;
+    int64_t arc;
+    int64_t sample;
+    double duration;
+    int64_t used;
+    family = span_row(&work, INT64_C(45));
+    trial = span_rows(&work, INT64_C(0), INT64_C(13));
+    missing = set_loop(problem, axis, family);
+    given = longest;
+    for (arc = INT64_C(0); arc < INT64_C(7); arc += INT64_C(1))
+    {
+        if ((arc == INT64_C(6)) && (longest < given))
+        {
+            break;
+        }
+        sample = INT64_C(0);
+        while((sample >= INT64_C(0)) && (sample < INT64_C(48)))
+        {
+            arc_root(&sample, &duration, arc, sample, missing, given, family, axis);
+            if ((sample >= INT64_C(0)) && (duration < longest))
+            {
+                used = write_member(trial, family, axis);
+                duration = valid_duration(trial, used, problem, axis);
+                /*a gain by rounding is none*/
+                if ((duration >= 0.0) && (duration < longest * (1.0 - 1e-10)))
+                {
+                    copy_phases(trial, phases, used);
+                    count = used;
+                    longest = duration;
+                }
+            }
+        }
+    }
+    return count;
+}
+/*The longest duration [s] of profiles whose acceleration keeps its sign; 0 if there are none.     */
+/*                                                                                                 */
+/*    Only those can take less time than the shortest profile of the other forms, whose duration is*/
+/*    given: any other one can be prolonged where its acceleration is zero.                        */
+/*                                                                                                 */
+static double early_window(double duration, array_double_1d problem, array_double_1d axis)
+{
+    double v;
+    double a;
+    double w;
+    double b;
+    double distance;
+    double gain;
+    double single;
+    double slope;
+    double least;
+    double fastest;
+    double slowest;
+    double most;
+    v = (*cspan_at(&problem, INT64_C(0)));
+    a = (*cspan_at(&problem, INT64_C(1)));
+    w = (*cspan_at(&problem, INT64_C(2)));
+    b = (*cspan_at(&problem, INT64_C(3)));
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    gain = w - v;
+    if (a + b < 0.0)
+    {
+        gain = -gain;
+    }
+    if ((a * b < 0.0) || (a + b == 0.0) || ((*cspan_at(&axis, INT64_C(0))) < 3.0))
+    {
+        return 0.0;
+    }
+    segfmu_ramp_duration(&single, &slope, fabs(b - a), axis);
+    if (gain < 0.5 * fabs(a + b) * single * (1.0 - 1e-12))
+    {
+        return 0.0;
+    }
+    least = span_max(single, gain / (*cspan_at(&axis, INT64_C(3))));
+    /*the mean velocity is one between v and w*/
+    fastest = span_max(v, w);
+    slowest = span_min(v, w);
+    if (distance < 0.0)
+    {
+        fastest = -span_min(v, w);
+        slowest = -span_max(v, w);
+        distance = -distance;
+    }
+    most = duration;
+    if (slowest * most > distance)
+    {
+        most = distance / slowest;
+    }
+    if ((fastest * most < distance) || (most < least))
+    {
+        return 0.0;
+    }
+    return span_min(most * (1.0 + 1e-09), duration);
 }
 /*Upper bound [s] for the duration of the paper's form with cruise.*/
 static double usual_duration(array_double_1d problem, array_double_1d axis)
@@ -8134,6 +8713,8 @@ int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, a
 {
     array_double_1d asked;
     int64_t count;
+    double longest;
+    int64_t status;
     asked = span_row(&work, INT64_C(43));
     boundary_problem(problem, axis, asked);
     if (is_done(asked))
@@ -8143,9 +8724,24 @@ int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, a
     count = shortest_between(INT64_C(0), phases, asked, axis, work);
     if (count > INT64_C(0))
     {
+        longest = early_window(total_duration(phases, count), asked, axis);
+        if (longest > 0.0)
+        {
+            count = loop_form(count, longest, phases, asked, axis, work);
+        }
         return count;
     }
-    count = shortest_braked(asked, axis, phases, work);
+    status = shortest_braked(asked, axis, phases, work);
+    longest = usual_duration(asked, axis);
+    if (status > INT64_C(0))
+    {
+        longest = total_duration(phases, status);
+    }
+    count = loop_form(span_max_int(status, INT64_C(0)), longest, phases, asked, axis, work);
+    if (count == INT64_C(0))
+    {
+        return status;
+    }
     return count;
 }
 /*Insert a duration above `after` in the sorted first column of ends; the longest drops out. */

@@ -1251,7 +1251,7 @@ static PyObject *call_shortest_profile(
         && has_at_least(&call, "phases", 0, in_phases->shape[0], 13)
         && has_at_least(&call, "phases", 1, in_phases->shape[1], 4)
         && has_at_least(&call, "work", 0, in_work->shape[0], 47)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 19)) {
+        && has_at_least(&call, "work", 1, in_work->shape[1], 25)) {
         answer = PyLong_FromLongLong(segfmu_shortest_profile(
             (array_double_1d){in_problem->buf, {in_problem->shape[0]}},
             (array_double_1d){in_axis->buf, {in_axis->shape[0]}},
@@ -1281,7 +1281,7 @@ static PyObject *call_timed_profile(
         && has_at_least(&call, "cell", 0, in_cell->shape[0], 28)
         && has_at_least(&call, "cell", 1, in_cell->shape[1], 9)
         && has_at_least(&call, "work", 0, in_work->shape[0], 47)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 19)) {
+        && has_at_least(&call, "work", 1, in_work->shape[1], 25)) {
         answer = PyFloat_FromDouble(segfmu_timed_profile(
             in_target,
             (array_double_1d){in_axis->buf, {in_axis->shape[0]}},
@@ -1378,7 +1378,7 @@ static PyObject *call_plan_phases(
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 28)
         && has_at_least(&call, "cells", 2, in_cells->shape[2], 9)
         && has_at_least(&call, "work", 0, in_work->shape[0], 47)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 19)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 25)
         && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_options->buf)[0] + 1))) {
         answer = PyLong_FromLongLong(segfmu_plan_phases(
             (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},

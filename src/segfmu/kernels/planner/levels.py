@@ -118,13 +118,15 @@ def member_distance(family: 'float[:]', axis: 'float[:]') -> 'tuple[float, float
     hold2 = family[Family.SECOND_HOLD]
     level2 = family[Family.SECOND_LEVEL]
     t3 = family[Family.LAST_TIME]
-    t2, slope = ramp_duration(abs(level2 - level1), axis)
+    basis, slope = ramp_duration(abs(level2 - level1), axis)
+    t2 = basis * family[Family.STRETCH]
+    basis = basis + family[Family.FLATNESS] * (t2 - basis)
     y = ramp_distance(v, a, level1, t1, t1, axis)
     v = v + 0.5 * (a + level1) * t1
     if hold1 > 0.0:
         y = y + (v + 0.5 * level1 * hold1) * hold1
         v = v + level1 * hold1
-    y = y + ramp_distance(v, level1, level2, t2, t2, axis)
+    y = y + ramp_distance(v, level1, level2, t2, basis, axis)
     v = v + 0.5 * (level1 + level2) * t2
     if hold2 > 0.0:
         y = y + (v + 0.5 * level2 * hold2) * hold2

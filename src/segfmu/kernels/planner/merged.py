@@ -59,6 +59,7 @@ def set_family(
     family[Family.TARGET] = distance
     family[Family.MEMBER] = -1.0
     family[Family.SCALE] = last_ramp
+    family[Family.STRETCH] = 1.0
 
 
 def set_member(member: int, time: float, by_time: bool, family: 'float[:]') -> None:
@@ -90,13 +91,24 @@ def merged_form(
     duration, y = canonical_member(p, family, axis)
     if duration < 0.0:
         return -1
+    return write_member(phases, family, axis)
+
+
+def write_member(phases: 'float[:,:]', family: 'float[:]', axis: 'float[:]') -> int:
+    """Write the member of a family as phases, on its own branch; their number."""
     a = family[Family.A]
     b = family[Family.B]
     level1 = family[Family.FIRST_LEVEL]
     level2 = family[Family.SECOND_LEVEL]
     count = append_ramp(phases, 0, a, level1, family[Family.FIRST_TIME], axis)
     count = append_hold(phases, count, level1, family[Family.FIRST_HOLD])
+    before = count
     count = append_change(phases, count, level1, level2, axis)
+    if count > before and family[Family.STRETCH] > 1.0:
+        basis = phases[before, Phase.BASIS]
+        duration = basis * family[Family.STRETCH]
+        phases[before, Phase.DURATION] = duration
+        phases[before, Phase.BASIS] = basis + family[Family.FLATNESS] * (duration - basis)
     count = append_hold(phases, count, level2, family[Family.SECOND_HOLD])
     count = append_ramp(phases, count, level2, b, family[Family.LAST_TIME], axis)
     if family[Family.REVERSE] > 0.5:

@@ -156,3 +156,30 @@ def measure_phases(
         highest = max(highest, v)
         total = total + duration
     return total, y, v, lowest, highest
+
+
+def total_duration(phases: 'float[:,:]', count: int) -> float:
+    """Sum of the durations of phases [s]."""
+    total = 0.0
+    for i in range(count):
+        total = total + phases[i, Phase.DURATION]
+    return total
+
+
+def valid_duration(
+    phases: 'float[:,:]', count: int, problem: 'float[:]', axis: 'float[:]'
+) -> float:
+    """Duration [s] of phases that join the boundary states within the velocity limit, else -1."""
+    limit = axis[Axis.VELOCITY]
+    distance = problem[Problem.DISTANCE]
+    most = limit * (1.0 + 1e-12)
+    duration, y, end, lowest, highest = measure_phases(
+        phases, count, problem[Problem.V], most, axis
+    )
+    if lowest < -most or highest > most:
+        return -1.0
+    if abs(end - problem[Problem.W]) > 1e-12 * limit:
+        return -1.0
+    if abs(y - distance) > 1e-12 * (abs(distance) + limit * duration):
+        return -1.0
+    return duration

@@ -15,33 +15,16 @@ its distance is continuous in the cruise velocity and unbounded at the two limit
 
 from segfmu.kernels.planner.braking import braked, surround
 from segfmu.kernels.planner.cruise import direct_form, slower_cruise, with_cruise
+from segfmu.kernels.planner.loop import early_window, loop_form
 from segfmu.kernels.planner.merged import merged_form, set_family, tempered_form
 from segfmu.kernels.planner.phases import (
     append_change,
     boundary_problem,
     copy_phases,
-    measure_phases,
+    total_duration,
+    valid_duration,
 )
 from segfmu.kernels.planner.records import Axis, Braking, Phase, PlanStatus, PlanWork, Problem
-
-
-def valid_duration(
-    phases: 'float[:,:]', count: int, problem: 'float[:]', axis: 'float[:]'
-) -> float:
-    """Duration [s] of phases that join the boundary states within the velocity limit, else -1."""
-    limit = axis[Axis.VELOCITY]
-    distance = problem[Problem.DISTANCE]
-    most = limit * (1.0 + 1e-12)
-    duration, y, end, lowest, highest = measure_phases(
-        phases, count, problem[Problem.V], most, axis
-    )
-    if lowest < -most or highest > most:
-        return -1.0
-    if abs(end - problem[Problem.W]) > 1e-12 * limit:
-        return -1.0
-    if abs(y - distance) > 1e-12 * (abs(distance) + limit * duration):
-        return -1.0
-    return duration
 
 
 def usual_duration(problem: 'float[:]', axis: 'float[:]') -> float:
@@ -134,8 +117,18 @@ def shortest_profile(
         return 0
     count = shortest_between(0, phases, asked, axis, work)
     if count > 0:
+        longest = early_window(total_duration(phases, count), asked, axis)
+        if longest > 0.0:
+            count = loop_form(count, longest, phases, asked, axis, work)
         return count
-    return shortest_braked(asked, axis, phases, work)
+    status = shortest_braked(asked, axis, phases, work)
+    longest = usual_duration(asked, axis)
+    if status > 0:
+        longest = total_duration(phases, status)
+    count = loop_form(max(status, 0), longest, phases, asked, axis, work)
+    if count == 0:
+        return status
+    return count
 
 
 def shortest_braked(

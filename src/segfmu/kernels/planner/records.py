@@ -146,6 +146,23 @@ class Phase(Record):
     CHANGE = field("change of the acceleration", "m/s2")
 
 
+class LoopArc(Codes):
+    """Arcs of profiles of two levels (loop.py).
+
+    LOOP: around the single ramp. FIRST, LAST: a stretched ramp after the first, before the last
+    one. FLAT_FIRST, FLAT_LAST: with the proportions of the fastest ramp of that duration instead.
+    SINGLE: one ramp, with proportions between. FOLD: where the loop folds back outwards.
+    """
+
+    LOOP = 0
+    FIRST = 1
+    LAST = 2
+    FLAT_FIRST = 3
+    FLAT_LAST = 4
+    SINGLE = 5
+    FOLD = 6
+
+
 class Family(Record):
     """Canonical family of merged profiles (levels.py), what is searched for, and one member."""
 
@@ -155,6 +172,10 @@ class Family(Record):
     B = field("canonical acceleration at the end", "m/s2")
     HIGHEST = field("bound of the first level", "m/s2")
     LAST_RAMP = field("duration of the last ramp from the negative acceleration limit", "s")
+    FIRST_UP = field("duration of the ramp from A to the acceleration limit", "s")
+    FIRST_DOWN = field("duration of the ramp from A to the negative acceleration limit", "s")
+    LAST_UP = field("duration of the ramp from the acceleration limit to B", "s")
+    LAST_DOWN = field("duration of the ramp from the negative acceleration limit to B", "s")
     START_VELOCITY = field("velocity at the start of the phases, on their own branch", "m/s")
     REVERSE = field("1 where time is reversed, else 0")
     MIRROR = field("1 where the position is mirrored, else 0")
@@ -168,6 +189,8 @@ class Family(Record):
     SECOND_HOLD = field("member: hold at the second level", "s")
     SECOND_LEVEL = field("member: second acceleration level", "m/s2")
     LAST_TIME = field("member: duration of the last ramp", "s")
+    STRETCH = field("member: duration of the second ramp over that of the fastest one")
+    FLATNESS = field("member: 0: it is the fastest one, stretched; 1: the one that lasts as long")
 
 
 class Interval(Record):

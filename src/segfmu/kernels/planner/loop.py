@@ -1,0 +1,360 @@
+"""Profiles of two levels next to a single ramp: between, above or below the end accelerations.
+
+A short motion between moving states may only have time for a few small changes of its acceleration.
+Its profile is ramp, level, ramp, level, ramp, with the levels anywhere: a staircase, a dip or a
+pulse. Let p and q be the durations of the first and the last ramp, with the signs of their changes;
+where a level reaches the acceleration limit, the rest of p or q is its hold. At p = q = 0 only the
+ramp between the end accelerations is left. If it gains too little velocity, the gain is reached
+along rays from there, as a longer motion gains more. Those points form a loop around p = q = 0, or
+arcs of one. In its middle, the ramp between the levels is slower: its duration is what the gain
+needs, with p = 0 or q = 0. Along all these arcs the distance is searched for.
+"""
+
+from segfmu.kernels.numerics.roots import next_bracket, root_share
+from segfmu.kernels.planner.levels import member_distance
+from segfmu.kernels.planner.merged import write_member
+from segfmu.kernels.planner.phases import copy_phases, valid_duration
+from segfmu.kernels.planner.ramp import ramp_change, ramp_duration
+from segfmu.kernels.planner.records import Axis, Family, LoopArc, PlanWork, Problem
+
+
+def set_loop(problem: 'float[:]', axis: 'float[:]', family: 'float[:]') -> float:
+    """Set the family of a problem; returns the velocity that the single ramp misses [m/s].
+
+    The problem is mirrored if the single ramp gains too much.
+    """
+    top = axis[Axis.ACCELERATION]
+    v = problem[Problem.V]
+    a = problem[Problem.A]
+    w = problem[Problem.W]
+    b = problem[Problem.B]
+    single, slope = ramp_duration(abs(b - a), axis)
+    missing = w - v - 0.5 * (a + b) * single
+    sign = 1.0
+    if missing < 0.0:
+        sign = -1.0
+    family[Family.V] = sign * v
+    family[Family.A] = sign * a
+    family[Family.W] = sign * w
+    family[Family.B] = sign * b
+    family[Family.TARGET] = sign * problem[Problem.DISTANCE]
+    family[Family.START_VELOCITY] = v
+    family[Family.REVERSE] = 0.0
+    family[Family.MIRROR] = 0.5 - 0.5 * sign
+    family[Family.FIRST_UP], slope = ramp_duration(top - sign * a, axis)
+    family[Family.FIRST_DOWN], slope = ramp_duration(top + sign * a, axis)
+    family[Family.LAST_UP], slope = ramp_duration(top - sign * b, axis)
+    family[Family.LAST_DOWN], slope = ramp_duration(top + sign * b, axis)
+    return sign * missing
+
+
+def level_from(
+    a: float, time: float, up: float, down: float, axis: 'float[:]'
+) -> 'tuple[float, float, float]':
+    """The ramp from a that takes `time`, downwards if negative: its duration, hold, and level.
+
+    up and down are the durations of the ramps to the limits.
+    """
+    if time >= up:
+        return up, time - up, axis[Axis.ACCELERATION]
+    if -time >= down:
+        return down, -time - down, -axis[Axis.ACCELERATION]
+    change, slope = ramp_change(abs(time), axis)
+    if time < 0.0:
+        return -time, 0.0, a - change
+    return time, 0.0, a + change
+
+
+def set_point(place: float, radius: float, family: 'float[:]', axis: 'float[:]') -> float:
+    """Set a member of the family; returns how much it gains too much [m/s].
+
+    radius is |p| + |q|; the place along the loop is 0 for p = radius, 1 for q = radius, and so on.
+    """
+    part = place
+    p_sign = 1.0
+    q_sign = 1.0
+    if place >= 3.0:
+        part = 4.0 - place
+        q_sign = -1.0
+    elif place >= 2.0:
+        part = place - 2.0
+        p_sign = -1.0
+        q_sign = -1.0
+    elif place >= 1.0:
+        part = 2.0 - place
+        p_sign = -1.0
+    a = family[Family.A]
+    b = family[Family.B]
+    t1, hold1, level1 = level_from(
+        a, p_sign * radius * (1.0 - part), family[Family.FIRST_UP], family[Family.FIRST_DOWN], axis
+    )
+    t3, hold2, level2 = level_from(
+        b, q_sign * radius * part, family[Family.LAST_UP], family[Family.LAST_DOWN], axis
+    )
+    t2, slope = ramp_duration(abs(level2 - level1), axis)
+    family[Family.FIRST_TIME] = t1
+    family[Family.FIRST_HOLD] = hold1
+    family[Family.FIRST_LEVEL] = level1
+    family[Family.SECOND_HOLD] = hold2
+    family[Family.SECOND_LEVEL] = level2
+    family[Family.LAST_TIME] = t3
+    gain = 0.5 * ((a + level1) * t1 + (level1 + level2) * t2 + (level2 + b) * t3)
+    gain = gain + level1 * hold1 + level2 * hold2
+    return gain - (family[Family.W] - family[Family.V])
+
+
+def loop_radius(
+    arc: int, place: float, missing: float, largest: float, family: 'float[:]', axis: 'float[:]'
+) -> float:
+    """The radius at which the velocity is reached at a place, and that member; -1: none.
+
+    arc: LOOP for the least such radius, FOLD for the next one.
+    """
+    lower = 0.0
+    e_lower = -missing
+    upper = min(max(0.25 * missing / axis[Axis.ACCELERATION], 1e-6 * largest), 0.25 * largest)
+    e_upper = set_point(place, upper, family, axis)
+    while e_upper < 0.0 or arc == LoopArc.FOLD:
+        if not upper < largest:
+            return -1.0
+        lower = upper
+        e_lower = e_upper
+        upper = min(2.0 * upper, largest)
+        e_upper = set_point(place, upper, family, axis)
+        if arc == LoopArc.FOLD and e_lower >= 0.0 and e_upper < 0.0:
+            break
+    newest = upper
+    other = lower
+    before = lower
+    e_newest = e_upper
+    e_other = e_lower
+    e_before = e_lower
+    scale = abs(family[Family.V]) + abs(family[Family.W]) + missing
+    for i in range(80):
+        if abs(e_newest) <= 1e-16 * scale or abs(other - newest) <= 4e-16 * newest:
+            break
+        share = root_share(newest, other, before, e_newest, e_other, e_before)
+        radius = newest + share * (other - newest)
+        error = set_point(place, radius, family, axis)
+        other, before, e_other, e_before = next_bracket(
+            error * e_newest < 0.0, newest, other, e_newest, e_other
+        )
+        newest = radius
+        e_newest = error
+    return newest
+
+
+def slow_middle(place: float, radius: float, family: 'float[:]', axis: 'float[:]') -> bool:
+    """Set the member with one of p and q zero (as in `set_point`) whose second ramp is slow."""
+    error = set_point(place, radius, family, axis)
+    level1 = family[Family.FIRST_LEVEL]
+    level2 = family[Family.SECOND_LEVEL]
+    fastest, slope = ramp_duration(abs(level2 - level1), axis)
+    mean = 0.5 * (level1 + level2)
+    if fastest <= 0.0 or mean == 0.0:
+        return False
+    stretch = 1.0 - error / (mean * fastest)
+    family[Family.STRETCH] = stretch
+    return stretch >= 1.0
+
+
+def loop_excess(
+    arc: int, place: float, missing: float, largest: float, family: 'float[:]', axis: 'float[:]'
+) -> 'tuple[float, float]':
+    """Duration of the member at a place (-1: none), and how far it goes too far [m].
+
+    On an arc with a slow ramp, places are 0 .. 4 from the largest downward to upward change.
+    """
+    family[Family.STRETCH] = 1.0
+    family[Family.FLATNESS] = 0.0
+    if arc == LoopArc.LOOP or arc == LoopArc.FOLD:
+        if loop_radius(arc, place, missing, largest, family, axis) < 0.0:
+            return -1.0, 0.0
+    elif arc == LoopArc.SINGLE:
+        family[Family.FLATNESS] = 0.25 * place
+        if not slow_middle(0.0, 0.0, family, axis):
+            return -1.0, 0.0
+    else:
+        if arc == LoopArc.FLAT_FIRST or arc == LoopArc.FLAT_LAST:
+            family[Family.FLATNESS] = 1.0
+        part = 0.5 * place - 1.0
+        side = 0.0
+        if part < 0.0:
+            side = 2.0
+        if arc == LoopArc.LAST or arc == LoopArc.FLAT_LAST:
+            side = side + 1.0
+        if not slow_middle(side, largest * part * part, family, axis):
+            return -1.0, 0.0
+    duration, y = member_distance(family, axis)
+    error = y - family[Family.TARGET]
+    # states on another plan have its rounding errors, and an arc can end at the distance
+    if abs(error) <= 2e-13 * (abs(y) + axis[Axis.VELOCITY] * duration):
+        error = 0.0
+    return duration, error
+
+
+def loop_root(
+    arc: int,
+    lower: float,
+    upper: float,
+    e_lower: float,
+    e_upper: float,
+    missing: float,
+    largest: float,
+    family: 'float[:]',
+    axis: 'float[:]',
+) -> float:
+    """Duration of the member between two places that covers the distance; sets it. -1: none."""
+    if e_lower == 0.0 or e_upper == 0.0:
+        place = upper
+        if e_lower == 0.0:
+            place = lower
+        duration, error = loop_excess(arc, place, missing, largest, family, axis)
+        return duration
+    newest = upper
+    other = lower
+    before = lower
+    e_newest = e_upper
+    e_other = e_lower
+    e_before = e_lower
+    duration = -1.0
+    for i in range(100):
+        share = root_share(newest, other, before, e_newest, e_other, e_before)
+        place = newest + share * (other - newest)
+        if place == newest or place == other:
+            break
+        duration, error = loop_excess(arc, place, missing, largest, family, axis)
+        if duration < 0.0:
+            return -1.0
+        other, before, e_other, e_before = next_bracket(
+            error * e_newest < 0.0, newest, other, e_newest, e_other
+        )
+        newest = place
+        e_newest = error
+        if error == 0.0:
+            break
+    return duration
+
+
+def arc_root(
+    arc: int, sample: int, missing: float, largest: float, family: 'float[:]', axis: 'float[:]'
+) -> 'tuple[int, float]':
+    """Set the next member of an arc that is searched for, after a sample 0 .. 47 of its places.
+
+    Returns the sample after it, or -1 if there is none, and its duration [s]. Between the last
+    place with a member and one without, members are searched by halving.
+    """
+    samples = 48
+    place = 4.0 * sample / samples
+    duration, e_place = loop_excess(arc, place, missing, largest, family, axis)
+    known = duration >= 0.0
+    for i in range(sample + 1, samples + 1):
+        before = place
+        e_before = e_place
+        was_known = known
+        place = 4.0 * i / samples
+        duration, e_place = loop_excess(arc, place, missing, largest, family, axis)
+        known = duration >= 0.0
+        if not known and not was_known:
+            continue
+        # the arc from `other`, to `inside`, perhaps on its way to a place without a member
+        other = before
+        e_other = e_before
+        inside = place
+        e_inside = e_place
+        if known != was_known:
+            outside = before
+            other = place
+            e_other = e_place
+            if was_known:
+                outside = place
+                other = before
+                e_other = e_before
+            inside = other
+            e_inside = e_other
+            for j in range(12):
+                middle = 0.5 * (inside + outside)
+                duration, error = loop_excess(arc, middle, missing, largest, family, axis)
+                if duration < 0.0:
+                    outside = middle
+                else:
+                    inside = middle
+                    e_inside = error
+                    if error * e_other <= 0.0:
+                        break
+        if other != inside and e_other * e_inside <= 0.0:
+            duration = loop_root(
+                arc, other, inside, e_other, e_inside, missing, largest, family, axis
+            )
+            if duration >= 0.0:
+                return i, duration
+    return -1, -1.0
+
+
+def loop_form(
+    count: int,
+    longest: float,
+    phases: 'float[:,:]',
+    problem: 'float[:]',
+    axis: 'float[:]',
+    work: 'float[:,:]',
+) -> int:
+    """Replace a profile by the shortest one of all arcs, if that is shorter.
+
+    count: number of its phases, 0 if there is none; longest: its duration, or the longest one that
+    is looked for [s]. Returns the new number.
+    """
+    family = work[PlanWork.FAMILY, :]
+    trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
+    missing = set_loop(problem, axis, family)
+    given = longest
+    for arc in range(7):
+        if arc == LoopArc.FOLD and longest < given:
+            break
+        sample = 0
+        while sample >= 0 and sample < 48:
+            sample, duration = arc_root(arc, sample, missing, given, family, axis)
+            if sample >= 0 and duration < longest:
+                used = write_member(trial, family, axis)
+                duration = valid_duration(trial, used, problem, axis)
+                # a gain by rounding is none
+                if duration >= 0.0 and duration < longest * (1.0 - 1e-10):
+                    copy_phases(trial, phases, used)
+                    count = used
+                    longest = duration
+    return count
+
+
+def early_window(duration: float, problem: 'float[:]', axis: 'float[:]') -> float:
+    """The longest duration [s] of profiles whose acceleration keeps its sign; 0 if there are none.
+
+    Only those can take less time than the shortest profile of the other forms, whose duration is
+    given: any other one can be prolonged where its acceleration is zero.
+    """
+    v = problem[Problem.V]
+    a = problem[Problem.A]
+    w = problem[Problem.W]
+    b = problem[Problem.B]
+    distance = problem[Problem.DISTANCE]
+    gain = w - v
+    if a + b < 0.0:
+        gain = -gain
+    if a * b < 0.0 or a + b == 0.0 or axis[Axis.SMOOTHNESS] < 3.0:
+        return 0.0
+    single, slope = ramp_duration(abs(b - a), axis)
+    if gain < 0.5 * abs(a + b) * single * (1.0 - 1e-12):
+        return 0.0
+    least = max(single, gain / axis[Axis.ACCELERATION])
+    # the mean velocity is one between v and w
+    fastest = max(v, w)
+    slowest = min(v, w)
+    if distance < 0.0:
+        fastest = -min(v, w)
+        slowest = -max(v, w)
+        distance = -distance
+    most = duration
+    if slowest * most > distance:
+        most = distance / slowest
+    if fastest * most < distance or most < least:
+        return 0.0
+    return min(most * (1.0 + 1e-9), duration)
