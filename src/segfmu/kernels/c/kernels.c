@@ -6482,6 +6482,7 @@ static double valid_duration(array_double_2d phases, int64_t count, array_double
     double end;
     double lowest;
     double highest;
+    double fastest;
     double duration;
     limit = (*cspan_at(&axis, INT64_C(2)));
     distance = (*cspan_at(&problem, INT64_C(4)));
@@ -6491,11 +6492,13 @@ static double valid_duration(array_double_2d phases, int64_t count, array_double
     {
         return -1.0;
     }
-    if (fabs(end - (*cspan_at(&problem, INT64_C(2)))) > 1e-12 * limit)
+    /*relative to the motion, which can be tiny*/
+    fastest = span_max(-lowest, highest);
+    if (fabs(end - (*cspan_at(&problem, INT64_C(2)))) > 1e-12 * fastest)
     {
         return -1.0;
     }
-    if (fabs(y - distance) > 1e-12 * (fabs(distance) + limit * duration))
+    if (fabs(y - distance) > 1e-12 * (fabs(distance) + fastest * duration))
     {
         return -1.0;
     }
@@ -8542,7 +8545,9 @@ static int64_t fastest_between(array_double_2d phases, array_double_1d problem, 
     double w;
     double b;
     double velocity_limit;
+    double duration;
     double end;
+    double scale;
     int64_t side;
     double cruise;
     int64_t count;
@@ -8555,8 +8560,11 @@ static int64_t fastest_between(array_double_2d phases, array_double_1d problem, 
     count = append_change(phases, INT64_C(0), a, b, axis);
     if (count > INT64_C(0))
     {
-        end = v + 0.5 * (a + b) * (*cspan_at(&phases, INT64_C(0), INT64_C(0)));
-        if (fabs(end - w) <= 1e-13 * velocity_limit)
+        duration = (*cspan_at(&phases, INT64_C(0), INT64_C(0)));
+        end = v + 0.5 * (a + b) * duration;
+        /*relative to the motion, which can be tiny*/
+        scale = fabs(v) + fabs(w) + (fabs(a) + fabs(b)) * duration;
+        if (fabs(end - w) <= 1e-13 * span_min(velocity_limit, scale))
         {
             if (valid_duration(phases, count, problem, axis) >= 0.0)
             {

@@ -178,8 +178,10 @@ def valid_duration(
     )
     if lowest < -most or highest > most:
         return -1.0
-    if abs(end - problem[Problem.W]) > 1e-12 * limit:
+    # relative to the motion, which can be tiny
+    fastest = max(-lowest, highest)
+    if abs(end - problem[Problem.W]) > 1e-12 * fastest:
         return -1.0
-    if abs(y - distance) > 1e-12 * (abs(distance) + limit * duration):
+    if abs(y - distance) > 1e-12 * (abs(distance) + fastest * duration):
         return -1.0
     return duration

@@ -44,8 +44,11 @@ def fastest_between(phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]')
     # nothing is faster than one ramp (phase I.1 alone), if it joins the boundary states
     count = append_change(phases, 0, a, b, axis)
     if count > 0:
-        end = v + 0.5 * (a + b) * phases[0, Phase.DURATION]
-        if abs(end - w) <= 1e-13 * velocity_limit:
+        duration = phases[0, Phase.DURATION]
+        end = v + 0.5 * (a + b) * duration
+        # relative to the motion, which can be tiny
+        scale = abs(v) + abs(w) + (abs(a) + abs(b)) * duration
+        if abs(end - w) <= 1e-13 * min(velocity_limit, scale):
             if valid_duration(phases, count, problem, axis) >= 0.0:
                 return count
     for side in range(2):
