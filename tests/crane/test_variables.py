@@ -45,7 +45,7 @@ def test_every_field_returns(mapping, own) -> None:
 
 @pytest.mark.parametrize("gust", [None, Gust(1.0, 2.0, (0.1, 0.2, 0.3))])
 def test_wind_with_and_without_a_gust(gust: Gust | None) -> None:
-    assert {*WIND, "gust"} == {f.name for f in fields(Wind) if f.init}
+    assert {*WIND, "gust", "turbulence"} == {f.name for f in fields(Wind) if f.init}
     own = Wind((0.1, 0.2, 0.3), gust, (0.4, 0.5, 0.6), 2.0, 9)
     assert Wind.of(own.values().__getitem__) == own
 

@@ -221,6 +221,9 @@ def crane_calls() -> dict[str, Call]:
         "crane_energy_partials": (state, masses, zeros(Energies.SIZE, State.SIZE)),
         "seed_numbers": (7, zeros(2)),
         "next_uniform": (np.array([12.0, 34.0]),),
+        "turbulence_components": (
+            8.0, 1200.0, 1.0, axes, np.array([12.0, 34.0]), zeros(4, Sinusoid.SIZE),
+        ),
         "noise_components": (
             2.0, axes, np.array([12.0, 34.0]), zeros(4, Sinusoid.SIZE),
         ),
@@ -315,6 +318,8 @@ def rig_calls() -> dict[str, Call]:
         "check_range": (3.0, 1.0, 2.0, zeros(RangeFault.SIZE)),
         "check_lags": (settings[Settings.PLANT].copy(), fault.copy()),
         "check_friction": (np.array([2.0, 0.0, 0.0]), np.ones(3), fault.copy()),
+        "wind_speed": (np.array([3.0, 4.0, 0.0]),),
+        "check_turbulence": (zeros(3), np.array([0.0, 1.0, 0.0]), fault.copy()),
         "check_delays": (settings[Settings.PLANT].copy(), 0.01, 0, fault.copy()),
         "check_sensors": (settings[Settings.SENSORS].copy(), fault.copy()),
         "check_rope_bounds": (1.0, 2.0, 1.5, fault.copy()),

@@ -58,6 +58,8 @@ power_max = 400e3
 bridge = [-10.0, 300.0]
 trolley = [-5.0, 55.0]
 rope = [13.0, 33.0]
+stiffness = [1e6, 5e5, 2e5]
+damping = [1e4, 2e4, 3e4]
 [friction]
 width = 0.002
 presliding = 2e-5
@@ -76,6 +78,7 @@ sway_x = { resolution = 0.088, noise = 0.01, zero = 0.5 }
 sway_y = { resolution = 0.176, noise = 0.02, zero = -0.5 }
 [load]
 mass_range = [10e3, 65e3]
+drag_area = 40.0
 changes = [{ time = 3.0, mass = 20e3 }, { time = 5.0, mass = 30e3 }]
 [controller]
 enabled = false
@@ -99,7 +102,10 @@ wake = 4.0
 offset = 0.02
 [wind]
 constant = [9e3, 8e3, 7e3]
-gust = { start = 4.0, duration = 6.0, shape = "sine", force = [5e3, 4e3, 3e3] }
+gust = { start = 4.0, duration = 6.0, shape = "sine", force = [5e3, 4e3, 3e3], speed = [9, 8, 7] }
+speed = [6.0, 5.0, 1.0]
+air_density = 1.3
+turbulence = { deviation = [1.0, 1.1, 1.2], length = 900.0, bandwidth = 0.7, seed = 5 }
 noise = { deviation = [1e3, 2e3, 3e3], bandwidth = 0.5, seed = 9 }
 """
 

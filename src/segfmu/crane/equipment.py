@@ -117,24 +117,33 @@ class Friction:
 class TravelLimits:
     """End stops [m]: least and greatest position of bridge and trolley, and length of the rope.
 
-    Reaching one ends the simulation with an error.
+    Reaching one ends the simulation with an error, if it has no buffer.
 
     Parameters
     ----------
     bridge, trolley, rope : tuple of 2 float, optional
         None for no end stop.
+    stiffness, damping : tuple of 3 float
+        Of the buffers of bridge, trolley and rope [N/m], [N s/m]: a spring and a damper side by
+        side that never pull. Stiffness 0 is no buffer.
 
     Raises
     ------
     InputError
-        For an empty range.
+        For an empty range and negative values.
     """
 
     bridge: tuple[float, float] | None = None
     trolley: tuple[float, float] | None = None
     rope: tuple[float, float] | None = None
+    stiffness: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    damping: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
     def __post_init__(self) -> None:
+        for name in ("stiffness", "damping"):
+            values = sized(f"travel {name}", getattr(self, name), 3)
+            for axis, value in zip(AXES, values, strict=True):
+                require_not_negative(f"travel {name} of the {axis}", value)
         limits = np.array([
             (-UNLIMITED, UNLIMITED) if limit is None else sized(f"travel {name}", limit, 2)
             for name, limit in zip(AXES, (self.bridge, self.trolley, self.rope), strict=True)
@@ -168,4 +177,7 @@ FRICTION = {
     "drag": fed(Plant, "DRAG"), "static": fed(Plant, "STATIC"),
     "presliding": fed(Plant, "PRESLIDING"),
 }
-TRAVEL = {name: _stops(i) for i, name in enumerate(AXES)}
+TRAVEL = {
+    **{name: _stops(i) for i, name in enumerate(AXES)},
+    "stiffness": fed(Plant, "STIFFNESS"), "damping": fed(Plant, "DAMPING"),
+}

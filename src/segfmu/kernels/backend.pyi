@@ -223,6 +223,15 @@ def drive_demands(
     /,
 ) -> None: ...
 
+def plant_failure(
+    status: int,
+    time: float,
+    state: Floats,
+    plant: Floats,
+    fault: Floats,
+    /,
+) -> int: ...
+
 def seed_numbers(
     seed: int,
     numbers: Floats,
@@ -242,14 +251,15 @@ def noise_components(
     /,
 ) -> None: ...
 
-def plant_failure(
-    status: int,
-    time: float,
-    state: Floats,
-    plant: Floats,
-    fault: Floats,
+def turbulence_components(
+    speed: float,
+    length: float,
+    bandwidth: float,
+    deviation: Floats,
+    numbers: Floats,
+    components: Floats,
     /,
-) -> int: ...
+) -> None: ...
 
 def plant_advance(
     plant: Floats,
@@ -510,6 +520,18 @@ def check_lags(
 def check_friction(
     static: Floats,
     coulomb: Floats,
+    fault: Floats,
+    /,
+) -> int: ...
+
+def wind_speed(
+    speed: Floats,
+    /,
+) -> float: ...
+
+def check_turbulence(
+    speed: Floats,
+    deviation: Floats,
     fault: Floats,
     /,
 ) -> int: ...

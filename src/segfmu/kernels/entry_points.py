@@ -303,6 +303,11 @@ ENTRY_POINTS = (
     entry(
         "rig.setup", "check_friction", static=Axes.SIZE, coulomb=Axes.SIZE, fault=SetupFault.SIZE
     ),
+    entry("rig.setup", "wind_speed", speed=Vector.SIZE),
+    entry(
+        "rig.setup", "check_turbulence", speed=Vector.SIZE, deviation=Vector.SIZE,
+        fault=SetupFault.SIZE,
+    ),
     entry("rig.setup", "check_delays", plant=Plant.SIZE, fault=SetupFault.SIZE),
     entry("rig.setup", "check_sensors", sensors=Sensors.SIZE, fault=SetupFault.SIZE),
     entry("rig.setup", "check_rope_bounds", fault=SetupFault.SIZE),
@@ -322,6 +327,10 @@ ENTRY_POINTS = (
     entry("rig.start", "is_elsewhere", before=State.SIZE, reference=State.SIZE),
     entry("numerics.noise", "seed_numbers", numbers=RandomState.SIZE),
     entry("numerics.noise", "next_uniform", numbers=RandomState.SIZE),
+    entry(
+        "numerics.noise", "turbulence_components", deviation=Vector.SIZE,
+        numbers=RandomState.SIZE, components=("sines", Sinusoid.SIZE),
+    ),
     entry(
         "numerics.noise", "noise_components", deviation=Vector.SIZE, numbers=RandomState.SIZE,
         components=("sines", Sinusoid.SIZE),

@@ -195,6 +195,8 @@ SETUP = Messages(
         "sensor.sample_time",
         SetupStatus.LOW_STATIC: "friction.{DRIVE}.static {VALUE:g} N must be 0 or at least "
         "friction.{DRIVE}.coulomb {BOUND:g} N",
+        SetupStatus.NO_WIND: "wind.turbulence.deviation {VALUE:g} m/s needs a mean speed for its "
+        "spectrum: set wind.speed",
         SetupStatus.LONG_DELAY: "drive.{DRIVE}.dead_time {VALUE:g} s is longer than "
         f"{Delay.MOST_TICKS} periods of {{BOUND:g}} s; lower it or raise feedback.sample_time",
         SetupStatus.LATE_EXCHANGE: "in model exchange drive.{DRIVE}.dead_time must be 0 s, got "

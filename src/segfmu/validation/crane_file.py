@@ -33,6 +33,7 @@ from segfmu.validation.keys import (
 )
 
 Seed = Annotated[int, Field(ge=0, le=LARGEST_SEED, strict=True)]
+STOPPED = ("bridge", "trolley", "rope")
 IDEAL = "the drive is ideal"
 NO_BOUND = "no bound is known"
 
@@ -82,6 +83,16 @@ class TravelTable(Table):
         Pair | None,
         Key("of the rope's length", "m", ("travel.rope.min", "travel.rope.max"), "no end stops",
             parts=RANGE),
+    ] = None
+    stiffness: Annotated[
+        NotNegativeTriple | None,
+        Key("stiffness of the buffers; 0: reaching the end stop is an error", "N/m",
+            tuple(f"travel.{a}.stiffness" for a in STOPPED), "no buffers", parts=STOPPED),
+    ] = None
+    damping: Annotated[
+        NotNegativeTriple | None,
+        Key("damping of the buffers", "N s/m", tuple(f"travel.{a}.damping" for a in STOPPED),
+            "none", parts=STOPPED),
     ] = None
 
 
@@ -206,6 +217,11 @@ class LoadTable(Table):
         PositivePair | None,
         Key("least and greatest mass of the load; `payload_mass` has to be within", "kg", (),
             "any", parts=RANGE),
+    ] = None
+    drag_area: Annotated[
+        NotNegative | None,
+        Key("drag coefficient times area, on which the air's speed acts", "m2",
+            ("load.drag_area",), "none"),
     ] = None
     changes: Annotated[
         list[LoadChange],
@@ -334,10 +350,15 @@ class GustTable(Table):
         Key("1 - cosine, or half a sine", "", ("wind.gust.shape",)),
     ] = "cosine"
     force: Annotated[
-        Triple,
-        Key("peak", "N", tuple(f"wind.gust.force.{a}" for a in AXES),
+        Triple | None,
+        Key("peak of the force", "N", tuple(f"wind.gust.force.{a}" for a in AXES), "none",
             parts=AXES),
-    ]
+    ] = None
+    speed: Annotated[
+        Triple | None,
+        Key("peak of the air's speed", "m/s", tuple(f"wind.gust.speed.{a}" for a in AXES), "none",
+            parts=AXES),
+    ] = None
 
 
 class WindNoiseTable(Table):
@@ -354,8 +375,26 @@ class WindNoiseTable(Table):
     seed: Annotated[Seed, Key("of the noise", "", ("wind.noise.seed",))] = 0
 
 
+class TurbulenceTable(Table):
+    """Turbulence of the air, with Davenport's spectrum; it needs a mean speed."""
+
+    deviation: Annotated[
+        NotNegativeTriple,
+        Key("standard deviations", "m/s", tuple(f"wind.turbulence.deviation.{a}" for a in AXES),
+            parts=AXES),
+    ]
+    length: Annotated[
+        Annotated[Number, Field(ge=1e-3)],
+        Key("length scale", "m", ("wind.turbulence.length",)),
+    ] = 1200.0
+    bandwidth: Annotated[
+        Quantity, Key("greatest frequency", "Hz", ("wind.turbulence.bandwidth",))
+    ] = 1.0
+    seed: Annotated[Seed, Key("of the turbulence", "", ("wind.turbulence.seed",))] = 0
+
+
 class WindTable(Table):
-    """Force of the wind on the load."""
+    """Wind on the load: forces, and the speed of the air, which acts on its drag area."""
 
     constant: Annotated[
         Triple | None,
@@ -364,6 +403,17 @@ class WindTable(Table):
     ] = None
     gust: Annotated[GustTable | None, Key("one gust", default="none")] = None
     noise: Annotated[WindNoiseTable | None, Key("random wind", default="none")] = None
+    speed: Annotated[
+        Triple | None,
+        Key("mean speed of the air", "m/s", tuple(f"wind.speed.{a}" for a in AXES), "none",
+            parts=AXES),
+    ] = None
+    turbulence: Annotated[
+        TurbulenceTable | None, Key("turbulence of the air", default="none")
+    ] = None
+    air_density: Annotated[
+        NotNegative | None, Key("density of the air", "kg/m3", ("wind.air_density",))
+    ] = None
 
 
 class CraneFile(Table):

@@ -10,6 +10,7 @@ import pytest
 from segfmu.cosim.load import load
 from segfmu.cosim.unit import Unit
 from segfmu.crane import Drive, Friction, Gust, PayloadChange, Rig, Sensors, TravelLimits, Wind
+from segfmu.crane.disturbance import Turbulence
 from segfmu.errors import SimulationError
 from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_crane.rig_parameters import FAR, SIGNALS, rig_parameters
@@ -29,6 +30,11 @@ VALUES = {
     "sensor.bridge.position.deviation": 1e-4,
     "wind.constant.y": 0.1, "wind.gust.start": 1.0, "wind.gust.duration": 2.0,
     "wind.gust.shape": 2, "wind.gust.force.z": 0.3, "wind.noise.deviation.x": 0.2,
+    "wind.speed.x": 5.0, "wind.gust.speed.y": 2.0, "wind.turbulence.deviation.z": 0.4,
+    "wind.turbulence.length": 800.0, "wind.turbulence.bandwidth": 0.6, "wind.turbulence.seed": 6,
+    "wind.air_density": 1.1, "load.drag_area": 0.3, "travel.trolley.stiffness": 50.0,
+    "travel.trolley.damping": 4.0, "friction.trolley.static": 7.0, "friction.presliding": 2e-5,
+    "drive.hoist.velocity_max": 0.9, "drive.bridge.power_max": 60.0,
     "wind.noise.bandwidth": 4.0, "wind.noise.seed": 8,
     "payload.count": 2, "payload[1].time": 1.0, "payload[1].mass": 2.0, "payload[2].time": 3.0,
     "payload[2].mass": 0.5,
@@ -43,14 +49,20 @@ def test_ideal_by_default() -> None:
 def test_every_parameter_finds_its_place() -> None:
     assert set(VALUES) <= set(START)
     expected = Rig(
-        Drive(0.01, dead_time=0.04), Drive(0.02, force_max=5.0), Drive(0.03, acceleration_max=2.0),
-        Friction((1.0, 2.0, 3.0), (4.0, 5.0, 6.0), 0.02, 0.1),
-        TravelLimits((-FAR, FAR), (-0.5, 0.7), (-FAR, FAR)),
+        Drive(0.01, dead_time=0.04, power_max=60.0), Drive(0.02, force_max=5.0),
+        Drive(0.03, acceleration_max=2.0, velocity_max=0.9),
+        Friction((1.0, 2.0, 3.0), (4.0, 5.0, 6.0), 0.02, 0.1,
+                 static=(0.0, 7.0, 0.0), presliding=2e-5),
+        TravelLimits((-FAR, FAR), (-0.5, 0.7), (-FAR, FAR), (0.0, 50.0, 0.0), (0.0, 4.0, 0.0)),
         Sensors(
             0.01, 0.02, (0.0, 0.0, 0.0, 0.0, 1e-3), (1e-4, 0.0, 0.0, 0.0, 0.0),
             (0.0, 0.0, 0.05, 0.0, 0.0), 9,
         ),
-        Wind((0.0, 0.1, 0.0), Gust(1.0, 2.0, (0.0, 0.0, 0.3), "sine"), (0.2, 0.0, 0.0), 4.0, 8),
+        Wind(
+            (0.0, 0.1, 0.0), Gust(1.0, 2.0, (0.0, 0.0, 0.3), "sine", (0.0, 2.0, 0.0)),
+            (0.2, 0.0, 0.0), 4.0, 8, (5.0, 0.0, 0.0), Turbulence((0.0, 0.0, 0.4), 800.0, 0.6, 6),
+            0.3, 1.1,
+        ),
         (PayloadChange(1.0, 2.0), PayloadChange(3.0, 0.5)),
     )
     assert Rig.of({**START, **VALUES}.__getitem__) == expected

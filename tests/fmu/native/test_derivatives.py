@@ -27,6 +27,12 @@ CASES = {
     "force": {}, "friction": FRICTION, "velocity": VELOCITY | FRICTION,
     "saturated": {"drive.bridge.force_max": 0.1, **FRICTION},
     "clamped": {**VELOCITY, "drive.bridge.acceleration_max": 0.1},
+    "air": {"wind.speed.x": 3.0, "wind.speed.y": -2.0, "wind.gust.speed.z": 1.0,
+            "wind.turbulence.deviation.x": 0.5, "load.drag_area": 0.4, **FRICTION},
+    "driven in air": {**VELOCITY, "wind.speed.x": 3.0, "load.drag_area": 0.4},
+    "buffers": {"travel.bridge.min": 1.0, "travel.trolley.max": -1.0, "travel.rope.max": 0.1,
+                **{f"travel.{a}.stiffness": 20.0 for a in ("bridge", "trolley", "rope")},
+                "travel.trolley.damping": 3.0, "travel.rope.damping": 2.0},
     "clipped": {**VELOCITY, "drive.trolley.velocity_max": 0.05},
     "power": {"drive.bridge.power_max": 0.01, "drive.hoist.power_max": 0.3, **FRICTION},
 }

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from segfmu.kernels.crane.drives import driven_derivative, gust_factor
+from segfmu.kernels.crane.drives import driven_derivative
 from segfmu.kernels.crane.records import (
     Action,
     DriveMode,
@@ -16,6 +16,7 @@ from segfmu.kernels.crane.records import (
     State,
     Work,
 )
+from segfmu.kernels.crane.wind import gust_factor
 from tests.crane.newton import accelerations
 
 MASSES = (2.2, 1.155, 1.0, 9.81)

@@ -94,11 +94,13 @@ def _described_outputs() -> list[Variable]:
 
 def _further_outputs(listed: set[str]) -> list[Variable]:
     """Outputs of the record that have no text of their own here: as the record describes them."""
-    return [
+    rows = [
         output(name, declared.unit or None, declared.meaning)
         for declared in Outputs.FIELDS.values()
         for name in declared.variables if name not in listed
     ]
+    # deflections of contacts are micrometres
+    return [replace(v, nominal=1e-5) if v.name in DEFLECTIONS else v for v in rows]
 
 
 def _energies() -> list[Variable]:

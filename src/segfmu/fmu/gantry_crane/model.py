@@ -16,6 +16,7 @@ from segfmu.kernels.rig.records import (
     Sensors,
     Setpoints,
     Target,
+    Turbulence,
     WindNoise,
 )
 
@@ -26,8 +27,8 @@ GANTRY_CRANE = Model(
     native_spec=native_spec,
     largest=cache(native_spec),
     records=(
-        Loop, Sensors, Plant, State, Setpoints, Target, PayloadChange, WindNoise, Tracking,
-        TrackingDesign, Outputs, Accelerations, Estimates, FlatDesign, GainsRow,
+        Loop, Sensors, Plant, State, Setpoints, Target, PayloadChange, WindNoise, Turbulence,
+        Tracking, TrackingDesign, Outputs, Accelerations, Estimates, FlatDesign, GainsRow,
     ),
     slave="segfmu.fmu.gantry_crane.slave:CraneSlave",
 )

@@ -97,6 +97,14 @@ def _travel() -> list[Variable]:
         rows += [
             parameter(f"travel.{axis}.min", -FAR, "m", f"lower {text}"),
             parameter(f"travel.{axis}.max", FAR, "m", f"upper {text}"),
+            parameter(
+                f"travel.{axis}.stiffness", 0.0, "N/m",
+                "stiffness of its buffers; 0: none, reaching it is an error", minimum=0.0,
+            ),
+            parameter(
+                f"travel.{axis}.damping", 0.0, "N.s/m",
+                "damping of its buffers, which have a stiffness", minimum=0.0,
+            ),
         ]
     return rows
 
@@ -135,6 +143,18 @@ def _wind() -> list[Variable]:
         *_vector("wind.noise.deviation", "standard deviation of the wind's noise", minimum=0.0),
         parameter("wind.noise.bandwidth", 1.0, "Hz", "largest frequency in it", minimum=1e-9),
         _seed("wind.noise.seed", "seed of the wind's noise"),
+        *_vector("wind.speed", "mean speed of the air", unit="m/s"),
+        *_vector("wind.gust.speed", "peak of the gust's speed", unit="m/s"),
+        *_vector("wind.turbulence.deviation", "standard deviation of the air's turbulence; needs "
+                 "wind.speed", minimum=0.0, unit="m/s"),
+        parameter("wind.turbulence.length", 1200.0, "m", "length scale of Davenport's spectrum",
+                  minimum=1e-3),
+        parameter("wind.turbulence.bandwidth", 1.0, "Hz", "largest frequency of the turbulence",
+                  minimum=1e-9),
+        _seed("wind.turbulence.seed", "seed of the turbulence"),
+        parameter("wind.air_density", 1.225, "kg/m3", "density of the air", minimum=0.0),
+        parameter("load.drag_area", 0.0, "m2", "drag coefficient of the load times its area; 0: "
+                  "the air's speed does not act", minimum=0.0),
     ]
 
 
@@ -154,8 +174,10 @@ def _payload() -> list[Variable]:
     return rows
 
 
-def _vector(prefix: str, text: str, minimum: float | None = None) -> list[Variable]:
-    return [parameter(f"{prefix}.{a}", 0.0, "N", f"{text}, {a}", minimum=minimum) for a in "xyz"]
+def _vector(
+    prefix: str, text: str, minimum: float | None = None, unit: str = "N"
+) -> list[Variable]:
+    return [parameter(f"{prefix}.{a}", 0.0, unit, f"{text}, {a}", minimum=minimum) for a in "xyz"]
 
 
 def _seed(name: str, text: str) -> Variable:

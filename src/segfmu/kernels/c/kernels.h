@@ -34,10 +34,11 @@ SEGFMU_API void segfmu_crane_energy_partials(array_double_1d state, array_double
 SEGFMU_API void segfmu_flat_derivatives(array_double_2d flat, int64_t order, array_double_1d masses, array_double_2d work, array_double_1d found);
 SEGFMU_API void segfmu_compensate_setpoints(array_double_1d velocity, array_double_1d acceleration, array_double_1d known, array_double_1d force, array_double_1d setpoint);
 SEGFMU_API void segfmu_drive_demands(array_double_3d flat, array_double_1d masses, array_double_2d work, array_double_2d demands);
+SEGFMU_API int64_t segfmu_plant_failure(int64_t status, double time, array_double_1d state, array_double_1d plant, array_double_1d fault);
 SEGFMU_API double segfmu_next_uniform(array_double_1d numbers);
 SEGFMU_API void segfmu_seed_numbers(int64_t seed, array_double_1d numbers);
 SEGFMU_API void segfmu_noise_components(double bandwidth, array_double_1d deviation, array_double_1d numbers, array_double_2d components);
-SEGFMU_API int64_t segfmu_plant_failure(int64_t status, double time, array_double_1d state, array_double_1d plant, array_double_1d fault);
+SEGFMU_API void segfmu_turbulence_components(double speed, double length, double bandwidth, array_double_1d deviation, array_double_1d numbers, array_double_2d components);
 SEGFMU_API int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d components, double time, array_double_1d state, double duration, double tolerance, array_double_2d work, array_double_1d report);
 SEGFMU_API void segfmu_evaluate(array_double_1d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, int64_t derivative, array_double_2d values);
 SEGFMU_API void segfmu_evaluate_orders(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d values);
@@ -70,6 +71,8 @@ SEGFMU_API bool segfmu_rig_partials(array_double_2d components, double time, arr
 SEGFMU_API int64_t segfmu_check_travel(array_double_1d least, array_double_1d greatest, array_double_1d fault);
 SEGFMU_API int64_t segfmu_check_lags(array_double_1d plant, array_double_1d fault);
 SEGFMU_API int64_t segfmu_check_friction(array_double_1d static_0001, array_double_1d coulomb, array_double_1d fault);
+SEGFMU_API double segfmu_wind_speed(array_double_1d speed);
+SEGFMU_API int64_t segfmu_check_turbulence(array_double_1d speed, array_double_1d deviation, array_double_1d fault);
 SEGFMU_API int64_t segfmu_check_delays(array_double_1d plant, double period, int64_t exchange, array_double_1d fault);
 SEGFMU_API int64_t segfmu_check_sensors(array_double_1d sensors, array_double_1d fault);
 SEGFMU_API int64_t segfmu_check_rope_bounds(double length, double shortest, double longest, array_double_1d fault);

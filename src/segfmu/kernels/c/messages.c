@@ -278,6 +278,12 @@ bool segfmu_setup_message(
             drive[(int)report[SETUP_FAULT_DRIVE]],
             report[SETUP_FAULT_BOUND]);
         return true;
+    case 13:
+        snprintf(text, size,
+            "wind.turbulence.deviation %g m/s needs a mean speed for its spectrum: set "
+            "wind.speed",
+            report[SETUP_FAULT_VALUE]);
+        return true;
     case 10:
         snprintf(text, size,
             "drive.%s.dead_time %g s is longer than 100000 periods of %g s; lower it or "

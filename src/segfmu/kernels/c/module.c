@@ -204,7 +204,7 @@ static PyObject *call_flat_table(
         && take_int(&call, 2, &in_rows)
         && (in_lengths = take_array(&call, 3, 1, 'd', false)) != NULL
         && (in_table = take_array(&call, 4, 3, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 53)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 67)
         && has_at_least(&call, "design", 0, in_design->shape[0], 4)
         && has_at_least(&call, "lengths", 0, in_lengths->shape[0], in_rows)
         && has_at_least(&call, "table", 0, in_table->shape[0], in_rows)
@@ -802,6 +802,37 @@ static PyObject *call_drive_demands(
     return answer;
 }
 
+static PyObject *call_plant_failure(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "plant_failure", .values = values};
+    PyObject *answer = NULL;
+    int64_t in_status;
+    double in_time;
+    Py_buffer *in_state;
+    Py_buffer *in_plant;
+    Py_buffer *in_fault;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && take_int(&call, 0, &in_status)
+        && take_float(&call, 1, &in_time)
+        && (in_state = take_array(&call, 2, 1, 'd', false)) != NULL
+        && (in_plant = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_fault = take_array(&call, 4, 1, 'd', true)) != NULL
+        && has_at_least(&call, "state", 0, in_state->shape[0], 10)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 67)
+        && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
+        answer = PyLong_FromLongLong(segfmu_plant_failure(
+            in_status,
+            in_time,
+            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
+            (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_seed_numbers(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -857,7 +888,7 @@ static PyObject *call_noise_components(
         && (in_components = take_array(&call, 3, 2, 'd', true)) != NULL
         && has_at_least(&call, "deviation", 0, in_deviation->shape[0], 3)
         && has_at_least(&call, "numbers", 0, in_numbers->shape[0], 2)
-        && has_at_least(&call, "components", 1, in_components->shape[1], 7)) {
+        && has_at_least(&call, "components", 1, in_components->shape[1], 8)) {
         segfmu_noise_components(
             in_bandwidth,
             (array_double_1d){in_deviation->buf, {in_deviation->shape[0]}},
@@ -869,32 +900,36 @@ static PyObject *call_noise_components(
     return answer;
 }
 
-static PyObject *call_plant_failure(
+static PyObject *call_turbulence_components(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
-    arguments call = {.function = "plant_failure", .values = values};
+    arguments call = {.function = "turbulence_components", .values = values};
     PyObject *answer = NULL;
-    int64_t in_status;
-    double in_time;
-    Py_buffer *in_state;
-    Py_buffer *in_plant;
-    Py_buffer *in_fault;
+    double in_speed;
+    double in_length;
+    double in_bandwidth;
+    Py_buffer *in_deviation;
+    Py_buffer *in_numbers;
+    Py_buffer *in_components;
     (void)self;
-    if (take_count(&call, count, 5)
-        && take_int(&call, 0, &in_status)
-        && take_float(&call, 1, &in_time)
-        && (in_state = take_array(&call, 2, 1, 'd', false)) != NULL
-        && (in_plant = take_array(&call, 3, 1, 'd', false)) != NULL
-        && (in_fault = take_array(&call, 4, 1, 'd', true)) != NULL
-        && has_at_least(&call, "state", 0, in_state->shape[0], 10)
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 53)
-        && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
-        answer = PyLong_FromLongLong(segfmu_plant_failure(
-            in_status,
-            in_time,
-            (array_double_1d){in_state->buf, {in_state->shape[0]}},
-            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
-            (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
+    if (take_count(&call, count, 6)
+        && take_float(&call, 0, &in_speed)
+        && take_float(&call, 1, &in_length)
+        && take_float(&call, 2, &in_bandwidth)
+        && (in_deviation = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_numbers = take_array(&call, 4, 1, 'd', true)) != NULL
+        && (in_components = take_array(&call, 5, 2, 'd', true)) != NULL
+        && has_at_least(&call, "deviation", 0, in_deviation->shape[0], 3)
+        && has_at_least(&call, "numbers", 0, in_numbers->shape[0], 2)
+        && has_at_least(&call, "components", 1, in_components->shape[1], 8)) {
+        segfmu_turbulence_components(
+            in_speed,
+            in_length,
+            in_bandwidth,
+            (array_double_1d){in_deviation->buf, {in_deviation->shape[0]}},
+            (array_double_1d){in_numbers->buf, {in_numbers->shape[0]}},
+            (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}});
+        answer = Py_NewRef(Py_None);
     }
     release_arguments(&call);
     return answer;
@@ -923,10 +958,10 @@ static PyObject *call_plant_advance(
         && take_float(&call, 5, &in_tolerance)
         && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
         && (in_report = take_array(&call, 7, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 53)
-        && has_at_least(&call, "components", 1, in_components->shape[1], 7)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 67)
+        && has_at_least(&call, "components", 1, in_components->shape[1], 8)
         && has_at_least(&call, "state", 0, in_state->shape[0], 16)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 20)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 21)
         && has_at_least(&call, "work", 1, in_work->shape[1], 16)
         && has_at_least(&call, "report", 0, in_report->shape[0], 13)) {
         answer = PyLong_FromLongLong(segfmu_plant_advance(
@@ -1463,9 +1498,9 @@ static PyObject *call_rig_next_event(
         && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
         && (in_memory = take_array(&call, 1, 2, 'd', false)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 53)
-        && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 53)) {
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 67)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], 38)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 67)) {
         answer = PyFloat_FromDouble(segfmu_rig_next_event(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}}));
@@ -1486,9 +1521,9 @@ static PyObject *call_switch_correction(
         && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
         && (in_memory = take_array(&call, 1, 2, 'd', true)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 53)
-        && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 53)) {
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 67)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], 38)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 67)) {
         segfmu_switch_correction(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}});
@@ -1524,7 +1559,7 @@ static PyObject *call_rig_event(
         && has_at_least(&call, "table", 0, in_table->shape[0], 1)
         && has_at_least(&call, "gains", 0, in_gains->shape[0], 1)
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 53)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 67)
         && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
         && has_at_least(&call, "table", 1, in_table->shape[1], 19)
         && has_at_least(&call, "table", 2, in_table->shape[2], 10)
@@ -1533,7 +1568,7 @@ static PyObject *call_rig_event(
         && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 25)
         && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 10)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 53)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 67)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
         segfmu_rig_event(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
@@ -1564,8 +1599,8 @@ static PyObject *call_rig_signals(
         && take_float(&call, 1, &in_time)
         && (in_memory = take_array(&call, 2, 2, 'd', true)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 53)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 53)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 67)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 67)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
         segfmu_rig_signals(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
@@ -1594,10 +1629,10 @@ static PyObject *call_rig_rates(
         && take_float(&call, 2, &in_time)
         && (in_memory = take_array(&call, 3, 2, 'd', true)) != NULL
         && (in_derivative = take_array(&call, 4, 1, 'd', true)) != NULL
-        && has_at_least(&call, "components", 1, in_components->shape[1], 7)
+        && has_at_least(&call, "components", 1, in_components->shape[1], 8)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 53)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], 38)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 67)
         && has_at_least(&call, "derivative", 0, in_derivative->shape[0], 16)) {
         answer = PyLong_FromLongLong(segfmu_rig_rates(
             (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}},
@@ -1620,7 +1655,7 @@ static PyObject *call_rig_rows(
     if (take_count(&call, count, 1)
         && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 53)) {
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 67)) {
         answer = PyLong_FromLongLong(segfmu_rig_rows(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}));
     }
@@ -1648,11 +1683,11 @@ static PyObject *call_rig_start(
         && take_float(&call, 4, &in_start)
         && (in_memory = take_array(&call, 5, 2, 'd', true)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 53)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 67)
         && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
         && has_at_least(&call, "state", 0, in_state->shape[0], 10)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 53)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 67)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
         segfmu_rig_start(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
@@ -1695,8 +1730,8 @@ static PyObject *call_rig_step(
         && has_at_least(&call, "table", 0, in_table->shape[0], 1)
         && has_at_least(&call, "gains", 0, in_gains->shape[0], 1)
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 53)
-        && has_at_least(&call, "components", 1, in_components->shape[1], 7)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 67)
+        && has_at_least(&call, "components", 1, in_components->shape[1], 8)
         && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
         && has_at_least(&call, "table", 1, in_table->shape[1], 19)
         && has_at_least(&call, "table", 2, in_table->shape[2], 10)
@@ -1705,7 +1740,7 @@ static PyObject *call_rig_step(
         && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 25)
         && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 10)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 53)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 67)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
         answer = PyLong_FromLongLong(segfmu_rig_step(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
@@ -1733,8 +1768,8 @@ static PyObject *call_rig_balance(
     if (take_count(&call, count, 2)
         && (in_memory = take_array(&call, 0, 2, 'd', true)) != NULL
         && (in_balance = take_array(&call, 1, 1, 'd', true)) != NULL
-        && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 53)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], 38)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 67)
         && has_at_least(&call, "balance", 0, in_balance->shape[0], 7)) {
         segfmu_rig_balance(
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}},
@@ -1778,8 +1813,8 @@ static PyObject *call_rig_outputs(
         && (in_balance = take_array(&call, 2, 1, 'd', true)) != NULL
         && (in_outputs = take_array(&call, 3, 1, 'd', true)) != NULL
         && has_at_least(&call, "target", 0, in_target->shape[0], 3)
-        && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 53)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], 38)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 67)
         && has_at_least(&call, "balance", 0, in_balance->shape[0], 7)
         && has_at_least(&call, "outputs", 0, in_outputs->shape[0], 51)) {
         segfmu_rig_outputs(
@@ -1834,12 +1869,12 @@ static PyObject *call_rig_partials(
     if (take_count(&call, count, 5)
         && (in_components = take_array(&call, 0, 2, 'd', false)) != NULL
         && take_float(&call, 1, &in_time)
-        && (in_memory = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_memory = take_array(&call, 2, 2, 'd', true)) != NULL
         && (in_work = take_array(&call, 3, 2, 'd', true)) != NULL
         && (in_partials = take_array(&call, 4, 2, 'd', true)) != NULL
-        && has_at_least(&call, "components", 1, in_components->shape[1], 7)
-        && has_at_least(&call, "memory", 0, in_memory->shape[0], 37)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 53)
+        && has_at_least(&call, "components", 1, in_components->shape[1], 8)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], 38)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 67)
         && has_at_least(&call, "work", 0, in_work->shape[0], 6)
         && has_at_least(&call, "work", 1, in_work->shape[1], 18)
         && has_at_least(&call, "partials", 0, in_partials->shape[0], 15)
@@ -1891,7 +1926,7 @@ static PyObject *call_check_lags(
     if (take_count(&call, count, 2)
         && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
         && (in_fault = take_array(&call, 1, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 53)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 67)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_check_lags(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
@@ -1926,6 +1961,48 @@ static PyObject *call_check_friction(
     return answer;
 }
 
+static PyObject *call_wind_speed(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "wind_speed", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_speed;
+    (void)self;
+    if (take_count(&call, count, 1)
+        && (in_speed = take_array(&call, 0, 1, 'd', false)) != NULL
+        && has_at_least(&call, "speed", 0, in_speed->shape[0], 3)) {
+        answer = PyFloat_FromDouble(segfmu_wind_speed(
+            (array_double_1d){in_speed->buf, {in_speed->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_check_turbulence(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "check_turbulence", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_speed;
+    Py_buffer *in_deviation;
+    Py_buffer *in_fault;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && (in_speed = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_deviation = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_fault = take_array(&call, 2, 1, 'd', true)) != NULL
+        && has_at_least(&call, "speed", 0, in_speed->shape[0], 3)
+        && has_at_least(&call, "deviation", 0, in_deviation->shape[0], 3)
+        && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
+        answer = PyLong_FromLongLong(segfmu_check_turbulence(
+            (array_double_1d){in_speed->buf, {in_speed->shape[0]}},
+            (array_double_1d){in_deviation->buf, {in_deviation->shape[0]}},
+            (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_check_delays(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -1941,7 +2018,7 @@ static PyObject *call_check_delays(
         && take_float(&call, 1, &in_period)
         && take_int(&call, 2, &in_exchange)
         && (in_fault = take_array(&call, 3, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 53)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 67)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_check_delays(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
@@ -2582,10 +2659,11 @@ static PyMethodDef methods[] = {
     {"flat_derivatives", (PyCFunction)(void (*)(void))call_flat_derivatives, METH_FASTCALL, NULL},
     {"compensate_setpoints", (PyCFunction)(void (*)(void))call_compensate_setpoints, METH_FASTCALL, NULL},
     {"drive_demands", (PyCFunction)(void (*)(void))call_drive_demands, METH_FASTCALL, NULL},
+    {"plant_failure", (PyCFunction)(void (*)(void))call_plant_failure, METH_FASTCALL, NULL},
     {"seed_numbers", (PyCFunction)(void (*)(void))call_seed_numbers, METH_FASTCALL, NULL},
     {"next_uniform", (PyCFunction)(void (*)(void))call_next_uniform, METH_FASTCALL, NULL},
     {"noise_components", (PyCFunction)(void (*)(void))call_noise_components, METH_FASTCALL, NULL},
-    {"plant_failure", (PyCFunction)(void (*)(void))call_plant_failure, METH_FASTCALL, NULL},
+    {"turbulence_components", (PyCFunction)(void (*)(void))call_turbulence_components, METH_FASTCALL, NULL},
     {"plant_advance", (PyCFunction)(void (*)(void))call_plant_advance, METH_FASTCALL, NULL},
     {"evaluate", (PyCFunction)(void (*)(void))call_evaluate, METH_FASTCALL, NULL},
     {"evaluate_orders", (PyCFunction)(void (*)(void))call_evaluate_orders, METH_FASTCALL, NULL},
@@ -2618,6 +2696,8 @@ static PyMethodDef methods[] = {
     {"check_travel", (PyCFunction)(void (*)(void))call_check_travel, METH_FASTCALL, NULL},
     {"check_lags", (PyCFunction)(void (*)(void))call_check_lags, METH_FASTCALL, NULL},
     {"check_friction", (PyCFunction)(void (*)(void))call_check_friction, METH_FASTCALL, NULL},
+    {"wind_speed", (PyCFunction)(void (*)(void))call_wind_speed, METH_FASTCALL, NULL},
+    {"check_turbulence", (PyCFunction)(void (*)(void))call_check_turbulence, METH_FASTCALL, NULL},
     {"check_delays", (PyCFunction)(void (*)(void))call_check_delays, METH_FASTCALL, NULL},
     {"check_sensors", (PyCFunction)(void (*)(void))call_check_sensors, METH_FASTCALL, NULL},
     {"check_rope_bounds", (PyCFunction)(void (*)(void))call_check_rope_bounds, METH_FASTCALL, NULL},

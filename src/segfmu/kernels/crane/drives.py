@@ -1,9 +1,7 @@
-"""Forces on the crane in addition to gravity: drives, friction, wind.
+"""Forces on the crane in addition to gravity: drives and what resists them.
 
 `plant` is a `Plant`, `work` a `Work`, see crane/records.py.
 """
-
-from math import cos, sin
 
 from segfmu.kernels.crane._crane import crane_driven, crane_rhs
 from segfmu.kernels.crane.bounds import (
@@ -18,42 +16,10 @@ from segfmu.kernels.crane.records import (
     Action,
     Axes,
     GeneralisedForce,
-    GustShape,
     Plant,
     State,
     Work,
 )
-from segfmu.kernels.numerics.noise import full_circle
-from segfmu.kernels.numerics.records import Sinusoid
-
-
-def gust_factor(shape: float, share: float) -> float:
-    """Force of a gust relative to its peak, at a share of its duration."""
-    if share <= 0.0 or share >= 1.0:
-        return 0.0
-    if int(shape) == GustShape.SINE:
-        return sin(0.5 * full_circle() * share)
-    return 0.5 * (1.0 - cos(full_circle() * share))
-
-
-def wind_force(
-    plant: 'float[:]', components: 'float[:,:]', time: float, work: 'float[:,:]'
-) -> None:
-    """Force on the load [N]: the given one, constant wind, gust and noise."""
-    gust = 0.0
-    if plant[Plant.GUST_DURATION] > 0.0:
-        share = (time - plant[Plant.GUST_START]) / plant[Plant.GUST_DURATION]
-        gust = gust_factor(plant[Plant.GUST_SHAPE], share)
-    force = work[Work.WIND, :]
-    for i in range(3):
-        steady = work[Work.LOAD_FORCE, i] + plant[Plant.WIND + i]
-        force[i] = steady + gust * plant[Plant.GUST_FORCE + i]
-    for k in range(components.shape[0]):
-        sine = sin(components[k, Sinusoid.FREQUENCY] * time)
-        cosine = cos(components[k, Sinusoid.FREQUENCY] * time)
-        for i in range(3):
-            added = force[i] + components[k, Sinusoid.SINE + i] * sine
-            force[i] = added + components[k, Sinusoid.COSINE + i] * cosine
 
 
 def forced_derivative(

@@ -1,14 +1,14 @@
 """The crane with drives, friction and wind, integrated adaptively over an interval.
 
 `plant` is a `Plant`, `state` a `PlantState`, `work` a `Work` whose first rows are the commands, see
-crane/records.py; components (count, 7): a `Sinusoid` a row, the wind's noise.
+crane/records.py; components (count, 8): a `Sinusoid` a row, the wind's noise.
 """
 
 from segfmu.kernels.crane._crane import crane_load
+from segfmu.kernels.crane.buffers import buffer_force
 from segfmu.kernels.crane.drives import (
     driven_derivative,
     forced_derivative,
-    wind_force,
 )
 from segfmu.kernels.crane.friction import deflection_rate, friction_force
 from segfmu.kernels.crane.records import (
@@ -27,6 +27,7 @@ from segfmu.kernels.crane.records import (
     State,
     Work,
 )
+from segfmu.kernels.crane.wind import wind_force
 from segfmu.kernels.numerics.integrate import (
     all_finite,
     next_step,
@@ -48,14 +49,16 @@ def plant_derivative(
 ) -> None:
     """Derivative of the state at a time [s] elapsed since the interval's start, `time` [s]."""
     rate = work[Work.RATES, :]
-    wind_force(plant, components, time + elapsed, work)
+    wind_force(plant, components, time + elapsed, state, work)
     for i in range(3):
         slope = rate[CommandRates.SQUARE + i] + elapsed * rate[CommandRates.CUBE + i]
         slope = rate[CommandRates.LINEAR + i] + elapsed * slope
         work[Work.DEMAND, i] = work[Work.COMMAND, i] + elapsed * slope
         velocity = state[State.VELOCITY + i]
         deflection = state[PlantState.DEFLECTION + i]
-        work[Work.FRICTION, i] = friction_force(plant, i, velocity, deflection)
+        resistance = buffer_force(plant, i, state[State.POSITION + i], velocity)
+        resistance = resistance + friction_force(plant, i, velocity, deflection)
+        work[Work.FRICTION, i] = resistance
         derivative[PlantState.DEFLECTION + i] = deflection_rate(plant, i, velocity, deflection)
         work[Work.ACTION, Action.SATURATED + i] = 0.0
     for i in range(2):
@@ -220,7 +223,9 @@ def plant_status(plant: 'float[:]', state: 'float[:]', rope_force: float) -> int
     if state[Coordinates.POSITION + Axes.ROPE] <= 0.0:
         return PlantStatus.ROPE_LENGTH
     for i in range(3):
-        # rest exactly at the limit is allowed
+        # rest exactly at the limit is allowed, and a buffer gives way
+        if plant[Plant.STIFFNESS + i] > 0.0:
+            continue
         if state[Coordinates.POSITION + i] < plant[Plant.TRAVEL_MIN + i] - 1e-9:
             return PlantStatus.BELOW_TRAVEL + i
         if state[Coordinates.POSITION + i] > plant[Plant.TRAVEL_MAX + i] + 1e-9:

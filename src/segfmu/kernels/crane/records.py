@@ -176,6 +176,14 @@ class Plant(Masses):
     TRAVEL_MAX = field(
         "greatest positions", "m", size=3, variables=[f"travel.{a}.max" for a in AXES]
     )
+    STIFFNESS = field(
+        "stiffness of the buffers at both end stops; 0: none", "N/m", size=3,
+        variables=[f"travel.{a}.stiffness" for a in AXES],
+    )
+    DAMPING = field(
+        "damping of the buffers", "N.s/m", size=3,
+        variables=[f"travel.{a}.damping" for a in AXES],
+    )
     WIND = field("constant wind", "N", size=3, variables=[f"wind.constant.{a}" for a in "xyz"])
     GUST_START = field("start of the gust", "s", variables=("wind.gust.start",))
     GUST_DURATION = field("duration of the gust", "s", variables=("wind.gust.duration",))
@@ -186,6 +194,17 @@ class Plant(Masses):
         "greatest force of the gust", "N", size=3,
         variables=[f"wind.gust.force.{a}" for a in "xyz"],
     )
+    WIND_SPEED = field(
+        "mean speed of the air", "m/s", size=3, variables=[f"wind.speed.{a}" for a in "xyz"]
+    )
+    GUST_SPEED = field(
+        "greatest speed that the gust adds", "m/s", size=3,
+        variables=[f"wind.gust.speed.{a}" for a in "xyz"],
+    )
+    DRAG_AREA = field(
+        "drag coefficient of the load times its area", "m2", variables=("load.drag_area",)
+    )
+    AIR_DENSITY = field("density of the air", "kg/m3", variables=("wind.air_density",))
 
 
 class Compensation(Record):
@@ -311,6 +330,14 @@ class ForceLimit(Record):
     ADDED = field("force that holds a drive at its largest velocity", "N", size=3)
 
 
+class Air(Record):
+    """The air around the load, triples of the directions in space."""
+
+    RELATIVE = field("its velocity relative to the load", "m/s", size=3)
+    RATE = field("derivative of its velocity by time", "m/s2", size=3)
+    FORCE_RATE = field("derivative of the wind's force by time", "N/s", size=3)
+
+
 class Work(Record):
     """Rows: the commands of an interval, and the plant's work space."""
 
@@ -325,8 +352,9 @@ class Work(Record):
     WIND = field("force of the wind on the load", "N", of=Vector)
     LOAD = field("motion of the load", size=Load.SIZE, of=Load)
     DEMAND = field("commands of the drives, then their accelerations", of=Axes)
-    FRICTION = field("friction", "N", of=Axes)
+    FRICTION = field("resistance: friction, and buffers at the end stops", "N", of=Axes)
     LIMIT = field("drives at their largest force", of=ForceLimit)
+    AIR = field("air around the load", of=Air)
 
 
 class CranePartials(State):

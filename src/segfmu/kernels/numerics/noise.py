@@ -48,7 +48,7 @@ def noise_components(
 ) -> None:
     """Sines that add up to noise whose spectrum is flat up to a bandwidth [Hz] and zero above.
 
-    deviation (3,): standard deviations along x, y, z [N]; components (count, 7): a `Sinusoid` a
+    deviation (3,): standard deviations along x, y, z [N]; components (count, 8): a `Sinusoid` a
     row, a sine with a random phase.
     Spectral representation of M. Shinozuka and C.-M. Jan, J. Sound Vib. 25 (1972); the frequencies
     are random within equal bands, so that the noise has no period.
@@ -57,6 +57,32 @@ def noise_components(
     for i in range(count):
         frequency = full_circle() * bandwidth * (i + next_uniform(numbers)) / count
         components[i, Sinusoid.FREQUENCY] = frequency
+        for axis in range(3):
+            amplitude = deviation[axis] * sqrt(2.0 / count)
+            phase = full_circle() * next_uniform(numbers)
+            components[i, Sinusoid.SINE + axis] = amplitude * cos(phase)
+            components[i, Sinusoid.COSINE + axis] = amplitude * sin(phase)
+
+
+def turbulence_components(
+    speed: float, length: float, bandwidth: float, deviation: 'float[:]', numbers: 'float[:]',
+    components: 'float[:,:]',
+) -> None:
+    """Sines that add up to the turbulence of wind with a mean speed [m/s], up to a bandwidth [Hz].
+
+    deviation (3,): standard deviations along x, y, z [m/s]; components: as `noise_components`.
+    Spectrum of A. G. Davenport, Quart. J. R. Met. Soc. 87 (1961), f S / s^2 = 2 X^2 / (3 (1 + X^2)
+    ^(4/3)) with X = f length / speed, whose integral is 1 - (1 + X^2)^(-1/3). The sines divide it
+    into equal parts, at a random frequency within each.
+    """
+    count = components.shape[0]
+    most = bandwidth * length / speed
+    held = 1.0 - (1.0 + most * most) ** (-1.0 / 3.0)
+    for i in range(count):
+        rest = 1.0 - held * (i + next_uniform(numbers)) / count
+        frequency = sqrt(1.0 / (rest * rest * rest) - 1.0) * speed / length
+        components[i, Sinusoid.FREQUENCY] = full_circle() * frequency
+        components[i, Sinusoid.OF_SPEED] = 1.0
         for axis in range(3):
             amplitude = deviation[axis] * sqrt(2.0 / count)
             phase = full_circle() * next_uniform(numbers)

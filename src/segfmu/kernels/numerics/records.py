@@ -19,8 +19,9 @@ class Sinusoid(Record):
     """A sine of the wind's noise, with its amplitudes along x, y and z."""
 
     FREQUENCY = field("angular frequency w", "rad/s")
-    SINE = field("factors of sin(w t)", "N", size=3)
-    COSINE = field("factors of cos(w t)", "N", size=3)
+    SINE = field("factors of sin(w t), N or m/s", size=3)
+    COSINE = field("factors of cos(w t), N or m/s", size=3)
+    OF_SPEED = field("1: of the air's speed, 0: of the force")
 
 
 class RandomState(Record):

@@ -5,8 +5,6 @@ kernels/rig/rig.py after `rig_rates` for the same time and setpoints; `rig` is t
 `work` (6, 18) has the partial derivatives of the crane's equations, columns `CranePartials`.
 """
 
-from math import cos, sin
-
 from segfmu.kernels.control.records import Correction
 from segfmu.kernels.crane._partials import (
     crane_driven_partials,
@@ -14,57 +12,35 @@ from segfmu.kernels.crane._partials import (
     crane_rhs_partials,
 )
 from segfmu.kernels.crane.bounds import at_velocity_bound, exceeds, force_bound, limited
-from segfmu.kernels.crane.friction import deflection_rate, friction_force, friction_slopes
+from segfmu.kernels.crane.buffers import buffer_slopes
+from segfmu.kernels.crane.friction import deflection_rate, friction_slopes
 from segfmu.kernels.crane.records import (
     Action,
+    Air,
     Axes,
     Coordinates,
     CranePartials,
     DrivenPartials,
-    GustShape,
     LoadPartials,
     Plant,
     PlantState,
     State,
+    Vector,
     Work,
 )
-from segfmu.kernels.numerics.noise import full_circle
-from segfmu.kernels.numerics.records import Sinusoid
+from segfmu.kernels.crane.wind import drag_slope, wind_rates
 from segfmu.kernels.rig.records import Clock, Memory, RigPartials, RigVariables
 from segfmu.kernels.rig.setpoints import is_driven
 
 
-def gust_rate(shape: float, share: float) -> float:
-    """Derivative of `gust_factor` by the share of the gust's duration, between its ends."""
-    # both shapes are sines of the share: their rate is the shape a quarter period later
-    angle = full_circle() * share
-    if int(shape) == GustShape.SINE:
-        return 0.5 * full_circle() * cos(0.5 * angle)
-    return 0.5 * full_circle() * cos(angle - 0.25 * full_circle())
-
-
-def wind_slope(plant: 'float[:]', components: 'float[:,:]', time: float, axis: int) -> float:
-    """Time derivative of the wind's force on the load along an axis [N/s]."""
-    slope = 0.0
-    duration = plant[Plant.GUST_DURATION]
-    if duration > 0.0:
-        share = (time - plant[Plant.GUST_START]) / duration
-        if share > 0.0 and share < 1.0:
-            rate = gust_rate(plant[Plant.GUST_SHAPE], share)
-            slope = rate / duration * plant[Plant.GUST_FORCE + axis]
-    for k in range(components.shape[0]):
-        frequency = components[k, Sinusoid.FREQUENCY]
-        angle = frequency * time
-        sines = components[k, Sinusoid.SINE + axis] * cos(angle)
-        sines = sines - components[k, Sinusoid.COSINE + axis] * sin(angle)
-        slope = slope + frequency * sines
-    return slope
-
-
-def axis_slopes(plant: 'float[:]', axis: int, state: 'float[:]') -> 'tuple[float, float]':
-    """Derivatives of an axis' friction by its velocity and its deflection."""
+def axis_slopes(plant: 'float[:]', axis: int, state: 'float[:]') -> 'tuple[float, float, float]':
+    """Derivatives of an axis' resistance by its position, its velocity and its deflection."""
     velocity = state[State.VELOCITY + axis]
-    return friction_slopes(plant, axis, velocity, state[PlantState.DEFLECTION + axis])
+    by_position, damping = buffer_slopes(plant, axis, state[State.POSITION + axis], velocity)
+    by_velocity, by_deflection = friction_slopes(
+        plant, axis, velocity, state[PlantState.DEFLECTION + axis]
+    )
+    return by_position, by_velocity + damping, by_deflection
 
 
 def power_slope(
@@ -91,7 +67,8 @@ def forced_partials(
             row[j] = work[i, j]
         for j in range(3):
             by_force = work[i, CranePartials.DRIVE + j]
-            slope, by_deflection = axis_slopes(plant, j, state)
+            by_position, slope, by_deflection = axis_slopes(plant, j, state)
+            row[State.POSITION + j] = row[State.POSITION + j] - by_position * by_force
             row[State.VELOCITY + j] = row[State.VELOCITY + j] - slope * by_force
             row[RigVariables.DEFLECTION + j] = -by_deflection * by_force
             row[RigVariables.WIND + j] = work[i, CranePartials.WIND + j]
@@ -110,7 +87,8 @@ def forced_partials(
     velocity = State.VELOCITY + Axes.ROPE
     rope[hoist] = partials[RigPartials.FORCE + Axes.ROPE, hoist]
     by_power = partials[RigPartials.FORCE + Axes.ROPE, velocity]
-    slope, by_deflection = axis_slopes(plant, Axes.ROPE, state)
+    by_position, slope, by_deflection = axis_slopes(plant, Axes.ROPE, state)
+    rope[State.POSITION + Axes.ROPE] = -by_position
     rope[velocity] = by_power - slope
     rope[RigVariables.DEFLECTION + Axes.ROPE] = -by_deflection
 
@@ -178,8 +156,9 @@ def driven_partials(
         partials[RigPartials.ROPE_FORCE, j] = hoist
     for i in range(3):
         velocity = State.VELOCITY + i
-        slope, by_deflection = axis_slopes(plant, i, state)
+        by_position, slope, by_deflection = axis_slopes(plant, i, state)
         force = partials[RigPartials.FORCE + i, :]
+        force[State.POSITION + i] = force[State.POSITION + i] + by_position
         force[velocity] = force[velocity] + slope
         force[RigVariables.DEFLECTION + i] = by_deflection
     return True
@@ -207,14 +186,33 @@ def power_partials(
         by_wind = RigVariables.WIND + i
         for j in range(State.VELOCITY, State.SIZE):
             wind[by_wind] = wind[by_wind] + work[LoadPartials.VELOCITY + i, j] * state[j]
-        slope, by_deflection = axis_slopes(plant, i, state)
+        by_position, slope, by_deflection = axis_slopes(plant, i, state)
         deflection = state[PlantState.DEFLECTION + i]
-        lost[rate] = slope * velocity + friction_force(plant, i, velocity, deflection)
+        lost[State.POSITION + i] = by_position * velocity
+        lost[rate] = slope * velocity + rig[Work.FRICTION, i]
         lost[RigVariables.DEFLECTION + i] = by_deflection * velocity
         if deflection_rate(plant, i, velocity, deflection) != 0.0:
             partials[RigPartials.DEFLECTION + i, rate] = 1.0
     for i in range(State.RATE, State.SIZE):
         lost[i] = 2.0 * plant[Plant.SWAY_DAMPING] * state[i]
+
+
+def drag_partials(
+    plant: 'float[:]', air: 'float[:]', work: 'float[:,:]', partials: 'float[:,:]'
+) -> None:
+    """Add what all rows have by the load's velocity, as the drag of the air depends on it.
+
+    work: rows `LoadPartials` by the state.
+    """
+    for j in range(State.SIZE):
+        for i in range(Vector.SIZE):
+            slope = 0.0
+            for k in range(Vector.SIZE):
+                along = work[LoadPartials.VELOCITY + k, j]
+                slope = slope - drag_slope(plant, air, i, k) * along
+            for row in range(RigPartials.SIZE):
+                added = partials[row, RigVariables.WIND + i] * slope
+                partials[row, j] = partials[row, j] + added
 
 
 def rig_partials(
@@ -245,10 +243,13 @@ def rig_partials(
                 return False
         forced_partials(plant, state, rig, work, partials)
     power_partials(plant, state, rig, work, partials)
+    wind_rates(plant, components, memory[Memory.CLOCK, Clock.START] + time, rig[Work.AIR, :])
+    if plant[Plant.DRAG_AREA] > 0.0:
+        drag_partials(plant, rig[Work.AIR, :], work, partials)
     for i in range(RigPartials.SIZE):
         row = partials[i, :]
         for j in range(3):
-            slope = wind_slope(plant, components, memory[Memory.CLOCK, Clock.START] + time, j)
+            slope = rig[Work.AIR, Air.FORCE_RATE + j]
             added = row[RigVariables.TIME] + row[RigVariables.WIND + j] * slope
             if driven:
                 # corrections are integrated into the velocities

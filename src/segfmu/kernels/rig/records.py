@@ -45,7 +45,8 @@ class SetupStatus(Codes):
     LONG_DEAD_TIME: of the sensors. ROPE_START: the rope has no length. ROPE_BOUNDS: its bounds are
     not ascending. LENGTHS, OBSERVER: of a controller's table, the observer's is not finite.
     LONG_DELAY, LATE_EXCHANGE: dead time of a drive, longer than there is memory for, or in model
-    exchange. LOW_STATIC: static friction below Coulomb friction.
+    exchange. LOW_STATIC: static friction below Coulomb friction. NO_WIND: turbulence
+    without a mean speed.
     """
 
     FITS = 0
@@ -61,6 +62,7 @@ class SetupStatus(Codes):
     LONG_DELAY = 10
     LATE_EXCHANGE = 11
     LOW_STATIC = 12
+    NO_WIND = 13
 
 
 class SetupFault(Record):
@@ -161,6 +163,22 @@ class WindNoise(Record):
     )
     BANDWIDTH = field("largest frequency", "Hz", variables=("wind.noise.bandwidth",))
     SEED = field("seed of the noise", variables=("wind.noise.seed",))
+
+
+class Turbulence(Record):
+    """Turbulence of the air."""
+
+    SPEED = field(
+        "mean speed along x, y and z", "m/s", size=3,
+        variables=[f"wind.speed.{a}" for a in "xyz"],
+    )
+    DEVIATION = field(
+        "standard deviations along x, y and z", "m/s", size=3,
+        variables=[f"wind.turbulence.deviation.{a}" for a in "xyz"],
+    )
+    LENGTH = field("length scale", "m", variables=("wind.turbulence.length",))
+    BANDWIDTH = field("largest frequency", "Hz", variables=("wind.turbulence.bandwidth",))
+    SEED = field("seed", variables=("wind.turbulence.seed",))
 
 
 class Target(Record):

@@ -10,7 +10,7 @@ Drives with a dead time get their commands late, see rig/delay.py.
 Arrays, in C order; their records are in rig/records.py:
 
 settings             `Settings` rows, as many columns
-components (., 7)    wind's noise, a `Sinusoid` a row
+components (., 8)    wind's noise, a `Sinusoid` a row
 changes (., 2)       payload, a `PayloadChange` a row, in any order
 table (., 19, 10)    the observer's, see control/observer.py; unused without a tracking controller
 gains (., 4, 10)     of the feedback, see control/feedback.py

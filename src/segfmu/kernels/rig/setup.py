@@ -1,7 +1,9 @@
 """Checks of the parameters of a rig; the results are those of SetupStatus."""
 
+from math import sqrt
+
 from segfmu.kernels.control.records import RopeRange
-from segfmu.kernels.crane.records import Axes, DriveMode, Plant
+from segfmu.kernels.crane.records import Axes, DriveMode, Plant, Vector
 from segfmu.kernels.rig.records import Delay, SensorLimits, Sensors, SetupFault, SetupStatus
 
 
@@ -34,6 +36,23 @@ def check_friction(static: 'float[:]', coulomb: 'float[:]', fault: 'float[:]') -
             fault[SetupFault.VALUE] = static[axis]
             fault[SetupFault.BOUND] = coulomb[axis]
             return SetupStatus.LOW_STATIC
+    return SetupStatus.FITS
+
+
+def wind_speed(speed: 'float[:]') -> float:
+    """Magnitude of the mean speed of the air [m/s], from its components (Vector,)."""
+    squares = 0.0
+    for i in range(Vector.SIZE):
+        squares = squares + speed[i] * speed[i]
+    return sqrt(squares)
+
+
+def check_turbulence(speed: 'float[:]', deviation: 'float[:]', fault: 'float[:]') -> int:
+    """Check that turbulence (Vector,) [m/s] has a mean speed (Vector,) for its spectrum."""
+    for i in range(Vector.SIZE):
+        fault[SetupFault.VALUE] = deviation[i]
+        if deviation[i] > 0.0 and wind_speed(speed) == 0.0:
+            return SetupStatus.NO_WIND
     return SetupStatus.FITS
 
 

@@ -1,4 +1,6 @@
 /* GantryCrane: parameters as the arrays of the kernels. */
+#include <string.h>
+
 #include "crane.h"
 #include "feeds.h"
 #include "messages.h"
@@ -40,19 +42,52 @@ static bool check_rope(const crane *m, char message[MESSAGE])
     return !segfmu_setup_message(status, fault, message, MESSAGE);
 }
 
-static void set_disturbances(crane *m)
+/* Rows of the components from one on, for one part of them. */
+static array_double_2d sines_from(crane *m, int64_t first)
 {
-    double numbers[RANDOM_STATE_SIZE], noise[WIND_NOISE_SIZE];
-    bool noisy = false;
+    return matrix(m->components + first * SINUSOID_SIZE, DISTURBANCE_COMPONENTS, SINUSOID_SIZE);
+}
+
+static bool any(const double values[VECTOR_SIZE])
+{
+    return values[0] != 0.0 || values[1] != 0.0 || values[2] != 0.0;
+}
+
+/* Noise of the wind's force, then turbulence of the air; false without a mean speed for it. */
+static bool set_wind(crane *m, char message[MESSAGE])
+{
+    double numbers[RANDOM_STATE_SIZE], noise[WIND_NOISE_SIZE], air[TURBULENCE_SIZE];
+    double fault[SETUP_FAULT_SIZE] = {0.0};
+    const array_double_1d random = vector(numbers, RANDOM_STATE_SIZE);
+    const array_double_1d speed = vector(air + TURBULENCE_SPEED, VECTOR_SIZE);
+    const array_double_1d deviation = vector(air + TURBULENCE_DEVIATION, VECTOR_SIZE);
     feed_record(&feeds_wind_noise, &m->base, noise);
-    for (int i = 0; i < VECTOR_SIZE; i++) {
-        noisy = noisy || noise[WIND_NOISE_DEVIATION + i] != 0.0;
+    feed_record(&feeds_turbulence, &m->base, air);
+    int64_t status = segfmu_check_turbulence(speed, deviation, vector(fault, SETUP_FAULT_SIZE));
+    if (segfmu_setup_message(status, fault, message, MESSAGE)) {
+        return false;
     }
-    m->count_components = noisy ? COMPONENTS : 0;
-    segfmu_seed_numbers((int64_t)noise[WIND_NOISE_SEED], vector(numbers, RANDOM_STATE_SIZE));
-    segfmu_noise_components(noise[WIND_NOISE_BANDWIDTH],
-                            vector(noise + WIND_NOISE_DEVIATION, VECTOR_SIZE),
-                            vector(numbers, RANDOM_STATE_SIZE), components_of(m));
+    m->count_components = 0;
+    memset(m->components, 0, sizeof m->components);
+    if (any(noise + WIND_NOISE_DEVIATION)) {
+        segfmu_seed_numbers((int64_t)noise[WIND_NOISE_SEED], random);
+        segfmu_noise_components(noise[WIND_NOISE_BANDWIDTH],
+                                vector(noise + WIND_NOISE_DEVIATION, VECTOR_SIZE), random,
+                                sines_from(m, 0));
+        m->count_components = DISTURBANCE_COMPONENTS;
+    }
+    if (any(air + TURBULENCE_DEVIATION)) {
+        segfmu_seed_numbers((int64_t)air[TURBULENCE_SEED], random);
+        segfmu_turbulence_components(segfmu_wind_speed(speed), air[TURBULENCE_LENGTH],
+                                     air[TURBULENCE_BANDWIDTH], deviation, random,
+                                     sines_from(m, m->count_components));
+        m->count_components += DISTURBANCE_COMPONENTS;
+    }
+    return true;
+}
+
+static void set_changes(crane *m)
+{
     m->count_changes = m->base.integer[V_PAYLOAD_COUNT];
     for (int64_t row = 0; row < m->count_changes; row++) {
         feed_row(&feeds_payload_change, &m->base, row, m->changes + row * PAYLOAD_CHANGE_SIZE);
@@ -65,9 +100,9 @@ bool crane_set_up(crane *m, char message[MESSAGE])
     feed_record(&feeds_loop, &m->base, loop);
     loop[LOOP_TOLERANCE] = TOLERANCE;
     if (!check_rope(m, message) || !set_parameters(m, message) || !crane_set_gains(m, message)
-        || !crane_set_tracking(m, message)) {
+        || !crane_set_tracking(m, message) || !set_wind(m, message)) {
         return false;
     }
-    set_disturbances(m);
+    set_changes(m);
     return true;
 }

@@ -124,8 +124,9 @@ bool model_sound(const model *base, size_t size)
     memcpy(settings, m->settings, sizeof settings);
     bool sized = size == model_used(base) && (m->rows == 0 || size == size_for(settings));
     return sized && (m->rows > 0 || !base->initialised) && m->count_changes >= 0
-        && m->count_changes <= CHANGES && (m->count_components == 0
-                                           || m->count_components == COMPONENTS)
+        && m->count_changes <= CHANGES && m->count_components >= 0
+        && m->count_components <= COMPONENTS
+        && m->count_components % DISTURBANCE_COMPONENTS == 0
         && m->count_lengths >= 0 && m->count_lengths <= MOST_LENGTHS && m->count_observer >= 0
         && m->count_observer <= MOST_LENGTHS
         && (m->rows == 0 || (m->count_lengths > 0 && m->count_observer > 0
