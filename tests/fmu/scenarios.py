@@ -98,6 +98,10 @@ ACCELERATIONS: Values = {f"drive.{d}.acceleration_max": 0.5 for d in DRIVES}
 DELAYS: Values = {f"drive.{d}.dead_time": 0.013 for d in DRIVES}
 POWERS: Values = {f"drive.{d}.power_max": 0.5 for d in DRIVES}
 SPEEDS: Values = {f"drive.{d}.velocity_max": 0.1 for d in DRIVES}
+# pressed from the start on
+BUFFERS: Values = {f"travel.{a}.stiffness": 20.0 for a in ("bridge", "trolley", "rope")}
+BUFFERS |= {f"travel.{a}.damping": 3.0 for a in ("bridge", "trolley", "rope")}
+BUFFERS |= {"travel.bridge.max": -0.01, "travel.trolley.min": 0.01, "travel.rope.max": 0.499}
 OBSERVED: Values = {
     "feedback.source": "measured", "sensor.rope.length.offset": 0.01,
 }
@@ -111,6 +115,7 @@ CRANE: dict[str, Scenario] = {
     "velocity": Scenario(
         EQUIPMENT | VELOCITY | LAGS | DELAYS | ACCELERATIONS | SPEEDS | POWERS | FLAT, TIMES
     ),
+    "buffers": Scenario(BUFFERS, TIMES[:5]),
     "observer": Scenario(
         QUIET | OBSERVED | FLAT, np.arange(61) / 20.0, motion=still, held=WINDS, switched=True
     ),
