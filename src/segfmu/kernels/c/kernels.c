@@ -304,11 +304,35 @@ static bool demand_partials(array_double_1d plant, array_double_1d state, array_
 static bool driven_partials(array_double_1d plant, array_double_1d state, array_double_2d rig, array_double_2d work, array_double_2d partials);
 static void power_partials(array_double_1d plant, array_double_1d state, array_double_2d rig, array_double_2d work, array_double_2d partials);
 static void drag_partials(array_double_1d plant, array_double_1d air, array_double_2d work, array_double_2d partials);
-static double next_break(double time, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends);
+static double shortest_scale(int64_t order, array_double_1d limits);
+static double natural_limit(int64_t order, double steep, array_double_1d axis, array_double_1d limits);
+static void chain_limits(double steep, array_double_1d axis, array_double_1d state, array_double_1d limits);
+static void set_chains(double steep, array_double_1d axis, array_double_1d limits, array_double_2d chains);
+static void lift_pieces(int64_t order, int64_t first, int64_t last, array_double_1d state, array_double_2d timing, array_double_2d coefficients);
 static int64_t append_piece(double duration, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_1d state);
 static void clear_piece(array_double_2d coefficients, int64_t row);
 static void set_derivatives(double a, array_double_1d state);
 static int64_t expand_plateau(array_double_1d phase, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_1d state);
+static int64_t stage_phases(int64_t order, double end, bool free, array_double_2d lead);
+static int64_t run_stage(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static int64_t settle(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static double profile_time(array_double_2d lead);
+static void keep_lead(int64_t last, double time, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static bool begins_now(array_double_2d lead, array_double_2d coefficients);
+static bool try_lead(int64_t order, int64_t row, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static bool try_end(int64_t order, int64_t stage, double end, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void search_end(int64_t order, int64_t stage, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void follow_profile(int64_t order, int64_t stage, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static bool is_settled(array_double_1d state, int64_t smoothness);
+static void search_ends(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void search_lead(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static bool settled_end(int64_t row, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static double next_break(double time, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends);
+static double end_derivative(int64_t row, int64_t last, int64_t order, array_double_2d timing, array_double_2d coefficients);
+static void cut_piece(int64_t row, int64_t last, double local, array_double_2d timing, array_double_2d coefficients, array_double_2d cut_coefficients, int64_t target);
+static void copy_piece(array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d target_timing, array_double_2d target_coefficients, int64_t target);
+static void add_power(double value, int64_t order, double before, array_double_2d coefficients, int64_t row);
 static void shift_piece(array_double_2d coefficients, int64_t source, double t, double weight, int64_t target);
 static int64_t merge_pieces(double weight, double now, int64_t middle, int64_t last, array_double_2d timing, array_double_2d coefficients, int64_t row);
 static int64_t expand_profile(array_double_2d cell, bool second, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work);
@@ -5491,8 +5515,8 @@ int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_d
             for (d = INT64_C(0); d < states.shape[INT64_C(2)]; d += INT64_C(1))
             {
                 value = evaluate_piece(coefficients, row, width, local, d);
-                scale = (*cspan_at(&work, INT64_C(41), INT64_C(0)));
-                if (d > INT64_C(0))
+                scale = (*cspan_at(&work, INT64_C(41), d));
+                if ((d > INT64_C(0)) && ((*cspan_at(&limits, axis, d - INT64_C(1))) > 0.0))
                 {
                     scale = (*cspan_at(&limits, axis, d - INT64_C(1)));
                 }
@@ -9719,7 +9743,7 @@ static void set_stretched(double target, bool resting, array_double_2d cell, arr
     int64_t status;
     int64_t count;
     phases = span_rows(&cell, INT64_C(0), INT64_C(13));
-    shortest = (*cspan_at(&cell, INT64_C(27), INT64_C(0)));
+    shortest = (*cspan_at(&cell, INT64_C(27), INT64_C(0))) - (*cspan_at(&cell, INT64_C(27), INT64_C(7)));
     /*the shortest profile may still be stored, from the first step of planning*/
     duration = 0.0;
     if ((*cspan_at(&cell, INT64_C(27), INT64_C(4))) == 0.0)
@@ -9743,12 +9767,14 @@ static void set_stretched(double target, bool resting, array_double_2d cell, arr
         stretch_phases(phases, count, target / duration);
     }
 }
-/*Write a profile of the given duration [s]; False if that duration is not feasible. */
+/*Write a profile of the given duration [s], delay included; False if that is not feasible.*/
 static bool set_duration(double target, array_double_2d cell, array_double_1d axis, array_double_2d work)
 {
+    double delay;
     double shortest;
     bool resting;
     double weight;
+    delay = (*cspan_at(&cell, INT64_C(27), INT64_C(7)));
     shortest = (*cspan_at(&cell, INT64_C(27), INT64_C(0)));
     if (target < shortest * (1.0 - 1e-13))
     {
@@ -9757,10 +9783,10 @@ static bool set_duration(double target, array_double_2d cell, array_double_1d ax
     resting = is_resting(span_row(&cell, INT64_C(26)), axis);
     if (resting || (target <= shortest * (1.0 + 1e-13)))
     {
-        set_stretched(target, resting, cell, axis, work);
+        set_stretched(target - delay, resting, cell, axis, work);
         return 1;
     }
-    weight = segfmu_timed_profile(target, axis, cell, work);
+    weight = segfmu_timed_profile(target - delay, axis, cell, work);
     if (weight < 0.0)
     {
         return 0;
@@ -9802,6 +9828,7 @@ static double first_feasible(double outside, double inside, array_double_2d cell
 static double next_feasible(double start, array_double_2d cell, array_double_1d axis, array_double_2d work)
 {
     double after;
+    double delay;
     int64_t sweep;
     int64_t count;
     int64_t i;
@@ -9809,12 +9836,13 @@ static double next_feasible(double start, array_double_2d cell, array_double_1d 
     double growth;
     double result;
     after = start;
+    delay = (*cspan_at(&cell, INT64_C(27), INT64_C(7)));
     for (sweep = INT64_C(0); sweep < INT64_C(8); sweep += INT64_C(1))
     {
-        count = gap_ends(after, span_row(&cell, INT64_C(26)), axis, work);
+        count = gap_ends(after - delay, span_row(&cell, INT64_C(26)), axis, work);
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
-            duration = (*cspan_at(&work, INT64_C(26) + i, INT64_C(0))) * (1.0 + 1e-09);
+            duration = delay + (*cspan_at(&work, INT64_C(26) + i, INT64_C(0))) * (1.0 + 1e-09);
             if (set_duration(duration, cell, axis, work))
             {
                 result = first_feasible(after, duration, cell, axis, work);
@@ -10216,7 +10244,7 @@ static int64_t time_left(double* result_0, double* result_1, int64_t* result_2, 
     for (j = first; (step > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += step)
     {
         rest = rest - (*cspan_at(&cells, j, INT64_C(27), INT64_C(1)));
-        if ((*cspan_at(&cells, j, INT64_C(27), INT64_C(7))) > 0.5)
+        if ((*cspan_at(&cells, j, INT64_C(27), INT64_C(8))) > 0.5)
         {
             base = base + (*cspan_at(&cells, j, INT64_C(27), INT64_C(1)));
             count = count + INT64_C(1);
@@ -10250,7 +10278,7 @@ static bool distribute(int64_t first, int64_t last, double target, array_double_
     step = axes.shape[INT64_C(0)];
     for (j = first; (step > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += step)
     {
-        (*cspan_at(&cells, j, INT64_C(27), INT64_C(7))) = 1.0;
+        (*cspan_at(&cells, j, INT64_C(27), INT64_C(8))) = 1.0;
     }
     for (sweep = INT64_C(0); sweep < INT64_C(50); sweep += INT64_C(1))
     {
@@ -10272,14 +10300,14 @@ static bool distribute(int64_t first, int64_t last, double target, array_double_
         }
         for (j = first; (step > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += step)
         {
-            if ((*cspan_at(&cells, j, INT64_C(27), INT64_C(7))) > 0.5)
+            if ((*cspan_at(&cells, j, INT64_C(27), INT64_C(8))) > 0.5)
             {
                 present = (*cspan_at(&cells, j, INT64_C(27), INT64_C(1)));
                 end = j + last - first;
                 reached = common_duration(present * factor + extra, 0.0, j, end, axes, cells, work);
                 if ((reached < 0.0) || (reached - present > rest * (1.0 + 1e-13)))
                 {
-                    (*cspan_at(&cells, j, INT64_C(27), INT64_C(7))) = 0.0;
+                    (*cspan_at(&cells, j, INT64_C(27), INT64_C(8))) = 0.0;
                 }
                 else
                 {
@@ -10332,6 +10360,11 @@ static void set_problems(array_double_3d states, array_double_3d cells)
             (*cspan_at(&cell, INT64_C(26), INT64_C(3))) = (*cspan_at(&states, j + INT64_C(1), i, INT64_C(2)));
             (*cspan_at(&cell, INT64_C(26), INT64_C(4))) = (*cspan_at(&states, j + INT64_C(1), i, INT64_C(0))) - (*cspan_at(&states, j, i, INT64_C(0)));
             (*cspan_at(&cell, INT64_C(26), INT64_C(5))) = 0.0;
+            (*cspan_at(&cell, INT64_C(27), INT64_C(7))) = 0.0;
+            if ((j == INT64_C(0)) && (states.shape[INT64_C(2)] > INT64_C(3)))
+            {
+                (*cspan_at(&cell, INT64_C(27), INT64_C(7))) = (*cspan_at(&states, j, i, INT64_C(3)));
+            }
         }
     }
 }
@@ -10362,6 +10395,7 @@ static int64_t plan_axis(int64_t axis, double share, array_double_2d axes, array
             (*cspan_at(&report, INT64_C(3))) = (*cspan_at(&axes, axis, INT64_C(2)));
             return status;
         }
+        time = time + (*cspan_at(&cells, j, INT64_C(27), INT64_C(7)));
         (*cspan_at(&cells, j, INT64_C(27), INT64_C(0))) = time;
         (*cspan_at(&cells, j, INT64_C(27), INT64_C(1))) = time;
     }
@@ -10470,13 +10504,13 @@ static int64_t synchronize_plan(array_double_1d dwells, array_double_1d options,
     }
     return INT64_C(0);
 }
-/*Plan all intervals. Returns PLANNED or the reason of a refusal (PlanStatus).                       */
-/*                                                                                                   */
-/*    m waypoints, k axes: states (m, k, WaypointState), dwells (m,) [s], limits (k, smoothness + 1) */
-/*    with 0 for absent, options (PlanOptions,). Written: axes (k, Axis), and cells ((m - 1) k, Cell */
-/*    rows, Cell columns), all axes of the first interval, then of the next; after a refusal also the*/
-/*    row REFUSAL of `work` (PlanWork rows, PlanWork columns).                                       */
-/*                                                                                                   */
+/*Plan all intervals. Returns PLANNED or the reason of a refusal (PlanStatus).                     */
+/*                                                                                                 */
+/*    m waypoints, k axes: states (m, k, WaypointState or DelayedState), dwells (m,) [s], limits   */
+/*    (k, smoothness + 1) with 0 for absent, options (PlanOptions,). Written: axes (k, Axis), and  */
+/*    cells ((m - 1) k, Cell rows, Cell columns), all axes of the first interval, then of the next;*/
+/*    after a refusal also the row REFUSAL of `work` (PlanWork rows, PlanWork columns).            */
+/*                                                                                                 */
 int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
     array_double_1d report;
@@ -12439,103 +12473,162 @@ int64_t segfmu_is_elsewhere(array_double_1d before, array_double_1d reference, d
     }
     return INT64_C(0);
 }
-/*First time after `time` [s] at which a piece of any axis begins or its last one ends.*/
-/*                                                                                     */
-/*    1e300 if there is none.                                                          */
-/*                                                                                     */
-static double next_break(double time, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends)
+/*The shortest time [s] in which a derivative of lower order changes by its limit. */
+static double shortest_scale(int64_t order, array_double_1d limits)
 {
-    int64_t axis;
-    int64_t first;
-    int64_t last;
+    int64_t below;
+    double scale;
+    scale = (*cspan_at(&limits, order - INT64_C(1))) / (*cspan_at(&limits, order));
+    for (below = INT64_C(1); below < order - INT64_C(1); below += INT64_C(1))
+    {
+        scale = span_min(scale, pow(((*cspan_at(&limits, below)) / (*cspan_at(&limits, order))), (1.0 / (order - below))));
+    }
+    return scale;
+}
+/*A value in place of the absent limit of a derivative; those of lower order are set.*/
+/*                                                                                   */
+/*    steep >= 1: by how much derivatives without a limit above exceed what is usual.*/
+/*                                                                                   */
+static double natural_limit(int64_t order, double steep, array_double_1d axis, array_double_1d limits)
+{
+    double below;
+    int64_t highest;
+    int64_t top;
+    int64_t above;
+    double bound;
+    int64_t given;
+    double growth;
+    double result;
+    below = (*cspan_at(&limits, order - INT64_C(1)));
+    highest = (int64_t)((*cspan_at(&axis, INT64_C(0)))) + INT64_C(1);
+    top = INT64_C(2);
+    for (above = order + INT64_C(1); above < highest + INT64_C(1); above += INT64_C(1))
+    {
+        bound = (*cspan_at(&axis, INT64_C(2) + above - INT64_C(1)));
+        if (bound > 0.0)
+        {
+            /*between two limits the derivatives grow by the same factor from order to order*/
+            return 2.0 * below * pow((bound / below), (1.0 / (above - order + INT64_C(1))));
+        }
+    }
+    for (given = INT64_C(3); given < order; given += INT64_C(1))
+    {
+        if ((*cspan_at(&axis, INT64_C(2) + given - INT64_C(1))) > 0.0)
+        {
+            top = given;
+        }
+    }
+    growth = 10.0 * pow(steep, (1.0 / (highest - top)));
+    result = growth * below / shortest_scale(order - INT64_C(1), limits);
+    return result;
+}
+/*Limits of all derivatives of an axis (Axis) by their order (Chain), natural ones for absent.       */
+/*                                                                                                   */
+/*    A natural limit is at least twice the state (Chain), and lets the derivative below brake before*/
+/*    the one below that reaches its own limit. steep as in `natural_limit`.                         */
+/*                                                                                                   */
+static void chain_limits(double steep, array_double_1d axis, array_double_1d state, array_double_1d limits)
+{
+    int64_t smoothness;
+    int64_t order;
+    double bound;
+    double room;
+    double needed;
+    smoothness = (int64_t)((*cspan_at(&axis, INT64_C(0))));
+    for (order = INT64_C(1); order < smoothness + INT64_C(2); order += INT64_C(1))
+    {
+        (*cspan_at(&limits, order)) = (*cspan_at(&axis, INT64_C(2) + order - INT64_C(1)));
+        if ((*cspan_at(&limits, order)) <= 0.0)
+        {
+            bound = natural_limit(order, steep, axis, limits);
+            if (order <= smoothness)
+            {
+                bound = span_max(bound, 2.0 * fabs((*cspan_at(&state, order))));
+            }
+            room = (*cspan_at(&limits, order - INT64_C(2))) - fabs((*cspan_at(&state, order - INT64_C(2))));
+            needed = (*cspan_at(&state, order - INT64_C(1))) * (*cspan_at(&state, order - INT64_C(1)));
+            if (needed > room * bound)
+            {
+                bound = span_max(bound, span_min(needed / span_max(room, 1e-300), 10000.0 * bound));
+            }
+            (*cspan_at(&limits, order)) = bound;
+        }
+    }
+}
+/*Axes (Axis) whose positions are the derivatives of order 0 .. n - 2 of an axis.                    */
+/*                                                                                                   */
+/*    steep as in `natural_limit`, limits those of `chain_limits`; chains has two rows more, as work */
+/*    space.                                                                                         */
+/*                                                                                                   */
+static void set_chains(double steep, array_double_1d axis, array_double_1d limits, array_double_2d chains)
+{
+    int64_t smoothness;
+    int64_t order;
+    array_double_1d chain;
+    int64_t i;
+    smoothness = (int64_t)((*cspan_at(&axis, INT64_C(0))));
+    for (order = INT64_C(0); order < smoothness - INT64_C(1); order += INT64_C(1))
+    {
+        chain = span_row(&chains, order);
+        for (i = INT64_C(0); i < INT64_C(41); i += INT64_C(1))
+        {
+            (*cspan_at(&chain, i)) = 0.0;
+        }
+        (*cspan_at(&chain, INT64_C(0))) = smoothness - order;
+        (*cspan_at(&chain, INT64_C(1))) = INT64_C(1);
+        for (i = INT64_C(0); i < smoothness - order + INT64_C(1); i += INT64_C(1))
+        {
+            (*cspan_at(&chain, INT64_C(2) + i)) = (*cspan_at(&axis, INT64_C(2) + order + i));
+            if (i <= INT64_C(2))
+            {
+                (*cspan_at(&chain, INT64_C(2) + i)) = (*cspan_at(&limits, order + INT64_C(1) + i));
+            }
+        }
+        segfmu_ramp_parameters(0.1 / span_min(steep, 10.0), chain, span_rows(&chains, smoothness - INT64_C(1), smoothness + INT64_C(1)));
+    }
+}
+/*Integrate pieces of the derivative of an order to pieces of the position, in place.          */
+/*                                                                                             */
+/*    The derivatives below that order in the state (Chain) go on to the end of the last piece.*/
+/*                                                                                             */
+static void lift_pieces(int64_t order, int64_t first, int64_t last, array_double_1d state, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t width;
     int64_t row;
-    double following;
-    following = 1e+300;
-    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
+    int64_t j;
+    int64_t i;
+    double value;
+    int64_t m;
+    double factorial;
+    double length;
+    width = coefficients.shape[INT64_C(1)];
+    for (row = first; row < last; row += INT64_C(1))
     {
-        first = (*cspan_at(&offsets, axis));
-        last = (*cspan_at(&offsets, axis + INT64_C(1)));
-        if (time < (*cspan_at(&timing, first, INT64_C(0))))
+        for (j = INT64_C(0); j < width - order; j += INT64_C(1))
         {
-            following = span_min(following, (*cspan_at(&timing, first, INT64_C(0))));
+            i = width - INT64_C(1) - j;
+            value = (*cspan_at(&coefficients, row, i - order));
+            for (m = INT64_C(0); m < order; m += INT64_C(1))
+            {
+                value = value / (i - m);
+            }
+            (*cspan_at(&coefficients, row, i)) = value;
         }
-        else
+        factorial = 1.0;
+        for (i = INT64_C(0); i < order; i += INT64_C(1))
         {
-            row = find_piece(time, timing, first, last) + INT64_C(1);
-            if (row < last)
+            if (i > INT64_C(0))
             {
-                following = span_min(following, (*cspan_at(&timing, row, INT64_C(0))));
+                factorial = factorial * i;
             }
-            else if (time < (*cspan_at(&ends, axis)))
-            {
-                following = span_min(following, (*cspan_at(&ends, axis)));
-            }
+            (*cspan_at(&coefficients, row, i)) = (*cspan_at(&state, i)) / factorial;
         }
-    }
-    return following;
-}
-/*Events that differ by less [s] are the same; late times have a coarser resolution. */
-double segfmu_same_break(double time)
-{
-    return 1e-08 + 1e-14 * fabs(time);
-}
-/*First event after `time` of a plan that begins at `start`; 1e300 if there is none.               */
-/*                                                                                                 */
-/*    Events are the last axis' arrival at a waypoint, the end of the motion, and the starts of all*/
-/*    pieces, where a derivative of the crane's forces jumps: at smoothness 4 the first one.       */
-/*                                                                                                 */
-double segfmu_next_plan_event(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends, array_double_2d times)
-{
-    double event;
-    int64_t waypoint;
-    double arrival;
-    int64_t axis;
-    double piece_end;
-    event = 1e+300;
-    for (waypoint = INT64_C(1); waypoint < times.shape[INT64_C(0)] + INT64_C(1); waypoint += INT64_C(1))
-    {
-        arrival = 0.0;
-        for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
+        for (i = INT64_C(0); i < order; i += INT64_C(1))
         {
-            if (waypoint < times.shape[INT64_C(0)])
-            {
-                arrival = span_max(arrival, (*cspan_at(&times, waypoint, axis)));
-            }
-            else
-            {
-                arrival = span_max(arrival, (*cspan_at(&ends, axis)));
-            }
-        }
-        if (start + arrival > time + segfmu_same_break(time))
-        {
-            event = span_min(event, start + arrival);
+            length = (*cspan_at(&timing, row, INT64_C(1)));
+            (*cspan_at(&state, i)) = evaluate_piece(coefficients, row, width, length, i);
         }
     }
-    piece_end = next_break(time + segfmu_same_break(time) - start, timing, offsets, ends);
-    if (piece_end < 1e+300)
-    {
-        piece_end = start + piece_end;
-    }
-    /*long after the start, the clock may be too coarse to separate a break from the present*/
-    if ((event <= piece_end + segfmu_same_break(time)) || (piece_end <= time))
-    {
-        return event;
-    }
-    return piece_end;
-}
-/*Time since `start`; at a break, just after it, so that all axes are on the next piece. */
-double segfmu_right_of_break(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends)
-{
-    double local;
-    double behind;
-    local = time - start;
-    /*at its end an axis is still on its last piece*/
-    behind = local + segfmu_same_break(time);
-    if (next_break(local - segfmu_same_break(time), timing, offsets, ends) <= behind)
-    {
-        return behind;
-    }
-    return local;
 }
 /*Complete the piece in `row`: add the derivatives of `state`, and advance `state`.*/
 /*                                                                                 */
@@ -12685,6 +12778,841 @@ int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, array_double
         set_derivatives(a + change, state);
     }
     return row;
+}
+/*Phases of the stage for an order in the row PHASES of `lead`; their number, below 0: none. */
+static int64_t stage_phases(int64_t order, double end, bool free, array_double_2d lead)
+{
+    array_double_1d state;
+    array_double_2d phases;
+    int64_t smoothness;
+    array_double_1d chain;
+    array_double_1d problem;
+    int64_t result;
+    state = span_row(&lead, INT64_C(2));
+    phases = span_rows(&lead, INT64_C(10), INT64_C(23));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(24), INT64_C(0))));
+    if (order == smoothness - INT64_C(1))
+    {
+        chain = span_row(&lead, INT64_C(24) + order - INT64_C(1));
+        if (free)
+        {
+            result = append_change(phases, INT64_C(0), (*cspan_at(&state, order + INT64_C(1))), 0.0, chain);
+            return result;
+        }
+        result = append_velocity_change(phases, INT64_C(0), (*cspan_at(&state, order)), (*cspan_at(&state, order + INT64_C(1))), end, chain);
+        return result;
+    }
+    chain = span_row(&lead, INT64_C(24) + order);
+    if (free)
+    {
+        result = append_velocity_change(phases, INT64_C(0), (*cspan_at(&state, order + INT64_C(1))), (*cspan_at(&state, order + INT64_C(2))), 0.0, chain);
+        return result;
+    }
+    problem = span_row(&lead, INT64_C(9));
+    (*cspan_at(&problem, INT64_C(0))) = (*cspan_at(&state, order + INT64_C(1)));
+    (*cspan_at(&problem, INT64_C(1))) = (*cspan_at(&state, order + INT64_C(2)));
+    (*cspan_at(&problem, INT64_C(2))) = 0.0;
+    (*cspan_at(&problem, INT64_C(3))) = 0.0;
+    (*cspan_at(&problem, INT64_C(4))) = end - (*cspan_at(&state, order));
+    result = segfmu_shortest_profile(problem, chain, phases, span_rows(&lead, INT64_C(31), INT64_C(78)));
+    return result;
+}
+/*Append the pieces of the stage for an order from `row` on; the row after them, -1: none. */
+/*                                                                                         */
+/*    The row STATE of `lead` (LeadWork) goes on to the end of the stage.                  */
+/*                                                                                         */
+static int64_t run_stage(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_1d state;
+    int64_t smoothness;
+    double end;
+    bool free;
+    int64_t count;
+    int64_t seen;
+    array_double_1d chain;
+    array_double_2d expansion;
+    array_double_1d now;
+    array_double_2d phases;
+    int64_t i;
+    int64_t last;
+    state = span_row(&lead, INT64_C(2));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(24), INT64_C(0))));
+    end = (*cspan_at(&lead, INT64_C(5), order));
+    free = end > 1e+299;
+    count = stage_phases(order, end, free, lead);
+    seen = span_min_int(order, smoothness - INT64_C(2));
+    chain = span_row(&lead, INT64_C(24) + seen);
+    if ((count < INT64_C(0)) || (row + segfmu_ramp_pieces(chain) * count > INT64_C(2) * INT64_C(200)))
+    {
+        return -INT64_C(1);
+    }
+    expansion = span_rows(&lead, INT64_C(78), INT64_C(80));
+    now = span_row(&expansion, INT64_C(1));
+    (*cspan_at(&now, INT64_C(0))) = (*cspan_at(&state, seen));
+    (*cspan_at(&now, INT64_C(1))) = (*cspan_at(&state, seen + INT64_C(1)));
+    (*cspan_at(&now, INT64_C(8))) = (*cspan_at(&state, INT64_C(8)));
+    phases = span_rows(&lead, INT64_C(10), INT64_C(23));
+    last = segfmu_expand_phases(phases, count, chain, timing, coefficients, row, expansion);
+    lift_pieces(seen, row, last, state, timing, coefficients);
+    (*cspan_at(&state, seen)) = (*cspan_at(&now, INT64_C(0)));
+    (*cspan_at(&state, seen + INT64_C(1))) = (*cspan_at(&now, INT64_C(1)));
+    if (!free)
+    {
+        (*cspan_at(&state, order)) = end;
+    }
+    for (i = order + INT64_C(1); i < smoothness + INT64_C(1); i += INT64_C(1))
+    {
+        (*cspan_at(&state, i)) = 0.0;
+    }
+    (*cspan_at(&state, INT64_C(8))) = (*cspan_at(&now, INT64_C(8)));
+    return last;
+}
+/*Settle from the row START of `lead` so that all derivatives above an order are zero.             */
+/*                                                                                                 */
+/*    The row ENDS tells where stages end. Returns the row after the last piece, -1: there is none.*/
+/*                                                                                                 */
+static int64_t settle(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t smoothness;
+    int64_t i;
+    int64_t stage;
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(24), INT64_C(0))));
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(2), i)) = (*cspan_at(&lead, INT64_C(1), i));
+    }
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        stage = order + INT64_C(4) - INT64_C(2) * i;
+        if ((stage < smoothness) && (row >= INT64_C(0)))
+        {
+            row = run_stage(stage, row, lead, timing, coefficients);
+        }
+    }
+    return row;
+}
+/*Duration [s] of the planner's profile from the row STATE to the target; -1: there is none. */
+static double profile_time(array_double_2d lead)
+{
+    array_double_1d state;
+    array_double_1d target;
+    array_double_1d problem;
+    array_double_1d axis;
+    array_double_2d phases;
+    int64_t count;
+    int64_t i;
+    double duration;
+    state = span_row(&lead, INT64_C(2));
+    target = span_row(&lead, INT64_C(8));
+    problem = span_row(&lead, INT64_C(9));
+    axis = span_row(&lead, INT64_C(23));
+    phases = span_rows(&lead, INT64_C(10), INT64_C(23));
+    if (fabs((*cspan_at(&state, INT64_C(0) + INT64_C(1)))) > (*cspan_at(&axis, INT64_C(2))) * (1.0 + 1e-12))
+    {
+        return -1.0;
+    }
+    if (fabs((*cspan_at(&state, INT64_C(0) + INT64_C(2)))) > (*cspan_at(&axis, INT64_C(3))) * (1.0 + 1e-12))
+    {
+        return -1.0;
+    }
+    (*cspan_at(&problem, INT64_C(0))) = (*cspan_at(&state, INT64_C(0) + INT64_C(1)));
+    (*cspan_at(&problem, INT64_C(1))) = (*cspan_at(&state, INT64_C(0) + INT64_C(2)));
+    (*cspan_at(&problem, INT64_C(2))) = (*cspan_at(&target, INT64_C(2)));
+    (*cspan_at(&problem, INT64_C(3))) = (*cspan_at(&target, INT64_C(3)));
+    (*cspan_at(&problem, INT64_C(4))) = (*cspan_at(&target, INT64_C(4))) - (*cspan_at(&state, INT64_C(0)));
+    count = segfmu_shortest_profile(problem, axis, phases, span_rows(&lead, INT64_C(31), INT64_C(78)));
+    if (count < INT64_C(0))
+    {
+        return -1.0;
+    }
+    duration = 0.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        duration = duration + (*cspan_at(&phases, i, INT64_C(0)));
+    }
+    return duration;
+}
+/*Keep the lead in the second half of the arrays as the best one.*/
+static void keep_lead(int64_t last, double time, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t first;
+    int64_t row;
+    int64_t i;
+    first = INT64_C(200);
+    for (row = first; row < last; row += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+        {
+            (*cspan_at(&timing, row - first, i)) = (*cspan_at(&timing, row, i));
+        }
+        for (i = INT64_C(0); i < coefficients.shape[INT64_C(1)]; i += INT64_C(1))
+        {
+            (*cspan_at(&coefficients, row - first, i)) = (*cspan_at(&coefficients, row, i));
+        }
+    }
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(3), i)) = (*cspan_at(&lead, INT64_C(2), i));
+        (*cspan_at(&lead, INT64_C(6), i)) = (*cspan_at(&lead, INT64_C(5), i));
+    }
+    (*cspan_at(&lead, INT64_C(7), INT64_C(0))) = time;
+    (*cspan_at(&lead, INT64_C(7), INT64_C(1))) = last - first;
+}
+/*Whether the lead in the second half of the pieces begins in the state of the row NOW.*/
+static bool begins_now(array_double_2d lead, array_double_2d coefficients)
+{
+    int64_t width;
+    int64_t i;
+    double value;
+    width = coefficients.shape[INT64_C(1)];
+    for (i = INT64_C(1); i < span_floor_div(width, INT64_C(2)) + INT64_C(1); i += INT64_C(1))
+    {
+        value = evaluate_piece(coefficients, INT64_C(200), width, 0.0, i);
+        if (!(fabs(value - (*cspan_at(&lead, INT64_C(0), i))) <= 1e-11 * (*cspan_at(&lead, INT64_C(4), i))))
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
+/*Settle from `row` on to the ends in the row ENDS; keep the lead if it is the best one so far.*/
+/*                                                                                             */
+/*    Rows of the second half before `row` belong to the lead as they are.                     */
+/*                                                                                             */
+static bool try_lead(int64_t order, int64_t row, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t first;
+    int64_t last;
+    double time;
+    double rest;
+    double best;
+    array_double_2d check;
+    first = INT64_C(200);
+    last = settle(order, row, lead, timing, coefficients);
+    if (last < INT64_C(0))
+    {
+        return 0;
+    }
+    time = (*cspan_at(&lead, INT64_C(2), INT64_C(8)));
+    if (order == INT64_C(2))
+    {
+        rest = profile_time(lead);
+        if (rest < 0.0)
+        {
+            return 0;
+        }
+        time = time + rest;
+    }
+    best = (*cspan_at(&lead, INT64_C(7), INT64_C(0)));
+    if ((best >= 0.0) && (!(time < best * (*cspan_at(&lead, INT64_C(7), INT64_C(2))))))
+    {
+        return 0;
+    }
+    check = span_rows(&lead, INT64_C(80), INT64_C(123));
+    if (last > first)
+    {
+        if (!begins_now(lead, coefficients))
+        {
+            return 0;
+        }
+        if (!check_axis(first, last, timing, coefficients, limits, 1e-09, check))
+        {
+            return 0;
+        }
+    }
+    keep_lead(last, time, lead, timing, coefficients);
+    (*cspan_at(&lead, INT64_C(7), INT64_C(2))) = 1.0 - 1e-12;
+    return 1;
+}
+/*`try_lead` with the ends of the best lead, but one of them changed.*/
+static bool try_end(int64_t order, int64_t stage, double end, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    double bound;
+    int64_t i;
+    bool result;
+    bound = (*cspan_at(&lead, INT64_C(4), stage));
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(5), i)) = (*cspan_at(&lead, INT64_C(6), i));
+    }
+    (*cspan_at(&lead, INT64_C(5), stage)) = span_min(span_max(end, -bound), bound);
+    result = try_lead(order, INT64_C(200), limits, lead, timing, coefficients);
+    return result;
+}
+/*Improve the end of one stage: over a grid, then by halved steps. */
+static void search_end(int64_t order, int64_t stage, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    double bound;
+    int64_t i;
+    double step;
+    double end;
+    bound = (*cspan_at(&lead, INT64_C(4), stage));
+    for (i = -INT64_C(4); i < INT64_C(5); i += INT64_C(1))
+    {
+        try_end(order, stage, 0.25 * i * bound, limits, lead, timing, coefficients);
+    }
+    step = 0.125 * bound;
+    for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
+    {
+        end = (*cspan_at(&lead, INT64_C(6), stage));
+        if (end > 1e+299)
+        {
+            break;
+        }
+        if (!try_end(order, stage, end + step, limits, lead, timing, coefficients))
+        {
+            if (!try_end(order, stage, end - step, limits, lead, timing, coefficients))
+            {
+                step = 0.5 * step;
+            }
+        }
+    }
+}
+/*End a stage at the first level of the profile that follows.*/
+static void follow_profile(int64_t order, int64_t stage, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_1d first;
+    int64_t i;
+    double level;
+    first = span_row(&lead, INT64_C(10));
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        level = (*cspan_at(&first, INT64_C(2))) + (*cspan_at(&first, INT64_C(3)));
+        if (!try_end(order, stage, level, limits, lead, timing, coefficients))
+        {
+            break;
+        }
+    }
+}
+/*Whether all derivatives above the acceleration are zero in a state (Chain).*/
+static bool is_settled(array_double_1d state, int64_t smoothness)
+{
+    int64_t i;
+    for (i = INT64_C(3); i < smoothness + INT64_C(1); i += INT64_C(1))
+    {
+        if ((*cspan_at(&state, i)) != 0.0)
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
+/*Try the soonest ends of all stages, then search for better ones unless all is settled. */
+static void search_ends(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t smoothness;
+    int64_t i;
+    int64_t first_free;
+    int64_t sweep;
+    int64_t stage;
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(23), INT64_C(0))));
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(5), i)) = 1e+300;
+    }
+    first_free = order;
+    if (order == INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(5), order)) = (*cspan_at(&lead, INT64_C(8), INT64_C(2)));
+        first_free = order + INT64_C(2);
+    }
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(6), i)) = (*cspan_at(&lead, INT64_C(5), i));
+    }
+    try_lead(order, INT64_C(200), limits, lead, timing, coefficients);
+    if (is_settled(span_row(&lead, INT64_C(1)), smoothness))
+    {
+        return;
+    }
+    for (sweep = INT64_C(0); sweep < INT64_C(2); sweep += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+        {
+            stage = first_free + INT64_C(2) * i;
+            if (stage < smoothness)
+            {
+                if (i == INT64_C(0))
+                {
+                    follow_profile(order, stage, limits, lead, timing, coefficients);
+                }
+                search_end(order, stage, limits, lead, timing, coefficients);
+            }
+        }
+        if (first_free + INT64_C(2) >= smoothness)
+        {
+            break;
+        }
+    }
+}
+/*Search for the best lead from the row START.                                                 */
+/*                                                                                             */
+/*    Derivatives that nothing limits are raised as long as that shortens it by more than 1 %. */
+/*                                                                                             */
+static void search_lead(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_1d axis;
+    double steep;
+    int64_t i;
+    double before;
+    int64_t j;
+    axis = span_row(&lead, INT64_C(23));
+    steep = 1.0;
+    for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
+    {
+        chain_limits(steep, axis, span_row(&lead, INT64_C(1)), span_row(&lead, INT64_C(4)));
+        set_chains(steep, axis, span_row(&lead, INT64_C(4)), span_rows(&lead, INT64_C(24), INT64_C(31)));
+        (*cspan_at(&lead, INT64_C(7), INT64_C(2))) = 0.99;
+        before = (*cspan_at(&lead, INT64_C(7), INT64_C(0)));
+        if (before >= 0.0)
+        {
+            for (j = INT64_C(0); j < INT64_C(9); j += INT64_C(1))
+            {
+                (*cspan_at(&lead, INT64_C(5), j)) = (*cspan_at(&lead, INT64_C(6), j));
+            }
+            if (!try_lead(order, INT64_C(200), limits, lead, timing, coefficients))
+            {
+                break;
+            }
+        }
+        search_ends(order, limits, lead, timing, coefficients);
+        steep = 10.0 * steep;
+    }
+}
+/*Whether a ramp ends with a piece; the row START of `lead` becomes the state there. */
+static bool settled_end(int64_t row, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_1d state;
+    int64_t width;
+    double length;
+    int64_t i;
+    bool settled;
+    state = span_row(&lead, INT64_C(1));
+    width = coefficients.shape[INT64_C(1)];
+    length = (*cspan_at(&timing, row, INT64_C(1)));
+    settled = 1;
+    for (i = INT64_C(0); i < span_floor_div(width, INT64_C(2)) + INT64_C(1); i += INT64_C(1))
+    {
+        if (row + INT64_C(1) < last)
+        {
+            (*cspan_at(&state, i)) = evaluate_piece(coefficients, row + INT64_C(1), width, 0.0, i);
+        }
+        else
+        {
+            /*the start of the next piece has no rounding errors*/
+            (*cspan_at(&state, i)) = evaluate_piece(coefficients, row, width, length, i);
+        }
+        if (i > INT64_C(2))
+        {
+            if (fabs((*cspan_at(&state, i))) > 1e-10 * (*cspan_at(&lead, INT64_C(4), i)))
+            {
+                settled = 0;
+            }
+            (*cspan_at(&state, i)) = 0.0;
+        }
+    }
+    (*cspan_at(&state, INT64_C(8))) = (*cspan_at(&timing, row, INT64_C(0))) + length;
+    return settled;
+}
+/*Try leads that follow the pieces of an axis to the end of a ramp.*/
+static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t first;
+    int64_t last;
+    int64_t tried;
+    int64_t row;
+    int64_t place;
+    int64_t i;
+    first = (*cspan_at(&plan_offsets, axis));
+    last = (*cspan_at(&plan_offsets, axis + INT64_C(1)));
+    tried = INT64_C(0);
+    for (row = first; row < last; row += INT64_C(1))
+    {
+        place = INT64_C(200) + row - first;
+        if ((row - first >= span_floor_div(INT64_C(3) * INT64_C(200), INT64_C(4))) || (tried >= INT64_C(8)))
+        {
+            break;
+        }
+        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+        {
+            (*cspan_at(&timing, place, i)) = (*cspan_at(&plan_timing, row, i));
+        }
+        for (i = INT64_C(0); i < coefficients.shape[INT64_C(1)]; i += INT64_C(1))
+        {
+            (*cspan_at(&coefficients, place, i)) = (*cspan_at(&plan_coefficients, row, i));
+        }
+        if (settled_end(row, last, lead, plan_timing, plan_coefficients))
+        {
+            tried = tried + INT64_C(1);
+            for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+            {
+                (*cspan_at(&lead, INT64_C(5), i)) = 1e+300;
+            }
+            if (order == INT64_C(1))
+            {
+                (*cspan_at(&lead, INT64_C(5), order)) = (*cspan_at(&lead, INT64_C(8), INT64_C(2)));
+            }
+            try_lead(order, place + INT64_C(1), limits, lead, timing, coefficients);
+        }
+    }
+}
+/*Find the shortest lead of one axis; False: none keeps the limits.                                    */
+/*                                                                                                     */
+/*    With the order 1 it ends at the velocity in the row TARGET of `lead` (LeadWork), with the order  */
+/*    2 where the planner goes on to the position there. The caller sets that row, the state in the    */
+/*    row NOW, and the shape of the ramps in the row AXIS. limits are c_1 .. c_{n+1}, 0 where absent.  */
+/*    The plan to follow has no pieces where there is none; its times count from now on.               */
+/*                                                                                                     */
+/*    Written: the rows REACHED and BEST, and pieces from the first row on of timing and coefficients, */
+/*    which have twice LeadRows.PIECES rows.                                                           */
+/*                                                                                                     */
+bool segfmu_find_lead(int64_t order, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t smoothness;
+    int64_t shape;
+    int64_t i;
+    bool result;
+    (*cspan_at(&lead, INT64_C(7), INT64_C(0))) = -1.0;
+    (*cspan_at(&lead, INT64_C(7), INT64_C(1))) = 0.0;
+    smoothness = limits.shape[INT64_C(0)] - INT64_C(1);
+    if ((axis < INT64_C(0)) || (smoothness < INT64_C(2)) || (smoothness > INT64_C(6)) || (coefficients.shape[INT64_C(1)] != INT64_C(2) * smoothness))
+    {
+        return 0;
+    }
+    shape = (int64_t)((*cspan_at(&lead, INT64_C(23), INT64_C(1))));
+    segfmu_axis_limits(smoothness, shape, limits, span_row(&lead, INT64_C(23)));
+    if (!segfmu_ramp_parameters(0.1, span_row(&lead, INT64_C(23)), span_rows(&lead, INT64_C(24), INT64_C(31))))
+    {
+        return 0;
+    }
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(1), i)) = (*cspan_at(&lead, INT64_C(0), i));
+    }
+    search_lead(order, limits, lead, timing, coefficients);
+    (*cspan_at(&lead, INT64_C(7), INT64_C(2))) = 1.0 - 1e-12;
+    follow_plan(order, axis, plan_offsets, plan_timing, plan_coefficients, limits, lead, timing, coefficients);
+    result = (*cspan_at(&lead, INT64_C(7), INT64_C(0))) >= 0.0;
+    return result;
+}
+/*First time after `time` [s] at which a piece of any axis begins or its last one ends.*/
+/*                                                                                     */
+/*    1e300 if there is none.                                                          */
+/*                                                                                     */
+static double next_break(double time, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends)
+{
+    int64_t axis;
+    int64_t first;
+    int64_t last;
+    int64_t row;
+    double following;
+    following = 1e+300;
+    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        first = (*cspan_at(&offsets, axis));
+        last = (*cspan_at(&offsets, axis + INT64_C(1)));
+        if (time < (*cspan_at(&timing, first, INT64_C(0))))
+        {
+            following = span_min(following, (*cspan_at(&timing, first, INT64_C(0))));
+        }
+        else
+        {
+            row = find_piece(time, timing, first, last) + INT64_C(1);
+            if (row < last)
+            {
+                following = span_min(following, (*cspan_at(&timing, row, INT64_C(0))));
+            }
+            else if (time < (*cspan_at(&ends, axis)))
+            {
+                following = span_min(following, (*cspan_at(&ends, axis)));
+            }
+        }
+    }
+    return following;
+}
+/*Events that differ by less [s] are the same; late times have a coarser resolution. */
+double segfmu_same_break(double time)
+{
+    return 1e-08 + 1e-14 * fabs(time);
+}
+/*First event after `time` of a plan that begins at `start`; 1e300 if there is none.               */
+/*                                                                                                 */
+/*    Events are the last axis' arrival at a waypoint, the end of the motion, and the starts of all*/
+/*    pieces, where a derivative of the crane's forces jumps: at smoothness 4 the first one.       */
+/*                                                                                                 */
+double segfmu_next_plan_event(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends, array_double_2d times)
+{
+    double event;
+    int64_t waypoint;
+    double arrival;
+    int64_t axis;
+    double piece_end;
+    event = 1e+300;
+    for (waypoint = INT64_C(1); waypoint < times.shape[INT64_C(0)] + INT64_C(1); waypoint += INT64_C(1))
+    {
+        arrival = 0.0;
+        for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
+        {
+            if (waypoint < times.shape[INT64_C(0)])
+            {
+                arrival = span_max(arrival, (*cspan_at(&times, waypoint, axis)));
+            }
+            else
+            {
+                arrival = span_max(arrival, (*cspan_at(&ends, axis)));
+            }
+        }
+        if (start + arrival > time + segfmu_same_break(time))
+        {
+            event = span_min(event, start + arrival);
+        }
+    }
+    piece_end = next_break(time + segfmu_same_break(time) - start, timing, offsets, ends);
+    if (piece_end < 1e+300)
+    {
+        piece_end = start + piece_end;
+    }
+    /*long after the start, the clock may be too coarse to separate a break from the present*/
+    if ((event <= piece_end + segfmu_same_break(time)) || (piece_end <= time))
+    {
+        return event;
+    }
+    return piece_end;
+}
+/*Time since `start`; at a break, just after it, so that all axes are on the next piece. */
+double segfmu_right_of_break(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends)
+{
+    double local;
+    double behind;
+    local = time - start;
+    /*at its end an axis is still on its last piece*/
+    behind = local + segfmu_same_break(time);
+    if (next_break(local - segfmu_same_break(time), timing, offsets, ends) <= behind)
+    {
+        return behind;
+    }
+    return local;
+}
+/*A derivative at the end of a piece, without rounding errors if it is continuous or zero. */
+static double end_derivative(int64_t row, int64_t last, int64_t order, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t width;
+    double length;
+    double largest;
+    double power;
+    int64_t i;
+    double start;
+    double value;
+    width = coefficients.shape[INT64_C(1)];
+    length = (*cspan_at(&timing, row, INT64_C(1)));
+    if ((row + INT64_C(1) < last) && (order <= span_floor_div(width, INT64_C(2))))
+    {
+        value = evaluate_piece(coefficients, row + INT64_C(1), width, 0.0, order);
+        return value;
+    }
+    value = evaluate_piece(coefficients, row, width, length, order);
+    largest = 0.0;
+    power = 1.0;
+    for (i = order; i < width; i += INT64_C(1))
+    {
+        start = evaluate_piece(coefficients, row, width, 0.0, i);
+        largest = span_max(largest, fabs(start) * power);
+        power = power * length / (i - order + INT64_C(1));
+    }
+    if ((order > INT64_C(0)) && (fabs(value) <= 1e-13 * largest))
+    {
+        return 0.0;
+    }
+    return value;
+}
+/*Write a piece from its local time on. Its second half is expanded from the end.              */
+/*                                                                                             */
+/*    Near the end of a motion all derivatives are small there; from the start on they would be*/
+/*    differences of large numbers.                                                            */
+/*                                                                                             */
+static void cut_piece(int64_t row, int64_t last, double local, array_double_2d timing, array_double_2d coefficients, array_double_2d cut_coefficients, int64_t target)
+{
+    int64_t width;
+    double rest;
+    double factorial;
+    int64_t i;
+    double value;
+    int64_t j;
+    int64_t order;
+    double end;
+    width = coefficients.shape[INT64_C(1)];
+    rest = (*cspan_at(&timing, row, INT64_C(1))) - local;
+    factorial = 1.0;
+    for (i = INT64_C(0); i < width; i += INT64_C(1))
+    {
+        if (i > INT64_C(0))
+        {
+            factorial = factorial * i;
+        }
+        value = 0.0;
+        if (rest > local)
+        {
+            value = evaluate_piece(coefficients, row, width, local, i);
+        }
+        else
+        {
+            for (j = INT64_C(0); j < width - i; j += INT64_C(1))
+            {
+                order = width - INT64_C(1) - j;
+                end = end_derivative(row, last, order, timing, coefficients);
+                value = end - value * rest / (order - i + INT64_C(1));
+            }
+        }
+        (*cspan_at(&cut_coefficients, target, i)) = value / factorial;
+    }
+}
+/*Copy one piece.      */
+static void copy_piece(array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d target_timing, array_double_2d target_coefficients, int64_t target)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&target_timing, target, i)) = (*cspan_at(&timing, row, i));
+    }
+    for (i = INT64_C(0); i < coefficients.shape[INT64_C(1)]; i += INT64_C(1))
+    {
+        (*cspan_at(&target_coefficients, target, i)) = (*cspan_at(&coefficients, row, i));
+    }
+}
+/*Write what is left of every axis from `time` on, which becomes time 0; the number of pieces.   */
+/*                                                                                               */
+/*    An axis that has ended stays: one piece without length. The cut arrays have as many rows as*/
+/*    there are pieces and offsets together.                                                     */
+/*                                                                                               */
+int64_t segfmu_cut_plan(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d cut_timing, array_double_2d cut_coefficients, array_int64_t_1d cut_offsets)
+{
+    int64_t axis;
+    int64_t last;
+    int64_t row;
+    double local;
+    double start;
+    double rest;
+    double value;
+    int64_t target;
+    target = INT64_C(0);
+    for (axis = INT64_C(0); axis < offsets.shape[INT64_C(0)] - INT64_C(1); axis += INT64_C(1))
+    {
+        (*cspan_at(&cut_offsets, axis)) = target;
+        last = (*cspan_at(&offsets, axis + INT64_C(1)));
+        row = find_piece(time, timing, (*cspan_at(&offsets, axis)), last);
+        local = span_max(local_time(time, timing, row), 0.0);
+        start = 0.0;
+        rest = (*cspan_at(&timing, row, INT64_C(1))) - local;
+        cut_piece(row, last, local, timing, coefficients, cut_coefficients, target);
+        /*up to the resolution of the clock, this is the end*/
+        if ((row == last - INT64_C(1)) && (rest <= 1e-15 * time))
+        {
+            rest = 0.0;
+            value = (*cspan_at(&cut_coefficients, target, INT64_C(0)));
+            clear_piece(cut_coefficients, target);
+            (*cspan_at(&cut_coefficients, target, INT64_C(0))) = value;
+        }
+        while(row < last)
+        {
+            (*cspan_at(&cut_timing, target, INT64_C(0))) = start;
+            (*cspan_at(&cut_timing, target, INT64_C(1))) = rest;
+            start = start + rest;
+            target = target + INT64_C(1);
+            row = row + INT64_C(1);
+            if (row < last)
+            {
+                rest = (*cspan_at(&timing, row, INT64_C(1)));
+                copy_piece(timing, coefficients, row, cut_timing, cut_coefficients, target);
+            }
+        }
+    }
+    (*cspan_at(&cut_offsets, offsets.shape[INT64_C(0)] - INT64_C(1))) = target;
+    return target;
+}
+/*Add to a piece what has but one derivative, of a value, `before` [s] after its start.*/
+static void add_power(double value, int64_t order, double before, array_double_2d coefficients, int64_t row)
+{
+    int64_t power;
+    double term;
+    int64_t i;
+    for (power = INT64_C(0); power < order + INT64_C(1); power += INT64_C(1))
+    {
+        term = value;
+        for (i = INT64_C(1); i < order - power + INT64_C(1); i += INT64_C(1))
+        {
+            term = (-term) * before / i;
+        }
+        for (i = INT64_C(1); i < power + INT64_C(1); i += INT64_C(1))
+        {
+            term = term / i;
+        }
+        (*cspan_at(&coefficients, row, power)) = (*cspan_at(&coefficients, row, power)) + term;
+    }
+}
+/*Change pieces by rounding errors so that every axis ends exactly in its state ends[axis, :].         */
+/*                                                                                                     */
+/*    Derivatives that it does not have are zero there. Rounding errors of a whole motion may be large */
+/*    against what is left of it.                                                                      */
+/*                                                                                                     */
+void segfmu_anchor_plan(array_double_2d ends, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets)
+{
+    int64_t width;
+    int64_t axis;
+    int64_t last;
+    double length;
+    double end;
+    int64_t order;
+    double wanted;
+    double missed;
+    int64_t row;
+    width = coefficients.shape[INT64_C(1)];
+    for (axis = INT64_C(0); axis < offsets.shape[INT64_C(0)] - INT64_C(1); axis += INT64_C(1))
+    {
+        last = (*cspan_at(&offsets, axis + INT64_C(1))) - INT64_C(1);
+        length = (*cspan_at(&timing, last, INT64_C(1)));
+        end = (*cspan_at(&timing, last, INT64_C(0))) + length;
+        for (order = INT64_C(0); order < span_floor_div(width, INT64_C(2)) + INT64_C(1); order += INT64_C(1))
+        {
+            wanted = 0.0;
+            if (order < ends.shape[INT64_C(1)])
+            {
+                wanted = (*cspan_at(&ends, axis, order));
+            }
+            missed = wanted - evaluate_piece(coefficients, last, width, length, order);
+            for (row = (*cspan_at(&offsets, axis)); row < (*cspan_at(&offsets, axis + INT64_C(1))); row += INT64_C(1))
+            {
+                add_power(missed, order, end - (*cspan_at(&timing, row, INT64_C(0))), coefficients, row);
+            }
+        }
+    }
+}
+/*Write the pieces of each axis of leads and then those of a plan; returns their number.               */
+/*                                                                                                     */
+/*    Times stay as they are; axes may have no lead. The arrays of leads and plan have the same number */
+/*    of rows, the joined ones twice as many.                                                          */
+/*                                                                                                     */
+int64_t segfmu_join_plans(array_double_2d lead_timing, array_double_2d lead_coefficients, array_int64_t_1d lead_offsets, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d joined_timing, array_double_2d joined_coefficients, array_int64_t_1d joined_offsets)
+{
+    int64_t axis;
+    int64_t row;
+    int64_t target;
+    target = INT64_C(0);
+    for (axis = INT64_C(0); axis < offsets.shape[INT64_C(0)] - INT64_C(1); axis += INT64_C(1))
+    {
+        (*cspan_at(&joined_offsets, axis)) = target;
+        for (row = (*cspan_at(&lead_offsets, axis)); row < (*cspan_at(&lead_offsets, axis + INT64_C(1))); row += INT64_C(1))
+        {
+            copy_piece(lead_timing, lead_coefficients, row, joined_timing, joined_coefficients, target);
+            target = target + INT64_C(1);
+        }
+        for (row = (*cspan_at(&offsets, axis)); row < (*cspan_at(&offsets, axis + INT64_C(1))); row += INT64_C(1))
+        {
+            copy_piece(timing, coefficients, row, joined_timing, joined_coefficients, target);
+            target = target + INT64_C(1);
+        }
+    }
+    (*cspan_at(&joined_offsets, offsets.shape[INT64_C(0)] - INT64_C(1))) = target;
+    return target;
 }
 /*Rows that `expand_plan` needs: pieces of each phase, one per dwell, and the spare ones.*/
 int64_t segfmu_count_pieces(array_double_2d axes, array_double_3d cells)
@@ -12850,7 +13778,7 @@ int64_t segfmu_expand_plan(array_double_3d states, array_double_1d dwells, array
             {
                 cell = span_matrix(&cells, j * count + axis);
                 (*cspan_at(&cell, INT64_C(27), INT64_C(5))) = (*cspan_at(&states, j, axis, INT64_C(0)));
-                (*cspan_at(&cell, INT64_C(27), INT64_C(6))) = now;
+                (*cspan_at(&cell, INT64_C(27), INT64_C(6))) = now + (*cspan_at(&cell, INT64_C(27), INT64_C(7)));
                 row = expand_cell(cell, span_row(&axes, axis), timing, coefficients, row, work);
                 now = now + (*cspan_at(&cell, INT64_C(27), INT64_C(1)));
             }
