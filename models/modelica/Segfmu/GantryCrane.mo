@@ -102,9 +102,9 @@ model GantryCrane "Dynamics of a 3-DOF gantry crane from Lagrange's equations, d
   Interfaces.RealOutput estimate_disturbance_load_x(unit = "m/s2") "estimated acceleration of the load, x; of source measured" annotation(Placement(transformation(extent = {{200, -548}, {216, -532}})));
   Interfaces.RealOutput estimate_disturbance_load_y(unit = "m/s2") "estimated acceleration of the load, y; of source measured" annotation(Placement(transformation(extent = {{200, -568}, {216, -552}})));
   Interfaces.RealOutput estimate_rope_offset(unit = "m") "what is added to the measured length of the rope; of source measured" annotation(Placement(transformation(extent = {{200, -588}, {216, -572}})));
-  Interfaces.RealOutput friction_bridge_deflection(unit = "m") "deflection of the contact that rubs" annotation(Placement(transformation(extent = {{200, -628}, {216, -612}})));
-  Interfaces.RealOutput friction_trolley_deflection(unit = "m") "deflection of the contact that rubs" annotation(Placement(transformation(extent = {{200, -648}, {216, -632}})));
-  Interfaces.RealOutput friction_hoist_deflection(unit = "m") "deflection of the contact that rubs" annotation(Placement(transformation(extent = {{200, -668}, {216, -652}})));
+  Interfaces.RealOutput friction_bridge_deflection(unit = "m", nominal = 1e-05) "deflection of the contact that rubs" annotation(Placement(transformation(extent = {{200, -628}, {216, -612}})));
+  Interfaces.RealOutput friction_trolley_deflection(unit = "m", nominal = 1e-05) "deflection of the contact that rubs" annotation(Placement(transformation(extent = {{200, -648}, {216, -632}})));
+  Interfaces.RealOutput friction_hoist_deflection(unit = "m", nominal = 1e-05) "deflection of the contact that rubs" annotation(Placement(transformation(extent = {{200, -668}, {216, -652}})));
   Interfaces.RealOutput load_speed(unit = "m/s") "speed of the load" annotation(Placement(transformation(extent = {{200, -708}, {216, -692}})));
   Interfaces.RealOutput sway_total(unit = "rad", displayUnit = "deg", nominal = 0.1) "angle between rope and vertical" annotation(Placement(transformation(extent = {{200, -748}, {216, -732}})));
   parameter Real bridge_position_start(unit = "m") = 0.0 "start value: true bridge.position" annotation(Dialog(tab = "start"));
@@ -161,10 +161,16 @@ model GantryCrane "Dynamics of a 3-DOF gantry crane from Lagrange's equations, d
   parameter Real friction_sway_viscous(unit = "N.m.s", min = 0.0) = 0.0 "damping of both sway angles" annotation(Dialog(tab = "friction"));
   parameter Real travel_bridge_min(unit = "m") = -1000000000.0 "lower end stop of the bridge" annotation(Dialog(tab = "travel"));
   parameter Real travel_bridge_max(unit = "m") = 1000000000.0 "upper end stop of the bridge" annotation(Dialog(tab = "travel"));
+  parameter Real travel_bridge_stiffness(unit = "N/m", min = 0.0) = 0.0 "stiffness of its buffers; 0: none, reaching it is an error" annotation(Dialog(tab = "travel"));
+  parameter Real travel_bridge_damping(unit = "N.s/m", min = 0.0) = 0.0 "damping of its buffers, which have a stiffness" annotation(Dialog(tab = "travel"));
   parameter Real travel_trolley_min(unit = "m") = -1000000000.0 "lower end stop of the trolley" annotation(Dialog(tab = "travel"));
   parameter Real travel_trolley_max(unit = "m") = 1000000000.0 "upper end stop of the trolley" annotation(Dialog(tab = "travel"));
+  parameter Real travel_trolley_stiffness(unit = "N/m", min = 0.0) = 0.0 "stiffness of its buffers; 0: none, reaching it is an error" annotation(Dialog(tab = "travel"));
+  parameter Real travel_trolley_damping(unit = "N.s/m", min = 0.0) = 0.0 "damping of its buffers, which have a stiffness" annotation(Dialog(tab = "travel"));
   parameter Real travel_rope_min(unit = "m") = -1000000000.0 "lower end stop of the rope's length" annotation(Dialog(tab = "travel"));
   parameter Real travel_rope_max(unit = "m") = 1000000000.0 "upper end stop of the rope's length" annotation(Dialog(tab = "travel"));
+  parameter Real travel_rope_stiffness(unit = "N/m", min = 0.0) = 0.0 "stiffness of its buffers; 0: none, reaching it is an error" annotation(Dialog(tab = "travel"));
+  parameter Real travel_rope_damping(unit = "N.s/m", min = 0.0) = 0.0 "damping of its buffers, which have a stiffness" annotation(Dialog(tab = "travel"));
   parameter Real sensor_sample_time(unit = "s", min = 0.0) = 0.0 "period; 0: continuous" annotation(Dialog(tab = "sensor"));
   parameter Real sensor_dead_time(unit = "s", min = 0.0) = 0.0 "from sampling to the signal; needs sensor.sample_time" annotation(Dialog(tab = "sensor"));
   parameter Integer sensor_seed(min = 0, max = 2147483647) = 0 "seed of the sensors' noise" annotation(Dialog(tab = "sensor"));
@@ -197,6 +203,20 @@ model GantryCrane "Dynamics of a 3-DOF gantry crane from Lagrange's equations, d
   parameter Real wind_noise_deviation_z(unit = "N", min = 0.0) = 0.0 "standard deviation of the wind's noise, z" annotation(Dialog(tab = "wind"));
   parameter Real wind_noise_bandwidth(unit = "Hz", min = 1e-09) = 1.0 "largest frequency in it" annotation(Dialog(tab = "wind"));
   parameter Integer wind_noise_seed(min = 0, max = 2147483647) = 0 "seed of the wind's noise" annotation(Dialog(tab = "wind"));
+  parameter Real wind_speed_x(unit = "m/s") = 0.0 "mean speed of the air, x" annotation(Dialog(tab = "wind"));
+  parameter Real wind_speed_y(unit = "m/s") = 0.0 "mean speed of the air, y" annotation(Dialog(tab = "wind"));
+  parameter Real wind_speed_z(unit = "m/s") = 0.0 "mean speed of the air, z" annotation(Dialog(tab = "wind"));
+  parameter Real wind_gust_speed_x(unit = "m/s") = 0.0 "peak of the gust's speed, x" annotation(Dialog(tab = "wind"));
+  parameter Real wind_gust_speed_y(unit = "m/s") = 0.0 "peak of the gust's speed, y" annotation(Dialog(tab = "wind"));
+  parameter Real wind_gust_speed_z(unit = "m/s") = 0.0 "peak of the gust's speed, z" annotation(Dialog(tab = "wind"));
+  parameter Real wind_turbulence_deviation_x(unit = "m/s", min = 0.0) = 0.0 "standard deviation of the air's turbulence; needs wind.speed, x" annotation(Dialog(tab = "wind"));
+  parameter Real wind_turbulence_deviation_y(unit = "m/s", min = 0.0) = 0.0 "standard deviation of the air's turbulence; needs wind.speed, y" annotation(Dialog(tab = "wind"));
+  parameter Real wind_turbulence_deviation_z(unit = "m/s", min = 0.0) = 0.0 "standard deviation of the air's turbulence; needs wind.speed, z" annotation(Dialog(tab = "wind"));
+  parameter Real wind_turbulence_length(unit = "m", min = 0.001) = 1200.0 "length scale of Davenport's spectrum" annotation(Dialog(tab = "wind"));
+  parameter Real wind_turbulence_bandwidth(unit = "Hz", min = 1e-09) = 1.0 "largest frequency of the turbulence" annotation(Dialog(tab = "wind"));
+  parameter Integer wind_turbulence_seed(min = 0, max = 2147483647) = 0 "seed of the turbulence" annotation(Dialog(tab = "wind"));
+  parameter Real wind_air_density(unit = "kg/m3", min = 0.0) = 1.225 "density of the air" annotation(Dialog(tab = "wind"));
+  parameter Real load_drag_area(unit = "m2", min = 0.0) = 0.0 "drag coefficient of the load times its area; 0: the air's speed does not act" annotation(Dialog(tab = "load"));
   parameter Integer payload_count(min = 0, max = 4) = 0 "number of payload changes in use" annotation(Dialog(tab = "payload"));
   parameter Real payload_1_time(unit = "s") = 0.0 "time of a payload change" annotation(Dialog(tab = "payload"));
   parameter Real payload_1_mass(unit = "kg", min = 1e-09) = 1.0 "mass of the load from then on" annotation(Dialog(tab = "payload"));
@@ -293,64 +313,65 @@ model GantryCrane "Dynamics of a 3-DOF gantry crane from Lagrange's equations, d
   Real friction_hoist_deflection_rate(unit = "m/s") "derivative of friction.hoist.deflection";
   Real power_drives(unit = "W", nominal = 10.0) "power of all drives";
 protected
-  constant Integer feedback_table_length_references[17] = {192, 203, 214, 225, 236, 247, 258, 269, 280, 291, 302, 313, 324, 335, 346, 357, 368};
-  constant Integer feedback_table_bridge_references[17, 4] = [193, 194, 195, 196;
-      204, 205, 206, 207;
-      215, 216, 217, 218;
-      226, 227, 228, 229;
-      237, 238, 239, 240;
-      248, 249, 250, 251;
-      259, 260, 261, 262;
-      270, 271, 272, 273;
-      281, 282, 283, 284;
-      292, 293, 294, 295;
-      303, 304, 305, 306;
-      314, 315, 316, 317;
-      325, 326, 327, 328;
-      336, 337, 338, 339;
-      347, 348, 349, 350;
-      358, 359, 360, 361;
-      369, 370, 371, 372];
-  constant Integer feedback_table_trolley_references[17, 4] = [197, 198, 199, 200;
-      208, 209, 210, 211;
-      219, 220, 221, 222;
-      230, 231, 232, 233;
-      241, 242, 243, 244;
-      252, 253, 254, 255;
-      263, 264, 265, 266;
-      274, 275, 276, 277;
-      285, 286, 287, 288;
-      296, 297, 298, 299;
-      307, 308, 309, 310;
-      318, 319, 320, 321;
-      329, 330, 331, 332;
-      340, 341, 342, 343;
-      351, 352, 353, 354;
-      362, 363, 364, 365;
-      373, 374, 375, 376];
-  constant Integer feedback_table_hoist_references[17, 2] = [201, 202;
-      212, 213;
-      223, 224;
-      234, 235;
-      245, 246;
-      256, 257;
-      267, 268;
-      278, 279;
-      289, 290;
-      300, 301;
-      311, 312;
-      322, 323;
-      333, 334;
-      344, 345;
-      355, 356;
-      366, 367;
-      377, 378];
+  constant Integer feedback_table_length_references[17] = {212, 223, 234, 245, 256, 267, 278, 289, 300, 311, 322, 333, 344, 355, 366, 377, 388};
+  constant Integer feedback_table_bridge_references[17, 4] = [213, 214, 215, 216;
+      224, 225, 226, 227;
+      235, 236, 237, 238;
+      246, 247, 248, 249;
+      257, 258, 259, 260;
+      268, 269, 270, 271;
+      279, 280, 281, 282;
+      290, 291, 292, 293;
+      301, 302, 303, 304;
+      312, 313, 314, 315;
+      323, 324, 325, 326;
+      334, 335, 336, 337;
+      345, 346, 347, 348;
+      356, 357, 358, 359;
+      367, 368, 369, 370;
+      378, 379, 380, 381;
+      389, 390, 391, 392];
+  constant Integer feedback_table_trolley_references[17, 4] = [217, 218, 219, 220;
+      228, 229, 230, 231;
+      239, 240, 241, 242;
+      250, 251, 252, 253;
+      261, 262, 263, 264;
+      272, 273, 274, 275;
+      283, 284, 285, 286;
+      294, 295, 296, 297;
+      305, 306, 307, 308;
+      316, 317, 318, 319;
+      327, 328, 329, 330;
+      338, 339, 340, 341;
+      349, 350, 351, 352;
+      360, 361, 362, 363;
+      371, 372, 373, 374;
+      382, 383, 384, 385;
+      393, 394, 395, 396];
+  constant Integer feedback_table_hoist_references[17, 2] = [221, 222;
+      232, 233;
+      243, 244;
+      254, 255;
+      265, 266;
+      276, 277;
+      287, 288;
+      298, 299;
+      309, 310;
+      320, 321;
+      331, 332;
+      342, 343;
+      353, 354;
+      364, 365;
+      375, 376;
+      386, 387;
+      397, 398];
   final parameter Integer real_references[:] = cat(1, {23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 81, 82, 83, 84, 85, 86, 89, 90, 91, 92, 93, 94, 95,
       96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 110, 111, 112, 113, 114,
-      115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 126, 127, 128, 129, 130, 132, 133,
-      134, 135, 136, 137, 138, 139, 140, 141, 142, 143, 144, 145, 146, 147, 148, 149, 150, 151,
-      153, 154, 155, 156, 157, 158, 159, 162, 163, 164, 165, 166, 167, 168, 169, 172, 173, 174,
-      175, 176, 178, 179, 180, 181, 182, 183, 184, 185, 186, 187, 188, 191},
+      115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 126, 127, 128, 129, 130, 131, 132,
+      133, 134, 135, 136, 138, 139, 140, 141, 142, 143, 144, 145, 146, 147, 148, 149, 150, 151,
+      152, 153, 154, 155, 156, 157, 159, 160, 161, 162, 163, 164, 165, 167, 168, 169, 170, 171,
+      172, 173, 174, 175, 176, 177, 179, 180, 182, 183, 184, 185, 186, 187, 188, 189, 192, 193,
+      194, 195, 196, 198, 199, 200, 201, 202, 203, 204, 205, 206, 207, 208, 211},
       feedback_table_length_references[1:feedback_table_count],
       FMI.references(feedback_table_bridge_references, feedback_table_count),
       FMI.references(feedback_table_trolley_references, feedback_table_count),
@@ -370,32 +391,37 @@ protected
       friction_trolley_static, friction_trolley_drag, friction_hoist_viscous,
       friction_hoist_coulomb, friction_hoist_static, friction_hoist_drag, friction_width,
       friction_presliding, friction_sway_viscous, travel_bridge_min, travel_bridge_max,
-      travel_trolley_min, travel_trolley_max, travel_rope_min, travel_rope_max,
-      sensor_sample_time, sensor_dead_time, sensor_bridge_position_resolution,
-      sensor_bridge_position_deviation, sensor_bridge_position_offset,
-      sensor_trolley_position_resolution, sensor_trolley_position_deviation,
-      sensor_trolley_position_offset, sensor_rope_length_resolution, sensor_rope_length_deviation,
-      sensor_rope_length_offset, sensor_sway_x_angle_resolution, sensor_sway_x_angle_deviation,
-      sensor_sway_x_angle_offset, sensor_sway_y_angle_resolution, sensor_sway_y_angle_deviation,
-      sensor_sway_y_angle_offset, wind_constant_x, wind_constant_y, wind_constant_z,
-      wind_gust_start, wind_gust_duration, wind_gust_force_x, wind_gust_force_y,
-      wind_gust_force_z, wind_noise_deviation_x, wind_noise_deviation_y, wind_noise_deviation_z,
-      wind_noise_bandwidth, payload_1_time, payload_1_mass, payload_2_time, payload_2_mass,
-      payload_3_time, payload_3_mass, payload_4_time, payload_4_mass, feedback_sample_time,
-      feedback_payload_mass, feedback_bandwidth, feedback_hoist_bandwidth, feedback_damping,
-      feedback_rejection_carriage, feedback_rejection_load, feedback_fade, feedback_payload_time,
-      feedback_observer_position, feedback_observer_length, feedback_observer_angle,
-      feedback_observer_drift, feedback_observer_wind, feedback_observer_wake,
-      feedback_observer_offset, feedback_table_payload_mass},
+      travel_bridge_stiffness, travel_bridge_damping, travel_trolley_min, travel_trolley_max,
+      travel_trolley_stiffness, travel_trolley_damping, travel_rope_min, travel_rope_max,
+      travel_rope_stiffness, travel_rope_damping, sensor_sample_time, sensor_dead_time,
+      sensor_bridge_position_resolution, sensor_bridge_position_deviation,
+      sensor_bridge_position_offset, sensor_trolley_position_resolution,
+      sensor_trolley_position_deviation, sensor_trolley_position_offset,
+      sensor_rope_length_resolution, sensor_rope_length_deviation, sensor_rope_length_offset,
+      sensor_sway_x_angle_resolution, sensor_sway_x_angle_deviation, sensor_sway_x_angle_offset,
+      sensor_sway_y_angle_resolution, sensor_sway_y_angle_deviation, sensor_sway_y_angle_offset,
+      wind_constant_x, wind_constant_y, wind_constant_z, wind_gust_start, wind_gust_duration,
+      wind_gust_force_x, wind_gust_force_y, wind_gust_force_z, wind_noise_deviation_x,
+      wind_noise_deviation_y, wind_noise_deviation_z, wind_noise_bandwidth, wind_speed_x,
+      wind_speed_y, wind_speed_z, wind_gust_speed_x, wind_gust_speed_y, wind_gust_speed_z,
+      wind_turbulence_deviation_x, wind_turbulence_deviation_y, wind_turbulence_deviation_z,
+      wind_turbulence_length, wind_turbulence_bandwidth, wind_air_density, load_drag_area,
+      payload_1_time, payload_1_mass, payload_2_time, payload_2_mass, payload_3_time,
+      payload_3_mass, payload_4_time, payload_4_mass, feedback_sample_time, feedback_payload_mass,
+      feedback_bandwidth, feedback_hoist_bandwidth, feedback_damping, feedback_rejection_carriage,
+      feedback_rejection_load, feedback_fade, feedback_payload_time, feedback_observer_position,
+      feedback_observer_length, feedback_observer_angle, feedback_observer_drift,
+      feedback_observer_wind, feedback_observer_wake, feedback_observer_offset,
+      feedback_table_payload_mass},
       feedback_table_length,
       FMI.rows(feedback_table_bridge),
       FMI.rows(feedback_table_trolley),
       FMI.rows(feedback_table_hoist));
-  constant Integer integer_references[9] = {87, 131, 152, 160, 161, 171, 177, 189, 190};
-  final parameter Integer integers[9] = {Integer(drive_mode), sensor_seed, Integer(wind_gust_shape), wind_noise_seed, payload_count,
-      Integer(feedback_design), Integer(feedback_source), feedback_table_count,
-      Integer(feedback_table_mode)};
-  constant Integer boolean_references[2] = {88, 170};
+  constant Integer integer_references[10] = {87, 137, 158, 166, 178, 181, 191, 197, 209, 210};
+  final parameter Integer integers[10] = {Integer(drive_mode), sensor_seed, Integer(wind_gust_shape), wind_noise_seed,
+      wind_turbulence_seed, payload_count, Integer(feedback_design), Integer(feedback_source),
+      feedback_table_count, Integer(feedback_table_mode)};
+  constant Integer boolean_references[2] = {88, 190};
   final parameter Integer booleans[2] = {if start_on_reference then 1 else 0, if feedback_enabled then 1 else 0};
   constant Integer input_references[22] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22};
   Interfaces.RealInput force_bridge_used;
@@ -428,7 +454,7 @@ protected
       reference_sway_y_rate_used, reference_load_position_x_used, reference_load_position_y_used,
       reference_load_position_z_used, wind_x_used, wind_y_used, wind_z_used};
   FMI.Instance fmu = FMI.Instance(folder, "GantryCrane", getInstanceName(),
-      "{4325d900-b0a5-ee80-9f93-62a18d80565d}", 16);
+      "{a768962c-d630-0b64-6e35-6aee7456e6ac}", 16);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[16](each stateSelect = StateSelect.always, each nominal = 0.1) "states of the FMU";
@@ -518,7 +544,7 @@ equation
       = FMI.reals(fmu, time, x, fill(0, 0),
       fill(0.0, 0),
       {23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 58, 59,
-      60, 61, 62, 63, 64, 65, 66, 69, 70, 71, 72, 73, 74, 75, 384, 385, 386}, last);
+      60, 61, 62, 63, 64, 65, 66, 69, 70, 71, 72, 73, 74, 75, 404, 405, 406}, last);
   {error_load_x}
       = FMI.reals(fmu, time, x, {17},
       {reference_load_position_x_used},
@@ -543,7 +569,7 @@ equation
       = FMI.reals(fmu, time, x, {1, 2, 3, 4, 5, 6, 20, 21, 22},
       {force_bridge_used, force_trolley_used, force_hoist_used, velocity_bridge_used,
       velocity_trolley_used, velocity_hoist_used, wind_x_used, wind_y_used, wind_z_used},
-      {48, 50, 51, 53, 54, 56, 57, 67, 68, 379, 380, 381, 382, 383, 387}, last);
+      {48, 50, 51, 53, 54, 56, 57, 67, 68, 399, 400, 401, 402, 403, 407}, last);
   {friction_bridge_deflection, friction_trolley_deflection, friction_hoist_deflection,
       load_speed, sway_total}
       = FMI.reals(fmu, time, x, {1, 2, 3, 4, 5, 6, 20, 21, 22, 17, 18, 19},
