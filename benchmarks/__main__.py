@@ -26,6 +26,7 @@ PARTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "i": ("completeness", ()),
     "j": ("drive_bounds", ()),
     "r": ("replanning", ()),
+    "k": ("free_states", ("casadi",)),
 }
 
 LIST = ", ".join(f"{letter} {module}" for letter, (module, _) in PARTS.items())

@@ -42,6 +42,89 @@ def test_points_on_a_line_cost_almost_nothing() -> None:
     assert through < 1.01 * direct
 
 
+def walk(seed: int, count: int) -> np.ndarray:
+    random = np.random.default_rng(seed)
+    steps = random.uniform(0.2, 1.5, (count, 1)) * [1.0, 0.5, 0.2]
+    return np.cumsum(steps + 0.3 * random.normal(size=(count, 3)), axis=0)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_long_missions_are_planned_and_better_than_with_free_velocities_alone(seed: int) -> None:
+    places = walk(seed, 10 + 3 * seed)
+    totals = {}
+    for acceleration in (None, "free"):
+        inner = [Waypoint(p, "free", acceleration) for p in places[1:-1]]
+        trajectory = plan([Waypoint(places[0]), *inner, Waypoint(places[-1])], Limits(1, 1, 4, 20))
+        assert verify(trajectory).passed
+        totals[acceleration] = trajectory.duration
+    assert totals["free"] <= totals[None]
+
+
+def test_the_choice_is_the_same_every_time() -> None:
+    places = walk(1, 6)
+    points = [Waypoint(places[0]), *(Waypoint(p, "free", "free") for p in places[1:-1]),
+              Waypoint(places[-1])]
+    first, second = (plan(points, Limits(1, 1, 4, 20)) for _ in range(2))
+    assert first.duration == second.duration
+
+
+@pytest.mark.parametrize("overshoot", [0.0, 0.1, 0.25])
+@pytest.mark.parametrize("seed", [0, 1, 2])
+def test_axes_stay_near_their_waypoints(seed: int, overshoot: float) -> None:
+    places = np.random.default_rng(seed).uniform(0.0, 3.0, (6, 3))
+    points = [Waypoint(places[0]), *(Waypoint(p, "free", "free") for p in places[1:-1]),
+              Waypoint(places[-1])]
+    trajectory = plan(points, Limits(1.5, 1.5, 4, 20), overshoot=overshoot)
+    times = trajectory.waypoint_times
+    for i in range(5):
+        near = places[max(i - 1, 0):i + 3]
+        beyond = overshoot * np.ptp(near, axis=0) + 1e-8
+        path = trajectory(np.linspace(times[i], times[i + 1], 400))
+        assert (path >= near.min(axis=0) - beyond).all()
+        assert (path <= near.max(axis=0) + beyond).all()
+
+
+def test_overshoot_is_a_share() -> None:
+    points = [Waypoint(0.0), Waypoint(1.0, "free"), Waypoint(0.5)]
+    for wrong in (-0.1, np.nan, "much"):
+        with pytest.raises(InputError, match="overshoot"):
+            plan(points, Limits(1, 1, 4, 20), overshoot=wrong)
+
+
+@pytest.mark.parametrize("off", [1e-16, 1e-14, 1e-12, 3e-10])
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_states_that_nearly_are_at_a_limit(off: float, sign: float) -> None:
+    """A ramp over the difference would last nanoseconds."""
+    limits = Limits(1.0, 1.0, 4.0, 20.0)
+    for velocity, acceleration in ((0.2, 1.0 - off), (1.0 - off, off), (off, -1.0 + off)):
+        inner = Waypoint(sign * 0.7, sign * velocity, sign * acceleration)
+        trajectory = plan([Waypoint(0.0), inner, Waypoint(sign * 2.0)], limits)
+        assert verify(trajectory).passed
+
+
+@pytest.mark.parametrize("smoothness", [2, 3, 4, 5, 6])
+@pytest.mark.parametrize("shape", ["plateau", "smoothstep"])
+def test_every_smoothness_and_shape_is_faster_than_stopping(smoothness: int, shape: str) -> None:
+    limits = Limits(1.0, 1.0, 3.0, *[20.0, 200.0, 2000.0][:smoothness - 2])
+    places = walk(3, 5)
+    inner = places[1:-1]
+    ends = Waypoint(places[0]), Waypoint(places[-1])
+    durations = [
+        plan([ends[0], *(Waypoint(p, state, state) for p in inner), ends[1]], limits,
+             smoothness=smoothness, shape=shape).duration
+        for state in (None, "free")
+    ]
+    assert durations[1] < 0.9 * durations[0]
+
+
+def test_progress_counts_passages() -> None:
+    seen: list[tuple[int, int]] = []
+    points = [Waypoint(0.0), Waypoint(0.5, "free"), Waypoint(1.0), Waypoint(1.5, "free"),
+              Waypoint(2.0)]
+    plan(points, Limits(1, 1, 4, 20), progress=lambda done, all_: seen.append((done, all_)))
+    assert seen == [(1, 2), (2, 2)]
+
+
 def test_given_states_stay() -> None:
     points = [
         Waypoint([0.0, 0.0]), Waypoint([0.5, 0.2], [0.3, None], [0.0, None]), Waypoint([1.0, 0.5])

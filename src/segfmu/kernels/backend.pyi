@@ -393,6 +393,12 @@ def check_problem(
     /,
 ) -> int: ...
 
+def settle_states(
+    states: Floats,
+    limits: Floats,
+    /,
+) -> int: ...
+
 def measure_state(
     state: Floats,
     sensors: Floats,

@@ -137,6 +137,10 @@ ENTRY_POINTS = (
         limits=("axes", 2), report=Refusal.SIZE,
     ),
     entry(
+        "planner.problem", "settle_states", states=("points", "axes", WaypointState.SIZE),
+        limits=("axes", 2),
+    ),
+    entry(
         "planner.plan", "plan_phases", states=("points", "axes", WaypointState.SIZE),
         dwells="points", limits=("axes", PLAN_LIMITS), options=PlanOptions.SIZE,
         axes=("axes", Axis.SIZE),

@@ -1,29 +1,50 @@
 """Choice of free waypoint velocities and accelerations.
 
-First guess: where both chords have the same direction, pass along it at a speed that the shorter
-chord admits; where they reverse, rest. A compass search over one waypoint at a time then shortens
-the two adjacent intervals. A second search starts from rest at every free waypoint, so the result
-is never slower than resting there.
+The states of the central path (central.py) are nearly optimal, but the planner's profiles are not
+all motions: between some states they take longer than the path. Where they do, the path is found
+again for smaller shares of the jerk and snap limits in that interval, until the planner keeps up.
+What counts is the planner's own duration. Rest at the free waypoints and free velocities without
+acceleration are candidates as well, so the choice is never slower than these.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from segfmu.kernels.planner.records import WaypointState
 from segfmu.planning.arrays import FloatArray
-from segfmu.planning.problem import Problem, plan_phases, total_duration
-from segfmu.planning.request import Request
-from segfmu.planning.waypoint import Waypoint
+from segfmu.planning.central import CentralPath
+from segfmu.planning.passage import Passage, passages
+from segfmu.planning.problem import Problem
+from segfmu.planning.request import Request, with_states
 
-SWEEPS = 4
-# in units of the limit; every sweep omits one more of the first
-STEPS = (0.3, 0.1, 0.03, 0.01, 0.003, 0.001)
+Progress = Callable[[int, int], None]
+
+# share of the range of its neighbours by which an axis may leave it
+OVERSHOOT = 0.25
+ROUNDS = 10
+# points of the path: by how much its duration may exceed the shortest one, at most
+GAPS = (0.3, 0.1, 0.03)
+# a path this much longer than the best plan holds nothing faster
+HOPELESS = 1.03
+# a profile keeps up with the path if it takes at most this much longer
+KEEPS_UP = 1.005
+# of the last search, in units of the limits, and the least gain that counts
+STEPS = (0.03, 0.01, 0.003)
+SHORTER = 1.0 - 1e-6
+# factors of velocity, acceleration, jerk and snap limits for each degree of tightness
+TIGHTER = np.array([1.0, 1.0, 0.93, 0.75])
+# what smoothsteps use of the limits of velocity .. snap, about
+SMOOTHSTEP = np.array([1.0, 1.0, 0.6, 0.5])
 
 
-def choose_states(request: Request) -> Request:
+def choose_states(
+    request: Request, overshoot: float = OVERSHOOT, progress: Progress | None = None
+) -> Request:
     """A request with numbers for its free velocities and accelerations (NaN).
 
     Free states of the first and the last waypoint, and of those with a dwell, become rest.
@@ -32,119 +53,161 @@ def choose_states(request: Request) -> Request:
     free = np.isnan(problem.states)
     if not free.any():
         return request
-    states = np.where(free, 0.0, problem.states)
+    resting = replace(problem, states=np.where(free, 0.0, problem.states))
     free[[0, -1]] = False
     free[problem.dwells > 0.0] = False
-    if free.any():
-        states = _fastest(replace(problem, states=states), free)
-    waypoints = tuple(
-        Waypoint(state[:, WaypointState.POSITION], state[:, WaypointState.VELOCITY],
-                 state[:, WaypointState.ACCELERATION], dwell=point.dwell)
-        for point, state in zip(request.waypoints, states, strict=True)
+    states = resting.states
+    parts = list(passages(resting, free[:, :, WaypointState.VELOCITY:], overshoot))
+    for done, part in enumerate(parts):
+        states[part.waypoints, part.axes, WaypointState.VELOCITY:] = _fastest(part)
+        if progress is not None:
+            progress(done + 1, len(parts))
+    return replace(
+        request, waypoints=with_states(request.waypoints, states), problem=resting
     )
-    return replace(request, waypoints=waypoints, problem=replace(problem, states=states))
 
 
-def _fastest(resting: Problem, free: FloatArray) -> FloatArray:
-    """The states of the fastest plan found; the search starts at `resting` as well."""
-    search = _Search(free, resting)
-    candidates = [resting.states, search.improve(_guess(resting, free))]
-    if np.isfinite(search.total(resting.states)):
-        candidates.append(search.improve(resting.states))
-    return min(candidates, key=lambda states: _duration(replace(resting, states=states)))
+def _fastest(part: Passage) -> FloatArray:
+    """Velocities and accelerations (waypoints, axes, 2) of the fastest plan found."""
+    best = _Best(part)
+    _Search(part, part.free).improve(best)
+    if part.free[:, :, 1].any():
+        velocities = part.free.copy()
+        velocities[:, :, 1] = False
+        _Search(part, velocities).improve(best)
+    best.polish()
+    return best.states
 
 
-def _duration(problem: Problem) -> float:
-    """Duration of the plan exactly as requested, infinite if there is none."""
-    phases = plan_phases(problem)
-    return float(phases.durations.sum(axis=0).max()) if phases.feasible else float("inf")
+class _Best:
+    """The fastest states so far; first of all, rest."""
+
+    def __init__(self, part: Passage) -> None:
+        self.part = part
+        self.states = part.problem.states[:, :, WaypointState.VELOCITY:].copy()
+        self.total = float(part.durations(self.states).sum())
+
+    def offer(self, states: FloatArray, times: FloatArray) -> NDArray[np.bool_]:
+        """Take states if they are faster; returns in which intervals they fail.
+
+        They fail where the plan takes longer than the path, or leaves the range of the positions.
+        """
+        least = self.part.least_durations(states).max(axis=1)
+        if not least.sum() < self.total:
+            return np.asarray(~(least <= KEEPS_UP * times))
+        durations = self.part.durations(states)
+        slow = np.asarray(~(durations <= KEEPS_UP * times))
+        if durations.sum() < self.total:
+            beyond = self.part.beyond(states)
+            if not beyond.any():
+                self.states, self.total = states, float(durations.sum())
+            slow |= beyond
+        return slow
 
 
-def _guess(resting: Problem, free: FloatArray) -> FloatArray:
-    """Velocities along the chords, limited by braking within half of the shorter chord."""
-    guess = resting.states.copy()
-    velocity_limit, acceleration_limit = resting.limits[:, 0], resting.limits[:, 1]
-    chords = np.diff(guess[:, :, WaypointState.POSITION], axis=0)
-    for i in range(1, len(guess) - 1):
-        before, after = chords[i - 1], chords[i]
-        shorter = np.minimum(np.abs(before), np.abs(after))
-        speed = np.minimum(0.9 * velocity_limit, np.sqrt(acceleration_limit * shorter))
-        # all axes take the time of the slowest one, so their speeds are proportional
-        slowest = float(np.max(shorter / np.maximum(speed, 1e-12)))
-        share = shorter / max(slowest, 1e-12)
-        passing = before * after > 0.0
-        chosen = np.where(passing, np.sign(after) * np.minimum(speed, share), 0.0)
-        velocity = guess[i, :, WaypointState.VELOCITY]
-        velocity[:] = np.where(free[i, :, WaypointState.VELOCITY], chosen, velocity)
-    return guess
+    def polish(self) -> None:
+        """Move one free state after the other while the two intervals next to it get shorter."""
+        for step in STEPS:
+            for point, axis, field in np.argwhere(self.part.free):
+                near = self.part.around(int(point))
+                window = self.states[point - 1:point + 2].copy()
+                least = float(near.durations(window).sum())
+                bound = float(near.problem.limits[axis, field])
+                for move in (step * bound, -step * bound):
+                    while True:
+                        trial = window.copy()
+                        trial[1, axis, field] = np.clip(trial[1, axis, field] + move, -bound, bound)
+                        reached = near.quick_total(trial, least * SHORTER)
+                        if not reached < least * SHORTER or near.beyond(trial).any():
+                            break
+                        window, least = trial, reached
+                self.states[point] = window[1]
 
 
 class _Search:
-    """Compass search over the free states of one waypoint after the other."""
+    """Central paths of a passage, tighter where the planner does not keep up."""
 
-    def __init__(self, free: FloatArray, problem: Problem) -> None:
+    def __init__(self, part: Passage, free: NDArray[np.bool_]) -> None:
+        self.part = part
         self.free = free
-        self.dwells = problem.dwells
-        self.limits = problem.limits
-        meeting = problem.options.synchronize == "waypoints"
-        self.options = replace(
-            problem.options, synchronize="waypoints" if meeting else "none", sample_time=0.0,
-            duration=0.0,
+        self.limits = _control_limits(part.problem)
+        self.total = 0.0
+
+    def improve(self, best: _Best) -> None:
+        """Offer states on central paths until they cannot be faster."""
+        # degrees of tightness: in use, the highest that failed, and those that did not
+        degree = np.zeros(len(self.part.box))
+        failed, good = degree - 1.0, degree + np.inf
+        for _ in range(ROUNDS):
+            slow = self._try(degree, best)
+            if slow is None or self.total > best.total * HOPELESS:
+                return
+            failed[slow] = np.maximum(failed[slow], degree[slow])
+            if not slow.any():
+                good = degree
+            # an interval that failed gets tighter; if none did, those that once failed get looser
+            retried = slow if slow.any() else (failed >= 0.0) & (good - failed > 0.4)
+            if not retried.any():
+                return
+            tighter = np.where(np.isfinite(good), 0.5 * (failed + good), 1.0 + 1.25 * failed)
+            degree = np.where(retried, tighter, degree)
+
+    def _try(self, degree: FloatArray, best: _Best) -> NDArray[np.bool_] | None:
+        """Offer the states on one central path; the intervals in which the best of them fail."""
+        slow = None
+        for states, times in self._path(degree):
+            self.total = float(times.sum())
+            found = best.offer(states, times)
+            if slow is None or found.sum() < slow.sum():
+                slow = found
+        return slow
+
+    def _path(self, degree: FloatArray) -> Iterator[tuple[FloatArray, FloatArray]]:
+        """States (waypoints, axes, 2) and durations (intervals,) [s] on the central path."""
+        problem = self.part.problem
+        used = TIGHTER[None, :self.limits.shape[1]] ** degree[:, None]
+        if problem.options.shape == "smoothstep":
+            used = used * SMOOTHSTEP[:self.limits.shape[1]]
+        path = CentralPath(
+            problem.states[:, :, WaypointState.POSITION],
+            problem.states[:, :, WaypointState.VELOCITY:], self.free, self.limits, used,
+            self.part.box,
         )
-        self.apart = replace(self.options, synchronize="none")
+        point = path.start()
+        theta = 0.1 * path.constraints / point.total
+        for gap in GAPS:
+            reached = np.inf
+            while reached > 1.05 * gap or path.room > 1.0:
+                centred = path.centre(point, theta)
+                if centred is None:
+                    return
+                point = centred
+                reached = path.constraints / (theta * point.total)
+                theta *= min(4.0, max(1.0, reached / gap))
+            yield self._rounded(point.states), np.exp(point.times)
 
-    def total(self, states: FloatArray) -> float:
-        """Duration of all intervals."""
-        return total_duration(Problem(states, self.dwells, self.limits, self.options))
+    def _rounded(self, shares: FloatArray) -> FloatArray:
+        """States without the last digits, which depend on the processor: all plan the same."""
+        problem = self.part.problem
+        digits = np.round(shares * 2.0**24) / 2.0**24 * problem.limits[None, :, :2]
+        return np.where(self.free, digits, problem.states[:, :, WaypointState.VELOCITY:])
 
-    def improve(self, states: FloatArray) -> FloatArray:
-        """Sweep until nothing gets shorter; infeasible guesses are first moved towards rest."""
-        states = states.copy()
-        for _ in range(8):
-            if np.isfinite(self.total(states)):
-                break
-            states[self.free] *= 0.5
-        for sweep in range(SWEEPS):
-            before = self.total(states)
-            for point in range(1, len(states) - 1):
-                for field, axis in np.argwhere(self.free[point].T):
-                    self._line(states, point, int(axis), int(field), STEPS[sweep:])
-            if not self.total(states) < before * (1.0 - 1e-4):
-                break
-        return states
 
-    def _line(
-        self, states: FloatArray, point: int, axis: int, field: int, steps: tuple[float, ...]
-    ) -> None:
-        """Move one state up or down, in place, while the two intervals next to it get shorter."""
-        rows = slice(point - 1, point + 2)
-        window = states[rows].copy()
-        dwells = self.dwells[rows].copy()
-        bound = float(self.limits[axis, field - WaypointState.VELOCITY])
-        best = self._window(window, dwells, float("inf"))
-        for step in steps:
-            for sign in (1.0, -1.0):
-                while True:
-                    kept = window[1, axis, field]
-                    moved = min(max(kept + sign * step * bound, -bound), bound)
-                    window[1, axis, field] = moved
-                    reached = self._window(window, dwells, best)
-                    if not reached < best * (1.0 - 1e-9):
-                        window[1, axis, field] = kept
-                        break
-                    best = reached
-        states[point, axis, field] = window[1, axis, field]
+def _control_limits(problem: Problem) -> FloatArray:
+    """Limits up to the order of the control; infinite where absent.
 
-    def _window(self, window: FloatArray, dwells: FloatArray, best: float) -> float:
-        """Duration of two intervals, infinite if a single axis already takes `best`.
-
-        This avoids the search for a common duration, which is expensive beyond a gap.
-        """
-        phases = plan_phases(Problem(window, dwells, self.limits, self.apart))
-        if not phases.feasible:
-            return float("inf")
-        if self.options.synchronize == "none":
-            return float(phases.durations.sum())
-        if not phases.durations.max(axis=1).sum() < best * (1.0 - 1e-9):
-            return float("inf")
-        return total_duration(Problem(window, dwells, self.limits, self.options))
+    If a limit above the snap alone bounds it, the snap is about what the ramp to the acceleration
+    limit needs.
+    """
+    known = problem.limits[:, :6]
+    table = np.zeros((len(known), 6))
+    table[:, :known.shape[1]] = known
+    table[table == 0.0] = np.inf
+    acceleration, jerk, snap, crackle, pop = table[:, 1:].T
+    snap = np.minimum(snap, np.minimum(
+        np.cbrt(crackle * crackle * acceleration), np.sqrt(pop * acceleration)
+    ))
+    if not np.isfinite(snap).any():
+        return table[:, :3]
+    snap = np.minimum(snap, 10.0 * jerk * jerk / acceleration)
+    return np.column_stack([table[:, :3], snap])

@@ -12,8 +12,8 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.errors import InfeasibleError
-from segfmu.planning.free import choose_states
+from segfmu.errors import InfeasibleError, InputError
+from segfmu.planning.free import OVERSHOOT, Progress, choose_states
 from segfmu.planning.lead import Pieces
 from segfmu.planning.limits import Limits
 from segfmu.planning.request import Request, checked_request, position_bounds
@@ -35,6 +35,8 @@ def plan(
     position_min: ArrayLike | None = None,
     position_max: ArrayLike | None = None,
     axis_names: Sequence[str] | None = None,
+    overshoot: float = OVERSHOOT,
+    progress: Progress | None = None,
 ) -> Trajectory:
     """Plan a trajectory through waypoints within limits.
 
@@ -58,6 +60,12 @@ def plan(
         Range that no axis may leave [m]; checked exactly.
     axis_names : sequence of str, optional
         Names for messages; x, y, z by default.
+    overshoot : float
+        How far free states may lead beyond the neighbouring waypoints. Between two waypoints, an
+        axis stays in the range of these two, the one before and the one after them, widened on
+        both sides by this share of the range; 0 for none, infinite for no such bound.
+    progress : callable, optional
+        Called with the number of passages whose free states are chosen, and of all of them.
 
     Returns
     -------
@@ -73,6 +81,7 @@ def plan(
     request = checked_request(
         waypoints, limits, smoothness, shape, synchronize, sample_time, duration, axis_names
     )
+    request = choose_states(request, _share("overshoot", overshoot), progress)
     trajectory = planned(request)
     _check_positions(trajectory, position_min, position_max)
     return trajectory
@@ -95,6 +104,17 @@ def planned(request: Request, follow: Pieces | None = None) -> Trajectory:
     if not proved:
         require(trajectory)
     return trajectory
+
+
+def _share(name: str, value: float) -> float:
+    """A number >= 0; infinity is one."""
+    try:
+        share = float(value)
+    except (TypeError, ValueError):
+        share = -1.0
+    if not share >= 0.0:
+        raise InputError(f"{name} must be a number >= 0, got {value!r}")
+    return share
 
 
 def _check_positions(

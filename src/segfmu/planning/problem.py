@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from segfmu.kernels import backend
 from segfmu.kernels.planner.records import (
@@ -16,6 +17,7 @@ from segfmu.kernels.planner.records import (
     Shape,
     Synchronization,
 )
+from segfmu.kernels.trajectory.records import Expansion, Timing
 from segfmu.planning.arrays import FloatArray
 
 SHAPES = tuple(name.lower() for name in Shape.items())
@@ -109,10 +111,20 @@ def plan_phases(problem: Problem) -> Phases:
     return Phases(status, table, cells, work)
 
 
-def total_duration(problem: Problem) -> float:
-    """Sum of the intervals' durations [s], over all axes unless synchronised; inf: no plan."""
-    phases = plan_phases(problem)
-    if not phases.feasible:
-        return float("inf")
-    meeting = problem.options.synchronize == "waypoints"
-    return float(phases.durations[:, 0].sum() if meeting else phases.durations.sum())
+def expand_phases(problem: Problem, phases: Phases) -> tuple[FloatArray, FloatArray, NDArray[np.int64], FloatArray]:
+    """The polynomial pieces of planned phases, with rows that are not used behind them.
+
+    Returns timing and coefficients of the pieces, the first piece of each axis, and the arrivals
+    (waypoints, axes) with the ends of the motion as their last row [s].
+    """
+    points, axes = problem.states.shape[:2]
+    rows = backend.count_pieces(phases.axes, phases.cells)
+    timing = np.empty((rows, Timing.SIZE))
+    coefficients = np.empty((rows, 2 * problem.options.smoothness))
+    offsets = np.zeros(axes + 1, dtype=np.int64)
+    times = np.zeros((points + 1, axes))
+    backend.expand_plan(
+        problem.states, problem.dwells, phases.axes, phases.cells, timing, coefficients, offsets,
+        times, np.empty((Expansion.SIZE, Expansion.COLUMNS)),
+    )
+    return timing, coefficients, offsets, times

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from segfmu.errors import InputError
 from segfmu.kernels import backend
 from segfmu.kernels.messages import PLAN
-from segfmu.kernels.planner.records import PlanStatus, Refusal
+from segfmu.kernels.planner.records import PlanStatus, Refusal, WaypointState
 from segfmu.planning.arrays import FloatArray, finite_vector
 from segfmu.planning.limits import Limits
 from segfmu.planning.problem import SHAPES, SYNCHRONIZATIONS, Options, Problem
@@ -79,7 +79,21 @@ def checked_request(
     dwells = np.array([p.dwell for p in points])
     _require_settled(points, options.smoothness)
     table = limits.table(axes, options.smoothness)
+    # a start on another plan stays as it is
+    first = 0 if points[0].settled else 1
+    if backend.settle_states(states[first:], table) > 0:
+        points = with_states(points, states)
     return Request(points, limits, names, Problem(states, dwells, table, options))
+
+
+def with_states(points: tuple[Waypoint, ...], states: FloatArray) -> tuple[Waypoint, ...]:
+    """The waypoints with other states, shape (waypoints, axes, WaypointState); NaN: free."""
+    known = [[[None if v != v else v for v in row] for row in state.T.tolist()] for state in states]
+    return tuple(
+        Waypoint(point.position, row[WaypointState.VELOCITY], row[WaypointState.ACCELERATION],
+                 point.jerk, point.snap, point.crackle, point.pop, point.dwell)
+        for point, row in zip(points, known, strict=True)
+    )
 
 
 def position_bounds(name: str, given: ArrayLike, axes: int) -> FloatArray:

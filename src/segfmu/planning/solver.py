@@ -9,11 +9,11 @@ import numpy as np
 from segfmu.errors import InfeasibleError
 from segfmu.kernels import backend
 from segfmu.kernels.planner.records import DelayedState, WaypointState
-from segfmu.kernels.trajectory.records import Check, Expansion, Timing
+from segfmu.kernels.trajectory.records import Check
 from segfmu.planning.arrays import FloatArray
 from segfmu.planning.lead import TO_PLAN, Leads, Pieces, find_leads
 from segfmu.planning.messages import refusal
-from segfmu.planning.problem import Phases, Problem, plan_phases
+from segfmu.planning.problem import Phases, Problem, expand_phases, plan_phases
 from segfmu.planning.request import Request
 from segfmu.planning.trajectory import Trajectory
 
@@ -85,17 +85,8 @@ def _phases(request: Request, problem: Problem) -> Phases:
 
 def _expand(problem: Problem, phases: Phases) -> tuple[Pieces, FloatArray]:
     """The pieces, and the arrivals (waypoints, axes) with the ends as their last row [s]."""
-    points, axes = problem.states.shape[:2]
-    rows = backend.count_pieces(phases.axes, phases.cells)
-    timing = np.empty((rows, Timing.SIZE))
-    coefficients = np.empty((rows, 2 * problem.options.smoothness))
-    offsets = np.zeros(axes + 1, dtype=np.int64)
-    times = np.zeros((points + 1, axes))
-    backend.expand_plan(
-        problem.states, problem.dwells, phases.axes, phases.cells, timing, coefficients, offsets,
-        times, np.empty((Expansion.SIZE, Expansion.COLUMNS)),
-    )
-    return Pieces(timing, coefficients, offsets), times
+    *pieces, times = expand_phases(problem, phases)
+    return Pieces(*pieces), times
 
 
 def judged(

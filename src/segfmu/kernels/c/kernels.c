@@ -248,6 +248,7 @@ static int64_t plan_axis(int64_t axis, double share, array_double_2d axes, array
 static double meet_intervals(int64_t first, int64_t last, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static int64_t synchronize_plan(array_double_1d dwells, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static bool differ(double before, double value);
+static double settle_value(double value, double limit);
 static int64_t sensing_rows(double sample_time, double dead_time);
 static int64_t sensing_end(array_double_2d settings);
 static double next_sample(array_double_1d sensors, array_double_2d memory);
@@ -10602,6 +10603,57 @@ int64_t segfmu_check_problem(array_double_3d states, array_double_2d limits, arr
         }
     }
     return INT64_C(0);
+}
+/*A velocity or acceleration; 0 or its limit where it is within 1e-9 of the limit from it. */
+static double settle_value(double value, double limit)
+{
+    double near;
+    near = 1e-09 * limit;
+    if (fabs(value) <= near)
+    {
+        return 0.0;
+    }
+    if (fabs(fabs(value) - limit) <= near)
+    {
+        if (value > 0.0)
+        {
+            return limit;
+        }
+        return -limit;
+    }
+    return value;
+}
+/*Round velocities and accelerations that nearly are 0 or their limit; arrays as above.              */
+/*                                                                                                   */
+/*    The ramp from such a state to the limit would last nanoseconds, and its jumps could not be told*/
+/*    from rounding errors. Returns the number of states that change.                                */
+/*                                                                                                   */
+int64_t segfmu_settle_states(array_double_3d states, array_double_2d limits)
+{
+    int64_t j;
+    int64_t axis;
+    int64_t i;
+    double given;
+    double settled;
+    int64_t changed;
+    changed = INT64_C(0);
+    for (j = INT64_C(0); j < states.shape[INT64_C(0)]; j += INT64_C(1))
+    {
+        for (axis = INT64_C(0); axis < states.shape[INT64_C(1)]; axis += INT64_C(1))
+        {
+            for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+            {
+                given = (*cspan_at(&states, j, axis, INT64_C(1) + i));
+                settled = settle_value(given, (*cspan_at(&limits, axis, i)));
+                if (fabs(settled - given) > 0.0)
+                {
+                    (*cspan_at(&states, j, axis, INT64_C(1) + i)) = settled;
+                    changed = changed + INT64_C(1);
+                }
+            }
+        }
+    }
+    return changed;
 }
 /*Rows of memory, for the samples within the dead time, the new one, and one for rounding. */
 static int64_t sensing_rows(double sample_time, double dead_time)

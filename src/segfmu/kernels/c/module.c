@@ -1456,6 +1456,30 @@ static PyObject *call_check_problem(
     return answer;
 }
 
+static PyObject *call_settle_states(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "settle_states", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_states;
+    Py_buffer *in_limits;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_states = take_array(&call, 0, 3, 'd', true)) != NULL
+        && (in_limits = take_array(&call, 1, 2, 'd', false)) != NULL
+        && has_at_least(&call, "states", 0, in_states->shape[0], 1)
+        && has_at_least(&call, "states", 1, in_states->shape[1], 1)
+        && has_extent(&call, "limits", 0, in_limits->shape[0], in_states->shape[1])
+        && has_at_least(&call, "states", 2, in_states->shape[2], 3)
+        && has_at_least(&call, "limits", 1, in_limits->shape[1], 2)) {
+        answer = PyLong_FromLongLong(segfmu_settle_states(
+            (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
+            (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_measure_state(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -2679,6 +2703,7 @@ static PyMethodDef methods[] = {
     {"ramp_parameters", (PyCFunction)(void (*)(void))call_ramp_parameters, METH_FASTCALL, NULL},
     {"plan_phases", (PyCFunction)(void (*)(void))call_plan_phases, METH_FASTCALL, NULL},
     {"check_problem", (PyCFunction)(void (*)(void))call_check_problem, METH_FASTCALL, NULL},
+    {"settle_states", (PyCFunction)(void (*)(void))call_settle_states, METH_FASTCALL, NULL},
     {"measure_state", (PyCFunction)(void (*)(void))call_measure_state, METH_FASTCALL, NULL},
     {"rig_next_event", (PyCFunction)(void (*)(void))call_rig_next_event, METH_FASTCALL, NULL},
     {"switch_correction", (PyCFunction)(void (*)(void))call_switch_correction, METH_FASTCALL, NULL},

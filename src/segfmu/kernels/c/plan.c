@@ -136,6 +136,7 @@ int segfmu_plan(const segfmu_problem *p, double *space, segfmu_trajectory *traje
     array_double_1d options = gather_options(p, take(&space, PLAN_OPTIONS_SIZE));
     array_double_2d work = matrix(take(&space, PLAN_WORK_SIZE * PLAN_WORK_COLUMNS), PLAN_WORK_SIZE, PLAN_WORK_COLUMNS);
     double *report = work.data + PLAN_WORK_REFUSAL * PLAN_WORK_COLUMNS;
+    segfmu_settle_states(planned.states, planned.limits);
     int64_t status = segfmu_check_problem(planned.states, planned.limits,
                                           vector(report, REFUSAL_SIZE));
     if (status == PLAN_STATUS_PLANNED) {

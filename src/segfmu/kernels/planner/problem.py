@@ -1,6 +1,6 @@
 """Checks of waypoints and limits before planning."""
 
-from segfmu.kernels.planner.records import PlanStatus, Refusal
+from segfmu.kernels.planner.records import PlanStatus, Refusal, WaypointState
 
 
 def check_problem(states: 'float[:,:,:]', limits: 'float[:,:]', report: 'float[:]') -> int:
@@ -25,6 +25,36 @@ def check_problem(states: 'float[:,:,:]', limits: 'float[:,:]', report: 'float[:
             report[Refusal.INTERVAL] = j - 1
             return PlanStatus.SAME_WAYPOINTS
     return PlanStatus.PLANNED
+
+
+def settle_value(value: float, limit: float) -> float:
+    """A velocity or acceleration; 0 or its limit where it is within 1e-9 of the limit from it."""
+    near = 1e-9 * limit
+    if abs(value) <= near:
+        return 0.0
+    if abs(abs(value) - limit) <= near:
+        if value > 0.0:
+            return limit
+        return -limit
+    return value
+
+
+def settle_states(states: 'float[:,:,:]', limits: 'float[:,:]') -> int:
+    """Round velocities and accelerations that nearly are 0 or their limit; arrays as above.
+
+    The ramp from such a state to the limit would last nanoseconds, and its jumps could not be told
+    from rounding errors. Returns the number of states that change.
+    """
+    changed = 0
+    for j in range(states.shape[0]):
+        for axis in range(states.shape[1]):
+            for i in range(2):
+                given = states[j, axis, WaypointState.VELOCITY + i]
+                settled = settle_value(given, limits[axis, i])
+                if abs(settled - given) > 0.0:
+                    states[j, axis, WaypointState.VELOCITY + i] = settled
+                    changed = changed + 1
+    return changed
 
 
 def differ(before: float, value: float) -> bool:
