@@ -34,7 +34,7 @@ HOPELESS = 1.03
 # a profile keeps up with the path if it takes at most this much longer
 KEEPS_UP = 1.005
 # of the last search, in units of the limits, and the least gain that counts
-STEPS = (0.03, 0.01, 0.003)
+STEPS = (0.03, 0.01, 0.003, 0.001)
 SHORTER = 1.0 - 1e-6
 # factors of velocity, acceleration, jerk and snap limits for each degree of tightness
 TIGHTER = np.array([1.0, 1.0, 0.93, 0.75])
