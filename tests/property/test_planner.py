@@ -30,8 +30,12 @@ def move(problem: AxisProblem) -> Trajectory:
 def planned(problem: AxisProblem, **changes) -> Trajectory:
     """The plan of one axis problem; problems without a plan are left out."""
     problem = replace(problem, **changes)
-    change = max(abs(problem.v - problem.w), abs(problem.a - problem.b))
-    assume(max(abs(problem.distance), change) > 1e-9)
+    velocity, acceleration = problem.limits[:2]
+    change = max(
+        abs(problem.v - problem.w) / velocity, abs(problem.a - problem.b) / acceleration
+    )
+    # states within 1e-9 of zero or of a limit are settled there
+    assume(abs(problem.distance) > 1e-9 or change > 2e-9)
     try:
         return move(problem)
     except InfeasibleError as error:
