@@ -111,7 +111,9 @@ def plan_phases(problem: Problem) -> Phases:
     return Phases(status, table, cells, work)
 
 
-def expand_phases(problem: Problem, phases: Phases) -> tuple[FloatArray, FloatArray, NDArray[np.int64], FloatArray]:
+def expand_phases(
+    problem: Problem, phases: Phases
+) -> tuple[FloatArray, FloatArray, NDArray[np.int64], FloatArray]:
     """The polynomial pieces of planned phases, with rows that are not used behind them.
 
     Returns timing and coefficients of the pieces, the first piece of each axis, and the arrivals

@@ -85,8 +85,8 @@ def _phases(request: Request, problem: Problem) -> Phases:
 
 def _expand(problem: Problem, phases: Phases) -> tuple[Pieces, FloatArray]:
     """The pieces, and the arrivals (waypoints, axes) with the ends as their last row [s]."""
-    *pieces, times = expand_phases(problem, phases)
-    return Pieces(*pieces), times
+    timing, coefficients, offsets, times = expand_phases(problem, phases)
+    return Pieces(timing, coefficients, offsets), times
 
 
 def judged(
