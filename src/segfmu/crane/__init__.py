@@ -1,6 +1,6 @@
 """The gantry crane: equations of motion, flat inverse, plant, control, and control baselines."""
 
-from segfmu.crane.actuators import ActuatedPlan, plan_actuated
+from segfmu.crane.actuators import ActuatedPlan, bound_uses, plan_actuated
 from segfmu.crane.bounds import ActuatorBounds, BoundUse
 from segfmu.crane.controller import Controller
 from segfmu.crane.disturbance import Gust, PayloadChange, Wind
@@ -25,6 +25,7 @@ __all__ = [
     "Feedforward", "FlatInverse", "Friction", "Gust", "Observer", "PayloadChange",
     "PayloadSchedule", "Plant", "Rig", "Sensors", "Setpoints", "Shaped", "Shaper", "SwayFeedback",
     "TrackingController", "TravelLimits", "Trapezoid", "Uncertainty", "Weights", "Wind",
-    "design_flat", "design_lqr", "design_observer", "design_schedule", "largest_eigenvalue",
+    "bound_uses", "design_flat", "design_lqr", "design_observer", "design_schedule",
+    "largest_eigenvalue",
     "plan_actuated", "stability_map", "zv", "zvd",
 ]

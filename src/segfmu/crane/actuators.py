@@ -147,8 +147,15 @@ def plan_actuated(
     return _measured(crane, bounds, best.trajectory)
 
 
+def bound_uses(
+    crane: Crane, trajectory: Trajectory, bounds: ActuatorBounds
+) -> tuple[BoundUse, ...]:
+    """The exact use of every bound of the drives by a trajectory of x, y and z."""
+    return uses(bounds, *peaks(crane, trajectory))
+
+
 def _measured(crane: Crane, bounds: ActuatorBounds, trajectory: Trajectory) -> ActuatedPlan:
-    return ActuatedPlan(trajectory, uses(bounds, *peaks(crane, trajectory)))
+    return ActuatedPlan(trajectory, bound_uses(crane, trajectory, bounds))
 
 
 def _as_limited(

@@ -102,6 +102,7 @@ def run_campaign(
         Called with the share done.
     """
     columns = [(mode, method) for mode in modes for method in methods]
+    mission.require_limits()
     work = partial(_column, mission, mission.plan(), disturbances)
     found: dict[tuple[str, str], list[Outcome]] = {}
     with _pool(jobs) as pool:

@@ -59,7 +59,7 @@ def write_maps(folder: Path, mission: Mission, trajectory: Trajectory, coarse: b
     (ropes, distances), (lengths, payloads) = COARSE_GRIDS if coarse else GRIDS
     crane = mission.build_crane()
     span = rope_range(crane, trajectory)
-    limits = mission.limits.x.velocity, mission.limits.x.acceleration
+    limits = mission.require_limits().x.velocity, mission.require_limits().x.acceleration
     times = move_times(
         np.linspace(*span, ropes), np.linspace(*DISTANCES, distances), limits, crane.gravity
     )

@@ -140,7 +140,7 @@ def baseline_motions(
 ) -> tuple[Motion, Motion, Motion]:
     """Motions of bridge, trolley and rope of a baseline."""
     points = np.array([w.position for w in mission.waypoints]) * [1.0, 1.0, -1.0]
-    limits = [getattr(mission.limits, axis) for axis in AXES]
+    limits = [getattr(mission.require_limits(), axis) for axis in AXES]
     lengths = np.array(
         [
             max(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -9,10 +10,11 @@ from pydantic import AfterValidator, Field, model_validator
 
 from segfmu.crane import ActuatorBounds, Crane, plan_actuated
 from segfmu.errors import InputError
-from segfmu.planning import Limits, Trajectory, Waypoint, plan
+from segfmu.planning import Clearance, Limits, Obstacle, Trajectory, Waypoint, plan
 from segfmu.validation import crane_parameters
+from segfmu.validation.clearance_tables import ObstacleEntry, WorkspaceTable
 from segfmu.validation.crane_file import CraneFile
-from segfmu.validation.keys import AXES, Key, Table, printable
+from segfmu.validation.keys import AXES, Key, NotNegativeTriple, Place, Table, printable
 from segfmu.validation.mission_checks import check_waypoints
 from segfmu.validation.mission_tables import (
     ActuatorEntry,
@@ -45,7 +47,10 @@ class Mission(Table):
         CraneFile | None,
         Key("what differs from `crane` in the crane that is simulated", default="nothing"),
     ] = None
-    limits: Annotated[LimitsTable, Key("limits of the load")]
+    limits: Annotated[
+        LimitsTable | None,
+        Key("limits of the load", default="those that follow from the bounds of the drives"),
+    ] = None
     waypoints: Annotated[
         list[WaypointEntry],
         Key("waypoints of the load"),
@@ -71,6 +76,19 @@ class Mission(Table):
     actuators: Annotated[
         ActuatorEntry, Key("bounds of the drives in this mission")
     ] = ActuatorEntry()
+    workspace: Annotated[
+        WorkspaceTable, Key("range of the load's position")
+    ] = WorkspaceTable()
+    obstacles: Annotated[
+        list[ObstacleEntry], Key("boxes that the load must not meet"), Field(max_length=1000)
+    ] = []
+    load_size: Annotated[
+        NotNegativeTriple,
+        Key("edges of the load's box, for obstacles; it does not tilt", "m", parts=AXES),
+    ] = [0.0, 0.0, 0.0]
+    load_centre: Annotated[
+        Place, Key("centre of the load's box from the rope's end", "m", parts=AXES)
+    ] = [0.0, 0.0, 0.0]
     simulation: Annotated[
         SimulationEntry, Key("how the mission is run")
     ] = SimulationEntry()
@@ -94,8 +112,22 @@ class Mission(Table):
         """The crane that is planned for."""
         return crane_parameters.nominal(self.crane)
 
-    def build_limits(self) -> Limits:
-        """Limits of the axes x, y, z."""
+    def require_limits(self) -> LimitsTable:
+        """The limits of the load.
+
+        Raises
+        ------
+        InputError
+            If the mission has none.
+        """
+        if self.limits is None:
+            raise InputError("limits: this needs limits of the load; add [limits.x], .y and .z")
+        return self.limits
+
+    def build_limits(self) -> Limits | None:
+        """Limits of the axes x, y, z; None if the mission leaves them to the drives."""
+        if self.limits is None:
+            return None
         axes = [getattr(self.limits, axis) for axis in AXES]
         return Limits(
             *(
@@ -109,20 +141,39 @@ class Mission(Table):
         own = crane_parameters.bounds(self.crane)
         return crane_parameters.tighter(own, self.actuators.model_dump())
 
-    def plan(self) -> Trajectory:
-        """Plan the mission's trajectory of x, y and z."""
+    def build_clearance(self) -> Clearance:
+        """Workspace and obstacles."""
+        ranges = [getattr(self.workspace, axis) or (None, None) for axis in AXES]
+        return Clearance(
+            [Obstacle(**entry.model_dump()) for entry in self.obstacles],
+            [r[0] for r in ranges], [r[1] for r in ranges], self.load_size, self.load_centre,
+        )
+
+    def plan(self, progress: Callable[[float], None] = lambda _: None) -> Trajectory:
+        """Plan the mission's trajectory of x, y and z.
+
+        `progress` is called with the share of a search for limits that is done, from 0 to 1.
+        """
         points = [Waypoint(**entry.model_dump()) for entry in self.waypoints]
         options: dict[str, Any] = {
             "smoothness": self.smoothness, "shape": self.shape,
             "synchronize": self.synchronization, "sample_time": self.sample_time,
             "duration": self.duration, "axis_names": AXES,
         }
-        bounds = self.build_bounds()
-        if bounds is None:
-            return plan(points, self.build_limits(), **options)
-        return plan_actuated(
-            self.build_crane(), points, self.build_limits(), bounds, **options
-        ).trajectory
+        bounds, limits, clearance = self.build_bounds(), self.build_limits(), self.build_clearance()
+        if bounds is not None:
+            return plan_actuated(
+                self.build_crane(), points, limits, bounds, clearance=clearance,
+                progress=progress, **options,
+            ).trajectory
+        if limits is None:
+            raise InputError(
+                "limits: neither limits of the load nor bounds of the drives are known; add "
+                "[limits] to the mission, or bounds such as bridge.velocity_max to the crane file"
+            )
+        trajectory = plan(points, limits, **options)
+        clearance.require(trajectory)
+        return trajectory
 
 
 def load_mission(path: Path) -> Mission:
@@ -146,6 +197,7 @@ def load_mission(path: Path) -> Mission:
         for name, crane in (("crane", mission.crane), ("true_crane", mission.simulated)):
             crane_parameters.check(crane, name)
         check_waypoints(mission)
+        mission.build_clearance()
     except InputError as error:
         raise InputError(f"{path}: {error}") from None
     return mission

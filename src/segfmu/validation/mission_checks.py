@@ -10,7 +10,7 @@ from segfmu.validation.keys import AXES
 
 if TYPE_CHECKING:
     from segfmu.validation.mission import Mission
-    from segfmu.validation.mission_tables import WaypointEntry
+    from segfmu.validation.mission_tables import LimitsTable, WaypointEntry
 
 
 def check_waypoints(mission: Mission) -> None:
@@ -23,7 +23,12 @@ def check_waypoints(mission: Mission) -> None:
     """
     points = mission.waypoints
     for i, entry in enumerate(points, 1):
-        _check_limits(mission, i, entry)
+        if mission.limits is not None:
+            _check_limits(mission.limits, i, entry)
+        if entry.position[2] >= 0.0:
+            raise InputError(
+                f"waypoints.{i}.position: z {entry.position[2]} m must be below the trolley, z < 0"
+            )
         moving = next(_moving(entry), None)
         if entry.dwell > 0.0 and moving:
             raise InputError(f"waypoints.{i}.dwell: only a waypoint at rest can have a dwell")
@@ -37,9 +42,9 @@ def check_waypoints(mission: Mission) -> None:
             raise InputError(f"waypoints.{i}: the same as waypoint {i - 1}; use dwell to wait")
 
 
-def _check_limits(mission: Mission, i: int, entry: WaypointEntry) -> None:
+def _check_limits(table: LimitsTable, i: int, entry: WaypointEntry) -> None:
     for axis, name in enumerate(AXES):
-        limits = getattr(mission.limits, name)
+        limits = getattr(table, name)
         for quantity, unit in (("velocity", "m/s"), ("acceleration", "m/s2")):
             state, bound = getattr(entry, quantity), getattr(limits, quantity)
             value = 0.0 if state == "free" else state[axis]
@@ -48,10 +53,6 @@ def _check_limits(mission: Mission, i: int, entry: WaypointEntry) -> None:
                     f"waypoints.{i}.{quantity}: axis {name}: {value} {unit} exceeds "
                     f"limits.{name}.{quantity} {bound} {unit}"
                 )
-    if entry.position[2] >= 0.0:
-        raise InputError(
-            f"waypoints.{i}.position: z {entry.position[2]} m must be below the trolley, z < 0"
-        )
 
 
 def _moving(entry: WaypointEntry) -> Iterator[str]:

@@ -1,0 +1,45 @@
+"""Use of the drives' bounds: of a plan exactly, of a run from its rows; as tables."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+from rich.table import Table
+
+from segfmu.crane.bounds import DRIVES, ActuatorBounds, BoundUse, uses
+from segfmu.validation.units import shown
+
+RATES = ("bridge.velocity", "trolley.velocity", "rope.velocity")
+SWAYS = ("sway.x.angle", "sway.y.angle")
+# a run may use this more of a bound than all of it: the feedback acts beside the plan
+RUN_MARGIN = 0.01
+
+
+def run_uses(rows: NDArray[np.void], bounds: ActuatorBounds) -> tuple[BoundUse, ...]:
+    """Use of every bound in the rows of a co-simulation; accelerations by differences."""
+    time = rows["time"]
+    force = np.column_stack([rows[f"drive.{drive}.force"] for drive in DRIVES])
+    velocity = np.column_stack([rows[rate] for rate in RATES])
+    sway = np.column_stack([rows[angle] for angle in SWAYS])
+    acceleration = np.gradient(velocity, time, axis=0) if time.size > 1 else 0.0 * velocity
+    found = np.abs(np.hstack([force, velocity, acceleration, force * velocity, sway]))
+    at = found.argmax(axis=0)
+    return uses(bounds, found[at, np.arange(at.size)], time[at])
+
+
+def bound_table(found: Sequence[BoundUse]) -> Table:
+    """Every known bound with its peak, its use and when; those in full use first."""
+    table = Table(title="use of the drives' bounds")
+    table.add_column("bound")
+    for heading in ("peak", "of", "use", "at"):
+        table.add_column(heading, justify="right")
+    known = [use for use in found if np.isfinite(use.bound)]
+    for use in sorted(known, key=lambda use: -use.use):
+        (peak, bound), unit = shown((use.peak, use.bound), use.unit)
+        table.add_row(
+            use.name, f"{peak:.4g} {unit}", f"{bound:.4g} {unit}", f"{100.0 * use.use:.2f} %",
+            f"{use.time:.3f} s",
+        )
+    return table

@@ -1,0 +1,25 @@
+"""Numbers in the units of the field: kN instead of thousands of newtons, degrees, millimetres."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import degrees
+
+# from this magnitude on in the first unit, the second one, larger by a factor of 1000
+LARGE = 2000.0
+LARGER = {"N": "kN", "W": "kW", "kg": "t"}
+
+
+def scale(largest: float, unit: str) -> tuple[float, str]:
+    """Factor and unit with which magnitudes up to a largest one are shown."""
+    if unit == "rad":
+        return degrees(1.0), "deg"
+    if unit in LARGER and largest >= LARGE:
+        return 1e-3, LARGER[unit]
+    return 1.0, unit
+
+
+def shown(values: Sequence[float], unit: str) -> tuple[tuple[float, ...], str]:
+    """Values in the unit that suits the largest of them."""
+    factor, name = scale(max(map(abs, values)), unit)
+    return tuple(factor * value for value in values), name
