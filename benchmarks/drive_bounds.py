@@ -23,10 +23,10 @@ from segfmu import (
 
 SHIP_TO_SHORE = Crane(300e3, 15e3, 40e3)
 DISTANCE, ROPE, VELOCITY, ACCELERATION = 45.0, 30.0, 4.0, 0.8
-# the load is lifted to 16 m of rope before a stack from 8 to 37 m, and lowered behind it
+# the load is lifted to 18 m of rope before a stack from 8 to 37 m, and lowered behind it
 STACK = (
-    Waypoint([0.0, 0.0, -ROPE]), Waypoint([0.0, 8.0, -16.0], "free", "free"),
-    Waypoint([0.0, 37.0, -16.0], "free", "free"), Waypoint([0.0, DISTANCE, -ROPE]),
+    Waypoint([0.0, 0.0, -ROPE]), Waypoint([0.0, 8.0, -18.0], "free", "free"),
+    Waypoint([0.0, 37.0, -18.0], "free", "free"), Waypoint([0.0, DISTANCE, -ROPE]),
 )
 WEIGHT = SHIP_TO_SHORE.payload_mass * SHIP_TO_SHORE.gravity
 HOIST_SPEED = 1.5

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 from rich.console import Console
 from rich.progress import Progress
 
-from segfmu.crane import FlatInverse
+from segfmu.crane import ActuatorBounds, FlatInverse, bound_uses
 from segfmu.errors import BuildError, InputError, SegfmuError
-from segfmu.planning import Trajectory
+from segfmu.planning import Trajectory, excursions
 from segfmu.planning.verify import verify
 from segfmu.validation.mission import Mission, load_mission
 from segfmu.validation.output import about, folder, note, plan_samples, stride, thinned
@@ -78,8 +78,9 @@ def plan(
     from segfmu.validation.report import plan_table
 
     console.print(plan_table(task.name, trajectory, verify(trajectory)))
-    if task.build_bounds() is None:
-        _tell(NO_BOUNDS)
+    _show_bounds(task, trajectory)
+    for found in excursions(trajectory):
+        _tell(str(found))
     if target is not None:
         _write_plan(task, trajectory, target, every)
 
@@ -205,7 +206,10 @@ def simulate(
     write_csv(target / "run.csv", thinned(rows, every))
     save(plot_run(rows, trajectory.waypoint_times, task.name), target / "run.png")
     limits = task.simulation
-    found = judge(rows, ending(task, trajectory), limits.tracking_tolerance, limits.sway_tolerance)
+    found = judge(
+        rows, ending(task, trajectory), limits.tracking_tolerance, limits.sway_tolerance,
+        task.build_bounds(),
+    )
     console.print(run_table(task.name, found))
     _tell(note("run.csv", every, limits.step))
     _tell(f"FMUs, run.csv and run.png are in {target}")
@@ -278,9 +282,22 @@ def campaign(
 
 def _planned(task: Mission) -> Trajectory:
     """Plan, and check by the flat inverse that the crane can follow."""
-    trajectory = task.plan()
+    with Progress(console=console, transient=True) as progress:
+        bar = progress.add_task("planning", total=1.0)
+        trajectory = task.plan(lambda share: progress.update(bar, completed=share))
     FlatInverse(task.build_crane(), trajectory)
     return trajectory
+
+
+def _show_bounds(task: Mission, trajectory: Trajectory) -> None:
+    """The use of every bound of the drives, or that none is known."""
+    bounds = task.build_bounds()
+    if bounds is None:
+        _tell(NO_BOUNDS)
+        return
+    from segfmu.validation.drive_use import bound_table
+
+    console.print(bound_table(bound_uses(task.build_crane(), trajectory, bounds)))
 
 
 def _require_steps(task: Mission, trajectory: Trajectory) -> None:
@@ -296,13 +313,17 @@ def _require_steps(task: Mission, trajectory: Trajectory) -> None:
 
 def _write_plan(task: Mission, trajectory: Trajectory, output: Path, every: int) -> None:
     from segfmu.cosim import write_csv
+    from segfmu.validation.drive_plots import plot_drives
     from segfmu.validation.plots import plot_path, plot_plan, save
 
     write_csv(output / "plan.csv", plan_samples(task, trajectory, every))
     save(plot_plan(trajectory, task.name), output / "plan.png")
     save(plot_path(trajectory, task.name), output / "path.png")
+    bounds = task.build_bounds() or ActuatorBounds()
+    drives = plot_drives(task.build_crane(), trajectory, bounds, task.name)
+    save(drives, output / "drives.png")
     _tell(note("plan.csv", every, task.simulation.step))
-    _tell(f"plan.csv, plan.png and path.png are in {output}")
+    _tell(f"plan.csv, plan.png, path.png and drives.png are in {output}")
 
 
 def _tell(line: str) -> None:

@@ -137,6 +137,7 @@ def test_excursions_are_those_of_samples() -> None:
     assert found[0].distance == pytest.approx(path.max() - 0.9, rel=1e-6)
     # the path leaves the box at the waypoint itself
     assert found[0].time == pytest.approx(trajectory.waypoint_times[1], abs=1e-3)
+    assert str(found[0]).startswith("between waypoints 2 and 3 the path leaves the box of both by")
     assert excursions(plan(OVER, LIMITS)) == ()
 
 

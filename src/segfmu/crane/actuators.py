@@ -16,13 +16,12 @@ from numpy.typing import ArrayLike
 from segfmu.crane.bounds import NAMES as BOUNDS
 from segfmu.crane.bounds import ActuatorBounds, BoundUse, uses
 from segfmu.crane.demand import demands_in_state, peaks
+from segfmu.crane.drive_refusals import exceeded, refused
+from segfmu.crane.drive_task import SEARCHED, Task, with_motion
 from segfmu.crane.inverse import require_flat
 from segfmu.crane.limit_search import (
     EXACT,
-    ROUGH,
-    SEARCHED,
     Found,
-    Task,
     attempt,
     just_kept,
     paced,
@@ -47,6 +46,8 @@ MORE_GENERATIONS = 4
 ACTIVE = 0.999
 # for the checks of arguments where none are given
 ANY_LIMITS = Limits(1.0, 1.0)
+# shares of free velocities and accelerations that the planner chooses, where a search begins
+CALM = np.array([0.8, 0.0])
 # share of the bounds kept free in a second search, where samples missed a peak
 MARGIN = 0.02
 
@@ -180,7 +181,7 @@ def _task(
     crane: Crane, waypoints: tuple[Waypoint, ...], limits: Limits | None, bounds: ActuatorBounds,
     options: dict[str, Any], clearance: Clearance | None,
 ) -> Task:
-    """The task with free states at rest."""
+    """The task with free states at rest; those of axes that pass a waypoint are unknowns."""
     caps = np.full((3, SEARCHED), np.inf)
     higher = {}
     if limits is not None:
@@ -194,11 +195,11 @@ def _task(
     free = np.isnan([[p.velocity, p.acceleration] for p in waypoints])
     free[[0, -1]] = False
     free[[p.dwell > 0.0 for p in waypoints]] = False
+    # an axis that turns back or rests beyond a waypoint would leave the range of its neighbours
+    ways = np.diff([p.position for p in waypoints], axis=0)
+    free[1:-1] &= (ways[:-1] * ways[1:] > 0.0)[:, None, :]
     resting = tuple(
-        Waypoint(
-            p.position, np.nan_to_num(p.velocity), np.nan_to_num(p.acceleration), dwell=p.dwell
-        )
-        for p in waypoints
+        with_motion(p, np.nan_to_num(p.velocity), np.nan_to_num(p.acceleration)) for p in waypoints
     )
     return Task(crane, resting, free, bounds.vector, caps, higher, options, clearance)
 
@@ -212,27 +213,32 @@ def _require_states(task: Task, bounds: ActuatorBounds) -> None:
         worst = int((needs / bounds.vector).argmax())
         found = BoundUse(BOUNDS[worst], float(needs[worst]), float(bounds.vector[worst]), 0.0)
         if found.use > EXACT.most:
-            raise _exceeded(f"waypoint {number}: ", found, "its state alone")
+            raise exceeded(f"waypoint {number}: ", found, "its state alone")
 
 
 def _search(task: Task, bounds: ActuatorBounds, progress: Callable[[float], None]) -> Found:
     """The shortest plan found, its peaks exact."""
     tables = starting_tables(task, bounds)
     starts = [(task, paced(task, table, 1.0)) for table in tables]
+    calm: list[tuple[Task, FloatArray]] = []
     if task.free.any():
-        starts += [start for table in tables if (start := _freed(task, table)) is not None]
+        freed = [start for table in tables if (start := _freed(task, table)) is not None]
+        starts += freed
+        # the planner's own choice is at the edge of what has a plan
+        calm = [(one.with_states(CALM[:, None] * one.states), table) for one, table in freed]
     unknowns = SEARCHED * task.moving.size + int(task.free.sum())
     generations = GENERATIONS + MORE_GENERATIONS * unknowns
     for margin in (0.0, MARGIN):
         aims = [(replace(t, bounds=(1.0 - margin) * task.bounds), table) for t, table in starts]
-        rough = shortest(aims, generations, progress)
+        quiet = [(replace(t, bounds=(1.0 - margin) * task.bounds), table) for t, table in calm]
+        rough = shortest(aims, quiet, generations, progress)
         if rough is None:
             break
         exact = just_kept(replace(rough.task, bounds=task.bounds), rough.table, EXACT)
         if exact is not None and exact.use <= EXACT.most:
             return exact
         starts.append((rough.task, rough.table))
-    raise _refused(starts, bounds)
+    raise refused(starts, bounds)
 
 
 def _timed(
@@ -246,10 +252,10 @@ def _timed(
     if best is None or best.use > EXACT.most:
         best = just_kept(task, found.table, EXACT)
     if best is None or best.use > EXACT.most:
-        rough = shortest([(task, found.table)], GENERATIONS, progress)
+        rough = shortest([(task, found.table)], (), GENERATIONS, progress)
         best = just_kept(rough.task, rough.table, EXACT) if rough else None
     if best is None or best.use > EXACT.most:
-        raise _refused([(task, found.table)], bounds)
+        raise refused([(task, found.table)], bounds)
     return best
 
 
@@ -257,42 +263,17 @@ def _freed(task: Task, table: FloatArray) -> tuple[Task, FloatArray] | None:
     """The task with the free states that the planner chooses; None if it finds no plan."""
     states = np.where(task.free, np.nan, task.states)
     points = [
-        Waypoint(p.position, _words(state[0]), _words(state[1]), dwell=p.dwell)
+        with_motion(p, _words(state[0]), _words(state[1]))
         for p, state in zip(task.waypoints, states, strict=True)
     ]
     try:
         found = plan(points, task.limits(table), **task.options)
     except InfeasibleError:
         return None
-    return replace(task, waypoints=found.waypoints), table
+    chosen = [[p.velocity, p.acceleration] for p in found.waypoints]
+    return task.with_states(np.array(chosen)), table
 
 
 def _words(values: FloatArray) -> Any:
     """Numbers as `Waypoint` takes them, None for NaN."""
     return [None if np.isnan(v) else float(v) for v in values]
-
-
-def _refused(
-    starts: Sequence[tuple[Task, FloatArray]], bounds: ActuatorBounds
-) -> InfeasibleError:
-    """What the plan that comes closest exceeds; the planner's own reason if there is no plan."""
-    tried = [found for found in (just_kept(*start, ROUGH) for start in starts) if found]
-    if not tried:
-        try:
-            task, table = starts[0]
-            task.plan(table)
-        except InfeasibleError as error:
-            return error
-    closest = min(tried, key=lambda found: found.use)
-    found = _measured(closest.task.crane, bounds, closest.trajectory)
-    worst = max(found.uses, key=lambda use: use.use)
-    return _exceeded("", worst, f"at {worst.time:.3f} s, however slow the plan")
-
-
-def _exceeded(where: str, found: BoundUse, when: str) -> InfeasibleError:
-    return InfeasibleError(
-        f"{where}{found.name} needs {found.peak:.6g} {found.unit} {when}; the bound is "
-        f"{found.bound:.6g} {found.unit}; raise the bound or lower the waypoints' velocities "
-        "and accelerations",
-        limit=found.name, value=found.peak, bound=found.bound, time=found.time,
-    )

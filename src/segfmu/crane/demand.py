@@ -45,7 +45,7 @@ def demands(crane: Crane, trajectory: LoadTrajectory, times: FloatArray) -> Floa
 def demands_in_state(crane: Crane, point: Waypoint) -> FloatArray:
     """Magnitudes of the demands in the state of a waypoint, shape (14,)."""
     flat = np.zeros((1, ORDERS, 3))
-    flat[0, :3] = point.position, point.velocity, point.acceleration
+    flat[0] = point.position, point.velocity, point.acceleration, point.jerk, point.snap
     return np.asarray(np.abs(_of(crane, flat)[0]))
 
 

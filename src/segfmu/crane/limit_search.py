@@ -10,112 +10,29 @@ duration there is what the search minimises.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
-from typing import Any
+from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from segfmu.crane.demand import peaks, rough_peaks
+from segfmu.crane.drive_task import SEARCHED, Task
 from segfmu.crane.evolution import Evolution
 from segfmu.crane.parameters import Crane
-from segfmu.crane.rope import require_rope
 from segfmu.errors import InfeasibleError
 from segfmu.planning.arrays import FloatArray
-from segfmu.planning.clearance import Clearance
-from segfmu.planning.limits import Limits
-from segfmu.planning.planner import plan
 from segfmu.planning.trajectory import Trajectory
-from segfmu.planning.waypoint import Waypoint
 
-# searched: velocity, acceleration, jerk, snap
-SEARCHED = 4
 ORDERS = np.arange(1, SEARCHED + 1)
 # of the logarithms of limits: first standard deviation, and farthest from the start
-STEP = 0.25
+STEP = 0.2
 REACH = 5.0
 # moves of free states in units of the limit, relative to those of the limits' logarithms
-STATE_SHARE = 0.1
+STATE_SHARE = 0.3
 # paces without a plan, after which limits are given up
 FAILURES = 3
 # the search ends when so many generations gain less than this share
 PATIENCE = 20
 GAIN = 5e-4
-
-
-@dataclass(frozen=True, eq=False)
-class Task:
-    """What is planned: the crane, its bounds and all that `plan` takes.
-
-    Attributes
-    ----------
-    waypoints : tuple of Waypoint
-        Without free states.
-    free : ndarray of bool, shape (waypoints, 2, 3)
-        Velocities and accelerations that may be changed.
-    caps : ndarray, shape (3, 4)
-        Largest limits allowed, infinite where there are none.
-    higher : dict
-        Limits above the snap, as given.
-    options : dict
-        Further arguments of `plan`.
-    clearance : Clearance or None
-    """
-
-    crane: Crane
-    waypoints: tuple[Waypoint, ...]
-    free: NDArray[np.bool_]
-    bounds: FloatArray
-    caps: FloatArray
-    higher: dict[str, Any]
-    options: dict[str, Any]
-    clearance: Clearance | None
-
-    def limits(self, table: FloatArray) -> Limits:
-        """Limits of a table (3, 4)."""
-        return Limits(*table.T, **self.higher)
-
-    def plan(self, table: FloatArray) -> Trajectory:
-        """The plan with a table of limits: clear, with a rope that is taut and in its range."""
-        trajectory = plan(self.waypoints, self.limits(table), **self.options)
-        require_rope(self.crane, trajectory)
-        if self.clearance is not None:
-            self.clearance.require(trajectory)
-        return trajectory
-
-    @property
-    def states(self) -> FloatArray:
-        """Velocities and accelerations, shape (waypoints, 2, 3)."""
-        return np.array([[p.velocity, p.acceleration] for p in self.waypoints])
-
-    def with_states(self, states: FloatArray) -> Task:
-        """The task with other velocities and accelerations."""
-        if not self.free.any():
-            return self
-        points = tuple(
-            Waypoint(point.position, state[0], state[1], dwell=point.dwell)
-            for point, state in zip(self.waypoints, states, strict=True)
-        )
-        return replace(self, waypoints=points)
-
-    def paced(self, pace: float) -> Task:
-        """The task with free states that are faster by a factor."""
-        if pace == 1.0 or not self.free.any():
-            return self
-        factors = np.array([pace, pace**2])[:, None]
-        return self.with_states(np.where(self.free, factors, 1.0) * self.states)
-
-    @property
-    def floors(self) -> FloatArray:
-        """Least limits that admit the states, shape (3, 4)."""
-        least = np.abs(self.states).max(axis=0)
-        return np.column_stack([least.T, np.zeros((3, SEARCHED - 2))])
-
-    @property
-    def moving(self) -> NDArray[np.intp]:
-        """Axes that move."""
-        positions = np.array([p.position for p in self.waypoints])
-        return np.flatnonzero((np.ptp(positions, axis=0) > 0.0) | self.states.any(axis=(0, 1)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -130,7 +47,7 @@ class Found:
         Its limits.
     trajectory : Trajectory
     use : float
-        Largest use of a bound.
+        Largest share of a bound, of what it leaves beyond the demand at rest.
     """
 
     task: Task
@@ -189,7 +106,7 @@ def attempt(task: Task, table: FloatArray, pace: float, look: Look) -> Found | N
         trajectory = moved.plan(chosen)
     except InfeasibleError:
         return None
-    use = float((look.peaks(task.crane, trajectory) / task.bounds).max())
+    use = float(((look.peaks(task.crane, trajectory) - task.rest) / task.room).max())
     return Found(moved, chosen, trajectory, use)
 
 
@@ -244,14 +161,18 @@ def _better(found: Found, best: Found, look: Look) -> bool:
 
 
 def shortest(
-    starts: Sequence[tuple[Task, FloatArray]], generations: int, progress: Callable[[float], None]
+    starts: Sequence[tuple[Task, FloatArray]], calm: Sequence[tuple[Task, FloatArray]],
+    generations: int, progress: Callable[[float], None],
 ) -> Found | None:
-    """The shortest plan that a search from tasks with tables of limits finds; None: no plan."""
-    tried = [found for found in (just_kept(*start, ROUGH) for start in starts) if found]
+    """The shortest plan that a search from tasks with tables of limits finds; None: no plan.
+
+    With free states the search begins at the best of `calm`, starts that are no extremes.
+    """
+    tried = [found for found in (_best(starts), _best(calm)) if found is not None]
     if not tried:
         return None
-    best = min(tried, key=lambda found: found.rank)
-    coordinates = _Coordinates(best)
+    best, first = min(tried, key=lambda found: found.rank), tried[-1]
+    coordinates = _Coordinates(first)
     if coordinates.size == 0:
         return best
     evolution = Evolution(np.zeros(coordinates.size), STEP)
@@ -274,6 +195,11 @@ def shortest(
         if evolution.settled or (stale and np.isfinite(history[-1 - PATIENCE])):
             break
     return best
+
+
+def _best(starts: Sequence[tuple[Task, FloatArray]]) -> Found | None:
+    tried = [found for found in (just_kept(*start, ROUGH) for start in starts) if found]
+    return min(tried, key=lambda found: found.rank, default=None)
 
 
 class _Coordinates:

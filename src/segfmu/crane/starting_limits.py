@@ -11,7 +11,7 @@ from math import isfinite, pi, tan
 import numpy as np
 
 from segfmu.crane.bounds import DRIVES, ActuatorBounds
-from segfmu.crane.limit_search import SEARCHED, Task
+from segfmu.crane.drive_task import SEARCHED, Task
 from segfmu.errors import InputError
 from segfmu.planning.arrays import FloatArray
 

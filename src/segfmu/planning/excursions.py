@@ -26,12 +26,21 @@ class Excursion:
         Farthest from the box [m].
     time : float
         When the path leaves the box [s].
+    name : str
+        Of the axis.
     """
 
     interval: int
     axis: int
     distance: float
     time: float
+    name: str
+
+    def __str__(self) -> str:
+        return (
+            f"between waypoints {self.interval} and {self.interval + 1} the path leaves the box of "
+            f"both by {self.distance:.4g} m along {self.name}, from {self.time:.3f} s"
+        )
 
 
 def excursions(trajectory: Trajectory) -> tuple[Excursion, ...]:
@@ -58,7 +67,9 @@ def _excursion(trajectory: Trajectory, interval: int, axis: int) -> Excursion | 
     if away.size == 0:
         return None
     farthest = max(_farthest(trajectory, axis, one, two, low, high) for one, two in away)
-    return Excursion(interval, axis, farthest, float(away[0, 0]))
+    return Excursion(
+        interval, axis, farthest, float(away[0, 0]), trajectory.axis_names[axis]
+    )
 
 
 def _farthest(

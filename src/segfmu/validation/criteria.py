@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import isfinite
 
 import numpy as np
 from numpy.typing import NDArray
 
+from segfmu.crane.bounds import ActuatorBounds, BoundUse
 from segfmu.errors import InputError
+from segfmu.validation.drive_use import RUN_MARGIN, run_uses
 
 DRIVES = ("bridge", "trolley", "hoist")
 RATES = {"bridge": "bridge.velocity", "trolley": "trolley.velocity", "hoist": "rope.velocity"}
@@ -56,6 +59,8 @@ class Criteria:
         Largest distance of the load from its reference [m].
     residual_sway : float
         Largest sway angle after the planned duration [deg].
+    uses : tuple of BoundUse
+        Of the bounds of the drives, if any are known.
     """
 
     duration: float
@@ -65,6 +70,7 @@ class Criteria:
     residual_sway: float
     tracking_tolerance: float
     sway_tolerance: float
+    uses: tuple[BoundUse, ...] = ()
 
     @property
     def rows(self) -> tuple[Row, ...]:
@@ -78,6 +84,13 @@ class Criteria:
                 "residual sway", self.residual_sway, self.sway_tolerance, "deg",
                 "simulation.sway_tolerance",
             ),
+            *(
+                Row(
+                    f"use of the bound of {use.name}", 100.0 * use.use,
+                    100.0 * (1.0 + RUN_MARGIN), "%", f"{use.bound:.4g} {use.unit}",
+                )
+                for use in self.uses if isfinite(use.bound)
+            ),
         )
 
     @property
@@ -87,7 +100,8 @@ class Criteria:
 
 
 def judge(
-    rows: NDArray[np.void], duration: float, tracking_tolerance: float, sway_tolerance: float
+    rows: NDArray[np.void], duration: float, tracking_tolerance: float, sway_tolerance: float,
+    bounds: ActuatorBounds | None = None,
 ) -> Criteria:
     """Judge the rows of a co-simulation, a structured array with the FMUs' variable names.
 
@@ -110,6 +124,7 @@ def judge(
         residual_sway=float(np.degrees(sway[after].max())),
         tracking_tolerance=tracking_tolerance,
         sway_tolerance=sway_tolerance,
+        uses=() if bounds is None else run_uses(rows, bounds),
     )
 
 

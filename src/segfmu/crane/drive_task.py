@@ -1,0 +1,121 @@
+"""A plan to be made within the bounds of the drives."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from segfmu.crane.parameters import Crane
+from segfmu.crane.rope import require_rope
+from segfmu.kernels.crane.records import Demand
+from segfmu.planning.arrays import FloatArray
+from segfmu.planning.clearance import Clearance
+from segfmu.planning.limits import Limits
+from segfmu.planning.planner import plan
+from segfmu.planning.trajectory import Trajectory
+from segfmu.planning.waypoint import Waypoint
+
+# searched: velocity, acceleration, jerk, snap
+SEARCHED = 4
+# a bound nearer to the weight than this leaves no room that could be measured
+WEIGHTLESS = 1e-6
+
+
+def with_motion(point: Waypoint, velocity: ArrayLike, acceleration: ArrayLike) -> Waypoint:
+    """A waypoint with another velocity and acceleration."""
+    return Waypoint(
+        point.position, velocity, acceleration, point.jerk, point.snap, point.crackle, point.pop,
+        dwell=point.dwell,
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class Task:
+    """What is planned: the crane, its bounds and all that `plan` takes.
+
+    Attributes
+    ----------
+    waypoints : tuple of Waypoint
+        Without free states.
+    free : ndarray of bool, shape (waypoints, 2, 3)
+        Velocities and accelerations that may be changed.
+    caps : ndarray, shape (3, 4)
+        Largest limits allowed, infinite where there are none.
+    higher : dict
+        Limits above the snap, as given.
+    options : dict
+        Further arguments of `plan`.
+    clearance : Clearance or None
+    """
+
+    crane: Crane
+    waypoints: tuple[Waypoint, ...]
+    free: NDArray[np.bool_]
+    bounds: FloatArray
+    caps: FloatArray
+    higher: dict[str, Any]
+    options: dict[str, Any]
+    clearance: Clearance | None
+
+    def limits(self, table: FloatArray) -> Limits:
+        """Limits of a table (3, 4)."""
+        return Limits(*table.T, **self.higher)
+
+    def plan(self, table: FloatArray) -> Trajectory:
+        """The plan with a table of limits: clear, with a rope that is taut and in its range."""
+        trajectory = plan(self.waypoints, self.limits(table), **self.options)
+        require_rope(self.crane, trajectory)
+        if self.clearance is not None:
+            self.clearance.require(trajectory)
+        return trajectory
+
+    @cached_property
+    def rest(self) -> FloatArray:
+        """Demands at rest, (14,): the load's weight on the hoist, which no slower plan reduces."""
+        rest = np.zeros(self.bounds.size)
+        rest[Demand.FORCE + 2] = self.crane.payload_mass * self.crane.gravity
+        return np.asarray(np.where(self.bounds > rest * (1.0 + WEIGHTLESS), rest, 0.0))
+
+    @cached_property
+    def room(self) -> FloatArray:
+        """What the bounds leave for motion, (14,)."""
+        return self.bounds - self.rest
+
+    @property
+    def states(self) -> FloatArray:
+        """Velocities and accelerations, shape (waypoints, 2, 3)."""
+        return np.array([[p.velocity, p.acceleration] for p in self.waypoints])
+
+    def with_states(self, states: FloatArray) -> Task:
+        """The task with other velocities and accelerations where they are free."""
+        if not self.free.any():
+            return self
+        states = np.where(self.free, states, self.states)
+        points = tuple(
+            with_motion(point, state[0], state[1])
+            for point, state in zip(self.waypoints, states, strict=True)
+        )
+        return replace(self, waypoints=points)
+
+    def paced(self, pace: float) -> Task:
+        """The task with free states that are faster by a factor."""
+        if pace == 1.0 or not self.free.any():
+            return self
+        factors = np.array([pace, pace**2])[:, None]
+        return self.with_states(np.where(self.free, factors, 1.0) * self.states)
+
+    @property
+    def floors(self) -> FloatArray:
+        """Least limits that admit the states, shape (3, 4)."""
+        states = [[p.velocity, p.acceleration, p.jerk, p.snap] for p in self.waypoints]
+        return np.asarray(np.abs(states).max(axis=0).T)
+
+    @property
+    def moving(self) -> NDArray[np.intp]:
+        """Axes that move."""
+        positions = np.array([p.position for p in self.waypoints])
+        return np.flatnonzero((np.ptp(positions, axis=0) > 0.0) | self.states.any(axis=(0, 1)))

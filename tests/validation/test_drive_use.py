@@ -1,0 +1,112 @@
+"""Use of the drives' bounds in plans and runs; obstacles, workspace and limits in missions."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from benchmarks.drive_oracle import demands
+from rich.console import Console
+
+from segfmu.crane import ActuatorBounds, bound_uses
+from segfmu.errors import InfeasibleError, InputError
+from segfmu.validation.criteria import judge
+from segfmu.validation.drive_plots import plot_drives
+from segfmu.validation.drive_use import bound_table, run_uses
+from segfmu.validation.mission import load_mission
+
+CRANE = """
+bridge_mass = 2.2
+trolley_mass = 1.155
+payload_mass = 1.0
+[bridge]
+velocity_max = 0.5
+acceleration_max = 0.8
+[trolley]
+velocity_max = 0.5
+acceleration_max = 0.8
+[hoist]
+velocity_max = 0.3
+acceleration_max = 0.5
+"""
+MISSION = """
+crane = "crane.toml"
+[[waypoints]]
+position = [0.0, 0.0, -1.0]
+[[waypoints]]
+position = [1.0, 0.5, -0.8]
+"""
+
+
+def mission(folder: Path, more: str = "", crane: str = CRANE):
+    (folder / "crane.toml").write_text(crane, encoding="utf-8")
+    (folder / "mission.toml").write_text(MISSION + more, encoding="utf-8")
+    return load_mission(folder / "mission.toml")
+
+
+def test_a_mission_without_limits_is_as_fast_as_the_drives(tmp_path: Path) -> None:
+    task = mission(tmp_path)
+    trajectory, bounds = task.plan(), task.build_bounds()
+    found = bound_uses(task.build_crane(), trajectory, bounds)
+    times = np.linspace(0.0, trajectory.duration, 20_001)
+    largest = demands(task.build_crane(), trajectory, times).max(axis=0)
+    for use, peak in zip(found, largest, strict=True):
+        # samples miss a peak with a kink
+        assert use.peak == pytest.approx(peak, rel=1e-3, abs=1e-9)
+    assert 0.999 < max(use.use for use in found) <= 1.0 + 1e-9
+    console = Console(width=100, record=True, quiet=True)
+    console.print(bound_table(found))
+    text = console.export_text()
+    assert "bridge velocity" in text and "hoist force" not in text
+
+
+def test_a_mission_without_limits_and_bounds_is_refused(tmp_path: Path) -> None:
+    ideal = CRANE.split("[bridge]")[0]
+    with pytest.raises(InputError, match=r"limits: neither limits .* nor bounds .* are known"):
+        mission(tmp_path, crane=ideal).plan()
+
+
+def test_obstacles_and_workspace_of_a_mission_are_kept(tmp_path: Path) -> None:
+    box = """
+[[obstacles]]
+name = "post"
+minimum = [0.4, 0.0, -2.0]
+maximum = [0.6, 0.6, 0.0]
+"""
+    with pytest.raises(InfeasibleError, match="obstacle post: the load meets it from"):
+        mission(tmp_path, box).plan()
+    with pytest.raises(InfeasibleError, match="workspace: axis y leaves its range"):
+        mission(tmp_path, "[workspace]\ny = [-1.0, 0.4]\n").plan()
+    with pytest.raises(InputError, match=r"mission.toml: .*post: minimum x 0.7 m is not below"):
+        mission(tmp_path, box.replace("[0.4,", "[0.7,"))
+
+
+def test_the_use_of_a_run_is_part_of_its_verdict() -> None:
+    names = (
+        *(f"drive.{d}.force" for d in ("bridge", "trolley", "hoist")), "bridge.velocity",
+        "trolley.velocity", "rope.velocity", "sway.x.angle", "sway.y.angle", "error.load.norm",
+        "time",
+    )
+    rows = np.zeros(101, dtype=[(name, float) for name in names])
+    rows["time"] = np.linspace(0.0, 1.0, 101)
+    rows["trolley.velocity"] = 0.4 * rows["time"]
+    rows["drive.trolley.force"] = -5.0
+    bounds = ActuatorBounds(power=[None, 2.1, None], acceleration=[None, 0.5, None])
+    by_name = {use.name: use for use in run_uses(rows, bounds)}
+    assert by_name["trolley power"].peak == pytest.approx(2.0)
+    assert by_name["trolley power"].time == pytest.approx(1.0)
+    assert by_name["trolley acceleration"].peak == pytest.approx(0.4)
+    assert judge(rows, 1.0, 1e-3, 0.1, bounds).passed
+    tight = ActuatorBounds(acceleration=[None, 0.39, None])
+    failed = [row for row in judge(rows, 1.0, 1e-3, 0.1, tight).rows if not row.passed]
+    assert [row.name for row in failed] == ["use of the bound of trolley acceleration"]
+
+
+def test_the_plot_shows_the_hoists_pull_without_the_weight(tmp_path: Path) -> None:
+    task = mission(tmp_path)
+    bounds = ActuatorBounds(force=[None, None, 12.0])
+    figure = plot_drives(task.build_crane(), task.plan(), bounds, "drives")
+    force = figure.axes[2]
+    dashed = [line.get_ydata()[0] for line in force.lines if line.get_linestyle() == "--"]
+    assert sorted(dashed) == pytest.approx([-9.81, 12.0 - 9.81])
