@@ -179,7 +179,8 @@ def test_every_mission_plans(name: str, tmp_path, monkeypatch, capsys) -> None:
     )
     assert (code, error) == (0, "")
     assert "velocity" in printed
-    assert {p.name for p in tmp_path.iterdir()} == {"plan.csv", "plan.png", "path.png"}
+    pictures = {"plan.png", "path.png", "drives.png"}
+    assert {p.name for p in tmp_path.iterdir()} == {"plan.csv", *pictures}
     assert (tmp_path / "plan.png").read_bytes().startswith(b"\x89PNG")
 
 

@@ -282,7 +282,7 @@ def campaign(
 
 def _planned(task: Mission) -> Trajectory:
     """Plan, and check by the flat inverse that the crane can follow."""
-    with Progress(console=console, transient=True) as progress:
+    with Progress(console=console, transient=True, disable=not console.is_terminal) as progress:
         bar = progress.add_task("planning", total=1.0)
         trajectory = task.plan(lambda share: progress.update(bar, completed=share))
     FlatInverse(task.build_crane(), trajectory)

@@ -24,10 +24,10 @@ from segfmu.planning.trajectory import Trajectory
 
 ORDERS = np.arange(1, SEARCHED + 1)
 # of the logarithms of limits: first standard deviation, and farthest from the start
-STEP = 0.2
+STEP = 0.35
 REACH = 5.0
 # moves of free states in units of the limit, relative to those of the limits' logarithms
-STATE_SHARE = 0.3
+STATE_SHARE = 0.15
 # paces without a plan, after which limits are given up
 FAILURES = 3
 # the search ends when so many generations gain less than this share
