@@ -99,6 +99,16 @@ def test_a_bad_crane_is_one_line_with_both_files(name: str, tmp_path: Path) -> N
     assert line.startswith("segfmu: mission.toml: crane: crane.toml: ") and words in line
 
 
+@pytest.mark.parametrize(("stops", "words"), [
+    ("bridge = [-1.0, 0.2]", "waypoints.2.position, x: 0.3 m takes the bridge to 0.3 m, beyond"),
+    ("trolley = [0.1, 1.0]", "waypoints.1.position, y: 0.0 m takes the trolley to 0.0 m, beyond"),
+    ("rope = [0.6, 1.0]", "waypoints.1.position, z: -0.5 m takes the rope to 0.5 m, beyond"),
+])
+def test_waypoints_are_between_the_end_stops(stops: str, words: str, tmp_path: Path) -> None:
+    files(tmp_path, crane=f"{CRANE}[travel]\n{stops}\n")
+    assert words in refused(tmp_path, "plan", "mission.toml")
+
+
 def test_a_byte_order_mark_is_accepted(tmp_path: Path) -> None:
     files(tmp_path, "\ufeff" + GOOD, "\ufeff" + CRANE)
     done = segfmu("plan", "mission.toml", cwd=tmp_path)

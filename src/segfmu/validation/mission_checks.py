@@ -38,6 +38,8 @@ def check_waypoints(mission: Mission) -> None:
                 f"waypoints.{i}.{moving}: the {which} waypoint must be at rest, got "
                 f"{getattr(entry, moving)}; add a waypoint or omit the key"
             )
+        if not moving:
+            _check_travel(mission, i, entry)
         if i > 1 and _state(entry) == _state(points[i - 2]):
             raise InputError(f"waypoints.{i}: the same as waypoint {i - 1}; use dwell to wait")
 
@@ -53,6 +55,19 @@ def _check_limits(table: LimitsTable, i: int, entry: WaypointEntry) -> None:
                     f"waypoints.{i}.{quantity}: axis {name}: {value} {unit} exceeds "
                     f"limits.{name}.{quantity} {bound} {unit}"
                 )
+
+
+def _check_travel(mission: Mission, i: int, entry: WaypointEntry) -> None:
+    """A load at rest hangs below its trolley, which the end stops of the crane have to admit."""
+    x, y, z = entry.position
+    for axis, name, place in zip(AXES, ("bridge", "trolley", "rope"), (x, y, -z), strict=True):
+        stops = getattr(mission.crane.travel, name)
+        if stops is not None and not stops[0] <= place <= stops[1]:
+            raise InputError(
+                f"waypoints.{i}.position, {axis}: {entry.position[AXES.index(axis)]} m takes the "
+                f"{name} to {place} m, beyond its end stops at {stops[0]} m and {stops[1]} m "
+                f"(travel.{name} of the crane)"
+            )
 
 
 def _moving(entry: WaypointEntry) -> Iterator[str]:

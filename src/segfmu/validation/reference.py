@@ -30,9 +30,9 @@ the default. Any other key is an error.
 with which an editor completes and checks: for Taplo and Even Better TOML, write it to
 `mission.schema.json` and begin the mission with `#:schema ./mission.schema.json`.
 
-Bounds of a crane file hold in every plan. Plan, feedforward and design of the feedback are for
-`crane`; `[true_crane]` states, with the same keys, what differs from it in the crane that is
-simulated.
+Bounds of a crane file hold in every plan. Plan and feedforward are for `crane`; `[true_crane]`
+states, with the same keys, what differs from it in the crane that is simulated. The feedback in
+GantryCrane is designed for the load of `crane`, and for all else of the simulated crane.
 """
 
 
