@@ -36,8 +36,8 @@ console = Console()
 # of options and arguments
 USAGE_ERROR: type[Any] = typer.BadParameter.__mro__[1]
 NO_BOUNDS = (
-    "no bounds of the drives are known (velocity_max, acceleration_max, force_max of the crane "
-    "file): the plan keeps the mission's limits alone"
+    "no bounds of the drives are known (velocity_max, acceleration_max, force_max, power_max of "
+    "the crane file): the plan keeps the mission's limits alone"
 )
 
 MissionFile = Annotated[Path, typer.Argument(help="Mission file (TOML); see models/ for examples.")]

@@ -32,6 +32,9 @@ from segfmu.validation.keys import (
     printable,
 )
 
+SwayPair = Annotated[
+    list[Annotated[float, Field(ge=1e-3, le=89.0), NUMBER]], Field(min_length=2, max_length=2)
+]
 Seed = Annotated[int, Field(ge=0, le=LARGEST_SEED, strict=True)]
 STOPPED = ("bridge", "trolley", "rope")
 IDEAL = "the drive is ideal"
@@ -450,7 +453,7 @@ class CraneFile(Table):
         Key("what all drives follow: force setpoints or velocity setpoints", "", ("drive.mode",)),
     ] = "force"
     sway_max: Annotated[
-        PositivePair | None,
+        SwayPair | None,
         Key("greatest sway angles of a plan", "deg", (), NO_BOUND, parts=SWAY),
     ] = None
     bridge: Annotated[DriveTable, Key("drive of the bridge")] = DriveTable()

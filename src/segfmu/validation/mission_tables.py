@@ -6,6 +6,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field, StrictBool
 
+from segfmu.validation.crane_file import SwayPair
 from segfmu.validation.keys import (
     AXES,
     DRIVES,
@@ -14,7 +15,6 @@ from segfmu.validation.keys import (
     Key,
     Place,
     Positive,
-    PositivePair,
     PositiveTriple,
     Table,
     Time,
@@ -98,7 +98,7 @@ class ActuatorEntry(Table):
         Key("greatest of each drive, driving or braking", "W", default=CRANES, parts=DRIVES),
     ] = None
     sway_angle: Annotated[
-        PositivePair | None, Key("greatest sway angles", "deg", default=CRANES, parts=SWAY)
+        SwayPair | None, Key("greatest sway angles", "deg", default=CRANES, parts=SWAY)
     ] = None
 
 
