@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 from pathlib import Path
 
@@ -26,6 +27,18 @@ def test_entry_points_alone_are_visible() -> None:
     for name in native.ENTRY_POINTS:
         assert f" {native.PREFIX}{name}(" in header
     assert header.count(native.PREFIX) == len(native.ENTRY_POINTS)
+
+
+def test_models_name_no_function_as_a_kernel() -> None:
+    """They are one translation unit in an archive."""
+    definition = re.compile(r"^(?:static )?\w+ \*?(\w+)\([^;]*$", re.MULTILINE)
+    kernels = set(definition.findall((native.TARGET / "kernels.c").read_text(encoding="utf-8")))
+    folder = native.TARGET.parents[1] / "fmu"
+    files = [*folder.rglob("*.c"), native.TARGET / "plan.c"]
+    assert len(kernels) > 200 and len(files) > 10
+    for file in files:
+        clash = kernels & set(definition.findall(file.read_text(encoding="utf-8")))
+        assert not clash, f"{file.name}: {', '.join(clash)}"
 
 
 def test_what_a_kernel_writes_to_is_known() -> None:

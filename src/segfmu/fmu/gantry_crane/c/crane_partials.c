@@ -225,7 +225,7 @@ bool model_partial(model *base, const variable *unknown, const variable *known, 
 }
 
 /* Make the kernel's work space that of the present time; the step's report stays. */
-static void settle(crane *m)
+static void to_present(crane *m)
 {
     double report[REPORT_SIZE], *now = row(m, MEMORY_REPORT);
     if (m->differentiated != 0 || !crane_follows(m)) {
@@ -257,7 +257,7 @@ bool model_output_derivative(model *base, const variable *output, int64_t order,
     if (base->interface == MODEL_EXCHANGE || order != 1) {
         return false;
     }
-    settle(m);
+    to_present(m);
     smooth = differentiate(m) && crane_follows(m);
     const int commands = driven(m) ? SETPOINTS_VELOCITY : SETPOINTS_FORCE;
     known_place k = {-1, -1, -1};
