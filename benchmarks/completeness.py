@@ -13,6 +13,7 @@ import numpy as np
 from benchmarks.optimal_control import Transition, earliest
 from benchmarks.problems import FloatArray
 from benchmarks.report import Part, Record, Section, Settings
+from segfmu import InfeasibleError, Limits, Trajectory, Waypoint, plan
 from segfmu.kernels import backend
 from segfmu.kernels.planner.records import Axis, Cell, Phase, PlanWork, Problem, Shape
 
@@ -41,11 +42,13 @@ def measure(settings: Settings) -> Part:
             _constructed(10 * settings.samples),
             _optima(max(settings.samples // 5, 20)),
             _loosened(10 * settings.problems),
+            _prolonged(settings.samples),
         ),
         (
             f"constructed: ramps and holds that keep {SLACK:.0%} of every limit; short: the "
             f"acceleration changes by up to {SIZES['short']:g} of its limit in a ramp",
             f"optimum: linear program over {CELLS} cells, velocity and acceleration at the nodes",
+            "prolonged: 1.05 to 2 times the shortest duration; the polynomial may break limits",
             "loosened: one limit times 1 to 10; longer by more than 1e-9 of the duration",
         ),
     )
@@ -187,3 +190,54 @@ def _loosened(count: int) -> Section:
             "largest": float(finite.max()),
         })
     return Section("One limit loosened", records)
+
+
+def _snap_rms(trajectory: Trajectory) -> float:
+    """RMS of the snap of the first axis [m/s4], from its polynomials."""
+    _, lengths, coefficients = trajectory.pieces(0)
+    total = 0.0
+    for length, row in zip(lengths, coefficients, strict=True):
+        snap = np.polynomial.Polynomial(row).deriv(4)
+        total += float((snap * snap).integ()(length))
+    return float(np.sqrt(total / lengths.sum()))
+
+
+def _smoothest(state: FloatArray, duration: float) -> float:
+    """RMS of the snap of the smoothest motion without limits [m/s4]: a polynomial of degree 7."""
+    v, a, w, b, distance = state
+    ends = np.array([0.0, v, a, 0.0, distance, w, b, 0.0])
+    powers = np.arange(8)
+    rows = []
+    for t in (0.0, duration):
+        for d in range(4):
+            factor = np.array([np.prod(np.arange(p - d + 1, p + 1)) for p in powers], float)
+            rows.append(np.where(powers >= d, factor * t ** np.maximum(powers - d, 0), 0.0))
+    snap = np.polynomial.Polynomial(np.linalg.solve(np.array(rows), ends)).deriv(4)
+    return float(np.sqrt((snap * snap).integ()(duration) / duration))
+
+
+def _prolonged(count: int) -> Section:
+    """Snap of one axis at smoothness 4 whose duration is prescribed."""
+    random = np.random.default_rng((SEED, 7))
+    ratios: list[float] = []
+    pieces: list[int] = []
+    while len(ratios) < count:
+        limits, state = _optimum_problem(random, 4, "moving")
+        state[:4] *= 0.5
+        found = planned(4, limits, state)
+        if not np.isfinite(found):
+            continue
+        v, a, w, b, distance = state
+        target = found * random.uniform(1.05, 2.0)
+        points = [Waypoint([0.0], [v], [a]), Waypoint([distance], [w], [b])]
+        try:
+            trajectory = plan(points, Limits(*limits[:4]), duration=target)
+        except InfeasibleError:
+            continue
+        ratios.append(_snap_rms(trajectory) / _smoothest(state, target))
+        pieces.append(len(trajectory.pieces(0)[1]))
+    return Section("Snap of a prolonged axis over that of the smoothest polynomial, RMS", [{
+        "problems": count, "median": float(np.median(ratios)),
+        "95 %": float(np.quantile(ratios, 0.95)), "largest": float(max(ratios)),
+        "pieces, median": float(np.median(pieces)), "most": max(pieces),
+    }])

@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from segfmu import Limits, Waypoint, plan, verify
 from segfmu.kernels.planner.records import Cell, Nearest, Phase, PlanWork, Problem
 from segfmu.kernels.planner.synchronize import stretch_phases, timed_profile
 from tests.problems import AxisProblem, axis_problems, work_space
@@ -99,3 +100,36 @@ def test_no_duration_is_lost_where_few_levels_keep_the_velocity_limit(problem) -
     least = shortest(problem)
     for target in np.linspace(1.001, 1.6, 80) * least:
         assert timed(problem, float(target))[0] >= 0.0, target
+
+
+def test_an_axis_that_has_nothing_to_do_may_move() -> None:
+    points = [Waypoint([0.0, 0.0], [0.5, 0.5]), Waypoint([0.0, 1.0], [0.5, 0.5])]
+    trajectory = plan(points, Limits(1.0, 1.0, 4.0, 20.0), synchronize="none")
+    assert trajectory.axis_durations[0] == 0.0
+    assert trajectory(0.0, 1).tolist() == [0.5, 0.5]
+
+
+def test_time_goes_to_the_intervals_that_can_take_it() -> None:
+    # in proportion, the first interval of y would come to lie in a gap
+    found = 0
+    random = np.random.default_rng(1)
+    for _ in range(25):
+        steps = np.cumsum(random.uniform(-0.5, 1.5, (4, 2)), 0)
+        points = [Waypoint(steps[0])]
+        for p in steps[1:-1]:
+            points.append(Waypoint(p, random.uniform(-0.6, 0.6, 2), random.uniform(-0.5, 0.5, 2)))
+        points.append(Waypoint(steps[-1]))
+        trajectory = plan(points, Limits(1.0, 1.0, 4.0, 20.0), synchronize="total")
+        assert np.ptp(trajectory.axis_durations) <= 1e-9 * trajectory.duration
+        found += int(np.ptp(trajectory.axis_waypoint_times[1]) > 1e-6)
+    assert found > 20
+
+
+def test_a_prolonged_cruise_has_slower_ramps() -> None:
+    points = [Waypoint([0.0], [0.2], [0.05]), Waypoint([1.0], [0.1], [-0.05])]
+    limits = Limits(1.0, 1.0, 4.0, 20.0)
+    shortest = plan(points, limits)
+    slower = plan(points, limits, duration=1.5 * shortest.duration)
+    assert verify(slower).passed
+    # a ramp that is stretched by f has f^-4 of its snap
+    assert np.abs(slower.extrema(4)).max() < 0.5 * np.abs(shortest.extrema(4)).max()

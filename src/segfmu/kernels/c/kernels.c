@@ -191,6 +191,14 @@ static double velocity_excess(array_double_2d phases, int64_t count, double v, d
 static int64_t level_within(double* result_0, double* result_1_0001, double* result_2_0001, double* result_3_0001, double outside, double e_outside, array_double_2d phases, array_double_1d family, array_double_1d axis);
 static double highest_within(double inside, double outside, double e_inside, double e_outside, array_double_2d phases, array_double_1d family, array_double_1d axis);
 static int64_t tempered_form(array_double_2d phases, array_double_1d family, array_double_1d axis);
+static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis);
+static double cruise_range(array_double_2d phases, double middle, double y, array_double_1d problem, array_double_1d axis);
+static void keep_nearest(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static bool is_enclosed(array_double_2d work);
+static double keep_cruise(double cruise, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static void between_cruises(double lower, double upper, double e_lower, double e_upper, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static double cruise_edge(double inside, double outside, array_double_2d phases, array_double_1d problem, array_double_1d axis);
+static void scan_cruises(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double set_loop(array_double_1d problem, array_double_1d axis, array_double_1d family);
 static int64_t level_from(double* result_0_0001, double* result_1_0001, double* result_2_0001, double a, double time, double up, double down, array_double_1d axis);
 static double set_point(double place, double radius, array_double_1d family, array_double_1d axis);
@@ -200,6 +208,7 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
 static double loop_root(int64_t arc, double lower, double upper, double e_lower, double e_upper, double missing, double largest, array_double_1d family, array_double_1d axis);
 static int64_t arc_root(int64_t* result_0, double* result_1, int64_t arc, int64_t sample, double missing, double largest, array_double_1d family, array_double_1d axis);
 static int64_t loop_form(int64_t count, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static void timed_loop(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double early_window(double duration, array_double_1d problem, array_double_1d axis);
 static double usual_duration(array_double_1d problem, array_double_1d axis);
 static int64_t fastest_between(array_double_2d phases, array_double_1d problem, array_double_1d axis);
@@ -212,18 +221,13 @@ static double turning_time(double lower, double upper, bool covering, array_doub
 static int64_t turning_ends(bool covering, double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
 static int64_t covering_ends(double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
 static int64_t gap_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis);
-static double cruise_range(array_double_2d phases, double middle, double y, array_double_1d problem, array_double_1d axis);
-static void keep_nearest(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
-static bool is_enclosed(array_double_2d work);
-static double keep_cruise(double cruise, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
-static void between_cruises(double lower, double upper, double e_lower, double e_upper, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
-static double cruise_edge(double inside, double outside, array_double_2d phases, array_double_1d problem, array_double_1d axis);
-static void scan_cruises(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static void stretch_phases(array_double_2d phases, int64_t count, double factor);
 static void fit_duration(array_double_2d phases, int64_t count, double target);
 static void timed_merged(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static void usual_cruise(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static void timed_between(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static void clear_nearest(array_double_2d work);
+static bool timed_slower(double shortest, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double nearest_weight(array_double_1d problem, array_double_1d axis, array_double_1d nearest);
 static void surround_nearest(int64_t variant, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static int64_t set_shortest(int64_t* result_0, double* result_1, array_double_2d cell, array_double_1d axis, array_double_2d work);
@@ -241,6 +245,8 @@ static bool plateau_parameters(double share, array_double_1d axis);
 static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, array_double_1d peaks);
 static int64_t check_waypoints(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_1d report);
 static int64_t time_left(double* result_0, double* result_1, int64_t* result_2, int64_t first, int64_t step, double target, array_double_3d cells);
+static bool prolong_all(int64_t first, int64_t last, double target, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static bool prolong_from(int64_t begin, double share, int64_t first, int64_t last, double target, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static bool distribute(int64_t first, int64_t last, double target, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static bool rewrite_intervals(int64_t first, int64_t last, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static void set_problems(array_double_3d states, array_double_3d cells);
@@ -8245,6 +8251,286 @@ static int64_t tempered_form(array_double_2d phases, array_double_1d family, arr
     count = merged_form(phases, inside, family, axis);
     return count;
 }
+/*The paper's form with the cruise that makes it last the problem's duration.                          */
+/*                                                                                                     */
+/*    Returns the number of phases, the distance, and the duration of the cruise, which is negative if */
+/*    the form takes longer; the number is -1 if the form does not exist.                              */
+/*                                                                                                     */
+static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis)
+{
+    int64_t count;
+    int64_t row;
+    double duration;
+    double y;
+    double hold;
+    cruise_form(&count, &row, &duration, &y, phases, cruise, problem, axis);
+    if (count < INT64_C(0))
+    {
+        (*result_0) = -INT64_C(1);
+        (*result_1_0001) = 0.0;
+        (*result_2) = -1.0;
+        return 0;
+    }
+    hold = (*cspan_at(&problem, INT64_C(5))) - duration;
+    count = insert_hold(phases, count, row, 0.0, hold);
+    (*result_0) = count;
+    (*result_1_0001) = y + cruise * hold;
+    (*result_2) = hold;
+    return 0;
+}
+/*A possible cruise velocity that, if there is one, covers at least the distance.                      */
+/*                                                                                                     */
+/*    The velocity `middle` is possible and covers y; the search goes from there to the velocity limit */
+/*    on the side of the distance. If there is no such velocity, the last possible one is returned.    */
+/*                                                                                                     */
+static double cruise_range(array_double_2d phases, double middle, double y, array_double_1d problem, array_double_1d axis)
+{
+    double distance;
+    double outside;
+    double cruise;
+    int64_t i;
+    int64_t count;
+    double y_cruise;
+    double hold;
+    double inside;
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    outside = (*cspan_at(&axis, INT64_C(2)));
+    if (y > distance)
+    {
+        outside = -outside;
+    }
+    inside = middle;
+    cruise = outside;
+    for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
+    {
+        timed_cruise(&count, &y_cruise, &hold, phases, cruise, problem, axis);
+        if ((count >= INT64_C(0)) && (hold >= 0.0))
+        {
+            inside = cruise;
+            if ((i == INT64_C(0)) || ((y_cruise - distance) * (y - distance) <= 0.0))
+            {
+                break;
+            }
+        }
+        else
+        {
+            outside = cruise;
+        }
+        cruise = 0.5 * (inside + outside);
+        if ((cruise == inside) || (cruise == outside))
+        {
+            break;
+        }
+    }
+    return inside;
+}
+/*Keep the trial profile if it is the nearest one below or above the distance.                         */
+/*                                                                                                     */
+/*    It must last the problem's duration. The phases go to the cell, their number and distance to the */
+/*    row NEAREST of `work`.                                                                           */
+/*                                                                                                     */
+static void keep_nearest(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_2d trial;
+    array_double_1d nearest;
+    double distance;
+    double target;
+    double velocity_limit;
+    double most;
+    double duration;
+    double y;
+    double end;
+    double lowest;
+    double highest;
+    bool below;
+    bool above;
+    if (count <= INT64_C(0))
+    {
+        return;
+    }
+    trial = span_rows(&work, INT64_C(0), INT64_C(13));
+    nearest = span_row(&work, INT64_C(42));
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    target = (*cspan_at(&problem, INT64_C(5)));
+    velocity_limit = (*cspan_at(&axis, INT64_C(2)));
+    most = velocity_limit * (1.0 + 1e-12);
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, trial, count, (*cspan_at(&problem, INT64_C(0))), most, axis);
+    if ((lowest < -most) || (highest > most))
+    {
+        return;
+    }
+    if (fabs(duration - target) > 3e-11 * target)
+    {
+        return;
+    }
+    if (fabs(end - (*cspan_at(&problem, INT64_C(2)))) > 1e-11 * velocity_limit)
+    {
+        return;
+    }
+    below = (*cspan_at(&nearest, INT64_C(0))) > 0.0;
+    if ((y <= distance) && ((!below) || (y > (*cspan_at(&nearest, INT64_C(1))))))
+    {
+        copy_phases(trial, span_rows(&cell, INT64_C(0), INT64_C(13)), count);
+        (*cspan_at(&nearest, INT64_C(0))) = count;
+        (*cspan_at(&nearest, INT64_C(1))) = y;
+    }
+    above = (*cspan_at(&nearest, INT64_C(2))) > 0.0;
+    if ((y >= distance) && ((!above) || (y < (*cspan_at(&nearest, INT64_C(3))))))
+    {
+        copy_phases(trial, span_rows(&cell, INT64_C(13), INT64_C(26)), count);
+        (*cspan_at(&nearest, INT64_C(2))) = count;
+        (*cspan_at(&nearest, INT64_C(3))) = y;
+    }
+}
+/*Whether profiles on both sides of the distance are kept. */
+static bool is_enclosed(array_double_2d work)
+{
+    array_double_1d nearest;
+    bool result;
+    nearest = span_row(&work, INT64_C(42));
+    result = ((*cspan_at(&nearest, INT64_C(0))) > 0.0) && ((*cspan_at(&nearest, INT64_C(2))) > 0.0);
+    return result;
+}
+/*Try a cruise velocity and keep its profile if it is the nearest one; returns its distance. */
+static double keep_cruise(double cruise, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_2d trial;
+    int64_t count;
+    double hold;
+    double y;
+    trial = span_rows(&work, INT64_C(0), INT64_C(13));
+    timed_cruise(&count, &y, &hold, trial, cruise, problem, axis);
+    keep_nearest(count, problem, axis, cell, work);
+    return y;
+}
+/*Search for the cruise velocity that covers the distance.                   */
+/*                                                                           */
+/*    e_lower and e_upper are the excess distances of the two velocities [m].*/
+/*                                                                           */
+static void between_cruises(double lower, double upper, double e_lower, double e_upper, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    double distance;
+    double newest;
+    double other;
+    double before;
+    double e_newest;
+    double e_other;
+    double e_before;
+    double speed;
+    double rounding;
+    int64_t i;
+    double share;
+    double cruise;
+    double error;
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    newest = upper;
+    other = lower;
+    before = lower;
+    e_newest = e_upper;
+    e_other = e_lower;
+    e_before = e_other;
+    speed = fabs((*cspan_at(&problem, INT64_C(0)))) + fabs((*cspan_at(&problem, INT64_C(2))));
+    rounding = 2e-15 * (fabs(distance) + speed * (*cspan_at(&problem, INT64_C(5))));
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
+    {
+        if ((e_newest == 0.0) || (e_other == 0.0))
+        {
+            return;
+        }
+        share = root_share(newest, other, before, e_newest, e_other, e_before);
+        cruise = newest + share * (other - newest);
+        if ((cruise == newest) || (cruise == other))
+        {
+            return;
+        }
+        error = keep_cruise(cruise, problem, axis, cell, work) - distance;
+        if (fabs(error) <= rounding)
+        {
+            return;
+        }
+        next_bracket(&other, &before, &e_other, &e_before, error * e_newest < 0.0, newest, other, e_newest, e_other);
+        newest = cruise;
+        e_newest = error;
+    }
+}
+/*Bisect between a possible cruise velocity and an impossible one. */
+static double cruise_edge(double inside, double outside, array_double_2d phases, array_double_1d problem, array_double_1d axis)
+{
+    int64_t i;
+    double cruise;
+    int64_t count;
+    double y;
+    double hold;
+    for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
+    {
+        cruise = 0.5 * (inside + outside);
+        timed_cruise(&count, &y, &hold, phases, cruise, problem, axis);
+        if ((count >= INT64_C(0)) && (hold >= 0.0))
+        {
+            inside = cruise;
+        }
+        else
+        {
+            outside = cruise;
+        }
+    }
+    return inside;
+}
+/*Nearest profiles with a cruise, over all windows of possible cruise velocities.*/
+static void scan_cruises(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_2d trial;
+    double distance;
+    int64_t samples;
+    bool inside;
+    double before;
+    int64_t i;
+    double cruise;
+    int64_t count;
+    double y;
+    double hold;
+    bool fits;
+    double lower;
+    double upper;
+    double e_lower;
+    double e_upper;
+    trial = span_rows(&work, INT64_C(0), INT64_C(13));
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    samples = INT64_C(24);
+    inside = 0;
+    before = 0.0;
+    for (i = INT64_C(0); i < samples + INT64_C(1); i += INT64_C(1))
+    {
+        cruise = (*cspan_at(&axis, INT64_C(2))) * (2.0 * i / samples - 1.0);
+        timed_cruise(&count, &y, &hold, trial, cruise, problem, axis);
+        fits = (count >= INT64_C(0)) && (hold >= 0.0);
+        if ((i > INT64_C(0)) && (inside || fits))
+        {
+            lower = before;
+            upper = cruise;
+            if (!inside)
+            {
+                lower = cruise_edge(cruise, before, trial, problem, axis);
+            }
+            if (!fits)
+            {
+                upper = cruise_edge(before, cruise, trial, problem, axis);
+            }
+            e_lower = keep_cruise(lower, problem, axis, cell, work) - distance;
+            e_upper = keep_cruise(upper, problem, axis, cell, work) - distance;
+            if (e_lower * e_upper <= 0.0)
+            {
+                between_cruises(lower, upper, e_lower, e_upper, problem, axis, cell, work);
+            }
+            if (is_enclosed(work))
+            {
+                return;
+            }
+        }
+        inside = fits;
+        before = cruise;
+    }
+}
 /*Set the family of a problem; returns the velocity that the single ramp misses [m/s]. */
 /*                                                                                     */
 /*    The problem is mirrored if the single ramp gains too much.                       */
@@ -8276,6 +8562,7 @@ static double set_loop(array_double_1d problem, array_double_1d axis, array_doub
     (*cspan_at(&family, INT64_C(1))) = sign * a;
     (*cspan_at(&family, INT64_C(2))) = sign * w;
     (*cspan_at(&family, INT64_C(3))) = sign * b;
+    (*cspan_at(&family, INT64_C(13))) = 0.0;
     (*cspan_at(&family, INT64_C(14))) = sign * (*cspan_at(&problem, INT64_C(4)));
     (*cspan_at(&family, INT64_C(10))) = v;
     (*cspan_at(&family, INT64_C(11))) = 0.0;
@@ -8462,7 +8749,7 @@ static bool slow_middle(double place, double radius, array_double_1d family, arr
     (*cspan_at(&family, INT64_C(23))) = stretch;
     return stretch >= 1.0;
 }
-/*Duration of the member at a place (-1: none), and how far it goes too far [m].               */
+/*Duration of the member at a place (-1: none), and what it goes too far [m] or lasts too long.*/
 /*                                                                                             */
 /*    On an arc with a slow ramp, places are 0 .. 4 from the largest downward to upward change.*/
 /*                                                                                             */
@@ -8518,6 +8805,12 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
         }
     }
     member_distance(&duration, &y, family, axis);
+    if ((*cspan_at(&family, INT64_C(13))) > 0.5)
+    {
+        (*result_0) = duration;
+        (*result_1) = duration - (*cspan_at(&family, INT64_C(14)));
+        return 0;
+    }
     error = y - (*cspan_at(&family, INT64_C(14)));
     /*states on another plan have its rounding errors, and an arc can end at the distance*/
     if (fabs(error) <= 2e-13 * (fabs(y) + (*cspan_at(&axis, INT64_C(2))) * duration))
@@ -8718,6 +9011,35 @@ static int64_t loop_form(int64_t count, double longest, array_double_2d phases, 
         }
     }
     return count;
+}
+/*Nearest profiles of all arcs that last the problem's duration. */
+static void timed_loop(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_1d family;
+    double target;
+    double missing;
+    int64_t arc;
+    int64_t sample;
+    double duration;
+    int64_t used;
+    family = span_row(&work, INT64_C(45));
+    target = (*cspan_at(&problem, INT64_C(5)));
+    missing = set_loop(problem, axis, family);
+    (*cspan_at(&family, INT64_C(13))) = 1.0;
+    (*cspan_at(&family, INT64_C(14))) = target;
+    for (arc = INT64_C(0); arc < INT64_C(7); arc += INT64_C(1))
+    {
+        sample = INT64_C(0);
+        while((sample >= INT64_C(0)) && (sample < INT64_C(48)))
+        {
+            arc_root(&sample, &duration, arc, sample, missing, target, family, axis);
+            if (sample >= INT64_C(0))
+            {
+                used = write_member(span_rows(&work, INT64_C(0), INT64_C(13)), family, axis);
+                keep_nearest(used, problem, axis, cell, work);
+            }
+        }
+    }
 }
 /*The longest duration [s] of profiles whose acceleration keeps its sign; 0 if there are none.     */
 /*                                                                                                 */
@@ -9231,286 +9553,6 @@ static int64_t gap_ends(double after, array_double_1d problem, array_double_1d a
     }
     return count;
 }
-/*The paper's form with the cruise that makes it last the problem's duration.                          */
-/*                                                                                                     */
-/*    Returns the number of phases, the distance, and the duration of the cruise, which is negative if */
-/*    the form takes longer; the number is -1 if the form does not exist.                              */
-/*                                                                                                     */
-static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis)
-{
-    int64_t count;
-    int64_t row;
-    double duration;
-    double y;
-    double hold;
-    cruise_form(&count, &row, &duration, &y, phases, cruise, problem, axis);
-    if (count < INT64_C(0))
-    {
-        (*result_0) = -INT64_C(1);
-        (*result_1_0001) = 0.0;
-        (*result_2) = -1.0;
-        return 0;
-    }
-    hold = (*cspan_at(&problem, INT64_C(5))) - duration;
-    count = insert_hold(phases, count, row, 0.0, hold);
-    (*result_0) = count;
-    (*result_1_0001) = y + cruise * hold;
-    (*result_2) = hold;
-    return 0;
-}
-/*A possible cruise velocity that, if there is one, covers at least the distance.                      */
-/*                                                                                                     */
-/*    The velocity `middle` is possible and covers y; the search goes from there to the velocity limit */
-/*    on the side of the distance. If there is no such velocity, the last possible one is returned.    */
-/*                                                                                                     */
-static double cruise_range(array_double_2d phases, double middle, double y, array_double_1d problem, array_double_1d axis)
-{
-    double distance;
-    double outside;
-    double cruise;
-    int64_t i;
-    int64_t count;
-    double y_cruise;
-    double hold;
-    double inside;
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    outside = (*cspan_at(&axis, INT64_C(2)));
-    if (y > distance)
-    {
-        outside = -outside;
-    }
-    inside = middle;
-    cruise = outside;
-    for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
-    {
-        timed_cruise(&count, &y_cruise, &hold, phases, cruise, problem, axis);
-        if ((count >= INT64_C(0)) && (hold >= 0.0))
-        {
-            inside = cruise;
-            if ((i == INT64_C(0)) || ((y_cruise - distance) * (y - distance) <= 0.0))
-            {
-                break;
-            }
-        }
-        else
-        {
-            outside = cruise;
-        }
-        cruise = 0.5 * (inside + outside);
-        if ((cruise == inside) || (cruise == outside))
-        {
-            break;
-        }
-    }
-    return inside;
-}
-/*Keep the trial profile if it is the nearest one below or above the distance.                         */
-/*                                                                                                     */
-/*    It must last the problem's duration. The phases go to the cell, their number and distance to the */
-/*    row NEAREST of `work`.                                                                           */
-/*                                                                                                     */
-static void keep_nearest(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
-{
-    array_double_2d trial;
-    array_double_1d nearest;
-    double distance;
-    double target;
-    double velocity_limit;
-    double most;
-    double duration;
-    double y;
-    double end;
-    double lowest;
-    double highest;
-    bool below;
-    bool above;
-    if (count <= INT64_C(0))
-    {
-        return;
-    }
-    trial = span_rows(&work, INT64_C(0), INT64_C(13));
-    nearest = span_row(&work, INT64_C(42));
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    target = (*cspan_at(&problem, INT64_C(5)));
-    velocity_limit = (*cspan_at(&axis, INT64_C(2)));
-    most = velocity_limit * (1.0 + 1e-12);
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, trial, count, (*cspan_at(&problem, INT64_C(0))), most, axis);
-    if ((lowest < -most) || (highest > most))
-    {
-        return;
-    }
-    if (fabs(duration - target) > 3e-11 * target)
-    {
-        return;
-    }
-    if (fabs(end - (*cspan_at(&problem, INT64_C(2)))) > 1e-11 * velocity_limit)
-    {
-        return;
-    }
-    below = (*cspan_at(&nearest, INT64_C(0))) > 0.0;
-    if ((y <= distance) && ((!below) || (y > (*cspan_at(&nearest, INT64_C(1))))))
-    {
-        copy_phases(trial, span_rows(&cell, INT64_C(0), INT64_C(13)), count);
-        (*cspan_at(&nearest, INT64_C(0))) = count;
-        (*cspan_at(&nearest, INT64_C(1))) = y;
-    }
-    above = (*cspan_at(&nearest, INT64_C(2))) > 0.0;
-    if ((y >= distance) && ((!above) || (y < (*cspan_at(&nearest, INT64_C(3))))))
-    {
-        copy_phases(trial, span_rows(&cell, INT64_C(13), INT64_C(26)), count);
-        (*cspan_at(&nearest, INT64_C(2))) = count;
-        (*cspan_at(&nearest, INT64_C(3))) = y;
-    }
-}
-/*Whether profiles on both sides of the distance are kept. */
-static bool is_enclosed(array_double_2d work)
-{
-    array_double_1d nearest;
-    bool result;
-    nearest = span_row(&work, INT64_C(42));
-    result = ((*cspan_at(&nearest, INT64_C(0))) > 0.0) && ((*cspan_at(&nearest, INT64_C(2))) > 0.0);
-    return result;
-}
-/*Try a cruise velocity and keep its profile if it is the nearest one; returns its distance. */
-static double keep_cruise(double cruise, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
-{
-    array_double_2d trial;
-    int64_t count;
-    double hold;
-    double y;
-    trial = span_rows(&work, INT64_C(0), INT64_C(13));
-    timed_cruise(&count, &y, &hold, trial, cruise, problem, axis);
-    keep_nearest(count, problem, axis, cell, work);
-    return y;
-}
-/*Search for the cruise velocity that covers the distance.                   */
-/*                                                                           */
-/*    e_lower and e_upper are the excess distances of the two velocities [m].*/
-/*                                                                           */
-static void between_cruises(double lower, double upper, double e_lower, double e_upper, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
-{
-    double distance;
-    double newest;
-    double other;
-    double before;
-    double e_newest;
-    double e_other;
-    double e_before;
-    double speed;
-    double rounding;
-    int64_t i;
-    double share;
-    double cruise;
-    double error;
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    newest = upper;
-    other = lower;
-    before = lower;
-    e_newest = e_upper;
-    e_other = e_lower;
-    e_before = e_other;
-    speed = fabs((*cspan_at(&problem, INT64_C(0)))) + fabs((*cspan_at(&problem, INT64_C(2))));
-    rounding = 2e-15 * (fabs(distance) + speed * (*cspan_at(&problem, INT64_C(5))));
-    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
-    {
-        if ((e_newest == 0.0) || (e_other == 0.0))
-        {
-            return;
-        }
-        share = root_share(newest, other, before, e_newest, e_other, e_before);
-        cruise = newest + share * (other - newest);
-        if ((cruise == newest) || (cruise == other))
-        {
-            return;
-        }
-        error = keep_cruise(cruise, problem, axis, cell, work) - distance;
-        if (fabs(error) <= rounding)
-        {
-            return;
-        }
-        next_bracket(&other, &before, &e_other, &e_before, error * e_newest < 0.0, newest, other, e_newest, e_other);
-        newest = cruise;
-        e_newest = error;
-    }
-}
-/*Bisect between a possible cruise velocity and an impossible one. */
-static double cruise_edge(double inside, double outside, array_double_2d phases, array_double_1d problem, array_double_1d axis)
-{
-    int64_t i;
-    double cruise;
-    int64_t count;
-    double y;
-    double hold;
-    for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
-    {
-        cruise = 0.5 * (inside + outside);
-        timed_cruise(&count, &y, &hold, phases, cruise, problem, axis);
-        if ((count >= INT64_C(0)) && (hold >= 0.0))
-        {
-            inside = cruise;
-        }
-        else
-        {
-            outside = cruise;
-        }
-    }
-    return inside;
-}
-/*Nearest profiles with a cruise, over all windows of possible cruise velocities.*/
-static void scan_cruises(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
-{
-    array_double_2d trial;
-    double distance;
-    int64_t samples;
-    bool inside;
-    double before;
-    int64_t i;
-    double cruise;
-    int64_t count;
-    double y;
-    double hold;
-    bool fits;
-    double lower;
-    double upper;
-    double e_lower;
-    double e_upper;
-    trial = span_rows(&work, INT64_C(0), INT64_C(13));
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    samples = INT64_C(24);
-    inside = 0;
-    before = 0.0;
-    for (i = INT64_C(0); i < samples + INT64_C(1); i += INT64_C(1))
-    {
-        cruise = (*cspan_at(&axis, INT64_C(2))) * (2.0 * i / samples - 1.0);
-        timed_cruise(&count, &y, &hold, trial, cruise, problem, axis);
-        fits = (count >= INT64_C(0)) && (hold >= 0.0);
-        if ((i > INT64_C(0)) && (inside || fits))
-        {
-            lower = before;
-            upper = cruise;
-            if (!inside)
-            {
-                lower = cruise_edge(cruise, before, trial, problem, axis);
-            }
-            if (!fits)
-            {
-                upper = cruise_edge(before, cruise, trial, problem, axis);
-            }
-            e_lower = keep_cruise(lower, problem, axis, cell, work) - distance;
-            e_upper = keep_cruise(upper, problem, axis, cell, work) - distance;
-            if (e_lower * e_upper <= 0.0)
-            {
-                between_cruises(lower, upper, e_lower, e_upper, problem, axis, cell, work);
-            }
-            if (is_enclosed(work))
-            {
-                return;
-            }
-        }
-        inside = fits;
-        before = cruise;
-    }
-}
 /*Stretch phases that begin and end at rest in time; the distance stays (section 3.2). */
 static void stretch_phases(array_double_2d phases, int64_t count, double factor)
 {
@@ -9562,8 +9604,8 @@ static void timed_merged(array_double_1d problem, array_double_1d axis, array_do
         }
     }
 }
-/*Nearest profiles below and above the distance, without braking.*/
-static void timed_between(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
+/*The paper's form with a cruise about as fast as the mean velocity, if there is one.*/
+static void usual_cruise(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
     array_double_2d trial;
     double v;
@@ -9589,14 +9631,84 @@ static void timed_between(array_double_1d problem, array_double_1d axis, array_d
         if (is_enclosed(work))
         {
             between_cruises(middle, edge, y - distance, y_edge - distance, problem, axis, cell, work);
-            return;
         }
     }
-    scan_cruises(problem, axis, cell, work);
+}
+/*Nearest profiles below and above the distance, without braking.*/
+static void timed_between(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    double target;
+    usual_cruise(problem, axis, cell, work);
+    if (!is_enclosed(work))
+    {
+        scan_cruises(problem, axis, cell, work);
+    }
     if (!is_enclosed(work))
     {
         timed_merged(problem, axis, cell, work);
     }
+    target = (*cspan_at(&problem, INT64_C(5)));
+    if ((!is_enclosed(work)) && (early_window(target, problem, axis) >= target))
+    {
+        timed_loop(problem, axis, cell, work);
+    }
+}
+/*Forget the profiles next to the distance.*/
+static void clear_nearest(array_double_2d work)
+{
+    (*cspan_at(&work, INT64_C(42), INT64_C(0))) = 0.0;
+    (*cspan_at(&work, INT64_C(42), INT64_C(2))) = 0.0;
+}
+/*A cruise of prescribed duration whose ramps are stretched, as those from rest to rest are.         */
+/*                                                                                                   */
+/*    shortest: the shortest duration of the problem [s]. False if there is none; the boundary states*/
+/*    must not exceed the limits that remain.                                                        */
+/*                                                                                                   */
+static bool timed_slower(double shortest, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_1d problem;
+    array_double_1d rest;
+    double velocity;
+    double factor;
+    double steepest;
+    int64_t attempt;
+    double room;
+    array_double_1d nearest;
+    int64_t below;
+    int64_t above;
+    problem = span_row(&work, INT64_C(43));
+    rest = span_row(&work, INT64_C(44));
+    velocity = (*cspan_at(&axis, INT64_C(2)));
+    factor = shortest / (*cspan_at(&problem, INT64_C(5)));
+    steepest = span_max(fabs((*cspan_at(&problem, INT64_C(1)))), fabs((*cspan_at(&problem, INT64_C(3)))));
+    for (attempt = INT64_C(0); attempt < INT64_C(4); attempt += INT64_C(1))
+    {
+        room = (*cspan_at(&axis, INT64_C(3))) * factor * factor * (1.0 - 1e-12);
+        if ((steepest <= room) && (factor < 0.99))
+        {
+            (*cspan_at(&rest, INT64_C(0))) = (*cspan_at(&problem, INT64_C(0))) / factor;
+            (*cspan_at(&rest, INT64_C(1))) = (*cspan_at(&problem, INT64_C(1))) / (factor * factor);
+            (*cspan_at(&rest, INT64_C(2))) = (*cspan_at(&problem, INT64_C(2))) / factor;
+            (*cspan_at(&rest, INT64_C(3))) = (*cspan_at(&problem, INT64_C(3))) / (factor * factor);
+            (*cspan_at(&rest, INT64_C(4))) = (*cspan_at(&problem, INT64_C(4)));
+            (*cspan_at(&rest, INT64_C(5))) = (*cspan_at(&problem, INT64_C(5))) * factor;
+            (*cspan_at(&axis, INT64_C(2))) = velocity / factor;
+            clear_nearest(work);
+            usual_cruise(rest, axis, cell, work);
+            (*cspan_at(&axis, INT64_C(2))) = velocity;
+            if (is_enclosed(work))
+            {
+                nearest = span_row(&work, INT64_C(42));
+                below = (int64_t)((*cspan_at(&nearest, INT64_C(0))));
+                above = (int64_t)((*cspan_at(&nearest, INT64_C(2))));
+                stretch_phases(span_rows(&cell, INT64_C(0), INT64_C(13)), below, 1.0 / factor);
+                stretch_phases(span_rows(&cell, INT64_C(13), INT64_C(26)), above, 1.0 / factor);
+                return 1;
+            }
+        }
+        factor = pow(factor, 0.6);
+    }
+    return 0;
 }
 /*Share of the profile above in the weighted mean that covers the distance.*/
 static double nearest_weight(array_double_1d problem, array_double_1d axis, array_double_1d nearest)
@@ -9654,6 +9766,7 @@ double segfmu_timed_profile(double target, array_double_1d axis, array_double_2d
     array_double_1d problem;
     array_double_1d rest;
     array_double_1d nearest;
+    double shortest;
     int64_t variant;
     int64_t taken;
     double spent;
@@ -9664,6 +9777,13 @@ double segfmu_timed_profile(double target, array_double_1d axis, array_double_2d
     nearest = span_row(&work, INT64_C(42));
     boundary_problem(span_row(&cell, INT64_C(26)), axis, problem);
     (*cspan_at(&problem, INT64_C(5))) = target;
+    shortest = (*cspan_at(&cell, INT64_C(27), INT64_C(0)));
+    if ((shortest > 0.0) && timed_slower(shortest, axis, cell, work))
+    {
+        weight = nearest_weight(problem, axis, nearest);
+        surround_nearest(INT64_C(0), axis, cell, work);
+        return weight;
+    }
     for (variant = INT64_C(0); variant < INT64_C(4); variant += INT64_C(1))
     {
         braked(&taken, &spent, variant, problem, axis, trial, rest);
@@ -9679,8 +9799,7 @@ double segfmu_timed_profile(double target, array_double_1d axis, array_double_2d
         {
             continue;
         }
-        (*cspan_at(&nearest, INT64_C(0))) = 0.0;
-        (*cspan_at(&nearest, INT64_C(2))) = 0.0;
+        clear_nearest(work);
         timed_between(rest, axis, cell, work);
         if (is_enclosed(work))
         {
@@ -10245,7 +10364,7 @@ static int64_t time_left(double* result_0, double* result_1, int64_t* result_2, 
     for (j = first; (step > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += step)
     {
         rest = rest - (*cspan_at(&cells, j, INT64_C(27), INT64_C(1)));
-        if ((*cspan_at(&cells, j, INT64_C(27), INT64_C(8))) > 0.5)
+        if ((*cspan_at(&cells, j, INT64_C(27), INT64_C(9))) > 0.5)
         {
             base = base + (*cspan_at(&cells, j, INT64_C(27), INT64_C(1)));
             count = count + INT64_C(1);
@@ -10262,7 +10381,7 @@ static int64_t time_left(double* result_0, double* result_1, int64_t* result_2, 
 /*    it goes to the end of the gap if time permits, else it keeps its duration. False if no interval*/
 /*    can take the remaining time.                                                                   */
 /*                                                                                                   */
-static bool distribute(int64_t first, int64_t last, double target, array_double_2d axes, array_double_3d cells, array_double_2d work)
+static bool prolong_all(int64_t first, int64_t last, double target, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
     int64_t step;
     int64_t j;
@@ -10279,7 +10398,7 @@ static bool distribute(int64_t first, int64_t last, double target, array_double_
     step = axes.shape[INT64_C(0)];
     for (j = first; (step > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += step)
     {
-        (*cspan_at(&cells, j, INT64_C(27), INT64_C(8))) = 1.0;
+        (*cspan_at(&cells, j, INT64_C(27), INT64_C(9))) = 1.0;
     }
     for (sweep = INT64_C(0); sweep < INT64_C(50); sweep += INT64_C(1))
     {
@@ -10301,14 +10420,14 @@ static bool distribute(int64_t first, int64_t last, double target, array_double_
         }
         for (j = first; (step > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += step)
         {
-            if ((*cspan_at(&cells, j, INT64_C(27), INT64_C(8))) > 0.5)
+            if ((*cspan_at(&cells, j, INT64_C(27), INT64_C(9))) > 0.5)
             {
                 present = (*cspan_at(&cells, j, INT64_C(27), INT64_C(1)));
                 end = j + last - first;
                 reached = common_duration(present * factor + extra, 0.0, j, end, axes, cells, work);
                 if ((reached < 0.0) || (reached - present > rest * (1.0 + 1e-13)))
                 {
-                    (*cspan_at(&cells, j, INT64_C(27), INT64_C(8))) = 0.0;
+                    (*cspan_at(&cells, j, INT64_C(27), INT64_C(9))) = 0.0;
                 }
                 else
                 {
@@ -10318,6 +10437,79 @@ static bool distribute(int64_t first, int64_t last, double target, array_double_
                         (*cspan_at(&cells, i, INT64_C(27), INT64_C(1))) = reached;
                     }
                 }
+            }
+        }
+    }
+    return 0;
+}
+/*Prolong the interval of cell `begin` by a share of the time that is left, then the next ones.*/
+/*                                                                                             */
+/*    The others take as much as they can, one after the other. True if no time is left.       */
+/*                                                                                             */
+static bool prolong_from(int64_t begin, double share, int64_t first, int64_t last, double target, array_double_2d axes, array_double_3d cells, array_double_2d work)
+{
+    int64_t step;
+    int64_t intervals;
+    int64_t k;
+    double rest;
+    double base;
+    int64_t count;
+    int64_t j;
+    double present;
+    double reached;
+    int64_t i;
+    step = axes.shape[INT64_C(0)];
+    intervals = span_floor_div(cells.shape[INT64_C(0)], step);
+    for (k = INT64_C(0); k < intervals; k += INT64_C(1))
+    {
+        time_left(&rest, &base, &count, first, step, target, cells);
+        j = first + span_floor_mod((begin - first + k * step), (intervals * step));
+        present = (*cspan_at(&cells, j, INT64_C(27), INT64_C(1)));
+        reached = common_duration(present + share * rest, 0.0, j, j + last - first, axes, cells, work);
+        if ((reached >= 0.0) && (reached - present <= rest * (1.0 + 1e-13)))
+        {
+            for (i = j; i < j + last - first; i += INT64_C(1))
+            {
+                (*cspan_at(&cells, i, INT64_C(27), INT64_C(1))) = reached;
+            }
+        }
+        share = 1.0;
+    }
+    time_left(&rest, &base, &count, first, step, target, cells);
+    return rest <= 1e-13 * target;
+}
+/*Prolong the intervals of the axes first .. last - 1 to `target` [s] in total.                  */
+/*                                                                                               */
+/*    All in proportion if their gaps permit, else as few as possible. False if neither succeeds.*/
+/*                                                                                               */
+static bool distribute(int64_t first, int64_t last, double target, array_double_2d axes, array_double_3d cells, array_double_2d work)
+{
+    int64_t step;
+    int64_t i;
+    int64_t quarters;
+    int64_t j;
+    double share;
+    step = axes.shape[INT64_C(0)];
+    for (i = INT64_C(0); i < cells.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        (*cspan_at(&cells, i, INT64_C(27), INT64_C(8))) = (*cspan_at(&cells, i, INT64_C(27), INT64_C(1)));
+    }
+    if (prolong_all(first, last, target, axes, cells, work))
+    {
+        return 1;
+    }
+    for (quarters = INT64_C(0); quarters < INT64_C(4); quarters += INT64_C(1))
+    {
+        for (j = first; (step > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += step)
+        {
+            for (i = INT64_C(0); i < cells.shape[INT64_C(0)]; i += INT64_C(1))
+            {
+                (*cspan_at(&cells, i, INT64_C(27), INT64_C(1))) = (*cspan_at(&cells, i, INT64_C(27), INT64_C(8)));
+            }
+            share = 1.0 - 0.25 * quarters;
+            if (prolong_from(j, share, first, last, target, axes, cells, work))
+            {
+                return 1;
             }
         }
     }
@@ -13805,6 +13997,7 @@ int64_t segfmu_expand_plan(array_double_3d states, array_double_1d dwells, array
     int64_t axis;
     double now;
     int64_t j;
+    double a;
     array_double_2d cell;
     int64_t row;
     points = states.shape[INT64_C(0)];
@@ -13820,7 +14013,11 @@ int64_t segfmu_expand_plan(array_double_3d states, array_double_1d dwells, array
             if (((*cspan_at(&dwells, j)) > 0.0) || ((j == points - INT64_C(1)) && (row == (*cspan_at(&offsets, axis)))))
             {
                 clear_piece(coefficients, row);
+                /*an axis that has nothing to do may move all the same*/
+                a = (*cspan_at(&states, j, axis, INT64_C(2)));
                 (*cspan_at(&coefficients, row, INT64_C(0))) = (*cspan_at(&states, j, axis, INT64_C(0)));
+                (*cspan_at(&coefficients, row, INT64_C(1))) = (*cspan_at(&states, j, axis, INT64_C(1)));
+                (*cspan_at(&coefficients, row, INT64_C(2))) = 0.5 * a;
                 (*cspan_at(&timing, row, INT64_C(0))) = now;
                 (*cspan_at(&timing, row, INT64_C(1))) = (*cspan_at(&dwells, j));
                 now = now + (*cspan_at(&dwells, j));

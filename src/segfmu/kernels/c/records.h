@@ -809,8 +809,9 @@ enum {
     INTERVAL_POSITION = 5,
     INTERVAL_START = 6,
     INTERVAL_DELAY = 7,
-    INTERVAL_PROLONGED = 8,
-    INTERVAL_SIZE = 9
+    INTERVAL_LEAST = 8,
+    INTERVAL_PROLONGED = 9,
+    INTERVAL_SIZE = 10
 };
 
 enum {
@@ -819,7 +820,7 @@ enum {
     CELL_PROBLEM = 26,
     CELL_RESULT = 27,
     CELL_SIZE = 28,
-    CELL_COLUMNS = 9
+    CELL_COLUMNS = 10
 };
 
 enum {

@@ -16,6 +16,7 @@ from segfmu.kernels.planner.merged import write_member
 from segfmu.kernels.planner.phases import copy_phases, valid_duration
 from segfmu.kernels.planner.ramp import ramp_change, ramp_duration
 from segfmu.kernels.planner.records import Axis, Family, LoopArc, PlanWork, Problem
+from segfmu.kernels.planner.timed_cruise import keep_nearest
 
 
 def set_loop(problem: 'float[:]', axis: 'float[:]', family: 'float[:]') -> float:
@@ -37,6 +38,7 @@ def set_loop(problem: 'float[:]', axis: 'float[:]', family: 'float[:]') -> float
     family[Family.A] = sign * a
     family[Family.W] = sign * w
     family[Family.B] = sign * b
+    family[Family.BY_TIME] = 0.0
     family[Family.TARGET] = sign * problem[Problem.DISTANCE]
     family[Family.START_VELOCITY] = v
     family[Family.REVERSE] = 0.0
@@ -161,7 +163,7 @@ def slow_middle(place: float, radius: float, family: 'float[:]', axis: 'float[:]
 def loop_excess(
     arc: int, place: float, missing: float, largest: float, family: 'float[:]', axis: 'float[:]'
 ) -> 'tuple[float, float]':
-    """Duration of the member at a place (-1: none), and how far it goes too far [m].
+    """Duration of the member at a place (-1: none), and what it goes too far [m] or lasts too long.
 
     On an arc with a slow ramp, places are 0 .. 4 from the largest downward to upward change.
     """
@@ -186,6 +188,8 @@ def loop_excess(
         if not slow_middle(side, largest * part * part, family, axis):
             return -1.0, 0.0
     duration, y = member_distance(family, axis)
+    if family[Family.BY_TIME] > 0.5:
+        return duration, duration - family[Family.TARGET]
     error = y - family[Family.TARGET]
     # states on another plan have its rounding errors, and an arc can end at the distance
     if abs(error) <= 2e-13 * (abs(y) + axis[Axis.VELOCITY] * duration):
@@ -323,6 +327,24 @@ def loop_form(
                     count = used
                     longest = duration
     return count
+
+
+def timed_loop(
+    problem: 'float[:]', axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]'
+) -> None:
+    """Nearest profiles of all arcs that last the problem's duration."""
+    family = work[PlanWork.FAMILY, :]
+    target = problem[Problem.DURATION]
+    missing = set_loop(problem, axis, family)
+    family[Family.BY_TIME] = 1.0
+    family[Family.TARGET] = target
+    for arc in range(7):
+        sample = 0
+        while sample >= 0 and sample < 48:
+            sample, duration = arc_root(arc, sample, missing, target, family, axis)
+            if sample >= 0:
+                used = write_member(work[PlanWork.TRIAL:PlanWork.BEST, :], family, axis)
+                keep_nearest(used, problem, axis, cell, work)
 
 
 def early_window(duration: float, problem: 'float[:]', axis: 'float[:]') -> float:

@@ -70,6 +70,64 @@ def distribute(
     cells: 'float[:,:,:]',
     work: 'float[:,:]',
 ) -> bool:
+    """Prolong the intervals of the axes first .. last - 1 to `target` [s] in total.
+
+    All in proportion if their gaps permit, else as few as possible. False if neither succeeds.
+    """
+    step = axes.shape[0]
+    for i in range(cells.shape[0]):
+        cells[i, Cell.RESULT, Interval.LEAST] = cells[i, Cell.RESULT, Interval.DURATION]
+    if prolong_all(first, last, target, axes, cells, work):
+        return True
+    for quarters in range(4):
+        for j in range(first, cells.shape[0], step):
+            for i in range(cells.shape[0]):
+                cells[i, Cell.RESULT, Interval.DURATION] = cells[i, Cell.RESULT, Interval.LEAST]
+            share = 1.0 - 0.25 * quarters
+            if prolong_from(j, share, first, last, target, axes, cells, work):
+                return True
+    return False
+
+
+def prolong_from(
+    begin: int,
+    share: float,
+    first: int,
+    last: int,
+    target: float,
+    axes: 'float[:,:]',
+    cells: 'float[:,:,:]',
+    work: 'float[:,:]',
+) -> bool:
+    """Prolong the interval of cell `begin` by a share of the time that is left, then the next ones.
+
+    The others take as much as they can, one after the other. True if no time is left.
+    """
+    step = axes.shape[0]
+    intervals = cells.shape[0] // step
+    for k in range(intervals):
+        rest, base, count = time_left(first, step, target, cells)
+        j = first + (begin - first + k * step) % (intervals * step)
+        present = cells[j, Cell.RESULT, Interval.DURATION]
+        reached = common_duration(
+            present + share * rest, 0.0, j, j + last - first, axes, cells, work
+        )
+        if reached >= 0.0 and reached - present <= rest * (1.0 + 1e-13):
+            for i in range(j, j + last - first):
+                cells[i, Cell.RESULT, Interval.DURATION] = reached
+        share = 1.0
+    rest, base, count = time_left(first, step, target, cells)
+    return rest <= 1e-13 * target
+
+
+def prolong_all(
+    first: int,
+    last: int,
+    target: float,
+    axes: 'float[:,:]',
+    cells: 'float[:,:,:]',
+    work: 'float[:,:]',
+) -> bool:
     """Prolong the intervals of the axes first .. last - 1, in proportion, to `target` [s] in total.
 
     Intervals of zero duration share it equally. If the new duration of an interval lies in a gap,

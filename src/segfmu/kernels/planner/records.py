@@ -204,6 +204,7 @@ class Interval(Record):
     POSITION = field("position at its start", "m")
     START = field("time of its start", "s")
     DELAY = field("time before its profile begins", "s")
+    LEAST = field("duration before the interval is prolonged", "s")
     PROLONGED = field("of the first axis: 1 while the interval can be prolonged, else 0")
 
 

@@ -7,17 +7,21 @@ of the distance and another one covers at least as much. Between two moving wayp
 durations can have gaps (errata E10). Outside the gaps the profile is, in this order:
 
 * from rest to rest the shortest profile stretched in time, as in section 3.2;
-* the paper's form with the cruise velocity that makes it last T;
+* the paper's form with the cruise velocity that makes it last T, if it exists as the form of a
+  faster time, stretched: slower ramps are smoother;
+* that form with full ramps;
 * the weighted mean of two profiles that last T, one short of the distance and one beyond it.
 """
 
 from segfmu.kernels.planner.braking import braked, surround
+from segfmu.kernels.planner.loop import early_window, timed_loop
 from segfmu.kernels.planner.merged import set_family, set_member, tempered_form
 from segfmu.kernels.planner.phases import boundary_problem
 from segfmu.kernels.planner.records import (
     Axis,
     Braking,
     Cell,
+    Interval,
     Nearest,
     Phase,
     PlanWork,
@@ -71,6 +75,20 @@ def timed_between(
     problem: 'float[:]', axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]'
 ) -> None:
     """Nearest profiles below and above the distance, without braking."""
+    usual_cruise(problem, axis, cell, work)
+    if not is_enclosed(work):
+        scan_cruises(problem, axis, cell, work)
+    if not is_enclosed(work):
+        timed_merged(problem, axis, cell, work)
+    target = problem[Problem.DURATION]
+    if not is_enclosed(work) and early_window(target, problem, axis) >= target:
+        timed_loop(problem, axis, cell, work)
+
+
+def usual_cruise(
+    problem: 'float[:]', axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]'
+) -> None:
+    """The paper's form with a cruise about as fast as the mean velocity, if there is one."""
     trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
     v = problem[Problem.V]
     w = problem[Problem.W]
@@ -85,10 +103,49 @@ def timed_between(
             between_cruises(
                 middle, edge, y - distance, y_edge - distance, problem, axis, cell, work
             )
-            return
-    scan_cruises(problem, axis, cell, work)
-    if not is_enclosed(work):
-        timed_merged(problem, axis, cell, work)
+
+
+def clear_nearest(work: 'float[:,:]') -> None:
+    """Forget the profiles next to the distance."""
+    work[PlanWork.NEAREST, Nearest.BELOW_COUNT] = 0.0
+    work[PlanWork.NEAREST, Nearest.ABOVE_COUNT] = 0.0
+
+
+def timed_slower(
+    shortest: float, axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]'
+) -> bool:
+    """A cruise of prescribed duration whose ramps are stretched, as those from rest to rest are.
+
+    shortest: the shortest duration of the problem [s]. False if there is none; the boundary states
+    must not exceed the limits that remain.
+    """
+    problem = work[PlanWork.PROBLEM, :]
+    rest = work[PlanWork.REST, :]
+    velocity = axis[Axis.VELOCITY]
+    factor = shortest / problem[Problem.DURATION]
+    steepest = max(abs(problem[Problem.A]), abs(problem[Problem.B]))
+    for attempt in range(4):
+        room = axis[Axis.ACCELERATION] * factor * factor * (1.0 - 1e-12)
+        if steepest <= room and factor < 0.99:
+            rest[Problem.V] = problem[Problem.V] / factor
+            rest[Problem.A] = problem[Problem.A] / (factor * factor)
+            rest[Problem.W] = problem[Problem.W] / factor
+            rest[Problem.B] = problem[Problem.B] / (factor * factor)
+            rest[Problem.DISTANCE] = problem[Problem.DISTANCE]
+            rest[Problem.DURATION] = problem[Problem.DURATION] * factor
+            axis[Axis.VELOCITY] = velocity / factor
+            clear_nearest(work)
+            usual_cruise(rest, axis, cell, work)
+            axis[Axis.VELOCITY] = velocity
+            if is_enclosed(work):
+                nearest = work[PlanWork.NEAREST, :]
+                below = int(nearest[Nearest.BELOW_COUNT])
+                above = int(nearest[Nearest.ABOVE_COUNT])
+                stretch_phases(cell[Cell.BELOW:Cell.ABOVE, :], below, 1.0 / factor)
+                stretch_phases(cell[Cell.ABOVE:Cell.PROBLEM, :], above, 1.0 / factor)
+                return True
+        factor = factor ** 0.6
+    return False
 
 
 def nearest_weight(problem: 'float[:]', axis: 'float[:]', nearest: 'float[:]') -> float:
@@ -119,6 +176,11 @@ def timed_profile(
     nearest = work[PlanWork.NEAREST, :]
     boundary_problem(cell[Cell.PROBLEM, :], axis, problem)
     problem[Problem.DURATION] = target
+    shortest = cell[Cell.RESULT, Interval.SHORTEST]
+    if shortest > 0.0 and timed_slower(shortest, axis, cell, work):
+        weight = nearest_weight(problem, axis, nearest)
+        surround_nearest(0, axis, cell, work)
+        return weight
     for variant in range(4):
         taken, spent = braked(variant, problem, axis, trial, rest)
         if taken == Braking.NOT_NEEDED:
@@ -127,8 +189,7 @@ def timed_profile(
             return -1.0
         if rest[Problem.DURATION] <= 0.0:
             continue
-        nearest[Nearest.BELOW_COUNT] = 0.0
-        nearest[Nearest.ABOVE_COUNT] = 0.0
+        clear_nearest(work)
         timed_between(rest, axis, cell, work)
         if is_enclosed(work):
             weight = nearest_weight(rest, axis, nearest)

@@ -148,7 +148,11 @@ def expand_plan(
             times[j, axis] = now
             if dwells[j] > 0.0 or (j == points - 1 and row == offsets[axis]):
                 clear_piece(coefficients, row)
+                # an axis that has nothing to do may move all the same
+                a = states[j, axis, WaypointState.ACCELERATION]
                 coefficients[row, Piece.POSITION] = states[j, axis, WaypointState.POSITION]
+                coefficients[row, Piece.VELOCITY] = states[j, axis, WaypointState.VELOCITY]
+                coefficients[row, Piece.ACCELERATION] = 0.5 * a
                 timing[row, Timing.START] = now
                 timing[row, Timing.LENGTH] = dwells[j]
                 now = now + dwells[j]
