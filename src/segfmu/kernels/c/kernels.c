@@ -7085,6 +7085,11 @@ static int64_t root_level(double* result_0, double* result_1, double gain, doubl
             if ((reached > 0.0) && (gain > 0.0) && ((reached > 2.0 * gain) || (gain > 2.0 * reached)))
             {
                 newton = t * pow((gain / reached), (reached / (t * rate)));
+                /*the power can differ on both sides of the root: halve the bracket in between*/
+                if (span_floor_mod(i, INT64_C(3)) == INT64_C(2))
+                {
+                    newton = sqrt(span_max(lower, 0.001 * upper) * upper);
+                }
             }
             if ((newton > lower) && (newton < upper))
             {

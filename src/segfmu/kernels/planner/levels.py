@@ -98,6 +98,9 @@ def root_level(
             # far from the root, Newton's method on logarithms, as the gain is nearly a power
             if reached > 0.0 and gain > 0.0 and (reached > 2.0 * gain or gain > 2.0 * reached):
                 newton = t * (gain / reached) ** (reached / (t * rate))
+                # the power can differ on both sides of the root: halve the bracket in between
+                if i % 3 == 2:
+                    newton = sqrt(max(lower, 1e-3 * upper) * upper)
             if newton > lower and newton < upper:
                 following = newton
         if abs(following - t) <= 4e-16 * t:
