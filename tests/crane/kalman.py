@@ -71,10 +71,13 @@ def axis_table(
     outputs = kept[kept <= ANGLE]
     a, b = axis_model(crane, axis, length, driven, lag)
     walks = np.zeros(6)
-    walks[[INPUT, LOAD]] = expected.drift * crane.gravity, expected.wind * crane.gravity
+    # walks are those of the pendulum's time; quantisation errors stay for a twentieth of it
+    time = np.sqrt(length / crane.gravity)
+    walks[[INPUT, LOAD]] = np.array([expected.drift, expected.wind]) * crane.gravity / np.sqrt(time)
     step = expected.position if axis < 2 else expected.length
     ad, bd, covariance = discretised(a[np.ix_(kept, kept)], b[kept], walks[kept], sample_time)
     noise = np.diag(np.array([step, expected.angle])[: outputs.size] ** 2 / 12.0)
+    noise *= max(1.0, 0.05 * time / sample_time)
     read = np.eye(kept.size)[: outputs.size]
     spread = solve_discrete_are(ad.T, read.T, covariance, noise)
     filter_gain = np.linalg.solve(read @ spread @ read.T + noise, read @ spread).T

@@ -48,7 +48,7 @@ def characteristic(bandwidth: float, damping: float, order: int) -> np.ndarray:
 def test_poles_are_the_chosen_ones(crane, length: float, damping: float, driven: bool) -> None:
     bandwidth, hoist = 1.2 * np.sqrt(9.81 / length), 2.0 * np.sqrt(9.81 / length)
     a, b = newtonian(crane, length, driven)
-    loop = a - b @ flat_gain(crane, length, bandwidth, damping, driven, hoist)
+    loop = a - b @ flat_gain(crane, length, bandwidth, damping, driven, hoist)[:, :10]
     groups = (([0, 3, 5, 8], bandwidth, 2), ([1, 4, 6, 9], bandwidth, 2), ([2, 7], hoist, 1))
     for rows, w, order in groups:
         # coefficients, as multiple poles are sensitive; scaled to a bandwidth of 1
@@ -63,25 +63,50 @@ def test_the_table_has_the_gains_of_its_lengths() -> None:
         LAB, sample_time=0.001, shortest=0.3, longest=0.9, ratio=0.9, hoist_ratio=2.0, damping=0.7
     )
     assert feedback.payload == 1.0
-    assert feedback.gains.shape == (feedback.lengths.size, 3, 10)
+    assert feedback.gains.shape == (feedback.lengths.size, 3, 11)
     for length, gains in zip(feedback.lengths, feedback.gains, strict=True):
         frequency = np.sqrt(9.81 / length)
         expected = flat_gain(LAB, length, 0.9 * frequency, 0.7, False, 2.0 * frequency)
         assert gains == pytest.approx(expected)
 
 
-@pytest.mark.parametrize(("sample_time", "lag"), [(0.05, 0.0), (0.01, 0.04)])
-def test_a_slow_loop_bounds_the_bandwidths(sample_time: float, lag: float) -> None:
+@pytest.mark.parametrize("lag", [0.02, 0.3])
+@pytest.mark.parametrize(("crane", "length"), [(LAB, 0.16), (LAB, 0.98), (HARBOUR, 20.0)])
+def test_a_drive_keeps_the_pole_of_its_lag(crane, length: float, lag: float) -> None:
+    """The command is one more state: v' = (c - v) / T and c' is the correction."""
+    w, hoist = 1.2 * np.sqrt(9.81 / length), 2.0 * np.sqrt(9.81 / length)
+    a, b = newtonian(crane, length, True)
+    gains = flat_gain(crane, length, w, 0.9, True, hoist, lag)
+    for axis, rows, order in ((0, [0, 3, 5, 8], 2), (1, [1, 4, 6, 9], 2), (2, [2, 7], 1)):
+        size, velocity = len(rows), rows.index(5 + axis)
+        loop = np.zeros((size + 1, size + 1))
+        loop[:size, :size] = a[np.ix_(rows, rows)]
+        loop[:size, size] = b[rows, axis] / lag
+        loop[:size, velocity] -= b[rows, axis] / lag
+        loop[size, :size], loop[size, size] = -gains[axis, rows], -gains[axis, 10]
+        scale = hoist if axis == 2 else w
+        expected = characteristic(1.0, 0.9, order) * np.poly1d([1.0, 1.0 / (lag * scale)])
+        assert np.poly(loop / scale) == pytest.approx(expected.coeffs, rel=1e-4, abs=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("sample_time", "dead_time", "lag"), [(0.05, 0.0, 0.0), (0.01, 0.04, 0.0), (0.01, 0.03, 0.04)]
+)
+def test_a_slow_loop_bounds_the_bandwidths(
+    sample_time: float, dead_time: float, lag: float
+) -> None:
+    """The rope by its bandwidth; the carriage's position, with the pendulum as fast as ever."""
     feedback = design_flat(
         LAB, sample_time=sample_time, shortest=0.16, longest=0.16, damping=0.9, lag=lag,
-        driven=True,
+        dead_time=dead_time, driven=True,
     )
-    expected = flat_gain(LAB, 0.16, LARGEST / 0.05, 0.9, True, HOIST_LARGEST / 0.05)
-    assert np.sqrt(9.81 / 0.16) > LARGEST / 0.05
-    assert feedback.gains[0] == pytest.approx(expected)
+    pendulum, w, hoist = np.sqrt(9.81 / 0.16), LARGEST / 0.05, HOIST_LARGEST / 0.05
+    assert pendulum > w
+    assert feedback.gains[0, 2, 2] == pytest.approx(hoist**2)
+    assert feedback.gains[0, 0, 0] == pytest.approx(0.16 / 9.81 * (w * pendulum) ** 2)
 
 
-@pytest.mark.parametrize("name", ["sample_time", "ratio", "hoist_ratio", "damping", "lag"])
+@pytest.mark.parametrize("name", ["sample_time", "ratio", "hoist_ratio", "damping", "lag", "dead_time"])
 def test_bad_values_are_refused(name: str) -> None:
     values = {"sample_time": 0.01, "shortest": 0.1, "longest": 1.0, name: -1.0}
     with pytest.raises(InputError, match=name):

@@ -54,16 +54,17 @@ def test_gain_is_the_limit_of_the_riccati_recursion(axis: int, driven: bool) -> 
     size = kept.size
     # the covariance of the walks by a sum over a thousand parts of the sample
     walks = np.zeros((size, size))
-    walks[kept == 4, kept == 4] = (0.2 * 9.81) ** 2
-    walks[kept == 5, kept == 5] = (0.07 * 9.81) ** 2
+    time = np.sqrt(length / 9.81)
+    walks[kept == 4, kept == 4] = (0.2 * 9.81) ** 2 / time
+    walks[kept == 5, kept == 5] = (0.07 * 9.81) ** 2 / time
     part = cont2discrete((a, b, np.eye(size), np.zeros((size, 2))), T / 1000.0)[0]
     covariance, transition = np.zeros((size, size)), np.eye(size)
     for _ in range(1000):
         middle = 0.5 * (transition + part @ transition)
         covariance += middle @ walks @ middle.T * T / 1000.0
         transition = part @ transition
-    noise = np.diag(np.array([2e-4 if axis < 2 else 3e-4, expected.angle])[: outputs.size] ** 2)
-    noise /= 12.0
+    noise = np.diag(np.array([2e-4 if axis < 2 else 3e-4, 2.0 * np.pi / 4096.0])[: outputs.size] ** 2)
+    noise *= max(1.0, 0.05 * time / T) / 12.0
     read = np.eye(size)[: outputs.size]
     spread, gain = np.eye(size), np.zeros((size, outputs.size))
     for _ in range(4000):
@@ -80,7 +81,7 @@ def test_gain_is_the_limit_of_the_riccati_recursion(axis: int, driven: bool) -> 
 def test_the_table_is_that_of_scipy(period: float, driven: bool, lag: float) -> None:
     """Over four decades of rope length, and for sensors much better and worse than usual."""
     for expected in (
-        Uncertainty(), Uncertainty(1e-2, 1e-6, 1e-5, 0.03, 0.5), Uncertainty(drift=3.0, wind=1e-3)
+        Uncertainty(), Uncertainty(1e-2, 1e-6, 1e-5, 0.01, 0.2), Uncertainty(drift=1.0, wind=1e-3)
     ):
         observer = design_observer(
             LAB, sample_time=period, shortest=0.01, longest=100.0, driven=driven, lag=(lag,) * 3,
@@ -88,7 +89,8 @@ def test_the_table_is_that_of_scipy(period: float, driven: bool, lag: float) -> 
         )
         for length, block in zip(observer.lengths, observer.table[:, Table.BRIDGE :], strict=True):
             for axis in range(3):
-                rows = axis_table(LAB, axis, float(length), (period, driven, lag, expected))
+                told = period, driven, lag, observer.uncertainty
+                rows = axis_table(LAB, axis, float(length), told)
                 found = block[6 * axis : 6 * axis + 6]
                 assert found[:, :8] == pytest.approx(rows[:, :8], rel=1e-11, abs=1e-12)
                 assert found[:, 8:] == pytest.approx(
@@ -163,9 +165,12 @@ def test_bad_designs_are_refused(values, message: str) -> None:
         design_observer(LAB, **{"sample_time": T, "shortest": 0.2, "longest": 1.0, **values})
 
 
-@pytest.mark.parametrize("name", ["position", "length", "angle", "drift", "wind"])
-def test_bad_uncertainties_are_refused(name: str) -> None:
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [("position", -1.0), ("length", -1.0), ("angle", -1.0), ("drift", 0.0), ("wind", 0.0)],
+)
+def test_bad_uncertainties_are_refused(name: str, value: float) -> None:
     with pytest.raises(InputError, match=name):
-        Uncertainty(**{name: 0.0})
+        Uncertainty(**{name: value})
     with pytest.raises(InputError, match="wake"):
         Uncertainty(wake=-1.0)

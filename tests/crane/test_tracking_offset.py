@@ -39,8 +39,8 @@ def test_the_offset_of_the_ropes_sensor_is_learnt_on_the_way(driven: bool, offse
     """5 % of the rope: the load comes to its height, and the sway of the wrong rope goes."""
     longer = np.array([0.0, 0.0, offset, *np.zeros(7)])
     true = rig(driven, offset=(0.0, 0.0, -offset, 0.0, 0.0))
-    learning = controller("flat", driven, wake=1.0)
-    believing = controller("flat", driven, wake=1.0, offset=0.0)
+    learning = controller("flat", driven, wake=1.0, rope_offset=True)
+    believing = controller("flat", driven, wake=1.0, rope_offset=True, offset=0.0)
     states, planned = move(learning, true, longer)
     blind, _ = move(believing, true, longer)
     assert learning.offset == pytest.approx(offset, rel=0.05)
@@ -59,7 +59,7 @@ def test_the_offset_of_the_ropes_sensor_is_learnt_on_the_way(driven: bool, offse
     ids=["nothing", "light", "heavy", "encoders", "gust"],
 )
 def test_what_is_no_offset_is_not_taken_for_one(driven: bool, values) -> None:
-    loop = controller("flat", driven, wake=1.0)
+    loop = controller("flat", driven, wake=1.0, rope_offset=True)
     offsets = []
 
     def sample(*given, own=loop.sample) -> np.ndarray:
@@ -86,7 +86,7 @@ def blown(driven: bool, wind: Wind, resolution: tuple[float, ...], share: float)
         drive, drive, drive, wind=wind,
         sensors=Sensors(resolution=resolution, offset=(0.0, 0.0, -offset, 0.0, 0.0)),
     )
-    loop, found = controller("flat", driven, wake=1.0), []
+    loop, found = controller("flat", driven, wake=1.0, rope_offset=True), []
     start = values[0, 3:13] + np.array([0.0, 0.0, offset, *np.zeros(7)])
     crane = Plant(LAB, start, aims[0], loop, driven=driven, rig=equipment)
     for aim in aims[1:]:

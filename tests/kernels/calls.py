@@ -243,6 +243,8 @@ def control_calls() -> dict[str, Call]:
     random = np.random.default_rng(2)
     state, estimate = random.uniform(0.1, 0.5, State.SIZE), random.uniform(-0.1, 0.1, (3, 6))
     expected = Uncertainty()
+    steps = expected.vector
+    steps[:3] = 1e-4, 1e-4, 1e-3
     lengths = np.array([0.3, 0.6])
     tables = zeros(2, Gains.SIZE, Gains.COLUMNS), zeros(2, Observer.SIZE, Observer.COLUMNS)
     kalman = zeros(Kalman.SIZE, 2 * AxisModel.SIZE)
@@ -253,28 +255,29 @@ def control_calls() -> dict[str, Call]:
     parameters[Tracking.PERIOD] = 0.01
     tick = zeros(Tick.SIZE, Tick.COLUMNS)
     tick[Tick.REFERENCE, : State.SIZE], tick[Tick.SIGNALS, :5] = HANGING, HANGING[:5] + 0.01
-    design = np.array([0.01, 1.3, 3.0, 0.8])
+    design = np.array([0.01, 1.3, 3.0, 0.8, 0.005])
     assert design.size == FlatDesign.SIZE
     return {
-        "feedback_correction": (state, HANGING, gains, zeros(3)),
+        "feedback_correction": (state, HANGING, zeros(3), gains, zeros(3)),
         "feedback_bandwidth": (1.3, 0.5, 9.81, 0.02, 0.25),
         "set_tracking": (plant, tracked, 1.0, parameters),
         "set_fading": (parameters.copy(),),
-        "sampled_late": (0.006, 0.01),
+        "signal_age": (0.006, 0.01, 0.02),
+        "set_steps": (np.linspace(0.0, 1e-3, Sensors.SIZE), 1.0, expected.vector),
         "drive_bound": (plant, 1),
         "rope_range": (0.5, 0.2, 1.0, zeros(RopeRange.SIZE)),
         "table_lengths": (0.2, 1.0, 4, zeros(4)),
         "flat_table": (plant, design, 2, lengths, tables[0]),
         "observer_table": (
-            plant, 0.01, expected.vector, 2, lengths, zeros(Expected.SIZE), kalman, tables[1],
+            plant, 0.01, steps, 2, lengths, zeros(Expected.SIZE), kalman, tables[1],
         ),
-        "feedback_gains": (plant, 0.5, 2.0, 9.0, 0.8, zeros(Gains.SIZE, Gains.COLUMNS)),
+        "feedback_gains": (plant, 0.5, 2.0, 2.5, 9.0, 0.8, zeros(Gains.SIZE, Gains.COLUMNS)),
         "observer_design": (
             plant, 0.01, 0.5, np.array([1e-4, 1e-4, 1e-3, 3.0, 1.0]), kalman.copy(),
             zeros(Observer.SIZE, Observer.COLUMNS),
         ),
         "observer_predict": (
-            0.5, watcher.table, state, state, estimate.copy(), zeros(AxisModel.SIZE),
+            1, 0.5, watcher.table, 0.2, 0.3, estimate[1].copy(), zeros(AxisModel.SIZE),
         ),
         "observer_correct": (0.5, watcher.table, state, HANGING, estimate[:, : Estimate.SIZE]),
         "track_setpoint": (

@@ -219,19 +219,19 @@ def test_feedback_agrees() -> None:
     for length in (0.1, 0.5, 0.7, 1.0, 1.9, 2.0, 5.0):
         state, reference = random.uniform(-1.0, 1.0, (2, 10))
         state[2] = length
-        results = np.zeros((2, 3))
-        feedback.feedback_correction(state, reference, gains, results[0])
-        compiled.feedback_correction(state, reference, gains, results[1])
+        results, added = np.zeros((2, 3)), random.uniform(-1.0, 1.0, 3)
+        feedback.feedback_correction(state, reference, added, gains, results[0])
+        compiled.feedback_correction(state, reference, added, gains, results[1])
         assert close(*results)
 
 
 @pytest.mark.parametrize("driven", [False, True])
 def test_flat_gains_agree(driven: bool) -> None:
     results = np.zeros((2, Gains.SIZE, Gains.COLUMNS))
-    crane = np.array([*MASSES, driven])
+    crane = np.array([*MASSES, driven, 0.1, 0.0, 0.05])
     for module, gains in zip((feedback, compiled), results, strict=True):
         bandwidth = module.feedback_bandwidth(1.3, 0.2, 9.81, 0.05, 0.25)
-        module.feedback_gains(crane, 0.2, bandwidth, 9.0, 0.8, gains)
+        module.feedback_gains(crane, 0.2, bandwidth, 1.1 * bandwidth, 9.0, 0.8, gains)
     assert close(*results)
     assert results[0].any()
 
@@ -257,7 +257,10 @@ def test_observers_agree() -> None:
         for length in (0.1, 0.7, 2.5):
             command, held = random.uniform(-1.0, 1.0, (2, 3))
             measured, reference = random.uniform(-1.0, 1.0, 5), random.uniform(-1.0, 1.0, 10)
-            module.observer_predict(length, table, command, held, estimate, np.zeros(10))
+            for axis in range(3):
+                module.observer_predict(
+                    axis, length, table, command[axis], held[axis], estimate[axis], np.zeros(10)
+                )
             module.observer_correct(length, table, measured, reference, estimate)
         outputs.append(estimate)
     assert close(*outputs)

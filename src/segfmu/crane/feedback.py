@@ -14,9 +14,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.linalg import solve_discrete_are
 
-from segfmu.crane.checks import require_positive
+from segfmu.crane.checks import require_not_negative, require_positive
 from segfmu.crane.linear import (
     ROWS,
+    lagged,
+    lags_of,
     linearised,
     moved_masses,
     sampled,
@@ -24,11 +26,15 @@ from segfmu.crane.linear import (
 )
 from segfmu.crane.parameters import Crane
 from segfmu.errors import InputError
-from segfmu.kernels.control.records import Gains
+from segfmu.kernels.control.records import GainInputs, Gains
+from segfmu.kernels.crane.records import Axes, State
 from segfmu.planning.arrays import FloatArray, finite_vector
 
 # unit of the effort, as a multiple of the moved weight
 EFFORT = 3.0
+
+# pendulum's frequency times dead time and period [rad] from which on effort costs more
+PATIENCE, HOIST_PATIENCE = 0.25, 0.15
 
 # these weights must be positive: without them no gain exists, or nothing holds the position
 NEEDED = ("position", "effort", "rope")
@@ -66,12 +72,13 @@ class SwayFeedback:
         Period of the sampled feedback [s].
     lengths : ndarray, shape (rows,)
         Rope lengths [m], ascending.
-    gains : ndarray, shape (rows, 3, 10)
+    gains : ndarray, shape (rows, 3, 11)
         From the state error to the corrections of the three forces [N], or in velocity mode of
-        the three accelerations [m/s2].
+        the three accelerations [m/s2]; the last column is by the velocity that the corrections of
+        the axis have added, and may be left out where no drive has a lag.
     payload : float
         Design payload [kg].
-    table : ndarray, shape (rows, 4, 10)
+    table : ndarray, shape (rows, 4, 11)
         Lengths and gains for the kernels, one `Gains` per row.
     """
 
@@ -84,23 +91,38 @@ class SwayFeedback:
     def __post_init__(self) -> None:
         table = np.zeros((len(self.lengths), Gains.SIZE, Gains.COLUMNS))
         table[:, Gains.LENGTH, 0] = self.lengths
-        table[:, Gains.AXES :] = self.gains
+        table[:, Gains.AXES :, : self.gains.shape[2]] = self.gains
         object.__setattr__(self, "table", table)
 
 
 def gain(
-    crane: Crane, length: float, sample_time: float, weights: Weights, driven: bool
+    crane: Crane,
+    length: float,
+    sample_time: float,
+    weights: Weights,
+    driven: bool,
+    lag: FloatArray,
+    dead_time: float = 0.0,
 ) -> FloatArray:
-    """Discrete-time LQR gain at one rope length, shape (3, 10)."""
-    ad, bd = sampled(*linearised(crane, length, driven), sample_time)
+    """Discrete-time LQR gain at one rope length, shape (3, 11); a row is a `GainInputs`.
+
+    The velocity command of a drive with lag is a state beside those of the crane. Effort costs more
+    where dead time [s] and period are not short for the pendulum, or for the faster hoist.
+    """
+    lagging = np.flatnonzero(lag) if driven else np.zeros(0, dtype=int)
+    kept = [*range(State.SIZE), *(State.SIZE + lagging)]
+    a, b = lagged(*linearised(crane, length, driven), lag, driven)
+    ad, bd = sampled(a[np.ix_(kept, kept)], b[kept], sample_time)
     frequency = np.sqrt(crane.gravity / length)
     coordinates = np.array([1.0 / length] * 3 + [1.0] * 2)
     scale = np.concatenate([coordinates, coordinates / frequency])
     w = weights
     values = [w.position] * 2 + [w.rope] + [w.angle] * 2 + [w.velocity] * 3 + [w.rate] * 2
-    state_cost = np.diag(scale**2 * values)
+    state_cost = np.diag(np.append(scale**2 * values, np.zeros(lagging.size)))
     unit = np.ones(3) if driven else moved_masses(crane.masses)
-    effort = np.diag(w.effort / (EFFORT * unit * crane.gravity) ** 2)
+    late = frequency * (dead_time + sample_time) / np.array([PATIENCE, PATIENCE, HOIST_PATIENCE])
+    patience = np.maximum(late, 1.0) ** 4
+    effort = np.diag(w.effort * patience / (EFFORT * unit * crane.gravity) ** 2)
     try:
         riccati = solve_discrete_are(ad, bd, state_cost, effort)
     except (np.linalg.LinAlgError, ValueError) as error:
@@ -108,9 +130,11 @@ def gain(
             f"no gain at a rope of {length:.6g} m exists for {weights}: {error}; raise the weights "
             "of angle and rate"
         ) from None
-    found: FloatArray = np.linalg.solve(
-        effort + bd.T @ riccati @ bd, bd.T @ riccati @ ad
-    )
+    solved = np.linalg.solve(effort + bd.T @ riccati @ bd, bd.T @ riccati @ ad)
+    found = np.zeros((Axes.SIZE, GainInputs.SIZE))
+    found[:, : State.SIZE] = solved[:, : State.SIZE]
+    for column, axis in enumerate(lagging, State.SIZE):
+        found[axis, GainInputs.COMMAND] = solved[axis, column]
     return found
 
 
@@ -122,19 +146,40 @@ def design(
     longest: float,
     weights: Weights | None = None,
     driven: bool = False,
+    lag: ArrayLike = 0.0,
+    dead_time: float = 0.0,
     rows: int = ROWS,
 ) -> SwayFeedback:
     """Design the gain table between two rope lengths.
 
+    Parameters
+    ----------
+    crane : Crane
+    sample_time : float
+        [s]
+    shortest, longest : float
+        Rope lengths [m].
+    weights : Weights, optional
+    driven : bool
+        True: corrections are accelerations; False: forces.
+    lag : array_like
+        Lags of the velocity drives [s], one or three.
+    dead_time : float
+        Age of the signals and dead time of the drives [s].
+    rows : int
+
     Raises
     ------
     InputError
-        For a period or rope lengths that are not positive, and weights without a solution.
+        For a period or rope lengths that are not positive, negative lags, and weights without a
+        solution.
     """
     require_positive("sample_time", sample_time)
+    require_not_negative("feedback dead_time", dead_time)
+    lags = lags_of("feedback lag", lag)
     lengths = scheduled_lengths(shortest, longest, rows)
     chosen = weights or Weights()
-    table = [gain(crane, float(x), sample_time, chosen, driven) for x in lengths]
+    table = [gain(crane, float(x), sample_time, chosen, driven, lags, dead_time) for x in lengths]
     return SwayFeedback(sample_time, lengths, np.array(table), crane.payload_mass)
 
 
@@ -174,8 +219,10 @@ def design_schedule(
     longest: float,
     weights: Weights | None = None,
     driven: bool = False,
+    lag: ArrayLike = 0.0,
+    dead_time: float = 0.0,
 ) -> PayloadSchedule:
-    """Design gain tables for ascending payloads [kg] in place of the crane's.
+    """Design gain tables for ascending payloads [kg] in place of the crane's; rest as in `design`.
 
     Raises
     ------
@@ -188,7 +235,8 @@ def design_schedule(
     tables = tuple(
         design(
             replace(crane, payload_mass=float(payload)), sample_time=sample_time,
-            shortest=shortest, longest=longest, weights=weights, driven=driven,
+            shortest=shortest, longest=longest, weights=weights, driven=driven, lag=lag,
+            dead_time=dead_time,
         )
         for payload in values
     )

@@ -4,29 +4,31 @@ About rest the load's position is a chain of four integrators behind each horizo
 rope's length a chain of two behind the hoist. `feedback_gains` places the poles of each error. No
 Riccati equation is solved, so every platform computes the same table.
 
-The design is in continuous time and ignores lag. Sampling and lag delay the loop, but the poles
-stay in place if bandwidth times delay is small. So the bandwidth is a ratio to the pendulum's
-frequency sqrt(g / l), and its product with the sum of period and lag is at most LARGEST.
+The design is in continuous time. Sampling and dead time delay the loop, but the poles stay in place
+if bandwidth times delay is small. So the bandwidth is a ratio to the pendulum's frequency
+sqrt(g / l), and its product with the sum of period, dead times and a quarter of the lag is at most
+LARGEST. Gains for drives with lag also compensate it: a + T a' in place of an acceleration a.
 """
 
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from segfmu.crane.checks import require_not_negative, require_positive
 from segfmu.crane.feedback import SwayFeedback
-from segfmu.crane.linear import ROWS, scheduled_lengths
+from segfmu.crane.linear import ROWS, lags_of, scheduled_lengths
 from segfmu.crane.parameters import Crane
 from segfmu.kernels import backend
 from segfmu.kernels.control.design import largest_angle, largest_hoist_angle
 from segfmu.kernels.control.records import Gains
 from segfmu.planning.arrays import FloatArray
 
-RATIO = 1.1
+RATIO = 1.0
 HOIST_RATIO = 3.0
 DAMPING = 1.0
 
-# bandwidth times the sum of period and lag [rad]
+# bandwidth times the time that it acts late [rad]
 LARGEST, HOIST_LARGEST = largest_angle(), largest_hoist_angle()
 
 
@@ -37,14 +39,16 @@ def flat_gain(
     damping: float,
     driven: bool,
     hoist_bandwidth: float | None = None,
+    lag: ArrayLike = 0.0,
 ) -> FloatArray:
-    """Gains (3, 10) at a rope length [m] for bandwidths [rad/s] and a damping.
+    """Gains (3, 11) at a rope length [m] for bandwidths [rad/s] and a damping.
 
     The hoist has the same bandwidth as the others unless its own is given.
     """
     hoist = bandwidth if hoist_bandwidth is None else hoist_bandwidth
     gains = np.zeros((Gains.SIZE, Gains.COLUMNS))
-    backend.feedback_gains(crane.plant(driven), length, bandwidth, hoist, damping, gains)
+    plant = crane.plant(driven, lags_of("feedback lag", lag))
+    backend.feedback_gains(plant, length, bandwidth, bandwidth, hoist, damping, gains)
     return gains[Gains.AXES :]
 
 
@@ -57,7 +61,8 @@ def design_flat(
     ratio: float = RATIO,
     hoist_ratio: float = HOIST_RATIO,
     damping: float = DAMPING,
-    lag: float = 0.0,
+    lag: ArrayLike = 0.0,
+    dead_time: float = 0.0,
     driven: bool = False,
     rows: int = ROWS,
 ) -> SwayFeedback:
@@ -77,8 +82,10 @@ def design_flat(
         The same for the hoist, which the pendulum does not limit.
     damping : float
         Of all poles.
-    lag : float
-        Largest lag of velocity drives [s]; it limits the bandwidths.
+    lag : array_like
+        Lags of the velocity drives [s], one or three.
+    dead_time : float
+        Age of the signals and dead time of the drives [s]; it limits the bandwidths.
     driven : bool
         True: corrections are accelerations; False: forces.
 
@@ -91,9 +98,10 @@ def design_flat(
     require_positive("feedback ratio", ratio)
     require_positive("feedback hoist_ratio", hoist_ratio)
     require_positive("feedback damping", damping)
-    require_not_negative("feedback lag", lag)
+    require_not_negative("feedback dead_time", dead_time)
+    lags = lags_of("feedback lag", lag)
     lengths = scheduled_lengths(shortest, longest, rows)
-    design = np.array([sample_time, ratio, hoist_ratio, damping])
+    design = np.array([sample_time, ratio, hoist_ratio, damping, dead_time])
     table = np.zeros((lengths.size, Gains.SIZE, Gains.COLUMNS))
-    backend.flat_table(crane.plant(driven, lag), design, lengths.size, lengths, table)
+    backend.flat_table(crane.plant(driven, lags), design, lengths.size, lengths, table)
     return SwayFeedback(sample_time, lengths, table[:, Gains.AXES :].copy(), crane.payload_mass)

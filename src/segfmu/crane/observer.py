@@ -12,8 +12,7 @@ run time.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from math import pi
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -23,12 +22,14 @@ from segfmu.crane.parameters import Crane
 from segfmu.crane.variables import fed, filled, values
 from segfmu.errors import InputError
 from segfmu.kernels import backend
-from segfmu.kernels.control.records import AxisModel, Expected, Kalman
+from segfmu.kernels.control.records import AxisModel, Expected, History, Kalman
 from segfmu.kernels.control.records import Observer as Table
 from segfmu.kernels.control.records import Uncertainty as Expectations
 from segfmu.kernels.messages import SETUP
-from segfmu.kernels.rig.records import SetupFault, SetupStatus
+from segfmu.kernels.rig.records import Sensors, SetupFault, SetupStatus
 from segfmu.planning.arrays import FloatArray
+
+STEPS = ("position", "length", "angle")
 
 # shape of the design's work space
 WORK_COLUMNS = 2 * AxisModel.SIZE
@@ -42,36 +43,37 @@ class Uncertainty:
     ----------
     position, length, angle : float
         Quantisation steps of the carriages' positions [m], the rope's length [m] and the sway
-        angles [rad]; errors are assumed uniformly distributed, with variance step^2 / 12.
+        angles [rad]; errors are assumed uniformly distributed, with variance step^2 / 12. 0: those
+        of usual encoders, 1 / 5000 of the longest rope, and 4096 in a turn.
     drift, wind : float
         Random walks of the disturbances of carriages and rope, and of the load: standard deviation
-        after one second, as a multiple of gravity. Larger values make the observer faster and
-        noisier.
+        after sqrt(l / g), the time of the pendulum, as a multiple of gravity. Larger values make
+        the observer faster and noisier.
     wake : float
         The controller starts to act when a signal first deviates from its reference by more than
         this many quantisation steps; smaller deviations may be rounding. 0: from the start.
     offset : float
-        Standard deviation of the rope sensor's zero, as a share of the rope's length; it limits how
-        far the controller corrects the measured length. 0: no correction.
+        Standard deviation of the rope sensor's zero, as a share of the rope's length; it limits
+        what is believed of an estimate. 0: none is estimated.
 
     Raises
     ------
     InputError
-        For values that are not positive; `wake` and `offset` may be 0.
+        For negative values, and walks of 0.
     """
 
-    position: float = 1e-4
-    length: float = 1e-4
-    angle: float = 2.0 * pi / 4096.0
-    drift: float = 0.3
-    wind: float = 0.1
+    position: float = 0.0
+    length: float = 0.0
+    angle: float = 0.0
+    drift: float = 0.1
+    wind: float = 0.02
     wake: float = 1.0
     offset: float = 0.05
 
     def __post_init__(self) -> None:
-        for name in ("position", "length", "angle", "drift", "wind"):
+        for name in ("drift", "wind"):
             require_positive(f"uncertainty {name}", getattr(self, name))
-        for name in ("wake", "offset"):
+        for name in ("position", "length", "angle", "wake", "offset"):
             require_not_negative(f"uncertainty {name}", getattr(self, name))
 
     @property
@@ -96,19 +98,25 @@ class Observer:
         [s]
     driven : bool
         Whether corrections are accelerations.
-    delayed : bool
-        Whether measured signals are one sample old.
+    delayed : float
+        Age of the signals, in samples.
+    dead_time : tuple of 3 float
+        From a setpoint to the drive that takes it [s].
     table : ndarray, shape (rows, 19, 10)
         The kernels' `Observer` for ascending rope lengths.
     uncertainty : Uncertainty
+    lag : tuple of 3 float
+        Of the velocity drives [s].
     """
 
     crane: Crane
     sample_time: float
     driven: bool
-    delayed: bool
+    delayed: float
     table: FloatArray
     uncertainty: Uncertainty
+    lag: tuple[float, float, float]
+    dead_time: tuple[float, float, float]
 
     @property
     def lengths(self) -> FloatArray:
@@ -124,7 +132,8 @@ def design_observer(
     longest: float,
     driven: bool = False,
     lag: tuple[float, float, float] = (0.0, 0.0, 0.0),
-    delayed: bool = False,
+    delayed: float = 0.0,
+    dead_time: tuple[float, float, float] = (0.0, 0.0, 0.0),
     uncertainty: Uncertainty | None = None,
     rows: int = ROWS,
 ) -> Observer:
@@ -142,32 +151,56 @@ def design_observer(
         True: velocity drives, corrections are accelerations; False: forces.
     lag : tuple of 3 float
         Lags of the velocity drives [s].
-    delayed : bool
-        Measured signals are one sample old.
+    delayed : float
+        Age of the signals at a tick, in samples; True is one.
+    dead_time : tuple of 3 float
+        From a setpoint to the drive that takes it [s].
     uncertainty : Uncertainty, optional
 
     Raises
     ------
     InputError
-        For a period or rope lengths that are not positive, for negative lags, and for numbers so
-        large or small that the gains are not finite.
+        For a period or rope lengths that are not positive, for negative or long delays, and for
+        numbers so large or small that the gains are not finite.
     """
     require_positive("sample_time", sample_time)
     lags = sized("lag", lag, 3)
     for name, value in zip(("bridge", "trolley", "hoist"), lags, strict=True):
         require_not_negative(f"lag of the {name}", value)
+    _require_delays(sample_time, delayed, dead_time)
     lengths = scheduled_lengths(shortest, longest, rows)
     expected = uncertainty or Uncertainty()
+    steps = expected.vector
+    backend.set_steps(np.zeros(Sensors.SIZE), float(lengths[-1]), steps)
     table = np.zeros((lengths.size, Table.SIZE, Table.COLUMNS))
     work = np.zeros((Kalman.SIZE, WORK_COLUMNS))
     # overflow is reported below, for interpreted and compiled kernels alike
     with np.errstate(all="ignore"):
         finite = backend.observer_table(
-            crane.plant(driven, lags), sample_time, expected.vector, lengths.size, lengths,
+            crane.plant(driven, lags), sample_time, steps, lengths.size, lengths,
             np.zeros(Expected.SIZE), work, table,
         )
     if not finite:
         fault = np.zeros(SetupFault.SIZE)
         fault[[SetupFault.VALUE, SetupFault.BOUND]] = shortest, longest
         raise InputError(SETUP.text(SetupStatus.OBSERVER, fault.tolist()))
-    return Observer(crane, sample_time, driven, delayed, table, expected)
+    known = replace(expected, **dict(zip(STEPS, steps.tolist(), strict=False)))
+    first, second, third = lags.tolist()
+    return Observer(
+        crane, sample_time, driven, float(delayed), table, known, (first, second, third),
+        dead_time,
+    )
+
+
+def _require_delays(
+    sample_time: float, delayed: float, dead_time: tuple[float, float, float]
+) -> None:
+    require_not_negative("delayed", float(delayed))
+    for value in sized("dead_time", dead_time, 3):
+        require_not_negative("dead_time", value)
+    total = float(delayed) + max(dead_time) / sample_time
+    if total > History.MOST - 3:
+        raise InputError(
+            f"signals and drives are {total:.3g} samples late; a controller remembers "
+            f"{History.MOST - 3}: raise its sample_time of {sample_time:g} s"
+        )

@@ -2,10 +2,13 @@
 
 The plant is the linearised crane with first-order velocity drives, sampled exactly. The transition
 of the controller is computed column by column by calling the kernel `track_setpoint`, so it
-includes observer, schedule, disturbance rejection and dead time.
+includes observer, schedule, disturbance rejection and delays. A delay counts the same wherever it
+is on the way around the loop; here all of it is on the way from the sensors to the controller.
 """
 
 from __future__ import annotations
+
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -19,14 +22,17 @@ from segfmu.kernels.control.records import (
     Correction,
     Estimate,
     Fading,
+    GainInputs,
+    Gains,
     Held,
+    Past,
     Tick,
     Tracker,
+    Tracking,
     VelocityCommand,
 )
 from segfmu.kernels.control.records import Observer as Table
 from segfmu.kernels.crane.records import Axes, Coordinates, State
-from segfmu.kernels.records import field
 from segfmu.planning.arrays import FloatArray
 
 # mass of the hook, which the hoist moves without load, as a share of the nominal payload
@@ -35,22 +41,55 @@ HOOK = 0.05
 # deviation for the columns of the transition [m], [rad] and their rates
 PROBE = 1e-6
 
-
-class LoopState(State):
-    """State of the sampled loop."""
-
-    COMMAND = field("velocity commands before the tick", "m/s", size=3)
-    ESTIMATE = field("estimates of the observer", size=3 * Estimate.SIZE)
-    INPUT = field("corrections as the observer takes them", size=3)
-    SIGNALS = field("deviations of the signals one sample before", size=Coordinates.SIZE)
-    PAYLOAD = field("estimate of the payload over the nominal one, minus 1")
+HOIST = State.POSITION + Axes.ROPE
+PLANT = State.SIZE + Axes.SIZE
+DELAY = slice(Tracking.DELAY, Tracking.DELAY + Axes.SIZE)
 
 
-HOIST = LoopState.POSITION + Axes.ROPE
-COMMAND = slice(LoopState.COMMAND, LoopState.ESTIMATE)
-ESTIMATES = slice(LoopState.ESTIMATE, LoopState.INPUT)
-INPUT = slice(LoopState.INPUT, LoopState.SIGNALS)
-SIGNALS = slice(LoopState.SIGNALS, LoopState.PAYLOAD)
+@dataclass(frozen=True)
+class Layout:
+    """Places in the state of the sampled loop.
+
+    That is the plant's state, its velocity commands, the estimates, the estimate of the payload
+    over the nominal one less 1, corrections of past ticks and late signals, the latest ones first.
+
+    Attributes
+    ----------
+    delays : tuple of 3 float
+        Delays of the axes, in samples.
+    """
+
+    delays: tuple[float, float, float]
+
+    @property
+    def late(self) -> int:
+        """Rows of late signals, (5,) each."""
+        return int(max(self.delays)) + 1
+
+    @property
+    def estimates(self) -> slice:
+        """Estimates, (3, 6)."""
+        return slice(PLANT, PLANT + Axes.SIZE * Estimate.SIZE)
+
+    @property
+    def payload(self) -> int:
+        """Estimate of the payload."""
+        return self.estimates.stop
+
+    @property
+    def past(self) -> slice:
+        """Corrections of past ticks, (late + 2, 3)."""
+        first = self.payload + 1
+        return slice(first, first + (self.late + 2) * Axes.SIZE)
+
+    @property
+    def signals(self) -> slice:
+        """Late signals, (late, 5)."""
+        return slice(self.past.stop, self.past.stop + self.late * Coordinates.SIZE)
+
+    def axis_of(self, signal: int) -> int:
+        """The axis that a signal belongs to."""
+        return signal if signal < Coordinates.ANGLE else signal - Coordinates.ANGLE
 
 
 def largest_eigenvalue(
@@ -64,7 +103,7 @@ def largest_eigenvalue(
     Parameters
     ----------
     controller : TrackingController
-        Its observer gives the nominal crane, the drive mode and the dead time.
+        Its observer gives the nominal crane, the drive mode and the delays.
     length : float
         Rope length [m].
     payload : float
@@ -84,28 +123,33 @@ def largest_eigenvalue(
     for value in lags:
         require_not_negative("lag", value)
     observer = controller.observer
-    effect = observer.table[0, Table.BRIDGE :, AxisTable.COMMAND].reshape(3, Estimate.SIZE)
-    commanded = (effect != 0.0).any(axis=1)
-    if observer.driven:
-        # a command that the observer uses is a state, even if the drive has no lag
-        lags[commanded] = np.maximum(lags[commanded], 1e-3 * observer.sample_time)
+    used = observer.driven & ((lags > 0.0) | _commanded(controller))
+    # a command that the controller uses is a state, even if the drive has no lag
+    lags = np.where(used, np.maximum(lags, 1e-3 * observer.sample_time), 0.0)
+    first, second, third = controller.parameters[DELAY].tolist()
+    layout = Layout((first, second, third))
     bridge, trolley, nominal, gravity = observer.crane.masses
     a, b = matrices((bridge, trolley, payload, gravity), length, observer.driven)
-    rest = np.zeros(LoopState.SIZE)
+    rest = np.zeros(layout.signals.stop)
     rest[HOIST] = length
+    rest[layout.signals] = np.tile(rest[: Coordinates.SIZE], layout.late)
     if not observer.driven:
         hoisted = max(payload, HOOK * nominal)
         b[State.VELOCITY + Axes.ROPE, Axes.ROPE] = 1.0 / hoisted
-        rest[LoopState.PAYLOAD] = hoisted / nominal - 1.0
-    plant = sampled(*lagged(a, b, lags, observer.driven), observer.sample_time)
-    loop = _loop(controller, plant, rest)
-    kept = [*range(State.SIZE), *range(LoopState.ESTIMATE, LoopState.SIGNALS)]
-    if observer.driven:
-        kept += [LoopState.COMMAND + int(i) for i in np.flatnonzero(lags)]
-    else:
-        kept.append(LoopState.PAYLOAD)
-    kept += range(LoopState.SIGNALS, LoopState.PAYLOAD) if observer.delayed else ()
+        rest[layout.payload] = hoisted / nominal - 1.0
+    loop = _loop(controller, lagged(a, b, lags, observer.driven), rest, layout)
+    kept = [*range(State.SIZE), *(State.SIZE + np.flatnonzero(used))]
+    kept += range(layout.estimates.start, layout.estimates.stop)
+    kept += range(layout.payload + observer.driven, layout.signals.stop)
     return float(np.abs(np.linalg.eigvals(loop[np.ix_(kept, kept)])).max())
+
+
+def _commanded(controller: TrackingController) -> FloatArray:
+    """Whether observer or gains use the velocity command of an axis, shape (3,)."""
+    effect = controller.observer.table[0, Table.BRIDGE :, AxisTable.COMMAND]
+    gains = controller.feedback.table[0, Gains.AXES :, GainInputs.COMMAND]
+    found: FloatArray = (effect.reshape(3, Estimate.SIZE) != 0.0).any(axis=1) | (gains != 0.0)
+    return found
 
 
 def stability_map(
@@ -124,48 +168,62 @@ def stability_map(
 
 
 def _loop(
-    controller: TrackingController, plant: tuple[FloatArray, FloatArray], rest: FloatArray
+    controller: TrackingController,
+    plant: tuple[FloatArray, FloatArray],
+    rest: FloatArray,
+    layout: Layout,
 ) -> FloatArray:
-    """Transition over a sample about rest, for the states of `LoopState`; shape (40, 40)."""
-    transition, inputs = plant
+    """Transition over a sample about rest, for the states of a `Layout`."""
+    period = controller.sample_time
+    transition, inputs = sampled(*plant, period)
+    # how the plant advances until the signals of each axis are sampled
+    until = [sampled(*plant, (1.0 - d % 1.0) * period) for d in layout.delays]
 
     def after(start: FloatArray) -> FloatArray:
-        end, correction = _respond(controller, start, rest)
-        driven = np.append(start[: State.SIZE], end[COMMAND])
+        end, correction = _respond(controller, start, rest, layout)
+        driven = np.append(start[: State.SIZE], end[State.SIZE : PLANT])
         end[: State.SIZE] = (transition @ driven + inputs @ correction)[: State.SIZE]
+        late = end[layout.signals].reshape(layout.late, Coordinates.SIZE)
+        late[1:] = late[:-1].copy()
+        for signal in range(Coordinates.SIZE):
+            advance, act = until[layout.axis_of(signal)]
+            late[0, signal] = advance[signal] @ driven + act[signal] @ correction
         return end
 
     origin = after(rest)
-    columns = [after(rest + PROBE * unit) - origin for unit in np.eye(LoopState.SIZE)]
+    columns = [after(rest + PROBE * unit) - origin for unit in np.eye(rest.size)]
     return np.array(columns).T / PROBE
 
 
 def _respond(
-    controller: TrackingController, start: FloatArray, rest: FloatArray
+    controller: TrackingController, start: FloatArray, rest: FloatArray, layout: Layout
 ) -> tuple[FloatArray, FloatArray]:
-    """The controller's states of `_loop` after a tick, and the correction."""
-    observer, feedback = controller.observer, controller.feedback
-    reference = rest[: State.SIZE].copy()
-    true = start[: Coordinates.SIZE]
+    """The state after a tick with that of the plant before it, and the correction."""
+    reference = rest[: State.SIZE]
     tick = np.zeros((Tick.SIZE, Tick.COLUMNS))
-    tick[Tick.REFERENCE] = reference
-    tick[Tick.SIGNALS, : Coordinates.SIZE] = (
-        start[SIGNALS] + reference[: Coordinates.SIZE] if observer.delayed else true
-    )
+    tick[Tick.REFERENCE, : State.SIZE] = reference
+    tick[Tick.ADDED_TO, : Axes.SIZE] = controller.holding
+    late = start[layout.signals].reshape(layout.late, Coordinates.SIZE)
+    for signal in range(Coordinates.SIZE):
+        delay = layout.delays[layout.axis_of(signal)]
+        tick[Tick.SIGNALS, signal] = late[int(delay), signal]
     memory = np.zeros((Tracker.SIZE, Tracker.COLUMNS))
     command, held = memory[Tracker.COMMAND], memory[Tracker.HELD]
     estimate, fading = memory[ESTIMATE, : Estimate.SIZE], memory[Tracker.FADING]
-    estimate[:] = start[ESTIMATES].reshape(3, Estimate.SIZE)
-    command[: VelocityCommand.STARTED], command[VelocityCommand.STARTED] = start[COMMAND], 1.0
-    held[: Held.CORRECTION], held[Held.AWAKE] = start[INPUT], 1.0
-    memory[Tracker.REFERENCE] = reference
-    fading[Fading.PAYLOAD] = start[LoopState.PAYLOAD]
-    backend.track_setpoint(controller.parameters, observer.table, feedback.table, tick, memory)
-    end = np.concatenate(
-        [
-            start[: State.SIZE], command[: VelocityCommand.STARTED], estimate.reshape(-1),
-            held[: Held.CORRECTION], true - reference[: Coordinates.SIZE],
-            [fading[Fading.PAYLOAD]],
-        ]
-    )
+    past = start[layout.past].reshape(-1, Axes.SIZE)
+    rows = memory[Tracker.PAST :]
+    estimate[:] = start[layout.estimates].reshape(Axes.SIZE, Estimate.SIZE)
+    command[: VelocityCommand.STARTED] = start[State.SIZE : PLANT]
+    command[VelocityCommand.STARTED] = held[Held.AWAKE] = 1.0
+    held[: Held.CORRECTION] = past[0]
+    rows[: len(past) - 1, : Past.REFERENCE] = past[1:]
+    rows[:, Past.REFERENCE : Past.SIZE] = reference
+    fading[Fading.PAYLOAD] = start[layout.payload]
+    parameters, table, gains, _ = controller.arrays
+    backend.track_setpoint(parameters, table, gains, tick, memory)
+    end = start.copy()
+    end[State.SIZE : PLANT] = command[: VelocityCommand.STARTED]
+    end[layout.estimates] = estimate.reshape(-1)
+    end[layout.payload] = fading[Fading.PAYLOAD]
+    end[layout.past] = np.concatenate([held[: Held.CORRECTION], past[:-1].reshape(-1)])
     return end, tick[Tick.CORRECTION, Correction.VALUE : Correction.FADING]

@@ -6,6 +6,8 @@ without windup, and bumpless switching. The kernel `track_setpoint` computes a t
 
 from __future__ import annotations
 
+from typing import Literal
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -29,11 +31,13 @@ from segfmu.kernels.control.records import (
     Uncertainty,
     VelocityCommand,
 )
-from segfmu.kernels.crane.records import Axes, Coordinates, State
+from segfmu.kernels.crane.records import Axes, Coordinates, Plant, State
 from segfmu.planning.arrays import FloatArray
 
 # parameters, the observer's table, gains and memory of the kernel
 Arrays = tuple[FloatArray, FloatArray, FloatArray, FloatArray]
+
+CAUSES = ("wind", "sensor")
 
 # s
 FADE = 0.1
@@ -41,6 +45,8 @@ PAYLOAD_TIME = 2.0
 
 # rows of the kernel's memory, and entries of its parameters
 ESTIMATE = slice(Tracker.ESTIMATE, Tracker.COMMAND)
+PRESENT = slice(Tracker.PRESENT, Tracker.AHEAD)
+BOUNDED = slice(Tracking.VELOCITY_MAX, Tracking.OFFSET_CAUSE)
 REJECTED = slice(Tracking.REJECTED_DRIFT, Tracking.ENABLED)
 
 
@@ -59,11 +65,19 @@ class TrackingController:
         Rejected shares, 0 to 1, of the estimated disturbances: of carriages and rope, and of the
         load. 1 leaves no lasting error of the load's position, 0 is the plain feedback.
     lower, upper : array_like, shape (3,), optional
-        Least and greatest setpoint, feedforward included [N] or [m/s2].
+        Least and greatest setpoint, feedforward included [N] or [m/s2]. The hoist leaves at least
+        a tenth of the load's weight on the rope, whatever is given.
+    velocity_max : array_like, shape (3,), optional
+        Bounds of the velocity setpoints with what corrections add [m/s]; 0: none.
     fade : float
         Time constant [s] of the transition after switching; with 0 the correction jumps.
     payload_time : float
         Time constant [s] of the payload's estimate, in force mode.
+    offset_cause : {"wind", "sensor"}
+        What a lasting deviation of a sway angle is: wind, for which the carriage makes room, or the
+        zero of the angle's sensor, for which it stays. Signals do not tell.
+    rope_offset : bool
+        Correct the rope's measured length by the estimated offset of its sensor.
     enabled : bool
 
     Raises
@@ -80,29 +94,41 @@ class TrackingController:
         rejection: tuple[float, float] = (1.0, 1.0),
         lower: ArrayLike | None = None,
         upper: ArrayLike | None = None,
+        velocity_max: ArrayLike | None = None,
         fade: float = FADE,
         payload_time: float = PAYLOAD_TIME,
+        offset_cause: Literal["wind", "sensor"] = "wind",
+        rope_offset: bool = False,
         enabled: bool = True,
     ) -> None:
         require_positive("payload_time", payload_time)
+        if offset_cause not in CAUSES:
+            raise InputError(f"offset_cause must be wind or sensor, got {offset_cause!r}")
         period = observer.sample_time
         self.observer = observer
         own = np.zeros(Tracking.SIZE)
         own[Tracking.PERIOD] = period
         design = np.zeros(TrackingDesign.SIZE)
         design[: Uncertainty.SIZE] = observer.uncertainty.vector
-        design[TrackingDesign.DEAD_TIME] = period if observer.delayed else 0.0
+        design[TrackingDesign.DEAD_TIME] = observer.delayed * period
         design[TrackingDesign.PAYLOAD_TIME] = payload_time
-        backend.set_tracking(
-            observer.crane.plant(observer.driven), design, float(observer.lengths[-1]), own
-        )
+        plant = observer.crane.plant(observer.driven)
+        plant[Plant.DEAD_TIME : Plant.DEAD_TIME + Axes.SIZE] = observer.dead_time
+        backend.set_tracking(plant, design, float(observer.lengths[-1]), own)
+        own[Tracking.OFFSET_CAUSE] = CAUSES.index(offset_cause)
+        own[Tracking.OFFSET_ACTS] = rope_offset
+        if velocity_max is not None:
+            own[BOUNDED] = sized("velocity_max", velocity_max, 3)
         limits = own[Tracking.LEAST : Tracking.GAINS_PAYLOAD].reshape(2, Axes.SIZE)
         least, greatest = _limits("lower", lower, limits[0]), _limits("upper", upper, limits[1])
         if (least > greatest).any():
             raise InputError(
                 f"lower must not be above upper, got {least.tolist()} and {greatest.tolist()}"
             )
+        # the hoist cannot push, whatever is given
+        pull = max(float(limits[1, Axes.ROPE]), float(least[Axes.ROPE]))
         limits[0], limits[1] = least, greatest
+        limits[1, Axes.ROPE] = min(limits[1, Axes.ROPE], pull)
         self._parameters = own
         self._memory = np.zeros((Tracker.SIZE, Tracker.COLUMNS))
         self.fade = fade
@@ -118,7 +144,7 @@ class TrackingController:
 
     @property
     def parameters(self) -> FloatArray:
-        """The kernels' `Tracking`, shape (27,); a copy."""
+        """The kernels' `Tracking`; a copy."""
         return self._parameters.copy()
 
     @property
@@ -181,7 +207,7 @@ class TrackingController:
     @property
     def deviation(self) -> FloatArray:
         """Estimated state minus its reference at the last tick, shape (10,)."""
-        estimate, found = self._memory[ESTIMATE], np.zeros(State.SIZE)
+        estimate, found = self._memory[PRESENT], np.zeros(State.SIZE)
         found[State.POSITION : State.ANGLE] = estimate[:, Estimate.POSITION]
         found[State.ANGLE : State.VELOCITY] = SIGNS * estimate[:2, Estimate.ANGLE]
         found[State.VELOCITY : State.RATE] = estimate[:, Estimate.VELOCITY]
@@ -191,7 +217,7 @@ class TrackingController:
     @property
     def disturbance(self) -> FloatArray:
         """Estimated unknown accelerations of carriages and rope, and of the load; (2, 3) [m/s2]."""
-        found: FloatArray = self._memory[ESTIMATE, Estimate.DRIFT : Estimate.SIZE].T.copy()
+        found: FloatArray = self._memory[PRESENT, Estimate.DRIFT : Estimate.SIZE].T.copy()
         return found
 
     @property
@@ -202,7 +228,7 @@ class TrackingController:
 
     @property
     def offset(self) -> float:
-        """Correction added to the measured rope length [m]."""
+        """Estimated correction of the measured rope length [m]; it acts only with `rope_offset`."""
         offset = self._memory[Tracker.OFFSET + OffsetMemory.ESTIMATE, OffsetEstimate.USED]
         return float(offset)
 
@@ -212,6 +238,12 @@ class TrackingController:
         found = np.zeros(Estimates.SIZE)
         backend.tracking_estimates(self._parameters, self._memory, found)
         return found
+
+    @property
+    def holding(self) -> FloatArray:
+        """Setpoints (3,) that hold the nominal load at rest [N] or [m/s2]."""
+        weight = self._parameters[Tracking.MASSES + Axes.ROPE] * self._parameters[Tracking.GRAVITY]
+        return np.array([0.0, 0.0, 0.0 if self.observer.driven else -weight])
 
     def reset(self, deviation: ArrayLike | None = None) -> None:
         """Reset the memory.
@@ -225,6 +257,7 @@ class TrackingController:
             estimate = self._memory[ESTIMATE]
             estimate[:, Estimate.VELOCITY] = value[State.VELOCITY : State.RATE]
             estimate[:2, Estimate.RATE] = SIGNS * value[State.RATE : State.SIZE]
+            self._memory[PRESENT, : Estimate.SIZE] = estimate[:, : Estimate.SIZE]
 
     def _switch(self) -> None:
         """Mark a switch, so that the kernel lets the change fade in."""
@@ -244,19 +277,19 @@ class TrackingController:
         time : float
             [s]; ticks are a period apart.
         measured : ndarray, shape (5,)
-            Bridge, trolley, rope length and the two sway angles; one sample old if the observer is
-            designed for delayed signals.
+            Bridge, trolley, rope length and the two sway angles, as old as the observer expects.
         reference : ndarray, shape (10,)
             Reference state at this tick.
         feedforward : ndarray, shape (3,), optional
             Forces [N] or accelerations [m/s2] to which the correction is added; only the limits use
-            it.
+            it. By default those that hold the nominal load.
         """
         tick = np.zeros((Tick.SIZE, Tick.COLUMNS))
         tick[Tick.SIGNALS, : Coordinates.SIZE] = measured
         tick[Tick.REFERENCE, : State.SIZE] = reference
-        if feedforward is not None:
-            tick[Tick.ADDED_TO, : Axes.SIZE] = feedforward
+        if feedforward is None:
+            feedforward = self.holding
+        tick[Tick.ADDED_TO, : Axes.SIZE] = feedforward
         parameters, table, gains, memory = self.arrays
         backend.track_setpoint(parameters, table, gains, tick, memory)
         return tick[Tick.CORRECTION, Correction.VALUE : Correction.FADING].copy()

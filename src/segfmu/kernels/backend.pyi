@@ -12,6 +12,7 @@ COMPILED: bool
 def feedback_correction(
     state: Floats,
     reference: Floats,
+    added: Floats,
     gains: Floats,
     correction: Floats,
     /,
@@ -30,9 +31,30 @@ def feedback_gains(
     plant: Floats,
     length: float,
     bandwidth: float,
+    pendulum: float,
     hoist_bandwidth: float,
     damping: float,
     gains: Floats,
+    /,
+) -> None: ...
+
+def observer_predict(
+    axis: int,
+    length: float,
+    table: Floats,
+    command: float,
+    correction: float,
+    estimate: Floats,
+    scratch: Floats,
+    /,
+) -> None: ...
+
+def observer_correct(
+    length: float,
+    table: Floats,
+    measured: Floats,
+    reference: Floats,
+    estimate: Floats,
     /,
 ) -> None: ...
 
@@ -71,6 +93,13 @@ def flat_table(
     /,
 ) -> None: ...
 
+def set_steps(
+    sensors: Floats,
+    longest: float,
+    uncertainty: Floats,
+    /,
+) -> None: ...
+
 def observer_table(
     plant: Floats,
     sample_time: float,
@@ -83,36 +112,18 @@ def observer_table(
     /,
 ) -> bool: ...
 
-def observer_predict(
-    length: float,
-    table: Floats,
-    command: Floats,
-    held: Floats,
-    estimate: Floats,
-    scratch: Floats,
-    /,
-) -> None: ...
-
-def observer_correct(
-    length: float,
-    table: Floats,
-    measured: Floats,
-    reference: Floats,
-    estimate: Floats,
-    /,
-) -> None: ...
-
 def nominal_payload(
     expected: float,
     payload: float,
     /,
 ) -> float: ...
 
-def sampled_late(
+def signal_age(
     dead_time: float,
-    sample_time: float,
+    sampling: float,
+    period: float,
     /,
-) -> bool: ...
+) -> float: ...
 
 def drive_bound(
     plant: Floats,

@@ -225,7 +225,7 @@ ENTRY_POINTS = (
     entry("trajectory.breaks", "same_break"),
     entry(
         "control.feedback", "feedback_correction", state=State.SIZE, reference=State.SIZE,
-        gains=("lengths", Gains.SIZE, Gains.COLUMNS), correction=Axes.SIZE,
+        added=Axes.SIZE, gains=("lengths", Gains.SIZE, Gains.COLUMNS), correction=Axes.SIZE,
     ),
     entry("control.feedback", "feedback_bandwidth"),
     entry("control.design", "rope_range", found=RopeRange.SIZE),
@@ -240,22 +240,24 @@ ENTRY_POINTS = (
         table=("rows", Observer.SIZE, Observer.COLUMNS),
     ),
     entry("control.setting", "nominal_payload"),
-    entry("control.setting", "sampled_late"),
+    entry("control.design", "set_steps", sensors=Sensors.SIZE, uncertainty=Uncertainty.SIZE),
+    entry("control.setting", "signal_age"),
     entry("control.setting", "drive_bound", plant=Plant.VISCOUS),
     entry(
         "control.setting", "set_tracking", plant=Plant.VISCOUS, design=TrackingDesign.SIZE,
         tracking=Tracking.SIZE,
     ),
     entry("control.setting", "set_fading", tracking=Tracking.SIZE),
-    entry("control.feedback", "feedback_gains", plant=Plant.LAG, gains=(Gains.SIZE, Gains.COLUMNS)),
+    entry(
+        "control.feedback", "feedback_gains", plant=Plant.FORCE_MAX, gains=(Gains.SIZE, Gains.COLUMNS),
+    ),
     entry(
         "control.kalman", "observer_design", plant=Plant.FORCE_MAX, expected=Expected.SIZE,
         work=(Kalman.SIZE, 2 * AxisModel.SIZE), table=(Observer.SIZE, Observer.COLUMNS),
     ),
     entry(
         "control.observer", "observer_predict", table=("nodes", Observer.SIZE, Observer.COLUMNS),
-        command=Axes.SIZE, held=Axes.SIZE, estimate=(Axes.SIZE, Estimate.SIZE),
-        scratch=AxisModel.SIZE,
+        estimate=Estimate.SIZE, scratch=AxisModel.SIZE,
     ),
     entry(
         "control.observer", "observer_correct", table=("nodes", Observer.SIZE, Observer.COLUMNS),

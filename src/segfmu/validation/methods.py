@@ -207,7 +207,8 @@ def _gains(crane: Crane, kind: str, driven: bool, ropes: tuple[float, float]) ->
     shortest, longest = ropes
     if kind == "LQR":
         return design(
-            crane, sample_time=SAMPLE_TIME, shortest=shortest, longest=longest, driven=driven
+            crane, sample_time=SAMPLE_TIME, shortest=shortest, longest=longest, driven=driven,
+            lag=LAG if driven else 0.0,
         )
     return design_flat(
         crane, sample_time=SAMPLE_TIME, shortest=shortest, longest=longest, driven=driven,
@@ -230,7 +231,8 @@ def tracking_controller(
 ) -> TrackingController:
     """Observer and gains, "LQR" or "flatness", for a nominal crane; the designs are cached."""
     return TrackingController(
-        _observer(crane, driven, ropes, delayed), _gains(crane, kind, driven, ropes)
+        _observer(crane, driven, ropes, delayed), _gains(crane, kind, driven, ropes),
+        rope_offset=True,
     )
 
 

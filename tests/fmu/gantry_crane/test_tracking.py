@@ -85,12 +85,22 @@ def loop(driven: bool, values: dict[str, float], **options) -> Loop:
     bound = "acceleration_max" if driven else "force_max"
     most = np.array([parameters[f"drive.{d}.{bound}"] or 1e99
                      for d in ("bridge", "trolley", "hoist")])
+    # errors that quantisation and noise of the sensors have, or usual ones
+    steps = {
+        n: max(np.hypot(parameters[f"sensor.{s}.resolution"],
+                        np.sqrt(12.0) * parameters[f"sensor.{s}.deviation"]) for s in signals)
+        for n, signals in (
+            ("position", ("bridge.position", "trolley.position")), ("length", ("rope.length",)),
+            ("angle", ("sway.x.angle", "sway.y.angle")),
+        )
+    }
+    late = parameters["sensor.dead_time"]
     observer = design_observer(
-        CRANE, lag=lag, delayed=parameters["sensor.dead_time"] > 0.0,
-        uncertainty=Uncertainty(wake=values.get("feedback.observer.wake", 1.0)), **ranges,
+        CRANE, lag=lag, delayed=late / 0.01,
+        uncertainty=Uncertainty(wake=values.get("feedback.observer.wake", 1.0), **steps), **ranges,
     )
     controller = TrackingController(
-        observer, design_flat(CRANE, lag=max(lag) if driven else 0.0, **ranges), lower=-most,
+        observer, design_flat(CRANE, lag=lag, dead_time=late, **ranges), lower=-most,
         upper=most, **options,
     )
     state = np.array([values.get(n, REST[i]) for i, n in enumerate(gantry_crane.STATE)])

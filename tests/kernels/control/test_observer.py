@@ -27,8 +27,10 @@ def rows(length: float) -> np.ndarray:
 def test_prediction_is_transition_and_inputs(length: float) -> None:
     command, held = RANDOM.normal(size=(2, 3))
     found = START.copy()
-    observer_predict(length, TABLE, command, held, found, np.zeros(10))
     for axis, block in enumerate(rows(length)):
+        observer_predict(
+            axis, length, TABLE, command[axis], held[axis], found[axis], np.zeros(10)
+        )
         inputs = np.array([command[axis], held[axis]])
         assert found[axis] == pytest.approx(block[:, :6] @ START[axis] + block[:, 6:8] @ inputs)
 

@@ -34,7 +34,7 @@ def parameters(share: float = 0.05) -> np.ndarray:
     found = np.zeros(Tracking.SIZE)
     found[Tracking.PERIOD], found[Tracking.GRAVITY] = T, GRAVITY
     found[Tracking.DECAY] = np.exp(-T / 0.1)
-    found[Tracking.OFFSET_EXPECTED :] = share, BANDWIDTH, STEP**2 / 12.0, 1e-4**2 / 12.0
+    found[Tracking.OFFSET_EXPECTED : Tracking.DELAY] = share, BANDWIDTH, STEP**2 / 12.0, 1e-4**2 / 12.0
     return found
 
 
@@ -221,7 +221,7 @@ def test_the_variances_are_those_of_filtered_white_noise() -> None:
     given, states = parameters(), np.zeros((4, 7))
     random, found = np.random.default_rng(3), []
     for i in range(40000):
-        angle, place = random.normal(0.0, np.sqrt(given[Tracking.ANGLE_VARIANCE :]))
+        angle, place = random.normal(0.0, np.sqrt(given[Tracking.ANGLE_VARIANCE : Tracking.DELAY]))
         signals = np.array([LENGTH * angle + place, angle, 0.0, 0.0, 0.0, 0.0, 0.0])
         offset_filter(i == 0, 0.5 * BANDWIDTH * T, signals, states)
         second = BANDWIDTH**2 * (states[1, :2] - 2.0 * states[2, :2] + states[3, :2])

@@ -12,9 +12,9 @@ from segfmu.kernels.control.records import RopeRange, Tracking, TrackingDesign
 from segfmu.kernels.control.setting import (
     drive_bound,
     nominal_payload,
-    sampled_late,
     set_fading,
     set_tracking,
+    signal_age,
 )
 from segfmu.kernels.crane.records import DriveMode, Plant
 
@@ -35,7 +35,7 @@ def tracking(mode: int, dead_time: float) -> np.ndarray:
     found, design = np.zeros(Tracking.SIZE), np.zeros(TrackingDesign.SIZE)
     found[Tracking.PERIOD] = PERIOD
     design[: TrackingDesign.WAKE] = 1e-4, 2e-4, 1e-3, 0.3, 0.1
-    design[TrackingDesign.WAKE :] = 2.0, 0.05, dead_time, 4.0
+    design[TrackingDesign.WAKE :] = 2.0, 0.05, dead_time, 0.0, 4.0
     set_tracking(plant(mode), design, LONGEST, found)
     return found
 
@@ -46,19 +46,41 @@ def test_tracking_follows_from_crane_and_expectations(mode: int) -> None:
     assert found[Tracking.MODE] == mode
     assert found[Tracking.MASSES : Tracking.GRAVITY] == pytest.approx([3.355, 1.155, 1.0])
     assert found[Tracking.GRAVITY] == 9.81
-    most = [4.0, 1e99, 6.0] if mode == DriveMode.FORCE else [1e99, 0.5, 0.6]
-    assert found[Tracking.GREATEST : Tracking.GAINS_PAYLOAD].tolist() == most
-    assert found[Tracking.LEAST : Tracking.GREATEST].tolist() == [-m for m in most]
-    assert [drive_bound(plant(mode), i) for i in range(3)] == most
+    # the bridge by its force, with trolley and load
+    by_force = 4.0 / (2.2 + 1.155 + 1.0)
+    most = [4.0, 1e99, 6.0] if mode == DriveMode.FORCE else [by_force, 0.5, 9.81e-3]
+    least = found[Tracking.LEAST : Tracking.GREATEST]
+    assert least == pytest.approx([-m for m in most])
+    assert [drive_bound(plant(mode), i) for i in range(3)] == pytest.approx(most)
+    # a hoist cannot push
+    pull = 0.0 if mode == DriveMode.FORCE else 0.6
+    assert found[Tracking.GREATEST : Tracking.GAINS_PAYLOAD] == pytest.approx([*most[:2], pull])
     assert found[Tracking.PAYLOAD_SHARE] == PERIOD / 4.0
     assert found[Tracking.WAKE_ANGLE] == 2e-3
     assert found[Tracking.POSITION_VARIANCE] == pytest.approx(4e-8 / 12.0)
 
 
-@pytest.mark.parametrize(("dead_time", "late"), [(0.0, 0), (0.009, 0), (0.01, 1), (0.02, 1)])
-def test_half_a_sample_counts_as_late(dead_time: float, late: int) -> None:
-    assert tracking(DriveMode.FORCE, dead_time)[Tracking.DELAYED] == late
-    assert sampled_late(dead_time, PERIOD) == late
+@pytest.mark.parametrize(
+    ("dead_time", "sampling", "age"),
+    # continuous; in step, rounded up to samples; finer samples; out of step, half a sample more
+    [(0.013, 0.0, 0.013), (0.0, 0.02, 0.0), (0.005, 0.02, 0.02), (0.04, 0.02, 0.04),
+     (0.013, 0.005, 0.015), (0.02, 0.03, 0.035)],
+)
+def test_signals_are_as_old_as_their_sample(
+    dead_time: float, sampling: float, age: float
+) -> None:
+    assert signal_age(dead_time, sampling, PERIOD) == pytest.approx(age)
+
+
+def test_delays_are_those_of_signals_and_drives() -> None:
+    drives = plant(DriveMode.VELOCITY)
+    drives[Plant.DEAD_TIME : Plant.DEAD_TIME + 3] = 0.0, 0.01, 0.05
+    found, design = np.zeros(Tracking.SIZE), np.ones(TrackingDesign.SIZE)
+    design[TrackingDesign.DEAD_TIME], design[TrackingDesign.SAMPLING] = 0.03, 0.02
+    found[Tracking.PERIOD] = PERIOD
+    set_tracking(drives, design, LONGEST, found)
+    assert found[Tracking.AGE] == pytest.approx(2.0)
+    assert found[Tracking.DELAY : Tracking.DELAY + 3] == pytest.approx([2.0, 2.5, 4.5])
 
 
 @pytest.mark.parametrize("fade", [0.0, 0.1])

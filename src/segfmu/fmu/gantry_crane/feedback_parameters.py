@@ -12,12 +12,15 @@ from segfmu.crane import Crane
 from segfmu.crane.feedback import SwayFeedback, Weights
 from segfmu.crane.flat_feedback import DAMPING, HOIST_RATIO, RATIO
 from segfmu.crane.observer import UNCERTAINTY, Uncertainty, design_observer
+from segfmu.crane.tracking import CAUSES as OFFSET_CAUSES
 from segfmu.crane.tracking import FADE, PAYLOAD_TIME, TrackingController
 from segfmu.crane.variables import build, filled
 from segfmu.fmu.standard.spec import Enumeration, Variable, choice, parameter
 from segfmu.kernels import backend
 from segfmu.kernels.control.records import Tracking, TrackingDesign
+from segfmu.kernels.control.records import Uncertainty as Expectations
 from segfmu.kernels.crane.records import DRIVES, Axes, DriveMode, Plant
+from segfmu.kernels.rig.records import Sensors
 from segfmu.planning.arrays import FloatArray
 
 DESIGNS = Enumeration(
@@ -26,13 +29,16 @@ DESIGNS = Enumeration(
 SOURCES = Enumeration(
     "FeedbackSource", ("state", "measured"), "what the feedback knows of the crane"
 )
+CAUSES = Enumeration(
+    "OffsetCause", OFFSET_CAUSES, "what a lasting deviation of a sway angle is"
+)
 OBSERVER = (
-    ("position", "m", "quantisation step of the carriages' positions"),
-    ("length", "m", "quantisation step of the rope's length"),
-    ("angle", "rad", "quantisation step of the sway angles"),
+    ("position", "m", "quantisation step of the carriages' positions; 0: that of the sensors", 0.0),
+    ("length", "m", "quantisation step of the rope's length; 0: that of the sensor", 0.0),
+    ("angle", "rad", "quantisation step of the sway angles; 0: that of the sensors", 0.0),
     ("drift", None, "random walk of the carriages' and the rope's unknown accelerations: "
-     "standard deviation after 1 s over gravity"),
-    ("wind", None, "the same of the load's"),
+     "standard deviation after sqrt(l / g) over gravity", 1e-12),
+    ("wind", None, "the same of the load's", 1e-12),
 )
 WEIGHTS = (
     ("position", "carriage and rope position"), ("angle", "sway angles"),
@@ -125,9 +131,9 @@ def _tracking() -> list[Variable]:
         *(
             parameter(
                 f"feedback.observer.{n}", getattr(expected, n), unit, f"expected {text}",
-                minimum=1e-12,
+                minimum=least,
             )
-            for n, unit, text in OBSERVER
+            for n, unit, text, least in OBSERVER
         ),
         parameter(
             "feedback.observer.wake", expected.wake, None, "number of quantisation steps that a "
@@ -138,6 +144,14 @@ def _tracking() -> list[Variable]:
             "feedback.observer.offset", expected.offset, None, "expected standard deviation of the "
             "zero of the rope's sensor over the rope's length, which is estimated; 0: it is not",
             minimum=0.0,
+        ),
+        parameter(
+            "feedback.rope_offset", False, None,
+            "the measured length of the rope is corrected by estimate.rope_offset", kind="Boolean",
+        ),
+        choice(
+            "feedback.offset_cause", CAUSES, "wind", "what a lasting deviation of a sway angle "
+            "is: wind, for which the carriage makes room, or the zero of the angle's sensor",
         ),
     ]
 
@@ -153,7 +167,7 @@ def estimates() -> list[Variable]:
         (f"estimate.disturbance.load.{a}", "m/s2", f"estimated acceleration of the load, {a}")
         for a in "xy"
     ]
-    rows.append(("estimate.rope_offset", "m", "what is added to the measured length of the rope"))
+    rows.append(("estimate.rope_offset", "m", "estimated correction of the measured length of the rope"))
     return [
         Variable(n, "Real", "output", "discrete", f"{text}; of source measured", unit=unit)
         for n, unit, text in rows
@@ -182,20 +196,41 @@ def tracking_from(
     plant, design, own = (filled(r, value) for r in (Plant, TrackingDesign, Tracking))
     most = np.array([backend.drive_bound(plant, i) for i in range(Axes.SIZE)])
     bridge, trolley, hoist = plant[Plant.LAG : Plant.FORCE_MAX].tolist()
+    age = backend.signal_age(
+        float(design[TrackingDesign.DEAD_TIME]), float(design[TrackingDesign.SAMPLING]),
+        feedback.sample_time,
+    )
+    expected = build(Uncertainty, UNCERTAINTY, value)
+    steps = expected.vector
+    backend.set_steps(filled(Sensors, value), float(feedback.lengths[-1]), steps)
+    position, length, angle = steps[: Expectations.DRIFT].tolist()
     observer = design_observer(
         nominal, sample_time=feedback.sample_time, shortest=float(feedback.lengths[0]),
         longest=float(feedback.lengths[-1]), driven=plant[Plant.MODE] == DriveMode.VELOCITY,
-        lag=(bridge, trolley, hoist),
-        delayed=backend.sampled_late(
-            float(design[TrackingDesign.DEAD_TIME]), feedback.sample_time
-        ),
-        uncertainty=build(Uncertainty, UNCERTAINTY, value),
+        lag=(bridge, trolley, hoist), delayed=age / feedback.sample_time,
+        dead_time=dead_times(plant),
+        uncertainty=replace(expected, position=position, length=length, angle=angle),
     )
     return TrackingController(
         observer, feedback, rejection=_rejection(own), lower=-most, upper=most,
+        velocity_max=plant[Plant.VELOCITY_MAX : Plant.VELOCITY_MAX + Axes.SIZE],
         fade=float(own[Tracking.FADE]), payload_time=float(design[TrackingDesign.PAYLOAD_TIME]),
-        enabled=bool(own[Tracking.ENABLED]),
+        offset_cause=OFFSET_CAUSES[int(own[Tracking.OFFSET_CAUSE])],
+        rope_offset=bool(own[Tracking.OFFSET_ACTS]), enabled=bool(own[Tracking.ENABLED]),
     )
+
+
+def dead_times(plant: FloatArray) -> tuple[float, float, float]:
+    """Those of the drives [s], from a `Plant`."""
+    bridge, trolley, hoist = plant[Plant.DEAD_TIME : Plant.DEAD_TIME + Axes.SIZE].tolist()
+    return bridge, trolley, hoist
+
+
+def lateness(value: Callable[[str], Any]) -> tuple[FloatArray, float]:
+    """Lags of the drives, and what signals and drives are late by [s]; `value` gives parameters."""
+    plant = filled(Plant, value)
+    lags = plant[Plant.LAG : Plant.FORCE_MAX]
+    return lags, float(value("sensor.dead_time")) + max(dead_times(plant))
 
 
 def tune(

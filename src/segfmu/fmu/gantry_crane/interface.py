@@ -12,6 +12,7 @@ from segfmu.fmu.gantry import SETPOINTS, crane_parameters
 from segfmu.fmu.gantry_crane.feedback_parameters import (
     estimates,
     feedback_parameters,
+    lateness,
     nominal_from,
     weight_parameters,
     weights_from,
@@ -175,6 +176,9 @@ RATES = (
 )
 STATES = (*STATE, *DEFLECTIONS, "energy.drives", "energy.wind", "energy.dissipated")
 
+# what gains are by
+GAINED = (*STATE, "the velocity that corrections have added")
+
 # Correction of each axis, and the indices of its gains among the ten states.
 GAINS = {
     drive: [
@@ -288,7 +292,7 @@ def _table(starts: dict[str, Any], weights: list[str]) -> list[Variable]:
                 rows.append(
                     parameter(
                         f"{name}.{drive}.{quantity}", float(feedback.gains[row, axis, place]),
-                        None, f"gain of the {drive} [{unit}] by the error of {STATE[place]} in SI "
+                        None, f"gain of the {drive} [{unit}] by the error of {GAINED[place]} in SI "
                         "units", tunable=True, computed=True,
                     )
                 )
@@ -300,10 +304,11 @@ def _designed(starts: dict[str, Any]) -> tuple[SwayFeedback, bool]:
     crane = nominal_from(starts.__getitem__)
     shortest, longest = rope_range(crane, float(starts["rope.length"]))
     driven = MODES.items[int(starts["drive.mode"]) - 1] == "velocity"
+    lags, late = lateness(lambda n: starts.get(n, 0.0))
     feedback = design(
         crane, sample_time=float(starts["feedback.sample_time"]),
         shortest=shortest, longest=longest, driven=driven, rows=MOST_ROWS,
-        weights=weights_from(starts.__getitem__),
+        weights=weights_from(starts.__getitem__), lag=lags, dead_time=late,
     )
     return feedback, driven
 

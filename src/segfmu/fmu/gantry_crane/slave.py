@@ -21,6 +21,7 @@ from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_crane.feedback_parameters import (
     DESIGNS,
     SOURCES,
+    lateness,
     nominal_from,
     tracking_from,
     tune,
@@ -105,17 +106,18 @@ class CraneSlave(SpecSlave):
         """Gains over rope length; `crane` has the payload that the feedback is designed for."""
         shortest, longest = rope_range(crane, length)
         chosen = self.filled(FlatDesign)
+        lags, late = lateness(self.value)
         if self._flat():
-            lags = self.filled(Parameters)[Parameters.LAG : Parameters.FORCE_MAX]
             return design_flat(
                 crane, sample_time=float(chosen[FlatDesign.PERIOD]), shortest=shortest,
                 longest=longest, ratio=float(chosen[FlatDesign.BANDWIDTH]),
                 hoist_ratio=float(chosen[FlatDesign.HOIST_BANDWIDTH]),
-                damping=float(chosen[FlatDesign.DAMPING]), driven=driven, lag=float(lags.max()),
+                damping=float(chosen[FlatDesign.DAMPING]), driven=driven, lag=lags, dead_time=late,
             )
         return design(
             crane, sample_time=float(chosen[FlatDesign.PERIOD]), shortest=shortest,
-            longest=longest, weights=weights_from(self.value), driven=driven,
+            longest=longest, weights=weights_from(self.value), driven=driven, lag=lags,
+            dead_time=late,
         )
 
     def advance(self, time: float, step: float) -> None:

@@ -8,18 +8,19 @@
 #include "span.h"
 #include "visible.h"
 
-SEGFMU_API void segfmu_feedback_correction(array_double_1d state, array_double_1d reference, array_double_3d gains, array_double_1d correction);
+SEGFMU_API void segfmu_feedback_correction(array_double_1d state, array_double_1d reference, array_double_1d added, array_double_3d gains, array_double_1d correction);
 SEGFMU_API double segfmu_feedback_bandwidth(double ratio, double length, double gravity, double delay, double largest);
-SEGFMU_API void segfmu_feedback_gains(array_double_1d plant, double length, double bandwidth, double hoist_bandwidth, double damping, array_double_2d gains);
+SEGFMU_API void segfmu_feedback_gains(array_double_1d plant, double length, double bandwidth, double pendulum, double hoist_bandwidth, double damping, array_double_2d gains);
+SEGFMU_API void segfmu_observer_predict(int64_t axis, double length, array_double_3d table, double command, double correction, array_double_1d estimate, array_double_1d scratch);
+SEGFMU_API void segfmu_observer_correct(double length, array_double_3d table, array_double_1d measured, array_double_1d reference, array_double_2d estimate);
 SEGFMU_API void segfmu_observer_design(array_double_1d plant, double sample_time, double length, array_double_1d expected, array_double_2d work, array_double_2d table);
 SEGFMU_API void segfmu_rope_range(double length, double shortest, double longest, array_double_1d found);
 SEGFMU_API int64_t segfmu_table_lengths(double shortest, double longest, int64_t rows, array_double_1d lengths);
 SEGFMU_API void segfmu_flat_table(array_double_1d plant, array_double_1d design, int64_t rows, array_double_1d lengths, array_double_3d table);
+SEGFMU_API void segfmu_set_steps(array_double_1d sensors, double longest, array_double_1d uncertainty);
 SEGFMU_API bool segfmu_observer_table(array_double_1d plant, double sample_time, array_double_1d uncertainty, int64_t rows, array_double_1d lengths, array_double_1d expected, array_double_2d work, array_double_3d table);
-SEGFMU_API void segfmu_observer_predict(double length, array_double_3d table, array_double_1d command, array_double_1d held, array_double_2d estimate, array_double_1d scratch);
-SEGFMU_API void segfmu_observer_correct(double length, array_double_3d table, array_double_1d measured, array_double_1d reference, array_double_2d estimate);
 SEGFMU_API double segfmu_nominal_payload(double expected, double payload);
-SEGFMU_API bool segfmu_sampled_late(double dead_time, double sample_time);
+SEGFMU_API double segfmu_signal_age(double dead_time, double sampling, double period);
 SEGFMU_API double segfmu_drive_bound(array_double_1d plant, int64_t axis);
 SEGFMU_API void segfmu_set_tracking(array_double_1d plant, array_double_1d design, double longest, array_double_1d tracking);
 SEGFMU_API void segfmu_set_fading(array_double_1d tracking);

@@ -6,7 +6,7 @@ entry.
 
 from math import sqrt
 
-from segfmu.kernels.control.records import Gains
+from segfmu.kernels.control.records import GainInputs, Gains
 from segfmu.kernels.crane.bounds import carriage_mass
 from segfmu.kernels.crane.records import Axes, DriveMode, Plant, State
 
@@ -28,12 +28,17 @@ def table_share(length: float, table: 'float[:,:,:]', row: int) -> float:
 
 
 def feedback_correction(
-    state: 'float[:]', reference: 'float[:]', gains: 'float[:,:,:]', correction: 'float[:]'
+    state: 'float[:]',
+    reference: 'float[:]',
+    added: 'float[:]',
+    gains: 'float[:,:,:]',
+    correction: 'float[:]',
 ) -> None:
     """-K(l) (x - x*), K interpolated linearly over rope length, constant outside the table.
 
-    state and reference (10): a `State`; gains (rows, 4, 10): a `Gains` a rope length; correction
-    (3) [N] or [m/s2].
+    state and reference (10): a `State`; added (3): velocities that corrections have added to the
+    setpoints of velocity drives [m/s]; gains (rows, 4, 11): a `Gains` a rope length; correction (3)
+    [N] or [m/s2].
     """
     length = state[State.POSITION + Axes.ROPE]
     row = table_row(length, gains)
@@ -45,7 +50,9 @@ def feedback_correction(
         for j in range(State.SIZE):
             k = (1.0 - share) * gains[row, axis, j] + share * gains[following, axis, j]
             total = total + k * (state[j] - reference[j])
-        correction[i] = -total
+        k = (1.0 - share) * gains[row, axis, GainInputs.COMMAND]
+        k = k + share * gains[following, axis, GainInputs.COMMAND]
+        correction[i] = -(total + k * added[i])
 
 
 def feedback_bandwidth(
@@ -59,27 +66,31 @@ def feedback_gains(
     plant: 'float[:]',
     length: float,
     bandwidth: float,
+    pendulum: float,
     hoist_bandwidth: float,
     damping: float,
     gains: 'float[:,:]',
 ) -> None:
-    """Gains (4, 10), a `Gains`, that place the poles of the flat output's error; closed form.
+    """Gains (4, 11), a `Gains`, that place the poles of the flat output's error; closed form.
 
-    plant: masses and drive mode of a `Plant`. About the load hanging at rest, with the sign of the
-    sway angle such that the load is at p = x_t + l phi: p'' = -g phi and p'''' = (g / l) (g phi +
-    a) for the carriage's acceleration a. The error of p has the characteristic polynomial (s^2 + 2
-    D w s + w^2)^2, that of the rope s^2 + 2 D w s + w^2, each with its bandwidth w [rad/s], and the
-    damping D. For velocity drives the corrections are accelerations; otherwise they are forces,
-    which also cancel the rope's pull on the carriage.
+    plant: masses, drive mode and lags of a `Plant`. About the load hanging at rest, with the sign
+    of the sway angle such that the load is at p = x_t + l phi: p'' = -g phi and p'''' = (g / l) (g
+    phi + a) for the carriage's acceleration a. The error of p has the characteristic polynomial
+    (s^2 + 2 D w s + w^2) (s^2 + 2 D w s + W^2), with the bandwidth w, the frequency W of the
+    pendulum's poles [rad/s] and the damping D; that of the rope is s^2 + 2 D w s + w^2 with its own
+    bandwidth. For velocity drives the corrections are accelerations, and each drive keeps the pole
+    of its lag; otherwise they are forces, which also cancel the rope's pull on the carriage.
     """
     driven = int(plant[Plant.MODE]) == DriveMode.VELOCITY
     gravity = plant[Plant.GRAVITY]
-    k0 = bandwidth * bandwidth * bandwidth * bandwidth
-    k1 = 4.0 * damping * bandwidth * bandwidth * bandwidth
-    k2 = (2.0 + 4.0 * damping * damping) * bandwidth * bandwidth
-    k3 = 4.0 * damping * bandwidth
+    slope = 2.0 * damping * bandwidth
+    square = bandwidth * bandwidth
+    k0 = square * pendulum * pendulum
+    k1 = slope * (square + pendulum * pendulum)
+    k2 = square + pendulum * pendulum + slope * slope
+    k3 = 2.0 * slope
     for i in range(Gains.SIZE):
-        for j in range(State.SIZE):
+        for j in range(GainInputs.SIZE):
             gains[i, j] = 0.0
     gains[Gains.LENGTH, 0] = length
     for i in range(2):
@@ -102,3 +113,31 @@ def feedback_gains(
     hoist = gains[Gains.AXES + Axes.ROPE, :]
     hoist[State.POSITION + Axes.ROPE] = weight * hoist_bandwidth * hoist_bandwidth
     hoist[State.VELOCITY + Axes.ROPE] = weight * 2.0 * damping * hoist_bandwidth
+    if driven:
+        for i in range(Axes.SIZE):
+            lead_gains(i, plant[Plant.LAG + i], length, gravity, gains[Gains.AXES + i, :])
+
+
+def lead_gains(
+    axis: int, lag: float, length: float, gravity: float, gains: 'float[:]'
+) -> None:
+    """Make gains for accelerations those of a drive with a lag [s], a row of `Gains`, in place.
+
+    If the carriage is to have the acceleration a, the command's rate has to be a + T a'. With the
+    command c and the velocity v, the present acceleration is (c - v) / T.
+    """
+    if lag <= 0.0:
+        return
+    position = gains[State.POSITION + axis]
+    velocity = gains[State.VELOCITY + axis]
+    # by the present acceleration
+    direct = velocity
+    if axis != Axes.ROPE:
+        sign = 1.0 - 2.0 * axis
+        angle = sign * gains[State.ANGLE + axis]
+        rate = sign * gains[State.RATE + axis]
+        direct = velocity - rate / length
+        gains[State.ANGLE + axis] = sign * (angle - lag * rate * gravity / length)
+        gains[State.RATE + axis] = sign * (rate + lag * angle)
+    gains[State.VELOCITY + axis] = velocity + lag * position - direct
+    gains[GainInputs.COMMAND] = direct

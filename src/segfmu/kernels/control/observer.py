@@ -10,29 +10,29 @@ from segfmu.kernels.crane.records import Axes, Coordinates
 
 
 def observer_predict(
+    axis: int,
     length: float,
     table: 'float[:,:,:]',
-    command: 'float[:]',
-    held: 'float[:]',
-    estimate: 'float[:,:]',
+    command: float,
+    correction: float,
+    estimate: 'float[:]',
     scratch: 'float[:]',
 ) -> None:
-    """Advance the estimate by a sample under velocity command (3) and held correction (3)."""
+    """Advance the estimate of an axis by a sample under a velocity command and a correction."""
     row = table_row(length, table)
     share = table_share(length, table, row)
     following = min(row + 1, table.shape[0] - 1)
-    for axis in range(3):
-        for j in range(Estimate.SIZE):
-            scratch[j] = estimate[axis, j]
-        scratch[AxisModel.COMMAND] = command[axis]
-        scratch[AxisModel.CORRECTION] = held[axis]
-        for i in range(Estimate.SIZE):
-            k = Observer.BRIDGE + Estimate.SIZE * axis + i
-            total = 0.0
-            for j in range(AxisModel.SIZE):
-                entry = (1.0 - share) * table[row, k, j] + share * table[following, k, j]
-                total = total + entry * scratch[j]
-            estimate[axis, i] = total
+    for j in range(Estimate.SIZE):
+        scratch[j] = estimate[j]
+    scratch[AxisModel.COMMAND] = command
+    scratch[AxisModel.CORRECTION] = correction
+    for i in range(Estimate.SIZE):
+        k = Observer.BRIDGE + Estimate.SIZE * axis + i
+        total = 0.0
+        for j in range(AxisModel.SIZE):
+            entry = (1.0 - share) * table[row, k, j] + share * table[following, k, j]
+            total = total + entry * scratch[j]
+        estimate[i] = total
 
 
 def observer_correct(

@@ -37,16 +37,23 @@ class Tick(Record):
     CORRECTION = field("correction", of=Correction)
 
 
+class GainInputs(State):
+    """What the corrections are proportional to: errors of the state, and the velocity added."""
+
+    COMMAND = field("velocity that the corrections of the axis have added to its setpoint", "m/s")
+
+
 class Gains(Record):
     """Rows of a table of gains at a rope length."""
 
     LENGTH = field("rope length, the first entry", "m")
-    AXES = field("gains of bridge, trolley and hoist, by the errors of the state", size=3, of=State)
+    AXES = field("gains of bridge, trolley and hoist", size=3, of=GainInputs)
 
 
 def _gains(drive: str, axis: int) -> list[str]:
     """Variables of a row of gains: one an entry of the state, where it has to do with the axis."""
-    names = [""] * State.SIZE
+    names = [""] * GainInputs.SIZE
+    names[GainInputs.COMMAND] = f"feedback.table[{{}}].{drive}.command"
     for name, quantity in (
         ("POSITION", "position"), ("ANGLE", "angle"), ("VELOCITY", "velocity"), ("RATE", "rate")
     ):
@@ -59,12 +66,12 @@ class GainsRow(Record):
     """A row of an FMU's table of gains: a `Gains` with its rows one behind the other."""
 
     LENGTH = field(
-        "rope length, the first entry", "m", size=State.SIZE,
-        variables=["feedback.table[{}].length", *[""] * (State.SIZE - 1)],
+        "rope length, the first entry", "m", size=GainInputs.SIZE,
+        variables=["feedback.table[{}].length", *[""] * (GainInputs.SIZE - 1)],
     )
-    BRIDGE = field("gains of the bridge", size=State.SIZE, variables=_gains("bridge", 0))
-    TROLLEY = field("gains of the trolley", size=State.SIZE, variables=_gains("trolley", 1))
-    HOIST = field("gains of the hoist", size=State.SIZE, variables=_gains("hoist", 2))
+    BRIDGE = field("gains of the bridge", size=GainInputs.SIZE, variables=_gains("bridge", 0))
+    TROLLEY = field("gains of the trolley", size=GainInputs.SIZE, variables=_gains("trolley", 1))
+    HOIST = field("gains of the hoist", size=GainInputs.SIZE, variables=_gains("hoist", 2))
 
 
 class Estimate(Record):
@@ -144,12 +151,22 @@ class Kalman(Doubling):
     MODEL = field("derivatives of states and inputs", size=AxisModel.SIZE)
 
 
+class OffsetCause(Codes):
+    """What a lasting deviation of a measured sway angle is; no signal tells these apart.
+
+    Wind pushes the load, so the carriage has to make room. The zero of the angle's sensor does not.
+    """
+
+    WIND = 0
+    SENSOR = 1
+
+
 class Tracking(Record):
     """Parameters of the tracking controller."""
 
     MODE = field("what the drives follow, see DriveMode", variables=("drive.mode",), base=1)
     PERIOD = field("sample time", "s", variables=("feedback.sample_time",))
-    DELAYED = field("1: measurements are one sample old")
+    AGE = field("age of the signals, in samples")
     MASSES = field("masses that move in x, in y and with the rope", "kg", size=3)
     GRAVITY = field("gravity", "m/s2", variables=("crane.gravity",))
     REJECTED_DRIFT = field(
@@ -176,6 +193,15 @@ class Tracking(Record):
     OFFSET_BANDWIDTH = field("bandwidth of the offset's filter", "rad/s")
     ANGLE_VARIANCE = field("variance of the angles' noise", "rad2")
     POSITION_VARIANCE = field("variance of the positions' noise", "m2")
+    DELAY = field("age of the signals and dead time of the drive, in samples", size=3)
+    VELOCITY_MAX = field("largest velocities of the drives", "m/s", size=3)
+    OFFSET_CAUSE = field(
+        "what a lasting deviation of an angle is, see OffsetCause",
+        variables=("feedback.offset_cause",), base=1,
+    )
+    OFFSET_ACTS = field(
+        "1: the offset of the rope's sensor is corrected", variables=("feedback.rope_offset",)
+    )
 
 
 class OffsetSignals(Record):
@@ -268,19 +294,38 @@ class Fading(Record):
     PAYLOAD = field("estimate of the payload over the nominal one, minus 1")
 
 
+class History(Codes):
+    """How many past ticks a controller can remember."""
+
+    MOST = 40
+
+
+class Past(Record):
+    """A past tick."""
+
+    INPUT = field("corrections as the observer takes them, N or m/s2", size=3)
+    REFERENCE = field("reference, as a State", size=State.SIZE)
+
+
 class Tracker(Record):
     """Rows: memory of the tracking controller."""
 
-    ESTIMATE = field("estimates of bridge, trolley and hoist", size=3, of=Estimate)
+    ESTIMATE = field(
+        "estimates of bridge, trolley and hoist, of when the signals were taken", size=3,
+        of=Estimate,
+    )
     COMMAND = field("velocity command", of=VelocityCommand)
     HELD = field("corrections since the last tick", of=Held)
     FADING = field("what fades out", of=Fading)
-    REFERENCE = field("reference at the tick before", of=State)
+    REFERENCE = field("reference of when the signals were taken", of=State)
     DEVIATION = field("work space: the deviation", of=State)
     TARGET = field("work space: where the disturbances are balanced", of=State)
     INPUTS = field("work space of the observer", of=AxisModel)
     SIGNALS = field("measured signals without the offset", of=Coordinates)
     OFFSET = field("memory of the offset's estimate", size=OffsetMemory.SIZE, of=OffsetMemory)
+    PRESENT = field("estimates of when corrections act", size=3, of=Estimate)
+    AHEAD = field("work space: an estimate one sample ahead", of=Estimate)
+    PAST = field("ticks before, the latest one first", size=History.MOST, of=Past)
 
 
 class Estimates(Record):
@@ -313,10 +358,15 @@ class FlatDesign(Record):
         variables=("feedback.hoist_bandwidth",),
     )
     DAMPING = field("damping of all poles", variables=("feedback.damping",))
+    DEAD_TIME = field("from sampling to the signal", "s", variables=("sensor.dead_time",))
 
 
 class Uncertainty(Expected):
-    """All that is expected of sensors and disturbances; drift and wind in units of gravity."""
+    """All that is expected of sensors and disturbances; drift and wind in units of gravity.
+
+    Steps of 0 are those of the sensors. The walks' standard deviations are those after sqrt(l / g),
+    the time of the pendulum, so the same numbers suit every crane.
+    """
 
     WAKE = field(
         "sensor steps up to which nothing is corrected", variables=(f"{OBSERVER}.wake",)
@@ -331,6 +381,7 @@ class TrackingDesign(Uncertainty):
     """What a `Tracking` follows from, beside its own variables and the nominal crane."""
 
     DEAD_TIME = field("from sampling to the signal", "s", variables=("sensor.dead_time",))
+    SAMPLING = field("period of the sensors; 0: continuous", "s", variables=("sensor.sample_time",))
     PAYLOAD_TIME = field(
         "time constant of the payload's estimate", "s", variables=("feedback.payload_time",)
     )

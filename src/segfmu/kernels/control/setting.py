@@ -1,6 +1,6 @@
 """Parameters of the tracking controller."""
 
-from math import exp, sqrt
+from math import ceil, exp, floor, sqrt
 
 from segfmu.kernels.control.records import Tracking, TrackingDesign, Uncertainty
 from segfmu.kernels.crane.bounds import carriage_mass
@@ -14,19 +14,56 @@ def nominal_payload(expected: float, payload: float) -> float:
     return payload
 
 
-def sampled_late(dead_time: float, sample_time: float) -> bool:
-    """Whether signals with this dead time [s] count as one sample [s] old."""
-    return dead_time >= 0.5 * sample_time
+def signal_age(dead_time: float, sampling: float, period: float) -> float:
+    """Age [s] of the signals at a tick of the controller.
+
+    dead_time [s]: from sampling to the signal; sampling, period [s]: of the sensors, 0 for
+    continuous ones, and of the controller. A sample becomes a signal within its dead time, so the
+    latest signal at a tick is that of a whole number of samples before; on average half a sample
+    more, if ticks and samples are not in step.
+    """
+    if sampling <= 0.0:
+        return dead_time
+    age = sampling * ceil(dead_time / sampling - 1e-6)
+    ratio = period / sampling
+    if abs(ratio - floor(ratio + 0.5)) > 1e-6:
+        age = dead_time + 0.5 * sampling
+    return age
 
 
 def drive_bound(plant: 'float[:]', axis: int) -> float:
-    """Greatest setpoint of a drive of a `Plant`, N or m/s2; 1e99 where there is none."""
+    """Greatest setpoint of a drive of a `Plant`, N or m/s2; 1e99 where there is none.
+
+    The acceleration of a velocity drive is also bounded by its force, with which it moves carriage
+    and load.
+    """
     bound = plant[Plant.FORCE_MAX + axis]
     if int(plant[Plant.MODE]) == DriveMode.VELOCITY:
+        moved = carriage_mass(plant, axis) + plant[Plant.PAYLOAD_MASS]
+        by_force = bound / moved
+        if axis == Axes.ROPE and bound > 0.0:
+            by_force = max(by_force - plant[Plant.GRAVITY], 1e-3 * plant[Plant.GRAVITY])
         bound = plant[Plant.ACCELERATION_MAX + axis]
+        if by_force > 0.0 and (bound <= 0.0 or by_force < bound):
+            bound = by_force
     if bound > 0.0:
         return bound
     return 1e99
+
+
+def set_bounds(plant: 'float[:]', tracking: 'float[:]') -> None:
+    """Fill in the bounds of a `Tracking`: those of the drives; a hoist cannot push its rope."""
+    for axis in range(Axes.SIZE):
+        bound = drive_bound(plant, axis)
+        tracking[Tracking.GREATEST + axis] = bound
+        tracking[Tracking.LEAST + axis] = -bound
+        tracking[Tracking.VELOCITY_MAX + axis] = plant[Plant.VELOCITY_MAX + axis]
+    greatest = 0.0
+    if int(plant[Plant.MODE]) == DriveMode.VELOCITY:
+        greatest = 0.9 * plant[Plant.GRAVITY]
+        if plant[Plant.ACCELERATION_MAX + Axes.ROPE] > 0.0:
+            greatest = min(greatest, plant[Plant.ACCELERATION_MAX + Axes.ROPE])
+    tracking[Tracking.GREATEST + Axes.ROPE] = greatest
 
 
 def set_tracking(
@@ -39,17 +76,17 @@ def set_tracking(
     """
     period = tracking[Tracking.PERIOD]
     tracking[Tracking.MODE] = plant[Plant.MODE]
-    tracking[Tracking.DELAYED] = 0.0
-    if sampled_late(design[TrackingDesign.DEAD_TIME], period):
-        tracking[Tracking.DELAYED] = 1.0
+    age = signal_age(
+        design[TrackingDesign.DEAD_TIME], design[TrackingDesign.SAMPLING], period
+    )
+    tracking[Tracking.AGE] = age / period
+    for axis in range(Axes.SIZE):
+        tracking[Tracking.DELAY + axis] = (age + plant[Plant.DEAD_TIME + axis]) / period
     tracking[Tracking.MASSES + Axes.BRIDGE] = carriage_mass(plant, Axes.BRIDGE)
     tracking[Tracking.MASSES + Axes.TROLLEY] = carriage_mass(plant, Axes.TROLLEY)
     tracking[Tracking.MASSES + Axes.ROPE] = plant[Plant.PAYLOAD_MASS]
     tracking[Tracking.GRAVITY] = plant[Plant.GRAVITY]
-    for axis in range(Axes.SIZE):
-        bound = drive_bound(plant, axis)
-        tracking[Tracking.GREATEST + axis] = bound
-        tracking[Tracking.LEAST + axis] = -bound
+    set_bounds(plant, tracking)
     tracking[Tracking.PAYLOAD_SHARE] = period / design[TrackingDesign.PAYLOAD_TIME]
     set_noise(design, plant[Plant.GRAVITY], longest, tracking)
 

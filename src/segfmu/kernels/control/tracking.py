@@ -1,7 +1,7 @@
 """One tick of the tracking controller: observer, feedback, disturbance rejection, limits.
 
-`parameters` (27) is a `Tracking`, `memory` (25, 10) a `Tracker`, `tick` (4, 10) a `Tick`; table is
-the observer's, gains the feedback's.
+`parameters` is a `Tracking`, `memory` a `Tracker`, `tick` (4, 10) a `Tick`; table is the
+observer's, gains the feedback's.
 
 The force on the rope holds the load's weight, so a wrong payload is a large disturbance, and it
 changes the effect of a force. Therefore the feedback computes an acceleration v of the rope, and
@@ -9,13 +9,21 @@ the force is the estimated mass times v and gravity. v is zero on average if tha
 otherwise it moves the estimate. The loop is then the same for every payload.
 """
 
+from segfmu.kernels.control.delay import (
+    advance_estimates,
+    aged_reference,
+    predict_present,
+    remember_start,
+    remember_tick,
+)
 from segfmu.kernels.control.feedback import feedback_correction
-from segfmu.kernels.control.observer import observer_correct, observer_predict
+from segfmu.kernels.control.observer import observer_correct
 from segfmu.kernels.control.offset import offset_estimate
 from segfmu.kernels.control.records import (
     Estimate,
     Fading,
     Held,
+    OffsetCause,
     OffsetEstimate,
     OffsetMemory,
     Tick,
@@ -44,15 +52,14 @@ def track_wake(
 
 
 def track_offset(parameters: 'float[:]', tick: 'float[:,:]', memory: 'float[:,:]') -> None:
-    """Signals with the offset of the rope's length removed."""
+    """Signals, with the offset of the rope's length removed if it is to be."""
     measured = tick[Tick.SIGNALS, :]
     offsets = memory[Tracker.OFFSET:Tracker.OFFSET + OffsetMemory.SIZE, :]
     before = offsets[OffsetMemory.ESTIMATE, OffsetEstimate.USED]
-    started = memory[Tracker.COMMAND, VelocityCommand.STARTED] > 0.5
-    if parameters[Tracking.DELAYED] > 0.5 and started:
-        offset = offset_estimate(parameters, measured, memory[Tracker.REFERENCE, :], offsets)
-    else:
-        offset = offset_estimate(parameters, measured, tick[Tick.REFERENCE, :], offsets)
+    offset = offset_estimate(parameters, measured, memory[Tracker.REFERENCE, :], offsets)
+    if parameters[Tracking.OFFSET_ACTS] < 0.5:
+        offset = 0.0
+        before = 0.0
     # a correction of the length is no motion of the rope
     hoist = memory[Tracker.ESTIMATE + Axes.ROPE, :]
     hoist[Estimate.POSITION] = hoist[Estimate.POSITION] + (offset - before)
@@ -75,32 +82,21 @@ def track_start(measured: 'float[:]', reference: 'float[:]', memory: 'float[:,:]
 
 
 def track_observe(
-    parameters: 'float[:]', table: 'float[:,:,:]', reference: 'float[:]', memory: 'float[:,:]'
+    parameters: 'float[:]', table: 'float[:,:,:]', memory: 'float[:,:]'
 ) -> None:
-    """Bring estimate and velocity command to the present tick."""
+    """Correct the estimate by the signals, and predict it to when a correction acts."""
     measured = memory[Tracker.SIGNALS, :]
+    reference = memory[Tracker.REFERENCE, :]
     length = measured[Coordinates.POSITION + Axes.ROPE]
-    estimate = memory[Tracker.ESTIMATE:Tracker.COMMAND, :]
-    command = memory[Tracker.COMMAND, :]
-    held = memory[Tracker.HELD, :]
-    before = memory[Tracker.REFERENCE, :]
-    inputs = memory[Tracker.INPUTS, :]
-    if command[VelocityCommand.STARTED] < 0.5:
+    track_wake(parameters, measured, reference, memory)
+    if memory[Tracker.COMMAND, VelocityCommand.STARTED] < 0.5:
         track_start(measured, reference, memory)
-        track_wake(parameters, measured, reference, memory)
-    elif parameters[Tracking.DELAYED] > 0.5:
-        track_wake(parameters, measured, before, memory)
-        observer_correct(length, table, measured, before, estimate)
-        observer_predict(length, table, command, held, estimate, inputs)
     else:
-        track_wake(parameters, measured, reference, memory)
-        observer_predict(length, table, command, held, estimate, inputs)
-        observer_correct(length, table, measured, reference, estimate)
-    for i in range(3):
-        added = parameters[Tracking.PERIOD] * held[Held.INPUT + i]
-        command[VelocityCommand.VELOCITY + i] = command[VelocityCommand.VELOCITY + i] + added
-    for i in range(State.SIZE):
-        before[i] = reference[i]
+        advance_estimates(parameters, length, table, memory)
+        observer_correct(
+            length, table, measured, reference, memory[Tracker.ESTIMATE:Tracker.COMMAND, :]
+        )
+    predict_present(parameters, length, table, memory)
 
 
 def track_acts(parameters: 'float[:]', memory: 'float[:,:]') -> bool:
@@ -112,26 +108,31 @@ def track_deviation(parameters: 'float[:]', memory: 'float[:,:]') -> None:
     """Estimated deviation from the state that balances the disturbances.
 
     A load pushed by an acceleration w hangs at the angle w / g. Its position is right if the
-    carriage is at -l w / g, and its height if the rope is longer by l (w / g)^2 / 2.
+    carriage is at -l w / g, and its height if the rope is longer by l (w / g)^2 / 2. A sensor of
+    the angle that is wrong by w / g shows the same while all is in place.
     """
     length = memory[Tracker.SIGNALS, Coordinates.POSITION + Axes.ROPE]
     deviation = memory[Tracker.DEVIATION, :]
     target = memory[Tracker.TARGET, :]
     for i in range(State.SIZE):
         target[i] = 0.0
+    moves = 1.0
+    if int(parameters[Tracking.OFFSET_CAUSE]) == OffsetCause.SENSOR:
+        moves = 0.0
     for i in range(3):
-        deviation[State.POSITION + i] = memory[Tracker.ESTIMATE + i, Estimate.POSITION]
-        deviation[State.VELOCITY + i] = memory[Tracker.ESTIMATE + i, Estimate.VELOCITY]
+        deviation[State.POSITION + i] = memory[Tracker.PRESENT + i, Estimate.POSITION]
+        deviation[State.VELOCITY + i] = memory[Tracker.PRESENT + i, Estimate.VELOCITY]
     slant = 0.0
     for i in range(2):
-        estimate = memory[Tracker.ESTIMATE + i, :]
+        estimate = memory[Tracker.PRESENT + i, :]
         sign = 1.0 - 2.0 * i
         rejected = parameters[Tracking.REJECTED_WIND] * estimate[Estimate.WIND]
         angle = rejected / parameters[Tracking.GRAVITY]
-        deviation[State.POSITION + i] = deviation[State.POSITION + i] + length * angle
+        place = State.POSITION + i
+        deviation[place] = deviation[place] + moves * length * angle
         deviation[State.ANGLE + i] = sign * (estimate[Estimate.ANGLE] - angle)
         deviation[State.RATE + i] = sign * estimate[Estimate.RATE]
-        slant = slant + 0.5 * length * angle * angle
+        slant = slant + 0.5 * moves * length * angle * angle
     # the length of the first argument selects the gains, the difference is the deviation
     target[State.POSITION + Axes.ROPE] = length - deviation[State.POSITION + Axes.ROPE] + slant
     deviation[State.POSITION + Axes.ROPE] = length
@@ -153,7 +154,9 @@ def track_law(
         return
     track_deviation(parameters, memory)
     feedback_correction(
-        memory[Tracker.DEVIATION, :], memory[Tracker.TARGET, :], gains, correction
+        memory[Tracker.DEVIATION, :], memory[Tracker.TARGET, :],
+        memory[Tracker.COMMAND, :], gains,
+        correction,
     )
     if not driven:
         track_forces(parameters, memory, correction)
@@ -166,11 +169,11 @@ def track_forces(
     rejected = parameters[Tracking.REJECTED_DRIFT]
     payload = parameters[Tracking.MASSES + Axes.ROPE]
     for i in range(2):
-        estimate = memory[Tracker.ESTIMATE + i, :]
+        estimate = memory[Tracker.PRESENT + i, :]
         mass = rejected * parameters[Tracking.MASSES + i]
         pull = parameters[Tracking.REJECTED_WIND] * payload * estimate[Estimate.WIND]
         correction[i] = correction[i] - mass * estimate[Estimate.DRIFT] - pull
-    drift = memory[Tracker.ESTIMATE + Axes.ROPE, Estimate.DRIFT]
+    drift = memory[Tracker.PRESENT + Axes.ROPE, Estimate.DRIFT]
     rope = correction[Axes.ROPE] / parameters[Tracking.GAINS_PAYLOAD] - rejected * drift
     share = memory[Tracker.FADING, Fading.PAYLOAD]
     rope = (1.0 + share) * rope - share * parameters[Tracking.GRAVITY]
@@ -204,23 +207,47 @@ def track_setpoint(
     correction = tick[Tick.CORRECTION, :]
     held = memory[Tracker.HELD, :]
     step = memory[Tracker.FADING, :]
+    reference = tick[Tick.REFERENCE, :]
+    if memory[Tracker.COMMAND, VelocityCommand.STARTED] < 0.5:
+        remember_start(reference, memory)
+    remember_tick(parameters, reference, memory)
+    aged_reference(parameters, memory)
     track_offset(parameters, tick, memory)
-    track_observe(parameters, table, tick[Tick.REFERENCE, :], memory)
+    track_observe(parameters, table, memory)
     track_law(parameters, gains, memory, correction)
     for i in range(3):
-        feedforward = tick[Tick.ADDED_TO, i]
         if memory[Tracker.COMMAND, VelocityCommand.SWITCHED] > 0.5:
             # bumpless: the jump at a switch is added and fades out
             step[Fading.STEP + i] = held[Held.CORRECTION + i] - correction[i]
         step[Fading.STEP + i] = parameters[Tracking.DECAY] * step[Fading.STEP + i]
-        total = feedforward + correction[i] + step[Fading.STEP + i]
-        total = min(
-            max(total, parameters[Tracking.LEAST + i]), parameters[Tracking.GREATEST + i]
-        )
-        correction[i] = total - feedforward
+        correction[i] = correction[i] + step[Fading.STEP + i]
+        track_limits(i, parameters, tick, memory)
         # the observer gets the limited correction, so nothing winds up
         held[Held.CORRECTION + i] = correction[i]
         held[Held.INPUT + i] = correction[i]
     if int(parameters[Tracking.MODE]) == DriveMode.FORCE:
         track_hoist(parameters, memory)
     memory[Tracker.COMMAND, VelocityCommand.SWITCHED] = 0.0
+
+
+def track_limits(
+    axis: int, parameters: 'float[:]', tick: 'float[:,:]', memory: 'float[:,:]'
+) -> None:
+    """Limit a correction, so that the drive can do what it is told, feedforward included."""
+    correction = tick[Tick.CORRECTION, axis]
+    bound = parameters[Tracking.VELOCITY_MAX + axis]
+    if int(parameters[Tracking.MODE]) == DriveMode.VELOCITY and bound > 0.0:
+        velocity = tick[Tick.REFERENCE, State.VELOCITY + axis]
+        velocity = velocity + memory[Tracker.COMMAND, VelocityCommand.VELOCITY + axis]
+        correction = min(correction, max(bound - velocity, 0.0) / parameters[Tracking.PERIOD])
+        correction = max(correction, min(-bound - velocity, 0.0) / parameters[Tracking.PERIOD])
+    total = tick[Tick.ADDED_TO, axis] + correction
+    total = max(total, parameters[Tracking.LEAST + axis])
+    total = min(total, parameters[Tracking.GREATEST + axis])
+    if axis == Axes.ROPE and int(parameters[Tracking.MODE]) == DriveMode.FORCE:
+        # a tenth of the weight keeps the rope taut
+        mass = parameters[Tracking.MASSES + Axes.ROPE] * (
+            1.0 + memory[Tracker.FADING, Fading.PAYLOAD]
+        )
+        total = min(total, -0.1 * mass * parameters[Tracking.GRAVITY])
+    tick[Tick.CORRECTION, axis] = total - tick[Tick.ADDED_TO, axis]

@@ -72,7 +72,7 @@ def correct_setpoints(
         )
     else:
         feedback_correction(
-            memory[Memory.STATE, :], memory[Memory.REFERENCE, :], gains,
+            memory[Memory.STATE, :], memory[Memory.REFERENCE, :], memory[Memory.ADDED, :], gains,
             memory[Memory.CORRECTION, :],
         )
     switch_correction(settings, memory)

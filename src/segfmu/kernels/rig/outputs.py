@@ -98,9 +98,9 @@ def tracking_estimates(
         1.0 + tracker[Tracker.FADING, Fading.PAYLOAD]
     )
     for i in range(Axes.SIZE):
-        estimates[Estimates.DRIFT + i] = tracker[Tracker.ESTIMATE + i, Estimate.DRIFT]
+        estimates[Estimates.DRIFT + i] = tracker[Tracker.PRESENT + i, Estimate.DRIFT]
     for i in range(Estimates.ROPE_OFFSET - Estimates.WIND):
-        estimates[Estimates.WIND + i] = tracker[Tracker.ESTIMATE + i, Estimate.WIND]
+        estimates[Estimates.WIND + i] = tracker[Tracker.PRESENT + i, Estimate.WIND]
     estimates[Estimates.ROPE_OFFSET] = tracker[
         Tracker.OFFSET + OffsetMemory.ESTIMATE, OffsetEstimate.USED
     ]

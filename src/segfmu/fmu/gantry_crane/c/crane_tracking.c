@@ -4,10 +4,11 @@
 #include "crane.h"
 #include "feeds.h"
 #include "messages.h"
+#include "say.h"
 
 /* Rope lengths and the table of the observer, with work spaces of the kernel; the greatest length, or
    0 with a message. */
-static double design_observer(crane *m, const double uncertainty[], char message[MESSAGE])
+static double design_observer(crane *m, double uncertainty[], char message[MESSAGE])
 {
     enum { COLUMNS = 2 * AXIS_MODEL_SIZE };
     double work[KALMAN_SIZE * COLUMNS], expected[EXPECTED_SIZE], plant[PLANT_SIZE];
@@ -18,9 +19,11 @@ static double design_observer(crane *m, const double uncertainty[], char message
     }
     m->count_observer = count;
     crane_nominal(m, plant);
+    segfmu_set_steps(vector(setting(m, SETTINGS_SENSORS), SENSORS_SIZE), lengths[count - 1],
+                     vector(uncertainty, UNCERTAINTY_SIZE));
     if (!segfmu_observer_table(
             vector(plant, PLANT_SIZE), m->base.real[V_FEEDBACK_SAMPLE_TIME],
-            vector((double *)uncertainty, UNCERTAINTY_SIZE), count, vector(lengths, MOST_LENGTHS),
+            vector(uncertainty, UNCERTAINTY_SIZE), count, vector(lengths, MOST_LENGTHS),
             vector(expected, EXPECTED_SIZE), matrix(work, KALMAN_SIZE, COLUMNS), observer_of(m))) {
         fault[SETUP_FAULT_VALUE] = lengths[0];
         fault[SETUP_FAULT_BOUND] = lengths[count - 1];
@@ -47,6 +50,15 @@ bool crane_set_tracking(crane *m, char message[MESSAGE])
     }
     crane_tune_tracking(m, false);
     crane_nominal(m, plant);
+    double age = segfmu_signal_age(design[TRACKING_DESIGN_DEAD_TIME],
+                                   design[TRACKING_DESIGN_SAMPLING], p[TRACKING_PERIOD]);
+    for (int i = 0; i < AXES_SIZE; i++) {
+        if (age + plant[PLANT_DEAD_TIME + i] > (HISTORY_MOST - 3) * p[TRACKING_PERIOD]) {
+            return say(message, "signals and drives are %g s late; a controller remembers %d samples: "
+                       "raise feedback.sample_time of %g s", age + plant[PLANT_DEAD_TIME + i],
+                       HISTORY_MOST - 3, p[TRACKING_PERIOD]);
+        }
+    }
     segfmu_set_tracking(vector(plant, PLANT_SIZE), vector(design, TRACKING_DESIGN_SIZE), longest,
                         vector(p, TRACKING_SIZE));
     tracked(m, TRACKER_COMMAND)[VELOCITY_COMMAND_SWITCHED] = 0.0;
