@@ -106,7 +106,9 @@ def test_a_slow_loop_bounds_the_bandwidths(
     assert feedback.gains[0, 0, 0] == pytest.approx(0.16 / 9.81 * (w * pendulum) ** 2)
 
 
-@pytest.mark.parametrize("name", ["sample_time", "ratio", "hoist_ratio", "damping", "lag", "dead_time"])
+@pytest.mark.parametrize(
+    "name", ["sample_time", "ratio", "hoist_ratio", "damping", "lag", "dead_time"]
+)
 def test_bad_values_are_refused(name: str) -> None:
     values = {"sample_time": 0.01, "shortest": 0.1, "longest": 1.0, name: -1.0}
     with pytest.raises(InputError, match=name):

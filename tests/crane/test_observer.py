@@ -63,7 +63,8 @@ def test_gain_is_the_limit_of_the_riccati_recursion(axis: int, driven: bool) -> 
         middle = 0.5 * (transition + part @ transition)
         covariance += middle @ walks @ middle.T * T / 1000.0
         transition = part @ transition
-    noise = np.diag(np.array([2e-4 if axis < 2 else 3e-4, 2.0 * np.pi / 4096.0])[: outputs.size] ** 2)
+    steps = np.array([2e-4 if axis < 2 else 3e-4, 2.0 * np.pi / 4096.0])
+    noise = np.diag(steps[: outputs.size] ** 2)
     noise *= max(1.0, 0.05 * time / T) / 12.0
     read = np.eye(size)[: outputs.size]
     spread, gain = np.eye(size), np.zeros((size, outputs.size))

@@ -81,6 +81,8 @@ mass_range = [10e3, 65e3]
 drag_area = 40.0
 changes = [{ time = 3.0, mass = 20e3 }, { time = 5.0, mass = 30e3 }]
 [controller]
+offset_cause = "sensor"
+rope_offset = true
 enabled = false
 source = "measured"
 design = "flatness"

@@ -6,4 +6,5 @@ package Types "Enumerations of the parameters"
   type GustShape = enumeration(cosine, sine) "course of a gust over time";
   type FeedbackDesign = enumeration(lqr, flatness) "how the gains of the feedback come about";
   type FeedbackSource = enumeration(state, measured) "what the feedback knows of the crane";
+  type OffsetCause = enumeration(wind, sensor) "what a lasting deviation of a sway angle is";
 end Types;

@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from segfmu.crane.checks import require_not_negative, require_positive, sized
 from segfmu.crane.linear import lagged, matrices, sampled
@@ -74,7 +74,7 @@ class Layout:
     @property
     def payload(self) -> int:
         """Estimate of the payload."""
-        return self.estimates.stop
+        return PLANT + Axes.SIZE * Estimate.SIZE
 
     @property
     def past(self) -> slice:
@@ -144,11 +144,12 @@ def largest_eigenvalue(
     return float(np.abs(np.linalg.eigvals(loop[np.ix_(kept, kept)])).max())
 
 
-def _commanded(controller: TrackingController) -> FloatArray:
+def _commanded(controller: TrackingController) -> NDArray[np.bool_]:
     """Whether observer or gains use the velocity command of an axis, shape (3,)."""
     effect = controller.observer.table[0, Table.BRIDGE :, AxisTable.COMMAND]
     gains = controller.feedback.table[0, Gains.AXES :, GainInputs.COMMAND]
-    found: FloatArray = (effect.reshape(3, Estimate.SIZE) != 0.0).any(axis=1) | (gains != 0.0)
+    observed = (effect.reshape(3, Estimate.SIZE) != 0.0).any(axis=1)
+    found: NDArray[np.bool_] = observed | (gains != 0.0)
     return found
 
 

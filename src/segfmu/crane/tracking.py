@@ -37,7 +37,8 @@ from segfmu.planning.arrays import FloatArray
 # parameters, the observer's table, gains and memory of the kernel
 Arrays = tuple[FloatArray, FloatArray, FloatArray, FloatArray]
 
-CAUSES = ("wind", "sensor")
+Cause = Literal["wind", "sensor"]
+CAUSES: tuple[Cause, ...] = ("wind", "sensor")
 
 # s
 FADE = 0.1
@@ -97,7 +98,7 @@ class TrackingController:
         velocity_max: ArrayLike | None = None,
         fade: float = FADE,
         payload_time: float = PAYLOAD_TIME,
-        offset_cause: Literal["wind", "sensor"] = "wind",
+        offset_cause: Cause = "wind",
         rope_offset: bool = False,
         enabled: bool = True,
     ) -> None:

@@ -249,7 +249,8 @@ ENTRY_POINTS = (
     ),
     entry("control.setting", "set_fading", tracking=Tracking.SIZE),
     entry(
-        "control.feedback", "feedback_gains", plant=Plant.FORCE_MAX, gains=(Gains.SIZE, Gains.COLUMNS),
+        "control.feedback", "feedback_gains", plant=Plant.FORCE_MAX,
+        gains=(Gains.SIZE, Gains.COLUMNS),
     ),
     entry(
         "control.kalman", "observer_design", plant=Plant.FORCE_MAX, expected=Expected.SIZE,

@@ -281,7 +281,7 @@ class ObserverTable(Table):
     drift: Annotated[
         Quantity | None,
         Key("random walk of the unknown accelerations of carriages and rope: standard deviation "
-            "after 1 s over gravity", "", ("feedback.observer.drift",)),
+            "after sqrt(l / g) over gravity", "", ("feedback.observer.drift",)),
     ] = None
     wind: Annotated[
         Quantity | None, Key("the same of the load's", "", ("feedback.observer.wind",))
@@ -337,6 +337,15 @@ class ControllerTable(Table):
         Key("time constant of the estimate of the load's mass", "s", ("feedback.payload_time",)),
     ] = None
     weight: Annotated[WeightTable, Key("weights of design lqr")] = WeightTable()
+    offset_cause: Annotated[
+        Literal["wind", "sensor"] | None,
+        Key("what a lasting deviation of a sway angle is", "", ("feedback.offset_cause",)),
+    ] = None
+    rope_offset: Annotated[
+        StrictBool | None,
+        Key("whether the rope's measured length is corrected by the estimated offset", "",
+            ("feedback.rope_offset",)),
+    ] = None
     rejection: Annotated[
         RejectionTable, Key("rejected shares of estimated disturbances")
     ] = RejectionTable()

@@ -34,7 +34,9 @@ def parameters(share: float = 0.05) -> np.ndarray:
     found = np.zeros(Tracking.SIZE)
     found[Tracking.PERIOD], found[Tracking.GRAVITY] = T, GRAVITY
     found[Tracking.DECAY] = np.exp(-T / 0.1)
-    found[Tracking.OFFSET_EXPECTED : Tracking.DELAY] = share, BANDWIDTH, STEP**2 / 12.0, 1e-4**2 / 12.0
+    found[Tracking.OFFSET_EXPECTED : Tracking.DELAY] = (
+        share, BANDWIDTH, STEP**2 / 12.0, 1e-4**2 / 12.0
+    )
     return found
 
 

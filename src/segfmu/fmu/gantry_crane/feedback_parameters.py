@@ -167,7 +167,7 @@ def estimates() -> list[Variable]:
         (f"estimate.disturbance.load.{a}", "m/s2", f"estimated acceleration of the load, {a}")
         for a in "xy"
     ]
-    rows.append(("estimate.rope_offset", "m", "estimated correction of the measured length of the rope"))
+    rows.append(("estimate.rope_offset", "m", "estimated correction of the rope's measured length"))
     return [
         Variable(n, "Real", "output", "discrete", f"{text}; of source measured", unit=unit)
         for n, unit, text in rows

@@ -10,8 +10,6 @@ second order in the sample time.
 memory is a `Tracker`, parameters a `Tracking`.
 """
 
-from math import floor
-
 from segfmu.kernels.control.observer import observer_predict
 from segfmu.kernels.control.records import (
     Estimate,
@@ -65,7 +63,7 @@ def remember_start(reference: 'float[:]', memory: 'float[:,:]') -> None:
 def aged_reference(parameters: 'float[:]', memory: 'float[:,:]') -> None:
     """The reference of when the signals were taken, linear between the ticks."""
     age = parameters[Tracking.AGE]
-    whole = min(int(floor(age + 1e-9)), History.MOST - 2)
+    whole = min(int(age + 1e-9), History.MOST - 2)
     share = min(max(age - whole, 0.0), 1.0)
     for i in range(State.SIZE):
         later = memory[Tracker.PAST + whole, Past.REFERENCE + i]
@@ -102,7 +100,7 @@ def advance_estimates(
     """Bring the estimates from when the signals of the tick before were taken to those of now."""
     for axis in range(Axes.SIZE):
         delay = parameters[Tracking.DELAY + axis]
-        whole = min(int(floor(delay + 1e-9)), History.MOST - 2)
+        whole = min(int(delay + 1e-9), History.MOST - 2)
         share = min(max(delay - whole, 0.0), 1.0)
         advance_axis(
             axis, whole, share, parameters, length, table, memory,
@@ -116,7 +114,7 @@ def predict_present(
     """Predict the estimates to when the correction of this tick will act."""
     for axis in range(Axes.SIZE):
         delay = parameters[Tracking.DELAY + axis]
-        whole = min(int(floor(delay + 1e-9)), History.MOST - 2)
+        whole = min(int(delay + 1e-9), History.MOST - 2)
         share = min(max(delay - whole, 0.0), 1.0)
         present = memory[Tracker.PRESENT + axis, :]
         for i in range(Estimate.SIZE):
