@@ -101,7 +101,7 @@ model GantryCrane "Dynamics of a 3-DOF gantry crane from Lagrange's equations, d
   Interfaces.RealOutput estimate_disturbance_hoist(unit = "m/s2") "estimated unknown acceleration of the hoist; of source measured" annotation(Placement(transformation(extent = {{200, -528}, {216, -512}})));
   Interfaces.RealOutput estimate_disturbance_load_x(unit = "m/s2") "estimated acceleration of the load, x; of source measured" annotation(Placement(transformation(extent = {{200, -548}, {216, -532}})));
   Interfaces.RealOutput estimate_disturbance_load_y(unit = "m/s2") "estimated acceleration of the load, y; of source measured" annotation(Placement(transformation(extent = {{200, -568}, {216, -552}})));
-  Interfaces.RealOutput estimate_rope_offset(unit = "m") "what is added to the measured length of the rope; of source measured" annotation(Placement(transformation(extent = {{200, -588}, {216, -572}})));
+  Interfaces.RealOutput estimate_rope_offset(unit = "m") "estimated correction of the rope's measured length; of source measured" annotation(Placement(transformation(extent = {{200, -588}, {216, -572}})));
   Interfaces.RealOutput friction_bridge_deflection(unit = "m", nominal = 1e-05) "deflection of the contact that rubs" annotation(Placement(transformation(extent = {{200, -628}, {216, -612}})));
   Interfaces.RealOutput friction_trolley_deflection(unit = "m", nominal = 1e-05) "deflection of the contact that rubs" annotation(Placement(transformation(extent = {{200, -648}, {216, -632}})));
   Interfaces.RealOutput friction_hoist_deflection(unit = "m", nominal = 1e-05) "deflection of the contact that rubs" annotation(Placement(transformation(extent = {{200, -668}, {216, -652}})));
@@ -230,7 +230,7 @@ model GantryCrane "Dynamics of a 3-DOF gantry crane from Lagrange's equations, d
   parameter Types.FeedbackDesign feedback_design = Types.FeedbackDesign.lqr "gains of a linear-quadratic design, or closed form" annotation(Dialog(tab = "feedback"));
   parameter Real feedback_sample_time(unit = "s", min = 1e-06) = 0.01 "period of the feedback" annotation(Dialog(tab = "feedback"));
   parameter Real feedback_payload_mass(unit = "kg", min = 0.0) = 0.0 "mass of the load that the feedback is designed for; 0: crane.payload_mass" annotation(Dialog(tab = "feedback"));
-  parameter Real feedback_bandwidth(min = 1e-06) = 1.1 "of design flatness: bandwidth in units of the pendulum's frequency" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_bandwidth(min = 1e-06) = 1.0 "of design flatness: bandwidth in units of the pendulum's frequency" annotation(Dialog(tab = "feedback"));
   parameter Real feedback_hoist_bandwidth(min = 1e-06) = 3.0 "of design flatness: bandwidth of the hoist in units of the pendulum's frequency" annotation(Dialog(tab = "feedback"));
   parameter Real feedback_damping(min = 1e-06) = 1.0 "of design flatness: damping of all poles" annotation(Dialog(tab = "feedback"));
   parameter Types.FeedbackSource feedback_source = Types.FeedbackSource.state "the true state, or measured.* alone, with an observer" annotation(Dialog(tab = "feedback"));
@@ -238,13 +238,15 @@ model GantryCrane "Dynamics of a 3-DOF gantry crane from Lagrange's equations, d
   parameter Real feedback_rejection_load(min = 0.0, max = 1.0) = 1.0 "share of the estimated disturbance of the load that is rejected" annotation(Dialog(tab = "feedback"));
   parameter Real feedback_fade(unit = "s", min = 0.0) = 0.1 "time constant of the change when something is switched or tuned; 0: the correction jumps" annotation(Dialog(tab = "feedback"));
   parameter Real feedback_payload_time(unit = "s", min = 1e-06) = 2.0 "time constant of the payload's estimate" annotation(Dialog(tab = "feedback"));
-  parameter Real feedback_observer_position(unit = "m", min = 1e-12) = 0.0001 "expected quantisation step of the carriages' positions" annotation(Dialog(tab = "feedback"));
-  parameter Real feedback_observer_length(unit = "m", min = 1e-12) = 0.0001 "expected quantisation step of the rope's length" annotation(Dialog(tab = "feedback"));
-  parameter Real feedback_observer_angle(unit = "rad", displayUnit = "deg", min = 1e-12) = 0.0015339807878856412 "expected quantisation step of the sway angles" annotation(Dialog(tab = "feedback"));
-  parameter Real feedback_observer_drift(min = 1e-12) = 0.3 "expected random walk of the carriages' and the rope's unknown accelerations: standard deviation after 1 s over gravity" annotation(Dialog(tab = "feedback"));
-  parameter Real feedback_observer_wind(min = 1e-12) = 0.1 "expected the same of the load's" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_observer_position(unit = "m", min = 0.0) = 0.0 "expected quantisation step of the carriages' positions; 0: that of the sensors" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_observer_length(unit = "m", min = 0.0) = 0.0 "expected quantisation step of the rope's length; 0: that of the sensor" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_observer_angle(unit = "rad", displayUnit = "deg", min = 0.0) = 0.0 "expected quantisation step of the sway angles; 0: that of the sensors" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_observer_drift(min = 1e-12) = 0.1 "expected random walk of the carriages' and the rope's unknown accelerations: standard deviation after sqrt(l / g) over gravity" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_observer_wind(min = 1e-12) = 0.02 "expected the same of the load's" annotation(Dialog(tab = "feedback"));
   parameter Real feedback_observer_wake(min = 0.0) = 1.0 "number of quantisation steps that a signal differs from its reference when corrections begin; 0: from the start" annotation(Dialog(tab = "feedback"));
   parameter Real feedback_observer_offset(min = 0.0) = 0.05 "expected standard deviation of the zero of the rope's sensor over the rope's length, which is estimated; 0: it is not" annotation(Dialog(tab = "feedback"));
+  parameter Boolean feedback_rope_offset = false "the measured length of the rope is corrected by estimate.rope_offset" annotation(Dialog(tab = "feedback"));
+  parameter Types.OffsetCause feedback_offset_cause = Types.OffsetCause.wind "what a lasting deviation of a sway angle is: wind, for which the carriage makes room, or the zero of the angle's sensor" annotation(Dialog(tab = "feedback"));
   parameter Types.DriveMode feedback_table_mode = Types.DriveMode.force "drive.mode that the gains in the table are for" annotation(Dialog(tab = "feedback"));
   parameter Real feedback_table_payload_mass(unit = "kg", min = 1e-09) = 1.0 "mass of the load that the gains in the table are for" annotation(Dialog(tab = "feedback"));
   parameter Real feedback_table_length[:](each unit = "m", each min = 1e-09) = {0.16, 0.18402133941664497, 0.21164908350435035, 0.24342467395484932, 0.2799708409264467,
@@ -252,57 +254,57 @@ model GantryCrane "Dynamics of a 3-DOF gantry crane from Lagrange's equations, d
       0.563447979192867, 0.6480403238917082, 0.7453328024909286, 0.85723212890964,
       0.9859312784558375, 1.1339524652138024, 1.3041965717715653, 1.5} "rope lengths of the table of gains" annotation(Dialog(tab = "feedback"));
   final parameter Integer feedback_table_count = size(feedback_table_length, 1) "rope lengths in the table of gains; its start values are those of weights position 1.0, angle 1.0, velocity 1.0, rate 1.0, effort 1.0";
-  parameter Real feedback_table_bridge[feedback_table_count, 4] = [495.27927222793124, -101.68957434312361, 136.3186113533773, 1.7994409511948615;
-      437.0288866783858, -103.30359666571627, 128.81578796065733, 2.0026794235066716;
-      385.2524624668242, -104.8311862462205, 121.61993703534054, 2.2219490290170048;
-      339.29945700159976, -106.27543788029371, 114.73229244932774, 2.458334633313601;
-      298.5719359856561, -107.63955494739767, 108.15186703335259, 2.7130031383555107;
-      262.52278104164236, -108.92680859465493, 101.87575576849038, 2.987209442235888;
-      230.65340661811032, -110.14050248545932, 95.89941924365574, 3.2823027939283462;
-      202.511135289959, -111.28394267078315, 90.21694545949373, 3.5997335790544347;
-      177.68635608262824, -112.36041212583633, 84.82128901941417, 3.94106057383951;
-      155.80956790154724, -113.37314949152639, 79.70448750731462, 4.307958706789254;
-      136.54838990430952, -114.32533157323334, 74.85785542927132, 4.702227369044492;
-      119.60460288699791, -115.22005916987162, 70.27215652683286, 5.125799317074998;
-      104.71127045850656, -116.06034583214365, 65.93775557227515, 5.580750213511277;
-      91.62997584129613, -116.84910917795116, 61.844750958544765, 6.06930885527391;
-      80.1481993754616, -117.58916442595213, 57.98308951520097, 6.593868140471742;
-      70.07685300904552, -118.28321983738275, 54.342665038031335, 7.1569968295282145;
-      61.24798098371337, -118.93387378921499, 50.91340202564548, 7.761452158998504] "gains of the bridge by the errors of position, angle, velocity, rate" annotation(Dialog(tab = "feedback"));
-  parameter Real feedback_table_trolley[feedback_table_count, 4] = [171.12016606391646, 29.27589049665447, 47.29123029226695, -0.7877974013714687;
-      150.95747245479575, 29.829196278791795, 44.67807101202037, -0.8700272559142699;
-      133.04260265195126, 30.3527606650369, 42.17321163065973, -0.9586835773911847;
-      117.14835004277207, 30.847660644893015, 39.77685225605028, -1.0542041885786126;
-      103.06615355596465, 31.315009226820127, 37.48844560102982, -1.1570599105131492;
-      90.60539686860135, 31.75594138650361, 35.30680046643133, -1.2677569545163385;
-      79.59255089668962, 32.17160196735625, 33.23017840861861, -1.3868394745205752;
-      69.87020930629394, 32.563135371261225, 31.25638294039197, -1.5148922939644383;
-      61.29605852819691, 32.931676873277034, 29.38284094603423, -1.6525438221746698;
-      53.74181615486575, 33.278345395265205, 27.60667625159453, -1.8004691758610858;
-      47.092164777028565, 33.60423757924253, 25.92477549011976, -1.9593935221957914;
-      41.243702336302185, 33.91042300906539, 24.333846547841954, -2.1300956608706554;
-      36.103924926902565, 34.1979404395489, 22.830469980334957, -2.3134118635423535;
-      31.590253637663913, 34.4677949027937, 21.411143855502672, -2.51023999022948;
-      27.62911342199957, 34.720955572977445, 20.07232251994278, -2.7215439034186275;
-      24.155069044098713, 34.95835428258487, 18.810449803147083, -2.948358202083668;
-      21.110020794637876, 35.1808845933829, 17.621987174843945, -3.191793299187006] "gains of the trolley by the errors of position, angle, velocity, rate" annotation(Dialog(tab = "feedback"));
-  parameter Real feedback_table_hoist[feedback_table_count, 2] = [450.4457874963161, 35.61729196049006;
-      397.0308866690822, 33.50544191295936;
-      349.63112348803566, 31.500809398509297;
-      307.6279514131939, 29.60024119759652;
-      270.4554362844188, 27.80035944707027;
-      237.59792296438482, 26.097617062463847;
-      208.58732848654134, 24.488347035667992;
-      183.00019854239036, 22.968805867046207;
-      160.4546383481784, 21.5352114628967;
-      140.6072061901724, 20.18377587599084;
-      123.14983827105897, 18.91073329344588;
-      107.80685674355955, 17.712363686916664;
-      94.33209880314672, 16.585012538462607;
-      82.50619316071113, 15.52510704474758;
-      72.1340008405281, 14.529169184946118;
-      63.04222976560552, 13.59382601583959;
-      55.077226726941014, 12.715817532987113] "gains of the hoist by the errors of position, velocity" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_table_bridge[feedback_table_count, 5] = [495.27927222793124, -101.68957434312361, 136.3186113533773, 1.7994409511948615, 0.0;
+      437.0288866783858, -103.30359666571627, 128.81578796065733, 2.0026794235066716, 0.0;
+      385.2524624668242, -104.8311862462205, 121.61993703534054, 2.2219490290170048, 0.0;
+      339.29945700159976, -106.27543788029371, 114.73229244932774, 2.458334633313601, 0.0;
+      298.5719359856561, -107.63955494739767, 108.15186703335259, 2.7130031383555107, 0.0;
+      262.52278104164236, -108.92680859465493, 101.87575576849038, 2.987209442235888, 0.0;
+      230.65340661811032, -110.14050248545932, 95.89941924365574, 3.2823027939283462, 0.0;
+      202.511135289959, -111.28394267078315, 90.21694545949373, 3.5997335790544347, 0.0;
+      177.68635608262824, -112.36041212583633, 84.82128901941417, 3.94106057383951, 0.0;
+      155.80956790154724, -113.37314949152639, 79.70448750731462, 4.307958706789254, 0.0;
+      136.54838990430952, -114.32533157323334, 74.85785542927132, 4.702227369044492, 0.0;
+      119.60460288699791, -115.22005916987162, 70.27215652683286, 5.125799317074998, 0.0;
+      104.71127045850656, -116.06034583214365, 65.93775557227515, 5.580750213511277, 0.0;
+      91.62997584129613, -116.84910917795116, 61.844750958544765, 6.06930885527391, 0.0;
+      80.1481993754616, -117.58916442595213, 57.98308951520097, 6.593868140471742, 0.0;
+      70.07685300904552, -118.28321983738275, 54.342665038031335, 7.1569968295282145, 0.0;
+      61.24798098371337, -118.93387378921499, 50.91340202564548, 7.761452158998504, 0.0] "gains of the bridge by the errors of position, angle, velocity, rate, command" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_table_trolley[feedback_table_count, 5] = [171.12016606391646, 29.27589049665447, 47.29123029226695, -0.7877974013714687, 0.0;
+      150.95747245479575, 29.829196278791795, 44.67807101202037, -0.8700272559142699, 0.0;
+      133.04260265195126, 30.3527606650369, 42.17321163065973, -0.9586835773911847, 0.0;
+      117.14835004277207, 30.847660644893015, 39.77685225605028, -1.0542041885786126, 0.0;
+      103.06615355596465, 31.315009226820127, 37.48844560102982, -1.1570599105131492, 0.0;
+      90.60539686860135, 31.75594138650361, 35.30680046643133, -1.2677569545163385, 0.0;
+      79.59255089668962, 32.17160196735625, 33.23017840861861, -1.3868394745205752, 0.0;
+      69.87020930629394, 32.563135371261225, 31.25638294039197, -1.5148922939644383, 0.0;
+      61.29605852819691, 32.931676873277034, 29.38284094603423, -1.6525438221746698, 0.0;
+      53.74181615486575, 33.278345395265205, 27.60667625159453, -1.8004691758610858, 0.0;
+      47.092164777028565, 33.60423757924253, 25.92477549011976, -1.9593935221957914, 0.0;
+      41.243702336302185, 33.91042300906539, 24.333846547841954, -2.1300956608706554, 0.0;
+      36.103924926902565, 34.1979404395489, 22.830469980334957, -2.3134118635423535, 0.0;
+      31.590253637663913, 34.4677949027937, 21.411143855502672, -2.51023999022948, 0.0;
+      27.62911342199957, 34.720955572977445, 20.07232251994278, -2.7215439034186275, 0.0;
+      24.155069044098713, 34.95835428258487, 18.810449803147083, -2.948358202083668, 0.0;
+      21.110020794637876, 35.1808845933829, 17.621987174843945, -3.191793299187006, 0.0] "gains of the trolley by the errors of position, angle, velocity, rate, command" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_table_hoist[feedback_table_count, 3] = [450.4457874963161, 35.61729196049006, 0.0;
+      397.0308866690822, 33.50544191295936, 0.0;
+      349.63112348803566, 31.500809398509297, 0.0;
+      307.6279514131939, 29.60024119759652, 0.0;
+      270.4554362844188, 27.80035944707027, 0.0;
+      237.59792296438482, 26.097617062463847, 0.0;
+      208.58732848654134, 24.488347035667992, 0.0;
+      183.00019854239036, 22.968805867046207, 0.0;
+      160.4546383481784, 21.5352114628967, 0.0;
+      140.6072061901724, 20.18377587599084, 0.0;
+      123.14983827105897, 18.91073329344588, 0.0;
+      107.80685674355955, 17.712363686916664, 0.0;
+      94.33209880314672, 16.585012538462607, 0.0;
+      82.50619316071113, 15.52510704474758, 0.0;
+      72.1340008405281, 14.529169184946118, 0.0;
+      63.04222976560552, 13.59382601583959, 0.0;
+      55.077226726941014, 12.715817532987113, 0.0] "gains of the hoist by the errors of position, velocity, command" annotation(Dialog(tab = "feedback"));
   Real bridge_acceleration(unit = "m/s2") "acceleration of bridge";
   Real trolley_acceleration(unit = "m/s2") "acceleration of trolley";
   Real rope_acceleration(unit = "m/s2") "acceleration of rope";
@@ -313,65 +315,65 @@ model GantryCrane "Dynamics of a 3-DOF gantry crane from Lagrange's equations, d
   Real friction_hoist_deflection_rate(unit = "m/s") "derivative of friction.hoist.deflection";
   Real power_drives(unit = "W", nominal = 10.0) "power of all drives";
 protected
-  constant Integer feedback_table_length_references[17] = {212, 223, 234, 245, 256, 267, 278, 289, 300, 311, 322, 333, 344, 355, 366, 377, 388};
-  constant Integer feedback_table_bridge_references[17, 4] = [213, 214, 215, 216;
-      224, 225, 226, 227;
-      235, 236, 237, 238;
-      246, 247, 248, 249;
-      257, 258, 259, 260;
-      268, 269, 270, 271;
-      279, 280, 281, 282;
-      290, 291, 292, 293;
-      301, 302, 303, 304;
-      312, 313, 314, 315;
-      323, 324, 325, 326;
-      334, 335, 336, 337;
-      345, 346, 347, 348;
-      356, 357, 358, 359;
-      367, 368, 369, 370;
-      378, 379, 380, 381;
-      389, 390, 391, 392];
-  constant Integer feedback_table_trolley_references[17, 4] = [217, 218, 219, 220;
-      228, 229, 230, 231;
-      239, 240, 241, 242;
-      250, 251, 252, 253;
-      261, 262, 263, 264;
-      272, 273, 274, 275;
-      283, 284, 285, 286;
-      294, 295, 296, 297;
-      305, 306, 307, 308;
-      316, 317, 318, 319;
-      327, 328, 329, 330;
-      338, 339, 340, 341;
-      349, 350, 351, 352;
-      360, 361, 362, 363;
-      371, 372, 373, 374;
-      382, 383, 384, 385;
-      393, 394, 395, 396];
-  constant Integer feedback_table_hoist_references[17, 2] = [221, 222;
-      232, 233;
-      243, 244;
-      254, 255;
-      265, 266;
-      276, 277;
-      287, 288;
-      298, 299;
-      309, 310;
-      320, 321;
-      331, 332;
-      342, 343;
-      353, 354;
-      364, 365;
-      375, 376;
-      386, 387;
-      397, 398];
+  constant Integer feedback_table_length_references[17] = {214, 228, 242, 256, 270, 284, 298, 312, 326, 340, 354, 368, 382, 396, 410, 424, 438};
+  constant Integer feedback_table_bridge_references[17, 5] = [215, 216, 217, 218, 219;
+      229, 230, 231, 232, 233;
+      243, 244, 245, 246, 247;
+      257, 258, 259, 260, 261;
+      271, 272, 273, 274, 275;
+      285, 286, 287, 288, 289;
+      299, 300, 301, 302, 303;
+      313, 314, 315, 316, 317;
+      327, 328, 329, 330, 331;
+      341, 342, 343, 344, 345;
+      355, 356, 357, 358, 359;
+      369, 370, 371, 372, 373;
+      383, 384, 385, 386, 387;
+      397, 398, 399, 400, 401;
+      411, 412, 413, 414, 415;
+      425, 426, 427, 428, 429;
+      439, 440, 441, 442, 443];
+  constant Integer feedback_table_trolley_references[17, 5] = [220, 221, 222, 223, 224;
+      234, 235, 236, 237, 238;
+      248, 249, 250, 251, 252;
+      262, 263, 264, 265, 266;
+      276, 277, 278, 279, 280;
+      290, 291, 292, 293, 294;
+      304, 305, 306, 307, 308;
+      318, 319, 320, 321, 322;
+      332, 333, 334, 335, 336;
+      346, 347, 348, 349, 350;
+      360, 361, 362, 363, 364;
+      374, 375, 376, 377, 378;
+      388, 389, 390, 391, 392;
+      402, 403, 404, 405, 406;
+      416, 417, 418, 419, 420;
+      430, 431, 432, 433, 434;
+      444, 445, 446, 447, 448];
+  constant Integer feedback_table_hoist_references[17, 3] = [225, 226, 227;
+      239, 240, 241;
+      253, 254, 255;
+      267, 268, 269;
+      281, 282, 283;
+      295, 296, 297;
+      309, 310, 311;
+      323, 324, 325;
+      337, 338, 339;
+      351, 352, 353;
+      365, 366, 367;
+      379, 380, 381;
+      393, 394, 395;
+      407, 408, 409;
+      421, 422, 423;
+      435, 436, 437;
+      449, 450, 451];
   final parameter Integer real_references[:] = cat(1, {23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 81, 82, 83, 84, 85, 86, 89, 90, 91, 92, 93, 94, 95,
       96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 110, 111, 112, 113, 114,
       115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 126, 127, 128, 129, 130, 131, 132,
       133, 134, 135, 136, 138, 139, 140, 141, 142, 143, 144, 145, 146, 147, 148, 149, 150, 151,
       152, 153, 154, 155, 156, 157, 159, 160, 161, 162, 163, 164, 165, 167, 168, 169, 170, 171,
       172, 173, 174, 175, 176, 177, 179, 180, 182, 183, 184, 185, 186, 187, 188, 189, 192, 193,
-      194, 195, 196, 198, 199, 200, 201, 202, 203, 204, 205, 206, 207, 208, 211},
+      194, 195, 196, 198, 199, 200, 201, 202, 203, 204, 205, 206, 207, 208, 213},
       feedback_table_length_references[1:feedback_table_count],
       FMI.references(feedback_table_bridge_references, feedback_table_count),
       FMI.references(feedback_table_trolley_references, feedback_table_count),
@@ -417,12 +419,13 @@ protected
       FMI.rows(feedback_table_bridge),
       FMI.rows(feedback_table_trolley),
       FMI.rows(feedback_table_hoist));
-  constant Integer integer_references[10] = {87, 137, 158, 166, 178, 181, 191, 197, 209, 210};
-  final parameter Integer integers[10] = {Integer(drive_mode), sensor_seed, Integer(wind_gust_shape), wind_noise_seed,
+  constant Integer integer_references[11] = {87, 137, 158, 166, 178, 181, 191, 197, 210, 211, 212};
+  final parameter Integer integers[11] = {Integer(drive_mode), sensor_seed, Integer(wind_gust_shape), wind_noise_seed,
       wind_turbulence_seed, payload_count, Integer(feedback_design), Integer(feedback_source),
-      feedback_table_count, Integer(feedback_table_mode)};
-  constant Integer boolean_references[2] = {88, 190};
-  final parameter Integer booleans[2] = {if start_on_reference then 1 else 0, if feedback_enabled then 1 else 0};
+      Integer(feedback_offset_cause), feedback_table_count, Integer(feedback_table_mode)};
+  constant Integer boolean_references[3] = {88, 190, 209};
+  final parameter Integer booleans[3] = {if start_on_reference then 1 else 0, if feedback_enabled then 1 else 0, if
+      feedback_rope_offset then 1 else 0};
   constant Integer input_references[22] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22};
   Interfaces.RealInput force_bridge_used;
   Interfaces.RealInput force_trolley_used;
@@ -454,7 +457,7 @@ protected
       reference_sway_y_rate_used, reference_load_position_x_used, reference_load_position_y_used,
       reference_load_position_z_used, wind_x_used, wind_y_used, wind_z_used};
   FMI.Instance fmu = FMI.Instance(folder, "GantryCrane", getInstanceName(),
-      "{a768962c-d630-0b64-6e35-6aee7456e6ac}", 16);
+      "{b0b3b70a-d41c-2857-32c9-0d5d02555cca}", 16);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[16](each stateSelect = StateSelect.always, each nominal = 0.1) "states of the FMU";
@@ -544,7 +547,7 @@ equation
       = FMI.reals(fmu, time, x, fill(0, 0),
       fill(0.0, 0),
       {23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 58, 59,
-      60, 61, 62, 63, 64, 65, 66, 69, 70, 71, 72, 73, 74, 75, 404, 405, 406}, last);
+      60, 61, 62, 63, 64, 65, 66, 69, 70, 71, 72, 73, 74, 75, 457, 458, 459}, last);
   {error_load_x}
       = FMI.reals(fmu, time, x, {17},
       {reference_load_position_x_used},
@@ -569,7 +572,7 @@ equation
       = FMI.reals(fmu, time, x, {1, 2, 3, 4, 5, 6, 20, 21, 22},
       {force_bridge_used, force_trolley_used, force_hoist_used, velocity_bridge_used,
       velocity_trolley_used, velocity_hoist_used, wind_x_used, wind_y_used, wind_z_used},
-      {48, 50, 51, 53, 54, 56, 57, 67, 68, 399, 400, 401, 402, 403, 407}, last);
+      {48, 50, 51, 53, 54, 56, 57, 67, 68, 452, 453, 454, 455, 456, 460}, last);
   {friction_bridge_deflection, friction_trolley_deflection, friction_hoist_deflection,
       load_speed, sway_total}
       = FMI.reals(fmu, time, x, {1, 2, 3, 4, 5, 6, 20, 21, 22, 17, 18, 19},
