@@ -8,23 +8,27 @@ static PyObject *call_feedback_correction(
     PyObject *answer = NULL;
     Py_buffer *in_state;
     Py_buffer *in_reference;
+    Py_buffer *in_added;
     Py_buffer *in_gains;
     Py_buffer *in_correction;
     (void)self;
-    if (take_count(&call, count, 4)
+    if (take_count(&call, count, 5)
         && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
         && (in_reference = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_gains = take_array(&call, 2, 3, 'd', false)) != NULL
-        && (in_correction = take_array(&call, 3, 1, 'd', true)) != NULL
+        && (in_added = take_array(&call, 2, 1, 'd', false)) != NULL
+        && (in_gains = take_array(&call, 3, 3, 'd', false)) != NULL
+        && (in_correction = take_array(&call, 4, 1, 'd', true)) != NULL
         && has_at_least(&call, "gains", 0, in_gains->shape[0], 1)
         && has_at_least(&call, "state", 0, in_state->shape[0], 10)
         && has_at_least(&call, "reference", 0, in_reference->shape[0], 10)
+        && has_at_least(&call, "added", 0, in_added->shape[0], 3)
         && has_at_least(&call, "gains", 1, in_gains->shape[1], 4)
-        && has_at_least(&call, "gains", 2, in_gains->shape[2], 10)
+        && has_at_least(&call, "gains", 2, in_gains->shape[2], 11)
         && has_at_least(&call, "correction", 0, in_correction->shape[0], 3)) {
         segfmu_feedback_correction(
             (array_double_1d){in_state->buf, {in_state->shape[0]}},
             (array_double_1d){in_reference->buf, {in_reference->shape[0]}},
+            (array_double_1d){in_added->buf, {in_added->shape[0]}},
             (array_double_3d){in_gains->buf, {in_gains->shape[0], in_gains->shape[1], in_gains->shape[2]}},
             (array_double_1d){in_correction->buf, {in_correction->shape[0]}});
         answer = Py_NewRef(Py_None);
@@ -69,27 +73,106 @@ static PyObject *call_feedback_gains(
     Py_buffer *in_plant;
     double in_length;
     double in_bandwidth;
+    double in_pendulum;
     double in_hoist_bandwidth;
     double in_damping;
     Py_buffer *in_gains;
     (void)self;
-    if (take_count(&call, count, 6)
+    if (take_count(&call, count, 7)
         && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
         && take_float(&call, 1, &in_length)
         && take_float(&call, 2, &in_bandwidth)
-        && take_float(&call, 3, &in_hoist_bandwidth)
-        && take_float(&call, 4, &in_damping)
-        && (in_gains = take_array(&call, 5, 2, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 5)
+        && take_float(&call, 3, &in_pendulum)
+        && take_float(&call, 4, &in_hoist_bandwidth)
+        && take_float(&call, 5, &in_damping)
+        && (in_gains = take_array(&call, 6, 2, 'd', true)) != NULL
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 8)
         && has_at_least(&call, "gains", 0, in_gains->shape[0], 4)
-        && has_at_least(&call, "gains", 1, in_gains->shape[1], 10)) {
+        && has_at_least(&call, "gains", 1, in_gains->shape[1], 11)) {
         segfmu_feedback_gains(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
             in_length,
             in_bandwidth,
+            in_pendulum,
             in_hoist_bandwidth,
             in_damping,
             (array_double_2d){in_gains->buf, {in_gains->shape[0], in_gains->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_observer_predict(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "observer_predict", .values = values};
+    PyObject *answer = NULL;
+    int64_t in_axis;
+    double in_length;
+    Py_buffer *in_table;
+    double in_command;
+    double in_correction;
+    Py_buffer *in_estimate;
+    Py_buffer *in_scratch;
+    (void)self;
+    if (take_count(&call, count, 7)
+        && take_int(&call, 0, &in_axis)
+        && take_float(&call, 1, &in_length)
+        && (in_table = take_array(&call, 2, 3, 'd', false)) != NULL
+        && take_float(&call, 3, &in_command)
+        && take_float(&call, 4, &in_correction)
+        && (in_estimate = take_array(&call, 5, 1, 'd', true)) != NULL
+        && (in_scratch = take_array(&call, 6, 1, 'd', true)) != NULL
+        && has_at_least(&call, "table", 0, in_table->shape[0], 1)
+        && has_at_least(&call, "table", 1, in_table->shape[1], 19)
+        && has_at_least(&call, "table", 2, in_table->shape[2], 10)
+        && has_at_least(&call, "estimate", 0, in_estimate->shape[0], 6)
+        && has_at_least(&call, "scratch", 0, in_scratch->shape[0], 8)) {
+        segfmu_observer_predict(
+            in_axis,
+            in_length,
+            (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}},
+            in_command,
+            in_correction,
+            (array_double_1d){in_estimate->buf, {in_estimate->shape[0]}},
+            (array_double_1d){in_scratch->buf, {in_scratch->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_observer_correct(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "observer_correct", .values = values};
+    PyObject *answer = NULL;
+    double in_length;
+    Py_buffer *in_table;
+    Py_buffer *in_measured;
+    Py_buffer *in_reference;
+    Py_buffer *in_estimate;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && take_float(&call, 0, &in_length)
+        && (in_table = take_array(&call, 1, 3, 'd', false)) != NULL
+        && (in_measured = take_array(&call, 2, 1, 'd', false)) != NULL
+        && (in_reference = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_estimate = take_array(&call, 4, 2, 'd', true)) != NULL
+        && has_at_least(&call, "table", 0, in_table->shape[0], 1)
+        && has_at_least(&call, "table", 1, in_table->shape[1], 19)
+        && has_at_least(&call, "table", 2, in_table->shape[2], 10)
+        && has_at_least(&call, "measured", 0, in_measured->shape[0], 5)
+        && has_at_least(&call, "reference", 0, in_reference->shape[0], 5)
+        && has_at_least(&call, "estimate", 0, in_estimate->shape[0], 3)
+        && has_at_least(&call, "estimate", 1, in_estimate->shape[1], 6)) {
+        segfmu_observer_correct(
+            in_length,
+            (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}},
+            (array_double_1d){in_measured->buf, {in_measured->shape[0]}},
+            (array_double_1d){in_reference->buf, {in_reference->shape[0]}},
+            (array_double_2d){in_estimate->buf, {in_estimate->shape[0], in_estimate->shape[1]}});
         answer = Py_NewRef(Py_None);
     }
     release_arguments(&call);
@@ -205,17 +288,42 @@ static PyObject *call_flat_table(
         && (in_lengths = take_array(&call, 3, 1, 'd', false)) != NULL
         && (in_table = take_array(&call, 4, 3, 'd', true)) != NULL
         && has_at_least(&call, "plant", 0, in_plant->shape[0], 67)
-        && has_at_least(&call, "design", 0, in_design->shape[0], 4)
+        && has_at_least(&call, "design", 0, in_design->shape[0], 5)
         && has_at_least(&call, "lengths", 0, in_lengths->shape[0], in_rows)
         && has_at_least(&call, "table", 0, in_table->shape[0], in_rows)
         && has_at_least(&call, "table", 1, in_table->shape[1], 4)
-        && has_at_least(&call, "table", 2, in_table->shape[2], 10)) {
+        && has_at_least(&call, "table", 2, in_table->shape[2], 11)) {
         segfmu_flat_table(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
             (array_double_1d){in_design->buf, {in_design->shape[0]}},
             in_rows,
             (array_double_1d){in_lengths->buf, {in_lengths->shape[0]}},
             (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_set_steps(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "set_steps", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_sensors;
+    double in_longest;
+    Py_buffer *in_uncertainty;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && (in_sensors = take_array(&call, 0, 1, 'd', false)) != NULL
+        && take_float(&call, 1, &in_longest)
+        && (in_uncertainty = take_array(&call, 2, 1, 'd', true)) != NULL
+        && has_at_least(&call, "sensors", 0, in_sensors->shape[0], 18)
+        && has_at_least(&call, "uncertainty", 0, in_uncertainty->shape[0], 7)) {
+        segfmu_set_steps(
+            (array_double_1d){in_sensors->buf, {in_sensors->shape[0]}},
+            in_longest,
+            (array_double_1d){in_uncertainty->buf, {in_uncertainty->shape[0]}});
         answer = Py_NewRef(Py_None);
     }
     release_arguments(&call);
@@ -268,82 +376,6 @@ static PyObject *call_observer_table(
     return answer;
 }
 
-static PyObject *call_observer_predict(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "observer_predict", .values = values};
-    PyObject *answer = NULL;
-    double in_length;
-    Py_buffer *in_table;
-    Py_buffer *in_command;
-    Py_buffer *in_held;
-    Py_buffer *in_estimate;
-    Py_buffer *in_scratch;
-    (void)self;
-    if (take_count(&call, count, 6)
-        && take_float(&call, 0, &in_length)
-        && (in_table = take_array(&call, 1, 3, 'd', false)) != NULL
-        && (in_command = take_array(&call, 2, 1, 'd', false)) != NULL
-        && (in_held = take_array(&call, 3, 1, 'd', false)) != NULL
-        && (in_estimate = take_array(&call, 4, 2, 'd', true)) != NULL
-        && (in_scratch = take_array(&call, 5, 1, 'd', true)) != NULL
-        && has_at_least(&call, "table", 0, in_table->shape[0], 1)
-        && has_at_least(&call, "table", 1, in_table->shape[1], 19)
-        && has_at_least(&call, "table", 2, in_table->shape[2], 10)
-        && has_at_least(&call, "command", 0, in_command->shape[0], 3)
-        && has_at_least(&call, "held", 0, in_held->shape[0], 3)
-        && has_at_least(&call, "estimate", 0, in_estimate->shape[0], 3)
-        && has_at_least(&call, "estimate", 1, in_estimate->shape[1], 6)
-        && has_at_least(&call, "scratch", 0, in_scratch->shape[0], 8)) {
-        segfmu_observer_predict(
-            in_length,
-            (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}},
-            (array_double_1d){in_command->buf, {in_command->shape[0]}},
-            (array_double_1d){in_held->buf, {in_held->shape[0]}},
-            (array_double_2d){in_estimate->buf, {in_estimate->shape[0], in_estimate->shape[1]}},
-            (array_double_1d){in_scratch->buf, {in_scratch->shape[0]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_observer_correct(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "observer_correct", .values = values};
-    PyObject *answer = NULL;
-    double in_length;
-    Py_buffer *in_table;
-    Py_buffer *in_measured;
-    Py_buffer *in_reference;
-    Py_buffer *in_estimate;
-    (void)self;
-    if (take_count(&call, count, 5)
-        && take_float(&call, 0, &in_length)
-        && (in_table = take_array(&call, 1, 3, 'd', false)) != NULL
-        && (in_measured = take_array(&call, 2, 1, 'd', false)) != NULL
-        && (in_reference = take_array(&call, 3, 1, 'd', false)) != NULL
-        && (in_estimate = take_array(&call, 4, 2, 'd', true)) != NULL
-        && has_at_least(&call, "table", 0, in_table->shape[0], 1)
-        && has_at_least(&call, "table", 1, in_table->shape[1], 19)
-        && has_at_least(&call, "table", 2, in_table->shape[2], 10)
-        && has_at_least(&call, "measured", 0, in_measured->shape[0], 5)
-        && has_at_least(&call, "reference", 0, in_reference->shape[0], 5)
-        && has_at_least(&call, "estimate", 0, in_estimate->shape[0], 3)
-        && has_at_least(&call, "estimate", 1, in_estimate->shape[1], 6)) {
-        segfmu_observer_correct(
-            in_length,
-            (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}},
-            (array_double_1d){in_measured->buf, {in_measured->shape[0]}},
-            (array_double_1d){in_reference->buf, {in_reference->shape[0]}},
-            (array_double_2d){in_estimate->buf, {in_estimate->shape[0], in_estimate->shape[1]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
 static PyObject *call_nominal_payload(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -363,20 +395,23 @@ static PyObject *call_nominal_payload(
     return answer;
 }
 
-static PyObject *call_sampled_late(
+static PyObject *call_signal_age(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
-    arguments call = {.function = "sampled_late", .values = values};
+    arguments call = {.function = "signal_age", .values = values};
     PyObject *answer = NULL;
     double in_dead_time;
-    double in_sample_time;
+    double in_sampling;
+    double in_period;
     (void)self;
-    if (take_count(&call, count, 2)
+    if (take_count(&call, count, 3)
         && take_float(&call, 0, &in_dead_time)
-        && take_float(&call, 1, &in_sample_time)) {
-        answer = PyBool_FromLong(segfmu_sampled_late(
+        && take_float(&call, 1, &in_sampling)
+        && take_float(&call, 2, &in_period)) {
+        answer = PyFloat_FromDouble(segfmu_signal_age(
             in_dead_time,
-            in_sample_time));
+            in_sampling,
+            in_period));
     }
     release_arguments(&call);
     return answer;
@@ -418,8 +453,8 @@ static PyObject *call_set_tracking(
         && take_float(&call, 2, &in_longest)
         && (in_tracking = take_array(&call, 3, 1, 'd', true)) != NULL
         && has_at_least(&call, "plant", 0, in_plant->shape[0], 23)
-        && has_at_least(&call, "design", 0, in_design->shape[0], 9)
-        && has_at_least(&call, "tracking", 0, in_tracking->shape[0], 27)) {
+        && has_at_least(&call, "design", 0, in_design->shape[0], 10)
+        && has_at_least(&call, "tracking", 0, in_tracking->shape[0], 35)) {
         segfmu_set_tracking(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
             (array_double_1d){in_design->buf, {in_design->shape[0]}},
@@ -440,7 +475,7 @@ static PyObject *call_set_fading(
     (void)self;
     if (take_count(&call, count, 1)
         && (in_tracking = take_array(&call, 0, 1, 'd', true)) != NULL
-        && has_at_least(&call, "tracking", 0, in_tracking->shape[0], 27)) {
+        && has_at_least(&call, "tracking", 0, in_tracking->shape[0], 35)) {
         segfmu_set_fading(
             (array_double_1d){in_tracking->buf, {in_tracking->shape[0]}});
         answer = Py_NewRef(Py_None);
@@ -468,15 +503,15 @@ static PyObject *call_track_setpoint(
         && (in_memory = take_array(&call, 4, 2, 'd', true)) != NULL
         && has_at_least(&call, "table", 0, in_table->shape[0], 1)
         && has_at_least(&call, "gains", 0, in_gains->shape[0], 1)
-        && has_at_least(&call, "parameters", 0, in_parameters->shape[0], 27)
+        && has_at_least(&call, "parameters", 0, in_parameters->shape[0], 35)
         && has_at_least(&call, "table", 1, in_table->shape[1], 19)
         && has_at_least(&call, "table", 2, in_table->shape[2], 10)
         && has_at_least(&call, "gains", 1, in_gains->shape[1], 4)
-        && has_at_least(&call, "gains", 2, in_gains->shape[2], 10)
+        && has_at_least(&call, "gains", 2, in_gains->shape[2], 11)
         && has_at_least(&call, "tick", 0, in_tick->shape[0], 4)
         && has_at_least(&call, "tick", 1, in_tick->shape[1], 10)
-        && has_at_least(&call, "memory", 0, in_memory->shape[0], 25)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 10)) {
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], 69)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 13)) {
         segfmu_track_setpoint(
             (array_double_1d){in_parameters->buf, {in_parameters->shape[0]}},
             (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}},
@@ -1588,9 +1623,9 @@ static PyObject *call_rig_event(
         && has_at_least(&call, "table", 1, in_table->shape[1], 19)
         && has_at_least(&call, "table", 2, in_table->shape[2], 10)
         && has_at_least(&call, "gains", 1, in_gains->shape[1], 4)
-        && has_at_least(&call, "gains", 2, in_gains->shape[2], 10)
-        && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 25)
-        && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 10)
+        && has_at_least(&call, "gains", 2, in_gains->shape[2], 11)
+        && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 69)
+        && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 13)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
         && has_at_least(&call, "memory", 1, in_memory->shape[1], 67)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
@@ -1760,9 +1795,9 @@ static PyObject *call_rig_step(
         && has_at_least(&call, "table", 1, in_table->shape[1], 19)
         && has_at_least(&call, "table", 2, in_table->shape[2], 10)
         && has_at_least(&call, "gains", 1, in_gains->shape[1], 4)
-        && has_at_least(&call, "gains", 2, in_gains->shape[2], 10)
-        && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 25)
-        && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 10)
+        && has_at_least(&call, "gains", 2, in_gains->shape[2], 11)
+        && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 69)
+        && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 13)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
         && has_at_least(&call, "memory", 1, in_memory->shape[1], 67)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
@@ -1865,9 +1900,9 @@ static PyObject *call_tracking_estimates(
         && (in_parameters = take_array(&call, 0, 1, 'd', false)) != NULL
         && (in_tracker = take_array(&call, 1, 2, 'd', false)) != NULL
         && (in_estimates = take_array(&call, 2, 1, 'd', true)) != NULL
-        && has_at_least(&call, "parameters", 0, in_parameters->shape[0], 27)
-        && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 25)
-        && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 10)
+        && has_at_least(&call, "parameters", 0, in_parameters->shape[0], 35)
+        && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 69)
+        && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 13)
         && has_at_least(&call, "estimates", 0, in_estimates->shape[0], 7)) {
         segfmu_tracking_estimates(
             (array_double_1d){in_parameters->buf, {in_parameters->shape[0]}},
@@ -2660,15 +2695,16 @@ static PyMethodDef methods[] = {
     {"feedback_correction", (PyCFunction)(void (*)(void))call_feedback_correction, METH_FASTCALL, NULL},
     {"feedback_bandwidth", (PyCFunction)(void (*)(void))call_feedback_bandwidth, METH_FASTCALL, NULL},
     {"feedback_gains", (PyCFunction)(void (*)(void))call_feedback_gains, METH_FASTCALL, NULL},
+    {"observer_predict", (PyCFunction)(void (*)(void))call_observer_predict, METH_FASTCALL, NULL},
+    {"observer_correct", (PyCFunction)(void (*)(void))call_observer_correct, METH_FASTCALL, NULL},
     {"observer_design", (PyCFunction)(void (*)(void))call_observer_design, METH_FASTCALL, NULL},
     {"rope_range", (PyCFunction)(void (*)(void))call_rope_range, METH_FASTCALL, NULL},
     {"table_lengths", (PyCFunction)(void (*)(void))call_table_lengths, METH_FASTCALL, NULL},
     {"flat_table", (PyCFunction)(void (*)(void))call_flat_table, METH_FASTCALL, NULL},
+    {"set_steps", (PyCFunction)(void (*)(void))call_set_steps, METH_FASTCALL, NULL},
     {"observer_table", (PyCFunction)(void (*)(void))call_observer_table, METH_FASTCALL, NULL},
-    {"observer_predict", (PyCFunction)(void (*)(void))call_observer_predict, METH_FASTCALL, NULL},
-    {"observer_correct", (PyCFunction)(void (*)(void))call_observer_correct, METH_FASTCALL, NULL},
     {"nominal_payload", (PyCFunction)(void (*)(void))call_nominal_payload, METH_FASTCALL, NULL},
-    {"sampled_late", (PyCFunction)(void (*)(void))call_sampled_late, METH_FASTCALL, NULL},
+    {"signal_age", (PyCFunction)(void (*)(void))call_signal_age, METH_FASTCALL, NULL},
     {"drive_bound", (PyCFunction)(void (*)(void))call_drive_bound, METH_FASTCALL, NULL},
     {"set_tracking", (PyCFunction)(void (*)(void))call_set_tracking, METH_FASTCALL, NULL},
     {"set_fading", (PyCFunction)(void (*)(void))call_set_fading, METH_FASTCALL, NULL},
