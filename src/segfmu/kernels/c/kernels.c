@@ -18,6 +18,15 @@ static void hold_accelerations(array_double_1d plant, array_double_1d derivative
 static void hold_velocities(array_double_1d plant, array_double_1d state, array_double_1d derivative, array_double_1d action, array_double_1d limit);
 static int64_t table_row(double length, array_double_3d table);
 static double table_share(double length, array_double_3d table, int64_t row);
+static void lead_gains(int64_t axis, double lag, double length, double gravity, array_double_1d gains);
+static int64_t remembered_ticks(array_double_1d parameters);
+static void remember_tick(array_double_1d parameters, array_double_1d reference, array_double_2d memory);
+static void remember_start(array_double_1d reference, array_double_2d memory);
+static void aged_reference(array_double_1d parameters, array_double_2d memory);
+static void advance_axis(int64_t axis, int64_t back, double share, array_double_1d parameters, double length, array_double_3d table, array_double_2d memory, array_double_1d estimate);
+static void advance_estimates(array_double_1d parameters, double length, array_double_3d table, array_double_2d memory);
+static void predict_share(int64_t axis, double share, array_double_1d parameters, double length, array_double_3d table, array_double_2d memory);
+static void predict_present(array_double_1d parameters, double length, array_double_3d table, array_double_2d memory);
 static void matrix_set(int64_t n, double value, array_double_2d a);
 static void matrix_copy(int64_t n, array_double_2d a, array_double_2d c);
 static void matrix_add(int64_t n, double factor, array_double_2d a, array_double_2d c);
@@ -34,7 +43,10 @@ static void kalman_gain(int64_t axis, double first, double second, array_double_
 static void kalman_axis(int64_t axis, double sample_time, array_double_1d expected, array_double_2d work, array_double_2d table);
 static double largest_angle(void);
 static double largest_hoist_angle(void);
+static double acts_late(array_double_1d plant, array_double_1d design);
 static void design_flat_gains(array_double_1d plant, array_double_1d design, double length, array_double_2d gains);
+static double sensor_step(array_double_1d sensors, int64_t signal);
+static void expect_errors(array_double_1d uncertainty, double gravity, double length, double sample_time, array_double_1d expected);
 static void offset_filter(bool first, double share, array_double_1d signals, array_double_2d states);
 static void offset_signals(array_double_1d measured, double start, array_double_1d signals);
 static double second_difference(int64_t signal, array_double_2d states);
@@ -45,16 +57,18 @@ static void offset_sum(double keep, array_double_1d values, array_double_1d sums
 static void offset_decide(array_double_1d parameters, double length, double noise, array_double_1d sums, array_double_1d estimate);
 static void offset_equations(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory);
 static double offset_estimate(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory);
+static void set_bounds(array_double_1d plant, array_double_1d tracking);
 static void set_noise(array_double_1d uncertainty, double gravity, double longest, array_double_1d tracking);
 static void track_wake(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory);
 static void track_offset(array_double_1d parameters, array_double_2d tick, array_double_2d memory);
 static void track_start(array_double_1d measured, array_double_1d reference, array_double_2d memory);
-static void track_observe(array_double_1d parameters, array_double_3d table, array_double_1d reference, array_double_2d memory);
+static void track_observe(array_double_1d parameters, array_double_3d table, array_double_2d memory);
 static bool track_acts(array_double_1d parameters, array_double_2d memory);
 static void track_deviation(array_double_1d parameters, array_double_2d memory);
 static void track_forces(array_double_1d parameters, array_double_2d memory, array_double_1d correction);
 static void track_law(array_double_1d parameters, array_double_3d gains, array_double_2d memory, array_double_1d correction);
 static void track_hoist(array_double_1d parameters, array_double_2d memory);
+static void track_limits(int64_t axis, array_double_1d parameters, array_double_2d tick, array_double_2d memory);
 static void crane_rhs_partials(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_2d partials);
 static void crane_driven_partials(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_2d partials);
 static void polynomial_differentiate(array_double_1d a, int64_t count, int64_t order, array_double_1d found);
@@ -713,12 +727,13 @@ static double table_share(double length, array_double_3d table, int64_t row)
     result = span_min(span_max((length - first) / ((*cspan_at(&table, row + INT64_C(1), INT64_C(0), INT64_C(0))) - first), 0.0), 1.0);
     return result;
 }
-/*-K(l) (x - x*), K interpolated linearly over rope length, constant outside the table.            */
-/*                                                                                                 */
-/*    state and reference (10): a `State`; gains (rows, 4, 10): a `Gains` a rope length; correction*/
-/*    (3) [N] or [m/s2].                                                                           */
-/*                                                                                                 */
-void segfmu_feedback_correction(array_double_1d state, array_double_1d reference, array_double_3d gains, array_double_1d correction)
+/*-K(l) (x - x*), K interpolated linearly over rope length, constant outside the table.                */
+/*                                                                                                     */
+/*    state and reference (10): a `State`; added (3): velocities that corrections have added to the    */
+/*    setpoints of velocity drives [m/s]; gains (rows, 4, 11): a `Gains` a rope length; correction (3) */
+/*    [N] or [m/s2].                                                                                   */
+/*                                                                                                     */
+void segfmu_feedback_correction(array_double_1d state, array_double_1d reference, array_double_1d added, array_double_3d gains, array_double_1d correction)
 {
     double length;
     int64_t row;
@@ -742,7 +757,9 @@ void segfmu_feedback_correction(array_double_1d state, array_double_1d reference
             k = (1.0 - share) * (*cspan_at(&gains, row, axis, j)) + share * (*cspan_at(&gains, following, axis, j));
             total = total + k * ((*cspan_at(&state, j)) - (*cspan_at(&reference, j)));
         }
-        (*cspan_at(&correction, i)) = -total;
+        k = (1.0 - share) * (*cspan_at(&gains, row, axis, INT64_C(10)));
+        k = k + share * (*cspan_at(&gains, following, axis, INT64_C(10)));
+        (*cspan_at(&correction, i)) = -(total + k * (*cspan_at(&added, i)));
     }
 }
 /*Bandwidth [rad/s]: `ratio` pendulum frequencies, at most `largest` [rad] over a delay [s]. */
@@ -750,19 +767,55 @@ double segfmu_feedback_bandwidth(double ratio, double length, double gravity, do
 {
     return span_min(ratio * sqrt(gravity / length), largest / delay);
 }
-/*Gains (4, 10), a `Gains`, that place the poles of the flat output's error; closed form.              */
+/*Make gains for accelerations those of a drive with a lag [s], a row of `Gains`, in place.          */
+/*                                                                                                   */
+/*    If the carriage is to have the acceleration a, the command's rate has to be a + T a'. With the */
+/*    command c and the velocity v, the present acceleration is (c - v) / T.                         */
+/*                                                                                                   */
+static void lead_gains(int64_t axis, double lag, double length, double gravity, array_double_1d gains)
+{
+    double position;
+    double velocity;
+    double direct;
+    double sign;
+    double angle;
+    double rate;
+    if (lag <= 0.0)
+    {
+        return;
+    }
+    position = (*cspan_at(&gains, INT64_C(0) + axis));
+    velocity = (*cspan_at(&gains, INT64_C(5) + axis));
+    /*by the present acceleration*/
+    direct = velocity;
+    if (axis != INT64_C(2))
+    {
+        sign = 1.0 - 2.0 * axis;
+        angle = sign * (*cspan_at(&gains, INT64_C(3) + axis));
+        rate = sign * (*cspan_at(&gains, INT64_C(8) + axis));
+        direct = velocity - rate / length;
+        (*cspan_at(&gains, INT64_C(3) + axis)) = sign * (angle - lag * rate * gravity / length);
+        (*cspan_at(&gains, INT64_C(8) + axis)) = sign * (rate + lag * angle);
+    }
+    (*cspan_at(&gains, INT64_C(5) + axis)) = velocity + lag * position - direct;
+    (*cspan_at(&gains, INT64_C(10))) = direct;
+}
+/*Gains (4, 11), a `Gains`, that place the poles of the flat output's error; closed form.              */
 /*                                                                                                     */
-/*    plant: masses and drive mode of a `Plant`. About the load hanging at rest, with the sign of the  */
-/*    sway angle such that the load is at p = x_t + l phi: p'' = -g phi and p'''' = (g / l) (g phi +   */
-/*    a) for the carriage's acceleration a. The error of p has the characteristic polynomial (s^2 + 2  */
-/*    D w s + w^2)^2, that of the rope s^2 + 2 D w s + w^2, each with its bandwidth w [rad/s], and the */
-/*    damping D. For velocity drives the corrections are accelerations; otherwise they are forces,     */
-/*    which also cancel the rope's pull on the carriage.                                               */
+/*    plant: masses, drive mode and lags of a `Plant`. About the load hanging at rest, with the sign   */
+/*    of the sway angle such that the load is at p = x_t + l phi: p'' = -g phi and p'''' = (g / l) (g  */
+/*    phi + a) for the carriage's acceleration a. The error of p has the characteristic polynomial     */
+/*    (s^2 + 2 D w s + w^2) (s^2 + 2 D w s + W^2), with the bandwidth w, the frequency W of the        */
+/*    pendulum's poles [rad/s] and the damping D; that of the rope is s^2 + 2 D w s + w^2 with its own */
+/*    bandwidth. For velocity drives the corrections are accelerations, and each drive keeps the pole  */
+/*    of its lag; otherwise they are forces, which also cancel the rope's pull on the carriage.        */
 /*                                                                                                     */
-void segfmu_feedback_gains(array_double_1d plant, double length, double bandwidth, double hoist_bandwidth, double damping, array_double_2d gains)
+void segfmu_feedback_gains(array_double_1d plant, double length, double bandwidth, double pendulum, double hoist_bandwidth, double damping, array_double_2d gains)
 {
     bool driven;
     double gravity;
+    double slope;
+    double square;
     double k0;
     double k1;
     double k2;
@@ -779,13 +832,15 @@ void segfmu_feedback_gains(array_double_1d plant, double length, double bandwidt
     array_double_1d hoist;
     driven = (int64_t)((*cspan_at(&plant, INT64_C(4)))) == INT64_C(1);
     gravity = (*cspan_at(&plant, INT64_C(3)));
-    k0 = bandwidth * bandwidth * bandwidth * bandwidth;
-    k1 = 4.0 * damping * bandwidth * bandwidth * bandwidth;
-    k2 = (2.0 + 4.0 * damping * damping) * bandwidth * bandwidth;
-    k3 = 4.0 * damping * bandwidth;
+    slope = 2.0 * damping * bandwidth;
+    square = bandwidth * bandwidth;
+    k0 = square * pendulum * pendulum;
+    k1 = slope * (square + pendulum * pendulum);
+    k2 = square + pendulum * pendulum + slope * slope;
+    k3 = 2.0 * slope;
     for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
     {
-        for (j = INT64_C(0); j < INT64_C(10); j += INT64_C(1))
+        for (j = INT64_C(0); j < INT64_C(11); j += INT64_C(1))
         {
             (*cspan_at(&gains, i, j)) = 0.0;
         }
@@ -817,6 +872,251 @@ void segfmu_feedback_gains(array_double_1d plant, double length, double bandwidt
     hoist = span_row(&gains, INT64_C(1) + INT64_C(2));
     (*cspan_at(&hoist, INT64_C(0) + INT64_C(2))) = weight * hoist_bandwidth * hoist_bandwidth;
     (*cspan_at(&hoist, INT64_C(5) + INT64_C(2))) = weight * 2.0 * damping * hoist_bandwidth;
+    if (driven)
+    {
+        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        {
+            lead_gains(i, (*cspan_at(&plant, INT64_C(5) + i)), length, gravity, span_row(&gains, INT64_C(1) + i));
+        }
+    }
+}
+/*Advance the estimate of an axis by a sample under a velocity command and a correction. */
+void segfmu_observer_predict(int64_t axis, double length, array_double_3d table, double command, double correction, array_double_1d estimate, array_double_1d scratch)
+{
+    int64_t row;
+    double share;
+    int64_t following;
+    int64_t j;
+    int64_t i;
+    int64_t k;
+    double total;
+    double entry;
+    row = table_row(length, table);
+    share = table_share(length, table, row);
+    following = span_min_int(row + INT64_C(1), table.shape[INT64_C(0)] - INT64_C(1));
+    for (j = INT64_C(0); j < INT64_C(6); j += INT64_C(1))
+    {
+        (*cspan_at(&scratch, j)) = (*cspan_at(&estimate, j));
+    }
+    (*cspan_at(&scratch, INT64_C(6))) = command;
+    (*cspan_at(&scratch, INT64_C(7))) = correction;
+    for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+    {
+        k = INT64_C(1) + INT64_C(6) * axis + i;
+        total = 0.0;
+        for (j = INT64_C(0); j < INT64_C(8); j += INT64_C(1))
+        {
+            entry = (1.0 - share) * (*cspan_at(&table, row, k, j)) + share * (*cspan_at(&table, following, k, j));
+            total = total + entry * (*cspan_at(&scratch, j));
+        }
+        (*cspan_at(&estimate, i)) = total;
+    }
+}
+/*Correct the estimate by the five measured signals and their references.*/
+void segfmu_observer_correct(double length, array_double_3d table, array_double_1d measured, array_double_1d reference, array_double_2d estimate)
+{
+    int64_t row;
+    double share;
+    int64_t following;
+    int64_t axis;
+    double first;
+    double second;
+    double sign;
+    int64_t angle;
+    double deviation;
+    int64_t i;
+    int64_t k;
+    double a;
+    double b;
+    row = table_row(length, table);
+    share = table_share(length, table, row);
+    following = span_min_int(row + INT64_C(1), table.shape[INT64_C(0)] - INT64_C(1));
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        first = (*cspan_at(&measured, axis)) - (*cspan_at(&reference, axis)) - (*cspan_at(&estimate, axis, INT64_C(0)));
+        second = 0.0;
+        if (axis != INT64_C(2))
+        {
+            sign = 1.0 - 2.0 * axis;
+            angle = INT64_C(3) + axis;
+            deviation = sign * ((*cspan_at(&measured, angle)) - (*cspan_at(&reference, angle)));
+            second = deviation - (*cspan_at(&estimate, axis, INT64_C(1)));
+        }
+        for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+        {
+            k = INT64_C(1) + INT64_C(6) * axis + i;
+            a = (1.0 - share) * (*cspan_at(&table, row, k, INT64_C(8)));
+            a = a + share * (*cspan_at(&table, following, k, INT64_C(8)));
+            b = (1.0 - share) * (*cspan_at(&table, row, k, INT64_C(9)));
+            b = b + share * (*cspan_at(&table, following, k, INT64_C(9)));
+            (*cspan_at(&estimate, axis, i)) = (*cspan_at(&estimate, axis, i)) + a * first + b * second;
+        }
+    }
+}
+/*Past ticks that the delays need. */
+static int64_t remembered_ticks(array_double_1d parameters)
+{
+    double longest;
+    int64_t axis;
+    longest = (*cspan_at(&parameters, INT64_C(2)));
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        longest = span_max(longest, (*cspan_at(&parameters, INT64_C(27) + axis)));
+    }
+    return span_min_int((int64_t)(longest) + INT64_C(3), INT64_C(40));
+}
+/*Add the corrections since the tick before, and the reference of this one; advance commands.*/
+/*                                                                                           */
+/*    The first row then has the corrections that end now, and the reference that begins now.*/
+/*                                                                                           */
+static void remember_tick(array_double_1d parameters, array_double_1d reference, array_double_2d memory)
+{
+    array_double_1d held;
+    array_double_1d command;
+    int64_t rows;
+    int64_t back;
+    int64_t row;
+    int64_t i;
+    double added;
+    held = span_row(&memory, INT64_C(4));
+    command = span_row(&memory, INT64_C(3));
+    rows = remembered_ticks(parameters);
+    for (back = INT64_C(0); back < rows - INT64_C(1); back += INT64_C(1))
+    {
+        row = INT64_C(29) + rows - INT64_C(1) - back;
+        for (i = INT64_C(0); i < INT64_C(13); i += INT64_C(1))
+        {
+            (*cspan_at(&memory, row, i)) = (*cspan_at(&memory, row - INT64_C(1), i));
+        }
+    }
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(29), INT64_C(0) + i)) = (*cspan_at(&held, INT64_C(0) + i));
+        added = (*cspan_at(&parameters, INT64_C(1))) * (*cspan_at(&held, INT64_C(0) + i));
+        (*cspan_at(&command, INT64_C(0) + i)) = (*cspan_at(&command, INT64_C(0) + i)) + added;
+    }
+    for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(29), INT64_C(3) + i)) = (*cspan_at(&reference, i));
+    }
+}
+/*Before the first tick the reference was as it is, and nothing was corrected. */
+static void remember_start(array_double_1d reference, array_double_2d memory)
+{
+    int64_t row;
+    int64_t i;
+    for (row = INT64_C(0); row < INT64_C(40); row += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
+        {
+            (*cspan_at(&memory, INT64_C(29) + row, INT64_C(3) + i)) = (*cspan_at(&reference, i));
+        }
+    }
+}
+/*The reference of when the signals were taken, linear between the ticks.*/
+static void aged_reference(array_double_1d parameters, array_double_2d memory)
+{
+    double age;
+    int64_t whole;
+    double share;
+    int64_t i;
+    double later;
+    double earlier;
+    age = (*cspan_at(&parameters, INT64_C(2)));
+    whole = span_min_int((int64_t)(age + 1e-09), INT64_C(40) - INT64_C(2));
+    share = span_min(span_max(age - whole, 0.0), 1.0);
+    for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
+    {
+        later = (*cspan_at(&memory, INT64_C(29) + whole, INT64_C(3) + i));
+        earlier = (*cspan_at(&memory, INT64_C(29) + whole + INT64_C(1), INT64_C(3) + i));
+        (*cspan_at(&memory, INT64_C(6), i)) = later + share * (earlier - later);
+    }
+}
+/*Advance an estimate of an axis by the sample that began `back` + 1 + share samples ago.*/
+static void advance_axis(int64_t axis, int64_t back, double share, array_double_1d parameters, double length, array_double_3d table, array_double_2d memory, array_double_1d estimate)
+{
+    double period;
+    double before;
+    double after;
+    double command;
+    int64_t i;
+    period = (*cspan_at(&parameters, INT64_C(1)));
+    before = (*cspan_at(&memory, INT64_C(29) + back + INT64_C(1), INT64_C(0) + axis));
+    after = (*cspan_at(&memory, INT64_C(29) + back, INT64_C(0) + axis));
+    command = (*cspan_at(&memory, INT64_C(3), INT64_C(0) + axis)) - share * period * before;
+    for (i = INT64_C(0); i < back + INT64_C(1); i += INT64_C(1))
+    {
+        command = command - period * (*cspan_at(&memory, INT64_C(29) + i, INT64_C(0) + axis));
+    }
+    segfmu_observer_predict(axis, length, table, command, share * before + (1.0 - share) * after, estimate, span_row(&memory, INT64_C(9)));
+}
+/*Bring the estimates from when the signals of the tick before were taken to those of now. */
+static void advance_estimates(array_double_1d parameters, double length, array_double_3d table, array_double_2d memory)
+{
+    int64_t axis;
+    double delay;
+    int64_t whole;
+    double share;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        delay = (*cspan_at(&parameters, INT64_C(27) + axis));
+        whole = span_min_int((int64_t)(delay + 1e-09), INT64_C(40) - INT64_C(2));
+        share = span_min(span_max(delay - whole, 0.0), 1.0);
+        advance_axis(axis, whole, share, parameters, length, table, memory, span_row(&memory, INT64_C(0) + axis));
+    }
+}
+/*The last part of a sample: linear between the estimates at its ends. */
+static void predict_share(int64_t axis, double share, array_double_1d parameters, double length, array_double_3d table, array_double_2d memory)
+{
+    array_double_1d present;
+    array_double_1d ahead;
+    int64_t i;
+    double latest;
+    double command;
+    present = span_row(&memory, INT64_C(25) + axis);
+    ahead = span_row(&memory, INT64_C(28));
+    for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+    {
+        (*cspan_at(&ahead, i)) = (*cspan_at(&present, i));
+    }
+    latest = (*cspan_at(&memory, INT64_C(29), INT64_C(0) + axis));
+    command = (*cspan_at(&memory, INT64_C(3), INT64_C(0) + axis));
+    command = command - share * (*cspan_at(&parameters, INT64_C(1))) * latest;
+    segfmu_observer_predict(axis, length, table, command, latest, ahead, span_row(&memory, INT64_C(9)));
+    for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+    {
+        (*cspan_at(&present, i)) = (*cspan_at(&present, i)) + share * ((*cspan_at(&ahead, i)) - (*cspan_at(&present, i)));
+    }
+}
+/*Predict the estimates to when the correction of this tick will act.*/
+static void predict_present(array_double_1d parameters, double length, array_double_3d table, array_double_2d memory)
+{
+    int64_t axis;
+    double delay;
+    int64_t whole;
+    double share;
+    array_double_1d present;
+    int64_t i;
+    int64_t back;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        delay = (*cspan_at(&parameters, INT64_C(27) + axis));
+        whole = span_min_int((int64_t)(delay + 1e-09), INT64_C(40) - INT64_C(2));
+        share = span_min(span_max(delay - whole, 0.0), 1.0);
+        present = span_row(&memory, INT64_C(25) + axis);
+        for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+        {
+            (*cspan_at(&present, i)) = (*cspan_at(&memory, INT64_C(0) + axis, i));
+        }
+        for (back = INT64_C(0); back < whole; back += INT64_C(1))
+        {
+            advance_axis(axis, whole - INT64_C(1) - back, share, parameters, length, table, memory, present);
+        }
+        if (share > 1e-09)
+        {
+            predict_share(axis, share, parameters, length, table, memory);
+        }
+    }
 }
 /*a = value times the identity.*/
 static void matrix_set(int64_t n, double value, array_double_2d a)
@@ -1304,7 +1604,7 @@ int64_t segfmu_table_lengths(double shortest, double longest, int64_t rows, arra
     (*cspan_at(&lengths, rows - INT64_C(1))) = longest;
     return rows;
 }
-/*Largest bandwidth of bridge and trolley times the sum of period and lag [rad]. */
+/*Largest bandwidth of bridge and trolley times the time that it acts late [rad].*/
 static double largest_angle(void)
 {
     return 0.25;
@@ -1314,35 +1614,52 @@ static double largest_hoist_angle(void)
 {
     return 0.5;
 }
-/*Gains (Gains) at a rope length [m].                                                                */
-/*                                                                                                   */
-/*    plant: a `Plant` with the design payload; its lags are used for velocity drives only. design: a*/
-/*    `FlatDesign`.                                                                                  */
-/*                                                                                                   */
+/*Time [s] that limits the bandwidth: period, dead times, and a quarter of the longest lag.            */
+/*                                                                                                     */
+/*    The gains know the lag, so only what is wrong with it counts. Lags are those of velocity drives. */
+/*                                                                                                     */
+static double acts_late(array_double_1d plant, array_double_1d design)
+{
+    double dead;
+    double lag;
+    int64_t axis;
+    double result;
+    dead = 0.0;
+    lag = 0.0;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        dead = span_max(dead, (*cspan_at(&plant, INT64_C(20) + axis)));
+        lag = span_max(lag, (*cspan_at(&plant, INT64_C(5) + axis)));
+    }
+    if ((int64_t)((*cspan_at(&plant, INT64_C(4)))) != INT64_C(1))
+    {
+        lag = 0.0;
+    }
+    result = (*cspan_at(&design, INT64_C(0))) + (*cspan_at(&design, INT64_C(4))) + dead + 0.25 * lag;
+    return result;
+}
+/*Gains (Gains) at a rope length [m].                                  */
+/*                                                                     */
+/*    plant: a `Plant` with the design payload. design: a `FlatDesign`.*/
+/*                                                                     */
 static void design_flat_gains(array_double_1d plant, array_double_1d design, double length, array_double_2d gains)
 {
     double delay;
-    double lag;
-    int64_t axis;
     double gravity;
+    double ratio;
     double bandwidth;
     double hoist;
-    delay = (*cspan_at(&design, INT64_C(0)));
-    if ((int64_t)((*cspan_at(&plant, INT64_C(4)))) == INT64_C(1))
-    {
-        lag = 0.0;
-        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-        {
-            lag = span_max(lag, (*cspan_at(&plant, INT64_C(5) + axis)));
-        }
-        delay = delay + lag;
-    }
+    double pendulum;
+    delay = acts_late(plant, design);
     gravity = (*cspan_at(&plant, INT64_C(3)));
-    bandwidth = segfmu_feedback_bandwidth((*cspan_at(&design, INT64_C(1))), length, gravity, delay, largest_angle());
+    ratio = (*cspan_at(&design, INT64_C(1)));
+    bandwidth = segfmu_feedback_bandwidth(ratio, length, gravity, delay, largest_angle());
     hoist = segfmu_feedback_bandwidth((*cspan_at(&design, INT64_C(2))), length, gravity, delay, largest_hoist_angle());
-    segfmu_feedback_gains(plant, length, bandwidth, hoist, (*cspan_at(&design, INT64_C(3))), gains);
+    /*a slower carriage leaves the pendulum its frequency*/
+    pendulum = ratio * sqrt(gravity / length);
+    segfmu_feedback_gains(plant, length, bandwidth, pendulum, hoist, (*cspan_at(&design, INT64_C(3))), gains);
 }
-/*`design_flat_gains` at rope lengths (rows,) [m]; table (rows, 4, 10): one `Gains` per row. */
+/*`design_flat_gains` at rope lengths (rows,) [m]; table (rows, 4, 11): one `Gains` per row. */
 void segfmu_flat_table(array_double_1d plant, array_double_1d design, int64_t rows, array_double_1d lengths, array_double_3d table)
 {
     int64_t row;
@@ -1351,28 +1668,85 @@ void segfmu_flat_table(array_double_1d plant, array_double_1d design, int64_t ro
         design_flat_gains(plant, design, (*cspan_at(&lengths, row)), span_matrix(&table, row));
     }
 }
-/*`observer_design` at rope lengths (rows,) [m]; returns whether the whole table is finite.        */
+/*Step [m] or [rad] whose quantisation has the variance of a sensor's errors.*/
+static double sensor_step(array_double_1d sensors, int64_t signal)
+{
+    double step;
+    double deviation;
+    step = (*cspan_at(&sensors, INT64_C(13) + signal));
+    deviation = (*cspan_at(&sensors, INT64_C(8) + signal));
+    return sqrt(step * step + 12.0 * deviation * deviation);
+}
+/*Fill in the steps of an `Uncertainty` that are 0: those of the sensors, noise included.          */
 /*                                                                                                 */
-/*    uncertainty: an `Uncertainty`; expected: work space, an `Expected`; table (rows, 19, 10): one*/
-/*    `Observer` per row.                                                                          */
+/*    sensors: a `Sensors`; longest [m]: rope length. Sensors without an error are taken for usual */
+/*    encoders: steps of 1 / 5000 of the rope's length, and 4096 in a turn.                        */
 /*                                                                                                 */
+void segfmu_set_steps(array_double_1d sensors, double longest, array_double_1d uncertainty)
+{
+    double bridge;
+    double trolley;
+    double first;
+    if ((*cspan_at(&uncertainty, INT64_C(0))) == 0.0)
+    {
+        bridge = sensor_step(sensors, INT64_C(0));
+        trolley = sensor_step(sensors, INT64_C(0) + INT64_C(1));
+        (*cspan_at(&uncertainty, INT64_C(0))) = span_max(bridge, trolley);
+    }
+    if ((*cspan_at(&uncertainty, INT64_C(1))) == 0.0)
+    {
+        (*cspan_at(&uncertainty, INT64_C(1))) = sensor_step(sensors, INT64_C(0) + INT64_C(2));
+    }
+    if ((*cspan_at(&uncertainty, INT64_C(2))) == 0.0)
+    {
+        first = sensor_step(sensors, INT64_C(3));
+        (*cspan_at(&uncertainty, INT64_C(2))) = span_max(first, sensor_step(sensors, INT64_C(3) + INT64_C(1)));
+    }
+    if ((*cspan_at(&uncertainty, INT64_C(0))) == 0.0)
+    {
+        (*cspan_at(&uncertainty, INT64_C(0))) = 0.0002 * longest;
+    }
+    if ((*cspan_at(&uncertainty, INT64_C(1))) == 0.0)
+    {
+        (*cspan_at(&uncertainty, INT64_C(1))) = 0.0002 * longest;
+    }
+    if ((*cspan_at(&uncertainty, INT64_C(2))) == 0.0)
+    {
+        (*cspan_at(&uncertainty, INT64_C(2))) = 6.283185307179586 / 4096.0;
+    }
+}
+/*What an `Uncertainty` is at a rope length [m], an `Expected`.                                      */
+/*                                                                                                   */
+/*    Quantisation errors stay while a signal stays within a step. They count as new ones only every */
+/*    twentieth of the pendulum's time sqrt(l / g), however short the samples are.                   */
+/*                                                                                                   */
+static void expect_errors(array_double_1d uncertainty, double gravity, double length, double sample_time, array_double_1d expected)
+{
+    double time;
+    double repeated;
+    time = sqrt(length / gravity);
+    repeated = sqrt(span_max(1.0, 0.05 * time / sample_time));
+    (*cspan_at(&expected, INT64_C(0))) = repeated * (*cspan_at(&uncertainty, INT64_C(0)));
+    (*cspan_at(&expected, INT64_C(1))) = repeated * (*cspan_at(&uncertainty, INT64_C(1)));
+    (*cspan_at(&expected, INT64_C(2))) = repeated * (*cspan_at(&uncertainty, INT64_C(2)));
+    (*cspan_at(&expected, INT64_C(3))) = (*cspan_at(&uncertainty, INT64_C(3))) * gravity / sqrt(time);
+    (*cspan_at(&expected, INT64_C(4))) = (*cspan_at(&uncertainty, INT64_C(4))) * gravity / sqrt(time);
+}
+/*`observer_design` at rope lengths (rows,) [m]; returns whether the whole table is finite.          */
+/*                                                                                                   */
+/*    uncertainty: an `Uncertainty` with its steps; expected: work space, an `Expected`; table (rows,*/
+/*    19, 10): one `Observer` per row.                                                               */
+/*                                                                                                   */
 bool segfmu_observer_table(array_double_1d plant, double sample_time, array_double_1d uncertainty, int64_t rows, array_double_1d lengths, array_double_1d expected, array_double_2d work, array_double_3d table)
 {
-    int64_t i;
-    double gravity;
     int64_t row;
+    int64_t i;
     int64_t j;
     bool finite;
-    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
-    {
-        (*cspan_at(&expected, i)) = (*cspan_at(&uncertainty, i));
-    }
-    gravity = (*cspan_at(&plant, INT64_C(3)));
-    (*cspan_at(&expected, INT64_C(3))) = (*cspan_at(&uncertainty, INT64_C(3))) * gravity;
-    (*cspan_at(&expected, INT64_C(4))) = (*cspan_at(&uncertainty, INT64_C(4))) * gravity;
     finite = 1;
     for (row = INT64_C(0); row < rows; row += INT64_C(1))
     {
+        expect_errors(uncertainty, (*cspan_at(&plant, INT64_C(3))), (*cspan_at(&lengths, row)), sample_time, expected);
         segfmu_observer_design(plant, sample_time, (*cspan_at(&lengths, row)), expected, work, span_matrix(&table, row));
         for (i = INT64_C(0); i < INT64_C(19); i += INT64_C(1))
         {
@@ -1383,83 +1757,6 @@ bool segfmu_observer_table(array_double_1d plant, double sample_time, array_doub
         }
     }
     return finite;
-}
-/*Advance the estimate by a sample under velocity command (3) and held correction (3). */
-void segfmu_observer_predict(double length, array_double_3d table, array_double_1d command, array_double_1d held, array_double_2d estimate, array_double_1d scratch)
-{
-    int64_t row;
-    double share;
-    int64_t following;
-    int64_t axis;
-    int64_t j;
-    int64_t i;
-    int64_t k;
-    double total;
-    double entry;
-    row = table_row(length, table);
-    share = table_share(length, table, row);
-    following = span_min_int(row + INT64_C(1), table.shape[INT64_C(0)] - INT64_C(1));
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        for (j = INT64_C(0); j < INT64_C(6); j += INT64_C(1))
-        {
-            (*cspan_at(&scratch, j)) = (*cspan_at(&estimate, axis, j));
-        }
-        (*cspan_at(&scratch, INT64_C(6))) = (*cspan_at(&command, axis));
-        (*cspan_at(&scratch, INT64_C(7))) = (*cspan_at(&held, axis));
-        for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
-        {
-            k = INT64_C(1) + INT64_C(6) * axis + i;
-            total = 0.0;
-            for (j = INT64_C(0); j < INT64_C(8); j += INT64_C(1))
-            {
-                entry = (1.0 - share) * (*cspan_at(&table, row, k, j)) + share * (*cspan_at(&table, following, k, j));
-                total = total + entry * (*cspan_at(&scratch, j));
-            }
-            (*cspan_at(&estimate, axis, i)) = total;
-        }
-    }
-}
-/*Correct the estimate by the five measured signals and their references.*/
-void segfmu_observer_correct(double length, array_double_3d table, array_double_1d measured, array_double_1d reference, array_double_2d estimate)
-{
-    int64_t row;
-    double share;
-    int64_t following;
-    int64_t axis;
-    double first;
-    double second;
-    double sign;
-    int64_t angle;
-    double deviation;
-    int64_t i;
-    int64_t k;
-    double a;
-    double b;
-    row = table_row(length, table);
-    share = table_share(length, table, row);
-    following = span_min_int(row + INT64_C(1), table.shape[INT64_C(0)] - INT64_C(1));
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        first = (*cspan_at(&measured, axis)) - (*cspan_at(&reference, axis)) - (*cspan_at(&estimate, axis, INT64_C(0)));
-        second = 0.0;
-        if (axis != INT64_C(2))
-        {
-            sign = 1.0 - 2.0 * axis;
-            angle = INT64_C(3) + axis;
-            deviation = sign * ((*cspan_at(&measured, angle)) - (*cspan_at(&reference, angle)));
-            second = deviation - (*cspan_at(&estimate, axis, INT64_C(1)));
-        }
-        for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
-        {
-            k = INT64_C(1) + INT64_C(6) * axis + i;
-            a = (1.0 - share) * (*cspan_at(&table, row, k, INT64_C(8)));
-            a = a + share * (*cspan_at(&table, following, k, INT64_C(8)));
-            b = (1.0 - share) * (*cspan_at(&table, row, k, INT64_C(9)));
-            b = b + share * (*cspan_at(&table, following, k, INT64_C(9)));
-            (*cspan_at(&estimate, axis, i)) = (*cspan_at(&estimate, axis, i)) + a * first + b * second;
-        }
-    }
 }
 /*Three lags of half a sample over their time constant `share`, by Tustin's rule.*/
 /*                                                                               */
@@ -1758,25 +2055,83 @@ double segfmu_nominal_payload(double expected, double payload)
     }
     return payload;
 }
-/*Whether signals with this dead time [s] count as one sample [s] old. */
-bool segfmu_sampled_late(double dead_time, double sample_time)
+/*Age [s] of the signals at a tick of the controller.                                                */
+/*                                                                                                   */
+/*    dead_time [s]: from sampling to the signal; sampling, period [s]: of the sensors, 0 for        */
+/*    continuous ones, and of the controller. A sample becomes a signal within its dead time, so the */
+/*    latest signal at a tick is that of a whole number of samples before; on average half a sample  */
+/*    more, if ticks and samples are not in step.                                                    */
+/*                                                                                                   */
+double segfmu_signal_age(double dead_time, double sampling, double period)
 {
-    return dead_time >= 0.5 * sample_time;
+    double age;
+    double ratio;
+    if (sampling <= 0.0)
+    {
+        return dead_time;
+    }
+    age = sampling * (int64_t)ceil(dead_time / sampling - 1e-06);
+    ratio = period / sampling;
+    if (fabs(ratio - (int64_t)floor(ratio + 0.5)) > 1e-06)
+    {
+        age = dead_time + 0.5 * sampling;
+    }
+    return age;
 }
-/*Greatest setpoint of a drive of a `Plant`, N or m/s2; 1e99 where there is none.*/
+/*Greatest setpoint of a drive of a `Plant`, N or m/s2; 1e99 where there is none.                    */
+/*                                                                                                   */
+/*    The acceleration of a velocity drive is also bounded by its force, with which it moves carriage*/
+/*    and load.                                                                                      */
+/*                                                                                                   */
 double segfmu_drive_bound(array_double_1d plant, int64_t axis)
 {
+    double moved;
+    double by_force;
     double bound;
     bound = (*cspan_at(&plant, INT64_C(8) + axis));
     if ((int64_t)((*cspan_at(&plant, INT64_C(4)))) == INT64_C(1))
     {
+        moved = carriage_mass(plant, axis) + (*cspan_at(&plant, INT64_C(2)));
+        by_force = bound / moved;
+        if ((axis == INT64_C(2)) && (bound > 0.0))
+        {
+            by_force = span_max(by_force - (*cspan_at(&plant, INT64_C(3))), 0.001 * (*cspan_at(&plant, INT64_C(3))));
+        }
         bound = (*cspan_at(&plant, INT64_C(11) + axis));
+        if ((by_force > 0.0) && ((bound <= 0.0) || (by_force < bound)))
+        {
+            bound = by_force;
+        }
     }
     if (bound > 0.0)
     {
         return bound;
     }
     return 1e+99;
+}
+/*Fill in the bounds of a `Tracking`: those of the drives; a hoist cannot push its rope. */
+static void set_bounds(array_double_1d plant, array_double_1d tracking)
+{
+    int64_t axis;
+    double bound;
+    double greatest;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        bound = segfmu_drive_bound(plant, axis);
+        (*cspan_at(&tracking, INT64_C(15) + axis)) = bound;
+        (*cspan_at(&tracking, INT64_C(12) + axis)) = -bound;
+        (*cspan_at(&tracking, INT64_C(30) + axis)) = (*cspan_at(&plant, INT64_C(14) + axis));
+    }
+    greatest = 0.0;
+    if ((int64_t)((*cspan_at(&plant, INT64_C(4)))) == INT64_C(1))
+    {
+        greatest = 0.9 * (*cspan_at(&plant, INT64_C(3)));
+        if ((*cspan_at(&plant, INT64_C(11) + INT64_C(2))) > 0.0)
+        {
+            greatest = span_min(greatest, (*cspan_at(&plant, INT64_C(11) + INT64_C(2))));
+        }
+    }
+    (*cspan_at(&tracking, INT64_C(15) + INT64_C(2))) = greatest;
 }
 /*Fill in a `Tracking` that has a PERIOD, from WAKE_POSITION on, by an `Uncertainty`.              */
 /*                                                                                                 */
@@ -1807,26 +2162,22 @@ static void set_noise(array_double_1d uncertainty, double gravity, double longes
 void segfmu_set_tracking(array_double_1d plant, array_double_1d design, double longest, array_double_1d tracking)
 {
     double period;
+    double age;
     int64_t axis;
-    double bound;
     period = (*cspan_at(&tracking, INT64_C(1)));
     (*cspan_at(&tracking, INT64_C(0))) = (*cspan_at(&plant, INT64_C(4)));
-    (*cspan_at(&tracking, INT64_C(2))) = 0.0;
-    if (segfmu_sampled_late((*cspan_at(&design, INT64_C(7))), period))
+    age = segfmu_signal_age((*cspan_at(&design, INT64_C(7))), (*cspan_at(&design, INT64_C(8))), period);
+    (*cspan_at(&tracking, INT64_C(2))) = age / period;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        (*cspan_at(&tracking, INT64_C(2))) = 1.0;
+        (*cspan_at(&tracking, INT64_C(27) + axis)) = (age + (*cspan_at(&plant, INT64_C(20) + axis))) / period;
     }
     (*cspan_at(&tracking, INT64_C(3) + INT64_C(0))) = carriage_mass(plant, INT64_C(0));
     (*cspan_at(&tracking, INT64_C(3) + INT64_C(1))) = carriage_mass(plant, INT64_C(1));
     (*cspan_at(&tracking, INT64_C(3) + INT64_C(2))) = (*cspan_at(&plant, INT64_C(2)));
     (*cspan_at(&tracking, INT64_C(6))) = (*cspan_at(&plant, INT64_C(3)));
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        bound = segfmu_drive_bound(plant, axis);
-        (*cspan_at(&tracking, INT64_C(15) + axis)) = bound;
-        (*cspan_at(&tracking, INT64_C(12) + axis)) = -bound;
-    }
-    (*cspan_at(&tracking, INT64_C(19))) = period / (*cspan_at(&design, INT64_C(8)));
+    set_bounds(plant, tracking);
+    (*cspan_at(&tracking, INT64_C(19))) = period / (*cspan_at(&design, INT64_C(9)));
     set_noise(design, (*cspan_at(&plant, INT64_C(3))), longest, tracking);
 }
 /*Fill in the DECAY of a `Tracking` by PERIOD and FADE.*/
@@ -1865,13 +2216,12 @@ static void track_wake(array_double_1d parameters, array_double_1d measured, arr
         }
     }
 }
-/*Signals with the offset of the rope's length removed.*/
+/*Signals, with the offset of the rope's length removed if it is to be.*/
 static void track_offset(array_double_1d parameters, array_double_2d tick, array_double_2d memory)
 {
     array_double_1d measured;
     array_double_2d offsets;
     double before;
-    bool started;
     double offset;
     array_double_1d hoist;
     int64_t length;
@@ -1879,14 +2229,11 @@ static void track_offset(array_double_1d parameters, array_double_2d tick, array
     measured = span_row(&tick, INT64_C(0));
     offsets = span_rows(&memory, INT64_C(11), INT64_C(11) + INT64_C(14));
     before = (*cspan_at(&offsets, INT64_C(9), INT64_C(5)));
-    started = (*cspan_at(&memory, INT64_C(3), INT64_C(3))) > 0.5;
-    if (((*cspan_at(&parameters, INT64_C(2))) > 0.5) && started)
+    offset = offset_estimate(parameters, measured, span_row(&memory, INT64_C(6)), offsets);
+    if ((*cspan_at(&parameters, INT64_C(34))) < 0.5)
     {
-        offset = offset_estimate(parameters, measured, span_row(&memory, INT64_C(6)), offsets);
-    }
-    else
-    {
-        offset = offset_estimate(parameters, measured, span_row(&tick, INT64_C(1)), offsets);
+        offset = 0.0;
+        before = 0.0;
     }
     /*a correction of the length is no motion of the rope*/
     hoist = span_row(&memory, INT64_C(0) + INT64_C(2));
@@ -1916,51 +2263,26 @@ static void track_start(array_double_1d measured, array_double_1d reference, arr
     (*cspan_at(&estimate, INT64_C(1), INT64_C(1))) = (*cspan_at(&reference, phi_y)) - (*cspan_at(&measured, phi_y));
     (*cspan_at(&memory, INT64_C(3), INT64_C(3))) = 1.0;
 }
-/*Bring estimate and velocity command to the present tick. */
-static void track_observe(array_double_1d parameters, array_double_3d table, array_double_1d reference, array_double_2d memory)
+/*Correct the estimate by the signals, and predict it to when a correction acts. */
+static void track_observe(array_double_1d parameters, array_double_3d table, array_double_2d memory)
 {
     array_double_1d measured;
+    array_double_1d reference;
     double length;
-    array_double_2d estimate;
-    array_double_1d command;
-    array_double_1d held;
-    array_double_1d before;
-    array_double_1d inputs;
-    int64_t i;
-    double added;
     measured = span_row(&memory, INT64_C(10));
+    reference = span_row(&memory, INT64_C(6));
     length = (*cspan_at(&measured, INT64_C(0) + INT64_C(2)));
-    estimate = span_rows(&memory, INT64_C(0), INT64_C(3));
-    command = span_row(&memory, INT64_C(3));
-    held = span_row(&memory, INT64_C(4));
-    before = span_row(&memory, INT64_C(6));
-    inputs = span_row(&memory, INT64_C(9));
-    if ((*cspan_at(&command, INT64_C(3))) < 0.5)
+    track_wake(parameters, measured, reference, memory);
+    if ((*cspan_at(&memory, INT64_C(3), INT64_C(3))) < 0.5)
     {
         track_start(measured, reference, memory);
-        track_wake(parameters, measured, reference, memory);
-    }
-    else if ((*cspan_at(&parameters, INT64_C(2))) > 0.5)
-    {
-        track_wake(parameters, measured, before, memory);
-        segfmu_observer_correct(length, table, measured, before, estimate);
-        segfmu_observer_predict(length, table, command, held, estimate, inputs);
     }
     else
     {
-        track_wake(parameters, measured, reference, memory);
-        segfmu_observer_predict(length, table, command, held, estimate, inputs);
-        segfmu_observer_correct(length, table, measured, reference, estimate);
+        advance_estimates(parameters, length, table, memory);
+        segfmu_observer_correct(length, table, measured, reference, span_rows(&memory, INT64_C(0), INT64_C(3)));
     }
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        added = (*cspan_at(&parameters, INT64_C(1))) * (*cspan_at(&held, INT64_C(0) + i));
-        (*cspan_at(&command, INT64_C(0) + i)) = (*cspan_at(&command, INT64_C(0) + i)) + added;
-    }
-    for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
-    {
-        (*cspan_at(&before, i)) = (*cspan_at(&reference, i));
-    }
+    predict_present(parameters, length, table, memory);
 }
 /*Whether corrections act: enabled, and a deviation has woken the feedback.*/
 static bool track_acts(array_double_1d parameters, array_double_2d memory)
@@ -1969,22 +2291,25 @@ static bool track_acts(array_double_1d parameters, array_double_2d memory)
     result = ((*cspan_at(&parameters, INT64_C(9))) > 0.5) && ((*cspan_at(&memory, INT64_C(4), INT64_C(6))) > 0.5);
     return result;
 }
-/*Estimated deviation from the state that balances the disturbances.                           */
-/*                                                                                             */
-/*    A load pushed by an acceleration w hangs at the angle w / g. Its position is right if the*/
-/*    carriage is at -l w / g, and its height if the rope is longer by l (w / g)^2 / 2.        */
-/*                                                                                             */
+/*Estimated deviation from the state that balances the disturbances.                               */
+/*                                                                                                 */
+/*    A load pushed by an acceleration w hangs at the angle w / g. Its position is right if the    */
+/*    carriage is at -l w / g, and its height if the rope is longer by l (w / g)^2 / 2. A sensor of*/
+/*    the angle that is wrong by w / g shows the same while all is in place.                       */
+/*                                                                                                 */
 static void track_deviation(array_double_1d parameters, array_double_2d memory)
 {
     double length;
     array_double_1d deviation;
     array_double_1d target;
     int64_t i;
+    double moves;
     double slant;
     array_double_1d estimate;
     double sign;
     double rejected;
     double angle;
+    int64_t place;
     length = (*cspan_at(&memory, INT64_C(10), INT64_C(0) + INT64_C(2)));
     deviation = span_row(&memory, INT64_C(7));
     target = span_row(&memory, INT64_C(8));
@@ -1992,22 +2317,28 @@ static void track_deviation(array_double_1d parameters, array_double_2d memory)
     {
         (*cspan_at(&target, i)) = 0.0;
     }
+    moves = 1.0;
+    if ((int64_t)((*cspan_at(&parameters, INT64_C(33)))) == INT64_C(1))
+    {
+        moves = 0.0;
+    }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        (*cspan_at(&deviation, INT64_C(0) + i)) = (*cspan_at(&memory, INT64_C(0) + i, INT64_C(0)));
-        (*cspan_at(&deviation, INT64_C(5) + i)) = (*cspan_at(&memory, INT64_C(0) + i, INT64_C(2)));
+        (*cspan_at(&deviation, INT64_C(0) + i)) = (*cspan_at(&memory, INT64_C(25) + i, INT64_C(0)));
+        (*cspan_at(&deviation, INT64_C(5) + i)) = (*cspan_at(&memory, INT64_C(25) + i, INT64_C(2)));
     }
     slant = 0.0;
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
-        estimate = span_row(&memory, INT64_C(0) + i);
+        estimate = span_row(&memory, INT64_C(25) + i);
         sign = 1.0 - 2.0 * i;
         rejected = (*cspan_at(&parameters, INT64_C(8))) * (*cspan_at(&estimate, INT64_C(5)));
         angle = rejected / (*cspan_at(&parameters, INT64_C(6)));
-        (*cspan_at(&deviation, INT64_C(0) + i)) = (*cspan_at(&deviation, INT64_C(0) + i)) + length * angle;
+        place = INT64_C(0) + i;
+        (*cspan_at(&deviation, place)) = (*cspan_at(&deviation, place)) + moves * length * angle;
         (*cspan_at(&deviation, INT64_C(3) + i)) = sign * ((*cspan_at(&estimate, INT64_C(1))) - angle);
         (*cspan_at(&deviation, INT64_C(8) + i)) = sign * (*cspan_at(&estimate, INT64_C(3)));
-        slant = slant + 0.5 * length * angle * angle;
+        slant = slant + 0.5 * moves * length * angle * angle;
     }
     /*the length of the first argument selects the gains, the difference is the deviation*/
     (*cspan_at(&target, INT64_C(0) + INT64_C(2))) = length - (*cspan_at(&deviation, INT64_C(0) + INT64_C(2))) + slant;
@@ -2029,12 +2360,12 @@ static void track_forces(array_double_1d parameters, array_double_2d memory, arr
     payload = (*cspan_at(&parameters, INT64_C(3) + INT64_C(2)));
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
-        estimate = span_row(&memory, INT64_C(0) + i);
+        estimate = span_row(&memory, INT64_C(25) + i);
         mass = rejected * (*cspan_at(&parameters, INT64_C(3) + i));
         pull = (*cspan_at(&parameters, INT64_C(8))) * payload * (*cspan_at(&estimate, INT64_C(5)));
         (*cspan_at(&correction, i)) = (*cspan_at(&correction, i)) - mass * (*cspan_at(&estimate, INT64_C(4))) - pull;
     }
-    drift = (*cspan_at(&memory, INT64_C(0) + INT64_C(2), INT64_C(4)));
+    drift = (*cspan_at(&memory, INT64_C(25) + INT64_C(2), INT64_C(4)));
     rope = (*cspan_at(&correction, INT64_C(2))) / (*cspan_at(&parameters, INT64_C(18))) - rejected * drift;
     share = (*cspan_at(&memory, INT64_C(5), INT64_C(3)));
     rope = (1.0 + share) * rope - share * (*cspan_at(&parameters, INT64_C(6)));
@@ -2064,7 +2395,7 @@ static void track_law(array_double_1d parameters, array_double_3d gains, array_d
         return;
     }
     track_deviation(parameters, memory);
-    segfmu_feedback_correction(span_row(&memory, INT64_C(7)), span_row(&memory, INT64_C(8)), gains, correction);
+    segfmu_feedback_correction(span_row(&memory, INT64_C(7)), span_row(&memory, INT64_C(8)), span_row(&memory, INT64_C(3)), gains, correction);
     if (!driven)
     {
         track_forces(parameters, memory, correction);
@@ -2090,6 +2421,34 @@ static void track_hoist(array_double_1d parameters, array_double_2d memory)
         (*cspan_at(&memory, INT64_C(5), INT64_C(3))) = span_min(span_max(share, -0.98), 9.0);
     }
 }
+/*Limit a correction, so that the drive can do what it is told, feedforward included.*/
+static void track_limits(int64_t axis, array_double_1d parameters, array_double_2d tick, array_double_2d memory)
+{
+    double correction;
+    double bound;
+    double velocity;
+    double total;
+    double mass;
+    correction = (*cspan_at(&tick, INT64_C(3), axis));
+    bound = (*cspan_at(&parameters, INT64_C(30) + axis));
+    if (((int64_t)((*cspan_at(&parameters, INT64_C(0)))) == INT64_C(1)) && (bound > 0.0))
+    {
+        velocity = (*cspan_at(&tick, INT64_C(1), INT64_C(5) + axis));
+        velocity = velocity + (*cspan_at(&memory, INT64_C(3), INT64_C(0) + axis));
+        correction = span_min(correction, span_max(bound - velocity, 0.0) / (*cspan_at(&parameters, INT64_C(1))));
+        correction = span_max(correction, span_min((-bound) - velocity, 0.0) / (*cspan_at(&parameters, INT64_C(1))));
+    }
+    total = (*cspan_at(&tick, INT64_C(2), axis)) + correction;
+    total = span_max(total, (*cspan_at(&parameters, INT64_C(12) + axis)));
+    total = span_min(total, (*cspan_at(&parameters, INT64_C(15) + axis)));
+    if ((axis == INT64_C(2)) && ((int64_t)((*cspan_at(&parameters, INT64_C(0)))) == INT64_C(0)))
+    {
+        /*a tenth of the weight keeps the rope taut*/
+        mass = (*cspan_at(&parameters, INT64_C(3) + INT64_C(2))) * (1.0 + (*cspan_at(&memory, INT64_C(5), INT64_C(3))));
+        total = span_min(total, (-0.1) * mass * (*cspan_at(&parameters, INT64_C(6))));
+    }
+    (*cspan_at(&tick, INT64_C(3), axis)) = total - (*cspan_at(&tick, INT64_C(2), axis));
+}
 /*Compute the correction at a tick, held until the next one, and write it to `tick`. */
 /*                                                                                   */
 /*    Only the limits use the setpoints to which it is added.                        */
@@ -2099,27 +2458,31 @@ void segfmu_track_setpoint(array_double_1d parameters, array_double_3d table, ar
     array_double_1d correction;
     array_double_1d held;
     array_double_1d step;
+    array_double_1d reference;
     int64_t i;
-    double feedforward;
-    double total;
     correction = span_row(&tick, INT64_C(3));
     held = span_row(&memory, INT64_C(4));
     step = span_row(&memory, INT64_C(5));
+    reference = span_row(&tick, INT64_C(1));
+    if ((*cspan_at(&memory, INT64_C(3), INT64_C(3))) < 0.5)
+    {
+        remember_start(reference, memory);
+    }
+    remember_tick(parameters, reference, memory);
+    aged_reference(parameters, memory);
     track_offset(parameters, tick, memory);
-    track_observe(parameters, table, span_row(&tick, INT64_C(1)), memory);
+    track_observe(parameters, table, memory);
     track_law(parameters, gains, memory, correction);
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        feedforward = (*cspan_at(&tick, INT64_C(2), i));
         if ((*cspan_at(&memory, INT64_C(3), INT64_C(4))) > 0.5)
         {
             /*bumpless: the jump at a switch is added and fades out*/
             (*cspan_at(&step, INT64_C(0) + i)) = (*cspan_at(&held, INT64_C(3) + i)) - (*cspan_at(&correction, i));
         }
         (*cspan_at(&step, INT64_C(0) + i)) = (*cspan_at(&parameters, INT64_C(11))) * (*cspan_at(&step, INT64_C(0) + i));
-        total = feedforward + (*cspan_at(&correction, i)) + (*cspan_at(&step, INT64_C(0) + i));
-        total = span_min(span_max(total, (*cspan_at(&parameters, INT64_C(12) + i))), (*cspan_at(&parameters, INT64_C(15) + i)));
-        (*cspan_at(&correction, i)) = total - feedforward;
+        (*cspan_at(&correction, i)) = (*cspan_at(&correction, i)) + (*cspan_at(&step, INT64_C(0) + i));
+        track_limits(i, parameters, tick, memory);
         /*the observer gets the limited correction, so nothing winds up*/
         (*cspan_at(&held, INT64_C(3) + i)) = (*cspan_at(&correction, i));
         (*cspan_at(&held, INT64_C(0) + i)) = (*cspan_at(&correction, i));
@@ -11631,7 +11994,7 @@ static void correct_setpoints(array_double_2d settings, array_double_3d table, a
     }
     else
     {
-        segfmu_feedback_correction(span_row(&memory, INT64_C(4)), span_row(&memory, INT64_C(1)), gains, span_row(&memory, INT64_C(3)));
+        segfmu_feedback_correction(span_row(&memory, INT64_C(4)), span_row(&memory, INT64_C(1)), span_row(&memory, INT64_C(9)), gains, span_row(&memory, INT64_C(3)));
     }
     segfmu_switch_correction(settings, memory);
 }
@@ -12051,11 +12414,11 @@ void segfmu_tracking_estimates(array_double_1d parameters, array_double_2d track
     (*cspan_at(&estimates, INT64_C(0))) = (*cspan_at(&parameters, INT64_C(3) + INT64_C(2))) * (1.0 + (*cspan_at(&tracker, INT64_C(5), INT64_C(3))));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        (*cspan_at(&estimates, INT64_C(1) + i)) = (*cspan_at(&tracker, INT64_C(0) + i, INT64_C(4)));
+        (*cspan_at(&estimates, INT64_C(1) + i)) = (*cspan_at(&tracker, INT64_C(25) + i, INT64_C(4)));
     }
     for (i = INT64_C(0); i < INT64_C(6) - INT64_C(4); i += INT64_C(1))
     {
-        (*cspan_at(&estimates, INT64_C(4) + i)) = (*cspan_at(&tracker, INT64_C(0) + i, INT64_C(5)));
+        (*cspan_at(&estimates, INT64_C(4) + i)) = (*cspan_at(&tracker, INT64_C(25) + i, INT64_C(5)));
     }
     (*cspan_at(&estimates, INT64_C(6))) = (*cspan_at(&tracker, INT64_C(11) + INT64_C(9), INT64_C(5)));
 }
