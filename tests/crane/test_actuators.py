@@ -14,6 +14,7 @@ from segfmu import (
     InputError,
     Limits,
     Waypoint,
+    excursions,
     plan,
     plan_actuated,
 )
@@ -179,3 +180,15 @@ def test_wrong_bounds_are_refused(given) -> None:
 def test_bounds_of_another_type_are_refused() -> None:
     with pytest.raises(InputError, match="bounds must be an ActuatorBounds, got NoneType"):
         plan_actuated(CRANE, MOVE, LIMITS, None)
+
+
+def test_free_states_do_not_run_up_backwards() -> None:
+    crane = Crane(300e3, 15e3, 40e3)
+    points = [
+        Waypoint([0.0, 0.0, -30.0]), Waypoint([0.0, 8.0, -20.0], "free", "free"),
+        Waypoint([0.0, 45.0, -30.0]),
+    ]
+    bounds = ActuatorBounds(velocity=[1.0, 4.0, 1.5], acceleration=[0.5, 0.8, 0.75])
+    found = plan_actuated(crane, points, None, bounds)
+    assert excursions(found.trajectory) == ()
+    assert found.trajectory(found.trajectory.waypoint_times[1], 1)[1] > 0.0

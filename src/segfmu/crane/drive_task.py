@@ -11,9 +11,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from segfmu.crane.parameters import Crane
 from segfmu.crane.rope import require_rope
+from segfmu.errors import InfeasibleError
 from segfmu.kernels.crane.records import Demand
 from segfmu.planning.arrays import FloatArray
 from segfmu.planning.clearance import Clearance
+from segfmu.planning.excursions import excursions
 from segfmu.planning.limits import Limits
 from segfmu.planning.planner import plan
 from segfmu.planning.trajectory import Trajectory
@@ -71,7 +73,16 @@ class Task:
         require_rope(self.crane, trajectory)
         if self.clearance is not None:
             self.clearance.require(trajectory)
+        self._require_direct(trajectory)
         return trajectory
+
+    def _require_direct(self, trajectory: Trajectory) -> None:
+        """Refuse free states that make the path leave the box of the waypoints that it joins."""
+        if not self.free.any():
+            return
+        for found in excursions(trajectory):
+            if self.free[found.interval - 1 : found.interval + 1, :, found.axis].any():
+                raise InfeasibleError(str(found), axis=found.axis, interval=found.interval)
 
     @cached_property
     def rest(self) -> FloatArray:
