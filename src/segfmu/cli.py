@@ -18,6 +18,7 @@ from segfmu.crane import ActuatorBounds, FlatInverse, bound_uses
 from segfmu.errors import BuildError, InputError, SegfmuError
 from segfmu.planning import Trajectory, excursions
 from segfmu.planning.verify import verify
+from segfmu.validation import commands
 from segfmu.validation.mission import Mission, load_mission
 from segfmu.validation.output import about, folder, note, plan_samples, stride, thinned
 
@@ -278,6 +279,14 @@ def campaign(
         _tell(f"missed: {missed}")
     if not all(c.reached for c in comparisons):
         raise typer.Exit(1)
+
+
+app.command(epilog="Example: segfmu validate models/scenarios -o out --junit out/junit.xml")(
+    commands.validate
+)
+app.command(epilog="Example: segfmu compare out/gust.csv gust.csv --tube-value 1e-3 --relative")(
+    commands.compare
+)
 
 
 def _planned(task: Mission) -> Trajectory:

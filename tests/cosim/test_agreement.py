@@ -15,7 +15,6 @@ from segfmu.fmu.gantry_crane.rig_parameters import rig_parameters
 from tests.fmu.python.test_slaves import LIMITS, POINTS
 
 STEP, STOP = 0.004, 2.0
-ROUNDING = 1e-14
 UNKIND = {
     "drive.bridge.lag": 0.025, "drive.trolley.lag": 0.013, "drive.trolley.acceleration_max": 0.4,
     "drive.trolley.dead_time": 0.0071,
@@ -52,8 +51,7 @@ def pure(driven: bool, values: dict[str, float], events: bool) -> tuple[list, li
     rows = [(plant.state, plant.measured, plant.drive_force.copy())]
     for i in range(1, round(STOP / STEP) + 1):
         for time in trajectory.events if events else ():
-            # an event that is a rounding error away from the step's end is at its end
-            if plant.time < time < i * STEP - ROUNDING:
+            if plant.time < time < i * STEP:
                 plant.step(time - plant.time, setpoints(time))
         plant.step(i * STEP - plant.time, setpoints(i * STEP))
         rows.append((plant.state, plant.measured, plant.drive_force.copy()))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -176,8 +176,8 @@ class Mission(Table):
         return trajectory
 
 
-def load_mission(path: Path) -> Mission:
-    """Read and check a mission file and the crane file that it names.
+def load_mission(path: Path, changes: Mapping[str, Any] | None = None) -> Mission:
+    """Read and check a mission file and the crane file that it names, with changes of its tables.
 
     Raises
     ------
@@ -192,6 +192,7 @@ def load_mission(path: Path) -> Mission:
         )
     if isinstance(data.get("crane"), str):
         data["crane"] = _crane_data(path, data["crane"])
+    data = merged(data, changes or {})
     mission = checked(Mission, data, str(path))
     try:
         for name, crane in (("crane", mission.crane), ("true_crane", mission.simulated)):

@@ -1,0 +1,83 @@
+"""Commands that judge: scenarios, and results against references."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+from rich.progress import track
+
+from segfmu.validation.output import folder
+
+console = Console()
+
+
+def validate(
+    paths: Annotated[
+        list[Path], typer.Argument(metavar="PATH...", help="Scenario files, or folders of them.")
+    ],
+    output: Annotated[
+        str | None,
+        typer.Option("--output", "-o", metavar="FOLDER", help="For tables and results.json."),
+    ] = None,
+    junit: Annotated[
+        Path | None, typer.Option("--junit", metavar="FILE", help="JUnit XML of all criteria.")
+    ] = None,
+) -> None:
+    """Run scenarios as co-simulations of both FMUs; show every criterion, margin and verdict.
+
+    The exit code is 0 if every scenario passes or fails as its file expects.
+    """
+    from segfmu.validation.scenario_file import find, load_scenario
+    from segfmu.validation.suite import Runner
+    from segfmu.validation.suite_files import suite_table, write_junit, write_results
+
+    scenarios = [load_scenario(path) for path in find(paths)]
+    with Runner() as runner:
+        results = [
+            runner.run(scenario)
+            for scenario in track(scenarios, "running scenarios", console=console, transient=True)
+        ]
+    if output is not None:
+        write_results(folder(output), results)
+    if junit is not None:
+        write_junit(junit, results)
+    console.print(suite_table(results))
+    wrong = sum(not result.right for result in results)
+    console.print(f"{len(results) - wrong} of {len(results)} scenarios as expected")
+    if wrong:
+        raise typer.Exit(1)
+
+
+def compare(
+    result: Annotated[Path, typer.Argument(help="Table of a run (CSV).")],
+    reference: Annotated[Path, typer.Argument(help="Table that it is to agree with (CSV).")],
+    tube_time: Annotated[
+        float, typer.Option(help="Half the width of the tubes in time [s].", min=0.0)
+    ] = 0.0,
+    tube_value: Annotated[
+        float, typer.Option(help="Half the width in value, in the unit of each signal.", min=0.0)
+    ] = 0.0,
+    relative: Annotated[
+        bool,
+        typer.Option("--relative", help="The width in value is a share of the signal's peak."),
+    ] = False,
+) -> None:
+    """Compare a table with a reference in tubes; name the first signal that leaves its own."""
+    from segfmu.validation.comparison import compare as compared
+    from segfmu.validation.signal_table import read_table
+
+    tables = read_table(result), read_table(reference)
+    found = compared(*tables, tube_time=tube_time, tube_value=tube_value, relative=relative)
+    for excess in found[:MOST_SHOWN]:
+        console.print(str(excess), highlight=False, markup=False, soft_wrap=True)
+    count = len(tables[1]) - 1
+    console.print(f"{count - len(found)} of {count} signals are in their tubes", highlight=False)
+    if found:
+        raise typer.Exit(1)
+
+
+# signals outside of their tubes that are listed
+MOST_SHOWN = 10

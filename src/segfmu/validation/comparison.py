@@ -1,0 +1,116 @@
+"""A result against a reference: does it stay in a tube in time and value about every signal?"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from segfmu.errors import InputError
+from segfmu.planning.arrays import FloatArray
+
+# s; times that differ by less are equal
+INSTANT = 1e-9
+
+
+@dataclass(frozen=True)
+class Excess:
+    """Where a signal first leaves its tube.
+
+    Attributes
+    ----------
+    signal : str
+    time : float
+        [s]
+    excess : float
+        By how much it is outside then, in the unit of the signal.
+    largest : float
+        Greatest excess of this signal.
+    """
+
+    signal: str
+    time: float
+    excess: float
+    largest: float
+
+    def __str__(self) -> str:
+        return (
+            f"{self.signal} leaves its tube at {self.time:.6g} s by {self.excess:.4g} "
+            f"(at most by {self.largest:.4g})"
+        )
+
+
+def compare(
+    result: Mapping[str, FloatArray], reference: Mapping[str, FloatArray], *,
+    tube_time: float, tube_value: float, relative: bool = False,
+) -> list[Excess]:
+    """Signals of a result outside of tubes about those of the reference, by time.
+
+    A point is inside if the reference has, at most `tube_time` earlier or later, a value at most
+    `tube_value` lower and one at most as much higher. Between rows signals are linear; the
+    result is looked at where it has rows.
+
+    Parameters
+    ----------
+    result, reference : mapping of str to ndarray
+        Columns, with "time" [s]; the rows may be at other times.
+    tube_time : float
+        [s]
+    tube_value : float
+        In the unit of each signal; with `relative` a share of the reference's greatest absolute
+        value.
+
+    Raises
+    ------
+    InputError
+        If the result lacks a signal of the reference, or does not last as long, or tubes are
+        negative.
+    """
+    if not (0.0 <= tube_time < np.inf and 0.0 <= tube_value < np.inf):
+        raise InputError(f"tubes must be at least 0, got {tube_time} s and {tube_value}")
+    _require_alike(result, reference, tube_time)
+    times = result["time"]
+    found = []
+    for name in reference:
+        if name == "time":
+            continue
+        wide = tube_value * (float(np.abs(reference[name]).max()) if relative else 1.0)
+        low, high = _envelope(times, reference["time"], reference[name], tube_time)
+        outside = np.maximum(low - wide - result[name], result[name] - high - wide)
+        # a signal that is not a number is outside
+        wrong = np.flatnonzero(~(outside <= 0.0))
+        if wrong.size:
+            first = wrong[0]
+            found.append(Excess(
+                name, float(times[first]), float(outside[first]), float(np.max(outside))
+            ))
+    return sorted(found, key=lambda e: e.time)
+
+
+def _require_alike(
+    result: Mapping[str, FloatArray], reference: Mapping[str, FloatArray], tube_time: float
+) -> None:
+    missing = [name for name in reference if name not in result]
+    if missing:
+        raise InputError(f"the result has no signal {missing[0]}, which the reference has")
+    ends = np.array([table["time"][[0, -1]] for table in (result, reference)])
+    if np.abs(ends[0] - ends[1]).max() > tube_time + INSTANT:
+        raise InputError(
+            f"the result is from {ends[0, 0]:.6g} to {ends[0, 1]:.6g} s, the reference from "
+            f"{ends[1, 0]:.6g} to {ends[1, 1]:.6g} s"
+        )
+
+
+def _envelope(
+    times: FloatArray, given: FloatArray, values: FloatArray, wide: float
+) -> tuple[FloatArray, FloatArray]:
+    """Least and greatest value of a signal about every time; its ends are held."""
+    first, last = times - wide, times + wide
+    ends = np.stack([np.interp(t, given, values) for t in (first, times, last)])
+    low, high = ends.min(axis=0), ends.max(axis=0)
+    start, stop = np.searchsorted(given, first), np.searchsorted(given, last, side="right")
+    for i in np.flatnonzero(stop > start):
+        inside = values[start[i]:stop[i]]
+        low[i], high[i] = min(low[i], inside.min()), max(high[i], inside.max())
+    return low, high

@@ -1,0 +1,200 @@
+"""Margins of criteria over the rows of a run.
+
+A margin is the robustness of signal temporal logic: the distance of the signal from its bound, at
+the worst time of an "always", at the best of an "eventually"; positive where the criterion holds.
+A. Donzé, O. Maler, Robust satisfaction of temporal logic over real-valued signals, FORMATS 2010.
+Between rows signals are linear, so the extremes are at rows and at the ends of the window.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from difflib import get_close_matches
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from segfmu.errors import InputError
+from segfmu.planning.arrays import FloatArray
+from segfmu.validation.crane_file import CraneFile
+from segfmu.validation.keys import DRIVES
+from segfmu.validation.scenario_tables import CriterionTable, moment
+from segfmu.validation.signal_table import read_table
+
+# combinations of variables that have a name of their own
+DERIVED = {"error.load.horizontal": ("error.load.x", "error.load.y")}
+# s; times that differ by less are equal
+INSTANT = 1e-9
+# a drive at its bound is within it
+ROUNDING = 1e-12
+
+
+@dataclass(frozen=True)
+class Finding:
+    """A criterion of a run.
+
+    Attributes
+    ----------
+    name, kind, signal : str
+    bound : float
+        In the unit of the signal; of drives the share.
+    margin : float
+        In the unit of the signal; positive where the criterion holds, NaN for a signal that is.
+    """
+
+    name: str
+    kind: str
+    signal: str
+    bound: float
+    margin: float
+
+    @property
+    def normalised(self) -> float | None:
+        """The margin over the bound; None for a bound of zero."""
+        return self.margin / abs(self.bound) if self.bound else None
+
+    @property
+    def passed(self) -> bool:
+        """Whether the margin is not negative, but for rounding."""
+        return self.margin >= -ROUNDING * max(1.0, abs(self.bound))
+
+
+def judge(
+    criterion: CriterionTable, rows: NDArray[np.void], known: Mapping[str, float],
+    crane: CraneFile, nominal: NDArray[np.void] | None = None,
+) -> Finding:
+    """Judge a run by one criterion.
+
+    Parameters
+    ----------
+    criterion : CriterionTable
+    rows : structured array
+        "time" and the variables of the run.
+    known : mapping
+        Times of "start", "arrival" and "end" [s].
+    crane : CraneFile
+        Whose bounds of the drives are meant.
+    nominal : structured array, optional
+        The run that the bound is relative to.
+
+    Raises
+    ------
+    InputError
+        For variables that the run does not have, and an empty window.
+    """
+    times, span = rows["time"], _window(criterion, known)
+    if criterion.kind == "drives":
+        bound = 1.0 if criterion.bound is None else criterion.bound
+        use = drive_use(rows, crane)
+        margin = bound - float(_within(times, use, span).max())
+        return Finding(criterion.name, "drives", "use of the drives", bound, margin)
+    assert criterion.bound is not None
+    bound = criterion.bound
+    if nominal is not None:
+        compared = _within(nominal["time"], _quantity(criterion, nominal), span)
+        bound *= float(np.abs(compared).max())
+    values = _within(times, _quantity(criterion, rows), span)
+    sign = -1.0 if criterion.sense == "at least" else 1.0
+    distances = sign * (bound - values)
+    best = criterion.kind == "eventually"
+    margin = float(distances.max() if best else distances.min())
+    return Finding(criterion.name, criterion.kind, title(criterion), bound, margin)
+
+
+def title(criterion: CriterionTable) -> str:
+    """The signal of a criterion as words."""
+    signal = criterion.signal
+    return f"norm({', '.join(signal)})" if isinstance(signal, list) else signal or "drives"
+
+
+def drive_use(rows: NDArray[np.void], crane: CraneFile) -> FloatArray:
+    """Greatest use of force, velocity and power of any drive, as a share of the crane's bounds.
+
+    Raises
+    ------
+    InputError
+        If the crane file has no such bounds.
+    """
+    axes = {"bridge": "bridge", "trolley": "trolley", "hoist": "rope"}
+    shares = []
+    for drive in DRIVES:
+        own = getattr(crane, drive)
+        signals = {
+            f"drive.{drive}.force": own.force_max, f"{axes[drive]}.velocity": own.velocity_max,
+            f"drive.{drive}.power": own.power_max,
+        }
+        shares += [np.abs(_column(rows, n)) / most for n, most in signals.items() if most]
+    if not shares:
+        raise InputError(
+            "the kind drives needs force_max, velocity_max or power_max of a drive of the crane"
+        )
+    use: FloatArray = np.max(shares, axis=0)
+    return use
+
+
+def _quantity(criterion: CriterionTable, rows: NDArray[np.void]) -> FloatArray:
+    """What is compared with the bound, at all rows."""
+    signal = criterion.signal
+    assert signal is not None
+    parts = DERIVED.get(signal, (signal,)) if isinstance(signal, str) else tuple(signal)
+    columns = [_column(rows, name) for name in parts]
+    if criterion.reference is not None:
+        columns = [
+            column - _reference(criterion.reference, name, rows)
+            for column, name in zip(columns, parts, strict=True)
+        ]
+    if len(columns) > 1:
+        norm: FloatArray = np.linalg.norm(columns, axis=0)
+        return norm
+    return np.abs(columns[0]) if criterion.sense == "within" else columns[0]
+
+
+def _reference(name: str, signal: str, rows: NDArray[np.void]) -> FloatArray:
+    if not name.endswith(".csv"):
+        return _column(rows, name)
+    table = read_table(Path(name))
+    if signal not in table:
+        raise InputError(f"{name}: no column {signal}")
+    times, given = rows["time"], table["time"]
+    if given[0] > times[0] + INSTANT or given[-1] < times[-1] - INSTANT:
+        raise InputError(f"{name}: does not last as long as the run, {times[-1]:.6g} s")
+    column: FloatArray = np.interp(times, given, table[signal])
+    return column
+
+
+def _column(rows: NDArray[np.void], name: str) -> FloatArray:
+    names = [n for n in rows.dtype.names or () if n != "time"]
+    if name not in names:
+        near = get_close_matches(name, names, n=1)
+        hint = f"; did you mean {near[0]}?" if near else ""
+        raise InputError(f"no variable {name} in the run{hint}")
+    column: FloatArray = rows[name].astype(np.float64)
+    return column
+
+
+def _window(criterion: CriterionTable, known: Mapping[str, float]) -> tuple[float, float]:
+    if criterion.kind == "at":
+        assert criterion.at is not None
+        time = moment(criterion.at, known)
+        return time, time
+    if criterion.kind == "settled":
+        return known["arrival"] + criterion.delay, known["end"]
+    first, last = (moment(value, known) for value in criterion.window)
+    return first, last
+
+
+def _within(
+    times: FloatArray, values: FloatArray, span: tuple[float, float]
+) -> FloatArray:
+    """Values at the rows of a window and, interpolated, at its ends."""
+    first, last = span
+    if not times[0] - INSTANT <= first <= last <= times[-1] + INSTANT:
+        raise InputError(
+            f"the window from {first:.6g} s to {last:.6g} s is empty or outside of the "
+            f"run from {times[0]:.6g} s to {times[-1]:.6g} s"
+        )
+    inside = (times > first) & (times < last)
+    ends = np.interp([first, last], times, values)
+    return np.concatenate([ends[:1], values[inside], ends[1:]])

@@ -1,0 +1,26 @@
+"""A fixture of pytest that runs scenario files.
+
+    pytest_plugins = ["segfmu.validation.pytest_plugin"]    # in conftest.py
+
+    def test_gust(run_scenario):
+        run_scenario("gust.toml").require()
+
+It is no entry point: those would load segfmu in every run of pytest in its environment.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+
+from segfmu.validation.scenario_file import load_scenario
+from segfmu.validation.suite import Result, Runner
+
+
+@pytest.fixture(scope="session")
+def run_scenario() -> Iterator[Callable[[str | Path], Result]]:
+    """Runs a scenario file; FMUs are built once in a session."""
+    with Runner() as runner:
+        yield lambda path: runner.run(load_scenario(Path(path)))

@@ -1,0 +1,197 @@
+"""Tables of a scenario file."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from typing import Annotated, Any, Literal, Self
+
+from pydantic import AfterValidator, BeforeValidator, Field, StrictBool, model_validator
+
+from segfmu.validation.keys import Key, NotNegative, Number, Table, printable
+
+INSTANT = re.compile(r"(start|arrival|end)(?:\s*([+-])\s*(\d+\.?\d*(?:[eE][+-]?\d+)?))?")
+CRANE = "GantryCrane"
+
+
+def _instant(value: Any) -> Any:
+    """Refuse what is neither a time nor words for one."""
+    words = isinstance(value, str) and INSTANT.fullmatch(value.strip())
+    if isinstance(value, bool) or not (words or isinstance(value, int | float)):
+        raise ValueError('must be a time, or "start", "arrival" or "end" plus or minus a time')
+    return value.strip() if isinstance(value, str) else value
+
+
+def moment(value: float | str, known: Mapping[str, float]) -> float:
+    """The time that an instant of a file means [s]; `known` are start, arrival and end."""
+    if not isinstance(value, str):
+        return value
+    found = INSTANT.fullmatch(value)
+    assert found is not None
+    word, sign, amount = found.groups()
+    return known[word] + float(f"{sign or '+'}{amount or 0}")
+
+
+def _value(value: Any) -> Any:
+    """Refuse what is no value of a variable."""
+    if not isinstance(value, bool | int | float | str):
+        raise ValueError("must be a number, true, false, or the name of an item")
+    return value
+
+
+Name = Annotated[str, Field(min_length=1, max_length=100), AfterValidator(printable)]
+Instant = Annotated[float | str, BeforeValidator(_instant)]
+Values = dict[str, Annotated[Any, BeforeValidator(_value)]]
+
+
+class EventTable(Table):
+    """New values of variables from a time on."""
+
+    time: Annotated[Instant, Key("when", "s")]
+    fmu: Annotated[Name, Key("whose variables")] = CRANE
+    values: Annotated[
+        Values, Key("inputs that are not connected, and tunable parameters"), Field(min_length=1)
+    ]
+
+
+class ProfileTable(Table):
+    """Samples that a variable follows, each held until the next one."""
+
+    fmu: Annotated[Name, Key("whose variable")] = CRANE
+    variable: Annotated[Name, Key("an input that is not connected, or a tunable parameter")]
+    times: Annotated[list[Instant], Key("of the samples", "s"), Field(min_length=1)]
+    values: Annotated[list[Number], Key("samples"), Field(min_length=1)]
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if len(self.times) != len(self.values):
+            raise ValueError(f"has {len(self.times)} times but {len(self.values)} values")
+        return self
+
+
+class UnitTable(Table):
+    """A further FMU, which steps between GantryFeedforward and GantryCrane."""
+
+    name: Annotated[Name, Key("in connections, events and the names of variables")]
+    path: Annotated[Name, Key("file of the FMU")]
+    values: Annotated[Values, Key("parameters and start values")] = {}
+    connections: Annotated[
+        list[Annotated[list[Name], Field(min_length=4, max_length=4)]],
+        Key(
+            "each FMU, output, FMU, input; an input of GantryCrane that is named here leaves "
+            "GantryFeedforward"
+        ),
+    ] = []
+
+
+class CriterionTable(Table):
+    """What has to hold of a run."""
+
+    name: Annotated[Name, Key("of the criterion")]
+    kind: Annotated[
+        Literal["always", "eventually", "at", "settled", "tube", "drives"],
+        Key("when it has to hold"),
+    ] = "always"
+    signal: Annotated[
+        Name | list[Name] | None,
+        Key("variable of the run, or several, whose Euclidean norm is meant"),
+    ] = None
+    sense: Annotated[
+        Literal["within", "at most", "at least"],
+        Key("whether the bound is one of the absolute value, or from above or below"),
+    ] = "within"
+    bound: Annotated[
+        Number | None,
+        Key("in the unit of the signal; of drives their share", default="1, of drives"),
+    ] = None
+    against: Annotated[
+        Literal["without feedback", "undisturbed"] | None,
+        Key("a second run; the bound is a share of the signal's greatest absolute value there",
+            default="the bound is absolute"),
+    ] = None
+    window: Annotated[
+        Annotated[list[Instant], Field(min_length=2, max_length=2)],
+        Key("from when to when", "s"),
+    ] = ["start", "end"]
+    at: Annotated[Instant | None, Key("when, of the kind at", "s", default="required there")] = None
+    delay: Annotated[
+        NotNegative, Key("of the kind settled: from the arrival on", "s")
+    ] = 0.0
+    reference: Annotated[
+        Name | None,
+        Key("of the kind tube: a variable of the run, or a CSV file that has the signal",
+            default="required there"),
+    ] = None
+
+    @model_validator(mode="after")
+    def _complete(self) -> Self:
+        for name, kinds in OWN.items():
+            given = name in self.model_fields_set
+            if given and self.kind not in kinds:
+                raise ValueError(f"{name} is no key of the kind {self.kind}")
+        for name, kinds in NEEDED.items():
+            if self.kind in kinds and getattr(self, name) is None:
+                raise ValueError(f"{name} is missing, which the kind {self.kind} needs")
+        if self.bound is not None and self.bound < 0.0 and self.sense == "within":
+            raise ValueError(f"bound {self.bound:g} is below 0, which nothing is within")
+        if isinstance(self.signal, list) and len(self.signal) < 2:
+            raise ValueError("signal: a norm is one of at least two variables")
+        return self
+
+
+SIGNALS = ("always", "eventually", "at", "settled", "tube")
+# key -> kinds that have it; and kinds that need it
+OWN = {
+    "window": ("always", "eventually", "tube", "drives"), "at": ("at",), "delay": ("settled",),
+    "reference": ("tube",), "signal": SIGNALS, "sense": SIGNALS, "against": SIGNALS,
+}
+NEEDED = {"signal": SIGNALS, "bound": SIGNALS, "at": ("at",), "reference": ("tube",)}
+
+
+class ScenarioFile(Table):
+    """A whole scenario file."""
+
+    name: Annotated[Name, Key("title of the scenario")]
+    mission: Annotated[Name, Key("mission file")]
+    expect: Annotated[
+        Literal["pass", "fail"], Key("whether all criteria have to hold, or one must not")
+    ] = "pass"
+    step: Annotated[
+        Annotated[Number, Field(ge=1e-6, le=0.1)] | None,
+        Key("communication step", "s", default="simulation.step of the mission"),
+    ] = None
+    fmi: Annotated[Literal[2, 3], Key("version of FMI of both FMUs")] = 2
+    coupling: Annotated[
+        Literal["derivatives", "sequential", "parallel"] | None,
+        Key("how the FMUs are coupled", default="derivatives where all FMUs have them"),
+    ] = None
+    lead: Annotated[
+        StrictBool, Key("setpoints are ahead by the step, for parallel coupling")
+    ] = False
+    crane: Annotated[dict[str, Any], Key("changes of the mission's crane, planned for")] = {}
+    true_crane: Annotated[dict[str, Any], Key("what differs in the crane that is simulated")] = {}
+    controller: Annotated[
+        dict[str, Any], Key("changes of the controller; of the crane that is planned for")
+    ] = {}
+    limits: Annotated[dict[str, Any], Key("changes of the mission's limits")] = {}
+    simulation: Annotated[dict[str, Any], Key("changes of the mission's simulation")] = {}
+    parameters: Annotated[
+        dict[str, Values], Key("parameters and start values of FMUs, by the name of the FMU")
+    ] = {}
+    events: Annotated[list[EventTable], Key("new values during the run")] = []
+    profiles: Annotated[list[ProfileTable], Key("variables that follow samples")] = []
+    fmus: Annotated[list[UnitTable], Key("further FMUs that take part")] = []
+    criteria: Annotated[
+        list[CriterionTable], Key("what has to hold"), Field(min_length=1)
+    ]
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        for kind, entries in (("criteria", self.criteria), ("fmus", self.fmus)):
+            names = [entry.name for entry in entries]
+            double = next((n for n in names if names.count(n) > 1), None)
+            if double is not None:
+                raise ValueError(f"{kind}: two of them are called {double}")
+        if self.lead and self.coupling != "parallel":
+            raise ValueError('lead is for coupling = "parallel"')
+        return self

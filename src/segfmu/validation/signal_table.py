@@ -1,0 +1,39 @@
+"""Tables of signals over time, read from CSV."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+
+import numpy as np
+
+from segfmu.errors import InputError
+from segfmu.planning.arrays import FloatArray
+
+
+def read_table(path: Path) -> dict[str, FloatArray]:
+    """Columns of a CSV file by name: "time", which increases, and signals.
+
+    Raises
+    ------
+    InputError
+        If it cannot be read or is no such table.
+    """
+    try:
+        with path.open(encoding="utf-8-sig", newline="") as file:
+            names = next(csv.reader(file), [])
+            data = np.loadtxt(file, delimiter=",", ndmin=2)
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
+    except (ValueError, csv.Error) as error:
+        raise InputError(f"{path}: no table of numbers: {error}".splitlines()[0]) from None
+    if "time" not in names:
+        raise InputError(f"{path}: no column time")
+    if len(set(names)) != len(names):
+        raise InputError(f"{path}: two columns have one name")
+    if data.shape[0] == 0 or data.shape[1] != len(names):
+        raise InputError(f"{path}: {len(names)} names but rows of {data.shape[1]} numbers")
+    table: dict[str, FloatArray] = dict(zip(names, data.T, strict=True))
+    if not np.all(np.diff(table["time"]) > 0.0):
+        raise InputError(f"{path}: time does not increase")
+    return table

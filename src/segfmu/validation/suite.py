@@ -1,0 +1,246 @@
+"""Scenarios as co-simulations of the FMUs that a user ships, and their verdicts."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from segfmu.cosim import Change, System, profile
+from segfmu.errors import BuildError, InputError, SegfmuError
+from segfmu.fmu.build import build_all
+from segfmu.fmu.choice import chosen
+from segfmu.fmu.gantry_crane import interface as gantry_crane
+from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
+from segfmu.fmu.standard.spec import Spec
+from segfmu.planning import Trajectory
+from segfmu.validation.mission import Mission
+from segfmu.validation.mission_tables import SimulationEntry
+from segfmu.validation.monitor import Finding, judge
+from segfmu.validation.scenario import (
+    AT_BUILD,
+    crane_values,
+    ending,
+    feedforward_values,
+    specs,
+)
+from segfmu.validation.scenario_file import Scenario
+from segfmu.validation.scenario_tables import ScenarioFile, moment
+
+FEEDFORWARD, CRANE = "GantryFeedforward", "GantryCrane"
+LEAD = "setpoint.lead"
+Rows = NDArray[np.void]
+
+
+@dataclass(frozen=True, eq=False)
+class Result:
+    """A scenario that was run.
+
+    Attributes
+    ----------
+    scenario : Scenario
+    known : mapping
+        Times of "start", "arrival" and "end" [s]; empty if there is no plan.
+    rows : structured array or None
+        Of the run, if it came to its end.
+    findings : tuple of Finding
+        Of the criteria.
+    error : str
+        Why there is no run; empty if there is.
+    """
+
+    scenario: Scenario
+    known: Mapping[str, float]
+    rows: Rows | None = None
+    findings: tuple[Finding, ...] = ()
+    error: str = ""
+
+    @property
+    def passed(self) -> bool:
+        """Whether the run came to its end and all criteria hold."""
+        return not self.error and all(f.passed for f in self.findings)
+
+    @property
+    def right(self) -> bool:
+        """Whether it passed or failed as its file expects."""
+        return self.passed is (self.scenario.file.expect == "pass")
+
+    def require(self) -> None:
+        """AssertionError with all that failed, if it did not go as its file expects."""
+        if self.right:
+            return
+        wrong = [f"{f.name}: margin {f.margin:.4g}" for f in self.findings if not f.passed]
+        reasons = "; ".join([self.error] if self.error else wrong) or "passed, expected to fail"
+        raise AssertionError(f"{self.scenario.path}: {reasons}")
+
+
+class Runner:
+    """Runs scenarios; builds the FMUs once for a nominal crane and mission, and keeps them.
+
+    A context manager that frees the FMUs and removes their archives.
+    """
+
+    def __init__(self) -> None:
+        self._folder = tempfile.TemporaryDirectory(prefix="segfmu_")
+        self._archives: dict[str, list[Path]] = {}
+        self._systems: dict[tuple[Any, ...], System] = {}
+
+    def __enter__(self) -> Runner:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Free everything."""
+        for system in self._systems.values():
+            system.close()
+        self._systems.clear()
+        self._folder.cleanup()
+
+    def run(self, scenario: Scenario) -> Result:
+        """Run a scenario and judge it; a run that an FMU stops is a result with an error.
+
+        Raises
+        ------
+        InputError
+            For variables and values that the FMUs do not have or take.
+        BuildError
+            If the FMUs cannot be built.
+        """
+        found = Result(scenario, {})
+        try:
+            trajectory = scenario.mission.plan()
+            end = ending(scenario.mission, trajectory)
+            settle = scenario.mission.simulation.settle
+            known = {"start": 0.0, "arrival": end, "end": end + settle}
+            found = replace(found, known=known)
+            rows = self._rows(scenario, trajectory, known)
+            return replace(found, rows=rows, findings=tuple(
+                self._findings(scenario, trajectory, known, rows)
+            ))
+        except InputError as error:
+            raise InputError(f"{scenario.path}: {error}") from None
+        except BuildError:
+            raise
+        except SegfmuError as error:
+            return replace(found, error=str(error))
+
+    def _findings(
+        self, scenario: Scenario, trajectory: Trajectory, known: Mapping[str, float], rows: Rows
+    ) -> Iterator[Finding]:
+        """Judge all criteria; runs that bounds are relative to are made once."""
+        nominal: dict[str, Rows] = {}
+        others = {"without feedback": _without_feedback, "undisturbed": _undisturbed}
+        for criterion in scenario.file.criteria:
+            key = criterion.against
+            if key is not None and key not in nominal:
+                nominal[key] = self._rows(others[key](scenario), trajectory, known)
+            crane = scenario.mission.simulated
+            try:
+                yield judge(criterion, rows, known, crane, nominal.get(key or ""))
+            except InputError as error:
+                raise InputError(f"criterion {criterion.name}: {error}") from None
+
+    def _rows(
+        self, scenario: Scenario, trajectory: Trajectory, known: Mapping[str, float]
+    ) -> Rows:
+        file, mission = scenario.file, scenario.mission
+        lead = {LEAD: mission.simulation.step} if file.lead else {}
+        values: dict[str, dict[str, Any]] = {
+            FEEDFORWARD: feedforward_values(mission, trajectory) | lead,
+            # weights are those of the build
+            CRANE: {
+                n: v for n, v in crane_values(mission).items() if not n.startswith(AT_BUILD)
+            } | lead,
+            **{unit.name: dict(unit.values) for unit in file.fmus},
+        }
+        for fmu, own in file.parameters.items():
+            values[fmu] = values.get(fmu, {}) | own
+        if file.fmi == 3:
+            interface = gantry_feedforward.native_spec(specs(mission, trajectory)[0])
+            values[FEEDFORWARD] = _with_arrays(interface, values[FEEDFORWARD])
+        return self._system(scenario, trajectory).run(
+            values, stop_time=known["end"], changes=_changes(file, known)
+        )
+
+    def _system(self, scenario: Scenario, trajectory: Trajectory) -> System:
+        file, step = scenario.file, scenario.mission.simulation.step
+        archives = self._built(scenario.mission, trajectory, file.fmi)
+        others = {unit.name: Path(unit.path) for unit in file.fmus}
+        for name in others:
+            if name in (FEEDFORWARD, CRANE):
+                raise InputError(f"fmus: {name} is the name of one of the two FMUs")
+        links = [tuple(link) for unit in file.fmus for link in unit.connections]
+        key = (*archives, step, file.coupling, *others.items(), *links)
+        if key not in self._systems:
+            taken = {link[2:] for link in links}
+            own = [
+                (FEEDFORWARD, name, CRANE, name) for name in _shared()
+                if (CRANE, name) not in taken
+            ]
+            self._systems[key] = System(
+                {FEEDFORWARD: archives[0], **others, CRANE: archives[1]},
+                step=step, coupling=file.coupling, connections=[*own, *links],
+            )
+        return self._systems[key]
+
+    def _built(self, mission: Mission, trajectory: Trajectory, fmi: int) -> list[Path]:
+        """Archives for the nominal crane: what the scenario disturbs is unknown to their design."""
+        planned = mission.model_copy(update={
+            "true_crane": None, "simulation": SimulationEntry(drive=mission.simulation.drive),
+        })
+        interfaces = specs(planned, trajectory)
+        key = f"{fmi} {interfaces!r}"
+        if key not in self._archives:
+            folder = Path(self._folder.name) / str(len(self._archives))
+            choice = chosen(fmi, "native", "", everywhere=False)
+            self._archives[key] = build_all(folder, choice, interfaces)
+        return self._archives[key]
+
+
+def _with_arrays(interface: Spec, values: Mapping[str, Any]) -> dict[str, Any]:
+    """Values by the names of FMI 3.0: the counts of rows, then the rows in use as arrays."""
+    counts = {a.rows: values[a.rows] for a in interface.arrays}
+    found = counts | dict(values)
+    for array in interface.arrays:
+        found[array.name] = [found.pop(m) for m in array.members if m in values]
+    return found
+
+
+def _shared() -> list[str]:
+    """Outputs of GantryFeedforward that GantryCrane takes."""
+    taken = {v.name for v in gantry_crane.spec().where("input")}
+    return [v.name for v in gantry_feedforward.spec().where("output") if v.name in taken]
+
+
+def _changes(file: ScenarioFile, known: Mapping[str, float]) -> list[Change]:
+    found = [Change(moment(e.time, known), e.fmu, e.values) for e in file.events]
+    for p in file.profiles:
+        times = [moment(t, known) for t in p.times]
+        found += profile(p.fmu, p.variable, times, p.values)
+    return found
+
+
+def _without_feedback(scenario: Scenario) -> Scenario:
+    simulation = scenario.mission.simulation.model_copy(update={"feedback": False})
+    return replace(scenario, mission=scenario.mission.model_copy(
+        update={"simulation": simulation}
+    ))
+
+
+def _undisturbed(scenario: Scenario) -> Scenario:
+    """The nominal crane, from rest, without events."""
+    simulation = scenario.mission.simulation.model_copy(update={"initial_sway": [0.0, 0.0]})
+    return replace(
+        scenario,
+        file=scenario.file.model_copy(update={"events": [], "profiles": [], "parameters": {}}),
+        mission=scenario.mission.model_copy(
+            update={"true_crane": None, "simulation": simulation}
+        ),
+    )
