@@ -1,0 +1,178 @@
+"""The suite that ships, a third FMU, and the fixture of pytest."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from segfmu.validation.scenario_file import load_scenario
+from segfmu.validation.scenario_tables import CriterionTable
+from segfmu.validation.suite import Runner
+from tests.compiler import require_native
+from tests.cosim.probe.build import build
+
+MODELS = Path(__file__).parents[2] / "models"
+SUITE = MODELS / "scenarios"
+HEAD = f'name = "s"\nmission = "{(MODELS / "inteco.toml").as_posix()}"\nstep = 0.005\n'
+CRITERION = '[[criteria]]\nname = "c"\nsignal = "error.load.norm"\nbound = 0.005\n'
+
+
+@pytest.fixture(scope="module")
+def results(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, list[dict[str, Any]]]:
+    """Folder and entries of `segfmu validate models/scenarios`."""
+    require_native()
+    folder = tmp_path_factory.mktemp("suite")
+    done = subprocess.run(
+        [sys.executable, "-m", "segfmu", "validate", str(SUITE), "-o", str(folder)],
+        capture_output=True, text=True, timeout=600,
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    return folder, json.loads((folder / "results.json").read_text(encoding="utf-8"))
+
+
+def table(path: Path) -> dict[str, np.ndarray]:
+    with path.open(encoding="utf-8") as file:
+        names = [n.strip('"') for n in file.readline().strip().split(",")]
+        return dict(zip(names, np.loadtxt(file, delimiter=",").T, strict=True))
+
+
+def instant(value: float | str, times: dict[str, float]) -> float:
+    if isinstance(value, str):
+        word, *rest = value.split()
+        return times[word] + float("".join(rest) or 0.0)
+    return value
+
+
+def margin(
+    entry: CriterionTable, own: dict[str, np.ndarray], times: dict[str, float], bound: float
+) -> float:
+    """The margin on a fine grid, which has the rows and the ends of the window."""
+    first, last = (instant(value, times) for value in entry.window)
+    if entry.kind == "settled":
+        first = times["arrival"] + entry.delay
+    if entry.kind == "at":
+        assert entry.at is not None
+        first = last = instant(entry.at, times)
+    signals = [entry.signal] if isinstance(entry.signal, str) else entry.signal
+    assert signals is not None
+    if signals == ["error.load.horizontal"]:
+        signals = ["error.load.x", "error.load.y"]
+    columns = [own[name] - (own[entry.reference] if entry.reference else 0.0) for name in signals]
+    value = np.sqrt(sum(c**2 for c in columns))
+    if entry.sense != "within":
+        value = columns[0]
+    grid = np.unique(np.concatenate([np.linspace(first, last, 5001), own["time"]]))
+    grid = grid[(grid >= first) & (grid <= last)]
+    fine = np.interp(grid, own["time"], value)
+    distance = fine - bound if entry.sense == "at least" else bound - fine
+    return float(distance.max() if entry.kind == "eventually" else distance.min())
+
+
+def test_every_margin_of_the_suite_is_that_of_its_table(
+    results: tuple[Path, list[dict[str, Any]]]
+) -> None:
+    folder, entries = results
+    assert len(entries) >= 16 and all(entry["right"] for entry in entries)
+    compared = 0
+    for entry in (e for e in entries if not e["error"]):
+        own = table(folder / entry["table"])
+        criteria = {c.name: c for c in load_scenario(Path(entry["file"])).file.criteria}
+        for found in entry["criteria"]:
+            if found["kind"] == "drives":
+                continue
+            expected = margin(criteria[found["name"]], own, entry["times"], found["bound"])
+            assert found["margin"] == pytest.approx(expected, abs=1e-12), entry["scenario"]
+            assert found["passed"] == (expected >= -1e-12)
+            compared += 1
+    assert compared >= 20
+
+
+def test_what_is_expected_to_fail_does(results: tuple[Path, list[dict[str, Any]]]) -> None:
+    failed = {Path(e["file"]).stem for e in results[1] if not e["passed"]}
+    assert failed == {"drive_failure", "large_sway"}
+
+
+@pytest.fixture(scope="module")
+def runner() -> Iterator[Runner]:
+    require_native()
+    with Runner() as runner:
+        yield runner
+
+
+def third(folder: Path, sink: str) -> str:
+    """The probe, whose output is the bridge's velocity and the time, as a table of a scenario."""
+    return f"""
+[[fmus]]
+name = "probe"
+path = "{build(folder, 2).name}"
+connections = [
+    ["GantryFeedforward", "velocity.bridge", "probe", "x"],
+    ["probe", "y", "GantryCrane", "{sink}"],
+]
+[fmus.values]
+gain = 0.5
+"""
+
+
+def test_a_third_fmu_takes_part(runner: Runner, tmp_path: Path) -> None:
+    (tmp_path / "s.toml").write_text(
+        HEAD + '[crane]\ndrive = "velocity"\n' + CRITERION + third(tmp_path, "wind.x"),
+        encoding="utf-8",
+    )
+    rows = runner.run(load_scenario(tmp_path / "s.toml")).rows
+    assert rows is not None
+    wind = 0.5 * rows["velocity.bridge"] + rows["time"]
+    assert np.abs(wind).max() > 5.0
+    assert rows["y"] == pytest.approx(wind, abs=1e-12)
+    assert rows["power.wind"] == pytest.approx(wind * rows["load.velocity.x"], abs=1e-9)
+
+
+def test_a_third_fmu_stands_between(runner: Runner, tmp_path: Path) -> None:
+    (tmp_path / "s.toml").write_text(
+        HEAD + '[crane]\ndrive = "velocity"\n' + CRITERION + third(tmp_path, "velocity.bridge"),
+        encoding="utf-8",
+    )
+    # a velocity that grows with time takes the bridge to its end stop
+    assert "end stop" in runner.run(load_scenario(tmp_path / "s.toml")).error
+
+
+def test_a_third_fmu_that_fails_is_a_failed_scenario(runner: Runner, tmp_path: Path) -> None:
+    failing = third(tmp_path, "wind.x") + '"fail.time" = 1.0\n"fail.status" = 3\n'
+    (tmp_path / "s.toml").write_text(HEAD + CRITERION + failing, encoding="utf-8")
+    result = runner.run(load_scenario(tmp_path / "s.toml"))
+    assert "probe" in result.error and "told to fail" in result.error and not result.passed
+
+
+def test_the_fixture_runs_a_scenario(tmp_path: Path) -> None:
+    require_native()
+    for name in ("inteco.toml", "crane_inteco.toml"):
+        shutil.copy(MODELS / name, tmp_path)
+    head = HEAD.replace(f"{MODELS.as_posix()}/", "")
+    (tmp_path / "good.toml").write_text(head + CRITERION, encoding="utf-8")
+    (tmp_path / "bad.toml").write_text(
+        head + CRITERION.replace("0.005", "1e-30"), encoding="utf-8"
+    )
+    (tmp_path / "conftest.py").write_text(
+        'pytest_plugins = ["segfmu.validation.pytest_plugin"]\n', encoding="utf-8"
+    )
+    (tmp_path / "test_own.py").write_text(
+        "\n".join(
+            f'def test_{name}(run_scenario):\n    run_scenario("{name}.toml").require()\n'
+            for name in ("good", "bad")
+        ), encoding="utf-8",
+    )
+    done = subprocess.run(
+        [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-c", "none.ini",
+         "--rootdir", ".", "test_own.py"],
+        capture_output=True, text=True, cwd=tmp_path, timeout=300,
+    )
+    assert "1 failed, 1 passed" in done.stdout, done.stdout + done.stderr
+    assert "c: margin" in done.stdout
