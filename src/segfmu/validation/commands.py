@@ -40,13 +40,14 @@ def validate(
             runner.run(scenario)
             for scenario in track(scenarios, "running scenarios", console=console, transient=True)
         ]
+    # first what cannot fail for a full disk
+    console.print(suite_table(results))
+    wrong = sum(not result.right for result in results)
+    console.print(f"{len(results) - wrong} of {len(results)} scenarios as expected")
     if output is not None:
         write_results(folder(output), results)
     if junit is not None:
         write_junit(junit, results)
-    console.print(suite_table(results))
-    wrong = sum(not result.right for result in results)
-    console.print(f"{len(results) - wrong} of {len(results)} scenarios as expected")
     if wrong:
         raise typer.Exit(1)
 

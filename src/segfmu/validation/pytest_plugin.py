@@ -20,7 +20,15 @@ from segfmu.validation.suite import Result, Runner
 
 
 @pytest.fixture(scope="session")
-def run_scenario() -> Iterator[Callable[[str | Path], Result]]:
-    """Runs a scenario file; FMUs are built once in a session."""
+def scenario_runner() -> Iterator[Runner]:
+    """Builds FMUs once in a session."""
     with Runner() as runner:
-        yield lambda path: runner.run(load_scenario(Path(path)))
+        yield runner
+
+
+@pytest.fixture
+def run_scenario(
+    scenario_runner: Runner, request: pytest.FixtureRequest
+) -> Callable[[str | Path], Result]:
+    """Runs a scenario file, whose name is relative to the file of the test."""
+    return lambda path: scenario_runner.run(load_scenario(request.path.parent / path))

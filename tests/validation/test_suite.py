@@ -22,6 +22,7 @@ from tests.cosim.probe.build import build
 MODELS = Path(__file__).parents[2] / "models"
 SUITE = MODELS / "scenarios"
 HEAD = f'name = "s"\nmission = "{(MODELS / "inteco.toml").as_posix()}"\nstep = 0.005\n'
+VELOCITY = '[crane]\ndrive = "velocity"\n[simulation]\nfeedback = false\n'
 CRITERION = '[[criteria]]\nname = "c"\nsignal = "error.load.norm"\nbound = 0.005\n'
 
 
@@ -124,7 +125,7 @@ gain = 0.5
 
 def test_a_third_fmu_takes_part(runner: Runner, tmp_path: Path) -> None:
     (tmp_path / "s.toml").write_text(
-        HEAD + '[crane]\ndrive = "velocity"\n' + CRITERION + third(tmp_path, "wind.x"),
+        HEAD + VELOCITY + CRITERION + third(tmp_path, "wind.x"),
         encoding="utf-8",
     )
     rows = runner.run(load_scenario(tmp_path / "s.toml")).rows
@@ -137,7 +138,7 @@ def test_a_third_fmu_takes_part(runner: Runner, tmp_path: Path) -> None:
 
 def test_a_third_fmu_stands_between(runner: Runner, tmp_path: Path) -> None:
     (tmp_path / "s.toml").write_text(
-        HEAD + '[crane]\ndrive = "velocity"\n' + CRITERION + third(tmp_path, "velocity.bridge"),
+        HEAD + VELOCITY + CRITERION + third(tmp_path, "velocity.bridge"),
         encoding="utf-8",
     )
     # a velocity that grows with time takes the bridge to its end stop
@@ -163,6 +164,7 @@ def test_the_fixture_runs_a_scenario(tmp_path: Path) -> None:
     (tmp_path / "conftest.py").write_text(
         'pytest_plugins = ["segfmu.validation.pytest_plugin"]\n', encoding="utf-8"
     )
+    (tmp_path / "pytest.ini").write_text("[pytest]\n", encoding="utf-8")
     (tmp_path / "test_own.py").write_text(
         "\n".join(
             f'def test_{name}(run_scenario):\n    run_scenario("{name}.toml").require()\n'
@@ -170,9 +172,8 @@ def test_the_fixture_runs_a_scenario(tmp_path: Path) -> None:
         ), encoding="utf-8",
     )
     done = subprocess.run(
-        [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-c", "none.ini",
-         "--rootdir", ".", "test_own.py"],
-        capture_output=True, text=True, cwd=tmp_path, timeout=300,
+        [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", str(tmp_path)],
+        capture_output=True, text=True, cwd=tmp_path.parent, timeout=300,
     )
     assert "1 failed, 1 passed" in done.stdout, done.stdout + done.stderr
     assert "c: margin" in done.stdout
