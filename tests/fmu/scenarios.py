@@ -130,6 +130,10 @@ CRANE: dict[str, Scenario] = {
         },
         np.arange(201) / 20.0, motion=swing,
     ),
+    "slack": Scenario(
+        {"rope.slack": "free_fall", "feedback.enabled": False}, TIMES[:5], motion=still,
+        held={"force.hoist": 1.0},
+    ),
 }
 
 
@@ -173,6 +177,7 @@ REFUSALS: dict[str, dict[str, tuple[str, Any, str]]] = {
         "travel.trolley.max": ("equipment", -0.01, "trolley at 0 m is at its end stop, greatest"),
         "travel.rope.min": ("equipment", 0.501, "rope at 0.5 m is at its end stop, least"),
         "travel.rope.max": ("equipment", 0.499, "rope at 0.5 m is at its end stop, greatest"),
+        "rope.slack": ("slack", "error", "the rope went slack"),
         # what it does needs inputs that are read back before a step: tests/cosim/test_lead.py
         "setpoint.lead": ("lqr", -0.01, "setpoint.lead must be at least 0"),
         "feedback.table.mode": ("lqr", "velocity", "feedback.table are for the other drive.mode"),

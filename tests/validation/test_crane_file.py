@@ -60,6 +60,7 @@ trolley = [-5.0, 55.0]
 rope = [13.0, 33.0]
 stiffness = [1e6, 5e5, 2e5]
 damping = [1e4, 2e4, 3e4]
+slack = "free_fall"
 [friction]
 width = 0.002
 presliding = 2e-5

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
@@ -15,6 +16,8 @@ from segfmu.kernels.messages import SETUP
 from segfmu.kernels.rig.records import SetupFault, SetupStatus
 
 UNLIMITED = 1e99
+# what a rope does that would have to push
+SLACK = ("error", "free_fall")
 
 
 @dataclass(frozen=True)
@@ -126,11 +129,14 @@ class TravelLimits:
     stiffness, damping : tuple of 3 float
         Of the buffers of bridge, trolley and rope [N/m], [N s/m]: a spring and a damper side by
         side that never pull. Stiffness 0 is no buffer.
+    slack : {"error", "free_fall"}
+        What a rope does that would have to push: end the simulation with an error, or bear nothing
+        until it is taut again, with an impulse.
 
     Raises
     ------
     InputError
-        For an empty range and negative values.
+        For an empty range, negative values and another word.
     """
 
     bridge: tuple[float, float] | None = None
@@ -138,8 +144,11 @@ class TravelLimits:
     rope: tuple[float, float] | None = None
     stiffness: tuple[float, float, float] = (0.0, 0.0, 0.0)
     damping: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    slack: Literal["error", "free_fall"] = "error"
 
     def __post_init__(self) -> None:
+        if self.slack not in SLACK:
+            raise InputError(f"slack must be error or free_fall, got {self.slack!r}")
         for name in ("stiffness", "damping"):
             values = sized(f"travel {name}", getattr(self, name), 3)
             for axis, value in zip(AXES, values, strict=True):
@@ -180,4 +189,5 @@ FRICTION = {
 TRAVEL = {
     **{name: _stops(i) for i, name in enumerate(AXES)},
     "stiffness": fed(Plant, "STIFFNESS"), "damping": fed(Plant, "DAMPING"),
+    "slack": fed(Plant, "SLACK", items=SLACK),
 }

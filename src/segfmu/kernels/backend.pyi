@@ -553,6 +553,13 @@ def check_turbulence(
     /,
 ) -> int: ...
 
+def check_slack(
+    plant: Floats,
+    exchange: int,
+    fault: Floats,
+    /,
+) -> int: ...
+
 def check_delays(
     plant: Floats,
     period: float,

@@ -315,6 +315,7 @@ ENTRY_POINTS = (
         "rig.setup", "check_turbulence", speed=Vector.SIZE, deviation=Vector.SIZE,
         fault=SetupFault.SIZE,
     ),
+    entry("rig.setup", "check_slack", plant=Plant.SIZE, fault=SetupFault.SIZE),
     entry("rig.setup", "check_delays", plant=Plant.SIZE, fault=SetupFault.SIZE),
     entry("rig.setup", "check_sensors", sensors=Sensors.SIZE, fault=SetupFault.SIZE),
     entry("rig.setup", "check_rope_bounds", fault=SetupFault.SIZE),

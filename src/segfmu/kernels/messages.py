@@ -197,6 +197,8 @@ SETUP = Messages(
         "friction.{DRIVE}.coulomb {BOUND:g} N",
         SetupStatus.NO_WIND: "wind.turbulence.deviation {VALUE:g} m/s needs a mean speed for its "
         "spectrum: set wind.speed",
+        SetupStatus.SLACK_EXCHANGE: "in model exchange rope.slack must be error, got free_fall "
+        "(the slack rope has no state there); use co-simulation",
         SetupStatus.LONG_DELAY: "drive.{DRIVE}.dead_time {VALUE:g} s is longer than "
         f"{Delay.MOST_TICKS} periods of {{BOUND:g}} s; lower it or raise feedback.sample_time",
         SetupStatus.LATE_EXCHANGE: "in model exchange drive.{DRIVE}.dead_time must be 0 s, got "

@@ -97,6 +97,11 @@ class TravelTable(Table):
         Key("damping of the buffers", "N s/m", tuple(f"travel.{a}.damping" for a in STOPPED),
             "none", parts=STOPPED),
     ] = None
+    slack: Annotated[
+        Literal["error", "free_fall"],
+        Key("a rope that would have to push: an error, or free fall until it is taut again", "",
+            ("rope.slack",)),
+    ] = "error"
 
 
 class AxisFriction(Table):

@@ -35,7 +35,7 @@ VALUES = {
     "wind.air_density": 1.1, "load.drag_area": 0.3, "travel.trolley.stiffness": 50.0,
     "travel.trolley.damping": 4.0, "friction.trolley.static": 7.0, "friction.presliding": 2e-5,
     "drive.hoist.velocity_max": 0.9, "drive.bridge.power_max": 60.0,
-    "wind.noise.bandwidth": 4.0, "wind.noise.seed": 8,
+    "rope.slack": 2, "wind.noise.bandwidth": 4.0, "wind.noise.seed": 8,
     "payload.count": 2, "payload[1].time": 1.0, "payload[1].mass": 2.0, "payload[2].time": 3.0,
     "payload[2].mass": 0.5,
 }
@@ -53,7 +53,9 @@ def test_every_parameter_finds_its_place() -> None:
         Drive(0.03, acceleration_max=2.0, velocity_max=0.9),
         Friction((1.0, 2.0, 3.0), (4.0, 5.0, 6.0), 0.02, 0.1,
                  static=(0.0, 7.0, 0.0), presliding=2e-5),
-        TravelLimits((-FAR, FAR), (-0.5, 0.7), (-FAR, FAR), (0.0, 50.0, 0.0), (0.0, 4.0, 0.0)),
+        TravelLimits(
+            (-FAR, FAR), (-0.5, 0.7), (-FAR, FAR), (0.0, 50.0, 0.0), (0.0, 4.0, 0.0), "free_fall"
+        ),
         Sensors(
             0.01, 0.02, (0.0, 0.0, 0.0, 0.0, 1e-3), (1e-4, 0.0, 0.0, 0.0, 0.0),
             (0.0, 0.0, 0.05, 0.0, 0.0), 9,

@@ -13,7 +13,8 @@ from segfmu.kernels.crane.records import PlantState, Report, Work
 from tests.crane.newton import accelerations, direction
 
 MASSES = (2.2, 1.155, 1.0, 9.81)
-START = np.array([0.1, -0.2, 0.7, 0.2, -0.3, 0.3, -0.1, 0.1, 0.4, -0.2, *np.zeros(6)])
+START = np.zeros(PlantState.SIZE)
+START[:10] = 0.1, -0.2, 0.7, 0.2, -0.3, 0.3, -0.1, 0.1, 0.4, -0.2
 
 
 def advance(

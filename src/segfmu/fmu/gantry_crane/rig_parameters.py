@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from segfmu.crane.checks import LARGEST_SEED
 from segfmu.crane.disturbance import SHAPES
+from segfmu.crane.equipment import SLACK
 from segfmu.fmu.standard.spec import Enumeration, Variable, choice, parameter
 from segfmu.kernels.crane.records import AXES, DRIVES
 from segfmu.kernels.rig.records import SIGNALS, Disturbance
 
 GUST_SHAPES = Enumeration("GustShape", SHAPES, "course of a gust over time")
+SLACK_ROPES = Enumeration("SlackRope", SLACK, "a rope that would have to push")
 # position of an end stop that stands for none
 FAR = 1e9
 
@@ -106,7 +108,13 @@ def _travel() -> list[Variable]:
                 "damping of its buffers, which have a stiffness", minimum=0.0,
             ),
         ]
-    return rows
+    return [
+        *rows,
+        choice(
+            "rope.slack", SLACK_ROPES, "error", "where the rope would have to push: an error, or "
+            "free fall of the load until the rope is taut again; in model exchange error",
+        ),
+    ]
 
 
 def _sensors() -> list[Variable]:

@@ -91,7 +91,15 @@ static void series_angle(array_double_1d y, array_double_1d x, array_double_1d s
 static double compression(array_double_1d plant, int64_t axis, double position);
 static double buffer_force(array_double_1d plant, int64_t axis, double position, double velocity);
 static int64_t buffer_slopes(double* result_0_0001, double* result_1_0001, array_double_1d plant, int64_t axis, double position, double velocity);
+static bool may_slacken(array_double_1d plant);
+static bool is_slack(array_double_1d state);
+static double axis_position(array_double_1d state, int64_t axis);
+static double axis_velocity(array_double_1d state, int64_t axis);
+static bool bears_wrongly(array_double_1d plant, array_double_1d state, double rope_force);
+static void change_rope(array_double_1d plant, array_double_1d state);
+static void run_on(array_double_1d plant, array_double_2d work);
 static void forced_derivative(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
+static void slack_derivative(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
 static void driven_forces(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
 static void driven_derivative(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
 static double dry_level(array_double_1d plant, int64_t axis, double velocity);
@@ -123,6 +131,7 @@ static bool all_finite(array_double_1d values, int64_t count);
 static void plant_powers(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
 static void plant_derivative(array_double_1d plant, array_double_2d components, double time, double elapsed, array_double_1d state, array_double_2d work, array_double_1d derivative);
 static void reuse_last_stage(array_double_2d work);
+static void first_stage(array_double_1d plant, array_double_2d components, double time, double elapsed, array_double_1d state, array_double_2d work);
 static double try_step(array_double_1d plant, array_double_2d components, double time, double elapsed, array_double_1d state, double h, array_double_2d work);
 static int64_t plant_status(array_double_1d plant, array_double_1d state, double rope_force);
 static void accept_step(array_double_1d state, array_double_2d work, double elapsed, array_double_1d report);
@@ -4523,6 +4532,113 @@ void segfmu_drive_demands(array_double_3d flat, array_double_1d masses, array_do
         }
     }
 }
+/*Whether a rope without tension is allowed. */
+static bool may_slacken(array_double_1d plant)
+{
+    bool result;
+    result = (int64_t)((*cspan_at(&plant, INT64_C(67)))) == INT64_C(1);
+    return result;
+}
+/*Whether the load is nearer to the trolley than rope is paid out. */
+static bool is_slack(array_double_1d state)
+{
+    bool result;
+    result = (*cspan_at(&state, INT64_C(13))) > 0.5;
+    return result;
+}
+/*Position of a carriage, or length of the rope that is paid out [m].*/
+static double axis_position(array_double_1d state, int64_t axis)
+{
+    double result;
+    if ((axis == INT64_C(2)) && is_slack(state))
+    {
+        result = (*cspan_at(&state, INT64_C(14)));
+        return result;
+    }
+    result = (*cspan_at(&state, INT64_C(0) + axis));
+    return result;
+}
+/*Velocity of a carriage, or rate of the rope that is paid out [m/s].*/
+static double axis_velocity(array_double_1d state, int64_t axis)
+{
+    double result;
+    if ((axis == INT64_C(2)) && is_slack(state))
+    {
+        result = (*cspan_at(&state, INT64_C(15)));
+        return result;
+    }
+    result = (*cspan_at(&state, INT64_C(5) + axis));
+    return result;
+}
+/*Whether a taut rope would have to push, or a slack one is too short. */
+static bool bears_wrongly(array_double_1d plant, array_double_1d state, double rope_force)
+{
+    double over;
+    bool result;
+    if (is_slack(state))
+    {
+        over = (*cspan_at(&state, INT64_C(0) + INT64_C(2))) - (*cspan_at(&state, INT64_C(14)));
+        result = over > 1e-10 * (*cspan_at(&state, INT64_C(14)));
+        return result;
+    }
+    result = rope_force > 1e-09 * (*cspan_at(&plant, INT64_C(2))) * (*cspan_at(&plant, INT64_C(3)));
+    return result;
+}
+/*Let a taut rope go slack, or end a slack rope by the impulse that makes it taut.                 */
+/*                                                                                                 */
+/*    With the load's mass m, its rate against the rope u, and the velocity v along the rope of the*/
+/*    rope's end, the drives do the work -m u v, and m u^2 / 2 is lost.                            */
+/*                                                                                                 */
+static void change_rope(array_double_1d plant, array_double_1d state)
+{
+    int64_t rope;
+    double mass;
+    double against;
+    double along;
+    double across;
+    double drives;
+    double lost;
+    rope = INT64_C(5) + INT64_C(2);
+    if (!is_slack(state))
+    {
+        (*cspan_at(&state, INT64_C(13))) = 1.0;
+        (*cspan_at(&state, INT64_C(14))) = (*cspan_at(&state, INT64_C(0) + INT64_C(2)));
+        (*cspan_at(&state, INT64_C(15))) = (*cspan_at(&state, rope));
+        return;
+    }
+    mass = (*cspan_at(&plant, INT64_C(2)));
+    against = (*cspan_at(&state, rope)) - (*cspan_at(&state, INT64_C(15)));
+    along = (*cspan_at(&state, INT64_C(15))) + sin((*cspan_at(&state, INT64_C(3)))) * (*cspan_at(&state, INT64_C(5)));
+    across = cos((*cspan_at(&state, INT64_C(3)))) * sin((*cspan_at(&state, INT64_C(3) + INT64_C(1))));
+    along = along - across * (*cspan_at(&state, INT64_C(5) + INT64_C(1)));
+    drives = (*cspan_at(&state, INT64_C(16))) - mass * against * along;
+    lost = 0.5 * mass * against * against;
+    (*cspan_at(&state, INT64_C(16))) = drives;
+    (*cspan_at(&state, INT64_C(18))) = (*cspan_at(&state, INT64_C(18))) + lost;
+    (*cspan_at(&state, rope)) = (*cspan_at(&state, INT64_C(15)));
+    (*cspan_at(&state, INT64_C(13))) = 0.0;
+    (*cspan_at(&state, INT64_C(14))) = 0.0;
+    (*cspan_at(&state, INT64_C(15))) = 0.0;
+}
+/*Where a force drive would push a rope that may slacken, let the drum follow the load.*/
+static void run_on(array_double_1d plant, array_double_2d work)
+{
+    array_double_1d force;
+    int64_t rope;
+    int64_t i;
+    force = span_row(&work, INT64_C(12));
+    rope = INT64_C(0) + INT64_C(2);
+    if ((!may_slacken(plant)) || ((*cspan_at(&force, rope)) < 0.0))
+    {
+        return;
+    }
+    (*cspan_at(&work, INT64_C(13), INT64_C(0) + INT64_C(2))) = (*cspan_at(&work, INT64_C(18), INT64_C(2)));
+    (*cspan_at(&force, rope)) = 0.0;
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&force, INT64_C(3) + i)) = 0.0;
+    }
+}
 /*Derivative of the crane under force demands; see `driven_derivative`.*/
 static void forced_derivative(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative)
 {
@@ -4548,6 +4664,7 @@ static void forced_derivative(array_double_1d plant, array_double_1d state, arra
         (*cspan_at(&action, INT64_C(0) + i)) = drive;
         (*cspan_at(&force, i)) = drive - (*cspan_at(&work, INT64_C(18), i));
     }
+    run_on(plant, work);
     segfmu_crane_rhs(state, force, span_row(&work, INT64_C(14)), plant, derivative);
     if (fast)
     {
@@ -4556,9 +4673,47 @@ static void forced_derivative(array_double_1d plant, array_double_1d state, arra
         {
             (*cspan_at(&force, i)) = (*cspan_at(&action, INT64_C(0) + i)) - (*cspan_at(&work, INT64_C(18), i));
         }
+        run_on(plant, work);
         segfmu_crane_rhs(state, force, span_row(&work, INT64_C(14)), plant, derivative);
     }
     (*cspan_at(&action, INT64_C(6))) = (*cspan_at(&force, INT64_C(0) + INT64_C(2)));
+}
+/*The same while the rope is slack: the load falls freely, the drum follows its demand.*/
+/*                                                                                     */
+/*    Each carriage has its own mass to move, the drum only its friction.              */
+/*                                                                                     */
+static void slack_derivative(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative)
+{
+    array_double_1d force;
+    array_double_1d action;
+    int64_t i;
+    double needed;
+    double drive;
+    double bound;
+    force = span_row(&work, INT64_C(12));
+    action = span_row(&work, INT64_C(13));
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        needed = carriage_mass(plant, i) * (*cspan_at(&work, INT64_C(17), i));
+        drive = needed + (*cspan_at(&work, INT64_C(18), i));
+        bound = force_bound(plant, i, axis_velocity(state, i));
+        if (exceeds(drive, bound) && (i != INT64_C(2)))
+        {
+            drive = limited(drive, bound);
+            (*cspan_at(&action, INT64_C(3) + i)) = 1.0;
+        }
+        (*cspan_at(&action, INT64_C(0) + i)) = drive;
+        (*cspan_at(&force, i)) = drive - (*cspan_at(&work, INT64_C(18), i));
+    }
+    (*cspan_at(&force, INT64_C(0) + INT64_C(2))) = 0.0;
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&force, INT64_C(3) + i)) = 0.0;
+    }
+    segfmu_crane_rhs(state, force, span_row(&work, INT64_C(14)), plant, derivative);
+    (*cspan_at(&derivative, INT64_C(14))) = (*cspan_at(&state, INT64_C(15)));
+    (*cspan_at(&derivative, INT64_C(15))) = (*cspan_at(&work, INT64_C(17), INT64_C(2)));
+    (*cspan_at(&action, INT64_C(6))) = 0.0;
 }
 /*Derivative and drive forces under the accelerations demanded.*/
 static void driven_forces(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative)
@@ -4595,7 +4750,7 @@ static void driven_derivative(array_double_1d plant, array_double_1d state, arra
                 demand = limited(demand, (*cspan_at(&plant, INT64_C(14) + i)));
                 (*cspan_at(&action, INT64_C(3) + i)) = 1.0;
             }
-            demand = (demand - (*cspan_at(&state, INT64_C(5) + i))) / (*cspan_at(&plant, INT64_C(5) + i));
+            demand = (demand - axis_velocity(state, i)) / (*cspan_at(&plant, INT64_C(5) + i));
         }
         if (exceeds(demand, (*cspan_at(&plant, INT64_C(11) + i))))
         {
@@ -4603,6 +4758,11 @@ static void driven_derivative(array_double_1d plant, array_double_1d state, arra
             (*cspan_at(&action, INT64_C(3) + i)) = 1.0;
         }
         (*cspan_at(&work, INT64_C(17), i)) = demand;
+    }
+    if (is_slack(state))
+    {
+        slack_derivative(plant, state, work, derivative);
+        return;
     }
     driven_forces(plant, state, work, derivative);
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
@@ -5282,21 +5442,26 @@ static void plant_powers(array_double_1d plant, array_double_1d state, array_dou
     }
     squares = (*cspan_at(&state, INT64_C(8))) * (*cspan_at(&state, INT64_C(8)));
     squares = squares + (*cspan_at(&state, INT64_C(8) + INT64_C(1))) * (*cspan_at(&state, INT64_C(8) + INT64_C(1)));
-    (*cspan_at(&derivative, INT64_C(13))) = 0.0;
-    (*cspan_at(&derivative, INT64_C(14))) = 0.0;
-    (*cspan_at(&derivative, INT64_C(15))) = (*cspan_at(&plant, INT64_C(37))) * squares;
+    (*cspan_at(&derivative, INT64_C(16))) = 0.0;
+    (*cspan_at(&derivative, INT64_C(17))) = 0.0;
+    (*cspan_at(&derivative, INT64_C(18))) = (*cspan_at(&plant, INT64_C(37))) * squares;
+    if (may_slacken(plant) && ((*cspan_at(&work, INT64_C(13), INT64_C(6))) >= 0.0))
+    {
+        /*the sway is damped by a rope that bears*/
+        (*cspan_at(&derivative, INT64_C(18))) = 0.0;
+    }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        velocity = (*cspan_at(&state, INT64_C(5) + i));
+        velocity = axis_velocity(state, i);
         drive = (*cspan_at(&work, INT64_C(13), INT64_C(0) + i)) * velocity;
-        (*cspan_at(&derivative, INT64_C(13))) = (*cspan_at(&derivative, INT64_C(13))) + drive;
+        (*cspan_at(&derivative, INT64_C(16))) = (*cspan_at(&derivative, INT64_C(16))) + drive;
         if (!calm)
         {
             power = (*cspan_at(&wind, i)) * (*cspan_at(&work, INT64_C(15) + INT64_C(1), i));
-            (*cspan_at(&derivative, INT64_C(14))) = (*cspan_at(&derivative, INT64_C(14))) + power;
+            (*cspan_at(&derivative, INT64_C(17))) = (*cspan_at(&derivative, INT64_C(17))) + power;
         }
         lost = (*cspan_at(&work, INT64_C(18), i)) * velocity;
-        (*cspan_at(&derivative, INT64_C(15))) = (*cspan_at(&derivative, INT64_C(15))) + lost;
+        (*cspan_at(&derivative, INT64_C(18))) = (*cspan_at(&derivative, INT64_C(18))) + lost;
     }
 }
 /*Derivative of the state at a time [s] elapsed since the interval's start, `time` [s].*/
@@ -5316,14 +5481,17 @@ static void plant_derivative(array_double_1d plant, array_double_2d components, 
         slope = (*cspan_at(&rate, INT64_C(3) + i)) + elapsed * (*cspan_at(&rate, INT64_C(6) + i));
         slope = (*cspan_at(&rate, INT64_C(0) + i)) + elapsed * slope;
         (*cspan_at(&work, INT64_C(17), i)) = (*cspan_at(&work, INT64_C(0), i)) + elapsed * slope;
-        velocity = (*cspan_at(&state, INT64_C(5) + i));
+        velocity = axis_velocity(state, i);
         deflection = (*cspan_at(&state, INT64_C(10) + i));
-        resistance = buffer_force(plant, i, (*cspan_at(&state, INT64_C(0) + i)), velocity);
+        resistance = buffer_force(plant, i, axis_position(state, i), velocity);
         resistance = resistance + friction_force(plant, i, velocity, deflection);
         (*cspan_at(&work, INT64_C(18), i)) = resistance;
         (*cspan_at(&derivative, INT64_C(10) + i)) = deflection_rate(plant, i, velocity, deflection);
         (*cspan_at(&work, INT64_C(13), INT64_C(3) + i)) = 0.0;
     }
+    (*cspan_at(&derivative, INT64_C(13))) = 0.0;
+    (*cspan_at(&derivative, INT64_C(14))) = 0.0;
+    (*cspan_at(&derivative, INT64_C(15))) = 0.0;
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
         torque = (-(*cspan_at(&plant, INT64_C(37)))) * (*cspan_at(&state, INT64_C(8) + i));
@@ -5345,7 +5513,7 @@ static void reuse_last_stage(array_double_2d work)
     array_double_1d action;
     int64_t i;
     action = span_row(&work, INT64_C(13));
-    for (i = INT64_C(0); i < INT64_C(16); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(19); i += INT64_C(1))
     {
         (*cspan_at(&work, INT64_C(3), i)) = (*cspan_at(&work, INT64_C(3) + INT64_C(6), i));
     }
@@ -5353,6 +5521,12 @@ static void reuse_last_stage(array_double_2d work)
     {
         (*cspan_at(&action, INT64_C(7) + i)) = (*cspan_at(&action, INT64_C(3) + i));
     }
+}
+/*Derivative from which the next step starts, where none leads up to the state.*/
+static void first_stage(array_double_1d plant, array_double_2d components, double time, double elapsed, array_double_1d state, array_double_2d work)
+{
+    plant_derivative(plant, components, time, elapsed, state, work, span_row(&work, INT64_C(3) + INT64_C(6)));
+    reuse_last_stage(work);
 }
 /*Try a step of length h [s] from the derivative of the first stage on; returns the error. */
 /*                                                                                         */
@@ -5370,10 +5544,10 @@ static double try_step(array_double_1d plant, array_double_2d components, double
     for (stage = INT64_C(1); stage < INT64_C(7); stage += INT64_C(1))
     {
         /*the derivatives do not depend on the work*/
-        count = INT64_C(13);
+        count = INT64_C(16);
         if (stage == INT64_C(6))
         {
-            count = INT64_C(16);
+            count = INT64_C(19);
         }
         stage_state(stage, h, count, state, stages, trial);
         /*values beyond all bounds: the step was much too long*/
@@ -5383,13 +5557,14 @@ static double try_step(array_double_1d plant, array_double_2d components, double
         }
         plant_derivative(plant, components, time, elapsed + stage_node(stage) * h, trial, work, span_row(&work, INT64_C(3) + stage));
     }
-    result = step_error(h, INT64_C(16), state, trial, stages);
+    result = step_error(h, INT64_C(19), state, trial, stages);
     return result;
 }
 /*Whether the crane is within the range of its equations: a `PlantStatus`. */
 static int64_t plant_status(array_double_1d plant, array_double_1d state, double rope_force)
 {
     int64_t i;
+    double position;
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
         if (fabs((*cspan_at(&state, INT64_C(3) + i))) >= 1.57)
@@ -5408,16 +5583,17 @@ static int64_t plant_status(array_double_1d plant, array_double_1d state, double
         {
             continue;
         }
-        if ((*cspan_at(&state, INT64_C(0) + i)) < (*cspan_at(&plant, INT64_C(38) + i)) - 1e-09)
+        position = axis_position(state, i);
+        if (position < (*cspan_at(&plant, INT64_C(38) + i)) - 1e-09)
         {
             return INT64_C(6) + i;
         }
-        if ((*cspan_at(&state, INT64_C(0) + i)) > (*cspan_at(&plant, INT64_C(41) + i)) + 1e-09)
+        if (position > (*cspan_at(&plant, INT64_C(41) + i)) + 1e-09)
         {
             return INT64_C(9) + i;
         }
     }
-    if (rope_force > 1e-09 * (*cspan_at(&plant, INT64_C(2))) * (*cspan_at(&plant, INT64_C(3))))
+    if (bears_wrongly(plant, state, rope_force))
     {
         return INT64_C(5);
     }
@@ -5430,7 +5606,7 @@ static void accept_step(array_double_1d state, array_double_2d work, double elap
     int64_t i;
     double saturated;
     action = span_row(&work, INT64_C(13));
-    for (i = INT64_C(0); i < INT64_C(16); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(19); i += INT64_C(1))
     {
         (*cspan_at(&state, i)) = (*cspan_at(&work, INT64_C(10), i));
     }
@@ -5441,8 +5617,8 @@ static void accept_step(array_double_1d state, array_double_2d work, double elap
         (*cspan_at(&report, INT64_C(3) + i)) = span_max((*cspan_at(&report, INT64_C(3) + i)), saturated);
     }
     (*cspan_at(&report, INT64_C(6))) = (*cspan_at(&action, INT64_C(6)));
-    (*cspan_at(&report, INT64_C(7))) = (*cspan_at(&work, INT64_C(3) + INT64_C(6), INT64_C(14)));
-    (*cspan_at(&report, INT64_C(8))) = (*cspan_at(&work, INT64_C(3) + INT64_C(6), INT64_C(15)));
+    (*cspan_at(&report, INT64_C(7))) = (*cspan_at(&work, INT64_C(3) + INT64_C(6), INT64_C(17)));
+    (*cspan_at(&report, INT64_C(8))) = (*cspan_at(&work, INT64_C(3) + INT64_C(6), INT64_C(18)));
     (*cspan_at(&report, INT64_C(9))) = elapsed;
 }
 /*Advance the state, in place, by a duration [s] from a time [s] on.                                 */
@@ -5450,7 +5626,8 @@ static void accept_step(array_double_1d state, array_double_2d work, double elap
 /*    tolerance: relative and absolute error of a step. report: a `Report`; the caller collects the  */
 /*    drives that were at a bound in the communication step.                                         */
 /*                                                                                                   */
-/*    Returns a `PlantStatus`. A failure is located to 0.1 us; the state is the last valid one. With */
+/*    Returns a `PlantStatus`. A failure, and a rope that goes slack or taut where it may, is located*/
+/*    to 0.1 us; after a failure the state is the last valid one. With                               */
 /*    stiff friction, STEP_TOO_SMALL also means too many steps.                                      */
 /*                                                                                                   */
 int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d components, double time, array_double_1d state, double duration, double tolerance, array_double_2d work, array_double_1d report)
@@ -5469,13 +5646,12 @@ int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d components, 
     {
         (*cspan_at(&report, i)) = 0.0;
     }
-    finite = all_finite(state, INT64_C(16)) && all_finite(span_row(&work, INT64_C(0)), INT64_C(3));
+    finite = all_finite(state, INT64_C(19)) && all_finite(span_row(&work, INT64_C(0)), INT64_C(3));
     if ((!finite) || (!all_finite(span_row(&work, INT64_C(2)), INT64_C(3))))
     {
         return INT64_C(4);
     }
-    plant_derivative(plant, components, time, 0.0, state, work, span_row(&work, INT64_C(3) + INT64_C(6)));
-    reuse_last_stage(work);
+    first_stage(plant, components, time, 0.0, state, work);
     t = 0.0;
     /*the previous step is a better guess than the interval, which may need many steps*/
     planned = (*cspan_at(&work, INT64_C(11), INT64_C(0)));
@@ -5506,11 +5682,18 @@ int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d components, 
         status = plant_status(plant, span_row(&work, INT64_C(10)), rope_force);
         if (status != INT64_C(0))
         {
-            if (h < 1e-07)
+            if (h >= 1e-07)
+            {
+                h = 0.5 * h;
+                continue;
+            }
+            if ((status != INT64_C(5)) || (!may_slacken(plant)))
             {
                 return status;
             }
-            h = 0.5 * h;
+            change_rope(plant, state);
+            first_stage(plant, components, time, t, state, work);
+            h = duration - t;
             continue;
         }
         t = t + h;
@@ -11880,7 +12063,7 @@ static void late_commands(array_double_2d settings, double length, array_double_
             {
                 end = value + length * (slope + length * (square + length * cube));
                 end = bounded_velocity(i, end, memory);
-                value = (end - (*cspan_at(&memory, INT64_C(4), INT64_C(5) + i))) / length;
+                value = (end - axis_velocity(span_row(&memory, INT64_C(4)), i)) / length;
                 slope = 0.0;
                 square = 0.0;
                 cube = 0.0;
@@ -12030,7 +12213,7 @@ static void command_velocities(array_double_1d setpoints, double duration, doubl
             end = setpoint_at(setpoints, velocity, until / duration, memory);
             end = end + (*cspan_at(&memory, INT64_C(9), i));
             end = bounded_velocity(i, end, memory);
-            acceleration = (end - (*cspan_at(&memory, INT64_C(4), INT64_C(5) + i))) / length;
+            acceleration = (end - axis_velocity(span_row(&memory, INT64_C(4)), i)) / length;
             set_command(i, acceleration, 0.0, 0.0, 0.0, memory);
         }
     }
@@ -12174,8 +12357,8 @@ int64_t segfmu_rig_rates(array_double_2d components, array_double_1d setpoints, 
     {
         (*cspan_at(&report, i)) = (*cspan_at(&work, INT64_C(13), i));
     }
-    (*cspan_at(&report, INT64_C(7))) = (*cspan_at(&derivative, INT64_C(14)));
-    (*cspan_at(&report, INT64_C(8))) = (*cspan_at(&derivative, INT64_C(15)));
+    (*cspan_at(&report, INT64_C(7))) = (*cspan_at(&derivative, INT64_C(17)));
+    (*cspan_at(&report, INT64_C(8))) = (*cspan_at(&derivative, INT64_C(18)));
     result = plant_status(span_row(&memory, INT64_C(5)), span_row(&memory, INT64_C(4)), (*cspan_at(&work, INT64_C(13), INT64_C(6))));
     return result;
 }
@@ -12206,7 +12389,7 @@ void segfmu_rig_start(array_double_2d settings, array_double_2d changes, array_d
     {
         (*cspan_at(&memory, INT64_C(4), i)) = (*cspan_at(&state, i));
     }
-    for (i = INT64_C(0); i < INT64_C(67); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(68); i += INT64_C(1))
     {
         (*cspan_at(&memory, INT64_C(5), i)) = (*cspan_at(&settings, INT64_C(3), i));
     }
@@ -12313,10 +12496,10 @@ void segfmu_rig_balance(array_double_2d memory, array_double_1d balance)
     (*cspan_at(&balance, INT64_C(0))) = (*cspan_at(&energy, INT64_C(0)));
     (*cspan_at(&balance, INT64_C(1))) = (*cspan_at(&energy, INT64_C(1)));
     (*cspan_at(&balance, INT64_C(2))) = (*cspan_at(&energy, INT64_C(2)));
-    (*cspan_at(&balance, INT64_C(3))) = (*cspan_at(&state, INT64_C(13)));
-    (*cspan_at(&balance, INT64_C(4))) = (*cspan_at(&state, INT64_C(14)));
+    (*cspan_at(&balance, INT64_C(3))) = (*cspan_at(&state, INT64_C(16)));
+    (*cspan_at(&balance, INT64_C(4))) = (*cspan_at(&state, INT64_C(17)));
     (*cspan_at(&balance, INT64_C(5))) = (*cspan_at(&energy, INT64_C(3)));
-    (*cspan_at(&balance, INT64_C(6))) = (*cspan_at(&state, INT64_C(15)));
+    (*cspan_at(&balance, INT64_C(6))) = (*cspan_at(&state, INT64_C(18)));
 }
 /*Error of the balance by integration and rounding [J].*/
 double segfmu_rig_imbalance(array_double_1d balance)
@@ -12369,7 +12552,7 @@ static void drive_outputs(array_double_2d memory, array_double_1d outputs)
     {
         (*cspan_at(&outputs, INT64_C(30) + i)) = (*cspan_at(&report, INT64_C(0) + i));
         (*cspan_at(&outputs, INT64_C(33) + i)) = (*cspan_at(&report, INT64_C(10) + i));
-        (*cspan_at(&outputs, INT64_C(36) + i)) = (*cspan_at(&report, INT64_C(0) + i)) * (*cspan_at(&memory, INT64_C(4), INT64_C(5) + i));
+        (*cspan_at(&outputs, INT64_C(36) + i)) = (*cspan_at(&report, INT64_C(0) + i)) * axis_velocity(span_row(&memory, INT64_C(4)), i);
     }
     (*cspan_at(&outputs, INT64_C(39))) = (*cspan_at(&report, INT64_C(6)));
     (*cspan_at(&outputs, INT64_C(49))) = (*cspan_at(&report, INT64_C(7)));
@@ -12400,7 +12583,7 @@ void segfmu_rig_outputs(array_double_1d target, array_double_2d memory, array_do
     segfmu_rig_balance(memory, balance);
     (*cspan_at(&outputs, INT64_C(41))) = (*cspan_at(&balance, INT64_C(0)));
     (*cspan_at(&outputs, INT64_C(42))) = (*cspan_at(&balance, INT64_C(1)));
-    (*cspan_at(&outputs, INT64_C(43))) = (*cspan_at(&state, INT64_C(13))) + (*cspan_at(&state, INT64_C(14)));
+    (*cspan_at(&outputs, INT64_C(43))) = (*cspan_at(&state, INT64_C(16))) + (*cspan_at(&state, INT64_C(17)));
     (*cspan_at(&outputs, INT64_C(44))) = (*cspan_at(&balance, INT64_C(3)));
     (*cspan_at(&outputs, INT64_C(45))) = (*cspan_at(&balance, INT64_C(4)));
     (*cspan_at(&outputs, INT64_C(46))) = (*cspan_at(&balance, INT64_C(5)));
@@ -12714,7 +12897,7 @@ static void drag_partials(array_double_1d plant, array_double_1d air, array_doub
 /*All partial derivatives at a time [s] since the start.                                           */
 /*                                                                                                 */
 /*    False if a velocity drive is at its largest force, or a force drive at its largest velocity: */
-/*    there they jump.                                                                             */
+/*    there they jump. Also where the rope bears nothing.                                          */
 /*                                                                                                 */
 bool segfmu_rig_partials(array_double_2d components, double time, array_double_2d memory, array_double_2d work, array_double_2d partials)
 {
@@ -12731,6 +12914,10 @@ bool segfmu_rig_partials(array_double_2d components, double time, array_double_2
     plant = span_row(&memory, INT64_C(5));
     state = span_row(&memory, INT64_C(4));
     rig = span_rows(&memory, INT64_C(13), INT64_C(13) + INT64_C(21));
+    if (may_slacken(plant) && ((*cspan_at(&rig, INT64_C(13), INT64_C(6))) >= 0.0))
+    {
+        return 0;
+    }
     for (i = INT64_C(0); i < INT64_C(15); i += INT64_C(1))
     {
         for (j = INT64_C(0); j < INT64_C(20); j += INT64_C(1))
@@ -12860,6 +13047,19 @@ int64_t segfmu_check_turbulence(array_double_1d speed, array_double_1d deviation
         {
             return INT64_C(13);
         }
+    }
+    return INT64_C(0);
+}
+/*Check that the rope cannot slacken in model exchange, where it has no memory.*/
+/*                                                                             */
+/*    exchange: 1 in model exchange.                                           */
+/*                                                                             */
+int64_t segfmu_check_slack(array_double_1d plant, int64_t exchange, array_double_1d fault)
+{
+    (*cspan_at(&fault, INT64_C(2))) = (*cspan_at(&plant, INT64_C(67)));
+    if ((exchange == INT64_C(1)) && may_slacken(plant))
+    {
+        return INT64_C(14);
     }
     return INT64_C(0);
 }

@@ -284,6 +284,11 @@ bool segfmu_setup_message(
             "wind.speed",
             report[SETUP_FAULT_VALUE]);
         return true;
+    case 14:
+        snprintf(text, size,
+            "in model exchange rope.slack must be error, got free_fall (the slack rope "
+            "has no state there); use co-simulation");
+        return true;
     case 10:
         snprintf(text, size,
             "drive.%s.dead_time %g s is longer than 100000 periods of %g s; lower it or "

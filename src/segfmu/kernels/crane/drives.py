@@ -6,6 +6,7 @@
 from segfmu.kernels.crane._crane import crane_driven, crane_rhs
 from segfmu.kernels.crane.bounds import (
     at_velocity_bound,
+    carriage_mass,
     exceeds,
     force_bound,
     hold_velocities,
@@ -17,9 +18,11 @@ from segfmu.kernels.crane.records import (
     Axes,
     GeneralisedForce,
     Plant,
+    PlantState,
     State,
     Work,
 )
+from segfmu.kernels.crane.slack import axis_velocity, is_slack, may_slacken
 
 
 def forced_derivative(
@@ -38,13 +41,27 @@ def forced_derivative(
         fast = fast or at_velocity_bound(plant, i, state)
         action[Action.FORCE + i] = drive
         force[i] = drive - work[Work.FRICTION, i]
+    run_on(plant, work)
     crane_rhs(state, force, work[Work.WIND, :], plant, derivative)
     if fast:
         hold_velocities(plant, state, derivative, action, work[Work.LIMIT, :])
         for i in range(3):
             force[i] = action[Action.FORCE + i] - work[Work.FRICTION, i]
+        run_on(plant, work)
         crane_rhs(state, force, work[Work.WIND, :], plant, derivative)
     action[Action.ROPE_FORCE] = force[GeneralisedForce.FORCE + Axes.ROPE]
+
+
+def run_on(plant: 'float[:]', work: 'float[:,:]') -> None:
+    """Where a force drive would push a rope that may slacken, let the drum follow the load."""
+    force = work[Work.GENERALISED, :]
+    rope = GeneralisedForce.FORCE + Axes.ROPE
+    if not may_slacken(plant) or force[rope] < 0.0:
+        return
+    work[Work.ACTION, Action.FORCE + Axes.ROPE] = work[Work.FRICTION, Axes.ROPE]
+    force[rope] = 0.0
+    for i in range(2):
+        force[GeneralisedForce.TORQUE + i] = 0.0
 
 
 def driven_derivative(
@@ -62,11 +79,14 @@ def driven_derivative(
             if exceeds(demand, plant[Plant.VELOCITY_MAX + i]):
                 demand = limited(demand, plant[Plant.VELOCITY_MAX + i])
                 action[Action.SATURATED + i] = 1.0
-            demand = (demand - state[State.VELOCITY + i]) / plant[Plant.LAG + i]
+            demand = (demand - axis_velocity(state, i)) / plant[Plant.LAG + i]
         if exceeds(demand, plant[Plant.ACCELERATION_MAX + i]):
             demand = limited(demand, plant[Plant.ACCELERATION_MAX + i])
             action[Action.SATURATED + i] = 1.0
         work[Work.DEMAND, i] = demand
+    if is_slack(state):
+        slack_derivative(plant, state, work, derivative)
+        return
     driven_forces(plant, state, work, derivative)
     for i in range(3):
         bound = force_bound(plant, i, state[State.VELOCITY + i])
@@ -90,3 +110,30 @@ def driven_forces(
     action[Action.ROPE_FORCE] = action[Action.FORCE + Axes.ROPE]
     for i in range(3):
         action[Action.FORCE + i] = action[Action.FORCE + i] + work[Work.FRICTION, i]
+
+
+def slack_derivative(
+    plant: 'float[:]', state: 'float[:]', work: 'float[:,:]', derivative: 'float[:]'
+) -> None:
+    """The same while the rope is slack: the load falls freely, the drum follows its demand.
+
+    Each carriage has its own mass to move, the drum only its friction.
+    """
+    force = work[Work.GENERALISED, :]
+    action = work[Work.ACTION, :]
+    for i in range(3):
+        needed = carriage_mass(plant, i) * work[Work.DEMAND, i]
+        drive = needed + work[Work.FRICTION, i]
+        bound = force_bound(plant, i, axis_velocity(state, i))
+        if exceeds(drive, bound) and i != Axes.ROPE:
+            drive = limited(drive, bound)
+            action[Action.SATURATED + i] = 1.0
+        action[Action.FORCE + i] = drive
+        force[i] = drive - work[Work.FRICTION, i]
+    force[GeneralisedForce.FORCE + Axes.ROPE] = 0.0
+    for i in range(2):
+        force[GeneralisedForce.TORQUE + i] = 0.0
+    crane_rhs(state, force, work[Work.WIND, :], plant, derivative)
+    derivative[PlantState.PAID_OUT] = state[PlantState.PAYING_OUT]
+    derivative[PlantState.PAYING_OUT] = work[Work.DEMAND, Axes.ROPE]
+    action[Action.ROPE_FORCE] = 0.0

@@ -15,7 +15,6 @@ from segfmu.kernels.crane.records import (
     Action,
     Axes,
     CommandRates,
-    Coordinates,
     DriveMode,
     GeneralisedForce,
     Load,
@@ -26,6 +25,13 @@ from segfmu.kernels.crane.records import (
     StageAction,
     State,
     Work,
+)
+from segfmu.kernels.crane.slack import (
+    axis_position,
+    axis_velocity,
+    bears_wrongly,
+    change_rope,
+    may_slacken,
 )
 from segfmu.kernels.crane.wind import wind_force
 from segfmu.kernels.numerics.integrate import (
@@ -54,13 +60,16 @@ def plant_derivative(
         slope = rate[CommandRates.SQUARE + i] + elapsed * rate[CommandRates.CUBE + i]
         slope = rate[CommandRates.LINEAR + i] + elapsed * slope
         work[Work.DEMAND, i] = work[Work.COMMAND, i] + elapsed * slope
-        velocity = state[State.VELOCITY + i]
+        velocity = axis_velocity(state, i)
         deflection = state[PlantState.DEFLECTION + i]
-        resistance = buffer_force(plant, i, state[State.POSITION + i], velocity)
+        resistance = buffer_force(plant, i, axis_position(state, i), velocity)
         resistance = resistance + friction_force(plant, i, velocity, deflection)
         work[Work.FRICTION, i] = resistance
         derivative[PlantState.DEFLECTION + i] = deflection_rate(plant, i, velocity, deflection)
         work[Work.ACTION, Action.SATURATED + i] = 0.0
+    derivative[PlantState.SLACK] = 0.0
+    derivative[PlantState.PAID_OUT] = 0.0
+    derivative[PlantState.PAYING_OUT] = 0.0
     for i in range(2):
         torque = -plant[Plant.SWAY_DAMPING] * state[State.RATE + i]
         work[Work.GENERALISED, GeneralisedForce.TORQUE + i] = torque
@@ -85,8 +94,11 @@ def plant_powers(
     derivative[PlantState.DRIVE_WORK] = 0.0
     derivative[PlantState.WIND_WORK] = 0.0
     derivative[PlantState.DISSIPATED] = plant[Plant.SWAY_DAMPING] * squares
+    if may_slacken(plant) and work[Work.ACTION, Action.ROPE_FORCE] >= 0.0:
+        # the sway is damped by a rope that bears
+        derivative[PlantState.DISSIPATED] = 0.0
     for i in range(3):
-        velocity = state[State.VELOCITY + i]
+        velocity = axis_velocity(state, i)
         drive = work[Work.ACTION, Action.FORCE + i] * velocity
         derivative[PlantState.DRIVE_WORK] = derivative[PlantState.DRIVE_WORK] + drive
         if not calm:
@@ -103,6 +115,21 @@ def reuse_last_stage(work: 'float[:,:]') -> None:
         work[Work.STAGES, i] = work[Work.STAGES + Stages.K7, i]
     for i in range(3):
         action[StageAction.SATURATED_BEFORE + i] = action[Action.SATURATED + i]
+
+
+def first_stage(
+    plant: 'float[:]',
+    components: 'float[:,:]',
+    time: float,
+    elapsed: float,
+    state: 'float[:]',
+    work: 'float[:,:]',
+) -> None:
+    """Derivative from which the next step starts, where none leads up to the state."""
+    plant_derivative(
+        plant, components, time, elapsed, state, work, work[Work.STAGES + Stages.K7, :]
+    )
+    reuse_last_stage(work)
 
 
 def try_step(
@@ -151,7 +178,8 @@ def plant_advance(
     tolerance: relative and absolute error of a step. report: a `Report`; the caller collects the
     drives that were at a bound in the communication step.
 
-    Returns a `PlantStatus`. A failure is located to 0.1 us; the state is the last valid one. With
+    Returns a `PlantStatus`. A failure, and a rope that goes slack or taut where it may, is located
+    to 0.1 us; after a failure the state is the last valid one. With
     stiff friction, STEP_TOO_SMALL also means too many steps.
     """
     for i in range(Report.STEP_SATURATED):
@@ -159,10 +187,7 @@ def plant_advance(
     finite = all_finite(state, PlantState.SIZE) and all_finite(work[Work.COMMAND, :], 3)
     if not finite or not all_finite(work[Work.LOAD_FORCE, :], 3):
         return PlantStatus.NOT_FINITE
-    plant_derivative(
-        plant, components, time, 0.0, state, work, work[Work.STAGES + Stages.K7, :]
-    )
-    reuse_last_stage(work)
+    first_stage(plant, components, time, 0.0, state, work)
     t = 0.0
     # the previous step is a better guess than the interval, which may need many steps
     planned = work[Work.STEP, 0]
@@ -183,9 +208,14 @@ def plant_advance(
         rope_force = work[Work.ACTION, Action.ROPE_FORCE]
         status = plant_status(plant, work[Work.TRIAL, :], rope_force)
         if status != PlantStatus.DONE:
-            if h < 1e-7:
+            if h >= 1e-7:
+                h = 0.5 * h
+                continue
+            if status != PlantStatus.SLACK_ROPE or not may_slacken(plant):
                 return status
-            h = 0.5 * h
+            change_rope(plant, state)
+            first_stage(plant, components, time, t, state, work)
+            h = duration - t
             continue
         t = t + h
         h = h * next_step(error, tolerance)
@@ -220,16 +250,17 @@ def plant_status(plant: 'float[:]', state: 'float[:]', rope_force: float) -> int
     for i in range(2):
         if abs(state[State.ANGLE + i]) >= 1.57:
             return PlantStatus.SWAY_ANGLE
-    if state[Coordinates.POSITION + Axes.ROPE] <= 0.0:
+    if state[State.POSITION + Axes.ROPE] <= 0.0:
         return PlantStatus.ROPE_LENGTH
     for i in range(3):
         # rest exactly at the limit is allowed, and a buffer gives way
         if plant[Plant.STIFFNESS + i] > 0.0:
             continue
-        if state[Coordinates.POSITION + i] < plant[Plant.TRAVEL_MIN + i] - 1e-9:
+        position = axis_position(state, i)
+        if position < plant[Plant.TRAVEL_MIN + i] - 1e-9:
             return PlantStatus.BELOW_TRAVEL + i
-        if state[Coordinates.POSITION + i] > plant[Plant.TRAVEL_MAX + i] + 1e-9:
+        if position > plant[Plant.TRAVEL_MAX + i] + 1e-9:
             return PlantStatus.ABOVE_TRAVEL + i
-    if rope_force > 1e-9 * plant[Plant.PAYLOAD_MASS] * plant[Plant.GRAVITY]:
+    if bears_wrongly(plant, state, rope_force):
         return PlantStatus.SLACK_ROPE
     return PlantStatus.DONE

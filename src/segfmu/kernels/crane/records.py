@@ -26,6 +26,13 @@ class GustShape(Codes):
     SINE = 1
 
 
+class SlackRope(Codes):
+    """What a rope does that would have to push: an error, or the load falls freely."""
+
+    ERROR = 0
+    FREE_FALL = 1
+
+
 class PlantStatus(Codes):
     """How an advance of the crane ended."""
 
@@ -98,12 +105,15 @@ class State(Coordinates):
 
 
 class PlantState(State):
-    """State of the crane, deflections of the contacts that rub, and works since the start."""
+    """State of the crane, contacts that rub, slack rope, and works since the start."""
 
     DEFLECTION = field(
         "deflections of the contacts, see `friction_force`", "m", size=3,
         variables=[f"friction.{d}.deflection" for d in DRIVES],
     )
+    SLACK = field("1: the rope is slack, and the next two are not 0")
+    PAID_OUT = field("length of the slack rope", "m")
+    PAYING_OUT = field("its rate", "m/s")
     DRIVE_WORK = field("work of the drives", "J")
     WIND_WORK = field("work of the wind", "J")
     DISSIPATED = field("energy dissipated by friction", "J")
@@ -205,6 +215,10 @@ class Plant(Masses):
         "drag coefficient of the load times its area", "m2", variables=("load.drag_area",)
     )
     AIR_DENSITY = field("density of the air", "kg/m3", variables=("wind.air_density",))
+    SLACK = field(
+        "what a rope does that would have to push, see SlackRope", variables=("rope.slack",),
+        base=1,
+    )
 
 
 class Compensation(Record):

@@ -12,7 +12,8 @@ setpoints were those of the start.
 from math import ceil
 
 from segfmu.kernels.control.records import Correction
-from segfmu.kernels.crane.records import Axes, Plant, State
+from segfmu.kernels.crane.records import Axes, Plant
+from segfmu.kernels.crane.slack import axis_velocity
 from segfmu.kernels.rig.events import present_time, time_tolerance
 from segfmu.kernels.rig.records import (
     Clock,
@@ -227,7 +228,7 @@ def late_commands(
             if is_driven(memory) and memory[Memory.PLANT, Plant.LAG + i] == 0.0:
                 end = value + length * (slope + length * (square + length * cube))
                 end = bounded_velocity(i, end, memory)
-                value = (end - memory[Memory.STATE, State.VELOCITY + i]) / length
+                value = (end - axis_velocity(memory[Memory.STATE, :], i)) / length
                 slope = 0.0
                 square = 0.0
                 cube = 0.0

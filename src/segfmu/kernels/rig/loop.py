@@ -16,6 +16,7 @@ from segfmu.kernels.crane.records import (
     State,
     Work,
 )
+from segfmu.kernels.crane.slack import axis_velocity
 from segfmu.kernels.rig.delay import is_late, late_commands
 from segfmu.kernels.rig.events import next_tick, present_time, time_tolerance, update_signals
 from segfmu.kernels.rig.records import Clock, Corrector, Loop, Memory, Setpoints, Settings
@@ -179,5 +180,5 @@ def command_velocities(
             end = setpoint_at(setpoints, velocity, until / duration, memory)
             end = end + memory[Memory.ADDED, i]
             end = bounded_velocity(i, end, memory)
-            acceleration = (end - memory[Memory.STATE, State.VELOCITY + i]) / length
+            acceleration = (end - axis_velocity(memory[Memory.STATE, :], i)) / length
             set_command(i, acceleration, 0.0, 0.0, 0.0, memory)

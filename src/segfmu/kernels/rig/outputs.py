@@ -23,6 +23,7 @@ from segfmu.kernels.crane.records import (
     Vector,
     Work,
 )
+from segfmu.kernels.crane.slack import axis_velocity
 from segfmu.kernels.rig.records import Balance, Memory, Outputs
 from segfmu.kernels.rig.rig import rig_balance, rig_imbalance
 
@@ -82,7 +83,7 @@ def drive_outputs(memory: 'float[:,:]', outputs: 'float[:]') -> None:
         outputs[Outputs.FORCE + i] = report[Report.FORCE + i]
         outputs[Outputs.SATURATED + i] = report[Report.STEP_SATURATED + i]
         outputs[Outputs.POWER + i] = (
-            report[Report.FORCE + i] * memory[Memory.STATE, State.VELOCITY + i]
+            report[Report.FORCE + i] * axis_velocity(memory[Memory.STATE, :], i)
         )
     outputs[Outputs.ROPE_FORCE] = report[Report.ROPE_FORCE]
     outputs[Outputs.WIND_POWER] = report[Report.WIND_POWER]

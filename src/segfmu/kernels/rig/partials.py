@@ -28,6 +28,7 @@ from segfmu.kernels.crane.records import (
     Vector,
     Work,
 )
+from segfmu.kernels.crane.slack import may_slacken
 from segfmu.kernels.crane.wind import drag_slope, wind_rates
 from segfmu.kernels.rig.records import Clock, Memory, RigPartials, RigVariables
 from segfmu.kernels.rig.setpoints import is_driven
@@ -222,11 +223,13 @@ def rig_partials(
     """All partial derivatives at a time [s] since the start.
 
     False if a velocity drive is at its largest force, or a force drive at its largest velocity:
-    there they jump.
+    there they jump. Also where the rope bears nothing.
     """
     plant = memory[Memory.PLANT, :]
     state = memory[Memory.STATE, :]
     rig = memory[Memory.WORK:Memory.WORK + Work.SIZE, :]
+    if may_slacken(plant) and rig[Work.ACTION, Action.ROPE_FORCE] >= 0.0:
+        return False
     for i in range(RigPartials.SIZE):
         for j in range(RigVariables.SIZE):
             partials[i, j] = 0.0

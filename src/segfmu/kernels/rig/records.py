@@ -46,7 +46,7 @@ class SetupStatus(Codes):
     not ascending. LENGTHS, OBSERVER: of a controller's table, the observer's is not finite.
     LONG_DELAY, LATE_EXCHANGE: dead time of a drive, longer than there is memory for, or in model
     exchange. LOW_STATIC: static friction below Coulomb friction. NO_WIND: turbulence
-    without a mean speed.
+    without a mean speed. SLACK_EXCHANGE: a rope that may slacken, in model exchange.
     """
 
     FITS = 0
@@ -63,6 +63,7 @@ class SetupStatus(Codes):
     LATE_EXCHANGE = 11
     LOW_STATIC = 12
     NO_WIND = 13
+    SLACK_EXCHANGE = 14
 
 
 class SetupFault(Record):

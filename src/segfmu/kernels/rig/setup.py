@@ -4,6 +4,7 @@ from math import sqrt
 
 from segfmu.kernels.control.records import RopeRange
 from segfmu.kernels.crane.records import Axes, DriveMode, Plant, Vector
+from segfmu.kernels.crane.slack import may_slacken
 from segfmu.kernels.rig.records import Delay, SensorLimits, Sensors, SetupFault, SetupStatus
 
 
@@ -53,6 +54,17 @@ def check_turbulence(speed: 'float[:]', deviation: 'float[:]', fault: 'float[:]'
         fault[SetupFault.VALUE] = deviation[i]
         if deviation[i] > 0.0 and wind_speed(speed) == 0.0:
             return SetupStatus.NO_WIND
+    return SetupStatus.FITS
+
+
+def check_slack(plant: 'float[:]', exchange: int, fault: 'float[:]') -> int:
+    """Check that the rope cannot slacken in model exchange, where it has no memory.
+
+    exchange: 1 in model exchange.
+    """
+    fault[SetupFault.VALUE] = plant[Plant.SLACK]
+    if exchange == 1 and may_slacken(plant):
+        return SetupStatus.SLACK_EXCHANGE
     return SetupStatus.FITS
 
 

@@ -18,6 +18,10 @@ static bool set_parameters(crane *m, char message[MESSAGE])
         status = segfmu_check_lags(vector(plant, PLANT_SIZE), report);
     }
     if (status == SETUP_STATUS_FITS) {
+        status = segfmu_check_slack(vector(plant, PLANT_SIZE), m->base.interface != CO_SIMULATION,
+                                    report);
+    }
+    if (status == SETUP_STATUS_FITS) {
         status = segfmu_check_friction(vector(plant + PLANT_STATIC, AXES_SIZE),
                                        vector(plant + PLANT_COULOMB, AXES_SIZE), report);
     }
