@@ -171,6 +171,7 @@ model GantryCrane "Dynamics of a 3-DOF gantry crane from Lagrange's equations, d
   parameter Real travel_rope_max(unit = "m") = 1000000000.0 "upper end stop of the rope's length" annotation(Dialog(tab = "travel"));
   parameter Real travel_rope_stiffness(unit = "N/m", min = 0.0) = 0.0 "stiffness of its buffers; 0: none, reaching it is an error" annotation(Dialog(tab = "travel"));
   parameter Real travel_rope_damping(unit = "N.s/m", min = 0.0) = 0.0 "damping of its buffers, which have a stiffness" annotation(Dialog(tab = "travel"));
+  parameter Types.SlackRope rope_slack = Types.SlackRope.error "where the rope would have to push: an error, or free fall of the load until the rope is taut again; in model exchange error" annotation(Dialog(tab = "rope"));
   parameter Real sensor_sample_time(unit = "s", min = 0.0) = 0.0 "period; 0: continuous" annotation(Dialog(tab = "sensor"));
   parameter Real sensor_dead_time(unit = "s", min = 0.0) = 0.0 "from sampling to the signal; needs sensor.sample_time" annotation(Dialog(tab = "sensor"));
   parameter Integer sensor_seed(min = 0, max = 2147483647) = 0 "seed of the sensors' noise" annotation(Dialog(tab = "sensor"));
@@ -315,65 +316,65 @@ model GantryCrane "Dynamics of a 3-DOF gantry crane from Lagrange's equations, d
   Real friction_hoist_deflection_rate(unit = "m/s") "derivative of friction.hoist.deflection";
   Real power_drives(unit = "W", nominal = 10.0) "power of all drives";
 protected
-  constant Integer feedback_table_length_references[17] = {214, 228, 242, 256, 270, 284, 298, 312, 326, 340, 354, 368, 382, 396, 410, 424, 438};
-  constant Integer feedback_table_bridge_references[17, 5] = [215, 216, 217, 218, 219;
-      229, 230, 231, 232, 233;
-      243, 244, 245, 246, 247;
-      257, 258, 259, 260, 261;
-      271, 272, 273, 274, 275;
-      285, 286, 287, 288, 289;
-      299, 300, 301, 302, 303;
-      313, 314, 315, 316, 317;
-      327, 328, 329, 330, 331;
-      341, 342, 343, 344, 345;
-      355, 356, 357, 358, 359;
-      369, 370, 371, 372, 373;
-      383, 384, 385, 386, 387;
-      397, 398, 399, 400, 401;
-      411, 412, 413, 414, 415;
-      425, 426, 427, 428, 429;
-      439, 440, 441, 442, 443];
-  constant Integer feedback_table_trolley_references[17, 5] = [220, 221, 222, 223, 224;
-      234, 235, 236, 237, 238;
-      248, 249, 250, 251, 252;
-      262, 263, 264, 265, 266;
-      276, 277, 278, 279, 280;
-      290, 291, 292, 293, 294;
-      304, 305, 306, 307, 308;
-      318, 319, 320, 321, 322;
-      332, 333, 334, 335, 336;
-      346, 347, 348, 349, 350;
-      360, 361, 362, 363, 364;
-      374, 375, 376, 377, 378;
-      388, 389, 390, 391, 392;
-      402, 403, 404, 405, 406;
-      416, 417, 418, 419, 420;
-      430, 431, 432, 433, 434;
-      444, 445, 446, 447, 448];
-  constant Integer feedback_table_hoist_references[17, 3] = [225, 226, 227;
-      239, 240, 241;
-      253, 254, 255;
-      267, 268, 269;
-      281, 282, 283;
-      295, 296, 297;
-      309, 310, 311;
-      323, 324, 325;
-      337, 338, 339;
-      351, 352, 353;
-      365, 366, 367;
-      379, 380, 381;
-      393, 394, 395;
-      407, 408, 409;
-      421, 422, 423;
-      435, 436, 437;
-      449, 450, 451];
+  constant Integer feedback_table_length_references[17] = {215, 229, 243, 257, 271, 285, 299, 313, 327, 341, 355, 369, 383, 397, 411, 425, 439};
+  constant Integer feedback_table_bridge_references[17, 5] = [216, 217, 218, 219, 220;
+      230, 231, 232, 233, 234;
+      244, 245, 246, 247, 248;
+      258, 259, 260, 261, 262;
+      272, 273, 274, 275, 276;
+      286, 287, 288, 289, 290;
+      300, 301, 302, 303, 304;
+      314, 315, 316, 317, 318;
+      328, 329, 330, 331, 332;
+      342, 343, 344, 345, 346;
+      356, 357, 358, 359, 360;
+      370, 371, 372, 373, 374;
+      384, 385, 386, 387, 388;
+      398, 399, 400, 401, 402;
+      412, 413, 414, 415, 416;
+      426, 427, 428, 429, 430;
+      440, 441, 442, 443, 444];
+  constant Integer feedback_table_trolley_references[17, 5] = [221, 222, 223, 224, 225;
+      235, 236, 237, 238, 239;
+      249, 250, 251, 252, 253;
+      263, 264, 265, 266, 267;
+      277, 278, 279, 280, 281;
+      291, 292, 293, 294, 295;
+      305, 306, 307, 308, 309;
+      319, 320, 321, 322, 323;
+      333, 334, 335, 336, 337;
+      347, 348, 349, 350, 351;
+      361, 362, 363, 364, 365;
+      375, 376, 377, 378, 379;
+      389, 390, 391, 392, 393;
+      403, 404, 405, 406, 407;
+      417, 418, 419, 420, 421;
+      431, 432, 433, 434, 435;
+      445, 446, 447, 448, 449];
+  constant Integer feedback_table_hoist_references[17, 3] = [226, 227, 228;
+      240, 241, 242;
+      254, 255, 256;
+      268, 269, 270;
+      282, 283, 284;
+      296, 297, 298;
+      310, 311, 312;
+      324, 325, 326;
+      338, 339, 340;
+      352, 353, 354;
+      366, 367, 368;
+      380, 381, 382;
+      394, 395, 396;
+      408, 409, 410;
+      422, 423, 424;
+      436, 437, 438;
+      450, 451, 452];
   final parameter Integer real_references[:] = cat(1, {23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 81, 82, 83, 84, 85, 86, 89, 90, 91, 92, 93, 94, 95,
       96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 110, 111, 112, 113, 114,
       115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 126, 127, 128, 129, 130, 131, 132,
-      133, 134, 135, 136, 138, 139, 140, 141, 142, 143, 144, 145, 146, 147, 148, 149, 150, 151,
-      152, 153, 154, 155, 156, 157, 159, 160, 161, 162, 163, 164, 165, 167, 168, 169, 170, 171,
-      172, 173, 174, 175, 176, 177, 179, 180, 182, 183, 184, 185, 186, 187, 188, 189, 192, 193,
-      194, 195, 196, 198, 199, 200, 201, 202, 203, 204, 205, 206, 207, 208, 213},
+      133, 134, 136, 137, 139, 140, 141, 142, 143, 144, 145, 146, 147, 148, 149, 150, 151, 152,
+      153, 154, 155, 156, 157, 158, 160, 161, 162, 163, 164, 165, 166, 168, 169, 170, 171, 172,
+      173, 174, 175, 176, 177, 178, 180, 181, 183, 184, 185, 186, 187, 188, 189, 190, 193, 194,
+      195, 196, 197, 199, 200, 201, 202, 203, 204, 205, 206, 207, 208, 209, 214},
       feedback_table_length_references[1:feedback_table_count],
       FMI.references(feedback_table_bridge_references, feedback_table_count),
       FMI.references(feedback_table_trolley_references, feedback_table_count),
@@ -419,11 +420,12 @@ protected
       FMI.rows(feedback_table_bridge),
       FMI.rows(feedback_table_trolley),
       FMI.rows(feedback_table_hoist));
-  constant Integer integer_references[11] = {87, 137, 158, 166, 178, 181, 191, 197, 210, 211, 212};
-  final parameter Integer integers[11] = {Integer(drive_mode), sensor_seed, Integer(wind_gust_shape), wind_noise_seed,
-      wind_turbulence_seed, payload_count, Integer(feedback_design), Integer(feedback_source),
-      Integer(feedback_offset_cause), feedback_table_count, Integer(feedback_table_mode)};
-  constant Integer boolean_references[3] = {88, 190, 209};
+  constant Integer integer_references[12] = {87, 135, 138, 159, 167, 179, 182, 192, 198, 211, 212, 213};
+  final parameter Integer integers[12] = {Integer(drive_mode), Integer(rope_slack), sensor_seed, Integer(wind_gust_shape),
+      wind_noise_seed, wind_turbulence_seed, payload_count, Integer(feedback_design),
+      Integer(feedback_source), Integer(feedback_offset_cause), feedback_table_count,
+      Integer(feedback_table_mode)};
+  constant Integer boolean_references[3] = {88, 191, 210};
   final parameter Integer booleans[3] = {if start_on_reference then 1 else 0, if feedback_enabled then 1 else 0, if
       feedback_rope_offset then 1 else 0};
   constant Integer input_references[22] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22};
@@ -457,7 +459,7 @@ protected
       reference_sway_y_rate_used, reference_load_position_x_used, reference_load_position_y_used,
       reference_load_position_z_used, wind_x_used, wind_y_used, wind_z_used};
   FMI.Instance fmu = FMI.Instance(folder, "GantryCrane", getInstanceName(),
-      "{b0b3b70a-d41c-2857-32c9-0d5d02555cca}", 16);
+      "{f3f8f6a0-0502-92a7-6ee1-32720b301b52}", 16);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[16](each stateSelect = StateSelect.always, each nominal = 0.1) "states of the FMU";
@@ -547,7 +549,7 @@ equation
       = FMI.reals(fmu, time, x, fill(0, 0),
       fill(0.0, 0),
       {23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 58, 59,
-      60, 61, 62, 63, 64, 65, 66, 69, 70, 71, 72, 73, 74, 75, 457, 458, 459}, last);
+      60, 61, 62, 63, 64, 65, 66, 69, 70, 71, 72, 73, 74, 75, 458, 459, 460}, last);
   {error_load_x}
       = FMI.reals(fmu, time, x, {17},
       {reference_load_position_x_used},
@@ -572,7 +574,7 @@ equation
       = FMI.reals(fmu, time, x, {1, 2, 3, 4, 5, 6, 20, 21, 22},
       {force_bridge_used, force_trolley_used, force_hoist_used, velocity_bridge_used,
       velocity_trolley_used, velocity_hoist_used, wind_x_used, wind_y_used, wind_z_used},
-      {48, 50, 51, 53, 54, 56, 57, 67, 68, 452, 453, 454, 455, 456, 460}, last);
+      {48, 50, 51, 53, 54, 56, 57, 67, 68, 453, 454, 455, 456, 457, 461}, last);
   {friction_bridge_deflection, friction_trolley_deflection, friction_hoist_deflection,
       load_speed, sway_total}
       = FMI.reals(fmu, time, x, {1, 2, 3, 4, 5, 6, 20, 21, 22, 17, 18, 19},

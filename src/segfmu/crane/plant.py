@@ -30,6 +30,7 @@ from segfmu.kernels.crane.records import (
     PlantStatus,
     Report,
     State,
+    Vector,
 )
 from segfmu.kernels.crane.records import Plant as Parameters
 from segfmu.kernels.messages import SETUP
@@ -227,9 +228,7 @@ class Plant:
     @property
     def drive_power(self) -> FloatArray:
         """Power of the drives [W], shape (3,)."""
-        velocity = self._memory[Memory.STATE, State.VELOCITY : State.RATE]
-        power: FloatArray = self._report(Report.FORCE) * velocity
-        return power
+        return self.outputs(np.zeros(Vector.SIZE))[Outputs.POWER : Outputs.POWER + Axes.SIZE]
 
     @property
     def energy(self) -> FloatArray:

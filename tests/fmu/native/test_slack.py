@@ -22,6 +22,7 @@ NAMES = [*gantry_crane.STATE, "rope.force", "energy.drives", "energy.dissipated"
 TIMES = np.arange(81) * 0.005
 START: Values = {
     "rope.slack": "free_fall", "drive.mode": "velocity", "feedback.enabled": False,
+    "feedback.design": "flatness",
     "sway.x.angle": 0.1, "sway.y.rate": 0.3, "start.on_reference": False,
     "friction.hoist.viscous": 2.0,
 }

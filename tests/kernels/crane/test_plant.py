@@ -67,7 +67,8 @@ def reference(command, rate, duration, wind, viscous, coulomb, slides, sway):
             friction @ x[5:8] + sway * x[8:10] @ x[8:10],
         ]
         moved = np.where(yields | (coulomb == 0.0), 0.0, velocity)
-        return np.concatenate([x[5:10], second, moved, works])
+        # the rope stays taut
+        return np.concatenate([x[5:10], second, moved, np.zeros(3), works])
 
     return solve_ivp(
         right, (0.0, duration), START, method="DOP853", rtol=1e-11, atol=1e-12

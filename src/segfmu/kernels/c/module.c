@@ -287,7 +287,7 @@ static PyObject *call_flat_table(
         && take_int(&call, 2, &in_rows)
         && (in_lengths = take_array(&call, 3, 1, 'd', false)) != NULL
         && (in_table = take_array(&call, 4, 3, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 67)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 68)
         && has_at_least(&call, "design", 0, in_design->shape[0], 5)
         && has_at_least(&call, "lengths", 0, in_lengths->shape[0], in_rows)
         && has_at_least(&call, "table", 0, in_table->shape[0], in_rows)
@@ -855,7 +855,7 @@ static PyObject *call_plant_failure(
         && (in_plant = take_array(&call, 3, 1, 'd', false)) != NULL
         && (in_fault = take_array(&call, 4, 1, 'd', true)) != NULL
         && has_at_least(&call, "state", 0, in_state->shape[0], 10)
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 67)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 68)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_plant_failure(
             in_status,
@@ -993,11 +993,11 @@ static PyObject *call_plant_advance(
         && take_float(&call, 5, &in_tolerance)
         && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
         && (in_report = take_array(&call, 7, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 67)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 68)
         && has_at_least(&call, "components", 1, in_components->shape[1], 8)
-        && has_at_least(&call, "state", 0, in_state->shape[0], 16)
+        && has_at_least(&call, "state", 0, in_state->shape[0], 19)
         && has_at_least(&call, "work", 0, in_work->shape[0], 21)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 16)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 19)
         && has_at_least(&call, "report", 0, in_report->shape[0], 13)) {
         answer = PyLong_FromLongLong(segfmu_plant_advance(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
@@ -1557,9 +1557,9 @@ static PyObject *call_rig_next_event(
         && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
         && (in_memory = take_array(&call, 1, 2, 'd', false)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 67)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 68)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 38)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 67)) {
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 68)) {
         answer = PyFloat_FromDouble(segfmu_rig_next_event(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}}));
@@ -1580,9 +1580,9 @@ static PyObject *call_switch_correction(
         && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
         && (in_memory = take_array(&call, 1, 2, 'd', true)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 67)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 68)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 38)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 67)) {
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 68)) {
         segfmu_switch_correction(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}});
@@ -1618,7 +1618,7 @@ static PyObject *call_rig_event(
         && has_at_least(&call, "table", 0, in_table->shape[0], 1)
         && has_at_least(&call, "gains", 0, in_gains->shape[0], 1)
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 67)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 68)
         && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
         && has_at_least(&call, "table", 1, in_table->shape[1], 19)
         && has_at_least(&call, "table", 2, in_table->shape[2], 10)
@@ -1627,7 +1627,7 @@ static PyObject *call_rig_event(
         && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 69)
         && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 13)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 67)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 68)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
         segfmu_rig_event(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
@@ -1658,8 +1658,8 @@ static PyObject *call_rig_signals(
         && take_float(&call, 1, &in_time)
         && (in_memory = take_array(&call, 2, 2, 'd', true)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 67)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 67)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 68)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 68)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
         segfmu_rig_signals(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
@@ -1691,8 +1691,8 @@ static PyObject *call_rig_rates(
         && has_at_least(&call, "components", 1, in_components->shape[1], 8)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 38)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 67)
-        && has_at_least(&call, "derivative", 0, in_derivative->shape[0], 16)) {
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 68)
+        && has_at_least(&call, "derivative", 0, in_derivative->shape[0], 19)) {
         answer = PyLong_FromLongLong(segfmu_rig_rates(
             (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}},
             (array_double_1d){in_setpoints->buf, {in_setpoints->shape[0]}},
@@ -1714,7 +1714,7 @@ static PyObject *call_rig_rows(
     if (take_count(&call, count, 1)
         && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 67)) {
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 68)) {
         answer = PyLong_FromLongLong(segfmu_rig_rows(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}));
     }
@@ -1742,11 +1742,11 @@ static PyObject *call_rig_start(
         && take_float(&call, 4, &in_start)
         && (in_memory = take_array(&call, 5, 2, 'd', true)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 67)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 68)
         && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
         && has_at_least(&call, "state", 0, in_state->shape[0], 10)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 67)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 68)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
         segfmu_rig_start(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
@@ -1789,7 +1789,7 @@ static PyObject *call_rig_step(
         && has_at_least(&call, "table", 0, in_table->shape[0], 1)
         && has_at_least(&call, "gains", 0, in_gains->shape[0], 1)
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 67)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 68)
         && has_at_least(&call, "components", 1, in_components->shape[1], 8)
         && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
         && has_at_least(&call, "table", 1, in_table->shape[1], 19)
@@ -1799,7 +1799,7 @@ static PyObject *call_rig_step(
         && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 69)
         && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 13)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 67)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 68)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
         answer = PyLong_FromLongLong(segfmu_rig_step(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
@@ -1828,7 +1828,7 @@ static PyObject *call_rig_balance(
         && (in_memory = take_array(&call, 0, 2, 'd', true)) != NULL
         && (in_balance = take_array(&call, 1, 1, 'd', true)) != NULL
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 38)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 67)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 68)
         && has_at_least(&call, "balance", 0, in_balance->shape[0], 7)) {
         segfmu_rig_balance(
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}},
@@ -1873,7 +1873,7 @@ static PyObject *call_rig_outputs(
         && (in_outputs = take_array(&call, 3, 1, 'd', true)) != NULL
         && has_at_least(&call, "target", 0, in_target->shape[0], 3)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 38)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 67)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 68)
         && has_at_least(&call, "balance", 0, in_balance->shape[0], 7)
         && has_at_least(&call, "outputs", 0, in_outputs->shape[0], 51)) {
         segfmu_rig_outputs(
@@ -1933,7 +1933,7 @@ static PyObject *call_rig_partials(
         && (in_partials = take_array(&call, 4, 2, 'd', true)) != NULL
         && has_at_least(&call, "components", 1, in_components->shape[1], 8)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 38)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 67)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 68)
         && has_at_least(&call, "work", 0, in_work->shape[0], 6)
         && has_at_least(&call, "work", 1, in_work->shape[1], 18)
         && has_at_least(&call, "partials", 0, in_partials->shape[0], 15)
@@ -1985,7 +1985,7 @@ static PyObject *call_check_lags(
     if (take_count(&call, count, 2)
         && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
         && (in_fault = take_array(&call, 1, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 67)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 68)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_check_lags(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
@@ -2062,6 +2062,30 @@ static PyObject *call_check_turbulence(
     return answer;
 }
 
+static PyObject *call_check_slack(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "check_slack", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_plant;
+    int64_t in_exchange;
+    Py_buffer *in_fault;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
+        && take_int(&call, 1, &in_exchange)
+        && (in_fault = take_array(&call, 2, 1, 'd', true)) != NULL
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 68)
+        && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
+        answer = PyLong_FromLongLong(segfmu_check_slack(
+            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
+            in_exchange,
+            (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_check_delays(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -2077,7 +2101,7 @@ static PyObject *call_check_delays(
         && take_float(&call, 1, &in_period)
         && take_int(&call, 2, &in_exchange)
         && (in_fault = take_array(&call, 3, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 67)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 68)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_check_delays(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
@@ -2759,6 +2783,7 @@ static PyMethodDef methods[] = {
     {"check_friction", (PyCFunction)(void (*)(void))call_check_friction, METH_FASTCALL, NULL},
     {"wind_speed", (PyCFunction)(void (*)(void))call_wind_speed, METH_FASTCALL, NULL},
     {"check_turbulence", (PyCFunction)(void (*)(void))call_check_turbulence, METH_FASTCALL, NULL},
+    {"check_slack", (PyCFunction)(void (*)(void))call_check_slack, METH_FASTCALL, NULL},
     {"check_delays", (PyCFunction)(void (*)(void))call_check_delays, METH_FASTCALL, NULL},
     {"check_sensors", (PyCFunction)(void (*)(void))call_check_sensors, METH_FASTCALL, NULL},
     {"check_rope_bounds", (PyCFunction)(void (*)(void))call_check_rope_bounds, METH_FASTCALL, NULL},
