@@ -30,7 +30,9 @@ def driven(state, demand, force_max, acceleration_max=(0.0, 0.0, 0.0)):
     parameters[Plant.FORCE_MAX : Plant.ACCELERATION_MAX] = force_max
     parameters[Plant.ACCELERATION_MAX : Plant.VELOCITY_MAX] = acceleration_max
     work[Work.DEMAND, :3] = demand
-    driven_derivative(parameters, np.array(state), work, derivative)
+    whole = np.zeros(PlantState.SIZE)
+    whole[: len(state)] = state
+    driven_derivative(parameters, whole, work, derivative)
     action = work[Work.ACTION]
     saturated = action[Action.SATURATED : Action.ROPE_FORCE] > 0.0
     return derivative[State.VELOCITY : State.SIZE], action[: Action.SATURATED], saturated
