@@ -26,12 +26,12 @@ SWAYING = REST + np.radians([0.0, 0.0, 0.0, 5.0, -5.0, 0.0, 0.0, 0.0, 0.0, 0.0])
 
 def controller(
     kind: str, driven: bool, *, delayed: bool = False, wake: float = 0.0, offset: float = 0.05,
-    **options,
+    steps: tuple[float, float, float] = (0.0, 0.0, 0.0), **options,
 ) -> TrackingController:
     ranges = {"sample_time": T, "shortest": 0.16, "longest": 0.98, "driven": driven}
     observer = design_observer(
         LAB, lag=lags(driven), delayed=delayed,
-        uncertainty=Uncertainty(wake=wake, offset=offset), **ranges,
+        uncertainty=Uncertainty(*steps, wake=wake, offset=offset), **ranges,
     )
     known = {"lag": max(lags(driven))} if kind == "flat" else {}
     return TrackingController(observer, DESIGNS[kind](LAB, **ranges, **known), **options)
@@ -199,7 +199,7 @@ def test_a_crane_on_its_plan_is_left_alone_by_rounding(driven: bool) -> None:
     true, holding = rig(driven, resolution=ENCODERS), np.zeros(3) if driven else HOLD
 
     def corrections(wake: float, start: np.ndarray) -> np.ndarray:
-        loop = controller("flat", driven, wake=wake)
+        loop = controller("flat", driven, wake=wake, steps=ENCODERS[1:4])
         return simulate(true, loop, start, 1.0, lambda t: between, lambda t: holding)[1]
 
     assert not corrections(1.0, between).any()

@@ -137,9 +137,9 @@ CRANE: dict[str, Scenario] = {
 }
 
 
-def row_scenario(length: float) -> Scenario:
+def row_scenario(length: float, more: Values | None = None) -> Scenario:
     """With a rope of nearly the length of a row of the table of gains."""
-    values = {"start.on_reference": False, "rope.length": 0.995 * length,
+    values = (more or {}) | {"start.on_reference": False, "rope.length": 0.995 * length,
               "sway.x.rate": 0.1, "sway.y.rate": 0.1, "sway.x.angle": 0.05,
               "sway.y.angle": 0.05, "rope.velocity": 0.1}
     held = {"reference.rope.length": length, "reference.bridge.position": 0.1,

@@ -15,7 +15,16 @@ from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.gantry_feedforward.slave import FeedforwardSlave
 from segfmu.fmu.standard.spec import Spec, Variable
 from tests.fmu.bench import Bench, Rows, SlaveBench, bench
-from tests.fmu.scenarios import CRANE, FEEDFORWARD, REFUSALS, Scenario, changed, row_scenario
+from tests.fmu.scenarios import (
+    CRANE,
+    FEEDFORWARD,
+    LAGS,
+    REFUSALS,
+    VELOCITY,
+    Scenario,
+    changed,
+    row_scenario,
+)
 
 Runs = Bench | SlaveBench
 Case = tuple[Runs, Spec, dict[str, Scenario], dict[str, Rows]]
@@ -93,6 +102,11 @@ def rows_of_the_table(variable: Variable, spec: Spec) -> dict[str, Scenario]:
     else:
         return {}
     length = spec.variable(f"feedback.{row}.length").start
+    if variable.name.endswith(".command"):
+        # only velocity drives have one, once something was added
+        return {f"{row}, velocity": row_scenario(length, VELOCITY | LAGS | {
+            "feedback.table.mode": "velocity"
+        })}
     return {row: row_scenario(length)}
 
 

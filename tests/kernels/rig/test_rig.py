@@ -39,7 +39,9 @@ class OnState:
         state = self.plant.state
         table = self.gains.gains.reshape(self.gains.lengths.size, -1).T
         gain = [np.interp(state[2], self.gains.lengths, column) for column in table]
-        return -np.array(gain).reshape(3, 10) @ (state - reference)
+        # the gain by the velocity added is that of drives with lag, of which there are none here
+        assert not np.array(gain).reshape(3, 11)[:, 10].any()
+        return -np.array(gain).reshape(3, 11)[:, :10] @ (state - reference)
 
 
 def start(controller, driven: bool, rig: Rig) -> Plant:
