@@ -4543,7 +4543,7 @@ static bool may_slacken(array_double_1d plant)
 static bool is_slack(array_double_1d state)
 {
     bool result;
-    result = (*cspan_at(&state, INT64_C(13))) > 0.5;
+    result = (*cspan_at(&state, INT64_C(16))) > 0.5;
     return result;
 }
 /*Position of a carriage, or length of the rope that is paid out [m].*/
@@ -4552,7 +4552,7 @@ static double axis_position(array_double_1d state, int64_t axis)
     double result;
     if ((axis == INT64_C(2)) && is_slack(state))
     {
-        result = (*cspan_at(&state, INT64_C(14)));
+        result = (*cspan_at(&state, INT64_C(17)));
         return result;
     }
     result = (*cspan_at(&state, INT64_C(0) + axis));
@@ -4564,7 +4564,7 @@ static double axis_velocity(array_double_1d state, int64_t axis)
     double result;
     if ((axis == INT64_C(2)) && is_slack(state))
     {
-        result = (*cspan_at(&state, INT64_C(15)));
+        result = (*cspan_at(&state, INT64_C(18)));
         return result;
     }
     result = (*cspan_at(&state, INT64_C(5) + axis));
@@ -4577,8 +4577,8 @@ static bool bears_wrongly(array_double_1d plant, array_double_1d state, double r
     bool result;
     if (is_slack(state))
     {
-        over = (*cspan_at(&state, INT64_C(0) + INT64_C(2))) - (*cspan_at(&state, INT64_C(14)));
-        result = over > 1e-10 * (*cspan_at(&state, INT64_C(14)));
+        over = (*cspan_at(&state, INT64_C(0) + INT64_C(2))) - (*cspan_at(&state, INT64_C(17)));
+        result = over > 1e-10 * (*cspan_at(&state, INT64_C(17)));
         return result;
     }
     result = rope_force > 1e-09 * (*cspan_at(&plant, INT64_C(2))) * (*cspan_at(&plant, INT64_C(3)));
@@ -4601,24 +4601,24 @@ static void change_rope(array_double_1d plant, array_double_1d state)
     rope = INT64_C(5) + INT64_C(2);
     if (!is_slack(state))
     {
-        (*cspan_at(&state, INT64_C(13))) = 1.0;
-        (*cspan_at(&state, INT64_C(14))) = (*cspan_at(&state, INT64_C(0) + INT64_C(2)));
-        (*cspan_at(&state, INT64_C(15))) = (*cspan_at(&state, rope));
+        (*cspan_at(&state, INT64_C(16))) = 1.0;
+        (*cspan_at(&state, INT64_C(17))) = (*cspan_at(&state, INT64_C(0) + INT64_C(2)));
+        (*cspan_at(&state, INT64_C(18))) = (*cspan_at(&state, rope));
         return;
     }
     mass = (*cspan_at(&plant, INT64_C(2)));
-    against = (*cspan_at(&state, rope)) - (*cspan_at(&state, INT64_C(15)));
-    along = (*cspan_at(&state, INT64_C(15))) + sin((*cspan_at(&state, INT64_C(3)))) * (*cspan_at(&state, INT64_C(5)));
+    against = (*cspan_at(&state, rope)) - (*cspan_at(&state, INT64_C(18)));
+    along = (*cspan_at(&state, INT64_C(18))) + sin((*cspan_at(&state, INT64_C(3)))) * (*cspan_at(&state, INT64_C(5)));
     across = cos((*cspan_at(&state, INT64_C(3)))) * sin((*cspan_at(&state, INT64_C(3) + INT64_C(1))));
     along = along - across * (*cspan_at(&state, INT64_C(5) + INT64_C(1)));
-    drives = (*cspan_at(&state, INT64_C(16))) - mass * against * along;
+    drives = (*cspan_at(&state, INT64_C(13))) - mass * against * along;
     lost = 0.5 * mass * against * against;
-    (*cspan_at(&state, INT64_C(16))) = drives;
-    (*cspan_at(&state, INT64_C(18))) = (*cspan_at(&state, INT64_C(18))) + lost;
-    (*cspan_at(&state, rope)) = (*cspan_at(&state, INT64_C(15)));
-    (*cspan_at(&state, INT64_C(13))) = 0.0;
-    (*cspan_at(&state, INT64_C(14))) = 0.0;
-    (*cspan_at(&state, INT64_C(15))) = 0.0;
+    (*cspan_at(&state, INT64_C(13))) = drives;
+    (*cspan_at(&state, INT64_C(15))) = (*cspan_at(&state, INT64_C(15))) + lost;
+    (*cspan_at(&state, rope)) = (*cspan_at(&state, INT64_C(18)));
+    (*cspan_at(&state, INT64_C(16))) = 0.0;
+    (*cspan_at(&state, INT64_C(17))) = 0.0;
+    (*cspan_at(&state, INT64_C(18))) = 0.0;
 }
 /*Where a force drive would push a rope that may slacken, let the drum follow the load.*/
 static void run_on(array_double_1d plant, array_double_2d work)
@@ -4711,8 +4711,8 @@ static void slack_derivative(array_double_1d plant, array_double_1d state, array
         (*cspan_at(&force, INT64_C(3) + i)) = 0.0;
     }
     segfmu_crane_rhs(state, force, span_row(&work, INT64_C(14)), plant, derivative);
-    (*cspan_at(&derivative, INT64_C(14))) = (*cspan_at(&state, INT64_C(15)));
-    (*cspan_at(&derivative, INT64_C(15))) = (*cspan_at(&work, INT64_C(17), INT64_C(2)));
+    (*cspan_at(&derivative, INT64_C(17))) = (*cspan_at(&state, INT64_C(18)));
+    (*cspan_at(&derivative, INT64_C(18))) = (*cspan_at(&work, INT64_C(17), INT64_C(2)));
     (*cspan_at(&action, INT64_C(6))) = 0.0;
 }
 /*Derivative and drive forces under the accelerations demanded.*/
@@ -5442,26 +5442,26 @@ static void plant_powers(array_double_1d plant, array_double_1d state, array_dou
     }
     squares = (*cspan_at(&state, INT64_C(8))) * (*cspan_at(&state, INT64_C(8)));
     squares = squares + (*cspan_at(&state, INT64_C(8) + INT64_C(1))) * (*cspan_at(&state, INT64_C(8) + INT64_C(1)));
-    (*cspan_at(&derivative, INT64_C(16))) = 0.0;
-    (*cspan_at(&derivative, INT64_C(17))) = 0.0;
-    (*cspan_at(&derivative, INT64_C(18))) = (*cspan_at(&plant, INT64_C(37))) * squares;
+    (*cspan_at(&derivative, INT64_C(13))) = 0.0;
+    (*cspan_at(&derivative, INT64_C(14))) = 0.0;
+    (*cspan_at(&derivative, INT64_C(15))) = (*cspan_at(&plant, INT64_C(37))) * squares;
     if (may_slacken(plant) && ((*cspan_at(&work, INT64_C(13), INT64_C(6))) >= 0.0))
     {
         /*the sway is damped by a rope that bears*/
-        (*cspan_at(&derivative, INT64_C(18))) = 0.0;
+        (*cspan_at(&derivative, INT64_C(15))) = 0.0;
     }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         velocity = axis_velocity(state, i);
         drive = (*cspan_at(&work, INT64_C(13), INT64_C(0) + i)) * velocity;
-        (*cspan_at(&derivative, INT64_C(16))) = (*cspan_at(&derivative, INT64_C(16))) + drive;
+        (*cspan_at(&derivative, INT64_C(13))) = (*cspan_at(&derivative, INT64_C(13))) + drive;
         if (!calm)
         {
             power = (*cspan_at(&wind, i)) * (*cspan_at(&work, INT64_C(15) + INT64_C(1), i));
-            (*cspan_at(&derivative, INT64_C(17))) = (*cspan_at(&derivative, INT64_C(17))) + power;
+            (*cspan_at(&derivative, INT64_C(14))) = (*cspan_at(&derivative, INT64_C(14))) + power;
         }
         lost = (*cspan_at(&work, INT64_C(18), i)) * velocity;
-        (*cspan_at(&derivative, INT64_C(18))) = (*cspan_at(&derivative, INT64_C(18))) + lost;
+        (*cspan_at(&derivative, INT64_C(15))) = (*cspan_at(&derivative, INT64_C(15))) + lost;
     }
 }
 /*Derivative of the state at a time [s] elapsed since the interval's start, `time` [s].*/
@@ -5489,9 +5489,9 @@ static void plant_derivative(array_double_1d plant, array_double_2d components, 
         (*cspan_at(&derivative, INT64_C(10) + i)) = deflection_rate(plant, i, velocity, deflection);
         (*cspan_at(&work, INT64_C(13), INT64_C(3) + i)) = 0.0;
     }
-    (*cspan_at(&derivative, INT64_C(13))) = 0.0;
-    (*cspan_at(&derivative, INT64_C(14))) = 0.0;
-    (*cspan_at(&derivative, INT64_C(15))) = 0.0;
+    (*cspan_at(&derivative, INT64_C(16))) = 0.0;
+    (*cspan_at(&derivative, INT64_C(17))) = 0.0;
+    (*cspan_at(&derivative, INT64_C(18))) = 0.0;
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
         torque = (-(*cspan_at(&plant, INT64_C(37)))) * (*cspan_at(&state, INT64_C(8) + i));
@@ -5544,8 +5544,8 @@ static double try_step(array_double_1d plant, array_double_2d components, double
     for (stage = INT64_C(1); stage < INT64_C(7); stage += INT64_C(1))
     {
         /*the derivatives do not depend on the work*/
-        count = INT64_C(16);
-        if (stage == INT64_C(6))
+        count = INT64_C(13);
+        if ((stage == INT64_C(6)) || may_slacken(plant))
         {
             count = INT64_C(19);
         }
@@ -5617,8 +5617,8 @@ static void accept_step(array_double_1d state, array_double_2d work, double elap
         (*cspan_at(&report, INT64_C(3) + i)) = span_max((*cspan_at(&report, INT64_C(3) + i)), saturated);
     }
     (*cspan_at(&report, INT64_C(6))) = (*cspan_at(&action, INT64_C(6)));
-    (*cspan_at(&report, INT64_C(7))) = (*cspan_at(&work, INT64_C(3) + INT64_C(6), INT64_C(17)));
-    (*cspan_at(&report, INT64_C(8))) = (*cspan_at(&work, INT64_C(3) + INT64_C(6), INT64_C(18)));
+    (*cspan_at(&report, INT64_C(7))) = (*cspan_at(&work, INT64_C(3) + INT64_C(6), INT64_C(14)));
+    (*cspan_at(&report, INT64_C(8))) = (*cspan_at(&work, INT64_C(3) + INT64_C(6), INT64_C(15)));
     (*cspan_at(&report, INT64_C(9))) = elapsed;
 }
 /*Advance the state, in place, by a duration [s] from a time [s] on.                                 */
@@ -12357,8 +12357,8 @@ int64_t segfmu_rig_rates(array_double_2d components, array_double_1d setpoints, 
     {
         (*cspan_at(&report, i)) = (*cspan_at(&work, INT64_C(13), i));
     }
-    (*cspan_at(&report, INT64_C(7))) = (*cspan_at(&derivative, INT64_C(17)));
-    (*cspan_at(&report, INT64_C(8))) = (*cspan_at(&derivative, INT64_C(18)));
+    (*cspan_at(&report, INT64_C(7))) = (*cspan_at(&derivative, INT64_C(14)));
+    (*cspan_at(&report, INT64_C(8))) = (*cspan_at(&derivative, INT64_C(15)));
     result = plant_status(span_row(&memory, INT64_C(5)), span_row(&memory, INT64_C(4)), (*cspan_at(&work, INT64_C(13), INT64_C(6))));
     return result;
 }
@@ -12496,10 +12496,10 @@ void segfmu_rig_balance(array_double_2d memory, array_double_1d balance)
     (*cspan_at(&balance, INT64_C(0))) = (*cspan_at(&energy, INT64_C(0)));
     (*cspan_at(&balance, INT64_C(1))) = (*cspan_at(&energy, INT64_C(1)));
     (*cspan_at(&balance, INT64_C(2))) = (*cspan_at(&energy, INT64_C(2)));
-    (*cspan_at(&balance, INT64_C(3))) = (*cspan_at(&state, INT64_C(16)));
-    (*cspan_at(&balance, INT64_C(4))) = (*cspan_at(&state, INT64_C(17)));
+    (*cspan_at(&balance, INT64_C(3))) = (*cspan_at(&state, INT64_C(13)));
+    (*cspan_at(&balance, INT64_C(4))) = (*cspan_at(&state, INT64_C(14)));
     (*cspan_at(&balance, INT64_C(5))) = (*cspan_at(&energy, INT64_C(3)));
-    (*cspan_at(&balance, INT64_C(6))) = (*cspan_at(&state, INT64_C(18)));
+    (*cspan_at(&balance, INT64_C(6))) = (*cspan_at(&state, INT64_C(15)));
 }
 /*Error of the balance by integration and rounding [J].*/
 double segfmu_rig_imbalance(array_double_1d balance)
@@ -12583,7 +12583,7 @@ void segfmu_rig_outputs(array_double_1d target, array_double_2d memory, array_do
     segfmu_rig_balance(memory, balance);
     (*cspan_at(&outputs, INT64_C(41))) = (*cspan_at(&balance, INT64_C(0)));
     (*cspan_at(&outputs, INT64_C(42))) = (*cspan_at(&balance, INT64_C(1)));
-    (*cspan_at(&outputs, INT64_C(43))) = (*cspan_at(&state, INT64_C(16))) + (*cspan_at(&state, INT64_C(17)));
+    (*cspan_at(&outputs, INT64_C(43))) = (*cspan_at(&state, INT64_C(13))) + (*cspan_at(&state, INT64_C(14)));
     (*cspan_at(&outputs, INT64_C(44))) = (*cspan_at(&balance, INT64_C(3)));
     (*cspan_at(&outputs, INT64_C(45))) = (*cspan_at(&balance, INT64_C(4)));
     (*cspan_at(&outputs, INT64_C(46))) = (*cspan_at(&balance, INT64_C(5)));

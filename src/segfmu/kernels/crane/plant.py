@@ -150,7 +150,7 @@ def try_step(
     for stage in range(1, Stages.SIZE):
         # the derivatives do not depend on the work
         count = PlantState.DRIVE_WORK
-        if stage == Stages.K7:
+        if stage == Stages.K7 or may_slacken(plant):
             count = PlantState.SIZE
         stage_state(stage, h, count, state, stages, trial)
         # values beyond all bounds: the step was much too long

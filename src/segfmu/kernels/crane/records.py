@@ -111,12 +111,12 @@ class PlantState(State):
         "deflections of the contacts, see `friction_force`", "m", size=3,
         variables=[f"friction.{d}.deflection" for d in DRIVES],
     )
-    SLACK = field("1: the rope is slack, and the next two are not 0")
-    PAID_OUT = field("length of the slack rope", "m")
-    PAYING_OUT = field("its rate", "m/s")
     DRIVE_WORK = field("work of the drives", "J")
     WIND_WORK = field("work of the wind", "J")
     DISSIPATED = field("energy dissipated by friction", "J")
+    SLACK = field("1: the rope is slack, and the next two are not 0")
+    PAID_OUT = field("length of the slack rope", "m")
+    PAYING_OUT = field("its rate", "m/s")
 
 
 class Masses(Record):

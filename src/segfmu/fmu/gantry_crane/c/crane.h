@@ -20,7 +20,7 @@ typedef struct {
     /* of source measured: the observer's table, and what the controller remembers */
     double observer[MOST_LENGTHS * OBSERVER_BLOCK];
     double tracker[TRACKER_SIZE * TRACKER_COLUMNS];
-    double derivative[MODEL_STATES];
+    double derivative[PLANT_STATE_SIZE];
     /* of the start: start values of the state, the state that follows from them, the setpoints, and
        how far it is from its reference */
     double own[STATE_SIZE], shown[STATE_SIZE], begun[SETPOINTS_SIZE], misfit[START_FAULT_SIZE];

@@ -5,7 +5,7 @@
 #include "crane.h"
 #include "feeds.h"
 
-enum { WORKS = PLANT_STATE_SIZE - PLANT_STATE_DRIVE_WORK };
+enum { WORKS = PLANT_STATE_SLACK - PLANT_STATE_DRIVE_WORK };
 
 /* A variable by which is differentiated: a column of the kernel's, a state that is an energy, or a
    component of the load's reference; -1 where it is none. */

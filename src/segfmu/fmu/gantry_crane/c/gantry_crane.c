@@ -148,7 +148,7 @@ int64_t crane_rates(crane *m)
 {
     return segfmu_rig_rates(components_of(m), vector(m->setpoints, SETPOINTS_SIZE),
                             crane_elapsed(m), memory_of(m),
-                            vector(m->derivative, MODEL_STATES));
+                            vector(m->derivative, PLANT_STATE_SIZE));
 }
 
 /* The same under the present inputs. */
@@ -313,7 +313,7 @@ void model_set_states(model *base, const double states[])
 bool model_derivatives(model *base, double derivatives[], char message[MESSAGE])
 {
     crane *m = (crane *)base;
-    memcpy(derivatives, m->derivative, sizeof m->derivative);
+    memcpy(derivatives, m->derivative, MODEL_STATES * sizeof *derivatives);
     for (int i = 0; i < MODEL_STATES; i++) {
         if (!isfinite(derivatives[i])) {
             return crane_failed(m, PLANT_STATUS_NOT_FINITE, base->real[V_TIME], message);
