@@ -39,7 +39,12 @@ def pure(driven: bool, values: dict[str, float], events: bool) -> tuple[list, li
     crane = Crane(2.2, 1.155, 1.0, rope_min=0.16, rope_max=1.5)
     trajectory = plan(POINTS, LIMITS)
     inverse = FlatInverse(crane, trajectory)
-    gains = design(crane, sample_time=0.01, shortest=0.16, longest=1.5, driven=driven)
+    drives = ("bridge", "trolley", "hoist")
+    late = parameters["sensor.dead_time"] + max(parameters[f"drive.{d}.dead_time"] for d in drives)
+    gains = design(
+        crane, sample_time=0.01, shortest=0.16, longest=1.5, driven=driven,
+        lag=[parameters[f"drive.{d}.lag"] for d in drives], dead_time=late,
+    )
 
     def setpoints(time: float) -> Setpoints:
         return Setpoints(inverse.force(time), inverse.velocity(time), inverse.state(time))

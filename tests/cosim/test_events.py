@@ -66,7 +66,7 @@ def test_derivatives_err_by_their_order_between_kinks(native_fmus, name: str, sh
 @pytest.mark.parametrize("smoothness", [5, 6])
 def test_derivatives_of_smoother_plans(native_fmus, smoothness: int) -> None:
     found, order = errors(
-        native_fmus, np.array([4e-3, 2e-3, 1e-3]), "paper", smoothness, "smoothstep"
+        native_fmus, np.array([2e-3, 1e-3, 5e-4]), "paper", smoothness, "smoothstep"
     )
     assert found[-1] < 1e-8
     assert order > 3.0
@@ -83,7 +83,8 @@ def test_linear_setpoints_err_by_second_order_between_kinks(
     assert found[-1] < 2e-7
     assert order > 1.95
     over = run(native_fmus, name, 4, "plateau", step=1e-3, events=False, **options)
-    if fmi == 2:
+    # the kinks of the INTECO mission are small
+    if fmi == 2 and name == "paper":
         assert over["error.load.norm"].max() > 50.0 * found[-1]
 
 

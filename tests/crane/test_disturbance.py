@@ -7,13 +7,14 @@ import pytest
 
 from segfmu import InputError
 from segfmu.crane import Gust, PayloadChange, Wind
+from segfmu.kernels.numerics.records import Sinusoid
 
 
 def test_noise_follows_its_seed_and_costs_nothing_when_absent() -> None:
     wind = Wind(deviation=(1.0, 0.0, 0.0), seed=4)
     assert np.array_equal(wind.components, Wind(deviation=(1.0, 0.0, 0.0), seed=4).components)
     assert not np.array_equal(wind.components, Wind(deviation=(1.0, 0.0, 0.0)).components)
-    assert Wind().components.shape == (0, 7)
+    assert Wind().components.shape == (0, Sinusoid.SIZE)
 
 
 @pytest.mark.parametrize("axis", [0, 1, 2])

@@ -44,7 +44,17 @@ class Excursion:
 
 
 def excursions(trajectory: Trajectory) -> tuple[Excursion, ...]:
-    """All excursions of a path, interval after interval; none is usual from rest to rest."""
+    """All excursions of a path, interval after interval; none is usual from rest to rest.
+
+    Parameters
+    ----------
+    trajectory : Trajectory
+
+    Returns
+    -------
+    tuple of Excursion
+        One for each interval and axis that leaves the box.
+    """
     found = []
     for interval in range(1, len(trajectory.waypoints)):
         for axis in range(trajectory.axes):

@@ -160,7 +160,22 @@ def stop(
     smoothness: int = 4,
     axis_names: Sequence[str] | None = None,
 ) -> Trajectory:
-    """Come to rest as soon as possible, wherever that is; see `reach_velocity`."""
+    """Come to rest as soon as possible, wherever that is.
+
+    Parameters
+    ----------
+    start, time, limits, smoothness, axis_names
+        As for `reach_velocity`, which this calls with a velocity of zero.
+
+    Returns
+    -------
+    Trajectory
+
+    Raises
+    ------
+    InputError, InfeasibleError
+        As `reach_velocity`.
+    """
     axes = start.axes if isinstance(start, Trajectory | Waypoint) else 1
     return reach_velocity(
         start, np.zeros(axes), time, limits, smoothness=smoothness, axis_names=axis_names
