@@ -237,7 +237,7 @@ def paper(
     choice = chosen(2, "native", "", everywhere=False)
     rows = _run(task, trajectory, *_built(output, choice, specs(task, trajectory)))
     for path, what in write_figures(output, trajectory, rows):
-        console.print(f"{path}  {what}", highlight=False)
+        console.print(f"{path}  {what}", highlight=False, soft_wrap=True)
 
 
 @app.command(epilog="Example: segfmu campaign models/inteco.toml --output out")

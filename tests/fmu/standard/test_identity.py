@@ -62,7 +62,8 @@ def test_every_kind_of_processor_gives_the_same() -> None:
 
 def test_computed_gains_do_not_count() -> None:
     table = [v.name for v in CRANE.variables if v.name.startswith("feedback.table[")]
-    assert len(table) == gantry_crane.MOST_ROWS * 11
+    # a length, four gains and that of the command for two axes, two and it for the hoist
+    assert len(table) == gantry_crane.MOST_ROWS * 14
     assert guid(nudged(CRANE, *table)) == guid(CRANE)
     assert all(v.computed == (v.name in table) for v in CRANE.variables)
 
