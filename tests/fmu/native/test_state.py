@@ -45,8 +45,14 @@ def run(fmu: Importer, first: int, last: int) -> np.ndarray:
 def serialised(fmu: Importer) -> bytes:
     library = fmu.fmu
     if fmu.three:
-        return library.serializeFMUState(library.getFMUState())
-    return library.serializeFMUstate(library.getFMUstate())
+        state = library.getFMUState()
+        data = library.serializeFMUState(state)
+        library.freeFMUState(state)
+    else:
+        state = library.getFMUstate()
+        data = library.serializeFMUstate(state)
+        library.freeFMUstate(state)
+    return data
 
 
 def restore(fmu: Importer, data: bytes) -> None:
