@@ -7590,6 +7590,7 @@ static int64_t root_level(double* result_0, double* result_1, double gain, doubl
     double following;
     double newton;
     double reached;
+    bool far;
     t = lower + (upper - lower) * sqrt(share);
     level = a;
     for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
@@ -7628,7 +7629,9 @@ static int64_t root_level(double* result_0, double* result_1, double gain, doubl
             }
             reached = first + second;
             /*far from the root, Newton's method on logarithms, as the gain is nearly a power*/
-            if ((reached > 0.0) && (gain > 0.0) && ((reached > 2.0 * gain) || (gain > 2.0 * reached)))
+            far = (reached > 0.0) && (gain > 0.0) && ((reached > 2.0 * gain) || (gain > 2.0 * reached));
+            /*a power of this height leads out of the bracket, and can overflow*/
+            if (far && (reached < 60.0 * t * rate))
             {
                 newton = t * pow((gain / reached), (reached / (t * rate)));
                 /*the power can differ on both sides of the root: halve the bracket in between*/

@@ -96,7 +96,9 @@ def root_level(
                 return t, level
             reached = first + second
             # far from the root, Newton's method on logarithms, as the gain is nearly a power
-            if reached > 0.0 and gain > 0.0 and (reached > 2.0 * gain or gain > 2.0 * reached):
+            far = reached > 0.0 and gain > 0.0 and (reached > 2.0 * gain or gain > 2.0 * reached)
+            # a power of this height leads out of the bracket, and can overflow
+            if far and reached < 60.0 * t * rate:
                 newton = t * (gain / reached) ** (reached / (t * rate))
                 # the power can differ on both sides of the root: halve the bracket in between
                 if i % 3 == 2:
