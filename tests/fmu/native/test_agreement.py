@@ -239,7 +239,7 @@ def test_missions_by_cvode(mission, native_fmus, fmi: int) -> None:
         [(t, *inputs(setpoints(t))) for t in times],
         dtype=[("time", np.float64), *((n, np.float64) for n in INPUTS)],
     )
-    numbers = {"force": 1, "velocity": 2, "flatness": 2, "state": 1}
+    numbers = {"force": 1, "velocity": 2, "flatness": 2, "state": 1, "error": 1, "wind": 1}
     start = {n: numbers.get(v, v) for n, v in (crane_parameters(task) | values).items()}
     names = [*gantry_crane.STATE, "energy.drives"]
     rows = simulate_fmu(

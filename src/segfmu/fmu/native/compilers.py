@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import platform
 import shutil
 import struct
@@ -97,9 +98,12 @@ class Compiler:
 
     def _run(self, *arguments: str, folder: Path) -> None:
         command = [*self.command, *arguments]
+        # a compiler that is stopped leaves its files: in the folder, which is removed
+        own = os.environ | {"TMPDIR": str(folder)}
         try:
             done = subprocess.run(
-                command, capture_output=True, text=True, errors="replace", check=False, cwd=folder
+                command, capture_output=True, text=True, errors="replace", check=False, cwd=folder,
+                env=own,
             )
         except OSError as error:
             raise BuildError(f"{command[0]} cannot be run: {error.strerror}") from None
