@@ -34,8 +34,8 @@ demo: $(VENV)/installed ## plan, invert, pack, co-simulate and judge the paper's
 # the tests that fail for most mistakes in kernels, planner, crane, FMUs and generated files
 QUICK := tests/codegen tests/golden tests/property tests/kernels/test_backend.py \
 	tests/kernels/numerics tests/kernels/crane tests/planning tests/fmu/standard/test_description.py \
-	tests/test_layers.py tests/validation/test_crane_file.py \
-	tests/validation/test_files.py::test_reference_page_is_that_of_the_models
+	tests/test_layers.py tests/validation/files/test_crane_file.py \
+	tests/validation/files/test_files.py::test_reference_page_is_that_of_the_models
 
 # workers on all cores; one that is done takes over tests of the others
 PYTEST := $(BIN)/python -m pytest -q -n auto --dist worksteal
@@ -91,7 +91,7 @@ check-platforms: $(VENV)/installed-platforms ## run binaries under Wine and qemu
 generate: $(VENV)/installed ## write the generated files again
 	SEGFMU_INTERPRETED=1 $(BIN)/python -m segfmu.codegen
 	$(BIN)/python -m segfmu.fmu.modelica models/modelica
-	$(BIN)/python -m segfmu.validation.reference docs/mission-reference.md
+	$(BIN)/python -m segfmu.validation.files.reference docs/mission-reference.md
 
 golden: $(VENV)/installed ## write the golden files again
 	SEGFMU_UPDATE_GOLDEN=1 $(BIN)/python -m pytest -q tests/golden

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from segfmu.validation.mission import Mission
+from segfmu.validation.files.mission import Mission
 
 CRANE = {"bridge_mass": 2.2, "trolley_mass": 1.155, "payload_mass": 1.0}
 

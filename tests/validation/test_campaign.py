@@ -8,8 +8,8 @@ import pytest
 from segfmu.crane.shaping import Trapezoid
 from segfmu.validation.campaign import SETTLED, Outcome, run_campaign, run_case
 from segfmu.validation.disturbances import DISTURBANCES, Disturbance
+from segfmu.validation.files.mission import Mission
 from segfmu.validation.methods import METHODS, Method
-from segfmu.validation.mission import Mission
 from tests.validation.moves import DIAGONAL, STRAIGHT, mission
 
 ROWS = {row.name: row for row in DISTURBANCES}

@@ -12,7 +12,7 @@ from segfmu import cli
 from segfmu.cosim import write_csv
 from segfmu.errors import InputError
 from segfmu.validation.comparison import compare
-from segfmu.validation.scenario_file import load_scenario
+from segfmu.validation.files.scenario_file import load_scenario
 from segfmu.validation.suite import Runner
 from tests.compiler import require_native
 

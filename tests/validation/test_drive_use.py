@@ -15,7 +15,7 @@ from segfmu.errors import InfeasibleError, InputError
 from segfmu.validation.criteria import judge
 from segfmu.validation.drive_plots import plot_drives
 from segfmu.validation.drive_use import bound_table, run_uses
-from segfmu.validation.mission import load_mission
+from segfmu.validation.files.mission import load_mission
 
 CRANE = """
 bridge_mass = 2.2

@@ -12,7 +12,7 @@ import pytest
 
 from segfmu import cli
 from segfmu.cosim import write_csv
-from segfmu.validation.scenario_file import load_scenario
+from segfmu.validation.files.scenario_file import load_scenario
 from segfmu.validation.suite import Result, Runner
 from tests.compiler import require_native
 

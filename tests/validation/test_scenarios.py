@@ -14,7 +14,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from segfmu.validation.scenario_file import find, load_scenario
+from segfmu.validation.files.scenario_file import find, load_scenario
 from segfmu.validation.suite import Runner
 from tests.compiler import require_native
 

@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from segfmu.validation.scenario_file import load_scenario
-from segfmu.validation.scenario_tables import CriterionTable
+from segfmu.validation.files.scenario_file import load_scenario
+from segfmu.validation.files.scenario_tables import CriterionTable
 from segfmu.validation.suite import Runner
 from tests.compiler import require_native
 from tests.cosim.probe.build import build

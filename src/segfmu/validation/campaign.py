@@ -19,6 +19,7 @@ from segfmu.errors import SimulationError
 from segfmu.planning import Trajectory
 from segfmu.planning.arrays import FloatArray
 from segfmu.validation.disturbances import DISTURBANCES, Case, Disturbance, meet
+from segfmu.validation.files.mission import Mission
 from segfmu.validation.methods import (
     METHODS,
     MODES,
@@ -31,7 +32,6 @@ from segfmu.validation.methods import (
     rope_range,
     tracking_controller,
 )
-from segfmu.validation.mission import Mission
 
 # the load has settled within this distance of its final position [m]
 SETTLED = 5e-3

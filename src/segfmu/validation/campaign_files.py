@@ -17,9 +17,9 @@ from segfmu.cosim.result import replacing
 from segfmu.planning import Trajectory
 from segfmu.validation.campaign import Outcome
 from segfmu.validation.campaign_plots import plot_eigenvalues, plot_move_times, plot_outcomes
+from segfmu.validation.files.mission import Mission
 from segfmu.validation.maps import eigenvalue_maps, move_times
 from segfmu.validation.methods import MODES, rope_range
-from segfmu.validation.mission import Mission
 from segfmu.validation.plots import save
 from segfmu.validation.verdict import Comparison
 

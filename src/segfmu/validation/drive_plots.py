@@ -12,8 +12,8 @@ from segfmu.crane.demand import demands
 from segfmu.kernels.crane.records import Demand
 from segfmu.planning import Trajectory
 from segfmu.planning.arrays import FloatArray
+from segfmu.validation.files.units import scale
 from segfmu.validation.plots import COLOURS, SAMPLES, marks
-from segfmu.validation.units import scale
 
 PANELS = (
     ("velocity", Demand.VELOCITY, DRIVES), ("acceleration", Demand.ACCELERATION, DRIVES),

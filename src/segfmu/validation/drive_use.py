@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from rich.table import Table
 
 from segfmu.crane.bounds import DRIVES, ActuatorBounds, BoundUse, uses
-from segfmu.validation.units import shown
+from segfmu.validation.files.units import shown
 
 RATES = ("bridge.velocity", "trolley.velocity", "rope.velocity")
 SWAYS = ("sway.x.angle", "sway.y.angle")

@@ -27,8 +27,8 @@ from segfmu.crane.tracking import TrackingController
 from segfmu.planning import Trajectory
 from segfmu.planning.arrays import FloatArray
 from segfmu.validation.disturbances import ENCODERS, LAG, SAMPLE_TIME
-from segfmu.validation.keys import AXES
-from segfmu.validation.mission import Mission
+from segfmu.validation.files.keys import AXES
+from segfmu.validation.files.mission import Mission
 
 MODES = ("velocity", "force")
 

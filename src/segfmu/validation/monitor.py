@@ -18,9 +18,9 @@ from numpy.typing import NDArray
 
 from segfmu.errors import InputError
 from segfmu.planning.arrays import FloatArray
-from segfmu.validation.crane_file import CraneFile
-from segfmu.validation.keys import DRIVES
-from segfmu.validation.scenario_tables import CriterionTable, moment
+from segfmu.validation.files.crane_file import CraneFile
+from segfmu.validation.files.keys import DRIVES
+from segfmu.validation.files.scenario_tables import CriterionTable, moment
 from segfmu.validation.signal_table import read_table
 
 # combinations of variables that have a name of their own

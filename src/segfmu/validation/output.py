@@ -17,7 +17,7 @@ from segfmu.errors import InputError, SegfmuError
 from segfmu.planning import Trajectory
 
 if TYPE_CHECKING:
-    from segfmu.validation.mission import Mission
+    from segfmu.validation.files.mission import Mission
 
 # of a table without `simulation.output_step`: what spreadsheets and editors open at once
 MOST_ROWS = 20_000

@@ -15,7 +15,7 @@ from pathlib import Path
 
 import pytest
 
-from segfmu.validation.scenario_file import load_scenario
+from segfmu.validation.files.scenario_file import load_scenario
 from segfmu.validation.suite import Result, Runner
 
 

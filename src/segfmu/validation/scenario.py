@@ -14,9 +14,9 @@ from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.standard.spec import Spec, started
 from segfmu.planning import Trajectory
-from segfmu.validation import crane_parameters
-from segfmu.validation.keys import AXES
-from segfmu.validation.mission import Mission
+from segfmu.validation.files import crane_parameters
+from segfmu.validation.files.keys import AXES
+from segfmu.validation.files.mission import Mission
 
 QUANTITIES = ("position", "velocity", "acceleration")
 # parameters that the archive of a native FMU no longer has

@@ -19,8 +19,10 @@ from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.standard.spec import Spec
 from segfmu.planning import Trajectory
-from segfmu.validation.mission import Mission
-from segfmu.validation.mission_tables import SimulationEntry
+from segfmu.validation.files.mission import Mission
+from segfmu.validation.files.mission_tables import SimulationEntry
+from segfmu.validation.files.scenario_file import Scenario
+from segfmu.validation.files.scenario_tables import ScenarioFile, moment
 from segfmu.validation.monitor import Finding, judge
 from segfmu.validation.scenario import (
     AT_BUILD,
@@ -29,8 +31,6 @@ from segfmu.validation.scenario import (
     feedforward_values,
     specs,
 )
-from segfmu.validation.scenario_file import Scenario
-from segfmu.validation.scenario_tables import ScenarioFile, moment
 
 FEEDFORWARD, CRANE = "GantryFeedforward", "GantryCrane"
 LEAD = "setpoint.lead"

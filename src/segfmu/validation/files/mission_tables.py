@@ -6,8 +6,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field, StrictBool
 
-from segfmu.validation.crane_file import SwayPair
-from segfmu.validation.keys import (
+from segfmu.validation.files.keys import (
     AXES,
     DRIVES,
     NUMBER,
@@ -16,6 +15,7 @@ from segfmu.validation.keys import (
     Place,
     Positive,
     PositiveTriple,
+    SwayPair,
     Table,
     Time,
     Triple,

@@ -6,7 +6,16 @@ from typing import Annotated
 
 from pydantic import AfterValidator, Field
 
-from segfmu.validation.keys import AXES, RANGE, Key, NotNegative, Pair, Place, Table, printable
+from segfmu.validation.files.keys import (
+    AXES,
+    RANGE,
+    Key,
+    NotNegative,
+    Pair,
+    Place,
+    Table,
+    printable,
+)
 
 
 class WorkspaceTable(Table):

@@ -1,6 +1,6 @@
 """The reference page of mission and crane files, from the models.
 
-`python -m segfmu.validation.reference FILE` writes it again.
+`python -m segfmu.validation.files.reference FILE` writes it again.
 """
 
 from __future__ import annotations
@@ -13,10 +13,10 @@ from pathlib import Path
 from typing import Any
 
 from segfmu.fmu.gantry_crane import interface as gantry_crane
-from segfmu.validation.crane_file import CraneFile
-from segfmu.validation.crane_parameters import WITHOUT_KEY
-from segfmu.validation.keys import Entry, Table, entries
-from segfmu.validation.mission import Mission
+from segfmu.validation.files.crane_file import CraneFile
+from segfmu.validation.files.crane_parameters import WITHOUT_KEY
+from segfmu.validation.files.keys import Entry, Table, entries
+from segfmu.validation.files.mission import Mission
 
 BANNER = "<!-- Written by `make generate` from src/segfmu/validation; do not edit. -->"
 INTRODUCTION = """# Mission and crane files

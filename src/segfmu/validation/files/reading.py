@@ -12,7 +12,7 @@ from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
 from segfmu.errors import InputError
-from segfmu.validation.keys import Entry, Table, entries
+from segfmu.validation.files.keys import Entry, Table, entries
 
 Checked = TypeVar("Checked", bound=Table)
 

@@ -12,14 +12,14 @@ import pytest
 from segfmu.errors import InputError
 from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
-from segfmu.validation import crane_parameters
-from segfmu.validation.crane_file import CraneFile
-from segfmu.validation.keys import entries
-from segfmu.validation.mission import Mission, load_mission
-from segfmu.validation.reading import checked
+from segfmu.validation.files import crane_parameters
+from segfmu.validation.files.crane_file import CraneFile
+from segfmu.validation.files.keys import entries
+from segfmu.validation.files.mission import Mission, load_mission
+from segfmu.validation.files.reading import checked
 from segfmu.validation.scenario import crane_values, ending, feedforward_values, specs
 
-MODELS = Path(__file__).parents[2] / "models"
+MODELS = Path(__file__).parents[3] / "models"
 SPEC = gantry_crane.spec()
 PARAMETERS = SPEC.where("parameter")
 FED = {name for entry in entries(CraneFile) for name in entry.feeds}

@@ -15,6 +15,8 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, GetJsonSchem
 from pydantic.fields import FieldInfo
 from pydantic_core import CoreSchema
 
+from segfmu.crane.checks import LARGEST_SEED
+
 
 @dataclass(frozen=True)
 class Key:
@@ -138,12 +140,18 @@ Time = Annotated[float, Field(ge=0.0, le=1e6), NUMBER]
 Place = Annotated[list[Length], Field(min_length=3, max_length=3)]
 # the least is that of the FMUs; the greatest avoids overflow in the design of gains
 Quantity = Annotated[float, Field(ge=1e-9, le=1e9), NUMBER]
-
+# deg
+SwayPair = Annotated[
+    list[Annotated[float, Field(ge=1e-3, le=89.0), NUMBER]], Field(min_length=2, max_length=2)
+]
+Seed = Annotated[int, Field(ge=0, le=LARGEST_SEED, strict=True)]
 
 AXES = ("x", "y", "z")
 DRIVES = ("bridge", "trolley", "hoist")
 RANGE = ("least", "greatest")
 SWAY = ("phi_x", "phi_y")
+# of a key without a value
+NO_BOUND = "no bound is known"
 
 
 def printable(text: str) -> str:

@@ -6,12 +6,13 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-from rich.console import Console
 from rich.progress import track
 
+from segfmu.cli.console import console, tell
 from segfmu.validation.output import folder
 
-console = Console()
+# signals outside of their tubes that are listed
+MOST_SHOWN = 10
 
 
 def validate(
@@ -30,7 +31,7 @@ def validate(
 
     The exit code is 0 if every scenario passes or fails as its file expects.
     """
-    from segfmu.validation.scenario_file import find, load_scenario
+    from segfmu.validation.files.scenario_file import find, load_scenario
     from segfmu.validation.suite import Runner
     from segfmu.validation.suite_files import suite_table, write_junit, write_results
 
@@ -73,12 +74,8 @@ def compare(
     tables = read_table(result), read_table(reference)
     found = compared(*tables, tube_time=tube_time, tube_value=tube_value, relative=relative)
     for excess in found[:MOST_SHOWN]:
-        console.print(str(excess), highlight=False, markup=False, soft_wrap=True)
+        tell(str(excess))
     count = len(tables[1]) - 1
     console.print(f"{count - len(found)} of {count} signals are in their tubes", highlight=False)
     if found:
         raise typer.Exit(1)
-
-
-# signals outside of their tubes that are listed
-MOST_SHOWN = 10

@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import Any
 
 from segfmu.errors import InputError
-from segfmu.validation.mission import Mission, load_mission
-from segfmu.validation.reading import checked, merged, read
-from segfmu.validation.scenario_tables import ScenarioFile
+from segfmu.validation.files.mission import Mission, load_mission
+from segfmu.validation.files.reading import checked, merged, read
+from segfmu.validation.files.scenario_tables import ScenarioFile
 
 # keys whose lists are merged by the names of their tables
 NAMED = ("criteria", "fmus")

@@ -11,14 +11,14 @@ from pathlib import Path
 import jsonschema
 import pytest
 
-from segfmu.validation import reference, template
-from segfmu.validation.crane_file import CraneFile
-from segfmu.validation.keys import entries
-from segfmu.validation.mission import Mission, load_mission
-from segfmu.validation.schema import schema
-from tests.validation.test_crane_file import EVERYTHING
+from segfmu.validation.files import reference, template
+from segfmu.validation.files.crane_file import CraneFile
+from segfmu.validation.files.keys import entries
+from segfmu.validation.files.mission import Mission, load_mission
+from segfmu.validation.files.schema import schema
+from tests.validation.files.test_crane_file import EVERYTHING
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 PAGE = ROOT / "docs" / "mission-reference.md"
 FILES = sorted(ROOT.glob("models/*.toml")) + sorted(ROOT.glob("src/segfmu/validation/*/*.toml"))
 

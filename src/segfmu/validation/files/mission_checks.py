@@ -6,11 +6,11 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from segfmu.errors import InputError
-from segfmu.validation.keys import AXES
+from segfmu.validation.files.keys import AXES
 
 if TYPE_CHECKING:
-    from segfmu.validation.mission import Mission
-    from segfmu.validation.mission_tables import LimitsTable, WaypointEntry
+    from segfmu.validation.files.mission import Mission
+    from segfmu.validation.files.mission_tables import LimitsTable, WaypointEntry
 
 
 def check_waypoints(mission: Mission) -> None:

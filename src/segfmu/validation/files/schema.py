@@ -5,9 +5,9 @@ from __future__ import annotations
 import json
 from typing import Any
 
-from segfmu.validation.crane_file import CraneFile
-from segfmu.validation.keys import Table
-from segfmu.validation.mission import Mission
+from segfmu.validation.files.crane_file import CraneFile
+from segfmu.validation.files.keys import Table
+from segfmu.validation.files.mission import Mission
 
 KINDS: dict[str, type[Table]] = {"mission": Mission, "crane": CraneFile}
 DIALECT = "https://json-schema.org/draft/2020-12/schema"

@@ -13,8 +13,8 @@ from segfmu.crane import ActuatorBounds, Crane, Rig
 from segfmu.errors import InputError
 from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.standard.spec import started
-from segfmu.validation.crane_file import CraneFile
-from segfmu.validation.keys import DRIVES, Entry, entries
+from segfmu.validation.files.crane_file import CraneFile
+from segfmu.validation.files.keys import DRIVES, Entry, entries
 
 # parameters of GantryCrane that no key sets, by the beginning of their names, and why
 WITHOUT_KEY = {

@@ -7,10 +7,10 @@ from pathlib import Path
 from typing import Any
 
 from segfmu.errors import InputError
-from segfmu.validation.crane_file import CraneFile
-from segfmu.validation.keys import Entry, Table, entries
-from segfmu.validation.mission import Mission
-from segfmu.validation.reference import default
+from segfmu.validation.files.crane_file import CraneFile
+from segfmu.validation.files.keys import Entry, Table, entries
+from segfmu.validation.files.mission import Mission
+from segfmu.validation.files.reference import default
 
 HEAD = """# {title}
 # Every key that there is; those behind # have the default that is named. A line is: key = value,

@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import AfterValidator, BeforeValidator, Field, StrictBool, model_validator
 
-from segfmu.validation.keys import Key, NotNegative, Number, Table, printable
+from segfmu.validation.files.keys import Key, NotNegative, Number, Table, printable
 
 INSTANT = re.compile(r"(start|arrival|end)(?:\s*([+-])\s*(\d+\.?\d*(?:[eE][+-]?\d+)?))?")
 CRANE = "GantryCrane"

@@ -11,19 +11,19 @@ from pydantic import AfterValidator, Field, model_validator
 from segfmu.crane import ActuatorBounds, Crane, plan_actuated
 from segfmu.errors import InputError
 from segfmu.planning import Clearance, Limits, Obstacle, Trajectory, Waypoint, plan
-from segfmu.validation import crane_parameters
-from segfmu.validation.clearance_tables import ObstacleEntry, WorkspaceTable
-from segfmu.validation.crane_file import CraneFile
-from segfmu.validation.keys import AXES, Key, NotNegativeTriple, Place, Table, printable
-from segfmu.validation.mission_checks import check_waypoints
-from segfmu.validation.mission_tables import (
+from segfmu.validation.files import crane_parameters
+from segfmu.validation.files.clearance_tables import ObstacleEntry, WorkspaceTable
+from segfmu.validation.files.crane_file import CraneFile
+from segfmu.validation.files.keys import AXES, Key, NotNegativeTriple, Place, Table, printable
+from segfmu.validation.files.mission_checks import check_waypoints
+from segfmu.validation.files.mission_tables import (
     ActuatorEntry,
     Limit,
     LimitsTable,
     SimulationEntry,
     WaypointEntry,
 )
-from segfmu.validation.reading import checked, merged, read
+from segfmu.validation.files.reading import checked, merged, read
 
 # that the FMUs can have
 MOST_WAYPOINTS = 256

@@ -1,0 +1,80 @@
+"""The application: its commands, options and exit codes."""
+
+from __future__ import annotations
+
+import sys
+from importlib.metadata import version
+from typing import Annotated, Any
+
+import typer
+
+from segfmu.cli import campaigns, files, missions, verdicts
+from segfmu.cli.console import console
+from segfmu.errors import BuildError, InputError, SegfmuError
+
+app = typer.Typer(
+    add_completion=False,
+    rich_markup_mode="markdown",
+    help="Plan a crane load's motion, build the FMUs, co-simulate and judge them.\n\n"
+    "Exit codes: 0 success, 1 infeasible plan or failed verdict, 2 invalid input.",
+)
+# of options and arguments
+USAGE_ERROR: type[Any] = typer.BadParameter.__mro__[1]
+
+# in the order of the help
+COMMANDS = (
+    (missions.plan, "segfmu plan models/paper.toml --output out"),
+    (files.init, "segfmu init hall"),
+    (files.schema, "segfmu schema mission > mission.schema.json"),
+    (missions.build, "segfmu build models/paper.toml --output fmus/dist --fmi 3"),
+    (missions.simulate, "segfmu simulate models/paper.toml --output out"),
+    (missions.paper, "segfmu paper --output out"),
+    (campaigns.campaign, "segfmu campaign models/inteco.toml --output out"),
+    (verdicts.validate, "segfmu validate models/scenarios -o out --junit out/junit.xml"),
+    (verdicts.compare, "segfmu compare out/gust.csv gust.csv --tube-value 1e-3 --relative"),
+)
+for command, example in COMMANDS:
+    app.command(epilog=f"Example: {example}")(command)
+
+
+def _show_version(wanted: bool) -> None:
+    if wanted:
+        console.print(f"segfmu {version('segfmu')}", highlight=False)
+        raise typer.Exit
+
+
+@app.callback()
+def _options(
+    show_version: Annotated[
+        bool,
+        typer.Option(
+            "--version", callback=_show_version, is_eager=True, help="Show the version and exit."
+        ),
+    ] = False,
+) -> None:
+    pass
+
+
+def run() -> int:
+    """Run the command of `sys.argv` and return its exit code; an error is one line on stderr."""
+    try:
+        # without standalone mode, wrong options are raised
+        return app(sys.argv[1:] or ["--help"], standalone_mode=False) or 0
+    except SegfmuError as error:
+        return _fail(str(error), 2 if isinstance(error, InputError | BuildError) else 1)
+    except USAGE_ERROR as error:
+        where = getattr(error.ctx, "command_path", "segfmu")
+        return _fail(f"{error.format_message().rstrip('.')}; see {where} --help", 2)
+    except OSError as error:
+        name = f"{error.filename}: " if error.filename else ""
+        return _fail(f"{name}{error.strerror or error}", 2)
+
+
+def _fail(text: str, code: int) -> int:
+    print(f"segfmu: {' '.join(text.split())}", file=sys.stderr)
+    return code
+
+
+def main() -> None:
+    """Run the command of `sys.argv` and exit."""
+    sys.exit(run())

@@ -1,0 +1,199 @@
+"""Commands for one mission: plan, build, co-simulate."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from segfmu.cli.console import MissionFile, console, tell
+from segfmu.cli.work import built, co_simulated, planned, require_steps
+from segfmu.crane import ActuatorBounds, bound_uses
+from segfmu.errors import InputError
+from segfmu.planning import Trajectory, excursions
+from segfmu.planning.verify import verify
+from segfmu.validation.files.mission import Mission, load_mission
+from segfmu.validation.output import about, folder, note, plan_samples, stride, thinned
+
+NO_BOUNDS = (
+    "no bounds of the drives are known (velocity_max, acceleration_max, force_max, power_max of "
+    "the crane file): the plan keeps the mission's limits alone"
+)
+
+
+def plan(
+    mission: MissionFile,
+    output: Annotated[
+        str | None,
+        typer.Option("--output", "-o", metavar="FOLDER", help="Folder for plan.csv and plots."),
+    ] = None,
+) -> None:
+    """Plan a mission and show every peak against its limit."""
+    with about(mission):
+        task = load_mission(mission)
+        trajectory = planned(task)
+        every = stride(task, trajectory.duration)
+    target = None if output is None else folder(output)
+    from segfmu.validation.report import plan_table
+
+    console.print(plan_table(task.name, trajectory, verify(trajectory)))
+    _show_bounds(task, trajectory)
+    for found in excursions(trajectory):
+        tell(str(found))
+    if target is not None:
+        _write_plan(task, trajectory, target, every)
+
+
+def build(
+    mission: Annotated[
+        Path | None,
+        typer.Argument(help="Mission file (TOML) with the FMUs' start values."),
+    ] = None,
+    output: Annotated[
+        str, typer.Option("--output", "-o", metavar="FOLDER", help="Folder for the two archives.")
+    ] = "fmus/dist",
+    fmi: Annotated[int, typer.Option(help="Version of the standard, 2 or 3.")] = 2,
+    backend: Annotated[
+        str, typer.Option(help="native: C, with sources; python: needs segfmu at run time.")
+    ] = "native",
+    platforms: Annotated[
+        str, typer.Option(help="Of native binaries: all, or names with commas; default: available.")
+    ] = "",
+    waypoints: Annotated[
+        int | None,
+        typer.Option(help="Maximum number of waypoints; default: 16, or that of the mission.",
+                     min=2, max=256),
+    ] = None,
+    enumerations: Annotated[
+        str, typer.Option(help="Type of choices: enumeration, or integer for importers without.")
+    ] = "enumeration",
+    modelica: Annotated[
+        bool, typer.Option("--modelica", help="Also write a Modelica package with both FMUs.")
+    ] = False,
+    ssp: Annotated[
+        bool, typer.Option("--ssp", help="Also write mission.ssp and OspSystemStructure.xml.")
+    ] = False,
+) -> None:
+    """Build GantryFeedforward.fmu and GantryCrane.fmu.
+
+    Native FMUs support co-simulation and model exchange; those of the Python backend support FMI
+    2.0 co-simulation.
+    """
+    from segfmu.fmu.build import describe
+    from segfmu.fmu.choice import chosen, require_native
+    from segfmu.validation.scenario import sized, specs
+
+    choice = chosen(fmi, backend, platforms, enumerations=enumerations)
+    for option, wanted in (("--modelica", modelica), ("--ssp", ssp)):
+        if wanted:
+            require_native(choice, option)
+    if mission is None:
+        title, interfaces = "", sized(waypoints)
+    else:
+        with about(mission):
+            task = load_mission(mission)
+            title, interfaces = task.name, specs(task, planned(task), waypoints)
+    target = folder(output)
+    paths = built(target, choice, interfaces)
+    for path in paths:
+        tell(f"{path}  {path.stat().st_size / 1024:.0f} KiB")
+    for path in describe(target, paths, interfaces, title, modelica=modelica, ssp=ssp):
+        tell(str(path))
+
+
+def simulate(
+    mission: MissionFile,
+    output: Annotated[
+        str,
+        typer.Option("--output", "-o", metavar="FOLDER", help="Folder for FMUs, run.csv, plots."),
+    ] = "out",
+    step: Annotated[
+        float | None, typer.Option(help="Communication step [s]; default: the mission's.")
+    ] = None,
+) -> None:
+    """Build the FMUs, co-simulate a mission, write and judge the results."""
+    if step is not None and not 1e-6 <= step <= 0.1:
+        raise InputError(f"--step must be from 1e-6 to 0.1 s, got {step}")
+    with about(mission):
+        task = load_mission(mission)
+        if step is not None:
+            simulation = task.simulation.model_copy(update={"step": step})
+            task = task.model_copy(update={"simulation": simulation})
+        trajectory = planned(task)
+        require_steps(task, trajectory)
+        every = stride(task, trajectory.duration + task.simulation.settle)
+    target = folder(output)
+    from segfmu.cosim import write_csv
+    from segfmu.fmu.choice import chosen
+    from segfmu.validation.criteria import judge
+    from segfmu.validation.plots import plot_run, save
+    from segfmu.validation.report import run_table
+    from segfmu.validation.scenario import ending, specs
+
+    choice = chosen(2, "native", "", everywhere=False)
+    feedforward, crane = built(target, choice, specs(task, trajectory))
+    rows = co_simulated(task, trajectory, feedforward, crane)
+    write_csv(target / "run.csv", thinned(rows, every))
+    save(plot_run(rows, trajectory.waypoint_times, task.name), target / "run.png")
+    limits = task.simulation
+    found = judge(
+        rows, ending(task, trajectory), limits.tracking_tolerance, limits.sway_tolerance,
+        task.build_bounds(),
+    )
+    console.print(run_table(task.name, found))
+    tell(note("run.csv", every, limits.step))
+    tell(f"FMUs, run.csv and run.png are in {target}")
+    for row in found.rows:
+        if not row.passed:
+            tell(f"failed: {row.name} {row}; {row.key} sets what is allowed")
+    if not found.passed:
+        raise typer.Exit(1)
+
+
+def paper(
+    output: Annotated[
+        str,
+        typer.Option(
+            "--output", "-o", metavar="FOLDER", help="Folder for figures, mission and run.csv."
+        ),
+    ] = "out",
+) -> None:
+    """Plan and co-simulate the paper's mission; draw its figures 3, 6 and 7."""
+    from segfmu.fmu.choice import chosen
+    from segfmu.validation.paper import MISSION, write_figures
+    from segfmu.validation.scenario import specs
+
+    target = folder(output)
+    task = load_mission(MISSION)
+    trajectory = planned(task)
+    choice = chosen(2, "native", "", everywhere=False)
+    rows = co_simulated(task, trajectory, *built(target, choice, specs(task, trajectory)))
+    for path, what in write_figures(target, trajectory, rows):
+        tell(f"{path}  {what}")
+
+
+def _show_bounds(task: Mission, trajectory: Trajectory) -> None:
+    """The use of every bound of the drives, or that none is known."""
+    bounds = task.build_bounds()
+    if bounds is None:
+        tell(NO_BOUNDS)
+        return
+    from segfmu.validation.drive_use import bound_table
+
+    console.print(bound_table(bound_uses(task.build_crane(), trajectory, bounds)))
+
+
+def _write_plan(task: Mission, trajectory: Trajectory, output: Path, every: int) -> None:
+    from segfmu.cosim import write_csv
+    from segfmu.validation.drive_plots import plot_drives
+    from segfmu.validation.plots import plot_path, plot_plan, save
+
+    write_csv(output / "plan.csv", plan_samples(task, trajectory, every))
+    save(plot_plan(trajectory, task.name), output / "plan.png")
+    save(plot_path(trajectory, task.name), output / "path.png")
+    bounds = task.build_bounds() or ActuatorBounds()
+    drives = plot_drives(task.build_crane(), trajectory, bounds, task.name)
+    save(drives, output / "drives.png")
+    tell(note("plan.csv", every, task.simulation.step))
+    tell(f"plan.csv, plan.png, path.png and drives.png are in {output}")

@@ -1,0 +1,1 @@
+"""Crane, mission and scenario files: what they may hold, read, checked, described."""
