@@ -3,14 +3,37 @@
 from __future__ import annotations
 
 import shutil
+from types import ModuleType
 
 import pytest
 
+from segfmu.cosim import native
 from segfmu.fmu.native.compilers import available
+from segfmu.kernels import backend
 
 CC = next(filter(None, map(shutil.which, ("cc", "gcc", "clang"))), "")
-needs_cc = pytest.mark.skipif(not CC, reason="no C compiler found (cc, gcc, clang)")
+NO_CC = "no C compiler found (cc, gcc, clang)"
+needs_cc = pytest.mark.skipif(not CC, reason=NO_CC)
 needs_native = pytest.mark.skipif(not available(), reason="no C compiler found for native FMUs")
+
+# tests/test_release.py fails where kernels or loop are missing beside a compiler
+NO_KERNELS = "the kernels were installed without a C compiler"
+needs_kernels = pytest.mark.skipif(not backend.COMPILED, reason=NO_KERNELS)
+needs_loop = pytest.mark.skipif(
+    not native.COMPILED, reason="the step loop was installed without a C compiler"
+)
+
+
+def require_cc() -> None:
+    """Skip a fixture's tests where there is no C compiler."""
+    if not CC:
+        pytest.skip(NO_CC)
+
+
+def compiled_kernels() -> ModuleType:
+    """The compiled kernels, also where the environment asks for the interpreted ones."""
+    found: ModuleType = pytest.importorskip("segfmu.kernels._compiled", reason=NO_KERNELS)
+    return found
 
 
 def require_native() -> None:

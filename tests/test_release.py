@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import subprocess
 import sys
+import sysconfig
 from importlib.metadata import version
+from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
 
 import segfmu
-from tests.compiler import needs_native
+from tests.compiler import CC, compiled_kernels, needs_native
 
 ROOT = Path(__file__).parents[1]
 MISSION = ROOT / "models" / "paper.toml"
@@ -91,9 +93,17 @@ def test_simulation_needs_neither_sympy_nor_pythonfmu(tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr + done.stdout
 
 
+@pytest.mark.skipif(
+    not CC or not (Path(sysconfig.get_path("include")) / "Python.h").exists(),
+    reason="no C compiler, or no headers of Python",
+)
+@pytest.mark.parametrize("module", ["segfmu.kernels._compiled", "segfmu.cosim._loop"])
+def test_where_a_compiler_is_the_extensions_are_there(module: str) -> None:
+    # tests that need them are skipped without them, which must not hide a failed build
+    assert find_spec(module) is not None
+
+
 def test_the_compiled_kernels_are_one_binary_for_all_versions_of_python() -> None:
-    compiled = pytest.importorskip(
-        "segfmu.kernels._compiled", reason="the kernels were installed without a C compiler"
-    )
+    compiled = compiled_kernels()
     if sys.platform != "win32":
         assert Path(compiled.__file__).name == "_compiled.abi3.so"

@@ -9,7 +9,7 @@ import pytest
 
 from segfmu.codegen import messages, native
 from segfmu.kernels.messages import TABLES, Messages
-from tests.compiler import CC
+from tests.compiler import CC, require_cc
 
 FLAGS = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-fPIC", "-shared"]
 REPORTS = ([0.0, 1.0, 2.5, 1e-7], [2.0, 0.0, -123456.789, 1e22], [1.0, 2.0, 1.0 / 3.0, 0.0])
@@ -22,8 +22,7 @@ def test_generated_messages_are_up_to_date() -> None:
 
 @pytest.fixture(scope="module")
 def library(tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL:
-    if not CC:
-        pytest.skip("no C compiler found (cc, gcc, clang)")
+    require_cc()
     target = tmp_path_factory.mktemp("messages") / "messages.so"
     source = native.TARGET / "messages.c"
     subprocess.run([CC, *FLAGS, str(source), "-o", str(target)], check=True)

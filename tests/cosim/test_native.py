@@ -16,10 +16,9 @@ import pytest
 
 from segfmu.cosim import Change, Connection, System, native
 from segfmu.cosim.layout import TYPES, CCopy, CSimulation
-from segfmu.kernels.backend import COMPILED
-from tests.compiler import CC
+from tests.compiler import CC, needs_cc, needs_loop, require_cc
 
-pytestmark = pytest.mark.skipif(not COMPILED, reason="the package was built without a compiler")
+pytestmark = needs_loop
 
 SOURCE, SINK = "GantryFeedforward", "GantryCrane"
 STEP, STOP = 2e-3, 1.0
@@ -206,7 +205,7 @@ def test_layout_is_that_of_the_c_code() -> None:
     assert ctypes.sizeof(CSimulation) == _loop.SIZE
 
 
-@pytest.mark.skipif(not CC, reason="no C compiler found (cc, gcc, clang)")
+@needs_cc
 def test_c_compiles_without_a_warning(tmp_path: Path) -> None:
     folder = Path(native.__file__).parent / "c"
     for name in ("loop", "copy"):
@@ -219,8 +218,7 @@ def test_c_compiles_without_a_warning(tmp_path: Path) -> None:
 @pytest.fixture(scope="module")
 def copy_values(tmp_path_factory) -> Any:
     """The function of copy.c."""
-    if not CC:
-        pytest.skip("no C compiler found (cc, gcc, clang)")
+    require_cc()
     library = tmp_path_factory.mktemp("copy") / "copy.so"
     source = Path(native.__file__).parent / "c" / "copy.c"
     subprocess.run([CC, "-std=c99", "-shared", "-fPIC", source, "-o", library], check=True)

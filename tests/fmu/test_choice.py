@@ -9,6 +9,7 @@ import pytest
 from segfmu.errors import BuildError, InputError
 from segfmu.fmu import choice
 from segfmu.fmu.native import compilers
+from tests.compiler import needs_native
 
 
 @pytest.fixture(autouse=True)
@@ -66,10 +67,9 @@ def test_other_platforms_are_for_zig(monkeypatch) -> None:
     assert command[1:] == ("-m", "ziglang", "cc", "-target", "aarch64-linux-gnu.2.17")
 
 
+@needs_native
 def test_a_compiler_that_fails_is_quoted_in_one_line(tmp_path) -> None:
     name = compilers.host()
-    if name is None or not compilers.available():
-        pytest.skip("no C compiler found")
     (tmp_path / "wrong.c").write_text("int main(void) { return nothing; }\n")
     library = tmp_path / "wrong.so"
     with pytest.raises(BuildError, match=f"compiling for {name} failed: .*nothing") as caught:

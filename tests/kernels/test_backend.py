@@ -44,14 +44,13 @@ from segfmu.kernels.planner import plan as plan_kernel
 from segfmu.kernels.planner.records import Axis, Cell, Phase, PlanWork, Problem
 from segfmu.kernels.rig import rig
 from segfmu.kernels.trajectory import evaluate, expand
+from tests.compiler import compiled_kernels
 from tests.kernels.rigs import CONTROLLERS, HANGING, LAB, everything
 from tests.problems import AxisProblem, axis_problems, work_space
 
 pytestmark = pytest.mark.interpreted
 
-compiled = pytest.importorskip(
-    "segfmu.kernels._compiled", reason="the kernels were installed without a C compiler"
-)
+compiled = compiled_kernels()
 INTERPRETED = SimpleNamespace(
     axis_limits=parameters.axis_limits, ramp_parameters=parameters.ramp_parameters,
     shortest_profile=profile.shortest_profile, timed_profile=synchronize.timed_profile,

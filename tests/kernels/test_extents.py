@@ -11,11 +11,10 @@ from segfmu.codegen import extension
 from segfmu.codegen.functions import Function, functions
 from segfmu.errors import BuildError
 from segfmu.kernels.entry_points import ENTRY_POINTS, MAY_BE_EMPTY, EntryPoint
+from tests.compiler import compiled_kernels
 from tests.kernels.calls import Call, calls
 
-compiled = pytest.importorskip(
-    "segfmu.kernels._compiled", reason="the kernels were installed without a C compiler"
-)
+compiled = compiled_kernels()
 FUNCTIONS = {f.name: f for f in functions()}
 INTERPRETED = {
     e.name: getattr(import_module(f"segfmu.kernels.{e.module}"), e.name) for e in ENTRY_POINTS

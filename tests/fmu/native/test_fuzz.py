@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.compiler import CC
+from tests.compiler import CC, require_cc
 from tests.fmu.native import fuzz
 
 SEQUENCES = 1500
@@ -16,8 +16,7 @@ SEQUENCES = 1500
 @pytest.fixture(scope="module")
 def compiler(tmp_path_factory: pytest.TempPathFactory) -> str:
     """The C compiler, where it is there and has sanitizers."""
-    if not CC:
-        pytest.skip("no C compiler found (cc, gcc, clang)")
+    require_cc()
     folder = tmp_path_factory.mktemp("fuzz")
     empty = folder / "empty.c"
     empty.write_text("int main(void) { return 0; }\n")

@@ -11,6 +11,7 @@ from segfmu.kernels import backend
 from segfmu.kernels.control import kalman
 from segfmu.kernels.control.records import Kalman, ModelWork, Observer
 from segfmu.kernels.crane.records import Plant
+from tests.compiler import needs_kernels
 
 MASSES = (2.2, 1.155, 1.0, 9.81)
 LAG = np.array([0.025, 0.0, 0.03])
@@ -76,7 +77,7 @@ def test_the_filter_forgets(driven: bool, length: float) -> None:
     assert not table[[13, 15, 17]].any() and not table[12:, [1, 3, 5, 9]].any()
 
 
-@pytest.mark.skipif(not backend.COMPILED, reason="there is no compiled extension")
+@needs_kernels
 @pytest.mark.parametrize("driven", [False, True])
 def test_compiled_gives_the_same(driven: bool) -> None:
     for length in (0.16, 1.0):
