@@ -23,6 +23,7 @@ from segfmu.crane.limit_search import (
     EXACT,
     Found,
     attempt,
+    clear,
     just_kept,
     paced,
     shortest,
@@ -246,9 +247,9 @@ def _timed(
 ) -> Found:
     """The plan with a sample time or a duration; slower, so it usually keeps the bounds as well."""
     best = attempt(task, found.table, 1.0, EXACT)
-    if best is None:
+    if best is None or not clear(best):
         # refused with the planner's reason, such as a duration that is too short
-        task.plan(found.table)
+        task.require_path(task.plan(found.table))
     if best is None or best.use > EXACT.most:
         best = just_kept(task, found.table, EXACT)
     if best is None or best.use > EXACT.most:

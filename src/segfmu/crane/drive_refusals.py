@@ -20,7 +20,7 @@ def refused(
     if not tried:
         try:
             task, table = starts[0]
-            task.plan(table)
+            task.require_path(task.plan(table))
         except InfeasibleError as error:
             return error
     closest = min(tried, key=lambda found: found.use)

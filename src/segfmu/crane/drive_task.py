@@ -15,7 +15,7 @@ from segfmu.errors import InfeasibleError
 from segfmu.kernels.crane.records import Demand
 from segfmu.planning.arrays import FloatArray
 from segfmu.planning.clearance import Clearance
-from segfmu.planning.excursions import excursions
+from segfmu.planning.excursions import excursion
 from segfmu.planning.limits import Limits
 from segfmu.planning.planner import plan
 from segfmu.planning.trajectory import Trajectory
@@ -68,20 +68,19 @@ class Task:
         return Limits(*table.T, **self.higher)
 
     def plan(self, table: FloatArray) -> Trajectory:
-        """The plan with a table of limits: clear, with a rope that is taut and in its range."""
+        """The plan with a table of limits; its rope is taut and in its range."""
         trajectory = plan(self.waypoints, self.limits(table), **self.options)
         require_rope(self.crane, trajectory)
-        if self.clearance is not None:
-            self.clearance.require(trajectory)
-        self._require_direct(trajectory)
         return trajectory
 
-    def _require_direct(self, trajectory: Trajectory) -> None:
-        """Refuse free states that make the path leave the box of the waypoints that it joins."""
-        if not self.free.any():
-            return
-        for found in excursions(trajectory):
-            if self.free[found.interval - 1 : found.interval + 1, :, found.axis].any():
+    def require_path(self, trajectory: Trajectory) -> None:
+        """Refuse a path that is not clear, or leaves the box of waypoints with free states."""
+        if self.clearance is not None:
+            self.clearance.require(trajectory)
+        free = np.any(self.free, axis=1)
+        for interval, axis in np.argwhere(free[:-1] | free[1:]):
+            found = excursion(trajectory, int(interval) + 1, int(axis))
+            if found is not None:
                 raise InfeasibleError(str(found), axis=found.axis, interval=found.interval)
 
     @cached_property

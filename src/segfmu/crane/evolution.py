@@ -1,8 +1,9 @@
 """Minimisation by evolution of samples with an adapted covariance (CMA-ES).
 
 N. Hansen, The CMA Evolution Strategy: A Tutorial, arXiv:1604.00772. Only the order of the values
-counts, so values may be of any kind that can be compared, and kinks and plateaus do no harm. The
-random numbers are seeded: the same problem has the same result.
+counts, so values may be of any kind that can be compared, and kinks and plateaus do no harm. Places
+without a value are sampled again. The random numbers are seeded: the same problem has the same
+result.
 """
 
 from __future__ import annotations
@@ -15,6 +16,9 @@ import numpy as np
 from segfmu.planning.arrays import FloatArray
 
 SMALLEST_STEP = 1e-4
+# samples of a generation over its size, at most; and the step's factor where too few have a value
+SAMPLES = 3
+NARROWER = 0.7
 
 
 class Evolution:
@@ -51,14 +55,27 @@ class Evolution:
         self.length = n**0.5 * (1.0 - 0.25 / n + 1.0 / (21.0 * n * n))
 
     def advance(self, value: Callable[[FloatArray], Any]) -> None:
-        """Sample one generation, judge it by `value`, and adapt mean, step and covariance."""
+        """Sample one generation, judge it by `value`, and adapt mean, step and covariance.
+
+        Where less than half a generation has a value other than None, the step shrinks instead.
+        """
         n = self.mean.size
         spread, axes = np.linalg.eigh(self.covariance)
         spread = np.sqrt(np.maximum(spread, 1e-20))
-        moves = (self.random.standard_normal((self.size, n)) * spread) @ axes.T
-        values = [value(self.mean + self.step * move) for move in moves]
-        order = sorted(range(self.size), key=values.__getitem__)
-        chosen = moves[order[: self.weights.size]]
+        moves, values = [], []
+        for _ in range(SAMPLES * self.size):
+            move = (self.random.standard_normal(n) * spread) @ axes.T
+            found = value(self.mean + self.step * move)
+            if found is not None:
+                moves.append(move)
+                values.append(found)
+            if len(values) == self.size:
+                break
+        if len(values) < self.weights.size:
+            self.step *= NARROWER
+            return
+        order = sorted(range(len(values)), key=values.__getitem__)
+        chosen = np.array(moves)[order[: self.weights.size]]
         shift = self.weights @ chosen
         self.mean = self.mean + self.step * shift
         self._adapt(chosen, shift, axes @ ((axes.T @ shift) / spread))

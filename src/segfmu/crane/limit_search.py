@@ -116,11 +116,13 @@ def just_kept(task: Task, table: FloatArray, look: Look) -> Found | None:
     # paces known to be too slow for the given states or to keep the bounds, and to be too fast
     slow, fast, pace, growth = 0.0, np.inf, 1.0, 2.0
     last: tuple[float, float] | None = None
-    failures = 0
+    failures, unclear = 0, False
     for _ in range(look.trials):
         found = attempt(task, table, pace, look)
-        if found is None:
-            failures += 1
+        gains = best is None or (found is not None and _better(found, best, look))
+        # the path is looked at where it may become the result: that takes longer than the plan
+        if found is None or (gains and found.use <= look.most and not clear(found)):
+            failures, unclear = failures + 1, found is not None
             if failures == FAILURES:
                 break
             # a plan that lacks room for given states needs more pace, one that lifts the rope less
@@ -131,7 +133,7 @@ def just_kept(task: Task, table: FloatArray, look: Look) -> Found | None:
             rise = np.log(found.use / last[1]) / np.log(pace / last[0])
             growth = min(max(float(rise), 0.5), 4.0)
         last = (pace, found.use)
-        if best is None or _better(found, best, look):
+        if gains:
             best = found
         if found.use <= look.most:
             slow = max(slow, pace)
@@ -144,7 +146,8 @@ def just_kept(task: Task, table: FloatArray, look: Look) -> Found | None:
         pace *= (aim / max(found.use, 1e-3)) ** (1.0 / growth)
         if not slow < pace < fast:
             pace = _between(slow, fast, last[0])
-    return best
+    # no matter how nearly others keep the bounds, if those that do have no clear path
+    return None if unclear and best is not None and best.use > look.most else best
 
 
 def _between(slow: float, fast: float, pace: float) -> float:
@@ -152,6 +155,15 @@ def _between(slow: float, fast: float, pace: float) -> float:
     if not np.isfinite(fast):
         return 2.0 * pace
     return 0.5 * fast if slow == 0.0 else float((slow * fast) ** 0.5)
+
+
+def clear(found: Found) -> bool:
+    """Whether its path may be taken."""
+    try:
+        found.task.require_path(found.trajectory)
+    except InfeasibleError:
+        return False
+    return True
 
 
 def _better(found: Found, best: Found, look: Look) -> bool:
@@ -178,11 +190,11 @@ def shortest(
     evolution = Evolution(np.zeros(coordinates.size), STEP)
     history: list[float] = []
 
-    def judged(place: FloatArray) -> tuple[bool, float]:
+    def judged(place: FloatArray) -> tuple[bool, float] | None:
         nonlocal best
         found = just_kept(*coordinates.at(place), ROUGH)
         if found is None:
-            return (True, np.inf)
+            return None
         if found.rank < best.rank:
             best = found
         return found.rank

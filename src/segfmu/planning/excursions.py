@@ -58,13 +58,14 @@ def excursions(trajectory: Trajectory) -> tuple[Excursion, ...]:
     found = []
     for interval in range(1, len(trajectory.waypoints)):
         for axis in range(trajectory.axes):
-            one = _excursion(trajectory, interval, axis)
+            one = excursion(trajectory, interval, axis)
             if one is not None:
                 found.append(one)
     return tuple(found)
 
 
-def _excursion(trajectory: Trajectory, interval: int, axis: int) -> Excursion | None:
+def excursion(trajectory: Trajectory, interval: int, axis: int) -> Excursion | None:
+    """The excursion of one axis between waypoints `interval` and `interval + 1`, if any."""
     begin, end = trajectory.axis_waypoint_times[interval - 1 : interval + 1, axis]
     ends = [float(w.position[axis]) for w in trajectory.waypoints[interval - 1 : interval + 1]]
     low, high = min(ends), max(ends)
