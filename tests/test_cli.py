@@ -13,6 +13,7 @@ import pytest
 from fmpy import read_model_description
 
 from segfmu import cli
+from tests.tables import columns
 
 MODELS = Path(__file__).parents[1] / "models"
 CRANE = "[crane]\nbridge_mass = 2.2\ntrolley_mass = 1.155\npayload_mass = 1.0\n"
@@ -237,7 +238,7 @@ def test_simulate_takes_the_feedback_source_of_the_mission(
     mission.write_text(GOOD + simulation + "initial_sway = [1.0, 0.0]\n", encoding="utf-8")
     out = tmp_path / "out"
     invoke(monkeypatch, capsys, "simulate", str(mission), "-o", str(out))
-    rows = np.genfromtxt(out / "run.csv", delimiter=",", names=True, deletechars="")
+    rows = columns(out / "run.csv")
     estimates = rows["estimate.disturbance.bridge"]
     # the observer runs from measured signals alone
     assert np.any(estimates != 0.0) == (source == "measured")

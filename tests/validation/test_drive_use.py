@@ -13,9 +13,9 @@ from rich.console import Console
 from segfmu.crane import ActuatorBounds, bound_uses
 from segfmu.errors import InfeasibleError, InputError
 from segfmu.validation.criteria import judge
-from segfmu.validation.drive_plots import plot_drives
 from segfmu.validation.drive_use import bound_table, run_uses
 from segfmu.validation.files.mission import load_mission
+from segfmu.validation.plots import plot_drives
 
 CRANE = """
 bridge_mass = 2.2

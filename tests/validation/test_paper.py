@@ -12,6 +12,7 @@ from segfmu.cli import app
 from segfmu.validation.files.mission import load_mission
 from segfmu.validation.paper import MISSION, PHASES, profile
 from tests.compiler import needs_native
+from tests.tables import columns
 
 
 @needs_native
@@ -22,7 +23,7 @@ def test_the_command_writes_figures_and_a_mission_that_runs(tmp_path: Path) -> N
         assert (tmp_path / f"figure_{number}.png").read_bytes().startswith(b"\x89PNG")
         assert f"figure_{number}.png" in done.output
     assert load_mission(tmp_path / "paper_rig.toml") == load_mission(MISSION)
-    rows = np.genfromtxt(tmp_path / "run.csv", delimiter=",", names=True, deletechars="")
+    rows = columns(tmp_path / "run.csv")
     error = rows["load.position.x"] - rows["reference.load.position.x"]
     assert 0.0 < np.abs(error).max() < 0.002
     assert rows["load.position.x"][-1] == pytest.approx(1.0, abs=0.002)

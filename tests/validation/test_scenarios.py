@@ -17,6 +17,7 @@ import pytest
 from segfmu.validation.files.scenario_file import find, load_scenario
 from segfmu.validation.suite import Runner
 from tests.compiler import require_native
+from tests.tables import columns
 
 MODELS = Path(__file__).parents[2] / "models"
 SUITE = MODELS / "scenarios"
@@ -163,12 +164,6 @@ def test_the_suite_has_a_scenario_of_each_kind_and_one_that_fails() -> None:
         assert comment.startswith("#") and ("alid " in comment or scenario.file.expect == "fail")
 
 
-def table(path: Path) -> dict[str, np.ndarray]:
-    with path.open(encoding="utf-8") as file:
-        names = [n.strip('"') for n in file.readline().strip().split(",")]
-        return dict(zip(names, np.loadtxt(file, delimiter=",").T, strict=True))
-
-
 def dense(columns: dict[str, np.ndarray], values: np.ndarray, first: float, last: float) -> Any:
     """A signal on a hundred times finer grid, with the ends."""
     times = np.unique(np.concatenate([
@@ -237,7 +232,7 @@ kind = "drives"
     entry = results[0]
     found = {c["name"]: c for c in entry["criteria"]}
     arrival, end = entry["times"]["arrival"], entry["times"]["end"]
-    own, other = (table(place / "out" / f"{n}.csv") for n in ("s", "off"))
+    own, other = (columns(place / "out" / f"{n}.csv") for n in ("s", "off"))
     assert own["time"][-1] == end
     horizontal = np.sqrt(own["error.load.x"] ** 2 + own["error.load.y"] ** 2)
     expected = {

@@ -18,6 +18,7 @@ from segfmu.validation.files.scenario_tables import CriterionTable
 from segfmu.validation.suite import Runner
 from tests.compiler import require_native
 from tests.cosim.probe.build import build
+from tests.tables import columns
 
 MODELS = Path(__file__).parents[2] / "models"
 SUITE = MODELS / "scenarios"
@@ -37,12 +38,6 @@ def results(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, list[dict[s
     )
     assert done.returncode == 0, done.stdout + done.stderr
     return folder, json.loads((folder / "results.json").read_text(encoding="utf-8"))
-
-
-def table(path: Path) -> dict[str, np.ndarray]:
-    with path.open(encoding="utf-8") as file:
-        names = [n.strip('"') for n in file.readline().strip().split(",")]
-        return dict(zip(names, np.loadtxt(file, delimiter=",").T, strict=True))
 
 
 def instant(value: float | str, times: dict[str, float]) -> float:
@@ -84,7 +79,7 @@ def test_every_margin_of_the_suite_is_that_of_its_table(
     assert len(entries) >= 16 and all(entry["right"] for entry in entries)
     compared = 0
     for entry in (e for e in entries if not e["error"]):
-        own = table(folder / entry["table"])
+        own = columns(folder / entry["table"])
         criteria = {c.name: c for c in load_scenario(Path(entry["file"])).file.criteria}
         for found in entry["criteria"]:
             if found["kind"] == "drives":

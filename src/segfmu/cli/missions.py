@@ -130,16 +130,21 @@ def simulate(
     from segfmu.validation.plots import plot_run, save
     from segfmu.validation.report import run_table
     from segfmu.validation.scenario import ending, specs
+    from segfmu.validation.units import signal_units
 
     choice = chosen(2, "native", "", everywhere=False)
     feedforward, crane = built(target, choice, specs(task, trajectory))
     rows = co_simulated(task, trajectory, feedforward, crane)
-    write_csv(target / "run.csv", thinned(rows, every))
-    save(plot_run(rows, trajectory.waypoint_times, task.name), target / "run.png")
+    write_csv(target / "run.csv", thinned(rows, every), signal_units())
+    bounds = task.build_bounds()
+    picture = plot_run(
+        rows, trajectory.waypoint_times, task.name, task.build_crane(), bounds or ActuatorBounds()
+    )
+    save(picture, target / "run.png")
     limits = task.simulation
     found = judge(
         rows, ending(task, trajectory), limits.tracking_tolerance, limits.sway_tolerance,
-        task.build_bounds(),
+        bounds,
     )
     console.print(run_table(task.name, found))
     tell(note("run.csv", every, limits.step))
@@ -186,12 +191,12 @@ def _show_bounds(task: Mission, trajectory: Trajectory) -> None:
 
 def _write_plan(task: Mission, trajectory: Trajectory, output: Path, every: int) -> None:
     from segfmu.cosim import write_csv
-    from segfmu.validation.drive_plots import plot_drives
-    from segfmu.validation.plots import plot_path, plot_plan, save
+    from segfmu.validation.plots import plot_drives, plot_path, plot_plan, save
+    from segfmu.validation.units import signal_units
 
-    write_csv(output / "plan.csv", plan_samples(task, trajectory, every))
+    write_csv(output / "plan.csv", plan_samples(task, trajectory, every), signal_units())
     save(plot_plan(trajectory, task.name), output / "plan.png")
-    save(plot_path(trajectory, task.name), output / "path.png")
+    save(plot_path(trajectory, task.name, task.build_clearance()), output / "path.png")
     bounds = task.build_bounds() or ActuatorBounds()
     drives = plot_drives(task.build_crane(), trajectory, bounds, task.name)
     save(drives, output / "drives.png")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -35,8 +35,10 @@ def replacing(path: Path) -> Iterator[Path]:
         raise InputError(f"{path}: cannot be written: {error.strerror}") from None
 
 
-def write_csv(path: Path, rows: NDArray[Any]) -> None:
+def write_csv(path: Path, rows: NDArray[Any], units: Mapping[str, str] | None = None) -> None:
     """Write a structured array as CSV, full precision; the file appears when it is complete.
+
+    The header has the names of the signals, with a unit in brackets where `units` has one.
 
     Raises
     ------
@@ -45,7 +47,8 @@ def write_csv(path: Path, rows: NDArray[Any]) -> None:
     """
     names = rows.dtype.names or ()
     columns = np.column_stack([rows[n].astype(np.float64) for n in names])
-    header = ",".join(f'"{n}"' for n in names)
+    known = units or {}
+    header = ",".join(f'"{n} [{known[n]}]"' if n in known else f'"{n}"' for n in names)
     with replacing(path) as temporary:
         np.savetxt(
             temporary, columns, fmt="%.17g", delimiter=",", comments="", header=header

@@ -14,6 +14,8 @@ from segfmu.validation.drive_use import RUN_MARGIN, run_uses
 
 DRIVES = ("bridge", "trolley", "hoist")
 RATES = {"bridge": "bridge.velocity", "trolley": "trolley.velocity", "hoist": "rope.velocity"}
+# numbers below these are noise of the computation
+NOISE = {"mm": 1e-6, "deg": 1e-6}
 
 
 @dataclass(frozen=True)
@@ -42,7 +44,9 @@ class Row:
         return self.value <= self.allowed
 
     def __str__(self) -> str:
-        return f"{self.value:.4g} {self.unit} (at most {self.allowed:g})"
+        least = NOISE.get(self.unit, 0.0)
+        value = f"below {least:g}" if self.value < least else f"{self.value:.4g}"
+        return f"{value} {self.unit} (at most {self.allowed:g})"
 
 
 @dataclass(frozen=True)

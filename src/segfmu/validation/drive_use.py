@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 from rich.table import Table
 
 from segfmu.crane.bounds import DRIVES, ActuatorBounds, BoundUse, uses
-from segfmu.validation.files.units import shown
+from segfmu.planning.arrays import FloatArray
+from segfmu.validation.units import shown
 
 RATES = ("bridge.velocity", "trolley.velocity", "rope.velocity")
 SWAYS = ("sway.x.angle", "sway.y.angle")
@@ -18,15 +19,20 @@ RUN_MARGIN = 0.01
 
 
 def run_uses(rows: NDArray[np.void], bounds: ActuatorBounds) -> tuple[BoundUse, ...]:
-    """Use of every bound in the rows of a co-simulation; accelerations by differences."""
+    """Use of every bound in the rows of a co-simulation."""
+    found = np.abs(run_demands(rows))
+    at = found.argmax(axis=0)
+    return uses(bounds, found[at, np.arange(at.size)], rows["time"][at])
+
+
+def run_demands(rows: NDArray[np.void]) -> FloatArray:
+    """What a co-simulation asks of the drives, (rows, 14); accelerations by differences."""
     time = rows["time"]
     force = np.column_stack([rows[f"drive.{drive}.force"] for drive in DRIVES])
     velocity = np.column_stack([rows[rate] for rate in RATES])
     sway = np.column_stack([rows[angle] for angle in SWAYS])
     acceleration = np.gradient(velocity, time, axis=0) if time.size > 1 else 0.0 * velocity
-    found = np.abs(np.hstack([force, velocity, acceleration, force * velocity, sway]))
-    at = found.argmax(axis=0)
-    return uses(bounds, found[at, np.arange(at.size)], time[at])
+    return np.hstack([force, velocity, acceleration, force * velocity, sway])
 
 
 def bound_table(found: Sequence[BoundUse]) -> Table:

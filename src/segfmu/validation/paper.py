@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 from segfmu.cosim import write_csv
 from segfmu.cosim.result import replacing
 from segfmu.planning import Limits, Trajectory, Waypoint, plan
-from segfmu.validation.plots import COLOURS, SAMPLES, marks, save
+from segfmu.validation.plots.style import COLOURS, SAMPLES, marks, save
+from segfmu.validation.units import signal_units
 
 # the paper's mission (24) on a rig as in section 4.4
 MISSION = Path(str(files("segfmu.validation"))) / "missions" / "paper_rig.toml"
@@ -105,7 +106,7 @@ def write_figures(
     ):
         written.append((folder / f"figure_{number}.png", CAPTIONS[number]))
         save(figure, written[-1][0])
-    write_csv(folder / "run.csv", rows)
+    write_csv(folder / "run.csv", rows, signal_units())
     written.append((folder / "run.csv", "co-simulation of the mission"))
     with replacing(folder / MISSION.name) as temporary:
         temporary.write_bytes(MISSION.read_bytes())

@@ -10,6 +10,7 @@ from segfmu.planning import Trajectory
 from segfmu.planning.limits import NAMES, UNITS
 from segfmu.planning.verify import Verification
 from segfmu.validation.criteria import DRIVES, Criteria
+from segfmu.validation.units import shown
 
 
 def plan_table(name: str, trajectory: Trajectory, found: Verification) -> Table:
@@ -36,9 +37,9 @@ def run_table(name: str, found: Criteria) -> Table:
     table.add_column("value", justify="right")
     table.add_row("duration", f"{found.duration:.3f} s")
     for drive in DRIVES:
-        force, velocity = found.peak_force[drive], found.peak_velocity[drive]
-        table.add_row(f"peak force, {drive}", f"{force:.3f} N")
-        table.add_row(f"peak velocity, {drive}", f"{velocity:.3f} m/s")
+        (force,), unit = shown((found.peak_force[drive],), "N")
+        table.add_row(f"peak force, {drive}", f"{force:.4g} {unit}")
+        table.add_row(f"peak velocity, {drive}", f"{found.peak_velocity[drive]:.4g} m/s")
     for row in found.rows:
         colour = "" if row.passed else "red"
         table.add_row(row.name, f"{row}{'' if row.passed else ', failed'}", style=colour)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import re
 from pathlib import Path
 
 import numpy as np
@@ -10,9 +11,14 @@ import numpy as np
 from segfmu.errors import InputError
 from segfmu.planning.arrays import FloatArray
 
+# behind a name, as in "load.position.x [m]"; indices of arrays follow theirs without a space
+UNIT = re.compile(r"\s+\[[^\]]*\]$")
+
 
 def read_table(path: Path) -> dict[str, FloatArray]:
     """Columns of a CSV file by name: "time", which increases, and signals.
+
+    Units in brackets behind the names are left out.
 
     Raises
     ------
@@ -21,7 +27,7 @@ def read_table(path: Path) -> dict[str, FloatArray]:
     """
     try:
         with path.open(encoding="utf-8-sig", newline="") as file:
-            names = next(csv.reader(file), [])
+            names = [UNIT.sub("", name) for name in next(csv.reader(file), [])]
             data = np.loadtxt(file, delimiter=",", ndmin=2)
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror}") from None

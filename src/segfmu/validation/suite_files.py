@@ -16,6 +16,7 @@ from rich.table import Table
 from segfmu.cosim import write_csv
 from segfmu.cosim.result import replacing
 from segfmu.validation.suite import Result
+from segfmu.validation.units import signal_units
 
 
 def write_results(folder: Path, results: Sequence[Result]) -> None:
@@ -26,9 +27,10 @@ def write_results(folder: Path, results: Sequence[Result]) -> None:
     InputError
         When a file cannot be written.
     """
+    units = signal_units()
     for name, result in zip(_names(results), results, strict=True):
         if result.rows is not None:
-            write_csv(folder / f"{name}.csv", result.rows)
+            write_csv(folder / f"{name}.csv", result.rows, units)
     entries = [_entry(n, r) for n, r in zip(_names(results), results, strict=True)]
     with replacing(folder / "results.json") as path:
         path.write_text(json.dumps(entries, indent=2, allow_nan=False) + "\n", encoding="utf-8")

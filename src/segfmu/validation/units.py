@@ -1,9 +1,12 @@
-"""Numbers in the units of the field: kN instead of thousands of newtons, degrees, millimetres."""
+"""Units: of all signals, and those of the field, such as kN instead of thousands of newtons."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from math import degrees
+
+from segfmu.fmu.gantry_crane import interface as gantry_crane
+from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 
 # from this magnitude on in the first unit, the second one, larger by a factor of 1000
 LARGE = 2000.0
@@ -23,3 +26,10 @@ def shown(values: Sequence[float], unit: str) -> tuple[tuple[float, ...], str]:
     """Values in the unit that suits the largest of them."""
     factor, name = scale(max(map(abs, values)), unit)
     return tuple(factor * value for value in values), name
+
+
+def signal_units() -> dict[str, str]:
+    """Units of the signals of both FMUs and of time, for the headers of tables."""
+    specs = (gantry_feedforward.spec(), gantry_crane.spec())
+    own = {v.name: v.unit for spec in specs for v in spec.variables if v.unit}
+    return {"time": "s"} | own

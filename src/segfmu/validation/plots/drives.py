@@ -1,0 +1,71 @@
+"""Plot of what a motion asks of the drives, against their bounds."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from segfmu.crane import ActuatorBounds, Crane
+from segfmu.crane.bounds import DRIVES, UNITS
+from segfmu.crane.demand import demands
+from segfmu.kernels.crane.records import Demand
+from segfmu.planning import Trajectory
+from segfmu.planning.arrays import FloatArray
+from segfmu.validation.plots.style import COLOURS, SAMPLES, finish, legend, stack
+from segfmu.validation.units import scale
+
+PANELS = (
+    ("velocity", Demand.VELOCITY, DRIVES), ("acceleration", Demand.ACCELERATION, DRIVES),
+    ("force", Demand.FORCE, DRIVES), ("power", Demand.POWER, DRIVES),
+    ("sway angle", Demand.SWAY, ("φx", "φy")),
+)
+# where the axis of force ends, over what is above: a rope without tension may be far below
+FARTHEST = 1.5
+
+
+def plot_drives(
+    crane: Crane, trajectory: Trajectory, bounds: ActuatorBounds, title: str
+) -> Figure:
+    """Velocity, acceleration, force and power of the drives, and the sway; bounds dashed."""
+    figure, panels = stack(len(PANELS))
+    times = np.linspace(0.0, trajectory.duration, SAMPLES)
+    draw_demands(panels, times, demands(crane, trajectory, times), bounds, crane)
+    return finish(figure, panels, trajectory.waypoint_times, title)
+
+
+def draw_demands(
+    panels: Sequence[Axes], times: FloatArray, values: FloatArray, bounds: ActuatorBounds,
+    crane: Crane,
+) -> list[float]:
+    """Draw demands (times, 14) in the panels of `PANELS`; returns the factor of each panel.
+
+    The hoist's force is shown without the load's weight, as the difference between pull and weight.
+    """
+    limits = bounds.vector
+    weight = crane.payload_mass * crane.gravity
+    factors = []
+    for panel, (quantity, first, names) in zip(panels, PANELS, strict=True):
+        columns = slice(first, first + len(names))
+        shown: FloatArray = values[:, columns].copy()
+        upper, lower = limits[columns].copy(), -limits[columns]
+        labels = list(names)
+        if quantity == "force":
+            # the rope only pulls: from no tension to the bound
+            shown[:, 2], upper[2] = -shown[:, 2] - weight, upper[2] - weight
+            lower[2] = -weight if np.isfinite(upper[2]) else -np.inf
+            labels[2] = "hoist less weight"
+        factor, unit = scale(float(np.abs(shown).max()), UNITS[quantity])
+        for i, label in enumerate(labels):
+            panel.plot(times, factor * shown[:, i], color=COLOURS[i], label=label)
+            for bound in filter(np.isfinite, (upper[i], lower[i])):
+                panel.axhline(factor * bound, color=COLOURS[i], linestyle="--", linewidth=1.0)
+        if quantity == "force" and np.isfinite(upper[2]):
+            near = max(upper[2], float(np.abs(shown).max()))
+            panel.set_ylim(bottom=max(panel.get_ylim()[0], -FARTHEST * factor * near))
+        panel.set_ylabel(f"{quantity}\n[{unit}]")
+        legend(panel)
+        factors.append(factor)
+    return factors

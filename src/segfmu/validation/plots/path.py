@@ -1,0 +1,75 @@
+"""Plot of the load's path: from above, and from the side along the motion."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
+
+from segfmu.planning import Clearance, Trajectory
+from segfmu.planning.arrays import FloatArray
+from segfmu.validation.plots.style import COLOURS, SAMPLES, grid
+
+# share of a motion across it, below which it is along an axis
+STRAIGHT = 0.02
+NEXT_TO: dict[str, Any] = {"xytext": (5, 6), "textcoords": "offset points"}
+
+
+def plot_path(trajectory: Trajectory, title: str, clearance: Clearance) -> Figure:
+    """The load's path from above and from the side, with waypoints and obstacles.
+
+    The side view has the horizontal direction of the motion as its abscissa; obstacles are in it as
+    their widest section along this direction.
+    """
+    points = trajectory(np.linspace(0.0, trajectory.duration, SAMPLES))
+    stops = np.array([w.position for w in trajectory.waypoints])
+    direction, name = motion(stops)
+    figure, (above, side) = plt.subplots(1, 2, figsize=(12, 5.2), layout="constrained")
+    top = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
+    section = np.array([direction, [0.0, 0.0, 1.0]])
+    _view(above, points, stops, top, clearance)
+    _view(side, points, stops, section, clearance)
+    above.set(title="from above", xlabel="x [m]", ylabel="y [m]")
+    side.set(title="from the side", xlabel=f"{name} [m]", ylabel="z [m]")
+    figure.suptitle(title, parse_math=False)
+    return figure
+
+
+def motion(stops: FloatArray) -> tuple[FloatArray, str]:
+    """Horizontal direction (3,) of the motion through waypoints (n, 3), and its name."""
+    flat = stops[:, :2] - stops[:, :2].mean(axis=0)
+    along = np.linalg.svd(flat, full_matrices=True)[2][0]
+    along = along * np.sign(along[np.abs(along).argmax()])
+    for axis, name in enumerate("xy"):
+        if abs(along[1 - axis]) < STRAIGHT:
+            return np.eye(3)[axis], name
+    angle = np.degrees(np.arctan2(along[1], along[0]))
+    return np.append(along, 0.0), f"along the motion, {angle:.0f} deg from x"
+
+
+def _view(
+    panel: Axes, points: FloatArray, stops: FloatArray, view: FloatArray, clearance: Clearance
+) -> None:
+    """The path as seen in two directions (2, 3)."""
+    for box in clearance.obstacles:
+        corners = np.array(np.meshgrid(*zip(box.minimum, box.maximum, strict=True))).reshape(3, -1)
+        low, high = (view @ corners).min(axis=1), (view @ corners).max(axis=1)
+        panel.add_patch(Rectangle(
+            (low[0], low[1]), high[0] - low[0], high[1] - low[1], facecolor="#cccccc",
+            edgecolor="#888888", label=box.name,
+        ))
+    path, marks = points @ view.T, stops @ view.T
+    panel.plot(*path.T, color=COLOURS[0])
+    panel.plot(*marks.T, "o", color=COLOURS[1])
+    for number, mark in enumerate(marks, 1):
+        panel.annotate(str(number), (mark[0], mark[1]), **NEXT_TO)
+    for limits, values in ((panel.set_xlim, path[:, 0]), (panel.set_ylim, path[:, 1])):
+        middle = 0.5 * float(values.min() + values.max())
+        # a motion across the view is not enlarged to noise
+        half = max(0.55 * float(np.ptp(values)), 0.1 * float(np.ptp(points, axis=0).max()))
+        limits(middle - half, middle + half)
+    grid(panel)

@@ -1,0 +1,41 @@
+"""Plot of a plan: position and its derivatives, against their limits."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from segfmu.planning import Trajectory
+from segfmu.validation.plots.style import COLOURS, SAMPLES, finish, legend, stack
+
+QUANTITIES = (
+    ("position", "m"), ("velocity", "m/s"), ("acceleration", "m/s²"), ("jerk", "m/s³"),
+    ("snap", "m/s⁴"),
+)
+# [% of limit] where the axis ends
+EDGE = 115.0
+
+
+def plot_plan(trajectory: Trajectory, title: str) -> Figure:
+    """Position and its derivatives, relative to their limits if there are any."""
+    figure, panels = stack(len(QUANTITIES))
+    times = np.linspace(0.0, trajectory.duration, SAMPLES)
+    table = trajectory.limits.table(trajectory.axes, trajectory.smoothness)
+    for order, ((quantity, unit), panel) in enumerate(zip(QUANTITIES, panels, strict=True)):
+        values = trajectory(times, order)
+        limited = order > 0 and bool((table[:, order - 1] > 0.0).all())
+        for axis, name in enumerate(trajectory.axis_names):
+            scale = 100.0 / table[axis, order - 1] if limited else 1.0
+            label = name
+            if limited:
+                label = f"{name}, of {table[axis, order - 1]:.4g} {unit}"
+            panel.plot(
+                times, scale * values[:, axis], color=COLOURS[axis % len(COLOURS)], label=label
+            )
+        if limited:
+            for low, high in ((100.0, EDGE), (-EDGE, -100.0)):
+                panel.axhspan(low, high, color="#888888", alpha=0.25, linewidth=0.0)
+            panel.set_ylim(-EDGE, EDGE)
+        panel.set_ylabel(f"{quantity}\n[{'% of limit' if limited else unit}]")
+        legend(panel)
+    return finish(figure, panels, trajectory.waypoint_times, title)

@@ -1,0 +1,58 @@
+"""Plot of a co-simulation: drives against their bounds, sway, tracking error."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from segfmu.crane import ActuatorBounds, Crane
+from segfmu.crane.bounds import DRIVES
+from segfmu.planning.arrays import FloatArray
+from segfmu.validation.drive_use import run_demands
+from segfmu.validation.plots.drives import PANELS, draw_demands
+from segfmu.validation.plots.style import COLOURS, finish, legend, stack
+
+# [m] errors below this are numerical noise, which is not enlarged to a landscape
+NOISE = 1e-9
+DOTTED: dict[str, Any] = {"color": "black", "linestyle": ":", "linewidth": 1.0}
+QUANTITIES = [quantity for quantity, _, _ in PANELS]
+VELOCITY, SWAY = QUANTITIES.index("velocity"), QUANTITIES.index("sway angle")
+
+
+def plot_run(
+    rows: NDArray[np.void], waypoint_times: FloatArray, title: str, crane: Crane,
+    bounds: ActuatorBounds,
+) -> Figure:
+    """Drives with setpoints and bounds, sway with the planned one, tracking error of the load."""
+    figure, panels = stack(len(PANELS) + 1)
+    time = rows["time"]
+    factors = draw_demands(panels[:-1], time, run_demands(rows), bounds, crane)
+    for drive in DRIVES:
+        panels[VELOCITY].plot(time, factors[VELOCITY] * rows[f"velocity.{drive}"], **DOTTED)
+    for axis in "xy":
+        planned = rows[f"reference.sway.{axis}.angle"]
+        panels[SWAY].plot(time, factors[SWAY] * planned, **DOTTED)
+    for panel, what in ((panels[VELOCITY], "setpoint"), (panels[SWAY], "planned")):
+        panel.plot([], [], label=what, **DOTTED)
+        legend(panel)
+    _errors(panels[-1], rows)
+    return finish(figure, panels, waypoint_times, title)
+
+
+def _errors(panel: Axes, rows: NDArray[np.void]) -> None:
+    largest = 0.0
+    for i, axis in enumerate("xyz"):
+        error = rows[f"error.load.{axis}"]
+        largest = max(largest, float(np.abs(error).max()))
+        panel.plot(rows["time"], 1e3 * error, color=COLOURS[i], label=axis)
+    panel.set_ylabel("load error\n[mm]")
+    legend(panel)
+    if largest < NOISE:
+        panel.set_ylim(-1e3 * NOISE, 1e3 * NOISE)
+        panel.text(
+            0.5, 0.75, f"below {1e3 * NOISE:.0e} mm", transform=panel.transAxes, ha="center"
+        )

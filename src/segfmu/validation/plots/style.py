@@ -1,0 +1,66 @@
+"""What all plots share: colours, units, legends beside the curves, marks of arrivals."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+import matplotlib.pyplot as plt
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from segfmu.cosim.result import replacing
+
+# of Okabe and Ito, which colour-blind readers tell apart
+COLOURS = ("#0072b2", "#d55e00", "#009e73")
+SAMPLES = 3000
+
+
+def save(figure: Figure, path: Path) -> None:
+    """Write a figure as PNG; the file appears when it is complete."""
+    try:
+        with replacing(path) as temporary:
+            figure.savefig(temporary, format="png", dpi=130)
+    finally:
+        plt.close(figure)
+
+
+def stack(count: int, height: float = 2.2) -> tuple[Figure, list[Axes]]:
+    """A figure with panels below each other over one axis of time."""
+    figure, panels = plt.subplots(
+        count, 1, sharex=True, figsize=(10, height * count + 0.8), layout="constrained"
+    )
+    return figure, list(panels)
+
+
+def legend(panel: Axes) -> None:
+    """The legend beside the curves."""
+    panel.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), frameon=False)
+
+
+def finish(figure: Figure, panels: Sequence[Axes], times: Any, title: str) -> Figure:
+    """Arrivals at waypoints, grid and title of a stack."""
+    for panel in panels:
+        marks(panel, times)
+    panels[-1].set_xlabel("time [s]; grey: arrival at a waypoint")
+    figure.suptitle(title, parse_math=False)
+    return figure
+
+
+def marks(panel: Axes, times: Any) -> None:
+    """Show times of arrival, and a grid."""
+    for time in times:
+        panel.axvline(float(time), color="#bbbbbb", linewidth=0.8, zorder=0)
+    grid(panel)
+
+
+def grid(panel: Axes) -> None:
+    """A grid behind the curves, without a frame."""
+    panel.grid(True, color="#eeeeee", zorder=0)
+    for side in ("top", "right"):
+        panel.spines[side].set_visible(False)

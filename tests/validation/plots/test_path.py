@@ -1,0 +1,35 @@
+"""The path is seen along its motion, with what stands in its way."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from segfmu import Clearance, Limits, Obstacle, Waypoint, plan
+from segfmu.validation.plots.path import motion, plot_path
+
+
+@pytest.mark.parametrize(("end", "direction", "name"), [
+    ([4.0, 0.0, 1.0], [1.0, 0.0, 0.0], "x"),
+    ([0.0, -45.0, 1.0], [0.0, 1.0, 0.0], "y"),
+    ([0.0, 0.0, 1.0], [1.0, 0.0, 0.0], "x"),
+    ([3.0, 4.0, 0.0], [0.6, 0.8, 0.0], "along the motion, 53 deg from x"),
+    ([-3.0, 4.0, 0.0], [-0.6, 0.8, 0.0], "along the motion, 127 deg from x"),
+])
+def test_direction_of_the_side_view(end: list[float], direction: list[float], name: str) -> None:
+    found = motion(np.array([[0.0, 0.0, 0.0], end]))
+    assert found[0] == pytest.approx(direction)
+    assert found[1] == name
+
+
+def test_a_motion_along_y_is_seen_from_the_side_with_its_obstacle() -> None:
+    points = [Waypoint([0.0, 0.0, -2.0]), Waypoint([0.0, 5.0, -1.0])]
+    trajectory = plan(points, Limits(1.0, 1.0, 5.0, 50.0))
+    stack = Obstacle("stack", [-1.0, 2.0, -3.0], [1.0, 3.0, -2.5])
+    side = plot_path(trajectory, "move", Clearance([stack])).axes[1]
+    curve = side.lines[0].get_xydata()
+    assert side.get_xlabel() == "y [m]"
+    assert curve[0] == pytest.approx([0.0, -2.0])
+    assert curve[-1] == pytest.approx([5.0, -1.0])
+    (box,) = side.patches
+    assert (box.get_xy(), box.get_width(), box.get_height()) == ((2.0, -3.0), 1.0, 0.5)

@@ -1,0 +1,60 @@
+"""The plot of a run: bounds beside the curves, and noise that is called so."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from segfmu import ActuatorBounds, Crane
+from segfmu.crane.bounds import DRIVES
+from segfmu.validation.plots import plot_run
+
+CRANES = {"lab": Crane(2.2, 1.155, 1.0), "quay": Crane(300e3, 15e3, 40e3)}
+
+
+def table(error: float) -> np.ndarray:
+    names = [f"{kind}.{drive}" for kind in ("velocity",) for drive in DRIVES]
+    names += [f"drive.{drive}.force" for drive in DRIVES]
+    names += ["bridge.velocity", "trolley.velocity", "rope.velocity"]
+    names += [f"{of}sway.{axis}.angle" for of in ("", "reference.") for axis in "xy"]
+    names += [f"error.load.{axis}" for axis in "xyz"]
+    rows = np.zeros(50, dtype=[(n, float) for n in ("time", *names)])
+    rows["time"] = np.linspace(0.0, 5.0, 50)
+    rows["error.load.x"] = error * np.sin(rows["time"])
+    return rows
+
+
+@pytest.mark.parametrize("name", CRANES)
+def test_bounds_are_drawn_in_the_units_of_the_size(name: str) -> None:
+    crane = CRANES[name]
+    force = 0.5 * crane.payload_mass * crane.gravity
+    rows = table(1e-3)
+    rows["drive.trolley.force"] = 0.4 * force
+    bounds = ActuatorBounds(velocity=[None, 2.0, None], force=[None, force, None])
+    figure = plot_run(rows, np.array([0.0, 4.0]), "run", crane, bounds)
+    velocity, forces = figure.axes[0], figure.axes[2]
+
+    def dashed(panel) -> list[float]:
+        return sorted(line.get_ydata()[0] for line in panel.lines if line.get_linestyle() == "--")
+
+    assert dashed(velocity) == pytest.approx([-2.0, 2.0])
+    factor = 1e-3 if name == "quay" else 1.0
+    assert dashed(forces) == pytest.approx([-factor * force, factor * force])
+    assert forces.get_ylabel() == ("force\n[kN]" if name == "quay" else "force\n[N]")
+
+
+@pytest.mark.parametrize("error", [0.0, 1e-13])
+def test_noise_is_no_landscape(error: float) -> None:
+    errors = plot_run(
+        table(error), np.array([0.0]), "run", CRANES["lab"], ActuatorBounds()
+    ).axes[-1]
+    assert errors.get_ylim() == pytest.approx((-1e-6, 1e-6))
+    assert errors.texts[0].get_text() == "below 1e-06 mm"
+
+
+def test_an_error_is_shown_in_millimetres() -> None:
+    errors = plot_run(
+        table(2e-3), np.array([0.0]), "run", CRANES["lab"], ActuatorBounds()
+    ).axes[-1]
+    assert errors.lines[0].get_ydata().max() == pytest.approx(2.0, rel=0.01)
+    assert not errors.texts
