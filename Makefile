@@ -55,6 +55,8 @@ lint: $(VENV)/installed ## static checks
 
 examples: $(VENV)/installed ## run every example
 	@set -e; for example in examples/[0-9]*.py; do echo "$$example"; $(BIN)/python $$example; done
+	@set -e; for notebook in examples/[0-9]*.ipynb; do \
+		echo "$$notebook"; $(BIN)/jupyter-execute $$notebook; done
 
 $(VENV)/installed-docs: $(VENV)/installed
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check \

@@ -153,7 +153,7 @@ def test_the_user_chooses_the_rows(tmp_path: Path) -> None:
     assert "plan.csv has a row every 0.1 s" in done.stdout
 
 
-FOLDERS = {"": "--output is empty", "taken": "File exists", "taken/below": "Not a directory"}
+FOLDERS = {"": "output is empty", "taken": "File exists", "taken/below": "Not a directory"}
 
 
 @pytest.mark.parametrize("folder", FOLDERS)
@@ -186,5 +186,5 @@ def test_names_and_files_that_are_none(tmp_path: Path) -> None:
 
 def test_wrong_commands_and_values_of_options(tmp_path: Path) -> None:
     assert "did you mean 'plan'" in refused(tmp_path, "plann").lower()
-    assert "--step must be from" in refused(tmp_path, "simulate", "m.toml", "--step", "nan")
+    assert "step must be from" in refused(tmp_path, "simulate", "m.toml", "--step", "nan")
     assert "--waypoints" in refused(tmp_path, "build", "--waypoints", "1")

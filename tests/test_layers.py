@@ -21,7 +21,7 @@ ALLOWED = {
     "cosim": {"errors", "kernels", "planning", "crane", "fmu"},
     "validation": {"errors", "kernels", "planning", "crane", "fmu", "cosim"},
     "cli": {"errors", "kernels", "planning", "crane", "fmu", "cosim", "validation"},
-    "__init__": {"errors", "planning", "crane"},
+    "__init__": {"errors", "planning", "crane", "validation"},
     "__main__": {"cli"},
 }
 
@@ -30,6 +30,7 @@ EXTERNAL = {
     "fmpy": {"cosim"},
     "pythonfmu": {"fmu"},
     "matplotlib": {"validation"},
+    "pandas": {"validation"},
 }
 
 FILES = sorted(SOURCE.rglob("*.py"))

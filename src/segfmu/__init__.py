@@ -37,12 +37,17 @@ if TYPE_CHECKING:
         stop,
     )
     from segfmu.planning.verify import Verification, verify
+    from segfmu.validation.archives import Archives, build
+    from segfmu.validation.files.mission import Mission, load_mission
+    from segfmu.validation.runs import Run, simulate
+    from segfmu.validation.suites import Suite, validate
 
     __version__: str
 
 __all__ = [
     "ActuatedPlan",
     "ActuatorBounds",
+    "Archives",
     "BoundUse",
     "BuildError",
     "Clearance",
@@ -52,19 +57,26 @@ __all__ = [
     "InfeasibleError",
     "InputError",
     "Limits",
+    "Mission",
     "Obstacle",
+    "Run",
     "SegfmuError",
     "SimulationError",
+    "Suite",
     "Trajectory",
     "Verification",
     "Waypoint",
     "__version__",
+    "build",
     "excursions",
+    "load_mission",
     "plan",
     "plan_actuated",
     "reach_velocity",
     "replan",
+    "simulate",
     "stop",
+    "validate",
     "verify",
 ]
 
@@ -80,6 +92,10 @@ _HOMES = {
         "plan", "reach_velocity", "replan", "stop",
     ),
     "segfmu.planning.verify": ("Verification", "verify"),
+    "segfmu.validation.archives": ("Archives", "build"),
+    "segfmu.validation.files.mission": ("Mission", "load_mission"),
+    "segfmu.validation.runs": ("Run", "simulate"),
+    "segfmu.validation.suites": ("Suite", "validate"),
 }
 
 

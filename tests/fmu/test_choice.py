@@ -38,10 +38,10 @@ def test_without_a_compiler_python_is_used_and_said(monkeypatch) -> None:
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        ((4, "native", ""), "--fmi must be 2 or 3, got 4"),
-        ((2, "rust", ""), "--backend must be one of native, python"),
-        ((2, "native", "vax"), "--platforms must be all or some of"),
-        ((3, "python", ""), "--backend python has neither FMI 3 nor platforms"),
+        ((4, "native", ""), "fmi must be 2 or 3, got 4"),
+        ((2, "rust", ""), "backend must be one of native, python"),
+        ((2, "native", "vax"), "platforms must be all or some of"),
+        ((3, "python", ""), "backend python has neither FMI 3 nor platforms"),
     ],
 )
 def test_what_does_not_exist_is_refused(arguments, words: str) -> None:

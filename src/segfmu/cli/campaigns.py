@@ -8,9 +8,9 @@ import typer
 from rich.progress import Progress
 
 from segfmu.cli.console import MissionFile, console, tell
-from segfmu.cli.work import planned, require_steps
 from segfmu.validation.files.mission import load_mission
 from segfmu.validation.output import about, folder
+from segfmu.validation.planned import planned, require_memory
 
 
 def campaign(
@@ -26,7 +26,7 @@ def campaign(
     with about(mission):
         task = load_mission(mission)
         trajectory = planned(task)
-        require_steps(task, trajectory)
+        require_memory(task, trajectory)
     from segfmu.validation.campaign import run_campaign
     from segfmu.validation.campaign_files import write_maps, write_tables
     from segfmu.validation.campaign_report import outcome_table, verdict_table

@@ -8,13 +8,13 @@ from typing import Annotated
 import typer
 
 from segfmu.cli.console import MissionFile, console, tell
-from segfmu.cli.work import built, co_simulated, planned, require_steps
+from segfmu.cli.work import warn, watched
 from segfmu.crane import ActuatorBounds, bound_uses
-from segfmu.errors import InputError
 from segfmu.planning import Trajectory, excursions
 from segfmu.planning.verify import verify
 from segfmu.validation.files.mission import Mission, load_mission
-from segfmu.validation.output import about, folder, note, plan_samples, stride, thinned
+from segfmu.validation.output import about, folder, note, plan_samples, stride
+from segfmu.validation.planned import planned
 
 NO_BOUNDS = (
     "no bounds of the drives are known (velocity_max, acceleration_max, force_max, power_max of "
@@ -30,12 +30,12 @@ def plan(
     ] = None,
 ) -> None:
     """Plan a mission and show every peak against its limit."""
-    with about(mission):
-        task = load_mission(mission)
-        trajectory = planned(task)
+    task = load_mission(mission)
+    with about(mission), watched() as progress:
+        trajectory = planned(task, progress)
         every = stride(task, trajectory.duration)
     target = None if output is None else folder(output)
-    from segfmu.validation.report import plan_table
+    from segfmu.validation.tables import plan_table
 
     console.print(plan_table(task.name, trajectory, verify(trajectory)))
     _show_bounds(task, trajectory)
@@ -80,25 +80,17 @@ def build(
     Native FMUs support co-simulation and model exchange; those of the Python backend support FMI
     2.0 co-simulation.
     """
-    from segfmu.fmu.build import describe
-    from segfmu.fmu.choice import chosen, require_native
-    from segfmu.validation.scenario import sized, specs
+    from segfmu.validation import archives
 
-    choice = chosen(fmi, backend, platforms, enumerations=enumerations)
-    for option, wanted in (("--modelica", modelica), ("--ssp", ssp)):
-        if wanted:
-            require_native(choice, option)
-    if mission is None:
-        title, interfaces = "", sized(waypoints)
-    else:
-        with about(mission):
-            task = load_mission(mission)
-            title, interfaces = task.name, specs(task, planned(task), waypoints)
-    target = folder(output)
-    paths = built(target, choice, interfaces)
-    for path in paths:
+    with watched() as progress:
+        written = archives.build(
+            mission, output, fmi=fmi, backend=backend, platforms=platforms, waypoints=waypoints,
+            enumerations=enumerations, modelica=modelica, ssp=ssp, progress=progress,
+        )
+    warn(written.note)
+    for path in (written.feedforward, written.crane):
         tell(f"{path}  {path.stat().st_size / 1024:.0f} KiB")
-    for path in describe(target, paths, interfaces, title, modelica=modelica, ssp=ssp):
+    for path in written.others:
         tell(str(path))
 
 
@@ -113,46 +105,24 @@ def simulate(
     ] = None,
 ) -> None:
     """Build the FMUs, co-simulate a mission, write and judge the results."""
-    if step is not None and not 1e-6 <= step <= 0.1:
-        raise InputError(f"--step must be from 1e-6 to 0.1 s, got {step}")
-    with about(mission):
-        task = load_mission(mission)
-        if step is not None:
-            simulation = task.simulation.model_copy(update={"step": step})
-            task = task.model_copy(update={"simulation": simulation})
-        trajectory = planned(task)
-        require_steps(task, trajectory)
-        every = stride(task, trajectory.duration + task.simulation.settle)
-    target = folder(output)
-    from segfmu.cosim import write_csv
-    from segfmu.fmu.choice import chosen
-    from segfmu.validation.criteria import judge
-    from segfmu.validation.plots import plot_run, save
-    from segfmu.validation.report import run_table
-    from segfmu.validation.scenario import ending, specs
-    from segfmu.validation.units import signal_units
+    from segfmu.cosim.messages import on_stderr
+    from segfmu.validation import runs
+    from segfmu.validation.plots import save
+    from segfmu.validation.tables import run_table
 
-    choice = chosen(2, "native", "", everywhere=False)
-    feedforward, crane = built(target, choice, specs(task, trajectory))
-    rows = co_simulated(task, trajectory, feedforward, crane)
-    write_csv(target / "run.csv", thinned(rows, every), signal_units())
-    bounds = task.build_bounds()
-    picture = plot_run(
-        rows, trajectory.waypoint_times, task.name, task.build_crane(), bounds or ActuatorBounds()
-    )
-    save(picture, target / "run.png")
-    limits = task.simulation
-    found = judge(
-        rows, ending(task, trajectory), limits.tracking_tolerance, limits.sway_tolerance,
-        bounds,
-    )
-    console.print(run_table(task.name, found))
-    tell(note("run.csv", every, limits.step))
+    with on_stderr(), watched() as progress:
+        run = runs.simulate(mission, step=step, output=output, progress=progress)
+    warn(run.note)
+    target = Path(output)
+    left_out = run.to_csv(target / "run.csv")
+    save(run.plot(), target / "run.png")
+    console.print(run_table(run.mission.name, run.criteria))
+    tell(left_out)
     tell(f"FMUs, run.csv and run.png are in {target}")
-    for row in found.rows:
+    for row in run.criteria.rows:
         if not row.passed:
             tell(f"failed: {row.name} {row}; {row.key} sets what is allowed")
-    if not found.passed:
+    if not run.passed:
         raise typer.Exit(1)
 
 
@@ -165,16 +135,15 @@ def paper(
     ] = "out",
 ) -> None:
     """Plan and co-simulate the paper's mission; draw its figures 3, 6 and 7."""
-    from segfmu.fmu.choice import chosen
+    from segfmu.cosim.messages import on_stderr
     from segfmu.validation.paper import MISSION, write_figures
-    from segfmu.validation.scenario import specs
+    from segfmu.validation.runs import simulate
 
     target = folder(output)
-    task = load_mission(MISSION)
-    trajectory = planned(task)
-    choice = chosen(2, "native", "", everywhere=False)
-    rows = co_simulated(task, trajectory, *built(target, choice, specs(task, trajectory)))
-    for path, what in write_figures(target, trajectory, rows):
+    with on_stderr(), watched() as progress:
+        run = simulate(MISSION, output=target, progress=progress)
+    warn(run.note)
+    for path, what in write_figures(target, run.trajectory, run.rows):
         tell(f"{path}  {what}")
 
 

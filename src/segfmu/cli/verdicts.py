@@ -6,9 +6,9 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-from rich.progress import track
 
 from segfmu.cli.console import console, tell
+from segfmu.cli.work import watched
 from segfmu.validation.output import folder
 
 # signals outside of their tubes that are listed
@@ -31,25 +31,20 @@ def validate(
 
     The exit code is 0 if every scenario passes or fails as its file expects.
     """
-    from segfmu.validation.files.scenario_file import find, load_scenario
-    from segfmu.validation.suite import Runner
+    from segfmu.validation import suites
     from segfmu.validation.suite_files import suite_table, write_junit, write_results
 
-    scenarios = [load_scenario(path) for path in find(paths)]
-    with Runner() as runner:
-        results = [
-            runner.run(scenario)
-            for scenario in track(scenarios, "running scenarios", console=console, transient=True)
-        ]
+    with watched() as progress:
+        suite = suites.validate(paths, progress=progress)
     # first what cannot fail for a full disk
-    console.print(suite_table(results))
-    wrong = sum(not result.right for result in results)
-    console.print(f"{len(results) - wrong} of {len(results)} scenarios as expected")
+    console.print(suite_table(suite.results))
+    right = sum(result.right for result in suite)
+    console.print(f"{right} of {len(suite)} scenarios as expected")
     if output is not None:
-        write_results(folder(output), results)
+        write_results(folder(output), suite.results)
     if junit is not None:
-        write_junit(junit, results)
-    if wrong:
+        write_junit(junit, suite.results)
+    if not suite.passed:
         raise typer.Exit(1)
 
 

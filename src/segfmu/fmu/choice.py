@@ -38,11 +38,11 @@ def require_native(choice: Choice, option: str) -> None:
     """
     if choice.numbered:
         raise InputError(
-            f"{option} has enumerations that arrive: leave out --enumerations integer"
+            f"{option} has enumerations that arrive: leave out enumerations integer"
         )
     if not choice.native or choice.fmi != 2:
         raise InputError(
-            f"{option} needs native FMUs of FMI 2: omit --fmi and --backend, and install a C "
+            f"{option} needs native FMUs of FMI 2: omit fmi and backend, and install a C "
             "compiler, or the extra segfmu[platforms]"
         )
 
@@ -62,12 +62,12 @@ def chosen(
         For choices that do not exist or exclude each other.
     """
     if fmi not in (2, 3):
-        raise InputError(f"--fmi must be 2 or 3, got {fmi}")
+        raise InputError(f"fmi must be 2 or 3, got {fmi}")
     if backend not in BACKENDS:
-        raise InputError(f"--backend must be one of {', '.join(BACKENDS)}, got {backend!r}")
+        raise InputError(f"backend must be one of {', '.join(BACKENDS)}, got {backend!r}")
     if enumerations not in ENUMERATIONS:
         raise InputError(
-            f"--enumerations must be one of {', '.join(ENUMERATIONS)}, got {enumerations!r}"
+            f"enumerations must be one of {', '.join(ENUMERATIONS)}, got {enumerations!r}"
         )
     numbered = enumerations == "integer"
     names = tuple(PLATFORMS) if platforms == "all" else tuple(
@@ -76,11 +76,11 @@ def chosen(
     for name in names:
         if name not in PLATFORMS:
             raise InputError(
-                f"--platforms must be all or some of {', '.join(PLATFORMS)}, got {name!r}"
+                f"platforms must be all or some of {', '.join(PLATFORMS)}, got {name!r}"
             )
     if backend == "python":
         if fmi == 3 or names:
-            raise InputError("--backend python has neither FMI 3 nor platforms; use native")
+            raise InputError("backend python has neither FMI 3 nor platforms; use native")
         return Choice(native=False, numbered=numbered)
     ready = packaged((m.name, sources(m.name, fmi)) for m in registered())
     if names or (ready and everywhere):

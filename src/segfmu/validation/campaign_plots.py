@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm, Normalize, TwoSlopeNorm
 from matplotlib.figure import Figure
@@ -16,6 +16,7 @@ from segfmu.planning.arrays import FloatArray
 from segfmu.validation.campaign import Outcome
 from segfmu.validation.maps import DESIGNS
 from segfmu.validation.methods import MODES
+from segfmu.validation.plots.style import panels_of
 from segfmu.validation.verdict import SMALL_ERROR, SMALL_SWAY
 
 FAILED = "#d0d0d0"
@@ -34,9 +35,7 @@ def plot_outcomes(outcomes: Sequence[Outcome], mode: str, title: str) -> Figure:
     chosen = [o for o in outcomes if o.mode == mode]
     rows = list(dict.fromkeys(o.disturbance for o in chosen))
     columns = list(dict.fromkeys(o.method for o in chosen))
-    figure, panels = plt.subplots(
-        1, 2, figsize=(13, 1.6 + 0.42 * len(rows)), layout="constrained", sharey=True
-    )
+    figure, panels = panels_of(1, 2, size=(13, 1.6 + 0.42 * len(rows)), sharey=True)
     for panel, (name, label, scale, span) in zip(panels, QUANTITIES, strict=True):
         values = np.full((len(rows), len(columns)), np.nan)
         for o in chosen:
@@ -51,7 +50,7 @@ def plot_outcomes(outcomes: Sequence[Outcome], mode: str, title: str) -> Figure:
 
 
 def _cells(panel: Axes, values: FloatArray, span: tuple[float, float]) -> None:
-    shades = plt.get_cmap("RdYlGn_r").with_extremes(bad=FAILED)
+    shades = colormaps["RdYlGn_r"].with_extremes(bad=FAILED)
     panel.imshow(
         np.ma.masked_invalid(np.clip(values, *span)), norm=LogNorm(*span), cmap=shades,
         aspect="auto", alpha=0.75,
@@ -71,9 +70,7 @@ def _number(value: float) -> str:
 def plot_move_times(rows: NDArray[np.void], limits: tuple[float, float]) -> Figure:
     """Time saved against ZV and ZVD by the plan, tuned for each move and with one setting."""
     heights, distances = np.unique(rows["height"]), np.unique(rows["distance"])
-    figure, panels = plt.subplots(
-        2, 2, figsize=(11, 8), layout="constrained", sharex=True, sharey=True
-    )
+    figure, panels = panels_of(2, 2, size=(11, 8), sharex=True, sharey=True)
     gains = {
         (plan, shaper): 100.0 * (1.0 - rows[plan] / rows[shaper])
         for plan in ("plan", "fixed") for shaper in ("zv", "zvd")
@@ -115,9 +112,7 @@ def _contours(panel: Axes, x: FloatArray, y: FloatArray, table: FloatArray) -> N
 def plot_eigenvalues(rows: NDArray[np.void], payload: float) -> Figure:
     """Largest eigenvalue magnitude over rope length and payload, for both modes and designs."""
     lengths, payloads = np.unique(rows["length"]), np.unique(rows["payload"])
-    figure, panels = plt.subplots(
-        2, 2, figsize=(11, 8), layout="constrained", sharex=True, sharey=True
-    )
+    figure, panels = panels_of(2, 2, size=(11, 8), sharex=True, sharey=True)
     norm = Normalize(float(rows["eigenvalue"].min()), max(1.0, float(rows["eigenvalue"].max())))
     mesh: Any = None
     for row, mode in enumerate(MODES):

@@ -43,10 +43,15 @@ class Row:
         """Whether it is within what is allowed."""
         return self.value <= self.allowed
 
-    def __str__(self) -> str:
+    @property
+    def measured(self) -> str:
+        """The value and its unit; of noise what it is below."""
         least = NOISE.get(self.unit, 0.0)
         value = f"below {least:g}" if self.value < least else f"{self.value:.4g}"
-        return f"{value} {self.unit} (at most {self.allowed:g})"
+        return f"{value} {self.unit}"
+
+    def __str__(self) -> str:
+        return f"{self.measured} (at most {self.allowed:g})"
 
 
 @dataclass(frozen=True)

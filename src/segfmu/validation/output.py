@@ -24,26 +24,26 @@ MOST_ROWS = 20_000
 
 
 @contextmanager
-def about(path: Path) -> Iterator[None]:
-    """Name a mission's file in the errors that follow from it."""
+def about(path: Path | None) -> Iterator[None]:
+    """Name a mission's file, if it has one, in the errors that follow from it."""
     try:
         yield
     except SegfmuError as error:
-        if not str(error).startswith(str(path)):
+        if path is not None and not str(error).startswith(str(path)):
             error.args = (f"{path}: {error}",)
         raise
 
 
-def folder(name: str) -> Path:
-    """The folder that `--output` names, created.
+def folder(name: str | Path) -> Path:
+    """The folder for the output, created.
 
     Raises
     ------
     InputError
         If there is no name, or no folder of this name can be made or written to.
     """
-    if not name.strip():
-        raise InputError("--output is empty; name a folder, . for this one")
+    if not str(name).strip():
+        raise InputError("output is empty; name a folder, . for this one")
     path = Path(name)
     try:
         path.mkdir(parents=True, exist_ok=True)
@@ -52,7 +52,7 @@ def folder(name: str) -> Path:
         probe.unlink()
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) else error
-        raise InputError(f"--output {name}: cannot create this folder: {reason}") from None
+        raise InputError(f"output {name}: cannot create this folder: {reason}") from None
     return path
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from importlib.resources import files
 from pathlib import Path
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -14,7 +13,7 @@ from numpy.typing import NDArray
 from segfmu.cosim import write_csv
 from segfmu.cosim.result import replacing
 from segfmu.planning import Limits, Trajectory, Waypoint, plan
-from segfmu.validation.plots.style import COLOURS, SAMPLES, marks, save
+from segfmu.validation.plots.style import COLOURS, SAMPLES, marks, panels_of, save
 from segfmu.validation.units import signal_units
 
 # the paper's mission (24) on a rig as in section 4.4
@@ -39,7 +38,7 @@ def profile() -> Trajectory:
 
 def plot_profile(trajectory: Trajectory) -> Figure:
     """Fig. 3: the acceleration, a polynomial (11) or a constant a phase."""
-    figure, panel = plt.subplots(figsize=(9, 4.2), layout="constrained")
+    figure, panel = panels_of(size=(9, 4.2))
     times = np.linspace(0.0, trajectory.duration, SAMPLES)
     panel.plot(times, trajectory(times, 2)[:, 0], color=COLOURS[0])
     starts, lengths, _ = trajectory.pieces(0)
@@ -62,7 +61,7 @@ def plot_profile(trajectory: Trajectory) -> Figure:
 
 def plot_trajectories(trajectory: Trajectory) -> Figure:
     """Fig. 6: positions x and y of the load, and their second derivatives."""
-    figure, panels = plt.subplots(2, 1, sharex=True, figsize=(9, 6), layout="constrained")
+    figure, panels = panels_of(2, sharex=True, size=(9, 6))
     times = np.linspace(0.0, trajectory.duration, SAMPLES)
     for panel, order, label in zip(
         panels, (0, 2), ("position [m]", "acceleration [m/s²]"), strict=True
@@ -77,7 +76,7 @@ def plot_trajectories(trajectory: Trajectory) -> Figure:
 
 def plot_forces(rows: NDArray[np.void], trajectory: Trajectory) -> Figure:
     """Fig. 7: the feedforward's force of the bridge, smaller as in the paper, and the load."""
-    figure, panel = plt.subplots(figsize=(9, 4.2), layout="constrained")
+    figure, panel = panels_of(size=(9, 4.2))
     moving = rows[rows["time"] <= trajectory.duration + 0.5]
     time = moving["time"]
     panel.plot(

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from pydantic import AfterValidator, Field, model_validator
+from pydantic import AfterValidator, Field, PrivateAttr, model_validator
 
 from segfmu.crane import ActuatorBounds, Crane, plan_actuated
 from segfmu.errors import InputError
@@ -23,6 +23,7 @@ from segfmu.validation.files.mission_tables import (
     SimulationEntry,
     WaypointEntry,
 )
+from segfmu.validation.files.objects import plain
 from segfmu.validation.files.reading import checked, merged, read
 
 # that the FMUs can have
@@ -34,7 +35,15 @@ OF_MISSIONS = ("waypoints", "limits", "simulation")
 
 
 class Mission(Table):
-    """A whole mission file."""
+    """A whole mission file; `load_mission` makes one. Its keys are attributes: `crane`, `limits`.
+
+    Attributes
+    ----------
+    crane : CraneFile
+        What is known of the crane; `build_crane` makes the `Crane` of it.
+    """
+
+    _file: Path | None = PrivateAttr(default=None)
 
     name: Annotated[
         Annotated[str, Field(max_length=100), AfterValidator(printable)],
@@ -102,6 +111,19 @@ class Mission(Table):
             if isinstance(crane, dict) and isinstance(true, dict):
                 return {**data, "true_crane": merged(crane, true)}
         return data
+
+    def __repr__(self) -> str:
+        return (
+            f"<Mission {self.name!r}: {len(self.waypoints)} waypoints, "
+            f"payload {self.crane.payload_mass:g} kg>"
+        )
+
+    __str__ = __repr__
+
+    @property
+    def file(self) -> Path | None:
+        """The file that it was read from."""
+        return self._file
 
     @property
     def simulated(self) -> CraneFile:
@@ -176,42 +198,113 @@ class Mission(Table):
         return trajectory
 
 
-def load_mission(path: Path, changes: Mapping[str, Any] | None = None) -> Mission:
-    """Read and check a mission file and the crane file that it names, with changes of its tables.
+# what a mission is made of
+Source = str | Path | Mapping[str, Any] | Mission
+
+
+def load_mission(source: Source, changes: Mapping[str, Any] | None = None) -> Mission:
+    """Read a mission file and the crane file that it names, or make a mission of Python objects.
+
+    Parameters
+    ----------
+    source : path, mapping or Mission
+        A mission file (TOML); or what it would say, as a dict. In a dict the crane may be a
+        `Crane`, the limits `Limits`, waypoints `Waypoint` and obstacles `Obstacle`. A crane that
+        is a string names a file, which is relative to the mission file or to the current folder.
+    changes : mapping, optional
+        Keys that replace those of the source; tables are merged.
+
+    Returns
+    -------
+    Mission
 
     Raises
     ------
     InputError
         One line with the file, the key, the value and what is allowed.
+
+    Examples
+    --------
+    >>> import segfmu
+    >>> mission = segfmu.load_mission({
+    ...     "name": "across",
+    ...     "crane": segfmu.Crane(bridge_mass=2.2, trolley_mass=1.155, payload_mass=1.0),
+    ...     "limits": segfmu.Limits(velocity=1.0, acceleration=1.0, jerk=2.0, snap=20.0),
+    ...     "waypoints": [segfmu.Waypoint([0, 0, -0.5]), segfmu.Waypoint([1.0, 0.5, -0.4])],
+    ... })
+    >>> mission
+    <Mission 'across': 2 waypoints, payload 1 kg>
+    >>> mission.plan()
+    <Trajectory of x, y, z: 2 waypoints, 2.67266 s, smoothness 4, plateau>
+    >>> segfmu.load_mission(mission, {"crane": {"payload_mass": 2.0}}).crane.payload_mass
+    2.0
     """
-    data = read(path)
-    if not data.keys() & set(OF_MISSIONS) and data.keys() & set(OF_CRANES):
-        raise InputError(
-            f"{path}: this is a crane file; give a mission, which names it: "
-            f'crane = "{path.name}"'
-        )
-    if isinstance(data.get("crane"), str):
-        data["crane"] = _crane_data(path, data["crane"])
-    data = merged(data, changes or {})
-    mission = checked(Mission, data, str(path))
+    if isinstance(source, Mission) and not changes:
+        return source
+    if isinstance(source, str | Path):
+        file: Path | None = Path(source)
+        data = read_mission(Path(source))
+    elif isinstance(source, Mapping | Mission):
+        file = source.file if isinstance(source, Mission) else None
+        data = _with_crane(None, plain(source))
+    else:
+        raise InputError(f"a mission is a file or a dict, got {type(source).__name__}")
+    return build_mission(file, merged(data, plain(changes or {})))
+
+
+def read_mission(path: Path) -> dict[str, Any]:
+    """The content of a mission file, with that of the crane file that it names.
+
+    Raises
+    ------
+    InputError
+        For files that cannot be read, and a crane file that is wrong.
+    """
+    return _with_crane(path, read(path))
+
+
+def build_mission(path: Path | None, data: Mapping[str, Any]) -> Mission:
+    """Check the content of a mission; `path` names its file, if it has one.
+
+    Raises
+    ------
+    InputError
+        As `load_mission` does.
+    """
+    where = str(path or "mission")
+    mission = checked(Mission, data, where)
+    mission._file = path
     try:
         for name, crane in (("crane", mission.crane), ("true_crane", mission.simulated)):
             crane_parameters.check(crane, name)
         check_waypoints(mission)
         mission.build_clearance()
     except InputError as error:
-        raise InputError(f"{path}: {error}") from None
+        raise InputError(f"{where}: {error}") from None
     return mission
 
 
-def _crane_data(mission: Path, name: str) -> dict[str, Any]:
+def _with_crane(path: Path | None, data: dict[str, Any]) -> dict[str, Any]:
+    """The content of a mission with that of the crane file that it names."""
+    if not data.keys() & set(OF_MISSIONS) and data.keys() & set(OF_CRANES):
+        where = path or Path("crane.toml")
+        raise InputError(
+            f"{where}: this is a crane file; give a mission, which names it: "
+            f'crane = "{where.name}"'
+        )
+    if isinstance(data.get("crane"), str):
+        return {**data, "crane": _crane_data(path, data["crane"])}
+    return data
+
+
+def _crane_data(mission: Path | None, name: str) -> dict[str, Any]:
     """The content of the crane file that a mission names, checked."""
-    path = mission.parent / name
+    path = Path(name) if mission is None else mission.parent / name
     try:
         data = read(path)
         if data.keys() & set(OF_MISSIONS):
             raise InputError(f"{path}: this is a mission, not a crane file")
         crane_parameters.check(checked(CraneFile, data, str(path)), str(path))
     except InputError as error:
-        raise InputError(f"{mission}: crane: {error}") from None
+        raise InputError(f"{mission or 'mission'}: crane: {error}") from None
     return data

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Any
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -12,7 +11,7 @@ from matplotlib.patches import Rectangle
 
 from segfmu.planning import Clearance, Trajectory
 from segfmu.planning.arrays import FloatArray
-from segfmu.validation.plots.style import COLOURS, SAMPLES, grid
+from segfmu.validation.plots.style import COLOURS, SAMPLES, grid, panels_of
 
 # share of a motion across it, below which it is along an axis
 STRAIGHT = 0.02
@@ -28,7 +27,7 @@ def plot_path(trajectory: Trajectory, title: str, clearance: Clearance) -> Figur
     points = trajectory(np.linspace(0.0, trajectory.duration, SAMPLES))
     stops = np.array([w.position for w in trajectory.waypoints])
     direction, name = motion(stops)
-    figure, (above, side) = plt.subplots(1, 2, figsize=(12, 5.2), layout="constrained")
+    figure, (above, side) = panels_of(1, 2, size=(12, 5.2))
     top = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
     section = np.array([direction, [0.0, 0.0, 1.0]])
     _view(above, points, stops, top, clearance)

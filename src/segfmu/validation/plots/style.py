@@ -3,14 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
-import matplotlib
-
-matplotlib.use("Agg")
-
-import matplotlib.pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
@@ -23,18 +19,31 @@ SAMPLES = 3000
 
 def save(figure: Figure, path: Path) -> None:
     """Write a figure as PNG; the file appears when it is complete."""
-    try:
-        with replacing(path) as temporary:
-            figure.savefig(temporary, format="png", dpi=130)
-    finally:
-        plt.close(figure)
+    with replacing(path) as temporary:
+        figure.savefig(temporary, format="png", dpi=130)
+
+
+class Picture(Figure):
+    """A figure that notebooks show and that no window is opened for."""
+
+    def _repr_png_(self) -> bytes:
+        data = BytesIO()
+        self.savefig(data, format="png", dpi=90)
+        return data.getvalue()
+
+
+def panels_of(
+    rows: int = 1, columns: int = 1, *, size: tuple[float, float], sharex: bool = False,
+    sharey: bool = False,
+) -> tuple[Figure, Any]:
+    """A figure of this size [inch] and its panels, as `pyplot.subplots` gives them."""
+    figure = Picture(figsize=size, layout="constrained")
+    return figure, figure.subplots(rows, columns, sharex=sharex, sharey=sharey)
 
 
 def stack(count: int, height: float = 2.2) -> tuple[Figure, list[Axes]]:
     """A figure with panels below each other over one axis of time."""
-    figure, panels = plt.subplots(
-        count, 1, sharex=True, figsize=(10, height * count + 0.8), layout="constrained"
-    )
+    figure, panels = panels_of(count, sharex=True, size=(10, height * count + 0.8))
     return figure, list(panels)
 
 

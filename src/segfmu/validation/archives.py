@@ -1,0 +1,144 @@
+"""`segfmu.build`: the archives of both FMUs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from html import escape
+from pathlib import Path
+
+from segfmu.fmu.build import build_all, describe
+from segfmu.fmu.choice import Choice, chosen, require_native
+from segfmu.fmu.standard.spec import Spec
+from segfmu.planning import Trajectory
+from segfmu.validation.files.mission import Mission, Source, load_mission
+from segfmu.validation.output import about, folder
+from segfmu.validation.planned import planned
+from segfmu.validation.progress import Progress, quiet
+from segfmu.validation.scenario import sized, specs
+
+
+@dataclass(frozen=True, repr=False)
+class Archives:
+    """What `build` wrote; iterates over the files.
+
+    Attributes
+    ----------
+    feedforward, crane : Path
+        GantryFeedforward.fmu and GantryCrane.fmu.
+    others : tuple of Path
+        Files for other tools, such as mission.ssp.
+    note : str
+        What the user must know of the choice of the backend; empty if nothing.
+    """
+
+    feedforward: Path
+    crane: Path
+    others: tuple[Path, ...] = ()
+    note: str = ""
+
+    def __iter__(self) -> Iterator[Path]:
+        return iter((self.feedforward, self.crane, *self.others))
+
+    def __repr__(self) -> str:
+        return f"<Archives in {self.crane.parent}: {', '.join(path.name for path in self)}>"
+
+    def _repr_html_(self) -> str:
+        rows = "".join(
+            f"<tr><td>{escape(str(path))}</td><td>{path.stat().st_size / 1024:.0f} KiB</td></tr>"
+            for path in self if path.is_file()
+        )
+        return f"<table>{rows}</table>"
+
+
+def build(
+    mission: Source | None = None,
+    output: str | Path = "fmus",
+    *,
+    fmi: int = 2,
+    backend: str = "native",
+    platforms: str = "",
+    waypoints: int | None = None,
+    enumerations: str = "enumeration",
+    modelica: bool = False,
+    ssp: bool = False,
+    progress: Progress = quiet,
+) -> Archives:
+    """Build GantryFeedforward.fmu and GantryCrane.fmu.
+
+    Native FMUs support co-simulation and model exchange; those of the Python backend support FMI
+    2.0 co-simulation.
+
+    Parameters
+    ----------
+    mission : path, mapping or Mission, optional
+        As of `load_mission`; its values are the FMUs' start values.
+    output : path
+        Folder for the archives.
+    fmi : int
+        Version of the standard, 2 or 3.
+    backend : str
+        "native": C, with its sources; "python": needs segfmu where the FMU runs.
+    platforms : str
+        Of native binaries: "all", or names with commas; by default those that are available.
+    waypoints : int, optional
+        Maximum number of waypoints; 16 by default, or that of the mission.
+    enumerations : str
+        Type of choices: "enumeration", or "integer" for importers without.
+    modelica, ssp : bool
+        Whether to write a Modelica package with both FMUs, and the coupled system for importers of
+        SSP and for libcosim.
+    progress : callable
+        Called with what is being done and the share of it that is done.
+
+    Returns
+    -------
+    Archives
+
+    Raises
+    ------
+    InputError
+        For a mission or an option that is not possible.
+    InfeasibleError
+        If the mission cannot be planned.
+    BuildError
+        If a file cannot be written or a compiler fails.
+
+    Examples
+    --------
+    >>> import segfmu
+    >>> archives = segfmu.build("mission.toml", "fmus")
+    >>> archives.crane.name
+    'GantryCrane.fmu'
+    """
+    choice = chosen(fmi, backend, platforms, enumerations=enumerations)
+    for option, wanted in (("modelica", modelica), ("ssp", ssp)):
+        if wanted:
+            require_native(choice, option)
+    title, interfaces = "", sized(waypoints)
+    if mission is not None:
+        task = load_mission(mission)
+        with about(task.file):
+            title, interfaces = task.name, specs(task, planned(task, progress), waypoints)
+    target = folder(output)
+    feedforward, crane = written(target, choice, interfaces, progress)
+    others = describe(target, (feedforward, crane), interfaces, title, modelica=modelica, ssp=ssp)
+    return Archives(feedforward, crane, tuple(others), choice.note)
+
+
+def for_simulation(
+    task: Mission, trajectory: Trajectory, target: Path, progress: Progress
+) -> Archives:
+    """FMUs for this machine with a mission's values."""
+    choice = chosen(2, "native", "", everywhere=False)
+    paths = written(target, choice, specs(task, trajectory), progress)
+    return Archives(*paths, note=choice.note)
+
+
+def written(
+    target: Path, choice: Choice, interfaces: Sequence[Spec], progress: Progress
+) -> tuple[Path, Path]:
+    """Build FMUs of both interfaces."""
+    paths = build_all(target, choice, interfaces, report=lambda line: progress(line, 0.0))
+    feedforward, crane = paths
+    return feedforward, crane

@@ -1,0 +1,83 @@
+"""A mission that is made of Python objects, as the tables that its file would have."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from os import fspath
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from segfmu.crane import Crane
+from segfmu.errors import InputError
+from segfmu.planning import Limits, Obstacle, Waypoint
+from segfmu.validation.files.keys import AXES, Table
+
+MASSES = ("bridge_mass", "trolley_mass", "payload_mass", "gravity")
+STATES = ("velocity", "acceleration")
+LIMITS = ("velocity", "acceleration", "jerk", "snap")
+
+
+def plain(value: Any) -> Any:
+    """What a file says in place of an object: tables, lists, numbers and words.
+
+    Raises
+    ------
+    InputError
+        For objects that say what no mission file can.
+    """
+    if isinstance(value, Mapping):
+        return {str(name): plain(entry) for name, entry in value.items()}
+    if isinstance(value, np.ndarray | np.generic):
+        return value.tolist()
+    if isinstance(value, list | tuple):
+        return [plain(entry) for entry in value]
+    if isinstance(value, Path):
+        return fspath(value)
+    if isinstance(value, Table):
+        return value.model_dump(exclude_unset=True)
+    made = next((make for kind, make in MAKERS if isinstance(value, kind)), None)
+    return value if made is None else made(value)
+
+
+def _crane(crane: Crane) -> dict[str, Any]:
+    names = (*MASSES, "rope_min", "rope_max")
+    return {name: getattr(crane, name) for name in names if getattr(crane, name) is not None}
+
+
+def _limits(limits: Limits) -> dict[str, Any]:
+    if limits.crackle.any() or limits.pop.any():
+        raise InputError("limits: a mission has limits up to the snap; leave out crackle and pop")
+    found: dict[str, dict[str, float]] = {axis: {} for axis in AXES}
+    for name in LIMITS:
+        bounds = np.broadcast_to(getattr(limits, name), (len(AXES),))
+        for axis, number in zip(AXES, bounds, strict=True):
+            if number > 0.0:
+                found[axis][name] = float(number)
+    return found
+
+
+def _waypoint(point: Waypoint) -> dict[str, Any]:
+    if not point.settled:
+        raise InputError("waypoints: a mission gives position, velocity and acceleration alone")
+    found: dict[str, Any] = {"position": point.position.tolist(), "dwell": point.dwell}
+    for name in STATES:
+        values = getattr(point, name)
+        free = np.isnan(values)
+        if free.any() and not free.all():
+            raise InputError(f'waypoints: {name} of a mission is "free" for all axes or for none')
+        found[name] = "free" if free.any() else values.tolist()
+    return found
+
+
+def _obstacle(box: Obstacle) -> dict[str, Any]:
+    return {
+        "name": box.name, "minimum": box.minimum.tolist(), "maximum": box.maximum.tolist(),
+        "margin": box.margin,
+    }
+
+
+MAKERS: tuple[tuple[type, Callable[[Any], dict[str, Any]]], ...] = (
+    (Crane, _crane), (Limits, _limits), (Waypoint, _waypoint), (Obstacle, _obstacle),
+)

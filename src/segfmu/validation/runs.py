@@ -1,0 +1,203 @@
+"""`segfmu.simulate`: a mission as a co-simulation of both FMUs, and its result."""
+
+from __future__ import annotations
+
+import tempfile
+from contextlib import ExitStack
+from dataclasses import dataclass
+from html import escape
+from pathlib import Path
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from segfmu.cosim import write_csv
+from segfmu.crane import ActuatorBounds
+from segfmu.errors import InputError
+from segfmu.planning import Trajectory
+from segfmu.planning.arrays import FloatArray
+from segfmu.validation.archives import for_simulation
+from segfmu.validation.criteria import Criteria, judge
+from segfmu.validation.files.mission import Mission, Source, load_mission
+from segfmu.validation.frames import frame
+from segfmu.validation.output import about, folder, note, stride, thinned
+from segfmu.validation.planned import planned, require_memory
+from segfmu.validation.progress import Progress, quiet
+from segfmu.validation.scenario import ending, run
+from segfmu.validation.units import signal_units
+
+if TYPE_CHECKING:
+    import pandas
+    from matplotlib.figure import Figure
+
+LEAST_STEP, MOST_STEP = 1e-6, 0.1
+Picture = Literal["run", "plan", "path", "drives"]
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Run:
+    """A mission that was co-simulated. `run["sway.x.angle"]` is one signal.
+
+    Attributes
+    ----------
+    mission : Mission
+    trajectory : Trajectory
+        The plan.
+    rows : structured array
+        "time" and the variables of both FMUs, a row for every communication step.
+    criteria : Criteria
+        Measures of the run and what is allowed.
+    note : str
+        What the user must know of the FMUs that were used; empty if nothing.
+    """
+
+    mission: Mission
+    trajectory: Trajectory
+    rows: NDArray[np.void]
+    criteria: Criteria
+    note: str = ""
+
+    @property
+    def passed(self) -> bool:
+        """The verdict."""
+        return self.criteria.passed
+
+    @property
+    def time(self) -> FloatArray:
+        """Times of the rows [s]."""
+        return self["time"]
+
+    def __getitem__(self, name: str) -> FloatArray:
+        names = self.rows.dtype.names or ()
+        if name not in names:
+            raise InputError(f"no variable {name!r} in the run; to_pandas().columns lists all")
+        column: FloatArray = self.rows[name]
+        return column
+
+    def __repr__(self) -> str:
+        measures = ", ".join(f"{row.name} {row.measured}" for row in self.criteria.rows[:2])
+        verdict = "passed" if self.passed else "failed"
+        return f"<Run of {self.mission.name!r}: {self.time[-1]:.6g} s, {measures}, {verdict}>"
+
+    def _repr_html_(self) -> str:
+        rows = "".join(
+            f"<tr><td>{escape(row.name)}</td><td>{escape(str(row))}</td>"
+            f"<td>{'passed' if row.passed else 'failed'}</td></tr>"
+            for row in self.criteria.rows
+        )
+        return f"<p>{escape(repr(self).strip('<>'))}</p><table>{rows}</table>"
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """All rows and variables; the index is the time [s].
+
+        Raises
+        ------
+        InputError
+            If pandas is not installed.
+        """
+        return frame({name: self.rows[name] for name in self.rows.dtype.names or ()}, "time")
+
+    def to_csv(self, path: str | Path) -> str:
+        """Write all variables as CSV, thinned as `simulation.output_step` says.
+
+        Returns
+        -------
+        str
+            What the table leaves out; empty if nothing.
+        """
+        every = stride(self.mission, float(self.time[-1]))
+        write_csv(Path(path), thinned(self.rows, every), signal_units())
+        return note(Path(path).name, every, self.mission.simulation.step)
+
+    def plot(self, what: Picture = "run") -> Figure:
+        """A figure of Matplotlib; `figure.savefig` writes it.
+
+        Parameters
+        ----------
+        what : str
+            "run": drives, sway and error; "plan": the plan against its limits; "path":
+            from above and from the side; "drives": what the plan asks of them.
+        """
+        from segfmu.validation.plots import plot_drives, plot_path, plot_plan, plot_run
+
+        task, trajectory, name = self.mission, self.trajectory, self.mission.name
+        crane, bounds = task.build_crane(), task.build_bounds() or ActuatorBounds()
+        if what == "run":
+            return plot_run(self.rows, trajectory.waypoint_times, name, crane, bounds)
+        if what == "plan":
+            return plot_plan(trajectory, name)
+        if what == "path":
+            return plot_path(trajectory, name, task.build_clearance())
+        if what == "drives":
+            return plot_drives(crane, trajectory, bounds, name)
+        raise InputError(f"plot: must be run, plan, path or drives, got {what!r}")
+
+
+def simulate(
+    mission: Source,
+    *,
+    step: float | None = None,
+    output: str | Path | None = None,
+    progress: Progress = quiet,
+) -> Run:
+    """Plan a mission, build the FMUs, co-simulate them and judge the run.
+
+    Parameters
+    ----------
+    mission : path, mapping or Mission
+        As of `load_mission`.
+    step : float, optional
+        Communication step [s]; by default the mission's.
+    output : path, optional
+        Folder that keeps the FMUs.
+    progress : callable
+        Called with what is being done and the share of it that is done.
+
+    Returns
+    -------
+    Run
+
+    Raises
+    ------
+    InputError
+        For a mission that is not possible.
+    InfeasibleError
+        If the mission cannot be planned.
+    SimulationError
+        If an FMU reports an error.
+
+    Examples
+    --------
+    >>> import segfmu
+    >>> run = segfmu.simulate("mission.toml")
+    >>> run.passed
+    True
+    >>> bool(abs(run["sway.x.angle"]).max() < 0.2)
+    True
+    >>> run.plot().savefig("run.png")
+    """
+    task = load_mission(mission)
+    if step is not None:
+        if not LEAST_STEP <= step <= MOST_STEP:
+            raise InputError(f"step must be from {LEAST_STEP:g} to {MOST_STEP:g} s, got {step}")
+        simulation = task.simulation.model_copy(update={"step": step})
+        task = task.model_copy(update={"simulation": simulation})
+    with about(task.file):
+        trajectory = planned(task, progress)
+        require_memory(task, trajectory)
+        stride(task, trajectory.duration + task.simulation.settle)
+    with ExitStack() as stack:
+        place = stack.enter_context(tempfile.TemporaryDirectory(prefix="segfmu_")) \
+            if output is None else folder(output)
+        archives = for_simulation(task, trajectory, Path(place), progress)
+        rows = run(
+            task, archives.feedforward, archives.crane, trajectory,
+            lambda share: progress("co-simulating", share),
+        )
+    settings = task.simulation
+    found = judge(
+        rows, ending(task, trajectory), settings.tracking_tolerance, settings.sway_tolerance,
+        task.build_bounds(),
+    )
+    return Run(task, trajectory, rows, found, archives.note)

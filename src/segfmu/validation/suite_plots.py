@@ -1,0 +1,34 @@
+"""The margins of a suite of scenarios as a figure."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from matplotlib.figure import Figure
+
+from segfmu.validation.plots.style import COLOURS, panels_of
+from segfmu.validation.suite import Result
+
+# %; larger margins are drawn at the edge
+MOST = 100.0
+
+
+def plot_margins(results: Sequence[Result]) -> Figure:
+    """The margin of every criterion as a share of its bound; left of the line it does not hold."""
+    entries = [
+        (f"{result.scenario.file.name}: {finding.name}", 100.0 * finding.normalised)
+        for result in results for finding in result.findings if finding.normalised is not None
+    ]
+    figure, panel = panels_of(size=(9, 1.2 + 0.22 * max(len(entries), 1)))
+    for place, (_, share) in enumerate(reversed(entries)):
+        held = share >= 0.0
+        panel.plot(
+            [0.0, max(-MOST, min(MOST, share))], [place, place],
+            color=COLOURS[0] if held else COLOURS[1], marker="o" if held else "X", markevery=[1],
+        )
+    panel.axvline(0.0, color="#444444", linewidth=1.0)
+    panel.set_yticks(range(len(entries)), [name for name, _ in reversed(entries)], fontsize=8)
+    panel.set_xlim(-1.05 * MOST, 1.05 * MOST)
+    panel.set_xlabel("margin [% of the bound]; crosses: does not hold")
+    panel.grid(True, axis="x", color="#eeeeee")
+    return figure
