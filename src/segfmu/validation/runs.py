@@ -177,10 +177,10 @@ def simulate(
     True
     >>> run.plot().savefig("run.png")
     """
+    if step is not None and not LEAST_STEP <= step <= MOST_STEP:
+        raise InputError(f"step must be from {LEAST_STEP:g} to {MOST_STEP:g} s, got {step}")
     task = load_mission(mission)
     if step is not None:
-        if not LEAST_STEP <= step <= MOST_STEP:
-            raise InputError(f"step must be from {LEAST_STEP:g} to {MOST_STEP:g} s, got {step}")
         simulation = task.simulation.model_copy(update={"step": step})
         task = task.model_copy(update={"simulation": simulation})
     with about(task.file):
