@@ -92,8 +92,13 @@ def default(entry: Entry) -> str:
 
 def _start(entry: Entry) -> str:
     """The start value of the parameter that a key sets."""
-    value = gantry_crane.spec().variable(entry.feeds[0]).start
+    variable = gantry_crane.spec().variable(entry.feeds[0])
+    value = variable.start
     assert value is not None
+    if variable.enumeration is not None:
+        return f"`{_toml(variable.enumeration.items[int(value) - 1])}`"
+    if variable.kind == "Boolean":
+        return f"`{_toml(bool(value))}`"
     return f"{degrees(value) if entry.key.unit == 'deg' else value:.6g}"
 
 
