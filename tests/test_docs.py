@@ -32,10 +32,15 @@ SOURCE_FILE = re.compile(r"(?<![\w/.*<{-])((?:[\w-]+/)+[\w-]+\.(?:py|md))(?![\w/
 MODULE = re.compile(r"python -m ((?:segfmu|tests|benchmarks)[\w.]*)")
 
 # what commands write, and files of the reader's own
-WRITTEN = ("out", "dist", "build", "fmus/dist", "/home", "sources", "documentation", "resources")
+WRITTEN = (
+    "out", "dist", "build", "fmus/dist", "/home", "sources", "documentation", "resources", "hall",
+    "yard", "scenarios",
+)
 OTHERS = {
     "mission.toml", "crane.toml", "./mission.schema.json", "mission.schema.json",
-    "campaign.json", "package.mo", "MyMission.mo", "Mission.mo", "feeds.c",
+    "campaign.json",
+    "gust.py", "sway_damper.py", "sway_damper.toml", "conftest.py", "test_crane.py",
+    "package.mo", "MyMission.mo", "Mission.mo", "feeds.c",
     "GantryFeedforward_me_FMU.mo", "GantryCrane_me_FMU.mo", "feeds.h",
     "variables.c", "variables.h",
 }
