@@ -161,7 +161,7 @@ def test_folders_that_cannot_be(folder: str, tmp_path: Path) -> None:
     files(tmp_path)
     (tmp_path / "taken").write_text("x", encoding="utf-8")
     before = sorted(tmp_path.iterdir())
-    for command in ("plan", "simulate", "build", "campaign"):
+    for command in ("plan", "simulate", "build"):
         line = refused(tmp_path, command, "mission.toml", "-o", folder)
         assert FOLDERS[folder] in line
     assert sorted(tmp_path.iterdir()) == before

@@ -298,38 +298,3 @@ def test_files_for_other_tools_are_for_native_fmus_of_fmi_2(
     code, _, error = invoke(monkeypatch, capsys, "build", "-o", str(tmp_path), option, *other)
     assert code == 2 and not list(tmp_path.iterdir())
     assert error.count("\n") == 1 and f"{option[2:]} needs native FMUs of FMI 2" in error
-
-
-def test_campaign_writes_tables_and_maps(monkeypatch, capsys, tmp_path: Path) -> None:
-    path = tmp_path / "mission.toml"
-    path.write_text(GOOD + "[simulation]\nstep = 0.01\nsettle = 1.0\n", encoding="utf-8")
-    output = tmp_path / "out"
-    code, out, err = invoke(
-        monkeypatch, capsys, "campaign", str(path), "--output", str(output), "--coarse"
-    )
-    # the verdict decides; either way everything is there
-    assert code in (0, 1)
-    assert err == ""
-    assert "velocity mode" in out and "force mode" in out
-    assert any(line.startswith("missed: ") for line in out.splitlines()) == (code == 1)
-    names = {p.name for p in output.iterdir()}
-    assert names == {
-        "campaign.csv", "campaign.json", "verdict.csv", "campaign_velocity.png",
-        "campaign_force.png", "move_times.csv", "move_times.png", "eigenvalues.csv",
-        "eigenvalues.png",
-    }
-
-
-def test_campaign_refuses_wrong_files_folders_and_jobs(monkeypatch, capsys, tmp_path) -> None:
-    code, _, err = invoke(monkeypatch, capsys, "campaign", str(tmp_path / "none.toml"))
-    assert code == 2
-    assert err.count("\n") == 1 and "none.toml" in err
-    code, _, _ = invoke(monkeypatch, capsys, "campaign", "x.toml", "--jobs", "0")
-    assert code == 2
-    (tmp_path / "mission.toml").write_text(GOOD, encoding="utf-8")
-    code, _, err = invoke(
-        monkeypatch, capsys, "campaign", str(tmp_path / "mission.toml"), "--output",
-        str(tmp_path / "mission.toml" / "out"),
-    )
-    assert code == 2
-    assert err.count("\n") == 1 and "cannot create this folder" in err

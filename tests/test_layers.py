@@ -31,6 +31,9 @@ EXTERNAL = {
     "pythonfmu": {"fmu"},
     "matplotlib": {"validation"},
     "pandas": {"validation"},
+    "dask": {"validation/campaigns/cluster.py"},
+    "distributed": {"validation/campaigns/cluster.py"},
+    "pyarrow": {"validation/campaigns"},
 }
 
 FILES = sorted(SOURCE.rglob("*.py"))

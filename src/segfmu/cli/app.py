@@ -29,7 +29,7 @@ COMMANDS = (
     (missions.build, "segfmu build models/paper.toml --output fmus/dist --fmi 3"),
     (missions.simulate, "segfmu simulate models/paper.toml --output out"),
     (missions.paper, "segfmu paper --output out"),
-    (campaigns.campaign, "segfmu campaign models/inteco.toml --output out"),
+    (campaigns.campaign, "segfmu campaign models/campaigns/paper.toml -o out"),
     (verdicts.validate, "segfmu validate models/scenarios -o out --junit out/junit.xml"),
     (verdicts.compare, "segfmu compare out/gust.csv gust.csv --tube-value 1e-3 --relative"),
 )

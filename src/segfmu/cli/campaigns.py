@@ -2,52 +2,117 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
 
 import typer
-from rich.progress import Progress
+from rich.progress import (
+    BarColumn,
+    MofNCompleteColumn,
+    Progress,
+    ProgressColumn,
+    Task,
+    TextColumn,
+    TimeRemainingColumn,
+)
+from rich.text import Text
 
-from segfmu.cli.console import MissionFile, console, tell
-from segfmu.validation.files.mission import load_mission
-from segfmu.validation.output import about, folder
-from segfmu.validation.planned import planned, require_memory
+from segfmu.cli.console import console, tell
+from segfmu.validation.output import folder
+
+if TYPE_CHECKING:
+    from segfmu.validation.campaigns.campaign import Campaign
+    from segfmu.validation.campaigns.result import CampaignResult
+
+# errors of runs that are listed
+MOST_SHOWN = 5
 
 
 def campaign(
-    mission: MissionFile,
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="Campaign file (TOML).")],
     output: Annotated[
         str,
-        typer.Option("--output", "-o", metavar="FOLDER", help="Folder for tables and maps (PNG)."),
+        typer.Option("--output", "-o", metavar="FOLDER", help="For the table of runs."),
     ] = "out",
-    jobs: Annotated[int, typer.Option(help="Number of processes.", min=1, max=64)] = 1,
-    coarse: Annotated[bool, typer.Option("--coarse", help="Maps with few points.")] = False,
+    jobs: Annotated[
+        int | None, typer.Option(help="Number of processes; default: all cores.", min=1, max=1024)
+    ] = None,
+    scheduler: Annotated[
+        str | None, typer.Option(metavar="ADDRESS", help="Of a Dask scheduler, whose workers run.")
+    ] = None,
+    replay: Annotated[
+        int | None,
+        typer.Option(metavar="N", help="Only write run N as a scenario file.", min=0),
+    ] = None,
 ) -> None:
-    """Compare six control methods under every disturbance; map move times and eigenvalues."""
-    with about(mission):
-        task = load_mission(mission)
-        trajectory = planned(task)
-        require_memory(task, trajectory)
-    from segfmu.validation.campaign import run_campaign
-    from segfmu.validation.campaign_files import write_maps, write_tables
-    from segfmu.validation.campaign_report import outcome_table, verdict_table
-    from segfmu.validation.methods import MODES
-    from segfmu.validation.verdict import compare
+    """Run scenarios many times with factors that differ; show the worst case of every criterion.
 
-    target = folder(output)
-    with Progress(console=console, transient=True) as progress:
-        bar = progress.add_task("disturbances and methods", total=1.0)
-        outcomes = run_campaign(
-            task, jobs=jobs, progress=lambda share: progress.update(bar, completed=share)
-        )
-    comparisons = compare(outcomes)
-    write_tables(target, task.name, outcomes, comparisons)
-    with console.status("mapping move times and eigenvalues"):
-        write_maps(target, task, trajectory, coarse)
-    for mode in MODES:
-        console.print(outcome_table(mode, outcomes))
-    console.print(verdict_table(comparisons))
-    tell(f"tables (CSV, JSON) and maps (CSV, PNG) are in {target}")
-    for missed in (c for c in comparisons if not c.reached):
-        tell(f"missed: {missed}")
-    if not all(c.reached for c in comparisons):
+    What the folder already has of the same campaign is not run again. The exit code is 0 if every
+    run passes.
+    """
+    from segfmu.validation.campaigns.campaign import load_campaign
+    from segfmu.validation.campaigns.replay import write_run
+    from segfmu.validation.campaigns.run import require_packages
+
+    require_packages()
+    task = load_campaign(file)
+    if replay is not None:
+        _tell_replay(write_run(folder(output), task, replay))
+        return
+    result = _run(task, output, scheduler, jobs)
+    _show(task, result)
+    if not result.passed:
         raise typer.Exit(1)
+
+
+def _run(
+    task: Campaign, output: str, scheduler: str | None, jobs: int | None
+) -> CampaignResult:
+    from segfmu.validation.campaigns.run import require_names, run_campaign
+
+    with console.status("checking names"):
+        require_names(task)
+    columns = (
+        TextColumn("runs"), BarColumn(), MofNCompleteColumn(), _Rate(), TimeRemainingColumn(),
+    )
+    with Progress(*columns, console=console, transient=True) as progress:
+        bar = progress.add_task("runs", total=len(task.runs))
+        there: list[int] = []
+
+        def show(done: int, count: int) -> None:
+            # the first call tells what an earlier command has made
+            if not there:
+                there.append(done)
+                if done:
+                    tell(f"{done} of {count} runs were there")
+            progress.update(bar, completed=done)
+
+        return run_campaign(task, folder(output), scheduler=scheduler, jobs=jobs, progress=show)
+
+
+def _show(task: Campaign, result: CampaignResult) -> None:
+    from segfmu.validation.campaigns.replay import write_run
+    from segfmu.validation.campaigns.tables import criteria_table
+
+    console.print(criteria_table(result))
+    errors = result.errors
+    for run, error in errors[:MOST_SHOWN]:
+        tell(f"run {run}: {error}")
+    if len(errors) > MOST_SHOWN:
+        tell(f"and {len(errors) - MOST_SHOWN} more runs with an error")
+    passed = sum(result.column("passed"))
+    console.print(f"{passed} of {len(task.runs)} runs passed", highlight=False)
+    tell(f"runs.parquet is in {result.folder}; the worst of each criterion:")
+    for run in result.worst():
+        _tell_replay(write_run(result.folder, task, run))
+
+
+def _tell_replay(path: Path) -> None:
+    tell(f"segfmu validate {path}")
+
+
+class _Rate(ProgressColumn):
+    """Runs in a second."""
+
+    def render(self, task: Task) -> Text:
+        return Text("" if task.speed is None else f"{task.speed:.1f} runs/s")

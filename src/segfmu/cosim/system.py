@@ -153,19 +153,45 @@ class System:
         SimulationError
             If an FMU reports an error, with its message; the system can run again.
         """
-        if not self._units:
-            raise InputError("the system is closed")
-        times = communication_points(start_time, stop_time, self._step)
         values = values or {}
-        for owner in values:
-            if owner not in self._units:
-                raise InputError(f"no FMU {owner} in the system; it has {', '.join(self.names)}")
+        self._require_units(values)
+        times = communication_points(start_time, stop_time, self._step)
         if not self._running.acquire(blocking=False):
             raise InputError("the system is running; make one for each thread")
         try:
             return self._run(values, times, changes, progress)
         finally:
             self._running.release()
+
+    def check(
+        self,
+        values: Mapping[str, Mapping[str, Any]],
+        *,
+        stop_time: float,
+        start_time: float = 0.0,
+        changes: Iterable[Change] = (),
+    ) -> None:
+        """Refuse names of FMUs and variables that a run with the same arguments would refuse.
+
+        Raises
+        ------
+        InputError
+            For the first one.
+        """
+        self._require_units(values)
+        for owner, own in values.items():
+            for name in own:
+                if name not in self._units[owner].variables:
+                    raise InputError(f"{owner} has no variable {name}")
+        connected = {(c.sink, c.input) for c in self.connections}
+        due(self._units, changes, connected, (start_time, stop_time))
+
+    def _require_units(self, names: Iterable[str]) -> None:
+        if not self._units:
+            raise InputError("the system is closed")
+        for owner in names:
+            if owner not in self._units:
+                raise InputError(f"no FMU {owner} in the system; it has {', '.join(self.names)}")
 
     def close(self) -> None:
         """Free all instances."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tempfile
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -13,27 +12,26 @@ from numpy.typing import NDArray
 
 from segfmu.cosim import Change, System, profile
 from segfmu.errors import BuildError, InputError, SegfmuError
-from segfmu.fmu.build import build_all
-from segfmu.fmu.choice import chosen
 from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
-from segfmu.fmu.standard.spec import Spec
 from segfmu.planning import Trajectory
 from segfmu.validation.files.mission import Mission
-from segfmu.validation.files.mission_tables import SimulationEntry
 from segfmu.validation.files.scenario_file import Scenario
 from segfmu.validation.files.scenario_tables import ScenarioFile, moment
+from segfmu.validation.kept import Kept
 from segfmu.validation.monitor import Finding, judge
+from segfmu.validation.pairs import Pairs, with_arrays
 from segfmu.validation.scenario import (
     AT_BUILD,
     crane_values,
     ending,
     feedforward_values,
-    specs,
 )
 
 FEEDFORWARD, CRANE = "GantryFeedforward", "GantryCrane"
 LEAD = "setpoint.lead"
+# loaded FMUs take some 10 MB, plans next to nothing
+MOST_SYSTEMS, MOST_PLANS = 4, 256
 Rows = NDArray[np.void]
 
 
@@ -80,15 +78,15 @@ class Result:
 
 
 class Runner:
-    """Runs scenarios; builds the FMUs once for a nominal crane and mission, and keeps them.
+    """Runs scenarios; keeps the FMUs, and plans of the missions that were run last.
 
     A context manager that frees the FMUs and removes their archives.
     """
 
     def __init__(self) -> None:
-        self._folder = tempfile.TemporaryDirectory(prefix="segfmu_")
-        self._archives: dict[str, list[Path]] = {}
-        self._systems: dict[tuple[Any, ...], System] = {}
+        self._pairs = Pairs()
+        self._systems: Kept[System] = Kept(MOST_SYSTEMS, System.close)
+        self._plans: Kept[Trajectory] = Kept(MOST_PLANS)
 
     def __enter__(self) -> Runner:
         return self
@@ -98,10 +96,9 @@ class Runner:
 
     def close(self) -> None:
         """Free everything."""
-        for system in self._systems.values():
-            system.close()
         self._systems.clear()
-        self._folder.cleanup()
+        self._plans.clear()
+        self._pairs.close()
 
     def run(self, scenario: Scenario) -> Result:
         """Run a scenario and judge it; a run that an FMU stops is a result with an error.
@@ -115,10 +112,8 @@ class Runner:
         """
         found = Result(scenario, {})
         try:
-            trajectory = scenario.mission.plan()
-            end = ending(scenario.mission, trajectory)
-            settle = scenario.mission.simulation.settle
-            known = {"start": 0.0, "arrival": end, "end": end + settle}
+            trajectory = self._plan(scenario.mission)
+            known = _known(scenario.mission, trajectory)
             found = replace(found, known=known)
             rows = self._rows(scenario, trajectory, known)
             return replace(found, rows=rows, findings=tuple(
@@ -130,6 +125,34 @@ class Runner:
             raise
         except SegfmuError as error:
             return replace(found, error=str(error))
+
+    def check(self, scenario: Scenario) -> None:
+        """Refuse variables that the FMUs do not have, without a run.
+
+        Raises
+        ------
+        InputError
+            For the first one.
+        BuildError
+            If the FMUs cannot be built.
+        """
+        try:
+            trajectory = self._plan(scenario.mission)
+            known = _known(scenario.mission, trajectory)
+            values = self._values(scenario, trajectory)
+            changes = _changes(scenario.file, known)
+            self._system(scenario, trajectory).check(
+                values, stop_time=known["end"], changes=changes
+            )
+        except (InputError, BuildError):
+            raise
+        except SegfmuError:
+            # there is no plan: an outcome, not a wrong name
+            return
+
+    def _plan(self, mission: Mission) -> Trajectory:
+        key = mission.model_dump_json(exclude={"name", "true_crane", "simulation"})
+        return self._plans.get(key, mission.plan)
 
     def _findings(
         self, scenario: Scenario, trajectory: Trajectory, known: Mapping[str, float], rows: Rows
@@ -150,67 +173,60 @@ class Runner:
     def _rows(
         self, scenario: Scenario, trajectory: Trajectory, known: Mapping[str, float]
     ) -> Rows:
+        return self._system(scenario, trajectory).run(
+            self._values(scenario, trajectory), stop_time=known["end"],
+            changes=_changes(scenario.file, known),
+        )
+
+    def _values(self, scenario: Scenario, trajectory: Trajectory) -> dict[str, dict[str, Any]]:
+        """Parameters and start values of all FMUs."""
         file, mission = scenario.file, scenario.mission
         lead = {LEAD: mission.simulation.step} if file.lead else {}
+        source, sink = self._pairs.values(mission, trajectory, file.fmi)
+        source = source | feedforward_values(mission, trajectory)
+        # weights are those of the build
+        sink = sink | {
+            n: v for n, v in crane_values(mission).items() if not n.startswith(AT_BUILD)
+        }
+        if file.fmi == 3:
+            interfaces = self._pairs.get(mission, trajectory, file.fmi).interfaces
+            source, sink = with_arrays(interfaces[0], source), with_arrays(interfaces[1], sink)
         values: dict[str, dict[str, Any]] = {
-            FEEDFORWARD: feedforward_values(mission, trajectory) | lead,
-            # weights are those of the build
-            CRANE: {
-                n: v for n, v in crane_values(mission).items() if not n.startswith(AT_BUILD)
-            } | lead,
+            FEEDFORWARD: source | lead, CRANE: sink | lead,
             **{unit.name: dict(unit.values) for unit in file.fmus},
         }
         for fmu, own in file.parameters.items():
             values[fmu] = values.get(fmu, {}) | own
-        if file.fmi == 3:
-            interface = gantry_feedforward.native_spec(specs(mission, trajectory)[0])
-            values[FEEDFORWARD] = _with_arrays(interface, values[FEEDFORWARD])
-        return self._system(scenario, trajectory).run(
-            values, stop_time=known["end"], changes=_changes(file, known)
-        )
+        return values
 
     def _system(self, scenario: Scenario, trajectory: Trajectory) -> System:
         file, step = scenario.file, scenario.mission.simulation.step
-        archives = self._built(scenario.mission, trajectory, file.fmi)
+        archives = self._pairs.get(scenario.mission, trajectory, file.fmi).paths
         others = {unit.name: Path(unit.path) for unit in file.fmus}
         for name in others:
             if name in (FEEDFORWARD, CRANE):
                 raise InputError(f"fmus: {name} is the name of one of the two FMUs")
         links = [tuple(link) for unit in file.fmus for link in unit.connections]
-        key = (*archives, step, file.coupling, *others.items(), *links)
-        if key not in self._systems:
+
+        def make() -> System:
             taken = {link[2:] for link in links}
             own = [
                 (FEEDFORWARD, name, CRANE, name) for name in _shared()
                 if (CRANE, name) not in taken
             ]
-            self._systems[key] = System(
+            return System(
                 {FEEDFORWARD: archives[0], **others, CRANE: archives[1]},
                 step=step, coupling=file.coupling, connections=[*own, *links],
             )
-        return self._systems[key]
 
-    def _built(self, mission: Mission, trajectory: Trajectory, fmi: int) -> list[Path]:
-        """Archives for the nominal crane: what the scenario disturbs is unknown to their design."""
-        planned = mission.model_copy(update={
-            "true_crane": None, "simulation": SimulationEntry(drive=mission.simulation.drive),
-        })
-        interfaces = specs(planned, trajectory)
-        key = f"{fmi} {interfaces!r}"
-        if key not in self._archives:
-            folder = Path(self._folder.name) / str(len(self._archives))
-            choice = chosen(fmi, "native", "", everywhere=False)
-            self._archives[key] = build_all(folder, choice, interfaces)
-        return self._archives[key]
+        key = (*archives, step, file.coupling, *others.items(), *links)
+        return self._systems.get(key, make)
 
 
-def _with_arrays(interface: Spec, values: Mapping[str, Any]) -> dict[str, Any]:
-    """Values by the names of FMI 3.0: the counts of rows, then the rows in use as arrays."""
-    counts = {a.rows: values[a.rows] for a in interface.arrays}
-    found = counts | dict(values)
-    for array in interface.arrays:
-        found[array.name] = [found.pop(m) for m in array.members if m in values]
-    return found
+def _known(mission: Mission, trajectory: Trajectory) -> dict[str, float]:
+    """Times of "start", "arrival" and "end" [s]."""
+    end = ending(mission, trajectory)
+    return {"start": 0.0, "arrival": end, "end": end + mission.simulation.settle}
 
 
 def _shared() -> list[str]:

@@ -67,6 +67,9 @@ static int probe_step(probe *p, double time, double size)
         p->say(p->environment, 1, "100 %% at a step");
     }
     if (time + size > p->real[FAIL_TIME] && p->whole[FAIL_STATUS] > 1) {
+        if (p->whole[FAIL_STATUS] == 99) {
+            abort();
+        }
         p->say(p->environment, (int)p->whole[FAIL_STATUS], "told to fail");
         return (int)p->whole[FAIL_STATUS];
     }

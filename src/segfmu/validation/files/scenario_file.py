@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from segfmu.errors import InputError
-from segfmu.validation.files.mission import Mission, load_mission
+from segfmu.validation.files.mission import Mission, build_mission, read_mission
 from segfmu.validation.files.reading import checked, merged, read
 from segfmu.validation.files.scenario_tables import ScenarioFile
 
@@ -37,6 +37,40 @@ class Scenario:
     mission: Mission
 
 
+@dataclass(frozen=True, eq=False)
+class Source:
+    """A scenario and its missions as files have them, not yet checked.
+
+    Attributes
+    ----------
+    path : Path
+        Of the scenario file.
+    data : mapping
+        Its content with what it inherits; names of files are paths.
+    missions : dict
+        Content of mission files by path; those that are missing are read.
+    """
+
+    path: Path
+    data: Mapping[str, Any]
+    missions: dict[str, dict[str, Any]] = field(default_factory=dict)
+
+    def mission(self, name: str) -> dict[str, Any]:
+        """The content of a mission file.
+
+        Raises
+        ------
+        InputError
+            If it cannot be read.
+        """
+        if name not in self.missions:
+            try:
+                self.missions[name] = read_mission(Path(name))
+            except InputError as error:
+                raise InputError(f"{self.path}: mission: {error}") from None
+        return self.missions[name]
+
+
 def load_scenario(path: Path) -> Scenario:
     """Read and check a scenario file, the files it inherits from, and its mission.
 
@@ -45,9 +79,33 @@ def load_scenario(path: Path) -> Scenario:
     InputError
         One line with the file, the key, the value and what is allowed.
     """
-    file = checked(ScenarioFile, _inherited(path, ()), str(path))
+    return build_scenario(read_source(path))
+
+
+def read_source(path: Path) -> Source:
+    """Read a scenario file and the files it inherits from.
+
+    Raises
+    ------
+    InputError
+        If one cannot be read.
+    """
+    return Source(path, _inherited(path, ()))
+
+
+def build_scenario(source: Source, changes: Mapping[str, Any] | None = None) -> Scenario:
+    """Check a scenario that was read, with changes of its content.
+
+    Raises
+    ------
+    InputError
+        As `load_scenario` does.
+    """
+    path = source.path
+    file = checked(ScenarioFile, inherit(source.data, changes or {}), str(path))
+    data = source.mission(file.mission)
     try:
-        mission = load_mission(Path(file.mission), _changes(file))
+        mission = build_mission(Path(file.mission), merged(data, _changes(file)))
     except InputError as error:
         raise InputError(f"{path}: mission: {error}") from None
     for unit in file.fmus:
@@ -83,7 +141,7 @@ def _inherited(path: Path, below: tuple[Path, ...]) -> dict[str, Any]:
     place = path.resolve()
     if place in below:
         raise InputError(f"{path} inherits from itself")
-    data = _located(path, read(path))
+    data = located(path, read(path))
     base = data.pop("base", None)
     if base is None:
         return data
@@ -94,8 +152,13 @@ def _inherited(path: Path, below: tuple[Path, ...]) -> dict[str, Any]:
     except InputError as error:
         # the message of a base of a base names the file that asked first
         raise error if below else InputError(f"{path}: base: {error}") from None
-    lists = {n: _by_name(old.get(n), data.get(n)) for n in NAMED if n in old and n in data}
-    return merged(old, data | lists)
+    return inherit(old, data)
+
+
+def inherit(old: Mapping[str, Any], new: Mapping[str, Any]) -> dict[str, Any]:
+    """The content of a scenario file merged into that of its base."""
+    lists = {n: _by_name(old[n], new[n]) for n in NAMED if n in old and n in new}
+    return merged(old, {**new, **lists})
 
 
 def _by_name(old: Any, new: Any) -> Any:
@@ -106,7 +169,7 @@ def _by_name(old: Any, new: Any) -> Any:
     return list({str(t["name"]): t for t in both}.values())
 
 
-def _located(path: Path, data: dict[str, Any]) -> dict[str, Any]:
+def located(path: Path, data: Mapping[str, Any]) -> dict[str, Any]:
     """Names of files, which are relative to the file that has them, as paths."""
     def place(table: Any, key: str, ending: str = "") -> Any:
         name = table.get(key) if isinstance(table, dict) else None
@@ -114,20 +177,19 @@ def _located(path: Path, data: dict[str, Any]) -> dict[str, Any]:
             return table
         return {**table, key: str(path.parent / name)}
 
-    found = place(data, "mission")
+    found: dict[str, Any] = place(dict(data), "mission")
     for kind, key, ending in (("fmus", "path", ""), ("criteria", "reference", ".csv")):
         if isinstance(found.get(kind), list):
             found = {**found, kind: [place(entry, key, ending) for entry in found[kind]]}
-    return dict(found)
+    return found
 
 
 def _changes(file: ScenarioFile) -> dict[str, Any]:
     """What a scenario changes in the mission's file."""
-    found: dict[str, Any] = {n: getattr(file, n) for n in CHANGES if getattr(file, n)}
+    found = {n: getattr(file, n) for n in CHANGES if getattr(file, n)}
+    found = merged(file.plan, found)
     if file.controller:
         found["crane"] = merged(found.get("crane", {}), {"controller": file.controller})
     if file.step is not None:
         found["simulation"] = merged(found.get("simulation", {}), {"step": file.step})
     return found
-
-

@@ -32,7 +32,7 @@ def moment(value: float | str, known: Mapping[str, float]) -> float:
     return known[word] + float(f"{sign or '+'}{amount or 0}")
 
 
-def _value(value: Any) -> Any:
+def scalar(value: Any) -> Any:
     """Refuse what is no value of a variable."""
     if not isinstance(value, bool | int | float | str):
         raise ValueError("must be a number, true, false, or the name of an item")
@@ -41,7 +41,7 @@ def _value(value: Any) -> Any:
 
 Name = Annotated[str, Field(min_length=1, max_length=100), AfterValidator(printable)]
 Instant = Annotated[float | str, BeforeValidator(_instant)]
-Values = dict[str, Annotated[Any, BeforeValidator(_value)]]
+Values = dict[str, Annotated[Any, BeforeValidator(scalar)]]
 
 
 class EventTable(Table):
@@ -174,6 +174,9 @@ class ScenarioFile(Table):
         dict[str, Any], Key("changes of the controller; of the crane that is planned for")
     ] = {}
     limits: Annotated[dict[str, Any], Key("changes of the mission's limits")] = {}
+    plan: Annotated[
+        dict[str, Any], Key("changes of the mission's other keys, such as waypoints")
+    ] = {}
     simulation: Annotated[dict[str, Any], Key("changes of the mission's simulation")] = {}
     parameters: Annotated[
         dict[str, Values], Key("parameters and start values of FMUs, by the name of the FMU")

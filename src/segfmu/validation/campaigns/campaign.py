@@ -1,0 +1,137 @@
+"""A campaign with all of its runs, checked before the first one."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Iterator
+from dataclasses import dataclass
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+from segfmu.errors import InputError
+from segfmu.validation.campaigns.factors import changes, nominal
+from segfmu.validation.campaigns.sampling import Sample, levels, samples
+from segfmu.validation.files.campaign_file import CampaignSource, read_campaign
+from segfmu.validation.files.campaign_tables import MOST_RUNS, FactorTable
+from segfmu.validation.files.scenario_file import Scenario, Source, build_scenario
+
+
+@dataclass(frozen=True)
+class Run:
+    """One run of a campaign.
+
+    Attributes
+    ----------
+    number : int
+        From 0 on.
+    scenario : int
+        Place of its scenario.
+    sample : dict
+        Values of factors by name.
+    """
+
+    number: int
+    scenario: int
+    sample: Sample
+
+
+@dataclass(frozen=True)
+class Campaign:
+    """A campaign, read and checked.
+
+    Attributes
+    ----------
+    source : CampaignSource
+    runs : tuple of Run
+    criteria : tuple of str
+        Names of all criteria.
+    """
+
+    source: CampaignSource
+    runs: tuple[Run, ...]
+    criteria: tuple[str, ...]
+
+    @property
+    def factors(self) -> list[FactorTable]:
+        """All factors."""
+        return self.source.file.factors
+
+    def changes(self, run: Run) -> dict[str, Any]:
+        """What a run changes in its scenario."""
+        return changes(self.source.scenarios[run.scenario], self.factors, run.sample)
+
+    def values(self, run: Run) -> dict[str, Any]:
+        """Values of all factors of a run; those it leaves are the files', None if unknown."""
+        source = self.source.scenarios[run.scenario]
+        return {
+            f.name: run.sample[f.name] if f.name in run.sample
+            else 1.0 if f.relative else nominal(source, f)
+            for f in self.factors
+        }
+
+    def fingerprint(self) -> str:
+        """A hash of all that the numbers of the runs follow from."""
+        content = {
+            "version": version("segfmu"),
+            "factors": [f.model_dump() for f in self.factors],
+            "sampling": self.source.file.sampling.model_dump(),
+            "scenarios": [(dict(s.data), s.missions) for s in self.source.scenarios],
+            "files": {name: _hash(Path(name)) for name in sorted(self._files())},
+        }
+        text = json.dumps(content, sort_keys=True, default=str)
+        return hashlib.sha256(text.encode()).hexdigest()
+
+    def _files(self) -> set[str]:
+        """Paths of FMUs and tables that take part."""
+        found = set()
+        for source in self.source.scenarios:
+            found |= {str(u["path"]) for u in source.data.get("fmus", ()) if "path" in u}
+            names = (str(c.get("reference", "")) for c in source.data.get("criteria", ()))
+            found |= {name for name in names if name.endswith(".csv")}
+        return found
+
+
+def load_campaign(path: Path) -> Campaign:
+    """Read a campaign file; check its scenarios at the ends of every factor.
+
+    Raises
+    ------
+    InputError
+        One line with the file, the key, the value and what is allowed.
+    """
+    source = read_campaign(path)
+    try:
+        drawn = samples(source.file.sampling, source.file.factors)
+        if len(drawn) * len(source.scenarios) > MOST_RUNS:
+            raise InputError(f"sampling: more than {MOST_RUNS} runs")
+        runs = tuple(
+            Run(i * len(drawn) + j, i, sample)
+            for i in range(len(source.scenarios)) for j, sample in enumerate(drawn)
+        )
+        names: dict[str, None] = {}
+        for own in source.scenarios:
+            for scenario in _ends(own, source.file.factors):
+                names.update(dict.fromkeys(c.name for c in scenario.file.criteria))
+    except InputError as error:
+        raise InputError(f"{path}: {error}") from None
+    return Campaign(source, runs, tuple(names))
+
+
+def _ends(source: Source, factors: list[FactorTable]) -> Iterator[Scenario]:
+    """The scenario as its file has it, and with each factor alone."""
+    yield build_scenario(source)
+    for factor in factors:
+        for value in levels(factor, 2):
+            try:
+                yield build_scenario(source, changes(source, [factor], {factor.name: value}))
+            except InputError as error:
+                raise InputError(f"factor {factor.name} = {value}: {error}") from None
+
+
+def _hash(path: Path) -> str:
+    try:
+        return hashlib.sha256(path.read_bytes()).hexdigest()
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {error.strerror}") from None

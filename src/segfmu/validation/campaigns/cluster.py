@@ -1,0 +1,179 @@
+"""Dask: the workers of this machine, or of a cluster, and the outcomes of runs as they come."""
+
+from __future__ import annotations
+
+import logging
+import os
+import tempfile
+from collections import deque
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack, contextmanager, suppress
+from importlib.metadata import version
+from math import ceil
+from time import monotonic, sleep
+from typing import TYPE_CHECKING, Any
+
+from segfmu.errors import InputError, SimulationError
+from segfmu.validation.campaigns import worker
+from segfmu.validation.campaigns.worker import Order, Outcome
+from segfmu.validation.files.scenario_file import Source
+
+if TYPE_CHECKING:
+    from distributed import Client, Future
+
+# s; runs are handed out for so long at a time
+SHARE = 0.5
+MOST_SHARED = 64
+# shares on their way to each worker's thread: one that runs and one that waits
+AHEAD = 2
+# s; for a scheduler to answer, and for a worker to come
+ANSWER, PATIENCE = 5.0, 30.0
+
+
+@contextmanager
+def cluster(scheduler: str | None, jobs: int | None) -> Iterator[Client]:
+    """A client of the scheduler at an address, or of so many workers of this machine.
+
+    Raises
+    ------
+    InputError
+        If the scheduler does not answer, has no workers, or these have another segfmu.
+    """
+    from distributed import Client, LocalCluster
+
+    with ExitStack() as stack:
+        if scheduler is None:
+            # workers keep no files of their own, so the folder is for their locks alone
+            folder = stack.enter_context(
+                tempfile.TemporaryDirectory(prefix="segfmu_", ignore_cleanup_errors=True)
+            )
+            target: Any = stack.enter_context(LocalCluster(
+                n_workers=jobs or os.cpu_count() or 1, threads_per_worker=1, memory_limit=0,
+                dashboard_address=None, local_directory=folder, silence_logs=logging.CRITICAL,
+            ))
+        else:
+            target = scheduler
+        try:
+            client = stack.enter_context(Client(target, timeout=ANSWER))
+        except (OSError, ValueError) as error:
+            raise InputError(
+                f"--scheduler {scheduler}: no Dask scheduler answers: {error}"
+            ) from None
+        _require_workers(client, scheduler)
+        yield client
+        with suppress(Exception):
+            client.run(worker.release)
+
+
+def _require_workers(client: Client, scheduler: str | None) -> None:
+    where = f"--scheduler {scheduler}" if scheduler else "workers of this machine"
+    try:
+        client.wait_for_workers(1, timeout=PATIENCE)
+        versions = client.run(version, "segfmu")
+    except TimeoutError:
+        raise InputError(f"{where}: no worker came within {PATIENCE:g} s") from None
+    except Exception as error:
+        raise InputError(f"{where}: the workers cannot import segfmu: {error}") from None
+    others = {v for v in versions.values() if v != version("segfmu")}
+    if others:
+        raise InputError(
+            f"{where}: workers have segfmu {', '.join(sorted(others))}, this is "
+            f"{version('segfmu')}"
+        )
+
+
+def stream(
+    client: Client, sources: Sequence[Source], orders: Iterator[Order], count: int,
+    idle: Callable[[], None] = lambda: None,
+) -> Iterator[list[Outcome]]:
+    """Have `count` orders performed; yields outcomes as they come.
+
+    A run whose worker dies is repeated elsewhere; one at which worker after worker dies is an
+    outcome with an error. `idle` is called at least every second.
+
+    Raises
+    ------
+    SimulationError
+        If there are no more workers.
+    """
+    from distributed import wait
+
+    shares = _Shares(orders, count)
+    running: dict[Future[tuple[list[Outcome], float]], list[Order]] = {}
+    seen = monotonic()
+    while shares.left or running:
+        threads = sum(client.nthreads().values()) if client.status == "running" else 0
+        while shares.left and len(running) < AHEAD * threads:
+            own = shares.next(threads)
+            # a campaign that is resumed asks for the same again
+            future = client.submit(worker.perform, sources, own, pure=False)
+            running[future] = own
+        if threads:
+            seen = monotonic()
+        elif monotonic() - seen > PATIENCE:
+            raise SimulationError(
+                f"no workers have been there for {PATIENCE:g} s; the same command goes on "
+                "with what is missing"
+            )
+        idle()
+        if not running:
+            sleep(0.1)
+            continue
+        try:
+            done = wait(list(running), timeout=1.0, return_when="FIRST_COMPLETED").done
+        except TimeoutError:
+            continue
+        for future in done:
+            yield _outcomes(future, running.pop(future), shares)
+
+
+def _outcomes(
+    future: Future[tuple[list[Outcome], float]], own: list[Order], shares: _Shares
+) -> list[Outcome]:
+    from distributed import KilledWorker
+
+    if future.status == "finished":
+        outcomes, seconds = future.result()
+        shares.learn(seconds / len(outcomes))
+        return list(outcomes)
+    error = future.exception() if future.status == "error" else None
+    if not isinstance(error, KilledWorker):
+        raise SimulationError(
+            f"the Dask scheduler gave up a run: {error or future.status}; the same command goes on "
+            "with what is missing"
+        )
+    if len(own) > 1:
+        # one of these is the culprit
+        shares.again(own)
+        return []
+    return [Outcome(own[0].number, error="the process that made this run died, again and again")]
+
+
+class _Shares:
+    """Orders, handed out in shares that take a worker about as long as `SHARE`."""
+
+    def __init__(self, orders: Iterator[Order], count: int) -> None:
+        self._orders, self._count = orders, count
+        self._single: deque[Order] = deque()
+        self._size = 1
+
+    @property
+    def left(self) -> bool:
+        return bool(self._count or self._single)
+
+    def next(self, threads: int) -> list[Order]:
+        if self._single:
+            return [self._single.popleft()]
+        # smaller ones at the end, so that all workers end at a time
+        size = min(self._size, ceil(self._count / (AHEAD * threads)))
+        self._count -= size
+        return [next(self._orders) for _ in range(size)]
+
+    def learn(self, seconds: float) -> None:
+        """Take the time of a run into account; the first ones also load FMUs."""
+        most = min(MOST_SHARED, 4 * self._size)
+        self._size = max(1, min(most, round(SHARE / max(seconds, 1e-6))))
+
+    def again(self, own: list[Order]) -> None:
+        """Hand out these orders one at a time."""
+        self._single.extend(own)

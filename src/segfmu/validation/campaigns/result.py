@@ -1,0 +1,129 @@
+"""What a campaign found."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from math import isnan
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from segfmu.errors import InputError
+from segfmu.validation.campaigns.sensitivity import Sensitivity, sensitivities
+from segfmu.validation.campaigns.store import TABLE, names_in, read_table
+
+if TYPE_CHECKING:
+    import pyarrow
+
+
+@dataclass(frozen=True)
+class Summary:
+    """A criterion in all runs.
+
+    Attributes
+    ----------
+    criterion : str
+    judged, held : int
+        Runs that came to a verdict, and those in which it holds.
+    worst : float or None
+        The least margin; None without a verdict.
+    run : int or None
+        Number of the run that has it.
+    """
+
+    criterion: str
+    judged: int
+    held: int
+    worst: float | None
+    run: int | None
+
+    @property
+    def share(self) -> float:
+        """Of the runs with a verdict those in which it holds; 0 without any."""
+        return self.held / self.judged if self.judged else 0.0
+
+
+@dataclass(frozen=True, eq=False)
+class CampaignResult:
+    """The table of a campaign that is complete.
+
+    Attributes
+    ----------
+    name : str
+    folder : Path
+        Where `runs.parquet` is.
+    factors, criteria : tuple of str
+        Names.
+    table : pyarrow.Table
+        A row for every run, in the order of their numbers: "run", "scenario", one column for each
+        factor (its value; of a relative one the multiple), "passed", "error" (null without),
+        "arrival" [s], and for every criterion "margin.NAME", "bound.NAME" and "holds.NAME", null
+        in runs that have no such criterion or an error. `table.to_pandas()` needs pandas.
+    """
+
+    name: str
+    folder: Path
+    factors: tuple[str, ...]
+    criteria: tuple[str, ...]
+    table: pyarrow.Table
+
+    def column(self, name: str) -> list[Any]:
+        """The values of a column, None where there is none."""
+        values: list[Any] = self.table[name].to_pylist()
+        return values
+
+    @property
+    def passed(self) -> bool:
+        """Whether every run passed."""
+        return all(self.column("passed"))
+
+    @property
+    def errors(self) -> list[tuple[int, str]]:
+        """Numbers and errors of the runs that have no verdict."""
+        pairs = zip(self.column("run"), self.column("error"), strict=True)
+        return [(run, error) for run, error in pairs if error is not None]
+
+    @property
+    def summaries(self) -> tuple[Summary, ...]:
+        """All criteria, each over all runs; a margin that is no number is the worst."""
+        return tuple(self._summary(name) for name in self.criteria)
+
+    @cached_property
+    def sensitivities(self) -> tuple[Sensitivity, ...]:
+        """Effects of the factors, and of the scenario if there are several, on the margins."""
+        scenarios = self.column("scenario")
+        names = ["scenario"] if len(set(scenarios)) > 1 else []
+        factors = {n: self.column(n) for n in [*names, *self.factors]}
+        margins = {n: self.column(f"margin.{n}") for n in self.criteria}
+        return tuple(sensitivities(factors, margins))
+
+    def worst(self) -> list[int]:
+        """Numbers of the runs with the worst margin of each criterion, each once."""
+        runs = [s.run for s in self.summaries if s.run is not None]
+        return list(dict.fromkeys(runs))
+
+    def _summary(self, name: str) -> Summary:
+        margins, held = self.column(f"margin.{name}"), self.column(f"holds.{name}")
+        runs = self.column("run")
+        judged = [i for i, verdict in enumerate(held) if verdict is not None]
+        if not judged:
+            return Summary(name, 0, 0, None, None)
+        place = min(judged, key=lambda i: -float("inf") if isnan(margins[i]) else margins[i])
+        count = sum(held[i] for i in judged)
+        return Summary(name, len(judged), count, margins[place], runs[place])
+
+
+def load_result(folder: Path) -> CampaignResult:
+    """The result of a campaign that was completed in a folder.
+
+    Raises
+    ------
+    InputError
+        If there is none.
+    """
+    name, factors, criteria = names_in(folder)
+    if not (folder / TABLE).exists():
+        raise InputError(f"{folder}: the campaign is not complete; the same command goes on")
+    table = read_table(folder / TABLE)
+    return CampaignResult(name, folder, tuple(factors), tuple(criteria), table)
+

@@ -1,0 +1,111 @@
+"""The archives of both FMUs, built once for many missions, and their parameters for each."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from segfmu.fmu.build import build_all
+from segfmu.fmu.choice import chosen
+from segfmu.fmu.gantry_crane import interface as gantry_crane
+from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
+from segfmu.fmu.standard.spec import Spec
+from segfmu.planning import Trajectory
+from segfmu.validation.files.mission import Mission
+from segfmu.validation.files.mission_tables import SimulationEntry
+from segfmu.validation.kept import Kept
+from segfmu.validation.scenario import specs
+
+# of start values: a mission has those of some kB
+MOST_STARTS = 64
+TABLE = "feedback.table"
+
+
+@dataclass(frozen=True)
+class Pair:
+    """Archives of both FMUs, and their interfaces."""
+
+    paths: tuple[Path, Path]
+    interfaces: tuple[Spec, Spec]
+
+
+class Pairs:
+    """Builds both FMUs in a temporary folder, for the first mission that comes.
+
+    Later missions differ in parameters alone, among them the gains for their nominal crane, so a
+    run has the numbers that it has with archives of its own.
+    """
+
+    def __init__(self) -> None:
+        self._folder = tempfile.TemporaryDirectory(prefix="segfmu_")
+        self._pairs: dict[tuple[int, int], Pair] = {}
+        self._starts: Kept[tuple[dict[str, Any], dict[str, Any]]] = Kept(MOST_STARTS)
+
+    def close(self) -> None:
+        """Remove the archives."""
+        self._pairs.clear()
+        self._starts.clear()
+        self._folder.cleanup()
+
+    def get(self, mission: Mission, trajectory: Trajectory, fmi: int) -> Pair:
+        """The archives of a version of FMI with room for a mission's waypoints.
+
+        Raises
+        ------
+        BuildError
+            If they cannot be built.
+        """
+        key = fmi, max(len(mission.waypoints), gantry_feedforward.WAYPOINTS)
+        if key not in self._pairs:
+            folder = Path(self._folder.name) / "_".join(map(str, key))
+            interfaces = specs(_planned(mission), trajectory)
+            paths = build_all(folder, chosen(fmi, "native", "", everywhere=False), interfaces)
+            self._pairs[key] = Pair((paths[0], paths[1]), _native(interfaces))
+        return self._pairs[key]
+
+    def values(
+        self, mission: Mission, trajectory: Trajectory, fmi: int
+    ) -> tuple[dict[str, Any], dict[str, Any]]:
+        """Parameters of both FMUs whose start values differ from those of their archives."""
+        pair, planned = self.get(mission, trajectory, fmi), _planned(mission)
+
+        def make() -> tuple[dict[str, Any], dict[str, Any]]:
+            own = _native(specs(planned, trajectory))
+            first, second = map(_differences, pair.interfaces, own)
+            return first, second
+
+        return self._starts.get((id(pair), planned.model_dump_json()), make)
+
+
+def _planned(mission: Mission) -> Mission:
+    """The nominal mission: what a scenario disturbs is unknown to the design of the FMUs."""
+    return mission.model_copy(update={
+        "true_crane": None, "simulation": SimulationEntry(drive=mission.simulation.drive),
+    })
+
+
+def _native(interfaces: Sequence[Spec]) -> tuple[Spec, Spec]:
+    feedforward, crane = interfaces
+    return gantry_feedforward.native_spec(feedforward), gantry_crane.native_spec(crane)
+
+
+def _differences(old: Spec, new: Spec) -> dict[str, Any]:
+    """Start values of parameters that differ; of the table of gains all, if one does."""
+    before = {v.name: v.start for v in old.variables}
+    found = {v.name: v.start for v in new.where("parameter") if v.start != before[v.name]}
+    if any(name.startswith(TABLE) for name in found):
+        found |= {v.name: v.start for v in new.where("parameter") if v.name.startswith(TABLE)}
+    return found
+
+
+def with_arrays(interface: Spec, values: Mapping[str, Any]) -> dict[str, Any]:
+    """Values by the names of FMI 3.0: the counts of rows, then the rows in use as arrays."""
+    arrays = [a for a in interface.arrays if a.rows in values]
+    found = {a.rows: values[a.rows] for a in arrays} | dict(values)
+    for array in arrays:
+        given = [found.pop(m) for m in array.members if m in values]
+        found[array.name] = given[:array.columns * int(values[array.rows])]
+    return found

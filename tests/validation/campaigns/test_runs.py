@@ -1,0 +1,306 @@
+"""Campaigns as commands: the same table whatever happens on the way."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pyarrow
+import pyarrow.parquet
+import pytest
+
+from segfmu.validation.campaigns.campaign import load_campaign
+from segfmu.validation.campaigns.replay import write_run
+from segfmu.validation.campaigns.result import CampaignResult, load_result
+from segfmu.validation.files.scenario_file import load_scenario
+from segfmu.validation.suite import Runner
+from tests.compiler import require_native
+from tests.cosim.probe.build import build
+from tests.validation.campaigns.files import CAMPAIGN, SCENARIO, command, run, write
+
+# some seconds of work, so that there is a half
+LONG = CAMPAIGN.replace("runs = 40", "runs = 300").replace(
+    "[sampling]", "[changes]\nstep = 0.002\n\n[sampling]"
+)
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory: pytest.TempPathFactory) -> CampaignResult:
+    """A campaign on one worker."""
+    require_native()
+    folder = tmp_path_factory.mktemp("whole")
+    run(write(folder), "-o", folder / "out", "--jobs", "1")
+    return load_result(folder / "out")
+
+
+@pytest.fixture(scope="module")
+def long(tmp_path_factory: pytest.TempPathFactory) -> CampaignResult:
+    """A longer one, uninterrupted, on two workers."""
+    require_native()
+    folder = tmp_path_factory.mktemp("long")
+    run(write(folder, LONG), "-o", folder / "out", "--jobs", "2")
+    return load_result(folder / "out")
+
+
+def test_every_run_is_that_of_its_scenario_file(whole: CampaignResult, tmp_path: Path) -> None:
+    campaign = load_campaign(whole.folder.parent / "c.toml")
+    assert whole.column("run") == list(range(40))
+    for number in (0, 17, 39):
+        path = write_run(tmp_path, campaign, number)
+        with Runner() as runner:
+            found = runner.run(load_scenario(path))
+        for finding in found.findings:
+            assert whole.column(f"margin.{finding.name}")[number] == finding.margin
+            assert whole.column(f"holds.{finding.name}")[number] is finding.passed
+        assert whole.column("passed")[number] is found.passed
+        assert whole.column("arrival")[number] == found.known["arrival"]
+        scenario = load_scenario(path)
+        assert scenario.mission.simulation.initial_sway[0] == whole.column("sway")[number]
+        assert scenario.mission.crane.controller.design == whole.column("design")[number]
+
+
+def test_the_same_seed_gives_the_same_table(whole: CampaignResult, tmp_path: Path) -> None:
+    run(write(tmp_path), "-o", tmp_path / "out", "--jobs", "2")
+    same = load_result(tmp_path / "out").table
+    assert same.equals(whole.table) and same.schema == whole.table.schema
+    other = CAMPAIGN.replace("seed = 3", "seed = 4")
+    run(write(tmp_path / "4", other), "-o", tmp_path / "4" / "out", "--jobs", "2")
+    assert load_result(tmp_path / "4" / "out").column("sway") != whole.column("sway")
+
+
+def test_the_worst_run_is_told_and_its_command_shows_it(
+    whole: CampaignResult, tmp_path: Path
+) -> None:
+    out = whole.folder
+    (worst, *_) = whole.summaries
+    margins = whole.column("margin.follows")
+    assert worst.worst == min(margins) and margins[worst.run or 0] == worst.worst
+    # a complete campaign is shown again without a run
+    again = run(out.parent / "c.toml", "-o", out)
+    told = re.findall(r"^segfmu (validate \S+)$", again.stdout, re.MULTILINE)
+    assert f"validate {out / f'run_{worst.run}.toml'}" in told
+    done = subprocess.run(
+        [sys.executable, "-m", "segfmu", *told[0].split()], capture_output=True, text=True,
+        timeout=120,
+    )
+    assert done.returncode == 0 and f"{worst.worst:+.4g}" in done.stdout
+
+
+def test_the_sway_at_the_start_is_what_counts(whole: CampaignResult) -> None:
+    (first, *_) = whole.sensitivities
+    assert (first.criterion, first.factor, first.signed) == ("follows", "sway", True)
+    assert first.effect < -0.9 and first.chance < 1e-6
+
+
+def killed_at_half(process: subprocess.Popen[bytes], out: Path) -> None:
+    deadline = time.monotonic() + 120.0
+    while rows(out) < 100:
+        assert process.poll() is None and time.monotonic() < deadline
+        time.sleep(0.05)
+    process.send_signal(signal.SIGKILL)
+    process.wait()
+
+
+def rows(out: Path) -> int:
+    return sum(pyarrow.parquet.read_metadata(p).num_rows for p in (out / "parts").glob("*.parquet"))
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no SIGKILL")
+def test_a_killed_campaign_goes_on_where_it_was(long: CampaignResult, tmp_path: Path) -> None:
+    path, out = write(tmp_path, LONG), tmp_path / "out"
+    with subprocess.Popen(
+        command(path, "-o", out, "--jobs", "2"), stdout=subprocess.DEVNULL
+    ) as process:
+        killed_at_half(process, out)
+    before = {p: p.read_bytes() for p in (out / "parts").glob("*.parquet")}
+    kept = rows(out)
+    assert 100 <= kept < 300
+    done = run(path, "-o", out, "--jobs", "2")
+    assert f"{kept} of 300 runs were there" in done.stdout
+    assert before and load_result(out).table.equals(long.table)
+    assert (out / "runs.parquet").read_bytes() == (long.folder / "runs.parquet").read_bytes()
+
+
+@pytest.fixture
+def scheduler(tmp_path: Path) -> Iterator[tuple[str, list[subprocess.Popen[bytes]]]]:
+    """Address of a scheduler with two workers, each a process started by hand, and these."""
+    found = tmp_path / "scheduler.json"
+    dask = [sys.executable, "-m", "dask"]
+    quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL, "cwd": tmp_path}
+    processes = [subprocess.Popen(
+        [*dask, "scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard",
+         "--scheduler-file", str(found)], **quiet,
+    )]
+    processes += [
+        subprocess.Popen(
+            [*dask, "worker", "--scheduler-file", str(found), "--nthreads", "1", "--no-nanny",
+             "--no-dashboard", "--local-directory", str(tmp_path / str(i))], **quiet,
+        )
+        for i in range(2)
+    ]
+    try:
+        deadline = time.monotonic() + 60.0
+        while not found.exists():
+            assert time.monotonic() < deadline
+            time.sleep(0.1)
+        address = re.search(r'"address": "([^"]+)"', found.read_text())
+        assert address is not None
+        yield address[1], processes[1:]
+    finally:
+        for process in reversed(processes):
+            process.kill()
+            process.wait()
+
+
+def test_a_worker_that_is_killed_loses_nothing(
+    long: CampaignResult, tmp_path: Path,
+    scheduler: tuple[str, list[subprocess.Popen[bytes]]],
+) -> None:
+    path, out = write(tmp_path, LONG), tmp_path / "out"
+    address, workers = scheduler
+    with subprocess.Popen(
+        command(path, "-o", out, "--scheduler", address), stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE, text=True,
+    ) as process:
+        deadline = time.monotonic() + 120.0
+        while rows(out) < 50:
+            assert process.poll() is None and time.monotonic() < deadline
+            time.sleep(0.05)
+        workers[0].kill()
+        said, errors = process.communicate(timeout=300)
+    assert process.returncode == 0, said + errors
+    assert load_result(out).table.equals(long.table)
+    assert workers[1].poll() is None
+
+
+def test_no_scheduler_is_one_line(whole: CampaignResult, tmp_path: Path) -> None:
+    for address in ("tcp://127.0.0.1:1", "nonsense"):
+        done = run(
+            write(tmp_path), "-o", tmp_path / "out", "--scheduler", address, code=2
+        )
+        assert done.stderr.count("\n") == 1 and f"--scheduler {address}" in done.stderr
+
+
+# runs that fail in three ways beside those that do not
+FAILING = """
+[[fmus]]
+name = "probe"
+path = "{path}"
+connections = [["probe", "y", "GantryCrane", "wind.z"]]
+[fmus.values]
+gain = 0.0
+"fail.time" = 1.0
+"""
+FAILURES = """
+name = "failing"
+scenarios = ["s.toml"]
+sampling.kind = "one at a time"
+
+[[factors]]
+name = "status"
+key = "fmus.probe.values.fail.status"
+values = [0, 3, 99]
+
+[[factors]]
+name = "step"
+key = "parameters.GantryCrane.crane.payload_mass"
+values = [1.0, -1.0]
+
+[[factors]]
+name = "speed"
+key = "limits.x.velocity"
+values = [0.22, 0.21]
+"""
+
+
+def test_runs_that_fail_are_rows_with_their_error(whole: CampaignResult, tmp_path: Path) -> None:
+    probe = build(tmp_path, 2)
+    scenario = SCENARIO + FAILING.format(path=probe.as_posix())
+    path = write(tmp_path, FAILURES, scenario)
+    done = run(path, "-o", tmp_path / "out", "--jobs", "2", code=1)
+    result = load_result(tmp_path / "out")
+    errors = dict(result.errors)
+    assert set(errors) == {2, 3, 5}
+    assert "told to fail" in errors[2] and "died" in errors[3]
+    assert "crane.payload_mass" in errors[5]
+    assert result.column("status") == [None, 0, 3, 99, *[None] * 4]
+    assert not any(result.column("passed")[number] for number in errors)
+    assert all(f"run {number}: " in done.stdout for number in errors)
+    judged = [margin is not None for margin in result.column("margin.follows")]
+    assert judged == [number not in errors for number in range(8)]
+
+
+def test_two_campaigns_in_one_folder(whole: CampaignResult, tmp_path: Path) -> None:
+    path, out = write(tmp_path, LONG), tmp_path / "out"
+    with subprocess.Popen(
+        command(path, "-o", out, "--jobs", "1"), stdout=subprocess.DEVNULL
+    ) as process:
+        deadline = time.monotonic() + 120.0
+        while not rows(out):
+            assert process.poll() is None and time.monotonic() < deadline
+            time.sleep(0.05)
+        second = run(path, "-o", out, code=2)
+        process.kill()
+    assert second.stderr.count("\n") == 1
+    assert "another campaign is running in this folder" in second.stderr
+    assert rows(out) >= 1
+    third = run(write(tmp_path / "other"), "-o", out, code=2)
+    assert third.stderr.count("\n") == 1 and "results of another campaign" in third.stderr
+
+
+def in_namespace(script: str) -> subprocess.CompletedProcess[str]:
+    """A shell that may mount file systems."""
+    return subprocess.run(
+        ["unshare", "-rm", "sh", "-c", script], capture_output=True, text=True, timeout=300
+    )
+
+
+needs_mounts = pytest.mark.skipif(
+    not shutil.which("unshare") or in_namespace("mount -t tmpfs none /mnt").returncode != 0,
+    reason="this system lets nobody mount file systems",
+)
+
+
+@needs_mounts
+def test_a_disk_that_fills_up(whole: CampaignResult, tmp_path: Path) -> None:
+    path, out, kept = write(tmp_path), tmp_path / "out", tmp_path / "kept"
+    out.mkdir()
+    words = " ".join(command(path, "-o", out, "--jobs", "1"))
+    # room for the first files alone; what was written is looked at before the mount is gone
+    done = in_namespace(
+        f"mount -t tmpfs -o size=12k none {out} && {words}; echo $?; cp -r {out} {kept}"
+    )
+    assert done.stdout.split()[-1] == "2"
+    assert done.stderr.count("\n") == 1 and "No space left on device" in done.stderr
+    # with room, the campaign goes on from there
+    assert not list(kept.rglob("*.part"))
+    run(path, "-o", kept, "--jobs", "1")
+    assert load_result(kept).table.equals(whole.table)
+
+
+@needs_mounts
+def test_a_read_only_folder(whole: CampaignResult, tmp_path: Path) -> None:
+    path, out = write(tmp_path), tmp_path / "out"
+    out.mkdir()
+    words = " ".join(command(path, "-o", out))
+    done = in_namespace(f"mount -t tmpfs -o ro none {out} && {words}; echo $?")
+    assert done.stdout.split()[-1] == "2"
+    assert done.stderr.count("\n") == 1 and "Read-only file system" in done.stderr
+
+
+def test_the_parts_are_tables_that_any_tool_reads(whole: CampaignResult) -> None:
+    table = pyarrow.parquet.read_table(whole.folder / "runs.parquet")
+    assert isinstance(table, pyarrow.Table)
+    assert table.schema.names == [
+        "run", "scenario", "sway", "payload", "design", "passed", "error", "arrival",
+        "margin.follows", "bound.follows", "holds.follows",
+        "margin.rests", "bound.rests", "holds.rests",
+    ]
+    assert not (whole.folder / "parts").exists()
