@@ -26,6 +26,8 @@ SHARE = 0.5
 MOST_SHARED = 64
 # shares on their way to each worker's thread: one that runs and one that waits
 AHEAD = 2
+# of a future whose worker died with the result: it is made again
+REPEATED = ("lost", "pending")
 # s; for a scheduler to answer, and for a worker to come
 ANSWER, PATIENCE = 5.0, 30.0
 
@@ -124,6 +126,8 @@ def stream(
         except TimeoutError:
             continue
         for future in done:
+            if future.status in REPEATED:
+                continue
             yield _outcomes(future, running.pop(future), shares)
 
 
