@@ -23,7 +23,6 @@ from segfmu.crane.limit_search import (
     EXACT,
     Found,
     attempt,
-    clear,
     just_kept,
     paced,
     shortest,
@@ -247,7 +246,7 @@ def _timed(
 ) -> Found:
     """The plan with a sample time or a duration; slower, so it usually keeps the bounds as well."""
     best = attempt(task, found.table, 1.0, EXACT)
-    if best is None or not clear(best):
+    if best is None or not best.allowed:
         # refused with the planner's reason, such as a duration that is too short
         task.require_path(task.plan(found.table))
     if best is None or best.use > EXACT.most:

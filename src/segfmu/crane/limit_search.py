@@ -61,6 +61,11 @@ class Found:
         return self.trajectory.duration
 
     @property
+    def allowed(self) -> bool:
+        """Whether its path may be taken."""
+        return self.task.allows(self.trajectory)
+
+    @property
     def rank(self) -> tuple[bool, float]:
         """Plans that keep the bounds first, the shortest first; else by their use."""
         return (self.use > 1.0, self.use if self.use > 1.0 else self.duration)
@@ -121,7 +126,7 @@ def just_kept(task: Task, table: FloatArray, look: Look) -> Found | None:
         found = attempt(task, table, pace, look)
         gains = best is None or (found is not None and _better(found, best, look))
         # the path is looked at where it may become the result: that takes longer than the plan
-        if found is None or (gains and found.use <= look.most and not clear(found)):
+        if found is None or (gains and found.use <= look.most and not found.allowed):
             failures, unclear = failures + 1, found is not None
             if failures == FAILURES:
                 break
@@ -155,15 +160,6 @@ def _between(slow: float, fast: float, pace: float) -> float:
     if not np.isfinite(fast):
         return 2.0 * pace
     return 0.5 * fast if slow == 0.0 else float((slow * fast) ** 0.5)
-
-
-def clear(found: Found) -> bool:
-    """Whether its path may be taken."""
-    try:
-        found.task.require_path(found.trajectory)
-    except InfeasibleError:
-        return False
-    return True
 
 
 def _better(found: Found, best: Found, look: Look) -> bool:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from segfmu.planning.passages import ROUNDING, both, outside, rounding, turns, within
+from segfmu.planning.polynomials import hulls
 from segfmu.planning.trajectory import Trajectory
 
 # of the distance between the waypoints: less is not worth a warning
@@ -67,8 +68,9 @@ def excursions(trajectory: Trajectory) -> tuple[Excursion, ...]:
 def excursion(trajectory: Trajectory, interval: int, axis: int) -> Excursion | None:
     """The excursion of one axis between waypoints `interval` and `interval + 1`, if any."""
     begin, end = trajectory.axis_waypoint_times[interval - 1 : interval + 1, axis]
-    ends = [float(w.position[axis]) for w in trajectory.waypoints[interval - 1 : interval + 1]]
-    low, high = min(ends), max(ends)
+    low, high = _box(trajectory, interval, axis)
+    if _stays(trajectory, interval, axis):
+        return None
     small = max(SMALL * (high - low), rounding(trajectory))
     away = both(
         outside(within(trajectory, axis, low - small, high + small), trajectory.duration),
@@ -81,6 +83,34 @@ def excursion(trajectory: Trajectory, interval: int, axis: int) -> Excursion | N
     return Excursion(
         interval, axis, farthest, float(away[0, 0]), trajectory.axis_names[axis]
     )
+
+
+def leaves(trajectory: Trajectory, interval: int, axis: int) -> bool:
+    """Whether there is an excursion; faster than to find it."""
+    low, high = _box(trajectory, interval, axis)
+    begin, end = trajectory.axis_waypoint_times[interval - 1 : interval + 1, axis]
+    starts, _, coefficients = trajectory.pieces(axis)
+    places = coefficients[(starts > begin) & (starts < end), 0]
+    small = 2.0 * SMALL * (high - low + np.abs(places).max(initial=0.0))
+    if ((places < low - small) | (places > high + small)).any():
+        return True
+    return excursion(trajectory, interval, axis) is not None
+
+
+def _box(trajectory: Trajectory, interval: int, axis: int) -> tuple[float, float]:
+    ends = [float(w.position[axis]) for w in trajectory.waypoints[interval - 1 : interval + 1]]
+    return min(ends), max(ends)
+
+
+def _stays(trajectory: Trajectory, interval: int, axis: int) -> bool:
+    """Whether the Bernstein hulls of the pieces already show that there is no excursion."""
+    low, high = _box(trajectory, interval, axis)
+    begin, end = trajectory.axis_waypoint_times[interval - 1 : interval + 1, axis]
+    starts, lengths, coefficients = trajectory.pieces(axis)
+    here = (starts < end) & (starts + lengths > begin)
+    hull = hulls(coefficients[here], lengths[here])
+    small = SMALL * (high - low)
+    return bool((hull >= low - small).all() and (hull <= high + small).all())
 
 
 def _farthest(

@@ -6,6 +6,8 @@ sorted, disjoint intervals, shape (intervals, 2).
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from segfmu.planning.arrays import FloatArray
@@ -25,7 +27,9 @@ def within(trajectory: Trajectory, axis: int, low: float, high: float) -> FloatA
     crossing = ~inside & (most > low) & (least < high)
     found = [np.column_stack([starts[inside], starts[inside] + lengths[inside]])]
     for i in np.flatnonzero(crossing):
-        found.append(starts[i] + _crossings(coefficients[i], float(lengths[i]), low, high))
+        levels = [level for level in (low, high) if least[i] <= level <= most[i]]
+        cuts = _cuts(coefficients[i], float(lengths[i]), levels)
+        found.append(starts[i] + _between(cuts, coefficients[i], low, high))
     return joined(np.concatenate(found), ROUNDING * trajectory.duration)
 
 
@@ -90,13 +94,18 @@ def _gapless(trajectory: Trajectory, axis: int) -> tuple[FloatArray, FloatArray,
     )
 
 
-def _crossings(piece: FloatArray, length: float, low: float, high: float) -> FloatArray:
-    """Intervals of local time in which one piece is within the bounds."""
+def _cuts(piece: FloatArray, length: float, levels: Sequence[float]) -> FloatArray:
+    """Ends of one piece and where it passes levels, in local time."""
     scaled = piece * length ** np.arange(piece.size)
-    cuts = np.unique(np.concatenate([[0.0, 1.0], _roots(scaled, low), _roots(scaled, high)]))
-    middles = np.polynomial.polynomial.polyval(0.5 * (cuts[:-1] + cuts[1:]), scaled)
+    passed = [_roots(scaled, level) for level in levels]
+    return np.unique(np.concatenate([[0.0, 1.0], *passed])) * length
+
+
+def _between(cuts: FloatArray, piece: FloatArray, low: float, high: float) -> FloatArray:
+    """Intervals between cuts in which one piece is within the bounds."""
+    middles = np.polynomial.polynomial.polyval(0.5 * (cuts[:-1] + cuts[1:]), piece)
     inside = (middles > low) & (middles < high)
-    return np.asarray(np.column_stack([cuts[:-1], cuts[1:]])[inside] * length)
+    return np.asarray(np.column_stack([cuts[:-1], cuts[1:]])[inside])
 
 
 def _roots(scaled: FloatArray, level: float) -> FloatArray:
