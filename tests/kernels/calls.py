@@ -69,7 +69,7 @@ from segfmu.kernels.rig.records import (
     StartFault,
 )
 from segfmu.kernels.settling.records import LeadRows, LeadWork
-from segfmu.kernels.trajectory.records import Check, Expansion, Timing
+from segfmu.kernels.trajectory.records import Check, Expansion, Judging, MotionWork, Timing
 from tests.kernels.rigs import HANGING, LAB, everything, feedback, observer, tracking
 from tests.problems import packed_axis
 
@@ -104,7 +104,16 @@ def planner_calls() -> dict[str, Call]:
     planned = axes.copy(), cells.copy()
     backend.plan_phases(states, dwells, limits, options, *planned, work)
     pieces = backend.count_pieces(*planned)
+    motion = zeros(MotionWork.SIZE, MotionWork.COLUMNS)
+    motion[MotionWork.OPTIONS, : PlanOptions.SIZE] = options
+    motion[MotionWork.JUDGING, Judging.TOLERANCE] = 1e-9
+    written = (
+        zeros(pieces, Timing.SIZE), zeros(pieces, width), np.zeros(3, dtype=np.int64),
+        zeros(4, 2), motion,
+    )
     return {
+        "plan_motion": (states, dwells, limits, axes.copy(), cells.copy(), *written),
+        "expand_motion": (states, dwells, limits, *planned, *written),
         "axis_limits": (SMOOTHNESS, 1, np.array(bounds), zeros(Axis.SIZE)),
         "ramp_parameters": (0.1, axis.copy(), zeros(2, 12)),
         "ramp_duration": (0.3, axis),

@@ -40,10 +40,9 @@ from segfmu.kernels.crane.records import (
 from segfmu.kernels.numerics import noise
 from segfmu.kernels.numerics.records import RandomState, Sinusoid
 from segfmu.kernels.planner import parameters, profile, synchronize
-from segfmu.kernels.planner import plan as plan_kernel
 from segfmu.kernels.planner.records import Axis, Cell, Phase, PlanWork, Problem
 from segfmu.kernels.rig import rig
-from segfmu.kernels.trajectory import evaluate, expand
+from segfmu.kernels.trajectory import evaluate, motion
 from tests.compiler import compiled_kernels
 from tests.kernels.rigs import CONTROLLERS, HANGING, LAB, everything
 from tests.problems import AxisProblem, axis_problems, work_space
@@ -103,9 +102,7 @@ def test_plans_agree(monkeypatch: pytest.MonkeyPatch) -> None:
     fast = plan(points, limits, sample_time=0.01)
     times = np.linspace(-0.1, fast.duration + 0.1, 999)
     values = fast(times, 2)
-    monkeypatch.setattr(backend, "plan_phases", plan_kernel.plan_phases)
-    monkeypatch.setattr(backend, "expand_plan", expand.expand_plan)
-    monkeypatch.setattr(backend, "count_pieces", expand.count_pieces)
+    monkeypatch.setattr(backend, "plan_motion", motion.plan_motion)
     monkeypatch.setattr(backend, "evaluate", evaluate.evaluate)
     slow = plan(points, limits, sample_time=0.01)
     assert close(fast.timing, slow.timing)

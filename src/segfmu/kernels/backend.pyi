@@ -724,3 +724,31 @@ def expand_plan(
     work: Floats,
     /,
 ) -> int: ...
+
+def plan_motion(
+    states: Floats,
+    dwells: Floats,
+    limits: Floats,
+    axes: Floats,
+    cells: Floats,
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    times: Floats,
+    work: Floats,
+    /,
+) -> int: ...
+
+def expand_motion(
+    states: Floats,
+    dwells: Floats,
+    limits: Floats,
+    axes: Floats,
+    cells: Floats,
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    times: Floats,
+    work: Floats,
+    /,
+) -> int: ...

@@ -85,7 +85,7 @@ from segfmu.kernels.rig.records import (
     Target,
 )
 from segfmu.kernels.settling.records import LeadRows, LeadWork
-from segfmu.kernels.trajectory.records import Check, Expansion, Timing
+from segfmu.kernels.trajectory.records import Check, Expansion, MotionWork, Timing
 
 Extent = int | str
 
@@ -116,7 +116,17 @@ def entry(module: str, name: str, /, **extents: Extent | tuple[Extent, ...]) -> 
 AXIS_WIDTH = f"2 * axis[{Axis.SMOOTHNESS}]"
 PLAN_WIDTH = f"2 * axes[0, {Axis.SMOOTHNESS}]"
 PLAN_LIMITS = f"options[{PlanOptions.SMOOTHNESS}] + 1"
+MOTION_SMOOTHNESS = f"work[{MotionWork.OPTIONS}, {PlanOptions.SMOOTHNESS}]"
 RIG_ROWS = "rig_rows(settings)"
+
+MOTION: dict[str, Extent | tuple[Extent, ...]] = {
+    "states": ("points", "axes", WaypointState.SIZE), "dwells": "points",
+    "limits": ("axes", f"{MOTION_SMOOTHNESS} + 1"), "axes": ("axes", Axis.SIZE),
+    "cells": ("(points - 1) * axes", Cell.SIZE, Cell.COLUMNS),
+    "timing": ("rows", Timing.SIZE), "coefficients": ("rows", f"2 * {MOTION_SMOOTHNESS}"),
+    "offsets": "axes + 1", "times": ("points + 1", "axes"),
+    "work": (MotionWork.SIZE, MotionWork.COLUMNS),
+}
 
 ENTRY_POINTS = (
     entry("planner.parameters", "axis_limits", limits="smoothness + 1", axis=Axis.SIZE),
@@ -171,6 +181,8 @@ ENTRY_POINTS = (
         coefficients=("pieces", 4), offsets="axes + 1", limits=("axes", 3),
         work=(Check.SIZE, Check.COLUMNS),
     ),
+    entry("trajectory.motion", "plan_motion", **MOTION),
+    entry("trajectory.motion", "expand_motion", **MOTION),
     entry(
         "settling.lead", "find_lead", plan_offsets="axis + 2", plan_timing=("pieces", Timing.SIZE),
         plan_coefficients=("pieces", "width"), limits="limits",

@@ -49,10 +49,10 @@ def choose_states(
 
     Free states of the first and the last waypoint, and of those with a dwell, become rest.
     """
+    if not any(point.free for point in request.waypoints):
+        return request
     problem = request.problem
     free = np.isnan(problem.states)
-    if not free.any():
-        return request
     resting = replace(problem, states=np.where(free, 0.0, problem.states))
     free[[0, -1]] = False
     free[problem.dwells > 0.0] = False

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from segfmu.errors import InputError
-from segfmu.planning.arrays import FloatArray, limit_values
+from segfmu.planning.arrays import ABSENT, FloatArray, limit_values
 
 NAMES = ("velocity", "acceleration", "jerk", "snap", "crackle", "pop")
 UNITS = ("m/s", "m/s2", "m/s3", "m/s4", "m/s5", "m/s6")
@@ -68,12 +68,19 @@ class Limits:
         Returns
         -------
         ndarray, shape (axes, smoothness + 1)
+            Read-only.
 
         Raises
         ------
         InputError
             For a limit of a derivative that is unbounded at this smoothness.
         """
+        tables: dict[tuple[int, int], FloatArray] = self.__dict__.setdefault("_tables", {})
+        if (axes, smoothness) not in tables:
+            tables[axes, smoothness] = self._table(axes, smoothness)
+        return tables[axes, smoothness]
+
+    def _table(self, axes: int, smoothness: int) -> FloatArray:
         table = np.zeros((axes, smoothness + 1))
         for i, (name, values) in enumerate(zip(NAMES, self._all(), strict=True)):
             if values.ndim == 1 and values.size not in (1, axes):
@@ -83,9 +90,10 @@ class Limits:
                 )
             if i <= smoothness:
                 table[:, i] = values
-            elif values.any():
+            elif values is not ABSENT and values.any():
                 raise InputError(
                     f"limits.{name} cannot be kept with smoothness {smoothness}, which leaves this "
                     f"derivative unbounded; raise smoothness to {i} or omit the limit"
                 )
+        table.flags.writeable = False
         return table

@@ -25,7 +25,7 @@ DETAILS: dict[int, tuple[str | None, tuple[str, ...]]] = {
 
 def refusal(status: int, report: FloatArray, names: tuple[str, ...]) -> SegfmuError:
     """Return the error for a status and report (Refusal); `names` are those of the axes."""
-    if status == PlanStatus.SAMPLE_TIME:
+    if status in (PlanStatus.SAMPLE_TIME, PlanStatus.SAME_WAYPOINTS):
         return InputError(PLAN.text(status, report.tolist()))
     limit, shown = DETAILS[status]
     place = int(report[Refusal.INTERVAL])

@@ -91,15 +91,15 @@ def planned(request: Request, follow: Pieces | None = None) -> Trajectory:
     """The verified trajectory of a request; it may follow a plan from its start on at first."""
     first = request.waypoints[0]
     request = choose_states(request)
-    if first.settled:
-        request.require_different()
-    else:
+    if not first.settled:
         chosen, *others = request.waypoints
         start = Waypoint(
             chosen.position, chosen.velocity, chosen.acceleration, first.jerk, first.snap,
             first.crackle, first.pop,
         )
         request = replace(request, waypoints=(start, *others))
+    elif follow is not None:
+        request.require_different()
     trajectory, proved = solve(request, TOLERANCE, follow)
     if not proved:
         require(trajectory)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property, lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,13 +35,23 @@ class Options:
     sample_time: float
     duration: float
 
-    @property
+    @cached_property
     def vector(self) -> FloatArray:
         """As the kernels take them (PlanOptions)."""
-        return np.array([
+        vector = np.array([
             self.smoothness, SHAPES.index(self.shape), SYNCHRONIZATIONS.index(self.synchronize),
             self.sample_time, self.duration,
         ])
+        vector.flags.writeable = False
+        return vector
+
+
+@lru_cache(maxsize=64)
+def options(
+    smoothness: int, shape: str, synchronize: str, sample_time: float, duration: float
+) -> Options:
+    """The options of these values; usual ones are made once."""
+    return Options(smoothness, shape, synchronize, sample_time, duration)
 
 
 @dataclass(frozen=True, eq=False)

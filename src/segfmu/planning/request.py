@@ -14,7 +14,7 @@ from segfmu.kernels.messages import PLAN
 from segfmu.kernels.planner.records import PlanStatus, Refusal, WaypointState
 from segfmu.planning.arrays import FloatArray, finite_vector
 from segfmu.planning.limits import Limits
-from segfmu.planning.problem import SHAPES, SYNCHRONIZATIONS, Options, Problem
+from segfmu.planning.problem import SHAPES, SYNCHRONIZATIONS, Problem, options
 from segfmu.planning.waypoint import DERIVATIVES, FREE, Waypoint
 
 SMOOTHNESS = range(2, 7)
@@ -68,22 +68,19 @@ def checked_request(
         raise InputError(f"smoothness must be an integer from 2 to 6, got {smoothness!r}")
     if not isinstance(limits, Limits):
         raise InputError(f"limits must be a segfmu.Limits, got {type(limits).__name__}")
-    options = Options(
+    chosen = options(
         int(smoothness), _choice("shape", shape, SHAPES),
         _choice("synchronize", synchronize, SYNCHRONIZATIONS),
         _time("sample_time", sample_time), _time("duration", duration),
     )
-    states = np.stack(
-        [np.column_stack([p.position, p.velocity, p.acceleration]) for p in points]
-    )
+    states = np.array([p.planned for p in points])
     dwells = np.array([p.dwell for p in points])
-    _require_settled(points, options.smoothness)
-    table = limits.table(axes, options.smoothness)
+    _require_settled(points, chosen.smoothness)
+    table = limits.table(axes, chosen.smoothness)
     # a start on another plan stays as it is
-    first = 0 if points[0].settled else 1
-    if backend.settle_states(states[first:], table) > 0:
+    if backend.settle_states(states if points[0].settled else states[1:], table) > 0:
         points = with_states(points, states)
-    return Request(points, limits, names, Problem(states, dwells, table, options))
+    return Request(points, limits, names, Problem(states, dwells, table, chosen))
 
 
 def with_states(points: tuple[Waypoint, ...], states: FloatArray) -> tuple[Waypoint, ...]:
@@ -123,6 +120,8 @@ def _checked_waypoints(waypoints: Sequence[Waypoint]) -> tuple[Waypoint, ...]:
 
 def _require_settled(points: tuple[Waypoint, ...], smoothness: int) -> None:
     for i, point in enumerate(points, 1):
+        if point.settled:
+            continue
         for order, name in enumerate(DERIVATIVES[FREE:], FREE + 1):
             given = getattr(point, name)
             if i > 1 and given.any():

@@ -5,14 +5,16 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from segfmu.errors import InfeasibleError
 from segfmu.kernels import backend
-from segfmu.kernels.planner.records import DelayedState, WaypointState
+from segfmu.kernels.planner.records import DelayedState, PlanStatus, WaypointState
 from segfmu.kernels.trajectory.records import Check
 from segfmu.planning.arrays import FloatArray
 from segfmu.planning.lead import TO_PLAN, Leads, Pieces, find_leads
 from segfmu.planning.messages import refusal
+from segfmu.planning.motion import plan_motion
 from segfmu.planning.problem import Phases, Problem, expand_phases, plan_phases
 from segfmu.planning.request import Request
 from segfmu.planning.trajectory import Trajectory
@@ -31,9 +33,13 @@ def solve(
         If no plan keeps the limits.
     """
     if follow is None and request.waypoints[0].settled:
-        problem = request.problem
-        pieces, times = _expand(problem, _phases(request, problem))
-        return judged(request, problem.states, pieces, times, tolerance)
+        motion = plan_motion(request.problem, tolerance)
+        if motion.status < 0 and motion.status != PlanStatus.CHECK_FAILED:
+            raise refusal(motion.status, motion.refusal, request.axis_names)
+        found = _trajectory(
+            request, motion.timing, motion.coefficients, motion.offsets, motion.times
+        )
+        return found, motion.status == PlanStatus.PLANNED
     return solve_after(request, _leads(request, follow), tolerance)
 
 
@@ -96,16 +102,22 @@ def judged(
 
     states (waypoints, axes, 3 or more) are those that it has to reach at the times.
     """
-    options = request.problem.options
     wrong = backend.check_plan(
         states, times, pieces.timing, pieces.coefficients, pieces.offsets, request.problem.limits,
         tolerance, np.empty((Check.SIZE, Check.COLUMNS)),
     )
     timing, coefficients = pieces.timing[: pieces.used], pieces.coefficients[: pieces.used]
-    for array in (timing, coefficients, pieces.offsets, times):
+    return _trajectory(request, timing, coefficients, pieces.offsets, times), wrong == 0
+
+
+def _trajectory(
+    request: Request, timing: FloatArray, coefficients: FloatArray,
+    offsets: NDArray[np.int64], times: FloatArray,
+) -> Trajectory:
+    options = request.problem.options
+    for array in (timing, coefficients, offsets, times):
         array.flags.writeable = False
-    trajectory = Trajectory(
+    return Trajectory(
         request.waypoints, request.limits, options.smoothness, options.shape, options.synchronize,
-        request.axis_names, timing, coefficients, pieces.offsets, times[:-1], times[-1],
+        request.axis_names, timing, coefficients, offsets, times[:-1], times[-1],
     )
-    return trajectory, wrong == 0

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -32,6 +33,15 @@ class Waypoint:
     dwell : float
         Time to rest there [s]; only if the point is at rest.
 
+    Attributes
+    ----------
+    planned : ndarray, shape (axes, 3)
+        Position, velocity and acceleration.
+    free : bool
+        Whether a velocity or acceleration is free.
+    settled : bool
+        Whether all derivatives above the acceleration are zero.
+
     Raises
     ------
     InputError
@@ -46,6 +56,9 @@ class Waypoint:
     crackle: FloatArray
     pop: FloatArray
     dwell: float = field(default=0.0)
+    planned: FloatArray = field(init=False, repr=False)
+    free: bool = field(init=False, repr=False)
+    settled: bool = field(init=False, repr=False)
 
     def __init__(
         self,
@@ -60,33 +73,40 @@ class Waypoint:
     ) -> None:
         values = finite_vector("position", position)
         object.__setattr__(self, "position", values)
-        higher = (jerk, snap, crackle, pop)
-        states = zip(DERIVATIVES, (velocity, acceleration, *higher), strict=True)
+        zeros = _zeros(values.size)
+        states = zip(
+            DERIVATIVES, (velocity, acceleration, jerk, snap, crackle, pop), strict=True
+        )
+        vectors = []
         for i, (name, given) in enumerate(states):
-            if i < FREE:
+            if given is None:
+                vector = zeros
+            elif i < FREE:
                 vector = _state(name, given, values.size)
             else:
-                vector = finite_vector(name, np.zeros(values.size) if given is None else given)
+                vector = finite_vector(name, given)
             if vector.size != values.size:
                 raise InputError(
                     f"{name} has {vector.size} values, position has {values.size}; "
                     "give one value per axis"
                 )
             object.__setattr__(self, name, vector)
+            vectors.append(vector)
         rest = finite_vector("dwell", dwell)
         if rest.size != 1 or rest[0] < 0.0:
             raise InputError(f"dwell must be a time >= 0 s, got {dwell!r}")
         object.__setattr__(self, "dwell", float(rest[0]))
+        planned = np.array([values, *vectors[:FREE]]).T.copy()
+        planned.flags.writeable = False
+        object.__setattr__(self, "planned", planned)
+        object.__setattr__(self, "free", any(v != v for v in planned.ravel().tolist()))
+        settled = all(v is zeros or not v.any() for v in vectors[FREE:])
+        object.__setattr__(self, "settled", settled)
 
     @property
     def axes(self) -> int:
         """Number of axes."""
         return int(self.position.size)
-
-    @property
-    def settled(self) -> bool:
-        """Whether all derivatives above the acceleration are zero."""
-        return not any(getattr(self, name).any() for name in DERIVATIVES[FREE:])
 
     def state(self, order: int) -> FloatArray:
         """Position and the derivatives 1 .. order, shape (axes, order + 1)."""
@@ -94,10 +114,15 @@ class Waypoint:
         return np.column_stack([getattr(self, name) for name in names])
 
 
-def _state(name: str, given: ArrayLike | str | None, axes: int) -> FloatArray:
+@lru_cache(maxsize=16)
+def _zeros(axes: int) -> FloatArray:
+    zeros = np.zeros(axes)
+    zeros.flags.writeable = False
+    return zeros
+
+
+def _state(name: str, given: ArrayLike | str, axes: int) -> FloatArray:
     """Finite numbers; NaN for a free state."""
-    if given is None:
-        return finite_vector(name, np.zeros(axes))
     if isinstance(given, str):
         if given != "free":
             raise InputError(f'{name} must be numbers or "free", got {given!r}')

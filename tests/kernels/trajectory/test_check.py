@@ -30,7 +30,7 @@ def judged(change=lambda arrays: None, limits: Limits = LIMITS) -> int:
         "timing": trajectory.timing.copy(),
         "coefficients": trajectory.coefficients.copy(),
         "offsets": trajectory.offsets.copy(),
-        "limits": limits.table(2, 4),
+        "limits": limits.table(2, 4).copy(),
     }
     change(arrays)
     with np.errstate(all="ignore"):

@@ -14608,3 +14608,45 @@ int64_t segfmu_expand_plan(array_double_3d states, array_double_1d dwells, array
     (*cspan_at(&offsets, count)) = row;
     return row;
 }
+/*Expand and check a planned motion, as in `plan_motion`: PLANNED, CHECK_FAILED, MORE_PIECES.*/
+/*                                                                                           */
+/*    After CHECK_FAILED the pieces are written all the same.                                */
+/*                                                                                           */
+int64_t segfmu_expand_motion(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d work)
+{
+    int64_t wrong;
+    if (segfmu_count_pieces(axes, cells) > timing.shape[INT64_C(0)])
+    {
+        return INT64_C(1);
+    }
+    segfmu_expand_plan(states, dwells, axes, cells, timing, coefficients, offsets, times, span_rows(&work, INT64_C(49), INT64_C(51)));
+    wrong = segfmu_check_plan(states, times, timing, coefficients, offsets, limits, (*cspan_at(&work, INT64_C(1), INT64_C(0))), span_rows(&work, INT64_C(51), INT64_C(94)));
+    if (wrong > INT64_C(0))
+    {
+        return -INT64_C(12);
+    }
+    return INT64_C(0);
+}
+/*Plan, expand and check a motion; returns the status (PlanStatus).                                  */
+/*                                                                                                   */
+/*    states, dwells, limits, axes and cells are those of `plan_phases`, the others those of         */
+/*    `expand_plan`. work (MotionWork rows, MotionWork columns) brings the options and the tolerance */
+/*    of the check. MORE_PIECES: the plan is made, and `expand_motion` will do the rest with as many */
+/*    rows as `count_pieces` says. After a refusal the row REFUSAL of the planner's rows says where. */
+/*                                                                                                   */
+int64_t segfmu_plan_motion(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d work)
+{
+    array_double_2d planner;
+    int64_t status;
+    planner = span_rows(&work, INT64_C(2), INT64_C(49));
+    status = segfmu_check_problem(states, limits, span_row(&planner, INT64_C(46)));
+    if (status == INT64_C(0))
+    {
+        status = segfmu_plan_phases(states, dwells, limits, span_row(&work, INT64_C(0)), axes, cells, planner);
+    }
+    if (status == INT64_C(0))
+    {
+        status = segfmu_expand_motion(states, dwells, limits, axes, cells, timing, coefficients, offsets, times, work);
+    }
+    return status;
+}

@@ -2715,6 +2715,132 @@ static PyObject *call_expand_plan(
     return answer;
 }
 
+static PyObject *call_plan_motion(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "plan_motion", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_states;
+    Py_buffer *in_dwells;
+    Py_buffer *in_limits;
+    Py_buffer *in_axes;
+    Py_buffer *in_cells;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_times;
+    Py_buffer *in_work;
+    (void)self;
+    if (take_count(&call, count, 10)
+        && (in_states = take_array(&call, 0, 3, 'd', false)) != NULL
+        && (in_dwells = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_limits = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_axes = take_array(&call, 3, 2, 'd', true)) != NULL
+        && (in_cells = take_array(&call, 4, 3, 'd', true)) != NULL
+        && (in_timing = take_array(&call, 5, 2, 'd', true)) != NULL
+        && (in_coefficients = take_array(&call, 6, 2, 'd', true)) != NULL
+        && (in_offsets = take_array(&call, 7, 1, 'l', true)) != NULL
+        && (in_times = take_array(&call, 8, 2, 'd', true)) != NULL
+        && (in_work = take_array(&call, 9, 2, 'd', true)) != NULL
+        && has_at_least(&call, "states", 0, in_states->shape[0], 1)
+        && has_at_least(&call, "states", 1, in_states->shape[1], 1)
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_extent(&call, "dwells", 0, in_dwells->shape[0], in_states->shape[0])
+        && has_extent(&call, "limits", 0, in_limits->shape[0], in_states->shape[1])
+        && has_extent(&call, "axes", 0, in_axes->shape[0], in_states->shape[1])
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_extent(&call, "times", 1, in_times->shape[1], in_states->shape[1])
+        && has_at_least(&call, "states", 2, in_states->shape[2], 3)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 41)
+        && has_at_least(&call, "cells", 0, in_cells->shape[0], ((in_states->shape[0] - 1) * in_states->shape[1]))
+        && has_at_least(&call, "cells", 1, in_cells->shape[1], 28)
+        && has_at_least(&call, "cells", 2, in_cells->shape[2], 10)
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
+        && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
+        && has_at_least(&call, "work", 0, in_work->shape[0], 94)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 25)
+        && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_work->buf)[0 * in_work->shape[1] + 0] + 1))
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], (2 * ((double *)in_work->buf)[0 * in_work->shape[1] + 0]))) {
+        answer = PyLong_FromLongLong(segfmu_plan_motion(
+            (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
+            (array_double_1d){in_dwells->buf, {in_dwells->shape[0]}},
+            (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
+            (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
+            (array_double_3d){in_cells->buf, {in_cells->shape[0], in_cells->shape[1], in_cells->shape[2]}},
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_expand_motion(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "expand_motion", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_states;
+    Py_buffer *in_dwells;
+    Py_buffer *in_limits;
+    Py_buffer *in_axes;
+    Py_buffer *in_cells;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_times;
+    Py_buffer *in_work;
+    (void)self;
+    if (take_count(&call, count, 10)
+        && (in_states = take_array(&call, 0, 3, 'd', false)) != NULL
+        && (in_dwells = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_limits = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_axes = take_array(&call, 3, 2, 'd', false)) != NULL
+        && (in_cells = take_array(&call, 4, 3, 'd', true)) != NULL
+        && (in_timing = take_array(&call, 5, 2, 'd', true)) != NULL
+        && (in_coefficients = take_array(&call, 6, 2, 'd', true)) != NULL
+        && (in_offsets = take_array(&call, 7, 1, 'l', true)) != NULL
+        && (in_times = take_array(&call, 8, 2, 'd', true)) != NULL
+        && (in_work = take_array(&call, 9, 2, 'd', true)) != NULL
+        && has_at_least(&call, "states", 0, in_states->shape[0], 1)
+        && has_at_least(&call, "states", 1, in_states->shape[1], 1)
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_extent(&call, "dwells", 0, in_dwells->shape[0], in_states->shape[0])
+        && has_extent(&call, "limits", 0, in_limits->shape[0], in_states->shape[1])
+        && has_extent(&call, "axes", 0, in_axes->shape[0], in_states->shape[1])
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_extent(&call, "times", 1, in_times->shape[1], in_states->shape[1])
+        && has_at_least(&call, "states", 2, in_states->shape[2], 3)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 41)
+        && has_at_least(&call, "cells", 0, in_cells->shape[0], ((in_states->shape[0] - 1) * in_states->shape[1]))
+        && has_at_least(&call, "cells", 1, in_cells->shape[1], 28)
+        && has_at_least(&call, "cells", 2, in_cells->shape[2], 10)
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
+        && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
+        && has_at_least(&call, "work", 0, in_work->shape[0], 94)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 25)
+        && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_work->buf)[0 * in_work->shape[1] + 0] + 1))
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], (2 * ((double *)in_work->buf)[0 * in_work->shape[1] + 0]))) {
+        answer = PyLong_FromLongLong(segfmu_expand_motion(
+            (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
+            (array_double_1d){in_dwells->buf, {in_dwells->shape[0]}},
+            (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
+            (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
+            (array_double_3d){in_cells->buf, {in_cells->shape[0], in_cells->shape[1], in_cells->shape[2]}},
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyMethodDef methods[] = {
     {"feedback_correction", (PyCFunction)(void (*)(void))call_feedback_correction, METH_FASTCALL, NULL},
     {"feedback_bandwidth", (PyCFunction)(void (*)(void))call_feedback_bandwidth, METH_FASTCALL, NULL},
@@ -2803,6 +2929,8 @@ static PyMethodDef methods[] = {
     {"join_plans", (PyCFunction)(void (*)(void))call_join_plans, METH_FASTCALL, NULL},
     {"count_pieces", (PyCFunction)(void (*)(void))call_count_pieces, METH_FASTCALL, NULL},
     {"expand_plan", (PyCFunction)(void (*)(void))call_expand_plan, METH_FASTCALL, NULL},
+    {"plan_motion", (PyCFunction)(void (*)(void))call_plan_motion, METH_FASTCALL, NULL},
+    {"expand_motion", (PyCFunction)(void (*)(void))call_expand_motion, METH_FASTCALL, NULL},
     {NULL, NULL, 0, NULL},
 };
 

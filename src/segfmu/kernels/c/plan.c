@@ -35,11 +35,10 @@ static int64_t most_pieces(int64_t points, int64_t axes, int64_t smoothness)
 
 size_t segfmu_plan_size(int64_t points, int64_t axes, int64_t smoothness)
 {
-    int64_t planned = points * axes * WAYPOINT_STATE_SIZE + PLAN_OPTIONS_SIZE + axes * AXIS_SIZE
-        + (points - 1) * axes * CELL_SIZE * CELL_COLUMNS + PLAN_WORK_SIZE * PLAN_WORK_COLUMNS;
-    int64_t expanded = most_pieces(points, axes, smoothness) * (TIMING_SIZE + 2 * smoothness)
-        + (axes + 1) + (points + 1) * axes + EXPANSION_SIZE * EXPANSION_COLUMNS
-        + CHECK_SIZE * CHECK_COLUMNS;
+    const int64_t planned = points * axes * WAYPOINT_STATE_SIZE + axes * AXIS_SIZE
+        + (points - 1) * axes * CELL_SIZE * CELL_COLUMNS + MOTION_WORK_SIZE * MOTION_WORK_COLUMNS;
+    const int64_t expanded = most_pieces(points, axes, smoothness) * (TIMING_SIZE + 2 * smoothness)
+        + (axes + 1) + (points + 1) * axes;
     return (size_t)(planned + expanded);
 }
 
@@ -65,55 +64,35 @@ static array_double_3d gather_states(const segfmu_problem *p, double *space)
     return states;
 }
 
-static array_double_1d gather_options(const segfmu_problem *p, double *space)
+static array_double_2d gather_options(const segfmu_problem *p, double *space)
 {
-    space[PLAN_OPTIONS_SMOOTHNESS] = (double)p->smoothness;
-    space[PLAN_OPTIONS_SHAPE] = (double)p->shape;
-    space[PLAN_OPTIONS_SYNCHRONIZATION] = (double)p->synchronization;
-    space[PLAN_OPTIONS_SAMPLE_TIME] = p->sample_time;
-    space[PLAN_OPTIONS_DURATION] = p->duration;
-    return vector(space, PLAN_OPTIONS_SIZE);
+    double *options = space + MOTION_WORK_OPTIONS * MOTION_WORK_COLUMNS;
+    options[PLAN_OPTIONS_SMOOTHNESS] = (double)p->smoothness;
+    options[PLAN_OPTIONS_SHAPE] = (double)p->shape;
+    options[PLAN_OPTIONS_SYNCHRONIZATION] = (double)p->synchronization;
+    options[PLAN_OPTIONS_SAMPLE_TIME] = p->sample_time;
+    options[PLAN_OPTIONS_DURATION] = p->duration;
+    space[MOTION_WORK_JUDGING * MOTION_WORK_COLUMNS + JUDGING_TOLERANCE] = 1e-9;
+    return matrix(space, MOTION_WORK_SIZE, MOTION_WORK_COLUMNS);
 }
 
-/* What the phases are expanded from, and the limits. */
-typedef struct {
-    array_double_3d states, cells;
-    array_double_2d axes, limits;
-    array_double_1d dwells;
-} phases;
-
-/* The pieces of the phases, judged; `space` is what is left of the work space. */
-static int expand(const segfmu_problem *p, const phases *planned, double *space,
-                  segfmu_trajectory *trajectory)
+/* The trajectory in its arrays; `times` has the ends as its last row. */
+static void describe(const segfmu_problem *p, array_double_2d timing, array_double_2d coefficients,
+                     array_int64_t_1d offsets, array_double_2d times, segfmu_trajectory *trajectory)
 {
-    const int64_t m = p->points, k = p->axes, n = p->smoothness;
-    const int64_t rows = most_pieces(m, k, n);
-    array_double_2d timing = matrix(take(&space, rows * TIMING_SIZE), rows, TIMING_SIZE);
-    array_double_2d coefficients = matrix(take(&space, rows * 2 * n), rows, 2 * n);
-    array_int64_t_1d offsets = integers(take(&space, k + 1), k + 1);
-    array_double_2d times = matrix(take(&space, (m + 1) * k), m + 1, k);
-    array_double_2d work = matrix(
-        take(&space, EXPANSION_SIZE * EXPANSION_COLUMNS), EXPANSION_SIZE, EXPANSION_COLUMNS);
-    trajectory->pieces = segfmu_expand_plan(
-        planned->states, planned->dwells, planned->axes, planned->cells, timing, coefficients,
-        offsets, times, work);
-    trajectory->points = m;
-    trajectory->axes = k;
-    trajectory->smoothness = n;
+    trajectory->points = p->points;
+    trajectory->axes = p->axes;
+    trajectory->smoothness = p->smoothness;
+    trajectory->pieces = offsets.data[p->axes];
     trajectory->timing = timing.data;
     trajectory->coefficients = coefficients.data;
     trajectory->offsets = offsets.data;
     trajectory->times = times.data;
-    trajectory->ends = times.data + m * k;
+    trajectory->ends = times.data + p->points * p->axes;
     trajectory->duration = 0.0;
-    for (int64_t axis = 0; axis < k; axis++) {
+    for (int64_t axis = 0; axis < p->axes; axis++) {
         trajectory->duration = span_max(trajectory->duration, trajectory->ends[axis]);
     }
-    array_double_2d check = matrix(
-        take(&space, CHECK_SIZE * CHECK_COLUMNS), CHECK_SIZE, CHECK_COLUMNS);
-    int64_t wrong = segfmu_check_plan(planned->states, times, timing, coefficients, offsets,
-                                      planned->limits, 1e-9, check);
-    return wrong == 0 ? PLAN_STATUS_PLANNED : PLAN_STATUS_CHECK_FAILED;
 }
 
 int segfmu_plan(const segfmu_problem *p, double *space, segfmu_trajectory *trajectory)
@@ -124,32 +103,33 @@ int segfmu_plan(const segfmu_problem *p, double *space, segfmu_trajectory *traje
     if (!sizes_in_range(p)) {
         return PLAN_STATUS_OUT_OF_RANGE;
     }
-    const int64_t m = p->points, k = p->axes, cells = (m - 1) * k;
-    phases planned = {
-        .states = gather_states(p, take(&space, m * k * WAYPOINT_STATE_SIZE)),
-        .cells = {take(&space, cells * CELL_SIZE * CELL_COLUMNS),
-                  {cells, CELL_SIZE, CELL_COLUMNS}},
-        .axes = matrix(take(&space, k * AXIS_SIZE), k, AXIS_SIZE),
-        .limits = given(p->limits, k, p->smoothness + 1),
-        .dwells = vector((double *)p->dwells, m),
-    };
-    array_double_1d options = gather_options(p, take(&space, PLAN_OPTIONS_SIZE));
-    array_double_2d work = matrix(take(&space, PLAN_WORK_SIZE * PLAN_WORK_COLUMNS), PLAN_WORK_SIZE, PLAN_WORK_COLUMNS);
-    double *report = work.data + PLAN_WORK_REFUSAL * PLAN_WORK_COLUMNS;
-    segfmu_settle_states(planned.states, planned.limits);
-    int64_t status = segfmu_check_problem(planned.states, planned.limits,
-                                          vector(report, REFUSAL_SIZE));
-    if (status == PLAN_STATUS_PLANNED) {
-        status = segfmu_plan_phases(planned.states, planned.dwells, planned.limits, options,
-                                    planned.axes, planned.cells, work);
-    }
-    if (status < 0) {
+    const int64_t m = p->points, k = p->axes, n = p->smoothness, intervals = (m - 1) * k;
+    const int64_t rows = most_pieces(m, k, n);
+    array_double_3d states = gather_states(p, take(&space, m * k * WAYPOINT_STATE_SIZE));
+    array_double_2d limits = given(p->limits, k, n + 1);
+    array_double_2d axes = matrix(take(&space, k * AXIS_SIZE), k, AXIS_SIZE);
+    array_double_3d cells = cuboid(
+        take(&space, intervals * CELL_SIZE * CELL_COLUMNS), intervals, CELL_SIZE, CELL_COLUMNS);
+    array_double_2d work = gather_options(
+        p, take(&space, MOTION_WORK_SIZE * MOTION_WORK_COLUMNS));
+    array_double_2d timing = matrix(take(&space, rows * TIMING_SIZE), rows, TIMING_SIZE);
+    array_double_2d coefficients = matrix(take(&space, rows * 2 * n), rows, 2 * n);
+    array_int64_t_1d offsets = integers(take(&space, k + 1), k + 1);
+    array_double_2d times = matrix(take(&space, (m + 1) * k), m + 1, k);
+    segfmu_settle_states(states, limits);
+    int64_t status = segfmu_plan_motion(
+        states, vector((double *)p->dwells, m), limits, axes, cells, timing, coefficients, offsets,
+        times, work);
+    if (status == PLAN_STATUS_PLANNED || status == PLAN_STATUS_CHECK_FAILED) {
+        describe(p, timing, coefficients, offsets, times, trajectory);
+    } else {
+        const double *report
+            = work.data + (MOTION_WORK_PLAN + PLAN_WORK_REFUSAL) * MOTION_WORK_COLUMNS;
         for (int i = 0; i < REFUSAL_SIZE; i++) {
             trajectory->report[i] = report[i];
         }
-        return (int)status;
     }
-    return expand(p, &planned, space, trajectory);
+    return (int)status;
 }
 
 void segfmu_value(

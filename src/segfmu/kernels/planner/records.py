@@ -25,11 +25,13 @@ class PlanStatus(Codes):
     velocity limit. NO_PROFILE, NO_COMMON_DURATION: none was found. DURATION_TOO_SHORT,
     DURATION_IN_GAP: of the duration asked for. WAYPOINT_VELOCITY, WAYPOINT_ACCELERATION: a waypoint
     is beyond the limit. UNBOUNDED_RAMP: no limit bounds a ramp. MOVING_DWELL: a dwell at a waypoint
-    that moves. OUT_OF_RANGE, CHECK_FAILED: of the C function alone, sizes or choices out of range,
-    and a plan that does not pass its check. SAME_WAYPOINTS, NO_VELOCITY_LIMIT,
-    NO_ACCELERATION_LIMIT: of `check_problem`. SAMPLE_TIME: too short or too long for doubles.
+    that moves. OUT_OF_RANGE: of the C function alone, sizes or choices out of range. CHECK_FAILED:
+    a plan that does not pass its check. SAME_WAYPOINTS, NO_VELOCITY_LIMIT, NO_ACCELERATION_LIMIT:
+    of `check_problem`. SAMPLE_TIME: too short or too long for doubles. MORE_PIECES: planned, but
+    with more pieces than the arrays have rows.
     """
 
+    MORE_PIECES = 1
     PLANNED = 0
     START_BRAKING = -1
     END_BRAKING = -2

@@ -1,5 +1,6 @@
 """Records of the polynomial pieces of a trajectory."""
 
+from segfmu.kernels.planner.records import PlanOptions, PlanWork
 from segfmu.kernels.records import Codes, Record, field
 
 
@@ -62,3 +63,19 @@ class Check(Record):
     ENDS = field("derivatives at the end of the piece before, by their order")
     PEAKS = field("peaks of the derivatives; of the position its range")
     JUMPS = field("largest jumps of the derivatives between two pieces")
+
+
+class Judging(Record):
+    """How a plan is checked."""
+
+    TOLERANCE = field("relative tolerance of limits, jumps and waypoints")
+
+
+class MotionWork(Record):
+    """Rows of the work space of a whole plan, and how it is made."""
+
+    OPTIONS = field("how to plan", of=PlanOptions)
+    JUDGING = field("how to check the plan", of=Judging)
+    PLAN = field("of the planner", size=PlanWork.SIZE, of=PlanWork)
+    EXPANSION = field("of the expansion", size=Expansion.SIZE, of=Expansion)
+    CHECK = field("of the check, to the end", size=Check.SIZE, of=Check)

@@ -1,0 +1,95 @@
+"""A whole plan from one call of the kernels, in work space that is used again."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from segfmu.kernels import backend
+from segfmu.kernels.planner.records import Axis, Cell, PlanOptions, PlanStatus, PlanWork, Refusal
+from segfmu.kernels.trajectory.records import Judging, MotionWork, Spare, Timing
+from segfmu.planning.arrays import FloatArray
+from segfmu.planning.problem import Problem
+
+# ramps of an axis in an interval whose pieces there are rows for at first
+USUAL_RAMPS = 12
+# sizes of problems whose work space is kept, and the largest of them
+KEPT = 8
+LARGEST = 64
+
+Size = tuple[int, int, int]
+
+
+@dataclass(frozen=True, eq=False)
+class Motion:
+    """Results of the kernel `plan_motion` (kernels/trajectory/motion.py).
+
+    Attributes
+    ----------
+    status : int
+        Of PlanStatus.
+    refusal : ndarray, shape (Refusal,)
+    timing : ndarray, shape (pieces, 2)
+    coefficients : ndarray, shape (pieces, 2 * smoothness)
+    offsets : ndarray of int, shape (axes + 1,)
+    times : ndarray, shape (waypoints + 1, axes)
+    """
+
+    status: int
+    refusal: FloatArray
+    timing: FloatArray
+    coefficients: FloatArray
+    offsets: NDArray[np.int64]
+    times: FloatArray
+
+
+class Space:
+    """Arrays in which a problem of some size is planned."""
+
+    def __init__(self, size: Size) -> None:
+        points, axes, smoothness = size
+        cells = (points - 1) * axes
+        rows = Spare.ROWS + USUAL_RAMPS * (2 ** (smoothness - 1) - 1) * cells
+        self.size = size
+        self.axes = np.zeros((axes, Axis.SIZE))
+        self.cells = np.zeros((cells, Cell.SIZE, Cell.COLUMNS))
+        self.work = np.zeros((MotionWork.SIZE, MotionWork.COLUMNS))
+        self.timing = np.empty((rows, Timing.SIZE))
+        self.coefficients = np.empty((rows, 2 * smoothness))
+
+    def enlarge(self) -> None:
+        """Make room for all pieces of what is planned."""
+        rows = backend.count_pieces(self.axes, self.cells)
+        self.timing = np.empty((rows, Timing.SIZE))
+        self.coefficients = np.empty((rows, self.coefficients.shape[1]))
+
+
+# taken out while it is used, so that threads do not share it
+_spaces: dict[Size, Space] = {}
+
+
+def plan_motion(problem: Problem, tolerance: float) -> Motion:
+    """Plan, expand and check a problem whose states are numbers."""
+    points, axes = problem.states.shape[:2]
+    size = points, axes, problem.options.smoothness
+    space = _spaces.pop(size, None) or Space(size)
+    space.work[MotionWork.OPTIONS, : PlanOptions.SIZE] = problem.options.vector
+    space.work[MotionWork.JUDGING, Judging.TOLERANCE] = tolerance
+    offsets, times = np.zeros(axes + 1, dtype=np.int64), np.zeros((points + 1, axes))
+    call = problem.states, problem.dwells, problem.limits, space.axes, space.cells
+    found = offsets, times, space.work
+    status = backend.plan_motion(*call, space.timing, space.coefficients, *found)
+    if status == PlanStatus.MORE_PIECES:
+        space.enlarge()
+        status = backend.expand_motion(*call, space.timing, space.coefficients, *found)
+    used = int(offsets[-1])
+    report = space.work[MotionWork.PLAN + PlanWork.REFUSAL, : Refusal.SIZE]
+    motion = Motion(
+        status, report.copy(), space.timing[:used].copy(), space.coefficients[:used].copy(),
+        offsets, times,
+    )
+    if points * axes <= LARGEST and len(_spaces) < KEPT:
+        _spaces[size] = space
+    return motion
