@@ -147,7 +147,7 @@ def test_failures_have_the_same_words(probes, caplog, fmi: int, status: int) -> 
 @pytest.mark.parametrize(
     ("status", "words"),
     [(-1, r"more than 100 steps in a row at 0\.4 s"), (-2, "to end the simulation at an event"),
-     (-3, r"asked to end the simulation at 0\.5 s")],
+     (-3, r"asked to end the simulation at 0\.5 s"), (-4, "more than 100 rounds of an event")],
 )
 def test_ends_that_fmi3_asks_for(probes, status: int, words: str) -> None:
     for engine in ("c", "python"):

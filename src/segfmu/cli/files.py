@@ -25,10 +25,10 @@ def init(
 
 def schema(
     kind: Annotated[
-        str, typer.Argument(metavar="[mission|crane]", help="Kind of file.")
+        str, typer.Argument(metavar="[mission|crane|scenario|campaign]", help="Kind of file.")
     ] = "mission",
 ) -> None:
-    """Print the JSON schema of mission or crane files, with which editors complete and check."""
+    """Print the JSON schema of a kind of file, with which editors complete and check."""
     from segfmu.validation.files.schema import KINDS, text
 
     if kind not in KINDS:

@@ -19,7 +19,7 @@ TYPES = {
 FORMS = ("access2", "access3", "slopes")
 KINDS = ("call", "copy", "step", "meet")
 OUTCOMES = ("done", "call", "step", "enter", "update", "leave", "step ended", "event ended",
-            "stalled")
+            "stalled", "event stalled")
 
 Fields = list[tuple[str, Any]]
 

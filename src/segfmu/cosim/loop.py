@@ -12,11 +12,9 @@ from numpy.typing import NDArray
 from segfmu.cosim.change import Due
 from segfmu.cosim.schedule import Meet, Operation, Operations, Schedule, Step
 from segfmu.cosim.table import Column, Table
-from segfmu.cosim.unit import INSTANT, Unit
+from segfmu.cosim.unit import INSTANT, MOST_STALLS, Unit
 from segfmu.errors import SimulationError
 
-# steps in a row that end where they began, before a run is ended
-MOST_STALLS = 100
 # communication points between two reports of progress
 REPORT = 100
 

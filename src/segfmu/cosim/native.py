@@ -28,10 +28,10 @@ from segfmu.cosim.layout import (
     CSimulation,
     CUnit,
 )
-from segfmu.cosim.loop import MOST_STALLS, Progress, stalled
+from segfmu.cosim.loop import Progress, stalled
 from segfmu.cosim.schedule import Meet, Operation, Operations, Schedule, Step
 from segfmu.cosim.table import Column, row_type
-from segfmu.cosim.unit import INSTANT, Unit
+from segfmu.cosim.unit import INSTANT, MOST_STALLS, Unit
 from segfmu.errors import SimulationError
 
 COMPILED = (
@@ -162,6 +162,8 @@ class NativeLoop:
             return unit.refusal(*EVENTS[outcome], program.status)
         if outcome == "stalled":
             return stalled(unit, program.time)
+        if outcome == "event stalled":
+            return unit.restless()
         return unit.ended(program.reached if outcome == "step ended" else None)
 
 

@@ -21,6 +21,8 @@ from segfmu.errors import InputError, SegfmuError, SimulationError
 
 # s; times that differ by less are equal
 INSTANT = 1e-9
+# steps in a row that end where they began, or rounds of one event, before a run is ended
+MOST_STALLS = 100
 # output with the time of the next event, if an FMU of FMI 2.0 has it
 NEXT_EVENT = "plan.next_event"
 # held while a library is loaded: the working folder is the process's
@@ -195,6 +197,10 @@ class Unit(ABC):
         """The error of an FMU that asks for an end, in a step or at an event."""
         place = "an event" if time is None else f"{time:.6g} s"
         return SimulationError(f"{self.name} asked to end the simulation at {place}")
+
+    def restless(self) -> SimulationError:
+        """The error of an FMU whose event does not end."""
+        return SimulationError(f"{self.name} asked for more than {MOST_STALLS} rounds of an event")
 
     def prepared(self, doing: str, name: str, *arguments: Any) -> Call:
         """A call of the FMU's function `name` with fixed ctypes arguments."""

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from segfmu.cosim.channel import Call, Channel, address, named
 from segfmu.cosim.messages import WARNING
-from segfmu.cosim.unit import INSTANT, Unit
+from segfmu.cosim.unit import INSTANT, MOST_STALLS, Unit
 from segfmu.errors import InputError
 
 INTEGERS = {f"{sign}{bits}": np.dtype(f"{sign.lower()}{bits}")
@@ -160,8 +160,11 @@ class Unit3(Unit):
             self._update()
 
     def _update(self) -> None:
-        again = True
+        again, rounds = True, 0
         while again:
+            if rounds > MOST_STALLS:
+                raise self.restless()
+            rounds += 1
             again, terminate = self.call("meet an event", self.fmu.updateDiscreteStates)[:2]
             if terminate:
                 raise self.ended()

@@ -110,7 +110,7 @@ def title(criterion: CriterionTable) -> str:
 
 
 def drive_use(rows: NDArray[np.void], crane: CraneFile) -> FloatArray:
-    """Greatest use of force, velocity and power of any drive, as a share of the crane's bounds.
+    """Greatest use of force, velocity, acceleration and power of any drive, as a share of bounds.
 
     Raises
     ------
@@ -126,12 +126,25 @@ def drive_use(rows: NDArray[np.void], crane: CraneFile) -> FloatArray:
             f"drive.{drive}.power": own.power_max,
         }
         shares += [np.abs(_column(rows, n)) / most for n, most in signals.items() if most]
+        if own.acceleration_max:
+            velocity = _column(rows, f"{axes[drive]}.velocity")
+            shares.append(_acceleration(rows["time"], velocity) / own.acceleration_max)
     if not shares:
         raise InputError(
-            "the kind drives needs force_max, velocity_max or power_max of a drive of the crane"
+            "the kind drives needs force_max, velocity_max, acceleration_max or power_max of a "
+            "drive of the crane"
         )
     use: FloatArray = np.max(shares, axis=0)
     return use
+
+
+def _acceleration(times: FloatArray, velocity: FloatArray) -> FloatArray:
+    """Of each row the greater mean of the intervals beside it."""
+    if times.size < 2:
+        return np.zeros(times.size)
+    means = np.abs(np.diff(velocity)) / np.diff(times)
+    found: FloatArray = np.maximum(np.append(means, 0.0), np.append(0.0, means))
+    return found
 
 
 def _quantity(criterion: CriterionTable, rows: NDArray[np.void]) -> FloatArray:

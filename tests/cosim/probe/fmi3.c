@@ -69,14 +69,18 @@ fmi3Status fmi3UpdateDiscreteStates(fmi3Instance c, fmi3Boolean *again, fmi3Bool
                                     fmi3Boolean *defined, fmi3Float64 *next)
 {
     (void)next;
-    *again = *nominals = *states = *defined = false;
+    *nominals = *states = *defined = false;
+    /* an event that never ends */
+    *again = ((instance *)c)->p->whole[FAIL_STATUS] == -4
+        && ((instance *)c)->p->time >= ((instance *)c)->p->real[FAIL_TIME];
     /* asks for the end at its second event */
     *terminate = ((instance *)c)->p->whole[FAIL_STATUS] == -2
         && ((instance *)c)->p->time >= ((instance *)c)->p->real[FAIL_TIME];
     return fmi3OK;
 }
 
-/* FAIL_STATUS -1: ends every step where it begins; -2: an event at FAIL_TIME; -3: asks for the end. */
+/* FAIL_STATUS -1: ends every step where it begins; -2: an event at FAIL_TIME; -3: asks for the end;
+   -4: an event at FAIL_TIME that never ends. */
 fmi3Status fmi3DoStep(fmi3Instance self, fmi3Float64 time, fmi3Float64 size, fmi3Boolean prior,
                       fmi3Boolean *event, fmi3Boolean *terminate, fmi3Boolean *early,
                       fmi3Float64 *reached)
@@ -89,7 +93,7 @@ fmi3Status fmi3DoStep(fmi3Instance self, fmi3Float64 time, fmi3Float64 size, fmi
     if (c->early && way == -1 && time + size > at) {
         size = 0.0;
         *early = true;
-    } else if (c->early && way == -2 && time < at && time + size >= at) {
+    } else if (c->early && (way == -2 || way == -4) && time < at && time + size >= at) {
         size = at - time;
         *event = *early = true;
     }

@@ -74,7 +74,10 @@ static bool leave_event(simulation *s, int64_t item)
 {
     unit *u = &s->units[item];
     bool again = true;
-    while (again) {
+    for (int64_t rounds = 0; again; rounds++) {
+        if (rounds > s->most_stalls) {
+            return stop(s, EVENT_STALLED, item, 0);
+        }
         bool terminate = false, nominals = false, states = false, defined = false;
         double next = 0.0;
         int status = ((update)u->update)(u->instance, &again, &terminate, &nominals, &states,

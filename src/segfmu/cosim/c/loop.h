@@ -20,7 +20,7 @@ enum kind { CALL, COPY, STEP, MEET };
 
 /* How a run ended. */
 enum outcome { DONE, CALL_FAILED, STEP_FAILED, ENTER_FAILED, UPDATE_FAILED, LEAVE_FAILED,
-               STEP_TERMINATED, EVENT_TERMINATED, STALLED };
+               STEP_TERMINATED, EVENT_TERMINATED, STALLED, EVENT_STALLED };
 
 typedef struct {
     int64_t form;

@@ -57,6 +57,8 @@ def _keyed(
     if factor.relative:
         known = _found(view, rest)
         if isinstance(known, bool) or not isinstance(known, int | float):
+            # a key that there is not has a better message
+            build_scenario(source, {first: _assigned(view, rest, value, factor)})
             raise InputError(
                 f"factors: {factor.name}: relative: {factor.key} is no number in the files"
             )

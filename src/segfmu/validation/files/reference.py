@@ -1,4 +1,4 @@
-"""The reference page of mission and crane files, from the models.
+"""The reference page of mission, crane, scenario and campaign files, from the models.
 
 `python -m segfmu.validation.files.reference FILE` writes it again.
 """
@@ -13,18 +13,23 @@ from pathlib import Path
 from typing import Any
 
 from segfmu.fmu.gantry_crane import interface as gantry_crane
+from segfmu.validation.files.campaign_tables import CampaignFile
 from segfmu.validation.files.crane_file import CraneFile
 from segfmu.validation.files.crane_parameters import WITHOUT_KEY
 from segfmu.validation.files.keys import Entry, Table, entries
 from segfmu.validation.files.mission import Mission
+from segfmu.validation.files.scenario_tables import ScenarioFile
 
 BANNER = "<!-- Written by `make generate` from src/segfmu/validation; do not edit. -->"
-INTRODUCTION = """# Mission and crane files
+INTRODUCTION = """# Mission, crane, scenario and campaign files
 
-Both are TOML in UTF-8. A *crane file* says all that is known of a crane. A *mission* says what the
+All are TOML in UTF-8. A *crane file* says all that is known of a crane. A *mission* says what the
 load has to do, and names its crane: `crane = "crane.toml"`, relative to the mission, or a table
 `[crane]` with the same keys. Angles are in deg, all else in SI units. A key that is left out has
 the default. Any other key is an error.
+
+A *scenario* (`docs/validation.md`) has a mission, what disturbs it, and criteria; a *campaign*
+(`docs/campaign.md`) runs scenarios many times.
 
 `segfmu init` writes a commented mission and crane. `segfmu schema mission` prints the JSON schema,
 with which an editor completes and checks: for Taplo and Even Better TOML, write it to
@@ -34,6 +39,8 @@ Bounds of a crane file hold in every plan. Plan and feedforward are for `crane`;
 states, with the same keys, what differs from it in the crane that is simulated. The feedback in
 GantryCrane is designed for the load of `crane`, and for all else of the simulated crane.
 """
+BASE = """`base` names a scenario file that all other keys are merged into. An instant is a time
+[s], or `"start"`, `"arrival"` or `"end"`, plus or minus a time: `"arrival + 1"`."""
 
 
 def page() -> str:
@@ -45,7 +52,11 @@ def page() -> str:
     lines += _tables(CraneFile)
     lines += ["## Parameters of GantryCrane without a key", "", "| parameter | why |", "|---|---|"]
     lines += [f"| `{name}` | {why} |" for name, why in WITHOUT_KEY.items()]
-    return "\n".join(lines) + "\n"
+    lines += ["", "## Scenario", "", BASE, ""]
+    lines += _tables(ScenarioFile)
+    lines += ["## Campaign", ""]
+    lines += _tables(CampaignFile)
+    return "\n".join(lines).rstrip("\n") + "\n"
 
 
 def _tables(kind: type[Table], skip: tuple[str, ...] = ()) -> Iterator[str]:
@@ -120,11 +131,22 @@ def _values(kind: type[Table], entry: Entry) -> str:
 
 def _kind(choice: dict[str, Any]) -> str:
     if "const" in choice or "enum" in choice:
-        return " or ".join(f'`"{v}"`' for v in choice.get("enum", [choice.get("const")]))
-    if choice["type"] == "array":
-        return f"{choice['maxItems']} {_kind(choice['items']).replace('number', 'numbers')}"
-    words = {"number": "number", "integer": "integer", "boolean": "`true` or `false`"}
-    return f"{words.get(choice['type'], 'text')}{_range(choice)}"
+        return " or ".join(f"`{_toml(v)}`" for v in choice.get("enum", [choice.get("const")]))
+    if choice.get("type") == "array":
+        items = _kind(choice["items"])
+        least, most = choice.get("minItems"), choice.get("maxItems")
+        return f"{most} {_many(items)}" if least == most and most else f"list of {_many(items)}"
+    if "anyOf" in choice:
+        return " or ".join(_kind(c) for c in choice["anyOf"])
+    words = {
+        "number": "number", "integer": "integer", "boolean": "`true` or `false`",
+        "object": "table", "": "number, text, `true` or `false`",
+    }
+    return f"{words.get(choice.get('type', ''), 'text')}{_range(choice)}"
+
+
+def _many(kind: str) -> str:
+    return kind.replace("number", "numbers", 1) if kind.startswith("number") else kind
 
 
 def _range(choice: dict[str, Any]) -> str:

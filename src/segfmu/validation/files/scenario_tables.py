@@ -94,7 +94,8 @@ class CriterionTable(Table):
     ] = "always"
     signal: Annotated[
         Name | list[Name] | None,
-        Key("variable of the run, or several, whose Euclidean norm is meant"),
+        Key("variable of the run, or several, whose Euclidean norm is meant",
+            default="required, but of drives"),
     ] = None
     sense: Annotated[
         Literal["within", "at most", "at least"],

@@ -1,20 +1,24 @@
-"""JSON schemas of mission and crane files, for editors that complete and check TOML."""
+"""JSON schemas of all files, for editors that complete and check TOML."""
 
 from __future__ import annotations
 
 import json
 from typing import Any
 
+from segfmu.validation.files.campaign_tables import CampaignFile
 from segfmu.validation.files.crane_file import CraneFile
 from segfmu.validation.files.keys import Table
 from segfmu.validation.files.mission import Mission
+from segfmu.validation.files.scenario_tables import ScenarioFile
 
-KINDS: dict[str, type[Table]] = {"mission": Mission, "crane": CraneFile}
+KINDS: dict[str, type[Table]] = {
+    "mission": Mission, "crane": CraneFile, "scenario": ScenarioFile, "campaign": CampaignFile,
+}
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
 
 
 def schema(kind: str) -> dict[str, Any]:
-    """The schema of a "mission" or a "crane" file."""
+    """The schema of a kind of file."""
     found = KINDS[kind].model_json_schema()
     parts = found.get("$defs", {})
     for part in (found, *parts.values()):
@@ -29,6 +33,13 @@ def schema(kind: str) -> dict[str, Any]:
         keys["crane"] = {
             "description": crane["description"], "anyOf": [name, {"$ref": crane["$ref"]}],
         }
+    if kind == "scenario":
+        found["properties"]["base"] = {
+            "type": "string", "minLength": 1,
+            "description": "scenario file that all else is merged into",
+        }
+        # a base may have what is required
+        found["anyOf"] = [{"required": ["base"]}, {"required": found.pop("required")}]
     return {"$schema": DIALECT, "title": f"segfmu {kind} file", **{
         k: v for k, v in found.items() if k != "title"
     }}

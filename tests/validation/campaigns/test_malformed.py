@@ -1,0 +1,144 @@
+"""Malformed scenario and campaign files: one line that says where, exit code 2, nothing written."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import pytest
+
+from segfmu.cli.app import run as segfmu
+from tests.compiler import require_native
+from tests.validation.campaigns.files import CAMPAIGN, SCENARIO, write
+
+# what is written in place of what, and what the line says
+CAMPAIGNS = {
+    "no toml": ('name = "c"', 'name = "c', "c.toml: not valid TOML"),
+    "no name": ('name = "c"', "", "name: this key is missing"),
+    "unknown key": ('name = "c"', 'name = "c"\nsampler = 1', "sampler: unknown key; did you mean"),
+    "no scenarios": ('["s.toml"]', "[]", "scenarios: List should have at least 1 item"),
+    "scenario that is not there": ('"s.toml"', '"t.toml"', "t.toml: cannot be read: No such file"),
+    "twice the same": ('["s.toml"]', '["s.toml", "s.toml"]', "two of them are called s.toml"),
+    "kind": ("latin hypercube", "latin square", "sampling.kind: must be 'latin hypercube'"),
+    "no runs": ("runs = 40\n", "", "runs is missing, which latin hypercube needs"),
+    "runs of a matrix": ("latin hypercube", "matrix", "runs is no key of matrix"),
+    "no run": ("runs = 40", "runs = 0", "sampling.runs: must be at least 1"),
+    "too many runs": ("runs = 40", "runs = 2_000_000", "sampling.runs: must be at most 1e+06"),
+    "seed": ("seed = 3", "seed = -3", "sampling.seed: must be at least 0"),
+    "no factor": ("key = ", "keys = ", "keys: unknown key; did you mean key?"),
+    "misspelt crane": (
+        "true_crane.payload_mass", "true_crane.paylod_mass", "did you mean payload_mass",
+    ),
+    "misspelt table": ("simulation.initial_sway", "simulations.initial_sway", "simulations"),
+    "beyond a list": ("initial_sway.0", "initial_sway.7", "a list has no entry 7"),
+    "wrong type": ('["lqr", "flatness"]', "[1, 2]", "controller.design: must be 'lqr'"),
+    "mixed values": ('["lqr", "flatness"]', '["lqr", 2]', "must be all numbers, all text"),
+    "empty range": ("[0.5, 1.5]", "[1.5, 0.5]", "range from 1.5 to 0.5 is empty"),
+    "infinite range": ("[0.5, 1.5]", "[0.5, inf]", "must be a finite number"),
+    "range and values": ("relative = true", "values = [1.0]", "takes one of range, values and"),
+    "logarithm": ("range = [0.0, 1.0]", 'range = [0.0, 1.0]\nscale = "log"', "no logarithm"),
+    "multiple of text": (
+        '"flatness"]', '"flatness"]\nrelative = true', "relative is for numbers",
+    ),
+    "multiple of nothing": (
+        "true_crane.payload_mass", "true_crane.bridge.force_max", "is no number in the files",
+    ),
+    "name of a column": ('name = "sway"', 'name = "error"', "must have no dot and be none of"),
+    "twice a name": ('name = "payload"', 'name = "sway"', "two of them are called sway"),
+    "variants with a key": (
+        'values = ["lqr", "flatness"]', "variants.a = {}", "key is for range and values",
+    ),
+    "wrong variant": (
+        'key = "controller.design"\nvalues = ["lqr", "flatness"]',
+        'variants.a.true_crane.wind = { gust = 3 }', "true_crane.wind.gust: must be a table",
+    ),
+    "changes": ("[sampling]", "[changes]\nspeed = 3\n[sampling]", "speed: unknown key"),
+    "outside of what the FMU takes": (
+        "simulation.initial_sway.0", "parameters.GantryCrane.drive.bridge.lug",
+        "GantryCrane has no variable drive.bridge.lug",
+    ),
+    "FMU that is not there": (
+        "simulation.initial_sway.0", "parameters.Crane.drive.bridge.lag", "no FMU Crane",
+    ),
+}
+SCENARIOS = {
+    "no toml": ("[[criteria]]", "[[criteria]", "s.toml: not valid TOML"),
+    "no mission": ('mission = "', 'base = "', "mission: this key is missing"),
+    "no criteria": ("[[criteria]]", "[[criterion]]", "criterion: unknown key"),
+    "unknown kind": ('"settled"', '"settling"', "criteria.2.kind: must be 'always'"),
+    "signal that is not there": ("error.load.norm", "error.load.norn", "did you mean error.load"),
+    "bound": ("bound = 0.02", "bound = -0.02", "is below 0, which nothing is within"),
+    "window": (
+        "bound = 0.02", 'bound = 0.02\nwindow = ["end", "start"]', "is empty or outside of the run",
+    ),
+    "instant": ("bound = 0.02", 'bound = 0.02\nwindow = ["middle", "end"]', "must be a time, or"),
+    "step": ("step = 0.01", "step = 0", "step: must be at least 1e-06 s"),
+    "coupling": ('"sequential"', '"series"', "coupling: must be 'derivatives'"),
+    "unknown key of the crane": ("crane.drive", "crane.drives", "drives: unknown key"),
+    "event outside": (
+        "[[criteria]]\nname = \"follows\"",
+        "[[events]]\ntime = 1e3\nvalues = { \"wind.x\" = 1.0 }\n[[criteria]]\nname = \"follows\"",
+        "a change at 1000.0 s is outside of the run",
+    ),
+}
+
+
+def refused(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], *words: str
+) -> str:
+    """The one line of a command that is refused."""
+    monkeypatch.setattr(sys, "argv", ["segfmu", *words])
+    assert segfmu() == 2
+    line = capsys.readouterr().err
+    assert line.count("\n") == 1 and line.startswith("segfmu: ")
+    return line
+
+
+@pytest.mark.parametrize("case", CAMPAIGNS)
+def test_campaigns(
+    case: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    require_native()
+    old, new, said = CAMPAIGNS[case]
+    assert old in CAMPAIGN
+    path = write(tmp_path, CAMPAIGN.replace(old, new))
+    before = sorted(tmp_path.rglob("*"))
+    line = refused(monkeypatch, capsys, "campaign", str(path), "-o", str(tmp_path / "out"))
+    assert said in line and str(path) in line
+    assert sorted(tmp_path.rglob("*")) == before
+
+
+@pytest.mark.parametrize("command", ["validate", "campaign"])
+@pytest.mark.parametrize("case", SCENARIOS)
+def test_scenarios(
+    case: str, command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    require_native()
+    old, new, said = SCENARIOS[case]
+    assert old in SCENARIO
+    path = write(tmp_path, scenario=SCENARIO.replace(old, new))
+    before = sorted(tmp_path.rglob("*"))
+    file = path if command == "campaign" else tmp_path / "s.toml"
+    line = refused(monkeypatch, capsys, command, str(file), "-o", str(tmp_path / "out"))
+    assert said in line and "s.toml" in line
+    assert sorted(tmp_path.rglob("*")) == before
+
+
+def test_an_empty_name_of_a_folder(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    require_native()
+    path = write(tmp_path)
+    (tmp_path / "file").touch()
+    for name, said in (("", "output is empty"), (str(tmp_path / "file" / "x"), "Not a directory")):
+        assert said in refused(monkeypatch, capsys, "campaign", str(path), "-o", name)
+
+
+def test_a_run_that_there_is_not(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = write(tmp_path)
+    words = ("campaign", str(path), "-o", str(tmp_path / "out"), "--replay", "40")
+    assert "no run 40; they are 0 to 39" in refused(monkeypatch, capsys, *words)
