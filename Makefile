@@ -6,7 +6,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 OUT ?= out
 
-.PHONY: help demo quick test interpreted lint examples docs bench fuzz fmus check-platforms generate \
+.PHONY: help demo quick test interpreted lint examples pictures docs bench fuzz fmus check-platforms generate \
 	golden lock wheel check-wheel clean
 .DEFAULT_GOAL := demo
 
@@ -57,6 +57,9 @@ examples: $(VENV)/installed ## run every example
 	@set -e; for example in examples/[0-9]*.py; do echo "$$example"; $(BIN)/python $$example; done
 	@set -e; for notebook in examples/[0-9]*.ipynb; do \
 		echo "$$notebook"; $(BIN)/jupyter-execute $$notebook; done
+
+pictures: $(VENV)/installed ## pictures of reports in the documentation; needs Chromium
+	$(BIN)/python -m tests.validation.report.pictures docs/images
 
 $(VENV)/installed-docs: $(VENV)/installed
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check \

@@ -193,7 +193,9 @@ def test_simulate_judges_and_writes_everything(tmp_path, monkeypatch, capsys) ->
     assert code == 0
     assert "passed" in printed
     names = {p.name for p in tmp_path.iterdir()}
-    assert names == {"GantryFeedforward.fmu", "GantryCrane.fmu", "run.csv", "run.png"}
+    assert names == {
+        "GantryFeedforward.fmu", "GantryCrane.fmu", "run.csv", "run.png", "report.html",
+    }
 
 
 def test_failed_verdict_gives_code_1(tmp_path, monkeypatch, capsys) -> None:

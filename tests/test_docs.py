@@ -37,7 +37,7 @@ WRITTEN = (
     "yard", "scenarios",
 )
 OTHERS = {
-    "mission.toml", "crane.toml", "./mission.schema.json", "mission.schema.json",
+    "mission.toml", "crane.toml", "report.html", "./mission.schema.json", "mission.schema.json",
     "campaign.json",
     "gust.py", "sway_damper.py", "sway_damper.toml", "conftest.py", "test_crane.py",
     "package.mo", "MyMission.mo", "Mission.mo", "feeds.c",

@@ -30,10 +30,12 @@ EXTERNAL = {
     "fmpy": {"cosim"},
     "pythonfmu": {"fmu"},
     "matplotlib": {"validation"},
+    "jinja2": {"validation/report"},
     "pandas": {"validation"},
     "dask": {"validation/campaigns/cluster.py"},
     "distributed": {"validation/campaigns/cluster.py"},
     "pyarrow": {"validation/campaigns"},
+    "plotly": {"validation/report"},
 }
 
 FILES = sorted(SOURCE.rglob("*.py"))

@@ -98,7 +98,9 @@ def simulate(
     mission: MissionFile,
     output: Annotated[
         str,
-        typer.Option("--output", "-o", metavar="FOLDER", help="Folder for FMUs, run.csv, plots."),
+        typer.Option(
+            "--output", "-o", metavar="FOLDER", help="Folder for FMUs, run.csv, plots and report."
+        ),
     ] = "out",
     step: Annotated[
         float | None, typer.Option(help="Communication step [s]; default: the mission's.")
@@ -119,6 +121,7 @@ def simulate(
     console.print(run_table(run.mission.name, run.criteria))
     tell(left_out)
     tell(f"FMUs, run.csv and run.png are in {target}")
+    tell(f"report: {run.report(target / 'report.html')}")
     for row in run.criteria.rows:
         if not row.passed:
             tell(f"failed: {row.name} {row}; {row.key} sets what is allowed")

@@ -21,7 +21,9 @@ def validate(
     ],
     output: Annotated[
         str | None,
-        typer.Option("--output", "-o", metavar="FOLDER", help="For tables and results.json."),
+        typer.Option(
+            "--output", "-o", metavar="FOLDER", help="For tables, results.json and a report."
+        ),
     ] = None,
     junit: Annotated[
         Path | None, typer.Option("--junit", metavar="FILE", help="JUnit XML of all criteria.")
@@ -41,7 +43,9 @@ def validate(
     right = sum(result.right for result in suite)
     console.print(f"{right} of {len(suite)} scenarios as expected")
     if output is not None:
-        write_results(folder(output), suite.results)
+        target = folder(output)
+        write_results(target, suite.results)
+        tell(f"report: {suite.report(target / 'report.html')}")
     if junit is not None:
         write_junit(junit, suite.results)
     if not suite.passed:

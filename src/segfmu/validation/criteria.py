@@ -48,7 +48,7 @@ class Row:
         """The value and its unit; of noise what it is below."""
         least = NOISE.get(self.unit, 0.0)
         value = f"below {least:g}" if self.value < least else f"{self.value:.4g}"
-        return f"{value} {self.unit}"
+        return f"{value} {self.unit}".replace("e-0", "e-")
 
     def __str__(self) -> str:
         return f"{self.measured} (at most {self.allowed:g})"

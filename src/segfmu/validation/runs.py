@@ -110,6 +110,12 @@ class Run:
         write_csv(Path(path), thinned(self.rows, every), signal_units())
         return note(Path(path).name, every, self.mission.simulation.step)
 
+    def report(self, path: str | Path) -> Path:
+        """Write the run as one HTML file that opens without a network; returns its path."""
+        from segfmu.validation.report import run_page, write
+
+        return write(path, run_page(self))
+
     def plot(self, what: Picture = "run") -> Figure:
         """A figure of Matplotlib; `figure.savefig` writes it.
 
@@ -176,6 +182,8 @@ def simulate(
     >>> bool(abs(run["sway.x.angle"]).max() < 0.2)
     True
     >>> run.plot().savefig("run.png")
+    >>> run.report("report.html").name
+    'report.html'
     """
     if step is not None and not LEAST_STEP <= step <= MOST_STEP:
         raise InputError(f"step must be from {LEAST_STEP:g} to {MOST_STEP:g} s, got {step}")

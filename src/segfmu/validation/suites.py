@@ -81,6 +81,12 @@ class Suite:
             "error": [result.error for result, _ in entries],
         })
 
+    def report(self, path: str | Path) -> Path:
+        """Write all results as one HTML file that opens without a network; returns its path."""
+        from segfmu.validation.report import suite_page, write
+
+        return write(path, suite_page(self))
+
     def plot(self) -> Figure:
         """The margins of all criteria, as shares of their bounds, as a figure of Matplotlib."""
         from segfmu.validation.suite_plots import plot_margins

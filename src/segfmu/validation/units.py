@@ -33,3 +33,17 @@ def signal_units() -> dict[str, str]:
     specs = (gantry_feedforward.spec(), gantry_crane.spec())
     own = {v.name: v.unit for spec in specs for v in spec.variables if v.unit}
     return {"time": "s"} | own
+
+
+def length(largest: float) -> tuple[float, str]:
+    """Factor and unit with which lengths up to a largest one [m] are shown."""
+    if largest >= 1.0:
+        return 1.0, "m"
+    return (1e3, "mm") if largest >= 1e-5 else (1e6, "µm")
+
+
+def pretty(value: float) -> str:
+    """A number with four digits that count, without an exponent where one can do without."""
+    if value and not 1e-4 <= abs(value) < 1e6:
+        return f"{value:.3g}"
+    return f"{float(f'{value:.4g}'):.10f}".rstrip("0").rstrip(".") if value else "0"

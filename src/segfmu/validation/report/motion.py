@@ -1,0 +1,200 @@
+"""Sections of a co-simulated mission: load, drives, sway, tracking error."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from segfmu.crane.bounds import DRIVES, UNITS, ActuatorBounds
+from segfmu.kernels.crane.records import Demand
+from segfmu.planning import Trajectory
+from segfmu.planning.arrays import FloatArray
+from segfmu.planning.limits import NAMES
+from segfmu.validation.drive_use import run_demands
+from segfmu.validation.files.keys import AXES
+from segfmu.validation.report.curves import digits, thinned
+from segfmu.validation.report.page import NEAR, Chart, Curve, Section
+from segfmu.validation.units import length, pretty, scale
+
+SAMPLES = 2000
+# [m], [rad]: below these numbers are noise of the computation
+NO_ERROR, NO_SWAY = 1e-9, 2e-8
+AXIS_LEGEND = (("x", "x"), ("y", "y"), ("z", "z"))
+RUN_LEGEND = (("run", "run"), ("plan", "plan"))
+# what the run shows of a drive, in the order of the record `Demand`; the plan's columns beside it
+PLANS = {
+    "velocity": ("reference.bridge.velocity", "reference.trolley.velocity",
+                 "reference.rope.velocity"),
+    "acceleration": ("reference.bridge.acceleration", "reference.trolley.acceleration",
+                     "reference.rope.acceleration"),
+    "force": ("force.bridge", "force.trolley", "force.hoist"),
+}
+FIRST = {
+    "velocity": Demand.VELOCITY, "acceleration": Demand.ACCELERATION, "force": Demand.FORCE,
+    "power": Demand.POWER,
+}
+Rows = NDArray[np.void]
+
+
+def load_section(trajectory: Trajectory) -> Section:
+    """The planned motion of the load and its derivatives, against their limits."""
+    times = np.linspace(0.0, trajectory.duration, SAMPLES)
+    table = trajectory.limits.table(trajectory.axes, trajectory.smoothness)
+    charts = [_position(trajectory, times)]
+    for order, name in enumerate(NAMES[: min(trajectory.smoothness, 4)], 1):
+        charts.append(_derivative(trajectory, times, order, name, table[:, order - 1]))
+    return Section(
+        "Load against its limits",
+        "The planned motion of the load. Vertical lines: arrivals at the waypoints.",
+        AXIS_LEGEND, charts,
+    )
+
+
+def _position(trajectory: Trajectory, times: FloatArray) -> Chart:
+    values = trajectory(times)
+    spans = (
+        f"{axis} {pretty(float(low))} to {pretty(float(high))} m"
+        for axis, low, high in zip(AXES, *trajectory.extrema(0), strict=True)
+    )
+    return Chart("position", "m", "; ".join(spans), curves(times, values, AXES, AXES))
+
+
+def _derivative(
+    trajectory: Trajectory, times: FloatArray, order: int, name: str, limits: FloatArray
+) -> Chart:
+    """In percent where all axes are limited."""
+    unit = f"m/s{order if order > 1 else ''}".translate(str.maketrans("234", "²³⁴"))
+    peaks = np.maximum(*np.abs(trajectory.extrema(order)))
+    limited = bool((limits > 0.0).all())
+    words = "; ".join(
+        f"{axis} {pretty(float(peak))}" + (f" of {pretty(float(most))}" if most > 0.0 else "")
+        for axis, peak, most in zip(AXES, peaks, limits, strict=True)
+    )
+    values = trajectory(times, order)
+    if limited:
+        return Chart(
+            name, "% of limit", f"peaks {words} {unit}",
+            curves(times, 100.0 * values / limits, AXES, AXES, 200.0), (-100.0, 100.0),
+        )
+    return Chart(name, unit, f"peaks {words} {unit}", curves(times, values, AXES, AXES))
+
+
+def drive_section(
+    rows: Rows, bounds: ActuatorBounds, quantities: Sequence[str] = tuple(FIRST)
+) -> Section:
+    """Velocity, acceleration, force and power of each drive, against its bounds."""
+    found = run_demands(rows)
+    resting = [drive for i, drive in enumerate(DRIVES) if _rests(found, i)]
+    charts = []
+    for quantity in quantities:
+        first = FIRST[quantity]
+        for i, drive in enumerate(DRIVES):
+            if drive not in resting:
+                charts.append(_drive(
+                    rows, found[:, first + i], bounds.vector[first + i], quantity, i, drive
+                ))
+    text = (
+        "What the run asked of each drive, and what was planned. Grey: beyond the bound. The pull "
+        "of the hoist is positive; so is its velocity when the rope gets longer."
+    )
+    if resting:
+        text += f" {' and '.join(resting).capitalize()}: at rest and without force."
+    return Section(
+        "Drives against their bounds", text, RUN_LEGEND, charts,
+        columns=len(DRIVES) - len(resting),
+    )
+
+
+def _rests(found: FloatArray, i: int) -> bool:
+    """Whether a drive neither moves nor pushes."""
+    used = (found[:, Demand.VELOCITY + i], found[:, Demand.FORCE + i])
+    weight = float(np.abs(found[:, Demand.FORCE: Demand.VELOCITY]).max())
+    return bool(np.abs(used[0]).max() < NO_ERROR and np.abs(used[1]).max() <= NO_ERROR * weight)
+
+
+def _drive(
+    rows: Rows, values: FloatArray, bound: float, quantity: str, i: int, drive: str
+) -> Chart:
+    planned = rows[PLANS[quantity][i]] if quantity in PLANS else \
+        rows[PLANS["force"][i]] * rows[PLANS["velocity"][i]]
+    pulls = quantity == "force" and drive == "hoist"
+    if pulls:
+        values, planned = -values, -planned
+    peak = float(np.abs(values).max())
+    known = bool(np.isfinite(bound))
+    factor, unit = scale(max(peak, bound if known else 0.0), UNITS[quantity])
+    words = f"peak {pretty(factor * peak)} {powers(unit)}"
+    if known:
+        words += f", {pretty(100.0 * peak / bound)} % of {pretty(factor * bound)} {powers(unit)}"
+    near = known and peak >= NEAR * bound
+    shown = np.column_stack([values, planned]) * factor
+    limits = (0.0 if pulls else -factor * bound, factor * bound) if near else (None, None)
+    return Chart(
+        f"{drive}, {quantity}", powers(unit), words,
+        curves(rows["time"], shown, ("run", "plan"), ("run", "plan"),
+               2.0 * factor * bound if near else 0.0),
+        limits,
+    )
+
+
+def sway_section(rows: Rows, bounds: ActuatorBounds) -> Section:
+    """Sway about both axes, as planned and as it was."""
+    charts = []
+    for i, axis in enumerate("xy"):
+        values = np.column_stack([
+            np.degrees(rows[f"{name}sway.{axis}.angle"]) for name in ("", "reference.")
+        ])
+        peak, bound = float(np.abs(values[:, 0]).max()), float(np.degrees(bounds.sway_angle[i]))
+        known = bool(np.isfinite(bound))
+        words = f"peak {pretty(peak)} deg" + (f" of {pretty(bound)} deg" if known else "")
+        near = known and peak >= NEAR * bound
+        charts.append(Chart(
+            f"sway along {axis}", "deg", words,
+            curves(rows["time"], values, ("run", "plan"), ("run", "plan"),
+                   max(2.0 * bound if near else 0.0, np.degrees(NO_SWAY))),
+            (-bound, bound) if near else (None, None),
+        ))
+    return Section("Sway", "", RUN_LEGEND, charts)
+
+
+def error_section(rows: Rows) -> Section:
+    """Where the load is away from its plan; noise of the computation is only said."""
+    values = np.column_stack([rows[f"error.load.{axis}"] for axis in AXES])
+    largest = float(rows["error.load.norm"].max())
+    if largest < NO_ERROR:
+        return Section(
+            "Tracking error", "The load is on its plan: the distance is below 1e-6 mm throughout."
+        )
+    factor, unit = length(largest)
+    at = float(rows["time"][int(rows["error.load.norm"].argmax())])
+    words = f"largest distance {pretty(factor * largest)} {unit} at {at:.3f} s"
+    chart = Chart("load less plan", unit, words,
+                  curves(rows["time"], factor * values, AXES, AXES))
+    return Section("Tracking error", "", AXIS_LEGEND, [chart], wide=True)
+
+
+def curves(
+    times: FloatArray, values: FloatArray, names: tuple[str, ...], roles: tuple[str, ...],
+    height: float = 0.0,
+) -> list[Curve]:
+    """Curves of columns, thinned to what a chart of at least this height shows."""
+    own = float(values.max() - values.min()) if values.size else 0.0
+    most = max(own, height, 1e-12 * max(1.0, float(np.abs(values).max())))
+    found = []
+    for column, name, role in zip(values.T, names, roles, strict=True):
+        x, y = thinned(times, np.asarray(column, dtype=np.float64), most)
+        found.append(Curve(name, role, digits(x, float(np.ptp(times))), digits(y, most)))
+    return found
+
+
+def arrivals(rows: Rows, end: float) -> list[float]:
+    """Times at which the load is at the waypoints [s], from the rows of a run."""
+    jumps = np.flatnonzero(np.diff(rows["plan.interval"].astype(int)) > 0) + 1
+    return [0.0, *(round(float(rows["time"][i]), 4) for i in jumps), round(end, 4)]
+
+
+def powers(unit: str) -> str:
+    """A unit with its powers as they are printed."""
+    return unit.replace("s2", "s²")

@@ -1,0 +1,128 @@
+"""The report of a mission that was co-simulated."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import isfinite
+from typing import TYPE_CHECKING
+
+from segfmu.crane import ActuatorBounds
+from segfmu.planning import Trajectory
+from segfmu.validation.criteria import Criteria, Row
+from segfmu.validation.files.mission import Mission
+from segfmu.validation.report.motion import (
+    drive_section,
+    error_section,
+    load_section,
+    powers,
+    sway_section,
+)
+from segfmu.validation.report.page import Cell, Page, Section, Table
+from segfmu.validation.report.scene import scene
+from segfmu.validation.units import pretty, scale, shown
+
+if TYPE_CHECKING:
+    from segfmu.validation.runs import Run
+
+
+def run_page(run: Run) -> Page:
+    """Verdict, view, load, drives, sway, error and what was run."""
+    mission, trajectory, rows = run.mission, run.trajectory, run.rows
+    bounds = mission.build_bounds() or ActuatorBounds()
+    times = [round(float(time), 4) for time in trajectory.waypoint_times]
+    return Page(
+        title=mission.name,
+        kind="Co-simulated mission",
+        passed=run.passed,
+        verdict="passed" if run.passed else "failed",
+        facts=_facts(run.criteria),
+        summary=_verdicts(run.criteria),
+        scenes=[scene(mission, rows, mission.name)],
+        sections=[
+            *(replace(part, scene=0, arrivals=times, end=float(rows["time"][-1])) for part in (
+                load_section(trajectory), drive_section(rows, bounds),
+                sway_section(rows, bounds), error_section(rows),
+            )),
+            _task(mission, trajectory),
+        ],
+    )
+
+
+def _facts(found: Criteria) -> list[tuple[str, str]]:
+    error, sway = found.rows[:2]
+    facts = [
+        ("planned duration", f"{found.duration:.3f} s"),
+        (error.name, error.measured), (sway.name, sway.measured),
+    ]
+    used = [use for use in found.uses if isfinite(use.bound)]
+    if used:
+        most = max(used, key=lambda use: use.use)
+        facts.append((f"greatest use: {most.name}", f"{100.0 * most.use:.1f} %"))
+    return facts
+
+
+def _verdicts(found: Criteria) -> Table:
+    rows: list[tuple[Cell, ...]] = [
+        (
+            row.name, row.measured, f"{pretty(row.allowed)} {row.unit}", _share(row), _word(row),
+            row.key,
+        )
+        for row in found.rows if row.unit != "%"
+    ]
+    used = [row for row in found.rows if row.unit == "%"]
+    known = [use for use in found.uses if isfinite(use.bound)]
+    for use, row in zip(known, used, strict=True):
+        (peak, bound), unit = shown((use.peak, use.bound), use.unit)
+        name = powers(unit)
+        rows.append((
+            use.name, f"{pretty(peak)} {name} ({row.value:.1f} %)",
+            f"{row.allowed:.0f} % of {pretty(bound)} {name}", _share(row), _word(row),
+            "crane or actuators",
+        ))
+    heads = ("measure", "value", "allowed", "margin", "verdict", "set by")
+    return Table("Verdict", heads, rows)
+
+
+def _share(row: Row) -> str:
+    """The margin, of what is allowed."""
+    return f"{100.0 * (1.0 - row.value / row.allowed):.1f} %" if row.allowed else ""
+
+
+def _word(row: Row) -> Cell:
+    return ("passed", "good") if row.passed else ("failed", "bad")
+
+
+def _task(mission: Mission, trajectory: Trajectory) -> Section:
+    """Waypoints, the crane, and how to run this again."""
+    stops = Table(
+        "Waypoints", ("waypoint", "arrival [s]", "x [m]", "y [m]", "z [m]"),
+        [
+            (str(i), f"{time:.3f}", *(pretty(float(p)) for p in point.position))
+            for i, (time, point) in enumerate(
+                zip(trajectory.waypoint_times, trajectory.waypoints, strict=True), 1
+            )
+        ],
+    )
+    crane = mission.simulated
+    masses = [
+        (name, crane_mass(getattr(crane, key)))
+        for name, key in (
+            ("bridge", "bridge_mass"), ("trolley", "trolley_mass"), ("load", "payload_mass"),
+        )
+    ]
+    plan = [
+        ("smoothness", str(mission.smoothness)), ("shape of the ramps", mission.shape),
+        ("communication step", f"{mission.simulation.step:g} s"),
+        ("drives follow", f"{mission.simulation.drive or crane.drive} setpoints"),
+    ]
+    commands = [f"segfmu simulate {mission.file}"] if mission.file else []
+    return Section(
+        "What was run", tables=[stops, Table("Crane and run", ("", ""), [*masses, *plan])],
+        commands=commands,
+    )
+
+
+def crane_mass(mass: float) -> str:
+    """A mass in kg or t."""
+    factor, unit = scale(mass, "kg")
+    return f"{pretty(factor * mass)} {unit}"

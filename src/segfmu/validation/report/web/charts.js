@@ -1,0 +1,104 @@
+"use strict";
+// Charts over time; a line in each follows the time of the view.
+(() => {
+  const data = JSON.parse(document.getElementById("data").textContent);
+  const DASHES = {x: "solid", y: "9px,3px", z: "3px,2px", run: "solid", plan: "2px,3px"};
+  const GREY = "rgba(128,134,140,0.55)", BAND = "rgba(128,134,140,0.25)";
+  const drawn = new Map();
+
+  const traces = (chart) => chart.curves.map((curve) => ({
+    x: curve.x, y: curve.y, name: curve.name, uid: curve.role, type: "scatter", mode: "lines",
+    line: {width: curve.role === "plan" ? 1.6 : 2, dash: DASHES[curve.role]},
+    hovertemplate: "%{y:.4~g} " + chart.unit,
+  }));
+
+  // what is beyond the limits, and the arrivals at waypoints
+  const shapes = (chart) => {
+    const found = chart.arrivals.map((time) => ({
+      type: "line", xref: "x", yref: "paper", x0: time, x1: time, y0: 0, y1: 1, layer: "below",
+      line: {color: GREY, width: 1},
+    }));
+    const [low, high] = chart.limits;
+    const span = high === null ? 0 : high - (low === null ? -high : low);
+    for (const [limit, side] of [[low, -1], [high, 1]]) {
+      if (limit !== null) {
+        found.push({
+          type: "rect", xref: "paper", yref: "y", x0: 0, x1: 1, y0: limit,
+          y1: limit + side * 10 * span, fillcolor: BAND, line: {width: 0}, layer: "below",
+        });
+      }
+    }
+    return found;
+  };
+
+  const range = (chart) => {
+    const values = chart.curves.flatMap((curve) => curve.y);
+    for (const limit of chart.limits) if (limit !== null) values.push(limit);
+    let low = Math.min(...values), high = Math.max(...values);
+    const size = Math.max(Math.abs(low), Math.abs(high));
+    // what does not change is not enlarged to noise
+    const least = 1e-3 * size || 1;
+    if (high - low < least) [low, high] = [low - least, high + least];
+    const rim = 0.08 * (high - low);
+    return [low - rim, high + rim];
+  };
+
+  const layout = (chart) => ({
+    margin: {l: 58, r: 12, t: 6, b: 30}, paper_bgcolor: "rgba(0,0,0,0)",
+    plot_bgcolor: "rgba(0,0,0,0)", showlegend: false, hovermode: "x unified", dragmode: false,
+    hoverlabel: {bgcolor: "#22282e", font: {color: "#ffffff", size: 13}},
+    font: {family: "system-ui, sans-serif", size: 12}, shapes: shapes(chart),
+    xaxis: {
+      range: [0, chart.end], fixedrange: true, ticksuffix: " s", showticksuffix: "last",
+      zeroline: false, nticks: 7,
+    },
+    yaxis: {range: range(chart), fixedrange: true, nticks: 6, zeroline: true, exponentformat: "e"},
+  });
+
+  async function draw(place) {
+    if (drawn.has(place)) return;
+    const chart = data.charts[Number(place.dataset.chart)];
+    drawn.set(place, chart);
+    await Plotly.newPlot(place, traces(chart), layout(chart), {
+      displayModeBar: false, responsive: true, doubleClick: false, showTips: false,
+    });
+    const cursor = document.createElement("div");
+    cursor.className = "cursor";
+    place.append(cursor);
+  }
+
+  // one after the other, so that the page stays alive
+  async function drawAll() {
+    for (const place of document.querySelectorAll(".chart")) {
+      if (place.closest("details:not([open])")) continue;
+      await draw(place);
+      await new Promise((next) => setTimeout(next));
+    }
+    document.body.dataset.drawn = "yes";
+  }
+
+  document.addEventListener("toggle", (event) => {
+    if (event.target.open) event.target.querySelectorAll(".chart").forEach(draw);
+  }, true);
+
+  document.addEventListener("scenetime", (event) => {
+    for (const [place, chart] of drawn) {
+      const cursor = place.querySelector(".cursor"), axis = place._fullLayout?.xaxis;
+      if (!cursor || !axis) continue;
+      const shown = chart.scene === event.detail.scene && event.detail.time <= chart.end;
+      cursor.style.display = shown ? "block" : "none";
+      cursor.style.left = axis._offset + axis.l2p(event.detail.time) + "px";
+    }
+  });
+
+  // on paper the drawings are scaled: there is no time to draw them again
+  window.addEventListener("beforeprint", () => {
+    for (const part of document.querySelectorAll(".chart .main-svg")) {
+      part.setAttribute("viewBox", `0 0 ${part.getAttribute("width")} ${part.getAttribute("height")}`);
+    }
+  });
+  window.addEventListener("afterprint", () => {
+    for (const part of document.querySelectorAll(".chart .main-svg")) part.removeAttribute("viewBox");
+  });
+  drawAll();
+})();

@@ -1,0 +1,120 @@
+"""What reports say, and that thinned curves are those of the run."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import segfmu
+from segfmu.validation.report import run_page
+from segfmu.validation.report.curves import TOLERANCE, thinned
+from segfmu.validation.report.page import render
+from segfmu.validation.units import length, pretty
+from tests.compiler import needs_native
+
+MODELS = Path(__file__).parents[3] / "models"
+
+
+@pytest.fixture(scope="module")
+def run() -> segfmu.Run:
+    return segfmu.simulate(MODELS / "inteco.toml", step=0.005)
+
+
+@pytest.mark.parametrize("noise", [0.0, 0.3])
+def test_a_thinned_curve_is_the_curve_to_a_third_of_a_pixel(noise: float) -> None:
+    x = np.linspace(0.0, 10.0, 700)
+    y = np.sin(x) * np.exp(-0.2 * x) + noise * np.random.default_rng(1).normal(size=x.size)
+    few = thinned(x, y, float(np.ptp(y)))
+    assert np.abs(np.interp(x, *few) - y).max() <= TOLERANCE * np.ptp(y)
+    assert noise or few[0].size < 80
+
+
+def test_a_long_curve_keeps_its_peaks() -> None:
+    x = np.arange(200_000.0)
+    y = np.where(x == 123_457, 5.0, np.sin(1e-3 * x))
+    few = thinned(x, y, 10.0)
+    assert few[1].max() == 5.0 and 123_457 in few[0] and few[0].size < 1000
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [(0.0, "0"), (0.005, "0.005"), (471e3, "471000"), (1.23456, "1.235"), (-0.02, "-0.02"),
+     (1e-9, "1e-09"), (3.2e9, "3.2e+09"), (999.96, "1000")],
+)
+def test_numbers_are_short(value: float, text: str) -> None:
+    assert pretty(value) == text
+
+
+@pytest.mark.parametrize(("largest", "unit"), [(2.0, "m"), (0.02, "mm"), (3e-6, "µm")])
+def test_lengths_have_the_unit_that_suits_them(largest: float, unit: str) -> None:
+    assert length(largest)[1] == unit
+
+
+@needs_native
+def test_every_measure_is_in_the_verdict(run: segfmu.Run) -> None:
+    page = run_page(run)
+    assert len(page.summary.rows) == len(run.criteria.rows)
+    assert {row[4][0] for row in page.summary.rows} == {"passed"}
+    text = render(page)
+    assert re.search(r"<title>[^<]*passed</title>", text)
+    assert "segfmu simulate" in text and "below 1e-6 mm" in text
+
+
+@needs_native
+def test_a_failed_run_says_so(run: segfmu.Run) -> None:
+    swinging = segfmu.load_mission(run.mission, {"simulation": {"initial_sway": [3.0, 0.0]}})
+    page = run_page(segfmu.simulate(swinging, step=0.005))
+    assert not page.passed and page.verdict == "failed"
+    assert ("failed", "bad") in [row[4] for row in page.summary.rows]
+    (error,) = [s for s in page.sections if s.title == "Tracking error"]
+    assert error.charts[0].unit == "mm"
+
+
+@needs_native
+def test_charts_show_the_run(run: segfmu.Run) -> None:
+    page = run_page(run)
+    charts = {chart.title: chart for section in page.sections for chart in section.charts}
+    for drive, name in (("bridge", "bridge"), ("trolley", "trolley"), ("hoist", "rope")):
+        chart = charts[f"{drive}, velocity"]
+        curve = chart.curves[0]
+        there = np.interp(run.time, curve.x, curve.y)
+        height = chart.limits[1] - chart.limits[0] if chart.limits[1] else np.ptp(curve.y)
+        assert np.abs(there - run[f"{name}.velocity"]).max() < 3.0 * TOLERANCE * height
+    # weight of the load: the rope pulls
+    pull = charts["hoist, force"].curves[0].y[-1]
+    assert pull == pytest.approx(9.81 * run.mission.crane.payload_mass, rel=1e-2)
+
+
+@needs_native
+def test_large_cranes_have_large_units() -> None:
+    run = segfmu.simulate(MODELS / "scenarios" / "_quay_mission.toml", step=0.02)
+    page = run_page(run)
+    charts = {chart.title: chart for section in page.sections for chart in section.charts}
+    assert charts["hoist, force"].unit == "kN" and charts["hoist, power"].unit == "kW"
+    texts = [str(section.text) for section in page.sections]
+    assert any("Bridge: at rest" in text for text in texts)
+
+
+@needs_native
+def test_the_data_are_json_that_ends_no_element(run: segfmu.Run) -> None:
+    text = render(run_page(run))
+    (data,) = re.findall(r'<script id="data" type="application/json">(.*?)</script>', text)
+    content = json.loads(data)
+    assert len(content["scenes"]) == 1 and len(content["charts"]) > 15
+    scene = content["scenes"][0]
+    assert {len(row) for row in scene["frames"]} == {len(scene["times"])}
+
+
+@needs_native
+def test_a_suite_has_every_criterion_and_error(tmp_path: Path) -> None:
+    names = ("wind", "large_sway")
+    suite = segfmu.validate([MODELS / "scenarios" / f"{name}.toml" for name in names])
+    text = suite.report(tmp_path / "report.html").read_text(encoding="utf-8")
+    for result in suite:
+        assert f"segfmu validate {result.scenario.path}" in text
+        assert all(finding.name in text for finding in result.findings)
+    assert "end stop" in text and "as expected" in text
