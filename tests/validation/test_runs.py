@@ -119,7 +119,7 @@ def test_a_run_plots(run: segfmu.Run, what: str, tmp_path: Path) -> None:
 
 @needs_native
 def test_reprs_are_short(run: segfmu.Run) -> None:
-    assert len(repr(run)) < 200 and "tracking error below 1e-06 mm" in repr(run)
+    assert len(repr(run)) < 200 and "tracking error below 1e-6 mm" in repr(run)
     assert "<table>" in run._repr_html_()
     with pytest.raises(segfmu.InputError, match="must be run, plan, path or drives"):
         run.plot("force")
