@@ -6,8 +6,8 @@ VENV := .venv
 BIN := $(VENV)/bin
 OUT ?= out
 
-.PHONY: help demo quick test interpreted lint examples pictures docs bench fuzz fmus check-platforms generate \
-	golden lock wheel check-wheel clean
+.PHONY: help demo quick test interpreted lint examples pictures docs bench fuzz fmus check-platforms \
+	generate golden lock wheel check-wheel release clean
 .DEFAULT_GOAL := demo
 
 $(VENV)/installed: pyproject.toml setup.py requirements-dev.lock \
@@ -110,6 +110,10 @@ wheel: $(VENV)/installed-platforms ## source distribution and wheel with all bin
 	$(BIN)/python -m segfmu.fmu.native.prebuild
 	$(BIN)/python -m build --sdist --outdir dist
 	$(BIN)/python -m build --wheel --outdir dist
+
+release: $(VENV)/installed-platforms ## both distributions into dist/, checked; nothing is uploaded
+	$(BIN)/python -m tests.release
+	$(BIN)/python -m tests.wheel --keep dist $(PYTHONS)
 
 check-wheel: $(VENV)/installed-platforms ## install the wheel elsewhere and run its commands; PYTHONS="..."
 	$(BIN)/python -m tests.wheel $(PYTHONS)

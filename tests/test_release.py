@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 import segfmu
+from tests import release
 from tests.compiler import CC, compiled_kernels, needs_native
 
 ROOT = Path(__file__).parents[1]
@@ -107,3 +108,23 @@ def test_the_compiled_kernels_are_one_binary_for_all_versions_of_python() -> Non
     compiled = compiled_kernels()
     if sys.platform != "win32":
         assert Path(compiled.__file__).name == "_compiled.abi3.so"
+
+
+def test_every_file_states_the_same_version() -> None:
+    assert set(release.places().values()) == {release.version()}
+
+
+def test_a_release_with_entries_left_over_is_refused(monkeypatch, tmp_path: Path) -> None:
+    for name in (*release.PLACES, "pyproject.toml"):
+        target = tmp_path / name
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_bytes((ROOT / name).read_bytes())
+    monkeypatch.setattr(release, "ROOT", tmp_path)
+    log = tmp_path / "CHANGELOG.md"
+    ready = f"## [Unreleased]\n\n## [{release.version()}] - 2026-01-02\n\n- All of it.\n"
+    log.write_text(ready, encoding="utf-8")
+    assert release.faults() == []
+    log.write_text(ready.replace("[Unreleased]\n", "[Unreleased]\n\n- More.\n"), encoding="utf-8")
+    assert release.faults() == ["CHANGELOG.md has entries under [Unreleased]"]
+    log.write_text("## [9.9.9] - 2026-01-02\n\n- Another.\n", encoding="utf-8")
+    assert "no section" in release.faults()[0]

@@ -1,18 +1,21 @@
-"""What a user installs: `python -m tests.wheel [interpreter ...]`.
+"""What a user installs: `python -m tests.wheel [--keep FOLDER] [interpreter ...]`.
 
 Builds the source distribution and from it the wheel, looks into both, and runs the wheel's commands
-in an empty environment outside of the repository, for each of the interpreters.
+in an empty environment outside of the repository, for each of the interpreters. What has passed is
+kept in a folder.
 """
 
 from __future__ import annotations
 
 import os
+import shutil
 import subprocess
 import sys
 import tarfile
 import tempfile
 import time
 import zipfile
+from argparse import ArgumentParser
 from pathlib import Path
 
 from segfmu.fmu.native.compilers import PLATFORMS
@@ -99,13 +102,13 @@ def check_commands(wheel: Path, interpreter: str, work: Path) -> None:
     run(segfmu, "build", mission, "--fmi", "3", "--output", "fmi3", folder=work)
     run(segfmu, "build", "--backend", "python", "--output", "python", folder=work)
     run(segfmu, "simulate", mission, "--output", "run", folder=work)
-    check_platforms(commands, work)
+    check_without_compiler(commands, work)
     for name in ("plan/plan.csv", "fmi3/GantryCrane.fmu", "python/GantryCrane.fmu", "run/run.csv"):
         assert (work / name).exists(), name
 
 
-def check_platforms(commands: Path, work: Path) -> None:
-    """Native FMUs of all platforms, where no compiler is on the path."""
+def check_without_compiler(commands: Path, work: Path) -> None:
+    """Native FMUs of all platforms, and runs, where no compiler is on the path."""
     environment = {k: v for k, v in os.environ.items() if not k.startswith("PYTHON")}
     environment |= {"PATH": str(commands), "SEGFMU_CACHE": str(work / "cache")}
     for fmi in ("2", "3"):
@@ -120,21 +123,39 @@ def check_platforms(commands: Path, work: Path) -> None:
         # FMI 2.0 has one folder for both processors of macOS
         assert len(folders) == len(PLATFORMS) - (fmi == "2"), folders
         print(f"FMI {fmi}, {len(PLATFORMS)} platforms without a compiler: {seconds:.2f} s")
+    models = ROOT / "models"
+    for words in (
+        ["simulate", str(models / "paper.toml"), "--output", "bare"],
+        ["validate", str(models / "scenarios" / "gust.toml"), "--output", "bare"],
+    ):
+        subprocess.run(
+            [commands / "segfmu", *words], cwd=work, env=environment, check=True,
+            stdout=subprocess.DEVNULL,
+        )
+    assert (work / "bare" / "gust.csv").exists()
     assert not (work / "cache").exists()
 
 
 def main() -> None:
     """Check both distributions under the interpreters of the command line, or this one."""
+    parser = ArgumentParser()
+    parser.add_argument("--keep", type=Path)
+    parser.add_argument("interpreters", nargs="*", default=[sys.executable])
+    options = parser.parse_args()
     with tempfile.TemporaryDirectory(prefix="segfmu_wheel_") as folder:
         source, wheel = built(Path(folder) / "dist")
         check_source(source)
         check_wheel(wheel)
         print(f"{wheel.name}  {wheel.stat().st_size / 1024:.0f} KiB")
-        for i, interpreter in enumerate(sys.argv[1:] or [sys.executable]):
+        for i, interpreter in enumerate(options.interpreters):
             work = Path(folder) / f"work{i}"
             work.mkdir()
             check_commands(wheel, interpreter, work)
-            print(f"{interpreter}: plan, build and simulate work")
+            print(f"{interpreter}: plan, build, simulate and validate work")
+        if options.keep:
+            options.keep.mkdir(exist_ok=True)
+            for made in (source, wheel):
+                print(shutil.copy2(made, options.keep))
 
 
 if __name__ == "__main__":
