@@ -10,7 +10,10 @@ from hypothesis import strategies as st
 from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters
 from segfmu.kernels.planner.phases import measure_phases
 from segfmu.kernels.planner.profile import shortest_profile
-from segfmu.kernels.planner.records import Axis, Cell, PlanWork, Problem
+from segfmu.kernels.planner.records import Axis, Cell, Phase, PlanWork, Problem
+from segfmu.kernels.trajectory.pieces import expand_phases
+from segfmu.kernels.trajectory.records import Expansion, PieceState, Timing
+from segfmu.planning.polynomials import derivative_pieces, piece_extrema
 
 
 def work_space() -> np.ndarray:
@@ -53,13 +56,27 @@ class AxisProblem:
 
     def shortest(self) -> tuple[int, np.ndarray]:
         """Number of phases, or the status, of the shortest profile, and its phases."""
-        phases = np.zeros((Cell.ABOVE, 4))
+        phases = np.zeros((Cell.ABOVE, Phase.SIZE))
         count = shortest_profile(self.boundary(), self.axis(), phases, work_space())
         return count, phases[: max(count, 0)]
 
     def measured(self, phases: np.ndarray) -> tuple[float, float, float, float, float]:
         """Duration, distance, end velocity, lowest and highest velocity of phases."""
-        return measure_phases(phases, len(phases), self.v, 0.0, self.axis())
+        if not phases[:, Phase.ABOVE].any():
+            return measure_phases(phases, len(phases), self.v, 0.0, self.axis())
+        work = np.zeros((Expansion.SIZE, Expansion.COLUMNS))
+        end = work[Expansion.STATE]
+        end[PieceState.VELOCITY], end[PieceState.ACCELERATION] = self.v, self.a
+        rows = 31 * len(phases)
+        timing, pieces = np.zeros((rows, Timing.SIZE)), np.zeros((rows, 2 * self.smoothness))
+        used = expand_phases(phases, len(phases), self.axis(), timing, pieces, 0, work)
+        velocities = derivative_pieces(pieces[:used], 1)
+        extremes = [
+            piece_extrema(row, length)
+            for row, length in zip(velocities, timing[:used, Timing.LENGTH], strict=True)
+        ]
+        lowest, highest = min(low for low, _ in extremes), max(high for _, high in extremes)
+        return float(timing[:used, Timing.LENGTH].sum()), end[0], end[1], lowest, highest
 
 
 def degenerate_share(draw: st.DrawFn) -> float:

@@ -19,12 +19,14 @@ from segfmu.kernels.backend import (
     ramp_parameters,
     shortest_profile,
 )
-from segfmu.kernels.planner.records import Axis, Cell, PlanStatus, PlanWork, Problem
+from segfmu.kernels.planner.records import Axis, Cell, Phase, PlanStatus, PlanWork, Problem
 from segfmu.kernels.trajectory.records import Expansion, PieceState, Timing
 from segfmu.planning.polynomials import derivative_pieces, hulls, piece_extrema
 
 TOLERANCE = 1e-9
 BATCH = 2000
+# every phase has up to 31 pieces
+ROWS = 31 * Cell.ABOVE
 
 
 @dataclass
@@ -83,10 +85,10 @@ def soak(smoothness: int, shape: int, count: int, seed: int) -> Tally:
 
 
 def _batch(n: int, shape: int, limits: np.ndarray, state: np.ndarray, tally: Tally) -> None:
-    axis, phases = np.zeros(Axis.SIZE), np.zeros((Cell.ABOVE, 4))
+    axis, phases = np.zeros(Axis.SIZE), np.zeros((Cell.ABOVE, Phase.SIZE))
     problem, work = np.zeros(Problem.SIZE), np.zeros((PlanWork.SIZE, PlanWork.COLUMNS))
     expansion = np.zeros((Expansion.SIZE, Expansion.COLUMNS))
-    timing, pieces = np.zeros((400, Timing.SIZE)), np.zeros((400, 2 * n))
+    timing, pieces = np.zeros((ROWS, Timing.SIZE)), np.zeros((ROWS, 2 * n))
     rows, lengths, owners, ends = [], [], [], []
     for i in range(len(state)):
         axis_limits(n, shape, limits[i], axis)

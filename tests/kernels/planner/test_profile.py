@@ -116,7 +116,7 @@ def test_one_ramp_of_the_paper_is_found_as_one_phase() -> None:
         problem = AxisProblem(4, 0, limits, 0.0, 0.0, velocity, acceleration, distance)
         count, phases = problem.shortest()
         assert count == 1
-        assert phases[0] == pytest.approx([time, time, 0.0, acceleration], rel=1e-12)
+        assert phases[0] == pytest.approx([time, time, 0.0, acceleration, 0.0], rel=1e-12)
 
 
 def test_both_accelerations_are_braked_back_and_forth() -> None:

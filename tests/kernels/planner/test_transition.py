@@ -74,7 +74,7 @@ def expanded(axis: np.ndarray, a: float, b: float) -> tuple[np.ndarray, np.ndarr
     duration, _ = ramp_duration(abs(b - a), axis)
     width = 2 * int(axis[Axis.SMOOTHNESS])
     timing, pieces = np.zeros((31, 2)), np.zeros((31, width))
-    phases = np.array([[duration, duration, a, b - a]])
+    phases = np.array([[duration, duration, a, b - a, 0.0]])
     work = np.zeros((Expansion.SIZE, Expansion.COLUMNS))
     used = expand_phases(phases, 1, axis, timing, pieces, 0, work)
     assert used <= ramp_pieces(axis)

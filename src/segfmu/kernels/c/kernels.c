@@ -155,14 +155,15 @@ static int64_t next_bracket(double* result_0_0001, double* result_1_0001, double
 static double inner_rise(double rise, int64_t level, array_double_1d axis);
 static double shifted_root(double value, int64_t power, double shift);
 static int64_t plateau_duration(double* result_0_0001, double* result_1_0001, double change, int64_t first, array_double_1d axis);
-static int64_t plateau_change(double* result_0, double* result_1_0001, double duration, array_double_1d axis);
+static int64_t plateau_change(double* result_0, double* result_1_0001, double duration, int64_t first, array_double_1d axis);
 static int64_t slowest_root(double* result_0, double* result_1_0001, double change, array_double_1d axis);
 static int64_t fastest_power(double* result_0, double* result_1_0001, double duration, array_double_1d axis);
 static int64_t ramp_change(double* result_0, double* result_1, double duration, array_double_1d axis);
+static int64_t rise_moments(double* result_0_0001, double* result_1_0001, double duration, int64_t first, array_double_1d axis);
 static double ramp_variance(double basis, array_double_1d axis);
 static double ramp_distance(double v, double a, double b, double duration, double basis, array_double_1d axis);
 static int64_t held_level(int64_t* result_0, double* result_1, int64_t piece, int64_t boxes);
-static int64_t piece_peak(double* result_0_0001, double* result_1, int64_t level, double change, double duration, double basis, array_double_1d axis);
+static int64_t piece_peak(double* result_0_0001, double* result_1, int64_t level, int64_t first, double change, double duration, double basis, array_double_1d axis);
 static int64_t curved_part(double* result_0, double* result_1, double* result_2_0001, double s, array_double_1d axis);
 static double invert_curved_part(double value, double upper, array_double_1d axis);
 static double taylor(double t, double first, double second, double third, double fourth, double fifth);
@@ -197,6 +198,12 @@ static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_
 static int64_t with_cruise(array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis);
 static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, array_double_1d axis);
 static int64_t direct_form(array_double_2d phases, bool from_start, array_double_1d problem, array_double_1d axis);
+static double taylor_value(int64_t order, double t, array_double_1d state);
+static double zero_time(int64_t order, double length, array_double_1d state);
+static void advance_piece(double length, array_double_1d state, array_double_1d end);
+static void note_excess(int64_t q, int64_t node, bool holding, array_double_1d axis, array_double_1d end, array_double_2d excess);
+static void piece_excess(double length, int64_t node, bool holding, array_double_1d axis, array_double_2d work);
+static bool measure_excess(array_double_1d axis, array_double_2d work);
 static double window_edge(int64_t halvings, double inside, double outside, array_double_1d family, array_double_1d axis);
 static int64_t canonical_value(double* result_0_0001, double* result_1, double p, array_double_1d family, array_double_1d axis);
 static double bracketed_root(double lower, double upper, double f_lower, double f_upper, array_double_1d family, array_double_1d axis);
@@ -233,11 +240,50 @@ static int64_t arc_root(int64_t* result_0, double* result_1, int64_t arc, int64_
 static int64_t loop_form(int64_t count, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static void timed_loop(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double early_window(double duration, array_double_1d problem, array_double_1d axis);
+static double power_of(double base, int64_t exponent);
+static void set_level(array_double_1d node, array_double_1d passing, array_double_1d axis);
+static void advance(double time, double level, double change, double variance, double fourth, int64_t above, array_double_1d state);
+static void pass_node(int64_t i, array_double_1d passing, array_double_1d axis, array_double_2d nodes);
+static double residual_scale(int64_t order, array_double_1d passing);
+static int64_t node_residuals(int64_t i, int64_t row, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d residual);
+static void hold_limit(int64_t q, array_double_1d node, array_double_1d axis, array_double_1d state);
+static void end_residuals(int64_t row, array_double_1d problem, array_double_1d passing, array_double_1d end, array_double_1d residual);
+static double sequence_duration(array_double_1d passing, array_double_2d nodes);
+static void run_sequence(int64_t first, array_double_1d problem, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d residual);
+static bool is_square(array_double_1d passing, array_double_2d nodes);
+static double residual_norm(int64_t count, array_double_1d residual);
+static void perturbed_column(int64_t column, int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static void newton_step(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static double longest_step(array_double_2d work);
+static void take_step(double share, array_double_2d work);
+static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_double_2d work);
+static void keep_sequence(array_double_2d work);
+static void restore_sequence(array_double_2d work);
+static void insert_node(int64_t place, int64_t kind, double sign, double time, bool touch, array_double_2d work);
+static bool split_level(int64_t place, int64_t kind, double sign, array_double_1d axis, array_double_2d work);
+static bool split_ramp(int64_t place, int64_t kind, double sign, bool touch, bool holding, array_double_2d work);
+static bool insert_plateau(int64_t kind, bool other, array_double_1d axis, array_double_2d work);
+static bool rotate_levels(array_double_2d work);
+static bool solve_rotated(array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t overlong_plateau(array_double_2d work);
+static bool release_touch(int64_t kind, array_double_2d work);
+static int64_t add_plateau(array_double_1d axis, array_double_2d work);
+static bool meet_limits(array_double_1d problem, array_double_1d axis, array_double_2d work);
+static void append_level(double sign, double time, array_double_2d work);
+static void append_levels(double change, array_double_1d axis, array_double_2d work);
+static int64_t limit_held(int64_t* result_0, double* result_1_0001, double a, double v, array_double_1d axis);
+static void copy_levels(int64_t count, array_double_2d phases, double v, array_double_1d axis, array_double_2d work);
+static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static bool slow_down(double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t write_sequence(array_double_2d phases, array_double_1d axis, array_double_2d work);
+static int64_t passing_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t timed_passing(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double usual_duration(array_double_1d problem, array_double_1d axis);
 static int64_t fastest_between(array_double_2d phases, array_double_1d problem, array_double_1d axis);
 static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool is_done(array_double_1d problem);
 static int64_t shortest_braked(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
+static int64_t shortest_ramps(array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends);
 static double cruise_time(double cruise, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases);
 static double turning_time(double lower, double upper, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases);
@@ -253,7 +299,8 @@ static void clear_nearest(array_double_2d work);
 static bool timed_slower(double shortest, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double nearest_weight(array_double_1d problem, array_double_1d axis, array_double_1d nearest);
 static void surround_nearest(int64_t variant, array_double_1d axis, array_double_2d cell, array_double_2d work);
-static int64_t set_shortest(int64_t* result_0, double* result_1, array_double_2d cell, array_double_1d axis, array_double_2d work);
+static double slower_passing(array_double_1d axis, array_double_2d cell, array_double_2d work);
+static int64_t set_shortest(int64_t* result_0, double* result_1_0001, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static bool is_resting(array_double_1d problem, array_double_1d axis);
 static void set_stretched(double target, bool resting, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static bool set_duration(double target, array_double_2d cell, array_double_1d axis, array_double_2d work);
@@ -341,7 +388,7 @@ static void set_chains(double steep, array_double_1d axis, array_double_1d limit
 static void lift_pieces(int64_t order, int64_t first, int64_t last, array_double_1d state, array_double_2d timing, array_double_2d coefficients);
 static int64_t append_piece(double duration, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_1d state);
 static void clear_piece(array_double_2d coefficients, int64_t row);
-static void set_derivatives(double a, array_double_1d state);
+static void set_held(int64_t above, double level, array_double_1d state);
 static int64_t expand_plateau(array_double_1d phase, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_1d state);
 static int64_t stage_phases(int64_t order, double end, bool free, array_double_2d lead);
 static int64_t run_stage(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
@@ -6541,8 +6588,8 @@ static int64_t plateau_duration(double* result_0_0001, double* result_1_0001, do
     (*result_1_0001) = 0.0;
     return 0;
 }
-/*Inverse of `plateau_duration` for a ramp, and its derivative with the duration.*/
-static int64_t plateau_change(double* result_0, double* result_1_0001, double duration, array_double_1d axis)
+/*Inverse of `plateau_duration`, and its derivative with the duration. */
+static int64_t plateau_change(double* result_0, double* result_1_0001, double duration, int64_t first, array_double_1d axis)
 {
     int64_t boxes;
     double x;
@@ -6551,6 +6598,7 @@ static int64_t plateau_change(double* result_0, double* result_1_0001, double du
     int64_t level;
     double least;
     double share;
+    int64_t power;
     double steepest;
     int64_t j;
     double change;
@@ -6558,14 +6606,15 @@ static int64_t plateau_change(double* result_0, double* result_1_0001, double du
     x = duration;
     factor = 1.0;
     doubled = 1.0;
-    for (level = INT64_C(0); level < boxes; level += INT64_C(1))
+    for (level = first; level < boxes; level += INT64_C(1))
     {
         least = (*cspan_at(&axis, INT64_C(14) + level));
         if (x >= 2.0 * least)
         {
             share = (*cspan_at(&axis, INT64_C(19) + level));
+            power = level - first;
             steepest = factor * (*cspan_at(&axis, INT64_C(4) + level));
-            for (j = INT64_C(0); j < level; j += INT64_C(1))
+            for (j = INT64_C(0); j < power; j += INT64_C(1))
             {
                 steepest = steepest * x;
             }
@@ -6573,12 +6622,12 @@ static int64_t plateau_change(double* result_0, double* result_1_0001, double du
             {
                 change = steepest * (1.0 - share) * x;
                 (*result_0) = change;
-                (*result_1_0001) = (level + INT64_C(1)) * change / duration;
+                (*result_1_0001) = (power + INT64_C(1)) * change / duration;
                 return 0;
             }
             change = steepest * (x - least);
             (*result_0) = change;
-            (*result_1_0001) = (level * change + steepest * x) / duration;
+            (*result_1_0001) = (power * change + steepest * x) / duration;
             return 0;
         }
         x = 0.5 * x;
@@ -6692,31 +6741,49 @@ static int64_t ramp_change(double* result_0, double* result_1, double duration, 
         fastest_power(result_0, result_1, duration, axis);
         return 0;
     }
-    plateau_change(result_0, result_1, duration, axis);
+    plateau_change(result_0, result_1, duration, INT64_C(0), axis);
+    return 0;
+}
+/*Variance and fourth cumulant over time of the fastest rise of the derivative 2 + first.*/
+/*                                                                                       */
+/*    They are those of its slope, seen as a density: sums over its boxes.               */
+/*                                                                                       */
+static int64_t rise_moments(double* result_0_0001, double* result_1_0001, double duration, int64_t first, array_double_1d axis)
+{
+    double rise;
+    double squares;
+    double fourths;
+    int64_t level;
+    double inner;
+    double square;
+    rise = duration;
+    squares = 0.0;
+    fourths = 0.0;
+    for (level = first; level < (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2); level += INT64_C(1))
+    {
+        inner = inner_rise(rise, level, axis);
+        square = (rise - inner) * (rise - inner);
+        squares = squares + square;
+        fourths = fourths + square * square;
+        rise = inner;
+    }
+    square = rise * rise;
+    (*result_0_0001) = (squares + square) / 12.0;
+    (*result_1_0001) = (-(fourths + square * square)) / 120.0;
     return 0;
 }
 /*Variance of the jerk over time, seen as a density, of the fastest ramp that lasts `basis`. */
 static double ramp_variance(double basis, array_double_1d axis)
 {
-    double rise;
-    double total;
-    int64_t level;
-    double inner;
-    double result;
+    double fourth;
+    double variance;
     if ((*cspan_at(&axis, INT64_C(10))) < 0.5)
     {
-        result = (*cspan_at(&axis, INT64_C(29))) * basis * basis;
-        return result;
+        variance = (*cspan_at(&axis, INT64_C(29))) * basis * basis;
+        return variance;
     }
-    rise = basis;
-    total = 0.0;
-    for (level = INT64_C(0); level < (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2); level += INT64_C(1))
-    {
-        inner = inner_rise(rise, level, axis);
-        total = total + (rise - inner) * (rise - inner);
-        rise = inner;
-    }
-    return (total + rise * rise) / 12.0;
+    rise_moments(&variance, &fourth, basis, INT64_C(0), axis);
+    return variance;
 }
 /*Distance covered by the ramp from acceleration a to b that starts with velocity v.             */
 /*                                                                                               */
@@ -6754,7 +6821,7 @@ int64_t segfmu_ramp_pieces(array_double_1d axis)
     }
     return count;
 }
-/*Which derivative piece 1 .. of a ramp holds (0: the jerk), and the sign of its value.*/
+/*Which derivative piece 1 .. of a rise by `boxes` boxes holds (0: its slope), and the sign. */
 static int64_t held_level(int64_t* result_0, double* result_1, int64_t piece, int64_t boxes)
 {
     int64_t level;
@@ -6782,11 +6849,12 @@ static int64_t held_level(int64_t* result_0, double* result_1, int64_t piece, in
     (*result_1) = sign;
     return 0;
 }
-/*Duration of the pieces of a ramp that hold a derivative (0: the jerk) [s], and its value.  */
-/*                                                                                           */
-/*    A ramp that lasts longer than `basis` is the fastest ramp of that duration, stretched. */
-/*                                                                                           */
-static int64_t piece_peak(double* result_0_0001, double* result_1, int64_t level, double change, double duration, double basis, array_double_1d axis)
+/*Duration of the pieces of a rise that hold a derivative (0: its slope) [s], and its value.       */
+/*                                                                                                 */
+/*    It is a rise of the derivative 2 + first, 0 for a ramp. One that lasts longer than `basis` is*/
+/*    the fastest one of that duration, stretched.                                                 */
+/*                                                                                                 */
+static int64_t piece_peak(double* result_0_0001, double* result_1, int64_t level, int64_t first, double change, double duration, double basis, array_double_1d axis)
 {
     int64_t boxes;
     double stretch;
@@ -6794,7 +6862,7 @@ static int64_t piece_peak(double* result_0_0001, double* result_1, int64_t level
     double peak;
     int64_t i;
     double inner;
-    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1);
+    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1) - first;
     stretch = duration / basis;
     rise = basis;
     peak = change;
@@ -6803,7 +6871,7 @@ static int64_t piece_peak(double* result_0_0001, double* result_1, int64_t level
         inner = 0.0;
         if (i < boxes - INT64_C(1))
         {
-            inner = inner_rise(rise, i, axis);
+            inner = inner_rise(rise, first + i, axis);
         }
         peak = peak / ((rise - inner) * stretch);
         if (i == level)
@@ -6827,18 +6895,18 @@ static int64_t curved_part(double* result_0, double* result_1, double* result_2_
     double integral;
     int64_t j;
     int64_t i;
-    count = (int64_t)((*cspan_at(&axis, INT64_C(30))));
+    count = (int64_t)((*cspan_at(&axis, INT64_C(31))));
     value = 0.0;
     slope = 0.0;
     integral = 0.0;
     for (j = INT64_C(0); j < count; j += INT64_C(1))
     {
         i = count - INT64_C(1) - j;
-        value = value * s + (*cspan_at(&axis, INT64_C(31) + i));
-        integral = integral * s + (*cspan_at(&axis, INT64_C(31) + i)) / (i + 1.0);
+        value = value * s + (*cspan_at(&axis, INT64_C(32) + i));
+        integral = integral * s + (*cspan_at(&axis, INT64_C(32) + i)) / (i + 1.0);
         if (i > INT64_C(0))
         {
-            slope = slope * s + i * (*cspan_at(&axis, INT64_C(31) + i));
+            slope = slope * s + i * (*cspan_at(&axis, INT64_C(32) + i));
         }
     }
     (*result_0) = value;
@@ -6970,7 +7038,7 @@ static double plateau_extreme_velocity(double v, double a, double change, double
     for (piece = INT64_C(1); piece < pow(2.0, (double)(boxes)); piece += INT64_C(1))
     {
         held_level(&level, &sign, piece, boxes);
-        piece_peak(&length, &peak, level, change, duration, basis, axis);
+        piece_peak(&length, &peak, level, INT64_C(0), change, duration, basis, axis);
         if (level == INT64_C(0))
         {
             jerk = sign * peak;
@@ -7047,7 +7115,7 @@ static double ramp_extreme_velocity(double v, double a, double b, double duratio
         result = plateau_extreme_velocity(start, first, change, duration, basis, axis);
         return result;
     }
-    if ((*cspan_at(&axis, INT64_C(30))) == 2.0)
+    if ((*cspan_at(&axis, INT64_C(31))) == 2.0)
     {
         return start - 0.5 * first * first * duration / change;
     }
@@ -7091,6 +7159,7 @@ static int64_t append_ramp(array_double_2d phases, int64_t count, double a, doub
     (*cspan_at(&phases, count, INT64_C(1))) = duration;
     (*cspan_at(&phases, count, INT64_C(2))) = a;
     (*cspan_at(&phases, count, INT64_C(3))) = change;
+    (*cspan_at(&phases, count, INT64_C(4))) = 0.0;
     return count + INT64_C(1);
 }
 /*Append the fastest ramp from a to b; nothing if they are equal.*/
@@ -7107,6 +7176,7 @@ static int64_t append_change(array_double_2d phases, int64_t count, double a, do
     (*cspan_at(&phases, count, INT64_C(1))) = duration;
     (*cspan_at(&phases, count, INT64_C(2))) = a;
     (*cspan_at(&phases, count, INT64_C(3))) = b - a;
+    (*cspan_at(&phases, count, INT64_C(4))) = 0.0;
     return count + INT64_C(1);
 }
 /*Append a phase of constant acceleration; nothing if it has no duration.*/
@@ -7120,6 +7190,7 @@ static int64_t append_hold(array_double_2d phases, int64_t count, double a, doub
     (*cspan_at(&phases, count, INT64_C(1))) = 0.0;
     (*cspan_at(&phases, count, INT64_C(2))) = a;
     (*cspan_at(&phases, count, INT64_C(3))) = 0.0;
+    (*cspan_at(&phases, count, INT64_C(4))) = 0.0;
     return count + INT64_C(1);
 }
 /*Insert a phase of constant acceleration before `row`; nothing if it has no duration. */
@@ -7135,7 +7206,7 @@ static int64_t insert_hold(array_double_2d phases, int64_t count, int64_t row, d
     for (j = INT64_C(0); j < count - row; j += INT64_C(1))
     {
         i = count - INT64_C(1) - j;
-        for (column = INT64_C(0); column < INT64_C(4); column += INT64_C(1))
+        for (column = INT64_C(0); column < INT64_C(5); column += INT64_C(1))
         {
             (*cspan_at(&phases, i + INT64_C(1), column)) = (*cspan_at(&phases, i, column));
         }
@@ -7150,7 +7221,7 @@ static void copy_phases(array_double_2d source, array_double_2d target, int64_t 
     int64_t column;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        for (column = INT64_C(0); column < INT64_C(4); column += INT64_C(1))
+        for (column = INT64_C(0); column < INT64_C(5); column += INT64_C(1))
         {
             (*cspan_at(&target, i, column)) = (*cspan_at(&source, i, column));
         }
@@ -7185,7 +7256,7 @@ static void reverse_phases(array_double_2d phases, int64_t first, int64_t count)
     double end;
     for (i = INT64_C(0); i < span_floor_div((count - first), INT64_C(2)); i += INT64_C(1))
     {
-        for (column = INT64_C(0); column < INT64_C(4); column += INT64_C(1))
+        for (column = INT64_C(0); column < INT64_C(5); column += INT64_C(1))
         {
             swap_entries(phases, first + i, count - INT64_C(1) - i, column);
         }
@@ -7524,7 +7595,7 @@ static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, 
         for (j = INT64_C(0); j < count; j += INT64_C(1))
         {
             i = count - INT64_C(1) - j;
-            for (column = INT64_C(0); column < INT64_C(4); column += INT64_C(1))
+            for (column = INT64_C(0); column < INT64_C(5); column += INT64_C(1))
             {
                 (*cspan_at(&phases, first + i, column)) = (*cspan_at(&phases, i, column));
             }
@@ -7538,7 +7609,7 @@ static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, 
         reverse_phases(trial, INT64_C(0), last);
         for (i = INT64_C(0); i < last; i += INT64_C(1))
         {
-            for (column = INT64_C(0); column < INT64_C(4); column += INT64_C(1))
+            for (column = INT64_C(0); column < INT64_C(5); column += INT64_C(1))
             {
                 (*cspan_at(&phases, count + i, column)) = (*cspan_at(&trial, i, column));
             }
@@ -8063,6 +8134,229 @@ static int64_t direct_form(array_double_2d phases, bool from_start, array_double
         return INT64_C(0);
     }
     return span_max_int(count, INT64_C(0));
+}
+/*A derivative of a polynomial at t, from those at 0 up to the order 7.*/
+static double taylor_value(int64_t order, double t, array_double_1d state)
+{
+    int64_t j;
+    int64_t i;
+    double value;
+    value = 0.0;
+    for (j = INT64_C(0); j < INT64_C(8) - order; j += INT64_C(1))
+    {
+        i = INT64_C(7) - j;
+        value = (*cspan_at(&state, i)) + value * t / (i - order + INT64_C(1));
+    }
+    return value;
+}
+/*Where within a piece a derivative that changes its sign is zero.           */
+/*                                                                           */
+/*    The accuracy suffices for an extremum, whose error is of second order. */
+/*                                                                           */
+static double zero_time(int64_t order, double length, array_double_1d state)
+{
+    double lower;
+    double upper;
+    int64_t i;
+    double value;
+    double step;
+    double slope;
+    double newton;
+    double t;
+    lower = 0.0;
+    upper = length;
+    t = 0.5 * length;
+    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    {
+        value = taylor_value(order, t, state);
+        if (value * (*cspan_at(&state, order)) > 0.0)
+        {
+            lower = t;
+        }
+        else
+        {
+            upper = t;
+        }
+        step = 0.5 * (lower + upper) - t;
+        slope = taylor_value(order + INT64_C(1), t, state);
+        if (slope != 0.0)
+        {
+            newton = (-value) / slope;
+            if ((t + newton > lower) && (t + newton < upper))
+            {
+                step = newton;
+            }
+        }
+        t = t + step;
+        if (fabs(step) <= 1e-09 * length)
+        {
+            break;
+        }
+    }
+    return t;
+}
+/*Derivatives of a polynomial at the end of a piece. */
+static void advance_piece(double length, array_double_1d state, array_double_1d end)
+{
+    int64_t order;
+    for (order = INT64_C(0); order < INT64_C(8); order += INT64_C(1))
+    {
+        (*cspan_at(&end, order)) = taylor_value(order, length, state);
+    }
+}
+/*Note what the derivatives below q exceed their limits by (Excess). */
+static void note_excess(int64_t q, int64_t node, bool holding, array_double_1d axis, array_double_1d end, array_double_2d excess)
+{
+    int64_t order;
+    double limit;
+    double share;
+    for (order = INT64_C(1); order < q; order += INT64_C(1))
+    {
+        limit = (*cspan_at(&axis, INT64_C(2) + order - INT64_C(1)));
+        if (limit > 0.0)
+        {
+            share = fabs((*cspan_at(&end, order))) / limit - 1.0;
+            if (share > span_max((*cspan_at(&excess, order, INT64_C(0))), 1e-10))
+            {
+                (*cspan_at(&excess, order, INT64_C(0))) = share;
+                (*cspan_at(&excess, order, INT64_C(1))) = node;
+                (*cspan_at(&excess, order, INT64_C(2))) = holding;
+                (*cspan_at(&excess, order, INT64_C(3))) = 1.0;
+                if ((*cspan_at(&end, order)) < 0.0)
+                {
+                    (*cspan_at(&excess, order, INT64_C(3))) = -1.0;
+                }
+            }
+        }
+    }
+}
+/*Note what a piece exceeds; the state in the first row MATRIX of `work` goes on to its end. */
+static void piece_excess(double length, int64_t node, bool holding, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d state;
+    array_double_1d end;
+    array_double_2d excess;
+    int64_t q;
+    double rest;
+    int64_t i;
+    double step;
+    int64_t j;
+    int64_t order;
+    state = span_row(&work, INT64_C(90));
+    end = span_row(&work, INT64_C(90) + INT64_C(1));
+    excess = span_rows(&work, INT64_C(85), INT64_C(89));
+    q = (int64_t)((*cspan_at(&work, INT64_C(47), INT64_C(1)))) + INT64_C(2);
+    rest = length;
+    /*each derivative has one zero at most between those of the ones above*/
+    for (i = INT64_C(0); i < INT64_C(16); i += INT64_C(1))
+    {
+        step = rest;
+        advance_piece(step, state, end);
+        for (j = INT64_C(0); j < q - INT64_C(1); j += INT64_C(1))
+        {
+            order = q - j;
+            if ((*cspan_at(&state, order)) * (*cspan_at(&end, order)) < 0.0)
+            {
+                step = zero_time(order, step, state);
+                advance_piece(step, state, end);
+                (*cspan_at(&end, order)) = 0.0;
+            }
+        }
+        note_excess(q, node, holding, axis, end, excess);
+        for (order = INT64_C(0); order < INT64_C(8); order += INT64_C(1))
+        {
+            (*cspan_at(&state, order)) = (*cspan_at(&end, order));
+        }
+        rest = rest - step;
+        if (rest <= 0.0)
+        {
+            break;
+        }
+    }
+}
+/*Write by how much the sequence in `work` (PlanWork) exceeds limits; whether it does. */
+static bool measure_excess(array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    array_double_2d excess;
+    array_double_1d state;
+    int64_t above;
+    int64_t q;
+    int64_t boxes;
+    double level;
+    int64_t order;
+    int64_t i;
+    int64_t row;
+    double ramp;
+    double change;
+    int64_t piece;
+    int64_t held;
+    double sign;
+    double basis;
+    double length;
+    double peak;
+    passing = span_row(&work, INT64_C(47));
+    excess = span_rows(&work, INT64_C(85), INT64_C(89));
+    state = span_row(&work, INT64_C(90));
+    above = (int64_t)((*cspan_at(&passing, INT64_C(1))));
+    q = above + INT64_C(2);
+    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1) - above;
+    level = 0.0;
+    for (order = INT64_C(0); order < INT64_C(4); order += INT64_C(1))
+    {
+        (*cspan_at(&excess, order, INT64_C(0))) = 0.0;
+    }
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    {
+        row = INT64_C(48) + i;
+        for (order = INT64_C(0); order < INT64_C(8); order += INT64_C(1))
+        {
+            (*cspan_at(&state, order)) = 0.0;
+            if (order < q)
+            {
+                (*cspan_at(&state, order)) = (*cspan_at(&work, row, INT64_C(0) + order));
+            }
+        }
+        (*cspan_at(&state, q)) = level;
+        ramp = (*cspan_at(&work, row, INT64_C(10)));
+        change = (*cspan_at(&work, row, INT64_C(8))) - level;
+        if (ramp > 0.0)
+        {
+            for (piece = INT64_C(1); piece < pow(2.0, (double)(boxes)); piece += INT64_C(1))
+            {
+                held_level(&held, &sign, piece, boxes);
+                basis = ramp * (*cspan_at(&passing, INT64_C(2)));
+                piece_peak(&length, &peak, held, above, change, ramp, basis, axis);
+                for (order = q + INT64_C(1) + held; order < INT64_C(8); order += INT64_C(1))
+                {
+                    (*cspan_at(&state, order)) = 0.0;
+                }
+                (*cspan_at(&state, q + INT64_C(1) + held)) = sign * peak;
+                if (length > 0.0)
+                {
+                    piece_excess(length, i, 0, axis, work);
+                }
+            }
+        }
+        level = (*cspan_at(&work, row, INT64_C(8)));
+        if ((*cspan_at(&work, row, INT64_C(9))) > 0.0)
+        {
+            for (order = q; order < INT64_C(8); order += INT64_C(1))
+            {
+                (*cspan_at(&state, order)) = 0.0;
+            }
+            (*cspan_at(&state, q)) = level;
+            piece_excess((*cspan_at(&work, row, INT64_C(9))), i, 1, axis, work);
+        }
+    }
+    for (order = INT64_C(1); order < q; order += INT64_C(1))
+    {
+        if ((*cspan_at(&excess, order, INT64_C(0))) > 0.0)
+        {
+            return 1;
+        }
+    }
+    return 0;
 }
 /*Bisect between a parameter that has a canonical member and one that has none.*/
 static double window_edge(int64_t halvings, double inside, double outside, array_double_1d family, array_double_1d axis)
@@ -8924,14 +9218,14 @@ static void keep_nearest(int64_t count, array_double_1d problem, array_double_1d
     below = (*cspan_at(&nearest, INT64_C(0))) > 0.0;
     if ((y <= distance) && ((!below) || (y > (*cspan_at(&nearest, INT64_C(1))))))
     {
-        copy_phases(trial, span_rows(&cell, INT64_C(0), INT64_C(13)), count);
+        copy_phases(trial, span_rows(&cell, INT64_C(0), INT64_C(33)), count);
         (*cspan_at(&nearest, INT64_C(0))) = count;
         (*cspan_at(&nearest, INT64_C(1))) = y;
     }
     above = (*cspan_at(&nearest, INT64_C(2))) > 0.0;
     if ((y >= distance) && ((!above) || (y < (*cspan_at(&nearest, INT64_C(3))))))
     {
-        copy_phases(trial, span_rows(&cell, INT64_C(13), INT64_C(26)), count);
+        copy_phases(trial, span_rows(&cell, INT64_C(33), INT64_C(46)), count);
         (*cspan_at(&nearest, INT64_C(2))) = count;
         (*cspan_at(&nearest, INT64_C(3))) = y;
     }
@@ -9654,6 +9948,1261 @@ static double early_window(double duration, array_double_1d problem, array_doubl
     }
     return span_min(most * (1.0 + 1e-09), duration);
 }
+/*base to the exponent, a small whole number.*/
+static double power_of(double base, int64_t exponent)
+{
+    int64_t i;
+    double power;
+    power = 1.0;
+    for (i = INT64_C(0); i < exponent; i += INT64_C(1))
+    {
+        power = power * base;
+    }
+    return power;
+}
+/*Set level and hold of a node from its time.*/
+static void set_level(array_double_1d node, array_double_1d passing, array_double_1d axis)
+{
+    int64_t above;
+    int64_t kind;
+    double pace;
+    double time;
+    double sign;
+    double rise;
+    double most;
+    double change;
+    double slope;
+    above = (int64_t)((*cspan_at(&passing, INT64_C(1))));
+    kind = (int64_t)((*cspan_at(&node, INT64_C(4))));
+    pace = (*cspan_at(&passing, INT64_C(2)));
+    time = (*cspan_at(&node, INT64_C(6)));
+    (*cspan_at(&node, INT64_C(8))) = 0.0;
+    (*cspan_at(&node, INT64_C(9))) = time;
+    if ((*cspan_at(&node, INT64_C(7))) > 0.5)
+    {
+        (*cspan_at(&node, INT64_C(9))) = 0.0;
+        return;
+    }
+    if ((kind > INT64_C(0)) && ((kind != above) || (time >= 0.0)))
+    {
+        return;
+    }
+    sign = (*cspan_at(&node, INT64_C(5))) * power_of(pace, above + INT64_C(2));
+    if (time < 0.0)
+    {
+        sign = -sign;
+    }
+    rise = fabs(time);
+    (*cspan_at(&node, INT64_C(9))) = 0.0;
+    most = (*cspan_at(&axis, INT64_C(14) + above - INT64_C(1)));
+    if (rise >= most)
+    {
+        (*cspan_at(&node, INT64_C(8))) = sign * (*cspan_at(&axis, INT64_C(4) + above - INT64_C(1)));
+        (*cspan_at(&node, INT64_C(9))) = (rise - most) / pace;
+    }
+    else if (rise > 0.0)
+    {
+        plateau_change(&change, &slope, rise, above, axis);
+        (*cspan_at(&node, INT64_C(8))) = sign * change;
+    }
+}
+/*Advance the derivatives below q = 2 + above by a hold at a level, or a rise from it.       */
+/*                                                                                           */
+/*    The rise by `change` has the given variance and fourth cumulant of its slope over time.*/
+/*                                                                                           */
+static void advance(double time, double level, double change, double variance, double fourth, int64_t above, array_double_1d state)
+{
+    double half;
+    double moment;
+    int64_t k;
+    int64_t order;
+    double total;
+    double power;
+    int64_t i;
+    double square;
+    half = 0.5 * time;
+    moment = half;
+    for (k = INT64_C(0); k < above + INT64_C(2); k += INT64_C(1))
+    {
+        order = above + INT64_C(2) - k;
+        total = (*cspan_at(&state, k));
+        power = 1.0;
+        for (i = INT64_C(1); i < order; i += INT64_C(1))
+        {
+            power = power * time / i;
+            total = total + power * (*cspan_at(&state, k + i));
+        }
+        total = total + power * time / order * level;
+        if (change != 0.0)
+        {
+            square = half * half;
+            if (order == INT64_C(1))
+            {
+                moment = half;
+            }
+            else if (order == INT64_C(2))
+            {
+                moment = 0.5 * (square + variance);
+            }
+            else if (order == INT64_C(3))
+            {
+                moment = half * (square + 3.0 * variance) / 6.0;
+            }
+            else
+            {
+                moment = square * (square + 6.0 * variance) + 3.0 * variance * variance;
+                moment = (moment + fourth) / 24.0;
+            }
+            total = total + change * moment;
+        }
+        (*cspan_at(&state, k)) = total;
+    }
+}
+/*Ramp to the level of a node; the state after it is written to the next node. */
+static void pass_node(int64_t i, array_double_1d passing, array_double_1d axis, array_double_2d nodes)
+{
+    int64_t above;
+    double pace;
+    double before;
+    double change;
+    int64_t k;
+    double basis;
+    double slope;
+    double variance;
+    double fourth;
+    double square;
+    above = (int64_t)((*cspan_at(&passing, INT64_C(1))));
+    pace = (*cspan_at(&passing, INT64_C(2)));
+    before = 0.0;
+    if (i > INT64_C(0))
+    {
+        before = (*cspan_at(&nodes, i - INT64_C(1), INT64_C(8)));
+    }
+    change = (*cspan_at(&nodes, i, INT64_C(8))) - before;
+    for (k = INT64_C(0); k < above + INT64_C(2); k += INT64_C(1))
+    {
+        (*cspan_at(&nodes, i + INT64_C(1), INT64_C(0) + k)) = (*cspan_at(&nodes, i, INT64_C(0) + k));
+    }
+    (*cspan_at(&nodes, i, INT64_C(10))) = 0.0;
+    if (change != 0.0)
+    {
+        plateau_duration(&basis, &slope, fabs(change) / power_of(pace, above + INT64_C(2)), above, axis);
+        rise_moments(&variance, &fourth, basis, above, axis);
+        square = 1.0 / (pace * pace);
+        (*cspan_at(&nodes, i, INT64_C(10))) = basis / pace;
+        advance(basis / pace, before, change, variance * square, fourth * square * square, above, span_row(&nodes, i + INT64_C(1)));
+    }
+}
+/*What a derivative is measured in.*/
+static double residual_scale(int64_t order, array_double_1d passing)
+{
+    double scale;
+    double result;
+    scale = (*cspan_at(&passing, INT64_C(4))) * power_of((*cspan_at(&passing, INT64_C(3))), INT64_C(2));
+    result = scale / power_of((*cspan_at(&passing, INT64_C(3))), order);
+    return result;
+}
+/*Write the conditions at a plateau, after the ramp to it, from `row` on; the next row.*/
+static int64_t node_residuals(int64_t i, int64_t row, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d residual)
+{
+    int64_t q;
+    int64_t kind;
+    bool touch;
+    int64_t k;
+    double error;
+    q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
+    kind = (int64_t)((*cspan_at(&nodes, i, INT64_C(4))));
+    touch = (*cspan_at(&nodes, i, INT64_C(7))) > 0.5;
+    if (kind == INT64_C(0))
+    {
+        return row;
+    }
+    for (k = kind; k < q; k += INT64_C(1))
+    {
+        error = (*cspan_at(&nodes, i + INT64_C(1), INT64_C(0) + k));
+        if (k == kind)
+        {
+            error = error - (*cspan_at(&nodes, i, INT64_C(5))) * (*cspan_at(&axis, INT64_C(2) + kind - INT64_C(1)));
+        }
+        (*cspan_at(&residual, INT64_C(0) + row)) = error / residual_scale(k, passing);
+        if (touch && (k == q - INT64_C(1)))
+        {
+            /*of q - 1 the value is free, of q - 3 the derivative q - 1*/
+            (*cspan_at(&residual, INT64_C(0) + row)) = (*cspan_at(&nodes, i, INT64_C(6))) / (*cspan_at(&passing, INT64_C(3)));
+        }
+        row = row + INT64_C(1);
+    }
+    return row;
+}
+/*Remove the rounding errors of a state on a plateau, which a long hold would enlarge. */
+static void hold_limit(int64_t q, array_double_1d node, array_double_1d axis, array_double_1d state)
+{
+    int64_t kind;
+    int64_t k;
+    kind = (int64_t)((*cspan_at(&node, INT64_C(4))));
+    if ((kind > INT64_C(0)) && ((*cspan_at(&node, INT64_C(7))) < 0.5) && ((*cspan_at(&node, INT64_C(8))) == 0.0))
+    {
+        (*cspan_at(&state, INT64_C(0) + kind)) = (*cspan_at(&node, INT64_C(5))) * (*cspan_at(&axis, INT64_C(2) + kind - INT64_C(1)));
+        for (k = kind + INT64_C(1); k < q; k += INT64_C(1))
+        {
+            (*cspan_at(&state, INT64_C(0) + k)) = 0.0;
+        }
+    }
+}
+/*Write the conditions at the end of a sequence, whose state is in `end`, from `row` on. */
+static void end_residuals(int64_t row, array_double_1d problem, array_double_1d passing, array_double_1d end, array_double_1d residual)
+{
+    int64_t k;
+    double target;
+    double error;
+    for (k = INT64_C(0); k < (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2); k += INT64_C(1))
+    {
+        target = 0.0;
+        if (k == INT64_C(0))
+        {
+            target = (*cspan_at(&problem, INT64_C(4)));
+        }
+        else if (k == INT64_C(1))
+        {
+            target = (*cspan_at(&problem, INT64_C(2)));
+        }
+        else if (k == INT64_C(2))
+        {
+            target = (*cspan_at(&problem, INT64_C(3)));
+        }
+        error = (*cspan_at(&end, INT64_C(0) + k)) - target;
+        (*cspan_at(&residual, INT64_C(0) + row + k)) = error / residual_scale(k, passing);
+    }
+}
+/*Duration of a sequence [s].*/
+static double sequence_duration(array_double_1d passing, array_double_2d nodes)
+{
+    int64_t i;
+    double total;
+    total = 0.0;
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    {
+        total = total + (*cspan_at(&nodes, i, INT64_C(10))) + (*cspan_at(&nodes, i, INT64_C(9)));
+    }
+    return total;
+}
+/*Follow a sequence from node `first` on, and write its residuals from there to the end. */
+static void run_sequence(int64_t first, array_double_1d problem, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d residual)
+{
+    int64_t q;
+    int64_t count;
+    int64_t row;
+    int64_t i;
+    int64_t k;
+    double hold;
+    double error;
+    q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
+    count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
+    row = INT64_C(0);
+    for (i = INT64_C(0); i < first; i += INT64_C(1))
+    {
+        if ((*cspan_at(&nodes, i, INT64_C(4))) > 0.5)
+        {
+            row = row + q - (int64_t)((*cspan_at(&nodes, i, INT64_C(4))));
+        }
+    }
+    if (first == INT64_C(0))
+    {
+        for (k = INT64_C(0); k < q; k += INT64_C(1))
+        {
+            (*cspan_at(&nodes, INT64_C(0), INT64_C(0) + k)) = 0.0;
+        }
+        (*cspan_at(&nodes, INT64_C(0), INT64_C(0) + INT64_C(1))) = (*cspan_at(&problem, INT64_C(0)));
+        (*cspan_at(&nodes, INT64_C(0), INT64_C(0) + INT64_C(2))) = (*cspan_at(&problem, INT64_C(1)));
+    }
+    for (i = first; i < count; i += INT64_C(1))
+    {
+        set_level(span_row(&nodes, i), passing, axis);
+        pass_node(i, passing, axis, nodes);
+        row = node_residuals(i, row, passing, axis, nodes, residual);
+        hold = (*cspan_at(&nodes, i, INT64_C(9)));
+        hold_limit(q, span_row(&nodes, i), axis, span_row(&nodes, i + INT64_C(1)));
+        if (hold != 0.0)
+        {
+            advance(hold, (*cspan_at(&nodes, i, INT64_C(8))), 0.0, 0.0, 0.0, q - INT64_C(2), span_row(&nodes, i + INT64_C(1)));
+        }
+    }
+    (*cspan_at(&nodes, count, INT64_C(4))) = 0.0;
+    (*cspan_at(&nodes, count, INT64_C(8))) = 0.0;
+    (*cspan_at(&nodes, count, INT64_C(9))) = 0.0;
+    pass_node(count, passing, axis, nodes);
+    end_residuals(row, problem, passing, span_row(&nodes, count + INT64_C(1)), residual);
+    row = row + q;
+    if ((*cspan_at(&passing, INT64_C(5))) > 0.0)
+    {
+        error = sequence_duration(passing, nodes) - (*cspan_at(&passing, INT64_C(5)));
+        (*cspan_at(&residual, INT64_C(0) + row)) = error / (*cspan_at(&passing, INT64_C(3)));
+    }
+}
+/*Whether a sequence has as many unknowns as conditions. */
+static bool is_square(array_double_1d passing, array_double_2d nodes)
+{
+    int64_t q;
+    int64_t conditions;
+    int64_t count;
+    int64_t i;
+    q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
+    conditions = q;
+    count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        if ((*cspan_at(&nodes, i, INT64_C(4))) > 0.5)
+        {
+            conditions = conditions + q - (int64_t)((*cspan_at(&nodes, i, INT64_C(4))));
+        }
+    }
+    return (conditions == count) && (count <= INT64_C(16));
+}
+/*Root of the sum of squares.*/
+static double residual_norm(int64_t count, array_double_1d residual)
+{
+    double total;
+    int64_t i;
+    total = 0.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        total = total + (*cspan_at(&residual, INT64_C(0) + i)) * (*cspan_at(&residual, INT64_C(0) + i));
+    }
+    return sqrt(total);
+}
+/*Write the derivatives of all residuals with one unknown: a node's time, or last the pace.        */
+/*                                                                                                 */
+/*    A change of a time changes the sequence from its node on; the residuals are in the rows STEP.*/
+/*                                                                                                 */
+static void perturbed_column(int64_t column, int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    array_double_2d nodes;
+    array_double_1d residual;
+    int64_t i;
+    double kept;
+    double change;
+    double largest;
+    double slope;
+    double diagonal;
+    passing = span_row(&work, INT64_C(47));
+    nodes = span_rows(&work, INT64_C(48), INT64_C(66));
+    residual = span_row(&work, INT64_C(89));
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&residual, INT64_C(0) + i)) = -(*cspan_at(&work, INT64_C(106) + i, INT64_C(0)));
+    }
+    if (column == (int64_t)((*cspan_at(&passing, INT64_C(0)))))
+    {
+        kept = (*cspan_at(&passing, INT64_C(2)));
+        change = 1e-07;
+        (*cspan_at(&passing, INT64_C(2))) = kept + change;
+        run_sequence(INT64_C(0), problem, passing, axis, nodes, residual);
+        (*cspan_at(&passing, INT64_C(2))) = kept;
+    }
+    else
+    {
+        kept = (*cspan_at(&nodes, column, INT64_C(6)));
+        change = 1e-07 * (fabs(kept) + 0.001 * (*cspan_at(&passing, INT64_C(3))));
+        (*cspan_at(&nodes, column, INT64_C(6))) = kept + change;
+        run_sequence(column, problem, passing, axis, nodes, residual);
+        (*cspan_at(&nodes, column, INT64_C(6))) = kept;
+    }
+    largest = 0.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        slope = ((*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(106) + i, INT64_C(0)))) / change;
+        (*cspan_at(&work, INT64_C(90) + i, column)) = slope;
+        largest = span_max(largest, fabs(slope));
+    }
+    /*far from singular to rounding errors; the step changes by as little*/
+    diagonal = (*cspan_at(&work, INT64_C(90) + column, column));
+    (*cspan_at(&work, INT64_C(90) + column, column)) = diagonal + 1e-12 * span_max(largest, 1e-300);
+}
+/*Write the step of all unknowns to the rows STEP of `work`; derivatives are differences.*/
+static void newton_step(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    array_double_2d nodes;
+    array_double_1d residual;
+    int64_t i;
+    int64_t j;
+    array_double_2d matrix;
+    passing = span_row(&work, INT64_C(47));
+    nodes = span_rows(&work, INT64_C(48), INT64_C(66));
+    residual = span_row(&work, INT64_C(89));
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(106) + i, INT64_C(0))) = -(*cspan_at(&residual, INT64_C(0) + i));
+    }
+    if ((*cspan_at(&passing, INT64_C(5))) > 0.0)
+    {
+        perturbed_column(count - INT64_C(1), count, problem, axis, work);
+        /*the states before each node are those of the present pace again*/
+        run_sequence(INT64_C(0), problem, passing, axis, nodes, residual);
+    }
+    for (j = INT64_C(0); j < (int64_t)((*cspan_at(&passing, INT64_C(0)))); j += INT64_C(1))
+    {
+        /*from the last node on, so that the states before the others are those of the sequence*/
+        perturbed_column((int64_t)((*cspan_at(&passing, INT64_C(0)))) - INT64_C(1) - j, count, problem, axis, work);
+    }
+    matrix = span_rows(&work, INT64_C(90), INT64_C(106));
+    matrix_solve(count, INT64_C(1), matrix, span_rows(&work, INT64_C(106), INT64_C(122)));
+}
+/*The share of a step that keeps the signs of most levels and changes no unknown too much. */
+static double longest_step(array_double_2d work)
+{
+    array_double_1d passing;
+    array_double_2d nodes;
+    int64_t count;
+    int64_t i;
+    double change;
+    double time;
+    double most;
+    double share;
+    passing = span_row(&work, INT64_C(47));
+    nodes = span_rows(&work, INT64_C(48), INT64_C(66));
+    share = 1.0;
+    count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        change = (*cspan_at(&work, INT64_C(106) + i, INT64_C(0)));
+        time = (*cspan_at(&nodes, i, INT64_C(6)));
+        if (!(fabs(change) < 1000000000000.0 * (*cspan_at(&passing, INT64_C(3)))))
+        {
+            return 0.0;
+        }
+        most = 0.5 * (*cspan_at(&passing, INT64_C(3)));
+        if ((*cspan_at(&nodes, i, INT64_C(4))) < 0.5)
+        {
+            most = 0.7 * fabs(time);
+            if (change * time >= 0.0)
+            {
+                most = 1.5 * fabs(time);
+            }
+            /*a small level can change its sign*/
+            most = most + 0.01 * (*cspan_at(&passing, INT64_C(3)));
+        }
+        if (fabs(change) * share > most)
+        {
+            share = most / fabs(change);
+        }
+    }
+    if ((*cspan_at(&passing, INT64_C(5))) > 0.0)
+    {
+        change = fabs((*cspan_at(&work, INT64_C(106) + count, INT64_C(0))));
+        if (change * share > 0.3 * (*cspan_at(&passing, INT64_C(2))))
+        {
+            share = 0.3 * (*cspan_at(&passing, INT64_C(2))) / change;
+        }
+    }
+    return share;
+}
+/*Add a share of the step to all unknowns. */
+static void take_step(double share, array_double_2d work)
+{
+    int64_t count;
+    int64_t i;
+    int64_t row;
+    double pace;
+    count = (int64_t)((*cspan_at(&work, INT64_C(47), INT64_C(0))));
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        row = INT64_C(48) + i;
+        (*cspan_at(&work, row, INT64_C(6))) = (*cspan_at(&work, row, INT64_C(6))) + share * (*cspan_at(&work, INT64_C(106) + i, INT64_C(0)));
+    }
+    if ((*cspan_at(&work, INT64_C(47), INT64_C(5))) > 0.0)
+    {
+        pace = (*cspan_at(&work, INT64_C(47), INT64_C(2))) + share * (*cspan_at(&work, INT64_C(106) + count, INT64_C(0)));
+        (*cspan_at(&work, INT64_C(47), INT64_C(2))) = pace;
+    }
+}
+/*Change the times of the sequence in `work` (PlanWork) until it meets its conditions. */
+/*                                                                                     */
+/*    If it has a TARGET, its pace is changed too, until it lasts that long.           */
+/*                                                                                     */
+static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    array_double_2d nodes;
+    array_double_1d residual;
+    int64_t count;
+    double error;
+    int64_t i;
+    double share;
+    double reached;
+    int64_t j;
+    passing = span_row(&work, INT64_C(47));
+    nodes = span_rows(&work, INT64_C(48), INT64_C(66));
+    residual = span_row(&work, INT64_C(89));
+    count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
+    if ((*cspan_at(&passing, INT64_C(5))) > 0.0)
+    {
+        count = count + INT64_C(1);
+    }
+    run_sequence(INT64_C(0), problem, passing, axis, nodes, residual);
+    error = residual_norm(count, residual);
+    for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
+    {
+        newton_step(count, problem, axis, work);
+        share = longest_step(work);
+        reached = error;
+        for (j = INT64_C(0); j < INT64_C(8); j += INT64_C(1))
+        {
+            /*at the root only rounding errors are left*/
+            if ((share == 0.0) || ((j > INT64_C(0)) && (error <= 1e-11)))
+            {
+                break;
+            }
+            take_step(share, work);
+            run_sequence(INT64_C(0), problem, passing, axis, nodes, residual);
+            reached = residual_norm(count, residual);
+            if (reached < error * (1.0 - 0.0001 * share))
+            {
+                break;
+            }
+            take_step(-share, work);
+            share = 0.5 * share;
+        }
+        if (!(reached < error * (1.0 - 0.0001 * share)))
+        {
+            /*the states are those of a step that was taken back*/
+            run_sequence(INT64_C(0), problem, passing, axis, nodes, residual);
+            break;
+        }
+        error = reached;
+    }
+    return error <= 1e-12;
+}
+/*Copy the sequence to the rows KEPT of `work` (PlanWork). */
+static void keep_sequence(array_double_2d work)
+{
+    int64_t i;
+    int64_t j;
+    for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(66), i)) = (*cspan_at(&work, INT64_C(47), i));
+    }
+    for (j = INT64_C(0); j < (int64_t)((*cspan_at(&work, INT64_C(47), INT64_C(0)))) + INT64_C(2); j += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(11); i += INT64_C(1))
+        {
+            (*cspan_at(&work, INT64_C(66) + INT64_C(1) + j, i)) = (*cspan_at(&work, INT64_C(48) + j, i));
+        }
+    }
+}
+/*Copy it back.        */
+static void restore_sequence(array_double_2d work)
+{
+    int64_t i;
+    int64_t j;
+    for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(47), i)) = (*cspan_at(&work, INT64_C(66), i));
+    }
+    for (j = INT64_C(0); j < (int64_t)((*cspan_at(&work, INT64_C(47), INT64_C(0)))) + INT64_C(2); j += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(11); i += INT64_C(1))
+        {
+            (*cspan_at(&work, INT64_C(48) + j, i)) = (*cspan_at(&work, INT64_C(66) + INT64_C(1) + j, i));
+        }
+    }
+}
+/*Insert a node before another one.*/
+static void insert_node(int64_t place, int64_t kind, double sign, double time, bool touch, array_double_2d work)
+{
+    array_double_1d passing;
+    int64_t count;
+    int64_t j;
+    int64_t row;
+    int64_t i;
+    passing = span_row(&work, INT64_C(47));
+    count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
+    for (j = INT64_C(0); j < count - place; j += INT64_C(1))
+    {
+        row = INT64_C(48) + count - j;
+        for (i = INT64_C(0); i < INT64_C(11); i += INT64_C(1))
+        {
+            (*cspan_at(&work, row, i)) = (*cspan_at(&work, row - INT64_C(1), i));
+        }
+    }
+    row = INT64_C(48) + place;
+    (*cspan_at(&work, row, INT64_C(4))) = kind;
+    (*cspan_at(&work, row, INT64_C(5))) = sign;
+    (*cspan_at(&work, row, INT64_C(6))) = time;
+    (*cspan_at(&work, row, INT64_C(7))) = touch;
+    (*cspan_at(&passing, INT64_C(0))) = count + INT64_C(1);
+}
+/*Let the derivative q - 2 stay at its limit within a level: level, plateau, level.*/
+static bool split_level(int64_t place, int64_t kind, double sign, array_double_1d axis, array_double_2d work)
+{
+    int64_t row;
+    double time;
+    double level_sign;
+    double dip;
+    row = INT64_C(48) + place;
+    if ((*cspan_at(&work, row, INT64_C(4))) > 0.5)
+    {
+        return 0;
+    }
+    time = (*cspan_at(&work, row, INT64_C(6)));
+    level_sign = (*cspan_at(&work, row, INT64_C(5)));
+    dip = span_min(fabs(time), (*cspan_at(&axis, INT64_C(14) + kind - INT64_C(1))));
+    (*cspan_at(&work, row, INT64_C(6))) = 0.8 * time;
+    insert_node(place + INT64_C(1), kind, sign, (-0.5) * dip, 0, work);
+    insert_node(place + INT64_C(2), INT64_C(0), level_sign, 0.8 * time, 0, work);
+    return 1;
+}
+/*Let the derivative q - 3 reach its limit in the ramp to a node: level, plateau, level.         */
+/*                                                                                               */
+/*    holding: it exceeds the limit where the derivative q - 1 stays; that goes on at both sides.*/
+/*                                                                                               */
+static bool split_ramp(int64_t place, int64_t kind, double sign, bool touch, bool holding, array_double_2d work)
+{
+    int64_t first;
+    int64_t last;
+    int64_t plateau;
+    double share;
+    double time;
+    double before;
+    double after;
+    double hold;
+    first = INT64_C(48) + place - INT64_C(1);
+    last = INT64_C(48) + place;
+    plateau = kind + INT64_C(2);
+    if (holding)
+    {
+        last = last + INT64_C(1);
+        if ((*cspan_at(&work, last - INT64_C(1), INT64_C(4))) != plateau)
+        {
+            return 0;
+        }
+    }
+    if (((*cspan_at(&work, first, INT64_C(4))) > 0.5) || ((*cspan_at(&work, last, INT64_C(4))) > 0.5))
+    {
+        return 0;
+    }
+    share = 0.7;
+    if (touch)
+    {
+        share = 0.5;
+    }
+    time = share * 0.5 * ((*cspan_at(&work, first, INT64_C(6))) + (*cspan_at(&work, last, INT64_C(6))));
+    before = (*cspan_at(&work, first, INT64_C(5)));
+    after = (*cspan_at(&work, last, INT64_C(5)));
+    if (holding)
+    {
+        hold = (*cspan_at(&work, last - INT64_C(1), INT64_C(6)));
+        insert_node(place + INT64_C(1), plateau, (*cspan_at(&work, last - INT64_C(1), INT64_C(5))), hold, 0, work);
+        place = place + INT64_C(1);
+    }
+    insert_node(place, INT64_C(0), before, time, 0, work);
+    insert_node(place, kind, sign, 0.0, touch, work);
+    insert_node(place, INT64_C(0), after, time, 0, work);
+    return 1;
+}
+/*Let a derivative that exceeds its limit the most at a node stay at the limit there.    */
+/*                                                                                       */
+/*    other: what is the less likely kind of plateau. False if there is no place for it. */
+/*                                                                                       */
+static bool insert_plateau(int64_t kind, bool other, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    array_double_1d excess;
+    int64_t q;
+    int64_t count;
+    int64_t place;
+    double sign;
+    bool holding;
+    int64_t row;
+    bool here;
+    bool touch;
+    bool result;
+    passing = span_row(&work, INT64_C(47));
+    excess = span_row(&work, INT64_C(85) + kind);
+    q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
+    count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
+    place = (int64_t)((*cspan_at(&excess, INT64_C(1))));
+    sign = (*cspan_at(&excess, INT64_C(3)));
+    holding = (*cspan_at(&excess, INT64_C(2))) > 0.5;
+    if (count > INT64_C(12))
+    {
+        return 0;
+    }
+    if (kind == q - INT64_C(2))
+    {
+        if (!holding)
+        {
+            row = INT64_C(48) + place;
+            here = (place < count) && ((*cspan_at(&work, row, INT64_C(4))) < 0.5);
+            if ((!here) || ((*cspan_at(&work, row, INT64_C(8))) * sign >= 0.0))
+            {
+                place = place - INT64_C(1);
+            }
+        }
+        result = (place >= INT64_C(0)) && (place < count) && split_level(place, kind, sign, axis, work);
+        return result;
+    }
+    if ((place == INT64_C(0)) || (place >= count))
+    {
+        return 0;
+    }
+    if (kind == q - INT64_C(3))
+    {
+        touch = (*cspan_at(&excess, INT64_C(0))) < 0.1;
+        if (other)
+        {
+            touch = !touch;
+        }
+        result = split_ramp(place, kind, sign, touch, holding, work);
+        return result;
+    }
+    row = INT64_C(48) + place;
+    if (holding || ((*cspan_at(&work, row, INT64_C(4))) > 0.5) || ((*cspan_at(&work, row - INT64_C(1), INT64_C(4))) > 0.5))
+    {
+        return 0;
+    }
+    insert_node(place, kind, sign, 0.0, 0, work);
+    return 1;
+}
+/*Move a first or last level that vanishes to the other end, with the next sign there. */
+static bool rotate_levels(array_double_2d work)
+{
+    array_double_1d passing;
+    int64_t count;
+    int64_t first;
+    int64_t last;
+    double tiny;
+    int64_t row;
+    int64_t i;
+    passing = span_row(&work, INT64_C(47));
+    count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
+    first = INT64_C(48);
+    last = INT64_C(48) + count - INT64_C(1);
+    tiny = 0.03 * (*cspan_at(&passing, INT64_C(3)));
+    if ((count < INT64_C(2)) || ((*cspan_at(&work, first, INT64_C(4))) > 0.5) || ((*cspan_at(&work, last, INT64_C(4))) > 0.5))
+    {
+        return 0;
+    }
+    if (fabs((*cspan_at(&work, first, INT64_C(6)))) < tiny)
+    {
+        for (row = first; row < last; row += INT64_C(1))
+        {
+            for (i = INT64_C(0); i < INT64_C(11); i += INT64_C(1))
+            {
+                (*cspan_at(&work, row, i)) = (*cspan_at(&work, row + INT64_C(1), i));
+            }
+        }
+        (*cspan_at(&passing, INT64_C(0))) = count - INT64_C(1);
+        insert_node(count - INT64_C(1), INT64_C(0), -(*cspan_at(&work, last - INT64_C(1), INT64_C(5))), tiny, 0, work);
+        return 1;
+    }
+    if (fabs((*cspan_at(&work, last, INT64_C(6)))) < tiny)
+    {
+        (*cspan_at(&passing, INT64_C(0))) = count - INT64_C(1);
+        insert_node(INT64_C(0), INT64_C(0), -(*cspan_at(&work, first, INT64_C(5))), tiny, 0, work);
+        return 1;
+    }
+    return 0;
+}
+/*`solve_sequence`; where that fails as a level at one end vanishes, with one at the other.*/
+static bool solve_rotated(array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    bool result;
+    if (solve_sequence(problem, axis, work))
+    {
+        return 1;
+    }
+    result = rotate_levels(work) && solve_sequence(problem, axis, work);
+    return result;
+}
+/*The plateau whose hold is the most below zero; -1 if there is none.*/
+static int64_t overlong_plateau(array_double_2d work)
+{
+    array_double_1d passing;
+    double least;
+    int64_t i;
+    int64_t row;
+    int64_t kind;
+    int64_t found;
+    passing = span_row(&work, INT64_C(47));
+    found = -INT64_C(1);
+    least = (-1e-12) * (*cspan_at(&passing, INT64_C(3)));
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))); i += INT64_C(1))
+    {
+        row = INT64_C(48) + i;
+        kind = (int64_t)((*cspan_at(&work, row, INT64_C(4))));
+        if ((kind > INT64_C(0)) && (kind != (int64_t)((*cspan_at(&passing, INT64_C(1))))) && ((*cspan_at(&work, row, INT64_C(6))) < least))
+        {
+            found = i;
+            least = (*cspan_at(&work, row, INT64_C(6)));
+        }
+    }
+    return found;
+}
+/*Let a derivative that touches its limit and still exceeds it stay there instead. */
+static bool release_touch(int64_t kind, array_double_2d work)
+{
+    int64_t i;
+    int64_t row;
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(47), INT64_C(0)))); i += INT64_C(1))
+    {
+        row = INT64_C(48) + i;
+        if (((*cspan_at(&work, row, INT64_C(4))) == kind) && ((*cspan_at(&work, row, INT64_C(7))) > 0.5))
+        {
+            (*cspan_at(&work, row, INT64_C(7))) = 0.0;
+            return 1;
+        }
+    }
+    return 0;
+}
+/*Add a plateau of the highest derivative that exceeds its limit; its order, 0: impossible.*/
+static int64_t add_plateau(array_double_1d axis, array_double_2d work)
+{
+    int64_t q;
+    int64_t j;
+    int64_t kind;
+    int64_t lowest;
+    q = (int64_t)((*cspan_at(&work, INT64_C(47), INT64_C(1)))) + INT64_C(2);
+    for (j = INT64_C(0); j < q - INT64_C(1); j += INT64_C(1))
+    {
+        kind = q - INT64_C(1) - j;
+        if ((*cspan_at(&work, INT64_C(85) + kind, INT64_C(0))) > 0.0)
+        {
+            if (insert_plateau(kind, 0, axis, work))
+            {
+                return kind;
+            }
+        }
+    }
+    lowest = q - INT64_C(3);
+    if ((lowest > INT64_C(0)) && ((*cspan_at(&work, INT64_C(85) + lowest, INT64_C(0))) > 0.0))
+    {
+        if (release_touch(lowest, work))
+        {
+            return q;
+        }
+    }
+    return INT64_C(0);
+}
+/*Add plateaus to a solved sequence, or take their holds, until it keeps all limits. */
+static bool meet_limits(array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    int64_t q;
+    int64_t added;
+    int64_t attempt;
+    int64_t place;
+    int64_t row;
+    q = (int64_t)((*cspan_at(&work, INT64_C(47), INT64_C(1)))) + INT64_C(2);
+    added = INT64_C(0);
+    for (attempt = INT64_C(0); attempt < INT64_C(16); attempt += INT64_C(1))
+    {
+        if ((attempt > INT64_C(0)) && (!solve_sequence(problem, axis, work)))
+        {
+            if ((added == INT64_C(0)) || (added != q - INT64_C(3)))
+            {
+                return 0;
+            }
+            restore_sequence(work);
+            added = INT64_C(0);
+            if (!insert_plateau(q - INT64_C(3), 1, axis, work))
+            {
+                return 0;
+            }
+            if (!solve_sequence(problem, axis, work))
+            {
+                return 0;
+            }
+        }
+        added = INT64_C(0);
+        place = overlong_plateau(work);
+        if (place >= INT64_C(0))
+        {
+            row = INT64_C(48) + place;
+            if ((*cspan_at(&work, row, INT64_C(7))) > 0.5)
+            {
+                return 0;
+            }
+            (*cspan_at(&work, row, INT64_C(7))) = 1.0;
+            (*cspan_at(&work, row, INT64_C(6))) = 0.0;
+        }
+        else if (!measure_excess(axis, work))
+        {
+            return 1;
+        }
+        else
+        {
+            keep_sequence(work);
+            added = add_plateau(axis, work);
+            if (added == INT64_C(0))
+            {
+                return 0;
+            }
+        }
+    }
+    return 0;
+}
+/*Append a level to a sequence, or enlarge the last one if that has the same sign. */
+static void append_level(double sign, double time, array_double_2d work)
+{
+    int64_t count;
+    int64_t row;
+    double last;
+    count = (int64_t)((*cspan_at(&work, INT64_C(47), INT64_C(0))));
+    if (count > INT64_C(0))
+    {
+        row = INT64_C(48) + count - INT64_C(1);
+        if (((*cspan_at(&work, row, INT64_C(4))) < 0.5) && ((*cspan_at(&work, row, INT64_C(5))) == sign))
+        {
+            last = (*cspan_at(&work, row, INT64_C(6)));
+            (*cspan_at(&work, row, INT64_C(6))) = sqrt(last * last + time * time);
+            return;
+        }
+    }
+    insert_node(count, INT64_C(0), sign, time, 0, work);
+}
+/*Append the levels of a ramp of the acceleration; nothing for no change.*/
+static void append_levels(double change, array_double_1d axis, array_double_2d work)
+{
+    double sign;
+    double duration;
+    double slope;
+    double rise;
+    double hold;
+    double time;
+    int64_t count;
+    if (change == 0.0)
+    {
+        return;
+    }
+    sign = 1.0;
+    if (change < 0.0)
+    {
+        sign = -1.0;
+    }
+    segfmu_ramp_duration(&duration, &slope, fabs(change), axis);
+    rise = inner_rise(duration, INT64_C(0), axis);
+    hold = span_max(duration - 2.0 * rise, 0.0);
+    if ((*cspan_at(&work, INT64_C(47), INT64_C(1))) < 1.5)
+    {
+        append_level(sign, rise + hold, work);
+        return;
+    }
+    time = rise - inner_rise(rise, INT64_C(1), axis);
+    append_level(sign, time, work);
+    if (hold > 1e-09 * duration)
+    {
+        count = (int64_t)((*cspan_at(&work, INT64_C(47), INT64_C(0))));
+        insert_node(count, INT64_C(3), sign, hold, 0, work);
+    }
+    append_level(-sign, time, work);
+}
+/*The derivative that a hold keeps at its limit, 1 or 2, and its sign; 0 if there is none. */
+static int64_t limit_held(int64_t* result_0, double* result_1_0001, double a, double v, array_double_1d axis)
+{
+    int64_t order;
+    double value;
+    order = INT64_C(0);
+    value = 0.0;
+    if (fabs(a) >= (*cspan_at(&axis, INT64_C(3))) * (1.0 - 1e-09))
+    {
+        order = INT64_C(2);
+        value = a;
+    }
+    else if ((a == 0.0) && (fabs(v) >= (*cspan_at(&axis, INT64_C(2))) * (1.0 - 1e-09)))
+    {
+        order = INT64_C(1);
+        value = v;
+    }
+    if (value < 0.0)
+    {
+        (*result_0) = order;
+        (*result_1_0001) = -1.0;
+        return 0;
+    }
+    (*result_0) = order;
+    (*result_1_0001) = 1.0;
+    return 0;
+}
+/*Set the sequence of the levels in the ramps of an ordinary profile from the velocity v.*/
+static void copy_levels(int64_t count, array_double_2d phases, double v, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    double pending;
+    int64_t i;
+    double a;
+    double change;
+    double duration;
+    int64_t order;
+    double sign;
+    passing = span_row(&work, INT64_C(47));
+    (*cspan_at(&passing, INT64_C(0))) = 0.0;
+    pending = 0.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        a = (*cspan_at(&phases, i, INT64_C(2)));
+        change = (*cspan_at(&phases, i, INT64_C(3)));
+        duration = (*cspan_at(&phases, i, INT64_C(0)));
+        if (change * pending < 0.0)
+        {
+            append_levels(pending, axis, work);
+            pending = 0.0;
+        }
+        pending = pending + change;
+        if (change == 0.0)
+        {
+            limit_held(&order, &sign, a, v, axis);
+            if (order > INT64_C(0))
+            {
+                append_levels(pending, axis, work);
+                pending = 0.0;
+                insert_node((int64_t)((*cspan_at(&passing, INT64_C(0)))), order, sign, duration, 0, work);
+            }
+        }
+        v = v + (a + 0.5 * change) * duration;
+    }
+    append_levels(pending, axis, work);
+}
+/*Set what Newton's method starts from in an attempt; False if it is that of another one.*/
+static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    int64_t q;
+    int64_t i;
+    double a;
+    double time;
+    double factor;
+    int64_t row;
+    passing = span_row(&work, INT64_C(47));
+    q = (int64_t)((*cspan_at(&axis, INT64_C(30)))) + INT64_C(2);
+    (*cspan_at(&passing, INT64_C(1))) = (*cspan_at(&axis, INT64_C(30)));
+    (*cspan_at(&passing, INT64_C(2))) = 1.0;
+    (*cspan_at(&passing, INT64_C(5))) = 0.0;
+    (*cspan_at(&passing, INT64_C(3))) = total_duration(phases, count);
+    (*cspan_at(&passing, INT64_C(4))) = 0.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        a = fabs((*cspan_at(&phases, i, INT64_C(2))) + (*cspan_at(&phases, i, INT64_C(3))));
+        (*cspan_at(&passing, INT64_C(4))) = span_max((*cspan_at(&passing, INT64_C(4))), a);
+        a = fabs((*cspan_at(&phases, i, INT64_C(2))));
+        (*cspan_at(&passing, INT64_C(4))) = span_max((*cspan_at(&passing, INT64_C(4))), a);
+    }
+    copy_levels(count, phases, (*cspan_at(&problem, INT64_C(0))), axis, work);
+    if (!is_square(passing, span_rows(&work, INT64_C(48), INT64_C(66))))
+    {
+        (*cspan_at(&passing, INT64_C(0))) = 0.0;
+        for (i = INT64_C(0); i < q; i += INT64_C(1))
+        {
+            time = 0.7 * (*cspan_at(&passing, INT64_C(3))) / q;
+            insert_node(i, INT64_C(0), 1.0 - 2.0 * (span_floor_mod(i, INT64_C(2))), time, 0, work);
+        }
+    }
+    /*the levels of ordinary profiles are lower, as they meet at zero*/
+    factor = 1.0;
+    if (q == INT64_C(4))
+    {
+        factor = 1.25;
+    }
+    if (span_floor_mod(attempt, INT64_C(3)) == INT64_C(1))
+    {
+        factor = 1.3 * factor;
+    }
+    else if (span_floor_mod(attempt, INT64_C(3)) == INT64_C(2))
+    {
+        factor = 0.8 * factor;
+    }
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))); i += INT64_C(1))
+    {
+        row = INT64_C(48) + i;
+        if ((*cspan_at(&work, row, INT64_C(4))) < 0.5)
+        {
+            (*cspan_at(&work, row, INT64_C(6))) = factor * (*cspan_at(&work, row, INT64_C(6)));
+            if (attempt >= INT64_C(3))
+            {
+                (*cspan_at(&work, row, INT64_C(5))) = -(*cspan_at(&work, row, INT64_C(5)));
+            }
+        }
+        else if (attempt >= INT64_C(3))
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
+/*Slow a solved sequence down, as little as possible, until it keeps the limits. */
+/*                                                                               */
+/*    False if that takes longer than `longest` [s].                             */
+/*                                                                               */
+static bool slow_down(double longest, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    array_double_2d nodes;
+    double fast;
+    double slow;
+    int64_t i;
+    passing = span_row(&work, INT64_C(47));
+    nodes = span_rows(&work, INT64_C(48), INT64_C(66));
+    fast = 1.0;
+    slow = 0.0;
+    for (i = INT64_C(0); i < INT64_C(24); i += INT64_C(1))
+    {
+        (*cspan_at(&passing, INT64_C(2))) = 0.97 * fast;
+        if (slow > 0.0)
+        {
+            (*cspan_at(&passing, INT64_C(2))) = 0.5 * (slow + fast);
+        }
+        if (!solve_sequence(problem, axis, work))
+        {
+            break;
+        }
+        if (sequence_duration(passing, nodes) >= longest)
+        {
+            break;
+        }
+        if ((overlong_plateau(work) < INT64_C(0)) && (!measure_excess(axis, work)))
+        {
+            keep_sequence(work);
+            slow = (*cspan_at(&passing, INT64_C(2)));
+        }
+        else
+        {
+            fast = (*cspan_at(&passing, INT64_C(2)));
+        }
+        if ((slow > 0.0) && (fast - slow < 0.0001))
+        {
+            break;
+        }
+    }
+    if (slow > 0.0)
+    {
+        restore_sequence(work);
+    }
+    return slow > 0.0;
+}
+/*Write a sequence as phases; their number.*/
+static int64_t write_sequence(array_double_2d phases, array_double_1d axis, array_double_2d work)
+{
+    double above;
+    double level;
+    int64_t i;
+    int64_t row;
+    double held;
+    double order;
+    int64_t kind;
+    int64_t used;
+    above = (*cspan_at(&work, INT64_C(47), INT64_C(1)));
+    level = 0.0;
+    used = INT64_C(0);
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(47), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    {
+        row = INT64_C(48) + i;
+        if ((*cspan_at(&work, row, INT64_C(10))) > 0.0)
+        {
+            (*cspan_at(&phases, used, INT64_C(0))) = (*cspan_at(&work, row, INT64_C(10)));
+            (*cspan_at(&phases, used, INT64_C(1))) = (*cspan_at(&work, row, INT64_C(10))) * (*cspan_at(&work, INT64_C(47), INT64_C(2)));
+            (*cspan_at(&phases, used, INT64_C(2))) = level;
+            (*cspan_at(&phases, used, INT64_C(3))) = (*cspan_at(&work, row, INT64_C(8))) - level;
+            (*cspan_at(&phases, used, INT64_C(4))) = above;
+            used = used + INT64_C(1);
+        }
+        level = (*cspan_at(&work, row, INT64_C(8)));
+        if ((*cspan_at(&work, row, INT64_C(9))) > 0.0)
+        {
+            held = level;
+            order = above;
+            if (((*cspan_at(&work, row, INT64_C(4))) > 0.5) && (level == 0.0))
+            {
+                /*this derivative is held, without the rounding errors of the ramps before*/
+                order = span_max((*cspan_at(&work, row, INT64_C(4))) - 2.0, 0.0);
+                held = 0.0;
+                if ((*cspan_at(&work, row, INT64_C(4))) > 1.5)
+                {
+                    kind = (int64_t)((*cspan_at(&work, row, INT64_C(4))));
+                    held = (*cspan_at(&work, row, INT64_C(5))) * (*cspan_at(&axis, INT64_C(2) + kind - INT64_C(1)));
+                }
+            }
+            used = append_hold(phases, used, held, (*cspan_at(&work, row, INT64_C(9))));
+            (*cspan_at(&phases, used - INT64_C(1), INT64_C(4))) = order;
+        }
+    }
+    return used;
+}
+/*Replace a profile of ramps of the acceleration by a shorter passing one, if there is one.*/
+/*                                                                                         */
+/*    Returns the new number of phases.                                                    */
+/*                                                                                         */
+static int64_t passing_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    array_double_2d nodes;
+    double longest;
+    int64_t attempt;
+    bool found;
+    int64_t result;
+    passing = span_row(&work, INT64_C(47));
+    nodes = span_rows(&work, INT64_C(48), INT64_C(66));
+    longest = total_duration(phases, count) * (1.0 - 1e-09);
+    for (attempt = INT64_C(0); attempt < INT64_C(6); attempt += INT64_C(1))
+    {
+        if (!set_sequence(attempt, count, phases, problem, axis, work))
+        {
+            break;
+        }
+        if (!solve_rotated(problem, axis, work))
+        {
+            continue;
+        }
+        found = meet_limits(problem, axis, work);
+        if (!found)
+        {
+            set_sequence(attempt, count, phases, problem, axis, work);
+            solve_rotated(problem, axis, work);
+            found = slow_down(longest, problem, axis, work);
+        }
+        if (found)
+        {
+            if (sequence_duration(passing, nodes) < longest)
+            {
+                result = write_sequence(phases, axis, work);
+                return result;
+            }
+            break;
+        }
+    }
+    return count;
+}
+/*Slow the passing profile in `work` down so that it lasts the problem's duration. */
+/*                                                                                 */
+/*    Returns the number of its phases; 0 if that breaks a limit.                  */
+/*                                                                                 */
+static int64_t timed_passing(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    double shortest;
+    double longer;
+    int64_t steps;
+    int64_t i;
+    int64_t result;
+    passing = span_row(&work, INT64_C(47));
+    shortest = sequence_duration(passing, span_rows(&work, INT64_C(48), INT64_C(66)));
+    longer = (*cspan_at(&problem, INT64_C(5))) / shortest - 1.0;
+    /*by little each time, as plateaus begin and end on the way*/
+    steps = span_min_int((int64_t)(20.0 * longer) + INT64_C(1), INT64_C(10));
+    for (i = INT64_C(0); i < steps; i += INT64_C(1))
+    {
+        (*cspan_at(&passing, INT64_C(5))) = shortest * (1.0 + longer * (i + INT64_C(1)) / steps);
+        if (!solve_rotated(problem, axis, work))
+        {
+            return INT64_C(0);
+        }
+        if ((!meet_limits(problem, axis, work)) || ((*cspan_at(&passing, INT64_C(2))) > 1.0))
+        {
+            return INT64_C(0);
+        }
+    }
+    result = write_sequence(phases, axis, work);
+    return result;
+}
 /*Upper bound [s] for the duration of the paper's form with cruise.*/
 static double usual_duration(array_double_1d problem, array_double_1d axis)
 {
@@ -9840,23 +11389,12 @@ static int64_t shortest_braked(array_double_1d problem, array_double_1d axis, ar
     }
     return best;
 }
-/*Phases of the shortest profile of a boundary problem (Problem) of one axis (Axis).                 */
-/*                                                                                                   */
-/*    `phases` has 13 rows, `work` those of `PlanWork`. Returns the number of phases (0 when there is*/
-/*    nothing to do), or the status START_BRAKING, END_BRAKING or NO_PROFILE (PlanStatus).           */
-/*                                                                                                   */
-int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
+/*`shortest_profile` of ramps of the acceleration. */
+static int64_t shortest_ramps(array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work)
 {
-    array_double_1d asked;
     int64_t count;
     double longest;
     int64_t status;
-    asked = span_row(&work, INT64_C(43));
-    boundary_problem(problem, axis, asked);
-    if (is_done(asked))
-    {
-        return INT64_C(0);
-    }
     count = shortest_between(INT64_C(0), phases, asked, axis, work);
     if (count > INT64_C(0))
     {
@@ -9877,6 +11415,30 @@ int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, a
     if (count == INT64_C(0))
     {
         return status;
+    }
+    return count;
+}
+/*Phases of the shortest profile of a boundary problem (Problem) of one axis (Axis).               */
+/*                                                                                                 */
+/*    `phases` has the rows of Cell.BELOW, `work` those of `PlanWork`. Returns the number of phases*/
+/*    (0 when there is nothing to do), or the status START_BRAKING, END_BRAKING or NO_PROFILE      */
+/*    (PlanStatus).                                                                                */
+/*                                                                                                 */
+int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
+{
+    array_double_1d asked;
+    int64_t count;
+    asked = span_row(&work, INT64_C(43));
+    boundary_problem(problem, axis, asked);
+    if (is_done(asked))
+    {
+        return INT64_C(0);
+    }
+    count = shortest_ramps(asked, axis, phases, work);
+    if ((count > INT64_C(0)) && ((*cspan_at(&axis, INT64_C(30))) > 0.5))
+    {
+        count = passing_form(count, phases, asked, axis, work);
+        return count;
     }
     return count;
 }
@@ -10111,11 +11673,18 @@ static int64_t gap_ends(double after, array_double_1d problem, array_double_1d a
 static void stretch_phases(array_double_2d phases, int64_t count, double factor)
 {
     int64_t i;
+    double power;
+    int64_t j;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         (*cspan_at(&phases, i, INT64_C(0))) = (*cspan_at(&phases, i, INT64_C(0))) * factor;
-        (*cspan_at(&phases, i, INT64_C(2))) = (*cspan_at(&phases, i, INT64_C(2))) / (factor * factor);
-        (*cspan_at(&phases, i, INT64_C(3))) = (*cspan_at(&phases, i, INT64_C(3))) / (factor * factor);
+        power = factor * factor;
+        for (j = INT64_C(0); j < (int64_t)((*cspan_at(&phases, i, INT64_C(4)))); j += INT64_C(1))
+        {
+            power = power * factor;
+        }
+        (*cspan_at(&phases, i, INT64_C(2))) = (*cspan_at(&phases, i, INT64_C(2))) / power;
+        (*cspan_at(&phases, i, INT64_C(3))) = (*cspan_at(&phases, i, INT64_C(3))) / power;
     }
 }
 /*Remove the rounding error of the total duration: two averaged profiles need the same.*/
@@ -10255,8 +11824,8 @@ static bool timed_slower(double shortest, array_double_1d axis, array_double_2d 
                 nearest = span_row(&work, INT64_C(42));
                 below = (int64_t)((*cspan_at(&nearest, INT64_C(0))));
                 above = (int64_t)((*cspan_at(&nearest, INT64_C(2))));
-                stretch_phases(span_rows(&cell, INT64_C(0), INT64_C(13)), below, 1.0 / factor);
-                stretch_phases(span_rows(&cell, INT64_C(13), INT64_C(26)), above, 1.0 / factor);
+                stretch_phases(span_rows(&cell, INT64_C(0), INT64_C(33)), below, 1.0 / factor);
+                stretch_phases(span_rows(&cell, INT64_C(33), INT64_C(46)), above, 1.0 / factor);
                 return 1;
             }
         }
@@ -10298,8 +11867,8 @@ static void surround_nearest(int64_t variant, array_double_1d axis, array_double
     trial = span_rows(&work, INT64_C(0), INT64_C(13));
     problem = span_row(&work, INT64_C(43));
     nearest = span_row(&work, INT64_C(42));
-    below = span_rows(&cell, INT64_C(0), INT64_C(13));
-    above = span_rows(&cell, INT64_C(13), INT64_C(26));
+    below = span_rows(&cell, INT64_C(0), INT64_C(33));
+    above = span_rows(&cell, INT64_C(33), INT64_C(46));
     count = (int64_t)((*cspan_at(&nearest, INT64_C(0))));
     count = surround(below, count, variant, problem, axis, trial);
     fit_duration(below, count, (*cspan_at(&problem, INT64_C(5))));
@@ -10308,6 +11877,33 @@ static void surround_nearest(int64_t variant, array_double_1d axis, array_double
     count = surround(above, count, variant, problem, axis, trial);
     fit_duration(above, count, (*cspan_at(&problem, INT64_C(5))));
     (*cspan_at(&nearest, INT64_C(2))) = count;
+}
+/*The shortest profile, if it passes zero jerk with snap, slowed down; as `timed_profile`. */
+static double slower_passing(array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_1d problem;
+    array_double_2d phases;
+    int64_t count;
+    if ((*cspan_at(&axis, INT64_C(30))) < 0.5)
+    {
+        return -1.0;
+    }
+    problem = span_row(&work, INT64_C(43));
+    phases = span_rows(&cell, INT64_C(0), INT64_C(33));
+    count = segfmu_shortest_profile(problem, axis, phases, work);
+    if ((count <= INT64_C(0)) || ((*cspan_at(&phases, INT64_C(0), INT64_C(4))) < 0.5))
+    {
+        return -1.0;
+    }
+    count = timed_passing(phases, problem, axis, work);
+    if (count == INT64_C(0))
+    {
+        return -1.0;
+    }
+    fit_duration(phases, count, (*cspan_at(&problem, INT64_C(5))));
+    (*cspan_at(&work, INT64_C(42), INT64_C(0))) = count;
+    (*cspan_at(&work, INT64_C(42), INT64_C(2))) = 0.0;
+    return 0.0;
 }
 /*Two profiles of a cell's problem (Cell) that last `target` [s] and enclose the distance.         */
 /*                                                                                                 */
@@ -10329,9 +11925,9 @@ double segfmu_timed_profile(double target, array_double_1d axis, array_double_2d
     problem = span_row(&work, INT64_C(43));
     rest = span_row(&work, INT64_C(44));
     nearest = span_row(&work, INT64_C(42));
-    boundary_problem(span_row(&cell, INT64_C(26)), axis, problem);
+    boundary_problem(span_row(&cell, INT64_C(46)), axis, problem);
     (*cspan_at(&problem, INT64_C(5))) = target;
-    shortest = (*cspan_at(&cell, INT64_C(27), INT64_C(0)));
+    shortest = (*cspan_at(&cell, INT64_C(47), INT64_C(0)));
     if ((shortest > 0.0) && timed_slower(shortest, axis, cell, work))
     {
         weight = nearest_weight(problem, axis, nearest);
@@ -10362,34 +11958,29 @@ double segfmu_timed_profile(double target, array_double_1d axis, array_double_2d
             return weight;
         }
     }
-    return -1.0;
+    weight = slower_passing(axis, cell, work);
+    return weight;
 }
 /*Write the shortest profile of a cell; returns its status (PlanStatus) and duration [s].*/
-static int64_t set_shortest(int64_t* result_0, double* result_1, array_double_2d cell, array_double_1d axis, array_double_2d work)
+static int64_t set_shortest(int64_t* result_0, double* result_1_0001, array_double_2d cell, array_double_1d axis, array_double_2d work)
 {
     array_double_1d problem;
     array_double_2d phases;
     int64_t count;
-    double duration;
-    double y;
-    double end;
-    double lowest;
-    double highest;
-    problem = span_row(&cell, INT64_C(26));
-    phases = span_rows(&cell, INT64_C(0), INT64_C(13));
+    problem = span_row(&cell, INT64_C(46));
+    phases = span_rows(&cell, INT64_C(0), INT64_C(33));
     count = segfmu_shortest_profile(problem, axis, phases, work);
-    (*cspan_at(&cell, INT64_C(27), INT64_C(3))) = span_max_int(count, INT64_C(0));
-    (*cspan_at(&cell, INT64_C(27), INT64_C(4))) = 0.0;
-    (*cspan_at(&cell, INT64_C(27), INT64_C(2))) = 0.0;
+    (*cspan_at(&cell, INT64_C(47), INT64_C(3))) = span_max_int(count, INT64_C(0));
+    (*cspan_at(&cell, INT64_C(47), INT64_C(4))) = 0.0;
+    (*cspan_at(&cell, INT64_C(47), INT64_C(2))) = 0.0;
     if (count < INT64_C(0))
     {
         (*result_0) = count;
-        (*result_1) = 0.0;
+        (*result_1_0001) = 0.0;
         return 0;
     }
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, (*cspan_at(&problem, INT64_C(0))), 1e+300, axis);
     (*result_0) = INT64_C(0);
-    (*result_1) = duration;
+    (*result_1_0001) = total_duration(phases, count);
     return 0;
 }
 /*Whether both boundary states are at rest.*/
@@ -10416,13 +12007,13 @@ static void set_stretched(double target, bool resting, array_double_2d cell, arr
     int64_t i;
     int64_t status;
     int64_t count;
-    phases = span_rows(&cell, INT64_C(0), INT64_C(13));
-    shortest = (*cspan_at(&cell, INT64_C(27), INT64_C(0))) - (*cspan_at(&cell, INT64_C(27), INT64_C(7)));
+    phases = span_rows(&cell, INT64_C(0), INT64_C(33));
+    shortest = (*cspan_at(&cell, INT64_C(47), INT64_C(0))) - (*cspan_at(&cell, INT64_C(47), INT64_C(7)));
     /*the shortest profile may still be stored, from the first step of planning*/
     duration = 0.0;
-    if ((*cspan_at(&cell, INT64_C(27), INT64_C(4))) == 0.0)
+    if ((*cspan_at(&cell, INT64_C(47), INT64_C(4))) == 0.0)
     {
-        for (i = INT64_C(0); i < (int64_t)((*cspan_at(&cell, INT64_C(27), INT64_C(3)))); i += INT64_C(1))
+        for (i = INT64_C(0); i < (int64_t)((*cspan_at(&cell, INT64_C(47), INT64_C(3)))); i += INT64_C(1))
         {
             duration = duration + (*cspan_at(&phases, i, INT64_C(0)));
         }
@@ -10431,10 +12022,10 @@ static void set_stretched(double target, bool resting, array_double_2d cell, arr
     {
         set_shortest(&status, &duration, cell, axis, work);
     }
-    count = (int64_t)((*cspan_at(&cell, INT64_C(27), INT64_C(3))));
+    count = (int64_t)((*cspan_at(&cell, INT64_C(47), INT64_C(3))));
     if (resting && (count == INT64_C(0)))
     {
-        (*cspan_at(&cell, INT64_C(27), INT64_C(3))) = append_hold(phases, INT64_C(0), 0.0, target);
+        (*cspan_at(&cell, INT64_C(47), INT64_C(3))) = append_hold(phases, INT64_C(0), 0.0, target);
     }
     else if (resting)
     {
@@ -10448,13 +12039,13 @@ static bool set_duration(double target, array_double_2d cell, array_double_1d ax
     double shortest;
     bool resting;
     double weight;
-    delay = (*cspan_at(&cell, INT64_C(27), INT64_C(7)));
-    shortest = (*cspan_at(&cell, INT64_C(27), INT64_C(0)));
+    delay = (*cspan_at(&cell, INT64_C(47), INT64_C(7)));
+    shortest = (*cspan_at(&cell, INT64_C(47), INT64_C(0)));
     if (target < shortest * (1.0 - 1e-13))
     {
         return 0;
     }
-    resting = is_resting(span_row(&cell, INT64_C(26)), axis);
+    resting = is_resting(span_row(&cell, INT64_C(46)), axis);
     if (resting || (target <= shortest * (1.0 + 1e-13)))
     {
         set_stretched(target - delay, resting, cell, axis, work);
@@ -10465,9 +12056,9 @@ static bool set_duration(double target, array_double_2d cell, array_double_1d ax
     {
         return 0;
     }
-    (*cspan_at(&cell, INT64_C(27), INT64_C(2))) = weight;
-    (*cspan_at(&cell, INT64_C(27), INT64_C(3))) = (*cspan_at(&work, INT64_C(42), INT64_C(0)));
-    (*cspan_at(&cell, INT64_C(27), INT64_C(4))) = (*cspan_at(&work, INT64_C(42), INT64_C(2)));
+    (*cspan_at(&cell, INT64_C(47), INT64_C(2))) = weight;
+    (*cspan_at(&cell, INT64_C(47), INT64_C(3))) = (*cspan_at(&work, INT64_C(42), INT64_C(0)));
+    (*cspan_at(&cell, INT64_C(47), INT64_C(4))) = (*cspan_at(&work, INT64_C(42), INT64_C(2)));
     return 1;
 }
 /*The first feasible duration between an infeasible and a feasible one, to 4e-9 of it. */
@@ -10510,10 +12101,10 @@ static double next_feasible(double start, array_double_2d cell, array_double_1d 
     double growth;
     double result;
     after = start;
-    delay = (*cspan_at(&cell, INT64_C(27), INT64_C(7)));
+    delay = (*cspan_at(&cell, INT64_C(47), INT64_C(7)));
     for (sweep = INT64_C(0); sweep < INT64_C(8); sweep += INT64_C(1))
     {
-        count = gap_ends(after - delay, span_row(&cell, INT64_C(26)), axis, work);
+        count = gap_ends(after - delay, span_row(&cell, INT64_C(46)), axis, work);
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
             duration = delay + (*cspan_at(&work, INT64_C(26) + i, INT64_C(0))) * (1.0 + 1e-09);
@@ -10575,7 +12166,7 @@ static double common_duration(double start, double sample_time, int64_t first, i
     duration = start;
     for (i = first; i < last; i += INT64_C(1))
     {
-        duration = span_max(duration, (*cspan_at(&cells, i, INT64_C(27), INT64_C(0))));
+        duration = span_max(duration, (*cspan_at(&cells, i, INT64_C(47), INT64_C(0))));
     }
     duration = round_up(duration, sample_time);
     place = first;
@@ -10725,7 +12316,7 @@ static void transition_peaks(int64_t order, array_double_1d coefficients, array_
 void segfmu_axis_limits(int64_t smoothness, int64_t shape, array_double_1d limits, array_double_1d axis)
 {
     int64_t i;
-    for (i = INT64_C(0); i < INT64_C(41); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(42); i += INT64_C(1))
     {
         (*cspan_at(&axis, i)) = 0.0;
     }
@@ -10761,6 +12352,7 @@ static bool plateau_parameters(double share, array_double_1d axis)
     {
         return 0;
     }
+    (*cspan_at(&axis, INT64_C(30))) = span_min_int(span_max_int(last - INT64_C(1), INT64_C(0)), INT64_C(2));
     for (level = INT64_C(0); level < boxes - INT64_C(1); level += INT64_C(1))
     {
         if ((level > INT64_C(0)) || (last == INT64_C(0)))
@@ -10803,10 +12395,10 @@ static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, arr
     k = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
     bounded = 0;
     transition_peaks(k, psi, peaks);
-    (*cspan_at(&axis, INT64_C(30))) = 2.0 * k + 2.0;
+    (*cspan_at(&axis, INT64_C(31))) = 2.0 * k + 2.0;
     for (j = INT64_C(0); j < INT64_C(2) * k + INT64_C(2); j += INT64_C(1))
     {
-        (*cspan_at(&axis, INT64_C(31) + j)) = (*cspan_at(&psi, j));
+        (*cspan_at(&axis, INT64_C(32) + j)) = (*cspan_at(&psi, j));
     }
     (*cspan_at(&axis, INT64_C(29))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(3)));
     for (j = INT64_C(1); j < k + INT64_C(2); j += INT64_C(1))
@@ -10844,7 +12436,7 @@ bool segfmu_ramp_parameters(double share, array_double_1d axis, array_double_2d 
     double duration;
     double slope;
     bool bounded;
-    for (i = INT64_C(9); i < INT64_C(41); i += INT64_C(1))
+    for (i = INT64_C(9); i < INT64_C(42); i += INT64_C(1))
     {
         (*cspan_at(&axis, i)) = 0.0;
     }
@@ -10917,10 +12509,10 @@ static int64_t time_left(double* result_0, double* result_1, int64_t* result_2, 
     count = INT64_C(0);
     for (j = first; (step > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += step)
     {
-        rest = rest - (*cspan_at(&cells, j, INT64_C(27), INT64_C(1)));
-        if ((*cspan_at(&cells, j, INT64_C(27), INT64_C(9))) > 0.5)
+        rest = rest - (*cspan_at(&cells, j, INT64_C(47), INT64_C(1)));
+        if ((*cspan_at(&cells, j, INT64_C(47), INT64_C(9))) > 0.5)
         {
-            base = base + (*cspan_at(&cells, j, INT64_C(27), INT64_C(1)));
+            base = base + (*cspan_at(&cells, j, INT64_C(47), INT64_C(1)));
             count = count + INT64_C(1);
         }
     }
@@ -10952,7 +12544,7 @@ static bool prolong_all(int64_t first, int64_t last, double target, array_double
     step = axes.shape[INT64_C(0)];
     for (j = first; (step > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += step)
     {
-        (*cspan_at(&cells, j, INT64_C(27), INT64_C(9))) = 1.0;
+        (*cspan_at(&cells, j, INT64_C(47), INT64_C(9))) = 1.0;
     }
     for (sweep = INT64_C(0); sweep < INT64_C(50); sweep += INT64_C(1))
     {
@@ -10974,21 +12566,21 @@ static bool prolong_all(int64_t first, int64_t last, double target, array_double
         }
         for (j = first; (step > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += step)
         {
-            if ((*cspan_at(&cells, j, INT64_C(27), INT64_C(9))) > 0.5)
+            if ((*cspan_at(&cells, j, INT64_C(47), INT64_C(9))) > 0.5)
             {
-                present = (*cspan_at(&cells, j, INT64_C(27), INT64_C(1)));
+                present = (*cspan_at(&cells, j, INT64_C(47), INT64_C(1)));
                 end = j + last - first;
                 reached = common_duration(present * factor + extra, 0.0, j, end, axes, cells, work);
                 if ((reached < 0.0) || (reached - present > rest * (1.0 + 1e-13)))
                 {
-                    (*cspan_at(&cells, j, INT64_C(27), INT64_C(9))) = 0.0;
+                    (*cspan_at(&cells, j, INT64_C(47), INT64_C(9))) = 0.0;
                 }
                 else
                 {
                     rest = rest - (reached - present);
                     for (i = j; i < end; i += INT64_C(1))
                     {
-                        (*cspan_at(&cells, i, INT64_C(27), INT64_C(1))) = reached;
+                        (*cspan_at(&cells, i, INT64_C(47), INT64_C(1))) = reached;
                     }
                 }
             }
@@ -11018,13 +12610,13 @@ static bool prolong_from(int64_t begin, double share, int64_t first, int64_t las
     {
         time_left(&rest, &base, &count, first, step, target, cells);
         j = first + span_floor_mod((begin - first + k * step), (intervals * step));
-        present = (*cspan_at(&cells, j, INT64_C(27), INT64_C(1)));
+        present = (*cspan_at(&cells, j, INT64_C(47), INT64_C(1)));
         reached = common_duration(present + share * rest, 0.0, j, j + last - first, axes, cells, work);
         if ((reached >= 0.0) && (reached - present <= rest * (1.0 + 1e-13)))
         {
             for (i = j; i < j + last - first; i += INT64_C(1))
             {
-                (*cspan_at(&cells, i, INT64_C(27), INT64_C(1))) = reached;
+                (*cspan_at(&cells, i, INT64_C(47), INT64_C(1))) = reached;
             }
         }
         share = 1.0;
@@ -11046,7 +12638,7 @@ static bool distribute(int64_t first, int64_t last, double target, array_double_
     step = axes.shape[INT64_C(0)];
     for (i = INT64_C(0); i < cells.shape[INT64_C(0)]; i += INT64_C(1))
     {
-        (*cspan_at(&cells, i, INT64_C(27), INT64_C(8))) = (*cspan_at(&cells, i, INT64_C(27), INT64_C(1)));
+        (*cspan_at(&cells, i, INT64_C(47), INT64_C(8))) = (*cspan_at(&cells, i, INT64_C(47), INT64_C(1)));
     }
     if (prolong_all(first, last, target, axes, cells, work))
     {
@@ -11058,7 +12650,7 @@ static bool distribute(int64_t first, int64_t last, double target, array_double_
         {
             for (i = INT64_C(0); i < cells.shape[INT64_C(0)]; i += INT64_C(1))
             {
-                (*cspan_at(&cells, i, INT64_C(27), INT64_C(1))) = (*cspan_at(&cells, i, INT64_C(27), INT64_C(8)));
+                (*cspan_at(&cells, i, INT64_C(47), INT64_C(1))) = (*cspan_at(&cells, i, INT64_C(47), INT64_C(8)));
             }
             share = 1.0 - 0.25 * quarters;
             if (prolong_from(j, share, first, last, target, axes, cells, work))
@@ -11079,7 +12671,7 @@ static bool rewrite_intervals(int64_t first, int64_t last, array_double_2d axes,
     {
         for (i = first; i < last; i += INT64_C(1))
         {
-            duration = (*cspan_at(&cells, j + i, INT64_C(27), INT64_C(1)));
+            duration = (*cspan_at(&cells, j + i, INT64_C(47), INT64_C(1)));
             if (!set_duration(duration, span_matrix(&cells, j + i), span_row(&axes, i), work))
             {
                 return 0;
@@ -11101,16 +12693,16 @@ static void set_problems(array_double_3d states, array_double_3d cells)
         for (i = INT64_C(0); i < axes; i += INT64_C(1))
         {
             cell = span_matrix(&cells, j * axes + i);
-            (*cspan_at(&cell, INT64_C(26), INT64_C(0))) = (*cspan_at(&states, j, i, INT64_C(1)));
-            (*cspan_at(&cell, INT64_C(26), INT64_C(1))) = (*cspan_at(&states, j, i, INT64_C(2)));
-            (*cspan_at(&cell, INT64_C(26), INT64_C(2))) = (*cspan_at(&states, j + INT64_C(1), i, INT64_C(1)));
-            (*cspan_at(&cell, INT64_C(26), INT64_C(3))) = (*cspan_at(&states, j + INT64_C(1), i, INT64_C(2)));
-            (*cspan_at(&cell, INT64_C(26), INT64_C(4))) = (*cspan_at(&states, j + INT64_C(1), i, INT64_C(0))) - (*cspan_at(&states, j, i, INT64_C(0)));
-            (*cspan_at(&cell, INT64_C(26), INT64_C(5))) = 0.0;
-            (*cspan_at(&cell, INT64_C(27), INT64_C(7))) = 0.0;
+            (*cspan_at(&cell, INT64_C(46), INT64_C(0))) = (*cspan_at(&states, j, i, INT64_C(1)));
+            (*cspan_at(&cell, INT64_C(46), INT64_C(1))) = (*cspan_at(&states, j, i, INT64_C(2)));
+            (*cspan_at(&cell, INT64_C(46), INT64_C(2))) = (*cspan_at(&states, j + INT64_C(1), i, INT64_C(1)));
+            (*cspan_at(&cell, INT64_C(46), INT64_C(3))) = (*cspan_at(&states, j + INT64_C(1), i, INT64_C(2)));
+            (*cspan_at(&cell, INT64_C(46), INT64_C(4))) = (*cspan_at(&states, j + INT64_C(1), i, INT64_C(0))) - (*cspan_at(&states, j, i, INT64_C(0)));
+            (*cspan_at(&cell, INT64_C(46), INT64_C(5))) = 0.0;
+            (*cspan_at(&cell, INT64_C(47), INT64_C(7))) = 0.0;
             if ((j == INT64_C(0)) && (states.shape[INT64_C(2)] > INT64_C(3)))
             {
-                (*cspan_at(&cell, INT64_C(27), INT64_C(7))) = (*cspan_at(&states, j, i, INT64_C(3)));
+                (*cspan_at(&cell, INT64_C(47), INT64_C(7))) = (*cspan_at(&states, j, i, INT64_C(3)));
             }
         }
     }
@@ -11134,17 +12726,17 @@ static int64_t plan_axis(int64_t axis, double share, array_double_2d axes, array
         set_shortest(&status, &time, span_matrix(&cells, j), span_row(&axes, axis), work);
         if (status < INT64_C(0))
         {
-            (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&cells, j, INT64_C(26), INT64_C(1)));
+            (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&cells, j, INT64_C(46), INT64_C(1)));
             if (status == -INT64_C(2))
             {
-                (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&cells, j, INT64_C(26), INT64_C(3)));
+                (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&cells, j, INT64_C(46), INT64_C(3)));
             }
             (*cspan_at(&report, INT64_C(3))) = (*cspan_at(&axes, axis, INT64_C(2)));
             return status;
         }
-        time = time + (*cspan_at(&cells, j, INT64_C(27), INT64_C(7)));
-        (*cspan_at(&cells, j, INT64_C(27), INT64_C(0))) = time;
-        (*cspan_at(&cells, j, INT64_C(27), INT64_C(1))) = time;
+        time = time + (*cspan_at(&cells, j, INT64_C(47), INT64_C(7)));
+        (*cspan_at(&cells, j, INT64_C(47), INT64_C(0))) = time;
+        (*cspan_at(&cells, j, INT64_C(47), INT64_C(1))) = time;
     }
     return INT64_C(0);
 }
@@ -11178,10 +12770,10 @@ static double meet_intervals(int64_t first, int64_t last, array_double_1d option
             }
             for (i = j; i < end; i += INT64_C(1))
             {
-                (*cspan_at(&cells, i, INT64_C(27), INT64_C(1))) = time;
+                (*cspan_at(&cells, i, INT64_C(47), INT64_C(1))) = time;
             }
         }
-        total = total + (*cspan_at(&cells, j, INT64_C(27), INT64_C(1)));
+        total = total + (*cspan_at(&cells, j, INT64_C(47), INT64_C(1)));
     }
     return total;
 }
@@ -13385,7 +14977,7 @@ static void set_chains(double steep, array_double_1d axis, array_double_1d limit
     for (order = INT64_C(0); order < smoothness - INT64_C(1); order += INT64_C(1))
     {
         chain = span_row(&chains, order);
-        for (i = INT64_C(0); i < INT64_C(41); i += INT64_C(1))
+        for (i = INT64_C(0); i < INT64_C(42); i += INT64_C(1))
         {
             (*cspan_at(&chain, i)) = 0.0;
         }
@@ -13503,12 +15095,12 @@ static void clear_piece(array_double_2d coefficients, int64_t row)
         (*cspan_at(&coefficients, row, i)) = 0.0;
     }
 }
-/*Set the acceleration of a state, and the derivatives above it to zero. */
-static void set_derivatives(double a, array_double_1d state)
+/*Set the derivative of order 2 + above of a state, and those above it to zero.*/
+static void set_held(int64_t above, double level, array_double_1d state)
 {
     int64_t i;
-    (*cspan_at(&state, INT64_C(2))) = a;
-    for (i = INT64_C(3); i < INT64_C(8); i += INT64_C(1))
+    (*cspan_at(&state, INT64_C(2) + above)) = level;
+    for (i = INT64_C(3) + above; i < INT64_C(8); i += INT64_C(1))
     {
         (*cspan_at(&state, i)) = 0.0;
     }
@@ -13519,24 +15111,30 @@ static int64_t expand_plateau(array_double_1d phase, array_double_1d axis, array
     double duration;
     double basis;
     double change;
+    int64_t first;
+    int64_t boxes;
     int64_t piece;
     int64_t level;
     double sign;
     double length;
     double peak;
+    int64_t held;
     int64_t i;
     duration = (*cspan_at(&phase, INT64_C(0)));
     basis = (*cspan_at(&phase, INT64_C(1)));
     change = (*cspan_at(&phase, INT64_C(3)));
-    for (piece = INT64_C(1); piece < segfmu_ramp_pieces(axis) + INT64_C(1); piece += INT64_C(1))
+    first = (int64_t)((*cspan_at(&phase, INT64_C(4))));
+    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1) - first;
+    for (piece = INT64_C(1); piece < pow(2.0, (double)(boxes)); piece += INT64_C(1))
     {
-        held_level(&level, &sign, piece, (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1));
-        piece_peak(&length, &peak, level, change, duration, basis, axis);
-        for (i = INT64_C(3) + level; i < INT64_C(8); i += INT64_C(1))
+        held_level(&level, &sign, piece, boxes);
+        piece_peak(&length, &peak, level, first, change, duration, basis, axis);
+        held = INT64_C(3) + first + level;
+        for (i = held; i < INT64_C(8); i += INT64_C(1))
         {
             (*cspan_at(&state, i)) = 0.0;
         }
-        (*cspan_at(&state, INT64_C(3) + level)) = sign * peak;
+        (*cspan_at(&state, held)) = sign * peak;
         if (length > 0.0)
         {
             clear_piece(coefficients, row);
@@ -13547,8 +15145,8 @@ static int64_t expand_plateau(array_double_1d phase, array_double_1d axis, array
 }
 /*Expand `count` phases into pieces from `row` on; returns the row after the last one.           */
 /*                                                                                               */
-/*    The row STATE of `work` (Expansion) holds position, velocity and time at the start, and is */
-/*    advanced to the end.                                                                       */
+/*    The row STATE of `work` (Expansion) holds position, velocity, acceleration and time at the */
+/*    start, and is advanced to the end.                                                         */
 /*                                                                                               */
 int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work)
 {
@@ -13559,6 +15157,7 @@ int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, array_double
     int64_t i;
     double a;
     double change;
+    int64_t above;
     double duration;
     int64_t j;
     double scale;
@@ -13571,7 +15170,8 @@ int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, array_double
     {
         a = (*cspan_at(&phases, i, INT64_C(2)));
         change = (*cspan_at(&phases, i, INT64_C(3)));
-        set_derivatives(a, state);
+        above = (int64_t)((*cspan_at(&phases, i, INT64_C(4))));
+        set_held(above, a, state);
         if (plateau && (change != 0.0))
         {
             row = expand_plateau(span_row(&phases, i), axis, timing, coefficients, row, state);
@@ -13590,7 +15190,7 @@ int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, array_double
             }
             row = append_piece(duration, timing, coefficients, row, state);
         }
-        set_derivatives(a + change, state);
+        set_held(above, a + change, state);
     }
     return row;
 }
@@ -13604,11 +15204,11 @@ static int64_t stage_phases(int64_t order, double end, bool free, array_double_2
     array_double_1d problem;
     int64_t result;
     state = span_row(&lead, INT64_C(2));
-    phases = span_rows(&lead, INT64_C(10), INT64_C(23));
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(24), INT64_C(0))));
+    phases = span_rows(&lead, INT64_C(10), INT64_C(43));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(44), INT64_C(0))));
     if (order == smoothness - INT64_C(1))
     {
-        chain = span_row(&lead, INT64_C(24) + order - INT64_C(1));
+        chain = span_row(&lead, INT64_C(44) + order - INT64_C(1));
         if (free)
         {
             result = append_change(phases, INT64_C(0), (*cspan_at(&state, order + INT64_C(1))), 0.0, chain);
@@ -13617,7 +15217,7 @@ static int64_t stage_phases(int64_t order, double end, bool free, array_double_2
         result = append_velocity_change(phases, INT64_C(0), (*cspan_at(&state, order)), (*cspan_at(&state, order + INT64_C(1))), end, chain);
         return result;
     }
-    chain = span_row(&lead, INT64_C(24) + order);
+    chain = span_row(&lead, INT64_C(44) + order);
     if (free)
     {
         result = append_velocity_change(phases, INT64_C(0), (*cspan_at(&state, order + INT64_C(1))), (*cspan_at(&state, order + INT64_C(2))), 0.0, chain);
@@ -13629,7 +15229,7 @@ static int64_t stage_phases(int64_t order, double end, bool free, array_double_2
     (*cspan_at(&problem, INT64_C(2))) = 0.0;
     (*cspan_at(&problem, INT64_C(3))) = 0.0;
     (*cspan_at(&problem, INT64_C(4))) = end - (*cspan_at(&state, order));
-    result = segfmu_shortest_profile(problem, chain, phases, span_rows(&lead, INT64_C(31), INT64_C(78)));
+    result = segfmu_shortest_profile(problem, chain, phases, span_rows(&lead, INT64_C(51), INT64_C(173)));
     return result;
 }
 /*Append the pieces of the stage for an order from `row` on; the row after them, -1: none. */
@@ -13651,22 +15251,24 @@ static int64_t run_stage(int64_t order, int64_t row, array_double_2d lead, array
     int64_t i;
     int64_t last;
     state = span_row(&lead, INT64_C(2));
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(24), INT64_C(0))));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(44), INT64_C(0))));
     end = (*cspan_at(&lead, INT64_C(5), order));
     free = end > 1e+299;
     count = stage_phases(order, end, free, lead);
     seen = span_min_int(order, smoothness - INT64_C(2));
-    chain = span_row(&lead, INT64_C(24) + seen);
+    chain = span_row(&lead, INT64_C(44) + seen);
     if ((count < INT64_C(0)) || (row + segfmu_ramp_pieces(chain) * count > INT64_C(2) * INT64_C(200)))
     {
         return -INT64_C(1);
     }
-    expansion = span_rows(&lead, INT64_C(78), INT64_C(80));
+    expansion = span_rows(&lead, INT64_C(173), INT64_C(175));
     now = span_row(&expansion, INT64_C(1));
     (*cspan_at(&now, INT64_C(0))) = (*cspan_at(&state, seen));
     (*cspan_at(&now, INT64_C(1))) = (*cspan_at(&state, seen + INT64_C(1)));
+    (*cspan_at(&now, INT64_C(2))) = (*cspan_at(&state, seen + INT64_C(2)));
+    (*cspan_at(&now, INT64_C(3))) = 0.0;
     (*cspan_at(&now, INT64_C(8))) = (*cspan_at(&state, INT64_C(8)));
-    phases = span_rows(&lead, INT64_C(10), INT64_C(23));
+    phases = span_rows(&lead, INT64_C(10), INT64_C(43));
     last = segfmu_expand_phases(phases, count, chain, timing, coefficients, row, expansion);
     lift_pieces(seen, row, last, state, timing, coefficients);
     (*cspan_at(&state, seen)) = (*cspan_at(&now, INT64_C(0)));
@@ -13691,7 +15293,7 @@ static int64_t settle(int64_t order, int64_t row, array_double_2d lead, array_do
     int64_t smoothness;
     int64_t i;
     int64_t stage;
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(24), INT64_C(0))));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(44), INT64_C(0))));
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
         (*cspan_at(&lead, INT64_C(2), i)) = (*cspan_at(&lead, INT64_C(1), i));
@@ -13720,8 +15322,8 @@ static double profile_time(array_double_2d lead)
     state = span_row(&lead, INT64_C(2));
     target = span_row(&lead, INT64_C(8));
     problem = span_row(&lead, INT64_C(9));
-    axis = span_row(&lead, INT64_C(23));
-    phases = span_rows(&lead, INT64_C(10), INT64_C(23));
+    axis = span_row(&lead, INT64_C(43));
+    phases = span_rows(&lead, INT64_C(10), INT64_C(43));
     if (fabs((*cspan_at(&state, INT64_C(0) + INT64_C(1)))) > (*cspan_at(&axis, INT64_C(2))) * (1.0 + 1e-12))
     {
         return -1.0;
@@ -13735,7 +15337,7 @@ static double profile_time(array_double_2d lead)
     (*cspan_at(&problem, INT64_C(2))) = (*cspan_at(&target, INT64_C(2)));
     (*cspan_at(&problem, INT64_C(3))) = (*cspan_at(&target, INT64_C(3)));
     (*cspan_at(&problem, INT64_C(4))) = (*cspan_at(&target, INT64_C(4))) - (*cspan_at(&state, INT64_C(0)));
-    count = segfmu_shortest_profile(problem, axis, phases, span_rows(&lead, INT64_C(31), INT64_C(78)));
+    count = segfmu_shortest_profile(problem, axis, phases, span_rows(&lead, INT64_C(51), INT64_C(173)));
     if (count < INT64_C(0))
     {
         return -1.0;
@@ -13823,7 +15425,7 @@ static bool try_lead(int64_t order, int64_t row, array_double_1d limits, array_d
     {
         return 0;
     }
-    check = span_rows(&lead, INT64_C(80), INT64_C(123));
+    check = span_rows(&lead, INT64_C(175), INT64_C(218));
     if (last > first)
     {
         if (!begins_now(lead, coefficients))
@@ -13892,6 +15494,10 @@ static void follow_profile(int64_t order, int64_t stage, array_double_1d limits,
     first = span_row(&lead, INT64_C(10));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
+        if ((*cspan_at(&first, INT64_C(4))) > 0.5)
+        {
+            break;
+        }
         level = (*cspan_at(&first, INT64_C(2))) + (*cspan_at(&first, INT64_C(3)));
         if (!try_end(order, stage, level, limits, lead, timing, coefficients))
         {
@@ -13920,7 +15526,7 @@ static void search_ends(int64_t order, array_double_1d limits, array_double_2d l
     int64_t first_free;
     int64_t sweep;
     int64_t stage;
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(23), INT64_C(0))));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(43), INT64_C(0))));
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
         (*cspan_at(&lead, INT64_C(5), i)) = 1e+300;
@@ -13971,12 +15577,12 @@ static void search_lead(int64_t order, array_double_1d limits, array_double_2d l
     int64_t i;
     double before;
     int64_t j;
-    axis = span_row(&lead, INT64_C(23));
+    axis = span_row(&lead, INT64_C(43));
     steep = 1.0;
     for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
     {
         chain_limits(steep, axis, span_row(&lead, INT64_C(1)), span_row(&lead, INT64_C(4)));
-        set_chains(steep, axis, span_row(&lead, INT64_C(4)), span_rows(&lead, INT64_C(24), INT64_C(31)));
+        set_chains(steep, axis, span_row(&lead, INT64_C(4)), span_rows(&lead, INT64_C(44), INT64_C(51)));
         (*cspan_at(&lead, INT64_C(7), INT64_C(2))) = 0.99;
         before = (*cspan_at(&lead, INT64_C(7), INT64_C(0)));
         if (before >= 0.0)
@@ -14094,9 +15700,9 @@ bool segfmu_find_lead(int64_t order, int64_t axis, array_int64_t_1d plan_offsets
     {
         return 0;
     }
-    shape = (int64_t)((*cspan_at(&lead, INT64_C(23), INT64_C(1))));
-    segfmu_axis_limits(smoothness, shape, limits, span_row(&lead, INT64_C(23)));
-    if (!segfmu_ramp_parameters(0.1, span_row(&lead, INT64_C(23)), span_rows(&lead, INT64_C(24), INT64_C(31))))
+    shape = (int64_t)((*cspan_at(&lead, INT64_C(43), INT64_C(1))));
+    segfmu_axis_limits(smoothness, shape, limits, span_row(&lead, INT64_C(43)));
+    if (!segfmu_ramp_parameters(0.1, span_row(&lead, INT64_C(43)), span_rows(&lead, INT64_C(44), INT64_C(51))))
     {
         return 0;
     }
@@ -14440,8 +16046,8 @@ int64_t segfmu_count_pieces(array_double_2d axes, array_double_3d cells)
     each = segfmu_ramp_pieces(span_row(&axes, INT64_C(0)));
     for (i = INT64_C(0); i < cells.shape[INT64_C(0)]; i += INT64_C(1))
     {
-        phases = (*cspan_at(&cells, i, INT64_C(27), INT64_C(3)));
-        phases = phases + (*cspan_at(&cells, i, INT64_C(27), INT64_C(4)));
+        phases = (*cspan_at(&cells, i, INT64_C(47), INT64_C(3)));
+        phases = phases + (*cspan_at(&cells, i, INT64_C(47), INT64_C(4)));
         total = total + each * (int64_t)(phases);
     }
     return total;
@@ -14519,17 +16125,19 @@ static int64_t expand_profile(array_double_2d cell, bool second, array_double_1d
     int64_t count;
     int64_t result;
     state = span_row(&work, INT64_C(1));
-    (*cspan_at(&state, INT64_C(0))) = (*cspan_at(&cell, INT64_C(27), INT64_C(5)));
-    (*cspan_at(&state, INT64_C(1))) = (*cspan_at(&cell, INT64_C(26), INT64_C(0)));
-    (*cspan_at(&state, INT64_C(8))) = (*cspan_at(&cell, INT64_C(27), INT64_C(6)));
+    (*cspan_at(&state, INT64_C(0))) = (*cspan_at(&cell, INT64_C(47), INT64_C(5)));
+    (*cspan_at(&state, INT64_C(1))) = (*cspan_at(&cell, INT64_C(46), INT64_C(0)));
+    (*cspan_at(&state, INT64_C(2))) = (*cspan_at(&cell, INT64_C(46), INT64_C(1)));
+    (*cspan_at(&state, INT64_C(3))) = 0.0;
+    (*cspan_at(&state, INT64_C(8))) = (*cspan_at(&cell, INT64_C(47), INT64_C(6)));
     if (second)
     {
-        count = (int64_t)((*cspan_at(&cell, INT64_C(27), INT64_C(4))));
-        result = segfmu_expand_phases(span_rows(&cell, INT64_C(13), INT64_C(26)), count, axis, timing, coefficients, row, work);
+        count = (int64_t)((*cspan_at(&cell, INT64_C(47), INT64_C(4))));
+        result = segfmu_expand_phases(span_rows(&cell, INT64_C(33), INT64_C(46)), count, axis, timing, coefficients, row, work);
         return result;
     }
-    count = (int64_t)((*cspan_at(&cell, INT64_C(27), INT64_C(3))));
-    result = segfmu_expand_phases(span_rows(&cell, INT64_C(0), INT64_C(13)), count, axis, timing, coefficients, row, work);
+    count = (int64_t)((*cspan_at(&cell, INT64_C(47), INT64_C(3))));
+    result = segfmu_expand_phases(span_rows(&cell, INT64_C(0), INT64_C(33)), count, axis, timing, coefficients, row, work);
     return result;
 }
 /*Expand one interval of one axis from `row` on; returns the row after its last piece. */
@@ -14541,7 +16149,7 @@ static int64_t expand_cell(array_double_2d cell, array_double_1d axis, array_dou
     int64_t last;
     double now;
     int64_t result;
-    weight = (*cspan_at(&cell, INT64_C(27), INT64_C(2)));
+    weight = (*cspan_at(&cell, INT64_C(47), INT64_C(2)));
     if ((weight <= 0.0) || (weight >= 1.0))
     {
         result = expand_profile(cell, weight >= 1.0, axis, timing, coefficients, row, work);
@@ -14550,7 +16158,7 @@ static int64_t expand_cell(array_double_2d cell, array_double_1d axis, array_dou
     spare = timing.shape[INT64_C(0)] - INT64_C(810);
     middle = expand_profile(cell, 0, axis, timing, coefficients, spare, work);
     last = expand_profile(cell, 1, axis, timing, coefficients, middle, work);
-    now = (*cspan_at(&cell, INT64_C(27), INT64_C(6)));
+    now = (*cspan_at(&cell, INT64_C(47), INT64_C(6)));
     result = merge_pieces(weight, now, middle, last, timing, coefficients, row);
     return result;
 }
@@ -14597,10 +16205,10 @@ int64_t segfmu_expand_plan(array_double_3d states, array_double_1d dwells, array
             if (j < points - INT64_C(1))
             {
                 cell = span_matrix(&cells, j * count + axis);
-                (*cspan_at(&cell, INT64_C(27), INT64_C(5))) = (*cspan_at(&states, j, axis, INT64_C(0)));
-                (*cspan_at(&cell, INT64_C(27), INT64_C(6))) = now + (*cspan_at(&cell, INT64_C(27), INT64_C(7)));
+                (*cspan_at(&cell, INT64_C(47), INT64_C(5))) = (*cspan_at(&states, j, axis, INT64_C(0)));
+                (*cspan_at(&cell, INT64_C(47), INT64_C(6))) = now + (*cspan_at(&cell, INT64_C(47), INT64_C(7)));
                 row = expand_cell(cell, span_row(&axes, axis), timing, coefficients, row, work);
-                now = now + (*cspan_at(&cell, INT64_C(27), INT64_C(1)));
+                now = now + (*cspan_at(&cell, INT64_C(47), INT64_C(1)));
             }
         }
         (*cspan_at(&times, points, axis)) = now;

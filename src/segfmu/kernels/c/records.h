@@ -781,9 +781,10 @@ enum {
     AXIS_SHARES = 19,
     AXIS_POWERS = 24,
     AXIS_VARIANCE = 29,
-    AXIS_CURVE_SIZE = 30,
-    AXIS_CURVE = 31,
-    AXIS_SIZE = 41
+    AXIS_ABOVE = 30,
+    AXIS_CURVE_SIZE = 31,
+    AXIS_CURVE = 32,
+    AXIS_SIZE = 42
 };
 
 enum {
@@ -801,7 +802,8 @@ enum {
     PHASE_BASIS = 1,
     PHASE_ACCELERATION = 2,
     PHASE_CHANGE = 3,
-    PHASE_SIZE = 4
+    PHASE_ABOVE = 4,
+    PHASE_SIZE = 5
 };
 
 enum {
@@ -844,6 +846,41 @@ enum {
 };
 
 enum {
+    NODE_STATE = 0,
+    NODE_KIND = 4,
+    NODE_SIGN = 5,
+    NODE_TIME = 6,
+    NODE_TOUCH = 7,
+    NODE_LEVEL = 8,
+    NODE_HOLD = 9,
+    NODE_RAMP = 10,
+    NODE_SIZE = 11
+};
+
+enum {
+    PASSING_COUNT = 0,
+    PASSING_ABOVE = 1,
+    PASSING_PACE = 2,
+    PASSING_TIME = 3,
+    PASSING_ACCELERATION = 4,
+    PASSING_TARGET = 5,
+    PASSING_SIZE = 6
+};
+
+enum {
+    EXCESS_SHARE = 0,
+    EXCESS_NODE = 1,
+    EXCESS_HOLDING = 2,
+    EXCESS_SIGN = 3,
+    EXCESS_SIZE = 4
+};
+
+enum {
+    EQUATIONS_VALUES = 0,
+    EQUATIONS_SIZE = 16
+};
+
+enum {
     INTERVAL_SHORTEST = 0,
     INTERVAL_DURATION = 1,
     INTERVAL_WEIGHT = 2,
@@ -859,10 +896,10 @@ enum {
 
 enum {
     CELL_BELOW = 0,
-    CELL_ABOVE = 13,
-    CELL_PROBLEM = 26,
-    CELL_RESULT = 27,
-    CELL_SIZE = 28,
+    CELL_ABOVE = 33,
+    CELL_PROBLEM = 46,
+    CELL_RESULT = 47,
+    CELL_SIZE = 48,
     CELL_COLUMNS = 10
 };
 
@@ -891,7 +928,14 @@ enum {
     PLAN_WORK_REST = 44,
     PLAN_WORK_FAMILY = 45,
     PLAN_WORK_REFUSAL = 46,
-    PLAN_WORK_SIZE = 47,
+    PLAN_WORK_PASSING = 47,
+    PLAN_WORK_NODES = 48,
+    PLAN_WORK_KEPT = 66,
+    PLAN_WORK_EXCESS = 85,
+    PLAN_WORK_RESIDUAL = 89,
+    PLAN_WORK_MATRIX = 90,
+    PLAN_WORK_STEP = 106,
+    PLAN_WORK_SIZE = 122,
     PLAN_WORK_COLUMNS = 25
 };
 
@@ -1242,13 +1286,13 @@ enum {
     LEAD_WORK_TARGET = 8,
     LEAD_WORK_PROBLEM = 9,
     LEAD_WORK_PHASES = 10,
-    LEAD_WORK_AXIS = 23,
-    LEAD_WORK_CHAINS = 24,
-    LEAD_WORK_PLAN = 31,
-    LEAD_WORK_EXPANSION = 78,
-    LEAD_WORK_CHECK = 80,
-    LEAD_WORK_SIZE = 123,
-    LEAD_WORK_COLUMNS = 41
+    LEAD_WORK_AXIS = 43,
+    LEAD_WORK_CHAINS = 44,
+    LEAD_WORK_PLAN = 51,
+    LEAD_WORK_EXPANSION = 173,
+    LEAD_WORK_CHECK = 175,
+    LEAD_WORK_SIZE = 218,
+    LEAD_WORK_COLUMNS = 42
 };
 
 /* kernels/trajectory/records.py */

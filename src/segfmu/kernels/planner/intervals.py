@@ -8,7 +8,7 @@ the share of the second one.
 from math import ceil
 
 from segfmu.kernels.planner.gaps import gap_ends
-from segfmu.kernels.planner.phases import append_hold, flush_tiny, measure_phases
+from segfmu.kernels.planner.phases import append_hold, flush_tiny, total_duration
 from segfmu.kernels.planner.profile import shortest_profile
 from segfmu.kernels.planner.records import Axis, Cell, Interval, Nearest, Phase, PlanWork, Problem
 from segfmu.kernels.planner.synchronize import stretch_phases, timed_profile
@@ -26,10 +26,7 @@ def set_shortest(
     cell[Cell.RESULT, Interval.WEIGHT] = 0.0
     if count < 0:
         return count, 0.0
-    duration, y, end, lowest, highest = measure_phases(
-        phases, count, problem[Problem.V], 1e300, axis
-    )
-    return 0, duration
+    return 0, total_duration(phases, count)
 
 
 def is_resting(problem: 'float[:]', axis: 'float[:]') -> bool:

@@ -20,7 +20,7 @@ def ramp_pieces(axis: 'float[:]') -> int:
 
 
 def held_level(piece: int, boxes: int) -> 'tuple[int, float]':
-    """Which derivative piece 1 .. of a ramp holds (0: the jerk), and the sign of its value."""
+    """Which derivative piece 1 .. of a rise by `boxes` boxes holds (0: its slope), and the sign."""
     level = boxes - 1
     rest = piece
     while rest % 2 == 0:
@@ -37,20 +37,21 @@ def held_level(piece: int, boxes: int) -> 'tuple[int, float]':
 
 
 def piece_peak(
-    level: int, change: float, duration: float, basis: float, axis: 'float[:]'
+    level: int, first: int, change: float, duration: float, basis: float, axis: 'float[:]'
 ) -> 'tuple[float, float]':
-    """Duration of the pieces of a ramp that hold a derivative (0: the jerk) [s], and its value.
+    """Duration of the pieces of a rise that hold a derivative (0: its slope) [s], and its value.
 
-    A ramp that lasts longer than `basis` is the fastest ramp of that duration, stretched.
+    It is a rise of the derivative 2 + first, 0 for a ramp. One that lasts longer than `basis` is
+    the fastest one of that duration, stretched.
     """
-    boxes = int(axis[Axis.SMOOTHNESS]) - 1
+    boxes = int(axis[Axis.SMOOTHNESS]) - 1 - first
     stretch = duration / basis
     rise = basis
     peak = change
     for i in range(level + 1):
         inner = 0.0
         if i < boxes - 1:
-            inner = inner_rise(rise, i, axis)
+            inner = inner_rise(rise, first + i, axis)
         peak = peak / ((rise - inner) * stretch)
         if i == level:
             return (rise - 2.0 * inner) * stretch, peak

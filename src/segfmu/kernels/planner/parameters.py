@@ -92,6 +92,7 @@ def plateau_parameters(share: float, axis: 'float[:]') -> bool:
             last = level
     if last < 0:
         return False
+    axis[Axis.ABOVE] = min(max(last - 1, 0), 2)
     for level in range(boxes - 1):
         if level > 0 or last == 0:
             axis[Axis.SHARES + level] = share

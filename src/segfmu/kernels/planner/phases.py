@@ -34,6 +34,7 @@ def append_ramp(
     phases[count, Phase.BASIS] = duration
     phases[count, Phase.ACCELERATION] = a
     phases[count, Phase.CHANGE] = change
+    phases[count, Phase.ABOVE] = 0.0
     return count + 1
 
 
@@ -48,6 +49,7 @@ def append_change(
     phases[count, Phase.BASIS] = duration
     phases[count, Phase.ACCELERATION] = a
     phases[count, Phase.CHANGE] = b - a
+    phases[count, Phase.ABOVE] = 0.0
     return count + 1
 
 
@@ -59,6 +61,7 @@ def append_hold(phases: 'float[:,:]', count: int, a: float, duration: float) -> 
     phases[count, Phase.BASIS] = 0.0
     phases[count, Phase.ACCELERATION] = a
     phases[count, Phase.CHANGE] = 0.0
+    phases[count, Phase.ABOVE] = 0.0
     return count + 1
 
 

@@ -17,6 +17,7 @@ from segfmu.kernels.planner.braking import braked, surround
 from segfmu.kernels.planner.cruise import direct_form, slower_cruise, with_cruise
 from segfmu.kernels.planner.loop import early_window, loop_form
 from segfmu.kernels.planner.merged import merged_form, set_family, tempered_form
+from segfmu.kernels.planner.passing import passing_form
 from segfmu.kernels.planner.phases import (
     append_change,
     boundary_problem,
@@ -111,13 +112,24 @@ def shortest_profile(
 ) -> int:
     """Phases of the shortest profile of a boundary problem (Problem) of one axis (Axis).
 
-    `phases` has 13 rows, `work` those of `PlanWork`. Returns the number of phases (0 when there is
-    nothing to do), or the status START_BRAKING, END_BRAKING or NO_PROFILE (PlanStatus).
+    `phases` has the rows of Cell.BELOW, `work` those of `PlanWork`. Returns the number of phases
+    (0 when there is nothing to do), or the status START_BRAKING, END_BRAKING or NO_PROFILE
+    (PlanStatus).
     """
     asked = work[PlanWork.PROBLEM, :]
     boundary_problem(problem, axis, asked)
     if is_done(asked):
         return 0
+    count = shortest_ramps(asked, axis, phases, work)
+    if count > 0 and axis[Axis.ABOVE] > 0.5:
+        return passing_form(count, phases, asked, axis, work)
+    return count
+
+
+def shortest_ramps(
+    asked: 'float[:]', axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]'
+) -> int:
+    """`shortest_profile` of ramps of the acceleration."""
     count = shortest_between(0, phases, asked, axis, work)
     if count > 0:
         longest = early_window(total_duration(phases, count), asked, axis)

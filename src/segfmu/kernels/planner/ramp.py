@@ -79,24 +79,25 @@ def plateau_duration(change: float, first: int, axis: 'float[:]') -> 'tuple[floa
     return 0.0, 0.0
 
 
-def plateau_change(duration: float, axis: 'float[:]') -> 'tuple[float, float]':
-    """Inverse of `plateau_duration` for a ramp, and its derivative with the duration."""
+def plateau_change(duration: float, first: int, axis: 'float[:]') -> 'tuple[float, float]':
+    """Inverse of `plateau_duration`, and its derivative with the duration."""
     boxes = int(axis[Axis.SMOOTHNESS]) - 1
     x = duration
     factor = 1.0
     doubled = 1.0
-    for level in range(boxes):
+    for level in range(first, boxes):
         least = axis[Axis.RISES + level]
         if x >= 2.0 * least:
             share = axis[Axis.SHARES + level]
+            power = level - first
             steepest = factor * axis[Axis.JERK + level]
-            for j in range(level):
+            for j in range(power):
                 steepest = steepest * x
             if share * x >= least:
                 change = steepest * (1.0 - share) * x
-                return change, (level + 1) * change / duration
+                return change, (power + 1) * change / duration
             change = steepest * (x - least)
-            return change, (level * change + steepest * x) / duration
+            return change, (power * change + steepest * x) / duration
         x = 0.5 * x
         factor = factor * doubled
         doubled = 2.0 * doubled
@@ -156,20 +157,35 @@ def ramp_change(duration: float, axis: 'float[:]') -> 'tuple[float, float]':
         return 0.0, 0.0
     if axis[Axis.PLATEAU] < 0.5:
         return fastest_power(duration, axis)
-    return plateau_change(duration, axis)
+    return plateau_change(duration, 0, axis)
 
 
 def ramp_variance(basis: float, axis: 'float[:]') -> float:
     """Variance of the jerk over time, seen as a density, of the fastest ramp that lasts `basis`."""
     if axis[Axis.PLATEAU] < 0.5:
         return axis[Axis.VARIANCE] * basis * basis
-    rise = basis
-    total = 0.0
-    for level in range(int(axis[Axis.SMOOTHNESS]) - 2):
+    variance, fourth = rise_moments(basis, 0, axis)
+    return variance
+
+
+def rise_moments(
+    duration: float, first: int, axis: 'float[:]'
+) -> 'tuple[float, float]':
+    """Variance and fourth cumulant over time of the fastest rise of the derivative 2 + first.
+
+    They are those of its slope, seen as a density: sums over its boxes.
+    """
+    rise = duration
+    squares = 0.0
+    fourths = 0.0
+    for level in range(first, int(axis[Axis.SMOOTHNESS]) - 2):
         inner = inner_rise(rise, level, axis)
-        total = total + (rise - inner) * (rise - inner)
+        square = (rise - inner) * (rise - inner)
+        squares = squares + square
+        fourths = fourths + square * square
         rise = inner
-    return (total + rise * rise) / 12.0
+    square = rise * rise
+    return (squares + square) / 12.0, -(fourths + square * square) / 120.0
 
 
 def ramp_distance(

@@ -79,7 +79,7 @@ def plateau_extreme_velocity(
     highest = 0.0
     for piece in range(1, 2**boxes):
         level, sign = held_level(piece, boxes)
-        length, peak = piece_peak(level, change, duration, basis, axis)
+        length, peak = piece_peak(level, 0, change, duration, basis, axis)
         if level == 0:
             jerk, snap, crackle, pop, highest = sign * peak, 0.0, 0.0, 0.0, 0.0
         elif level == 1:

@@ -124,6 +124,7 @@ class Axis(Record):
     SHARES = field("plateau: least share of that rise in the rise it belongs to", size=5)
     POWERS = field("smoothstep: q_e; a ramp lasts (q_e change)^(1/e) at least", size=5)
     VARIANCE = field("smoothstep: variance V of the jerk over the squared duration")
+    ABOVE = field("plateau: order of the derivative whose levels passing profiles have, less 2")
     CURVE_SIZE = field("smoothstep: number of coefficients of the transition polynomial")
     CURVE = field("smoothstep: transition polynomial, ascending powers", size=10)
 
@@ -140,12 +141,16 @@ class Problem(Record):
 
 
 class Phase(Record):
-    """A ramp of the acceleration or, where it does not change, a hold."""
+    """A ramp of the acceleration or, where it does not change, a hold.
+
+    In a passing profile (passing.py) it is one of a derivative above.
+    """
 
     DURATION = field("duration", "s")
     BASIS = field("duration of the fastest ramp of these proportions; 0: hold", "s")
-    ACCELERATION = field("acceleration at the start", "m/s2")
-    CHANGE = field("change of the acceleration", "m/s2")
+    ACCELERATION = field("acceleration, or that derivative, at the start", "m/s2")
+    CHANGE = field("change of the acceleration, or of that derivative", "m/s2")
+    ABOVE = field("order of the derivative less 2; 0: the acceleration")
 
 
 class LoopArc(Codes):
@@ -195,6 +200,45 @@ class Family(Record):
     FLATNESS = field("member: 0: it is the fastest one, stretched; 1: the one that lasts as long")
 
 
+class Node(Record):
+    """A level of a passing profile, and the ramp to it from the one before (sequence.py)."""
+
+    STATE = field("position, velocity .. before the ramp, below the derivative of levels", size=4)
+    KIND = field("0: free level; else the derivative of this order stays at its limit, level 0")
+    SIGN = field("sign of the level, or of the derivative that stays")
+    TIME = field("time of the ramp from 0 and of the hold; hold where a derivative stays", "s")
+    TOUCH = field("1: the derivative only touches its limit, without a hold")
+    LEVEL = field("level")
+    HOLD = field("duration of its hold", "s")
+    RAMP = field("duration of the ramp", "s")
+
+
+class Passing(Record):
+    """A sequence of nodes, and what its equations are measured in."""
+
+    COUNT = field("number of nodes")
+    ABOVE = field("order of the derivative that has levels, less 2")
+    PACE = field("at most 1: ramps are those of this pace, stretched to 1")
+    TIME = field("scale of durations", "s")
+    ACCELERATION = field("scale of accelerations", "m/s2")
+    TARGET = field("duration that it shall take by its pace; 0: the pace is given", "s")
+
+
+class Excess(Record):
+    """By how much a passing profile exceeds the limit of a derivative the most."""
+
+    SHARE = field("of the limit; 0: it keeps the limit")
+    NODE = field("node in whose ramp or hold")
+    HOLDING = field("1: in its hold")
+    SIGN = field("sign of the derivative there")
+
+
+class Equations(Record):
+    """Values of one row of equations."""
+
+    VALUES = field("values", size=16)
+
+
 class Interval(Record):
     """Result of one axis in one waypoint interval."""
 
@@ -213,7 +257,7 @@ class Interval(Record):
 class Cell(Record):
     """Rows of what belongs to one axis in one interval."""
 
-    BELOW = field("phases of the first profile", size=13, of=Phase)
+    BELOW = field("phases of the first profile", size=33, of=Phase)
     ABOVE = field("phases of the second profile, where two are averaged", size=13, of=Phase)
     PROBLEM = field("boundary problem", of=Problem)
     RESULT = field("result", of=Interval)
@@ -248,3 +292,10 @@ class PlanWork(Record):
     REST = field("boundary problem that braking leaves", of=Problem)
     FAMILY = field("canonical family", of=Family)
     REFUSAL = field("of a plan that is refused", of=Refusal)
+    PASSING = field("passing profile in question", of=Passing)
+    NODES = field("its nodes, the end, and the state there", size=18, of=Node)
+    KEPT = field("the same of one that was kept", size=19, of=Node)
+    EXCESS = field("by the order of the derivative", size=4, of=Excess)
+    RESIDUAL = field("residuals of the equations", of=Equations)
+    MATRIX = field("their derivatives", size=16, of=Equations)
+    STEP = field("step of Newton's method, in the first column", size=16, of=Equations)

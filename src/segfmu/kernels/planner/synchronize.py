@@ -10,13 +10,16 @@ durations can have gaps (errata E10). Outside the gaps the profile is, in this o
 * the paper's form with the cruise velocity that makes it last T, if it exists as the form of a
   faster time, stretched: slower ramps are smoother;
 * that form with full ramps;
-* the weighted mean of two profiles that last T, one short of the distance and one beyond it.
+* the weighted mean of two profiles that last T, one short of the distance and one beyond it;
+* the shortest profile at a slower pace, if it passes zero jerk with snap.
 """
 
 from segfmu.kernels.planner.braking import braked, surround
 from segfmu.kernels.planner.loop import early_window, timed_loop
 from segfmu.kernels.planner.merged import set_family, set_member, tempered_form
+from segfmu.kernels.planner.passing import timed_passing
 from segfmu.kernels.planner.phases import boundary_problem
+from segfmu.kernels.planner.profile import shortest_profile
 from segfmu.kernels.planner.records import (
     Axis,
     Braking,
@@ -42,8 +45,11 @@ def stretch_phases(phases: 'float[:,:]', count: int, factor: float) -> None:
     """Stretch phases that begin and end at rest in time; the distance stays (section 3.2)."""
     for i in range(count):
         phases[i, Phase.DURATION] = phases[i, Phase.DURATION] * factor
-        phases[i, Phase.ACCELERATION] = phases[i, Phase.ACCELERATION] / (factor * factor)
-        phases[i, Phase.CHANGE] = phases[i, Phase.CHANGE] / (factor * factor)
+        power = factor * factor
+        for j in range(int(phases[i, Phase.ABOVE])):
+            power = power * factor
+        phases[i, Phase.ACCELERATION] = phases[i, Phase.ACCELERATION] / power
+        phases[i, Phase.CHANGE] = phases[i, Phase.CHANGE] / power
 
 
 def fit_duration(phases: 'float[:,:]', count: int, target: float) -> None:
@@ -195,7 +201,25 @@ def timed_profile(
             weight = nearest_weight(rest, axis, nearest)
             surround_nearest(variant, axis, cell, work)
             return weight
-    return -1.0
+    return slower_passing(axis, cell, work)
+
+
+def slower_passing(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> float:
+    """The shortest profile, if it passes zero jerk with snap, slowed down; as `timed_profile`."""
+    if axis[Axis.ABOVE] < 0.5:
+        return -1.0
+    problem = work[PlanWork.PROBLEM, :]
+    phases = cell[Cell.BELOW:Cell.ABOVE, :]
+    count = shortest_profile(problem, axis, phases, work)
+    if count <= 0 or phases[0, Phase.ABOVE] < 0.5:
+        return -1.0
+    count = timed_passing(phases, problem, axis, work)
+    if count == 0:
+        return -1.0
+    fit_duration(phases, count, problem[Problem.DURATION])
+    work[PlanWork.NEAREST, Nearest.BELOW_COUNT] = count
+    work[PlanWork.NEAREST, Nearest.ABOVE_COUNT] = 0.0
+    return 0.0
 
 
 def surround_nearest(

@@ -45,7 +45,7 @@ class LeadWork(Record):
     BEST = field("the best lead", of=Lead)
     TARGET = field("boundary problem of the plan that follows, from the position 0", of=Problem)
     PROBLEM = field("boundary problem of a stage, or after settling", of=Problem)
-    PHASES = field("phases of a stage, or after settling", size=13, of=Phase)
+    PHASES = field("phases of a stage, or after settling", size=33, of=Phase)
     AXIS = field("the axis", of=Axis)
     CHAINS = field("the axis seen from its derivatives of order 0 .. 4, and work space", size=7,
                    of=Axis)

@@ -154,6 +154,8 @@ def follow_profile(
     """End a stage at the first level of the profile that follows."""
     first = lead[LeadWork.PHASES, :]
     for i in range(3):
+        if first[Phase.ABOVE] > 0.5:
+            break
         level = first[Phase.ACCELERATION] + first[Phase.CHANGE]
         if not try_end(order, stage, level, limits, lead, timing, coefficients):
             break

@@ -64,6 +64,8 @@ def run_stage(
     now = expansion[Expansion.STATE, :]
     now[PieceState.POSITION] = state[seen]
     now[PieceState.VELOCITY] = state[seen + 1]
+    now[PieceState.ACCELERATION] = state[seen + 2]
+    now[PieceState.JERK] = 0.0
     now[PieceState.TIME] = state[Chain.TIME]
     phases = lead[LeadWork.PHASES:LeadWork.AXIS, :]
     last = expand_phases(phases, count, chain, timing, coefficients, row, expansion)

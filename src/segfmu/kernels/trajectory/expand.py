@@ -89,6 +89,8 @@ def expand_profile(
     state = work[Expansion.STATE, :]
     state[PieceState.POSITION] = cell[Cell.RESULT, Interval.POSITION]
     state[PieceState.VELOCITY] = cell[Cell.PROBLEM, Problem.V]
+    state[PieceState.ACCELERATION] = cell[Cell.PROBLEM, Problem.A]
+    state[PieceState.JERK] = 0.0
     state[PieceState.TIME] = cell[Cell.RESULT, Interval.START]
     if second:
         count = int(cell[Cell.RESULT, Interval.ABOVE_COUNT])

@@ -5,7 +5,7 @@ pieces of the position: one for a hold or a smoothstep ramp; a plateau ramp has 
 its derivatives and for each rise between (nested.py).
 """
 
-from segfmu.kernels.planner.nested import held_level, piece_peak, ramp_pieces
+from segfmu.kernels.planner.nested import held_level, piece_peak
 from segfmu.kernels.planner.records import Axis, Phase
 from segfmu.kernels.planner.transition import transition_coefficients
 from segfmu.kernels.trajectory.evaluate import evaluate_piece
@@ -54,10 +54,10 @@ def clear_piece(coefficients: 'float[:,:]', row: int) -> None:
         coefficients[row, i] = 0.0
 
 
-def set_derivatives(a: float, state: 'float[:]') -> None:
-    """Set the acceleration of a state, and the derivatives above it to zero."""
-    state[PieceState.ACCELERATION] = a
-    for i in range(PieceState.JERK, PieceState.TIME):
+def set_held(above: int, level: float, state: 'float[:]') -> None:
+    """Set the derivative of order 2 + above of a state, and those above it to zero."""
+    state[PieceState.ACCELERATION + above] = level
+    for i in range(PieceState.JERK + above, PieceState.TIME):
         state[i] = 0.0
 
 
@@ -73,12 +73,15 @@ def expand_plateau(
     duration = phase[Phase.DURATION]
     basis = phase[Phase.BASIS]
     change = phase[Phase.CHANGE]
-    for piece in range(1, ramp_pieces(axis) + 1):
-        level, sign = held_level(piece, int(axis[Axis.SMOOTHNESS]) - 1)
-        length, peak = piece_peak(level, change, duration, basis, axis)
-        for i in range(PieceState.JERK + level, PieceState.TIME):
+    first = int(phase[Phase.ABOVE])
+    boxes = int(axis[Axis.SMOOTHNESS]) - 1 - first
+    for piece in range(1, 2**boxes):
+        level, sign = held_level(piece, boxes)
+        length, peak = piece_peak(level, first, change, duration, basis, axis)
+        held = PieceState.JERK + first + level
+        for i in range(held, PieceState.TIME):
             state[i] = 0.0
-        state[PieceState.JERK + level] = sign * peak
+        state[held] = sign * peak
         if length > 0.0:
             clear_piece(coefficients, row)
             row = append_piece(length, timing, coefficients, row, state)
@@ -96,8 +99,8 @@ def expand_phases(
 ) -> int:
     """Expand `count` phases into pieces from `row` on; returns the row after the last one.
 
-    The row STATE of `work` (Expansion) holds position, velocity and time at the start, and is
-    advanced to the end.
+    The row STATE of `work` (Expansion) holds position, velocity, acceleration and time at the
+    start, and is advanced to the end.
     """
     psi = work[Expansion.PSI, :]
     state = work[Expansion.STATE, :]
@@ -107,7 +110,8 @@ def expand_phases(
     for i in range(count):
         a = phases[i, Phase.ACCELERATION]
         change = phases[i, Phase.CHANGE]
-        set_derivatives(a, state)
+        above = int(phases[i, Phase.ABOVE])
+        set_held(above, a, state)
         if plateau and change != 0.0:
             row = expand_plateau(phases[i, :], axis, timing, coefficients, row, state)
         else:
@@ -118,5 +122,5 @@ def expand_phases(
                     scale = change * psi[j] / ((j + 1.0) * (j + 2.0))
                     coefficients[row, Piece.ACCELERATION + j] = scale / duration**j
             row = append_piece(duration, timing, coefficients, row, state)
-        set_derivatives(a + change, state)
+        set_held(above, a + change, state)
     return row

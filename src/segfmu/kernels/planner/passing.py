@@ -1,0 +1,245 @@
+"""Profiles that pass zero jerk with snap, for limits above the snap: see sequence.py.
+
+A sequence starts from the ramps of an ordinary profile. Newton's method finds its levels; where a
+derivative then exceeds its limit, it gets a plateau there. If that fails, the whole sequence is
+slowed down until it keeps the limits.
+"""
+
+from math import sqrt
+
+from segfmu.kernels.planner.excess import measure_excess
+from segfmu.kernels.planner.newton import solve_sequence
+from segfmu.kernels.planner.phases import append_hold, total_duration
+from segfmu.kernels.planner.plateaus import (
+    insert_node,
+    keep_sequence,
+    meet_limits,
+    overlong_plateau,
+    restore_sequence,
+    solve_rotated,
+)
+from segfmu.kernels.planner.ramp import inner_rise, ramp_duration
+from segfmu.kernels.planner.records import Axis, Node, Passing, Phase, PlanWork, Problem
+from segfmu.kernels.planner.sequence import is_square, sequence_duration
+
+
+def append_level(sign: float, time: float, work: 'float[:,:]') -> None:
+    """Append a level to a sequence, or enlarge the last one if that has the same sign."""
+    count = int(work[PlanWork.PASSING, Passing.COUNT])
+    if count > 0:
+        row = PlanWork.NODES + count - 1
+        if work[row, Node.KIND] < 0.5 and work[row, Node.SIGN] == sign:
+            last = work[row, Node.TIME]
+            work[row, Node.TIME] = sqrt(last * last + time * time)
+            return
+    insert_node(count, 0, sign, time, False, work)
+
+
+def append_levels(change: float, axis: 'float[:]', work: 'float[:,:]') -> None:
+    """Append the levels of a ramp of the acceleration; nothing for no change."""
+    if change == 0.0:
+        return
+    sign = 1.0
+    if change < 0.0:
+        sign = -1.0
+    duration, slope = ramp_duration(abs(change), axis)
+    rise = inner_rise(duration, 0, axis)
+    hold = max(duration - 2.0 * rise, 0.0)
+    if work[PlanWork.PASSING, Passing.ABOVE] < 1.5:
+        append_level(sign, rise + hold, work)
+        return
+    time = rise - inner_rise(rise, 1, axis)
+    append_level(sign, time, work)
+    if hold > 1e-9 * duration:
+        count = int(work[PlanWork.PASSING, Passing.COUNT])
+        insert_node(count, 3, sign, hold, False, work)
+    append_level(-sign, time, work)
+
+
+def limit_held(a: float, v: float, axis: 'float[:]') -> 'tuple[int, float]':
+    """The derivative that a hold keeps at its limit, 1 or 2, and its sign; 0 if there is none."""
+    order = 0
+    value = 0.0
+    if abs(a) >= axis[Axis.ACCELERATION] * (1.0 - 1e-9):
+        order = 2
+        value = a
+    elif a == 0.0 and abs(v) >= axis[Axis.VELOCITY] * (1.0 - 1e-9):
+        order = 1
+        value = v
+    if value < 0.0:
+        return order, -1.0
+    return order, 1.0
+
+
+def copy_levels(
+    count: int, phases: 'float[:,:]', v: float, axis: 'float[:]', work: 'float[:,:]'
+) -> None:
+    """Set the sequence of the levels in the ramps of an ordinary profile from the velocity v."""
+    passing = work[PlanWork.PASSING, :]
+    passing[Passing.COUNT] = 0.0
+    pending = 0.0
+    for i in range(count):
+        a = phases[i, Phase.ACCELERATION]
+        change = phases[i, Phase.CHANGE]
+        duration = phases[i, Phase.DURATION]
+        if change * pending < 0.0:
+            append_levels(pending, axis, work)
+            pending = 0.0
+        pending = pending + change
+        if change == 0.0:
+            order, sign = limit_held(a, v, axis)
+            if order > 0:
+                append_levels(pending, axis, work)
+                pending = 0.0
+                insert_node(int(passing[Passing.COUNT]), order, sign, duration, False, work)
+        v = v + (a + 0.5 * change) * duration
+    append_levels(pending, axis, work)
+
+
+def set_sequence(
+    attempt: int, count: int, phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]',
+    work: 'float[:,:]',
+) -> bool:
+    """Set what Newton's method starts from in an attempt; False if it is that of another one."""
+    passing = work[PlanWork.PASSING, :]
+    q = int(axis[Axis.ABOVE]) + 2
+    passing[Passing.ABOVE] = axis[Axis.ABOVE]
+    passing[Passing.PACE] = 1.0
+    passing[Passing.TARGET] = 0.0
+    passing[Passing.TIME] = total_duration(phases, count)
+    passing[Passing.ACCELERATION] = 0.0
+    for i in range(count):
+        a = abs(phases[i, Phase.ACCELERATION] + phases[i, Phase.CHANGE])
+        passing[Passing.ACCELERATION] = max(passing[Passing.ACCELERATION], a)
+        a = abs(phases[i, Phase.ACCELERATION])
+        passing[Passing.ACCELERATION] = max(passing[Passing.ACCELERATION], a)
+    copy_levels(count, phases, problem[Problem.V], axis, work)
+    if not is_square(passing, work[PlanWork.NODES:PlanWork.KEPT, :]):
+        passing[Passing.COUNT] = 0.0
+        for i in range(q):
+            time = 0.7 * passing[Passing.TIME] / q
+            insert_node(i, 0, 1.0 - 2.0 * (i % 2), time, False, work)
+    # the levels of ordinary profiles are lower, as they meet at zero
+    factor = 1.0
+    if q == 4:
+        factor = 1.25
+    if attempt % 3 == 1:
+        factor = 1.3 * factor
+    elif attempt % 3 == 2:
+        factor = 0.8 * factor
+    for i in range(int(passing[Passing.COUNT])):
+        row = PlanWork.NODES + i
+        if work[row, Node.KIND] < 0.5:
+            work[row, Node.TIME] = factor * work[row, Node.TIME]
+            if attempt >= 3:
+                work[row, Node.SIGN] = -work[row, Node.SIGN]
+        elif attempt >= 3:
+            return False
+    return True
+
+
+def slow_down(longest: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
+    """Slow a solved sequence down, as little as possible, until it keeps the limits.
+
+    False if that takes longer than `longest` [s].
+    """
+    passing = work[PlanWork.PASSING, :]
+    nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
+    fast = 1.0
+    slow = 0.0
+    for i in range(24):
+        passing[Passing.PACE] = 0.97 * fast
+        if slow > 0.0:
+            passing[Passing.PACE] = 0.5 * (slow + fast)
+        if not solve_sequence(problem, axis, work):
+            break
+        if sequence_duration(passing, nodes) >= longest:
+            break
+        if overlong_plateau(work) < 0 and not measure_excess(axis, work):
+            keep_sequence(work)
+            slow = passing[Passing.PACE]
+        else:
+            fast = passing[Passing.PACE]
+        if slow > 0.0 and fast - slow < 1e-4:
+            break
+    if slow > 0.0:
+        restore_sequence(work)
+    return slow > 0.0
+
+
+def write_sequence(phases: 'float[:,:]', axis: 'float[:]', work: 'float[:,:]') -> int:
+    """Write a sequence as phases; their number."""
+    above = work[PlanWork.PASSING, Passing.ABOVE]
+    level = 0.0
+    used = 0
+    for i in range(int(work[PlanWork.PASSING, Passing.COUNT]) + 1):
+        row = PlanWork.NODES + i
+        if work[row, Node.RAMP] > 0.0:
+            phases[used, Phase.DURATION] = work[row, Node.RAMP]
+            phases[used, Phase.BASIS] = work[row, Node.RAMP] * work[PlanWork.PASSING, Passing.PACE]
+            phases[used, Phase.ACCELERATION] = level
+            phases[used, Phase.CHANGE] = work[row, Node.LEVEL] - level
+            phases[used, Phase.ABOVE] = above
+            used = used + 1
+        level = work[row, Node.LEVEL]
+        if work[row, Node.HOLD] > 0.0:
+            held = level
+            order = above
+            if work[row, Node.KIND] > 0.5 and level == 0.0:
+                # this derivative is held, without the rounding errors of the ramps before
+                order = max(work[row, Node.KIND] - 2.0, 0.0)
+                held = 0.0
+                if work[row, Node.KIND] > 1.5:
+                    kind = int(work[row, Node.KIND])
+                    held = work[row, Node.SIGN] * axis[Axis.VELOCITY + kind - 1]
+            used = append_hold(phases, used, held, work[row, Node.HOLD])
+            phases[used - 1, Phase.ABOVE] = order
+    return used
+
+
+def passing_form(
+    count: int, phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
+) -> int:
+    """Replace a profile of ramps of the acceleration by a shorter passing one, if there is one.
+
+    Returns the new number of phases.
+    """
+    passing = work[PlanWork.PASSING, :]
+    nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
+    longest = total_duration(phases, count) * (1.0 - 1e-9)
+    for attempt in range(6):
+        if not set_sequence(attempt, count, phases, problem, axis, work):
+            break
+        if not solve_rotated(problem, axis, work):
+            continue
+        found = meet_limits(problem, axis, work)
+        if not found:
+            set_sequence(attempt, count, phases, problem, axis, work)
+            solve_rotated(problem, axis, work)
+            found = slow_down(longest, problem, axis, work)
+        if found:
+            if sequence_duration(passing, nodes) < longest:
+                return write_sequence(phases, axis, work)
+            break
+    return count
+
+
+def timed_passing(
+    phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
+) -> int:
+    """Slow the passing profile in `work` down so that it lasts the problem's duration.
+
+    Returns the number of its phases; 0 if that breaks a limit.
+    """
+    passing = work[PlanWork.PASSING, :]
+    shortest = sequence_duration(passing, work[PlanWork.NODES:PlanWork.KEPT, :])
+    longer = problem[Problem.DURATION] / shortest - 1.0
+    # by little each time, as plateaus begin and end on the way
+    steps = min(int(20.0 * longer) + 1, 10)
+    for i in range(steps):
+        passing[Passing.TARGET] = shortest * (1.0 + longer * (i + 1) / steps)
+        if not solve_rotated(problem, axis, work):
+            return 0
+        if not meet_limits(problem, axis, work) or passing[Passing.PACE] > 1.0:
+            return 0
+    return write_sequence(phases, axis, work)

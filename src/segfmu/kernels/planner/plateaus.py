@@ -1,0 +1,224 @@
+"""Plateaus of a sequence (sequence.py): which derivatives stay at their limits, and where."""
+
+
+from segfmu.kernels.planner.excess import measure_excess
+from segfmu.kernels.planner.newton import solve_sequence
+from segfmu.kernels.planner.records import Axis, Excess, Node, Passing, PlanWork
+
+
+def keep_sequence(work: 'float[:,:]') -> None:
+    """Copy the sequence to the rows KEPT of `work` (PlanWork)."""
+    for i in range(Passing.SIZE):
+        work[PlanWork.KEPT, i] = work[PlanWork.PASSING, i]
+    for j in range(int(work[PlanWork.PASSING, Passing.COUNT]) + 2):
+        for i in range(Node.SIZE):
+            work[PlanWork.KEPT + 1 + j, i] = work[PlanWork.NODES + j, i]
+
+
+def restore_sequence(work: 'float[:,:]') -> None:
+    """Copy it back."""
+    for i in range(Passing.SIZE):
+        work[PlanWork.PASSING, i] = work[PlanWork.KEPT, i]
+    for j in range(int(work[PlanWork.PASSING, Passing.COUNT]) + 2):
+        for i in range(Node.SIZE):
+            work[PlanWork.NODES + j, i] = work[PlanWork.KEPT + 1 + j, i]
+
+
+def insert_node(
+    place: int, kind: int, sign: float, time: float, touch: bool, work: 'float[:,:]'
+) -> None:
+    """Insert a node before another one."""
+    passing = work[PlanWork.PASSING, :]
+    count = int(passing[Passing.COUNT])
+    for j in range(count - place):
+        row = PlanWork.NODES + count - j
+        for i in range(Node.SIZE):
+            work[row, i] = work[row - 1, i]
+    row = PlanWork.NODES + place
+    work[row, Node.KIND] = kind
+    work[row, Node.SIGN] = sign
+    work[row, Node.TIME] = time
+    work[row, Node.TOUCH] = touch
+    passing[Passing.COUNT] = count + 1
+
+
+def split_level(place: int, kind: int, sign: float, axis: 'float[:]', work: 'float[:,:]') -> bool:
+    """Let the derivative q - 2 stay at its limit within a level: level, plateau, level."""
+    row = PlanWork.NODES + place
+    if work[row, Node.KIND] > 0.5:
+        return False
+    time = work[row, Node.TIME]
+    level_sign = work[row, Node.SIGN]
+    dip = min(abs(time), axis[Axis.RISES + kind - 1])
+    work[row, Node.TIME] = 0.8 * time
+    insert_node(place + 1, kind, sign, -0.5 * dip, False, work)
+    insert_node(place + 2, 0, level_sign, 0.8 * time, False, work)
+    return True
+
+
+def split_ramp(
+    place: int, kind: int, sign: float, touch: bool, holding: bool, work: 'float[:,:]'
+) -> bool:
+    """Let the derivative q - 3 reach its limit in the ramp to a node: level, plateau, level.
+
+    holding: it exceeds the limit where the derivative q - 1 stays; that goes on at both sides.
+    """
+    first = PlanWork.NODES + place - 1
+    last = PlanWork.NODES + place
+    plateau = kind + 2
+    if holding:
+        last = last + 1
+        if work[last - 1, Node.KIND] != plateau:
+            return False
+    if work[first, Node.KIND] > 0.5 or work[last, Node.KIND] > 0.5:
+        return False
+    share = 0.7
+    if touch:
+        share = 0.5
+    time = share * 0.5 * (work[first, Node.TIME] + work[last, Node.TIME])
+    before = work[first, Node.SIGN]
+    after = work[last, Node.SIGN]
+    if holding:
+        hold = work[last - 1, Node.TIME]
+        insert_node(place + 1, plateau, work[last - 1, Node.SIGN], hold, False, work)
+        place = place + 1
+    insert_node(place, 0, before, time, False, work)
+    insert_node(place, kind, sign, 0.0, touch, work)
+    insert_node(place, 0, after, time, False, work)
+    return True
+
+
+def insert_plateau(kind: int, other: bool, axis: 'float[:]', work: 'float[:,:]') -> bool:
+    """Let a derivative that exceeds its limit the most at a node stay at the limit there.
+
+    other: what is the less likely kind of plateau. False if there is no place for it.
+    """
+    passing = work[PlanWork.PASSING, :]
+    excess = work[PlanWork.EXCESS + kind, :]
+    q = int(passing[Passing.ABOVE]) + 2
+    count = int(passing[Passing.COUNT])
+    place = int(excess[Excess.NODE])
+    sign = excess[Excess.SIGN]
+    holding = excess[Excess.HOLDING] > 0.5
+    if count > 12:
+        return False
+    if kind == q - 2:
+        if not holding:
+            row = PlanWork.NODES + place
+            here = place < count and work[row, Node.KIND] < 0.5
+            if not here or work[row, Node.LEVEL] * sign >= 0.0:
+                place = place - 1
+        return place >= 0 and place < count and split_level(place, kind, sign, axis, work)
+    if place == 0 or place >= count:
+        return False
+    if kind == q - 3:
+        touch = excess[Excess.SHARE] < 0.1
+        if other:
+            touch = not touch
+        return split_ramp(place, kind, sign, touch, holding, work)
+    row = PlanWork.NODES + place
+    if holding or work[row, Node.KIND] > 0.5 or work[row - 1, Node.KIND] > 0.5:
+        return False
+    insert_node(place, kind, sign, 0.0, False, work)
+    return True
+
+
+def rotate_levels(work: 'float[:,:]') -> bool:
+    """Move a first or last level that vanishes to the other end, with the next sign there."""
+    passing = work[PlanWork.PASSING, :]
+    count = int(passing[Passing.COUNT])
+    first = PlanWork.NODES
+    last = PlanWork.NODES + count - 1
+    tiny = 0.03 * passing[Passing.TIME]
+    if count < 2 or work[first, Node.KIND] > 0.5 or work[last, Node.KIND] > 0.5:
+        return False
+    if abs(work[first, Node.TIME]) < tiny:
+        for row in range(first, last):
+            for i in range(Node.SIZE):
+                work[row, i] = work[row + 1, i]
+        passing[Passing.COUNT] = count - 1
+        insert_node(count - 1, 0, -work[last - 1, Node.SIGN], tiny, False, work)
+        return True
+    if abs(work[last, Node.TIME]) < tiny:
+        passing[Passing.COUNT] = count - 1
+        insert_node(0, 0, -work[first, Node.SIGN], tiny, False, work)
+        return True
+    return False
+
+
+def solve_rotated(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
+    """`solve_sequence`; where that fails as a level at one end vanishes, with one at the other."""
+    if solve_sequence(problem, axis, work):
+        return True
+    return rotate_levels(work) and solve_sequence(problem, axis, work)
+
+
+def overlong_plateau(work: 'float[:,:]') -> int:
+    """The plateau whose hold is the most below zero; -1 if there is none."""
+    passing = work[PlanWork.PASSING, :]
+    found = -1
+    least = -1e-12 * passing[Passing.TIME]
+    for i in range(int(passing[Passing.COUNT])):
+        row = PlanWork.NODES + i
+        kind = int(work[row, Node.KIND])
+        if kind > 0 and kind != int(passing[Passing.ABOVE]) and work[row, Node.TIME] < least:
+            found = i
+            least = work[row, Node.TIME]
+    return found
+
+
+def release_touch(kind: int, work: 'float[:,:]') -> bool:
+    """Let a derivative that touches its limit and still exceeds it stay there instead."""
+    for i in range(int(work[PlanWork.PASSING, Passing.COUNT])):
+        row = PlanWork.NODES + i
+        if work[row, Node.KIND] == kind and work[row, Node.TOUCH] > 0.5:
+            work[row, Node.TOUCH] = 0.0
+            return True
+    return False
+
+
+def add_plateau(axis: 'float[:]', work: 'float[:,:]') -> int:
+    """Add a plateau of the highest derivative that exceeds its limit; its order, 0: impossible."""
+    q = int(work[PlanWork.PASSING, Passing.ABOVE]) + 2
+    for j in range(q - 1):
+        kind = q - 1 - j
+        if work[PlanWork.EXCESS + kind, Excess.SHARE] > 0.0:
+            if insert_plateau(kind, False, axis, work):
+                return kind
+    lowest = q - 3
+    if lowest > 0 and work[PlanWork.EXCESS + lowest, Excess.SHARE] > 0.0:
+        if release_touch(lowest, work):
+            return q
+    return 0
+
+
+def meet_limits(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
+    """Add plateaus to a solved sequence, or take their holds, until it keeps all limits."""
+    q = int(work[PlanWork.PASSING, Passing.ABOVE]) + 2
+    added = 0
+    for attempt in range(16):
+        if attempt > 0 and not solve_sequence(problem, axis, work):
+            if added == 0 or added != q - 3:
+                return False
+            restore_sequence(work)
+            added = 0
+            if not insert_plateau(q - 3, True, axis, work):
+                return False
+            if not solve_sequence(problem, axis, work):
+                return False
+        added = 0
+        place = overlong_plateau(work)
+        if place >= 0:
+            row = PlanWork.NODES + place
+            if work[row, Node.TOUCH] > 0.5:
+                return False
+            work[row, Node.TOUCH] = 1.0
+            work[row, Node.TIME] = 0.0
+        elif not measure_excess(axis, work):
+            return True
+        else:
+            keep_sequence(work)
+            added = add_plateau(axis, work)
+            if added == 0:
+                return False
+    return False

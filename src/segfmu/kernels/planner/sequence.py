@@ -1,0 +1,216 @@
+"""Sequences of levels of a derivative above the acceleration, and their equations.
+
+Where the highest limit is that of the derivative m > 4, ramps of the acceleration cost time: each
+one brings all derivatives above to zero, while the optimum passes zero jerk with snap. So profiles
+here have levels of the derivative q = m - 2 instead (at most the snap), joined by its fastest
+rises. Only the derivatives above q are zero at the levels. q free levels meet the q conditions at
+the end: position, velocity, acceleration, and jerk where q is 4. The derivative k < q stays at its
+limit on a plateau, a node of level 0 with a hold: q - k more conditions.
+
+A free level has one unknown, the duration of the rise from 0 to it and, beyond its limit, of its
+hold. That of a plateau is its hold. Where the plateau of the derivative q - 2 has no time left, its
+node becomes a level, which touches the limit; that of q - 1 or q - 3 only touches (TOUCH) if one of
+its conditions is dropped.
+"""
+
+from segfmu.kernels.planner.ramp import plateau_change, plateau_duration, rise_moments
+from segfmu.kernels.planner.records import Axis, Equations, Node, Passing, Problem
+
+
+def power_of(base: float, exponent: int) -> float:
+    """base to the exponent, a small whole number."""
+    power = 1.0
+    for i in range(exponent):
+        power = power * base
+    return power
+
+
+def set_level(node: 'float[:]', passing: 'float[:]', axis: 'float[:]') -> None:
+    """Set level and hold of a node from its time."""
+    above = int(passing[Passing.ABOVE])
+    kind = int(node[Node.KIND])
+    pace = passing[Passing.PACE]
+    time = node[Node.TIME]
+    node[Node.LEVEL] = 0.0
+    node[Node.HOLD] = time
+    if node[Node.TOUCH] > 0.5:
+        node[Node.HOLD] = 0.0
+        return
+    if kind > 0 and (kind != above or time >= 0.0):
+        return
+    sign = node[Node.SIGN] * power_of(pace, above + 2)
+    if time < 0.0:
+        sign = -sign
+    rise = abs(time)
+    node[Node.HOLD] = 0.0
+    most = axis[Axis.RISES + above - 1]
+    if rise >= most:
+        node[Node.LEVEL] = sign * axis[Axis.JERK + above - 1]
+        node[Node.HOLD] = (rise - most) / pace
+    elif rise > 0.0:
+        change, slope = plateau_change(rise, above, axis)
+        node[Node.LEVEL] = sign * change
+
+
+def advance(
+    time: float, level: float, change: float, variance: float, fourth: float, above: int,
+    state: 'float[:]',
+) -> None:
+    """Advance the derivatives below q = 2 + above by a hold at a level, or a rise from it.
+
+    The rise by `change` has the given variance and fourth cumulant of its slope over time.
+    """
+    half = 0.5 * time
+    moment = half
+    for k in range(above + 2):
+        order = above + 2 - k
+        total = state[k]
+        power = 1.0
+        for i in range(1, order):
+            power = power * time / i
+            total = total + power * state[k + i]
+        total = total + power * time / order * level
+        if change != 0.0:
+            square = half * half
+            if order == 1:
+                moment = half
+            elif order == 2:
+                moment = 0.5 * (square + variance)
+            elif order == 3:
+                moment = half * (square + 3.0 * variance) / 6.0
+            else:
+                moment = square * (square + 6.0 * variance) + 3.0 * variance * variance
+                moment = (moment + fourth) / 24.0
+            total = total + change * moment
+        state[k] = total
+
+
+def pass_node(
+    i: int, passing: 'float[:]', axis: 'float[:]', nodes: 'float[:,:]'
+) -> None:
+    """Ramp to the level of a node; the state after it is written to the next node."""
+    above = int(passing[Passing.ABOVE])
+    pace = passing[Passing.PACE]
+    before = 0.0
+    if i > 0:
+        before = nodes[i - 1, Node.LEVEL]
+    change = nodes[i, Node.LEVEL] - before
+    for k in range(above + 2):
+        nodes[i + 1, Node.STATE + k] = nodes[i, Node.STATE + k]
+    nodes[i, Node.RAMP] = 0.0
+    if change != 0.0:
+        basis, slope = plateau_duration(abs(change) / power_of(pace, above + 2), above, axis)
+        variance, fourth = rise_moments(basis, above, axis)
+        square = 1.0 / (pace * pace)
+        nodes[i, Node.RAMP] = basis / pace
+        advance(
+            basis / pace, before, change, variance * square, fourth * square * square, above,
+            nodes[i + 1, :],
+        )
+
+
+def node_residuals(
+    i: int, row: int, passing: 'float[:]', axis: 'float[:]', nodes: 'float[:,:]',
+    residual: 'float[:]',
+) -> int:
+    """Write the conditions at a plateau, after the ramp to it, from `row` on; the next row."""
+    q = int(passing[Passing.ABOVE]) + 2
+    kind = int(nodes[i, Node.KIND])
+    touch = nodes[i, Node.TOUCH] > 0.5
+    if kind == 0:
+        return row
+    for k in range(kind, q):
+        error = nodes[i + 1, Node.STATE + k]
+        if k == kind:
+            error = error - nodes[i, Node.SIGN] * axis[Axis.VELOCITY + kind - 1]
+        residual[Equations.VALUES + row] = error / residual_scale(k, passing)
+        if touch and k == q - 1:
+            # of q - 1 the value is free, of q - 3 the derivative q - 1
+            residual[Equations.VALUES + row] = nodes[i, Node.TIME] / passing[Passing.TIME]
+        row = row + 1
+    return row
+
+
+def hold_limit(q: int, node: 'float[:]', axis: 'float[:]', state: 'float[:]') -> None:
+    """Remove the rounding errors of a state on a plateau, which a long hold would enlarge."""
+    kind = int(node[Node.KIND])
+    if kind > 0 and node[Node.TOUCH] < 0.5 and node[Node.LEVEL] == 0.0:
+        state[Node.STATE + kind] = node[Node.SIGN] * axis[Axis.VELOCITY + kind - 1]
+        for k in range(kind + 1, q):
+            state[Node.STATE + k] = 0.0
+
+
+def run_sequence(
+    first: int, problem: 'float[:]', passing: 'float[:]', axis: 'float[:]', nodes: 'float[:,:]',
+    residual: 'float[:]',
+) -> None:
+    """Follow a sequence from node `first` on, and write its residuals from there to the end."""
+    q = int(passing[Passing.ABOVE]) + 2
+    count = int(passing[Passing.COUNT])
+    row = 0
+    for i in range(first):
+        if nodes[i, Node.KIND] > 0.5:
+            row = row + q - int(nodes[i, Node.KIND])
+    if first == 0:
+        for k in range(q):
+            nodes[0, Node.STATE + k] = 0.0
+        nodes[0, Node.STATE + 1] = problem[Problem.V]
+        nodes[0, Node.STATE + 2] = problem[Problem.A]
+    for i in range(first, count):
+        set_level(nodes[i, :], passing, axis)
+        pass_node(i, passing, axis, nodes)
+        row = node_residuals(i, row, passing, axis, nodes, residual)
+        hold = nodes[i, Node.HOLD]
+        hold_limit(q, nodes[i, :], axis, nodes[i + 1, :])
+        if hold != 0.0:
+            advance(hold, nodes[i, Node.LEVEL], 0.0, 0.0, 0.0, q - 2, nodes[i + 1, :])
+    nodes[count, Node.KIND] = 0.0
+    nodes[count, Node.LEVEL] = 0.0
+    nodes[count, Node.HOLD] = 0.0
+    pass_node(count, passing, axis, nodes)
+    end_residuals(row, problem, passing, nodes[count + 1, :], residual)
+    row = row + q
+    if passing[Passing.TARGET] > 0.0:
+        error = sequence_duration(passing, nodes) - passing[Passing.TARGET]
+        residual[Equations.VALUES + row] = error / passing[Passing.TIME]
+
+
+def end_residuals(
+    row: int, problem: 'float[:]', passing: 'float[:]', end: 'float[:]', residual: 'float[:]'
+) -> None:
+    """Write the conditions at the end of a sequence, whose state is in `end`, from `row` on."""
+    for k in range(int(passing[Passing.ABOVE]) + 2):
+        target = 0.0
+        if k == 0:
+            target = problem[Problem.DISTANCE]
+        elif k == 1:
+            target = problem[Problem.W]
+        elif k == 2:
+            target = problem[Problem.B]
+        error = end[Node.STATE + k] - target
+        residual[Equations.VALUES + row + k] = error / residual_scale(k, passing)
+
+
+def residual_scale(order: int, passing: 'float[:]') -> float:
+    """What a derivative is measured in."""
+    scale = passing[Passing.ACCELERATION] * power_of(passing[Passing.TIME], 2)
+    return scale / power_of(passing[Passing.TIME], order)
+
+
+def sequence_duration(passing: 'float[:]', nodes: 'float[:,:]') -> float:
+    """Duration of a sequence [s]."""
+    total = 0.0
+    for i in range(int(passing[Passing.COUNT]) + 1):
+        total = total + nodes[i, Node.RAMP] + nodes[i, Node.HOLD]
+    return total
+
+
+def is_square(passing: 'float[:]', nodes: 'float[:,:]') -> bool:
+    """Whether a sequence has as many unknowns as conditions."""
+    q = int(passing[Passing.ABOVE]) + 2
+    conditions = q
+    count = int(passing[Passing.COUNT])
+    for i in range(count):
+        if nodes[i, Node.KIND] > 0.5:
+            conditions = conditions + q - int(nodes[i, Node.KIND])
+    return conditions == count and count <= 16

@@ -1,0 +1,69 @@
+"""Profiles that pass zero jerk with snap: against closed forms, at every kind of plateau."""
+
+from __future__ import annotations
+
+from math import factorial
+
+import numpy as np
+import pytest
+
+from segfmu import Limits, Waypoint, plan
+
+LOOSE = 1e6
+
+
+def bounds(n: int, **given: float) -> Limits:
+    """Limits of a smoothness, loose where none is given."""
+    names = ("velocity", "acceleration", "jerk", "snap", "crackle", "pop")[:n]
+    return Limits(**(dict.fromkeys(names, LOOSE) | given))
+
+
+@pytest.mark.parametrize(("n", "name"), [(5, "crackle"), (6, "pop")])
+def test_rest_to_rest_with_the_highest_limit_alone(n: int, name: str) -> None:
+    # the control of least time changes its sign where a Chebyshev polynomial does
+    distance, bound = 0.7, 3.0
+    optimum = (2.0 ** (2 * n - 2) * factorial(n - 1) * distance / bound) ** (1.0 / n)
+    found = plan([Waypoint(0.0), Waypoint(distance)], bounds(n, **{name: bound}), smoothness=n)
+    # a tenth of each rise is spent on the derivative above
+    assert 1.0 < found.duration / optimum < (1.0 / 0.9) ** (1.0 / n)
+    assert found.extrema(n)[1][0] == pytest.approx(bound, rel=1e-9)
+
+
+@pytest.mark.parametrize("n", [5, 6])
+@pytest.mark.parametrize(
+    "given",
+    [
+        {"acceleration": 0.4}, {"velocity": 0.5}, {"velocity": 0.3, "acceleration": 0.4},
+        {"jerk": 0.8}, {"jerk": 1.2, "velocity": 0.5}, {"snap": 6.0},
+        {"velocity": 0.4, "acceleration": 0.4, "jerk": 1.0, "snap": 6.0},
+    ],
+    ids=str,
+)
+def test_plateaus_of_the_derivatives_below(n: int, given: dict[str, float]) -> None:
+    highest = {"crackle": 60.0} if n == 5 else {"crackle": 60.0, "pop": 900.0}
+    free = plan([Waypoint(0.0), Waypoint(1.0)], bounds(n, **highest), smoothness=n)
+    held = plan([Waypoint(0.0), Waypoint(1.0)], bounds(n, **highest, **given), smoothness=n)
+    assert held.duration > free.duration
+    for order, name in enumerate(("velocity", "acceleration", "jerk", "snap"), 1):
+        if name in given:
+            assert np.abs(held.extrema(order)).max() <= given[name] * (1.0 + 1e-9)
+    # symmetric in time, as the problem is
+    times = np.linspace(0.0, held.duration, 101)
+    assert held(times)[:, 0] + held(times[::-1])[:, 0] == pytest.approx(1.0, abs=1e-9)
+
+
+def test_a_loose_limit_above_snap_costs_nothing() -> None:
+    points = [Waypoint(0.0), Waypoint(1.0)]
+    limited = plan(points, Limits(1, 1, 4, 20), smoothness=5).duration
+    loose = plan(points, Limits(1, 1, 4, 20, crackle=1e9), smoothness=5).duration
+    assert loose <= limited * (1.0 + 1e-9)
+
+
+@pytest.mark.parametrize("n", [5, 6])
+@pytest.mark.parametrize("factor", [1.001, 1.02, 1.1, 1.5])
+def test_moving_states_with_a_given_duration(n: int, factor: float) -> None:
+    limits = Limits(1.0, 1.0, 4.0, 20.0, 100.0, 900.0 if n == 6 else None)
+    points = [Waypoint(0.0, 0.2, 0.1), Waypoint(1.0, -0.1, 0.2)]
+    shortest = plan(points, limits, smoothness=n).duration
+    found = plan(points, limits, smoothness=n, duration=factor * shortest)
+    assert found.duration == pytest.approx(factor * shortest, rel=1e-9)
