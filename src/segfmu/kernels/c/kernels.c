@@ -16227,8 +16227,8 @@ int64_t segfmu_expand_motion(array_double_3d states, array_double_1d dwells, arr
     {
         return INT64_C(1);
     }
-    segfmu_expand_plan(states, dwells, axes, cells, timing, coefficients, offsets, times, span_rows(&work, INT64_C(49), INT64_C(51)));
-    wrong = segfmu_check_plan(states, times, timing, coefficients, offsets, limits, (*cspan_at(&work, INT64_C(1), INT64_C(0))), span_rows(&work, INT64_C(51), INT64_C(94)));
+    segfmu_expand_plan(states, dwells, axes, cells, timing, coefficients, offsets, times, span_rows(&work, INT64_C(124), INT64_C(126)));
+    wrong = segfmu_check_plan(states, times, timing, coefficients, offsets, limits, (*cspan_at(&work, INT64_C(1), INT64_C(0))), span_rows(&work, INT64_C(126), INT64_C(169)));
     if (wrong > INT64_C(0))
     {
         return -INT64_C(12);
@@ -16246,7 +16246,7 @@ int64_t segfmu_plan_motion(array_double_3d states, array_double_1d dwells, array
 {
     array_double_2d planner;
     int64_t status;
-    planner = span_rows(&work, INT64_C(2), INT64_C(49));
+    planner = span_rows(&work, INT64_C(2), INT64_C(124));
     status = segfmu_check_problem(states, limits, span_row(&planner, INT64_C(46)));
     if (status == INT64_C(0))
     {
