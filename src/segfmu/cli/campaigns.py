@@ -93,6 +93,7 @@ def _run(
 def _show(task: Campaign, result: CampaignResult) -> None:
     from segfmu.validation.campaigns.replay import write_run
     from segfmu.validation.campaigns.tables import criteria_table
+    from segfmu.validation.suites import validate
 
     console.print(criteria_table(result))
     errors = result.errors
@@ -102,9 +103,14 @@ def _show(task: Campaign, result: CampaignResult) -> None:
         tell(f"and {len(errors) - MOST_SHOWN} more runs with an error")
     passed = sum(result.column("passed"))
     console.print(f"{passed} of {len(task.runs)} runs passed", highlight=False)
-    tell(f"runs.parquet is in {result.folder}; the worst of each criterion:")
-    for run in result.worst():
-        _tell_replay(write_run(result.folder, task, run))
+    files = [write_run(result.folder, task, run) for run in result.worst()]
+    with console.status("running the worst cases again"):
+        worst = validate(files) if files else None
+    report = result.report(result.folder / "report.html", worst)
+    tell(f"runs.parquet and report.html are in {result.folder}; the worst of each criterion:")
+    for path in files:
+        _tell_replay(path)
+    tell(f"report: {report}")
 
 
 def _tell_replay(path: Path) -> None:

@@ -7,10 +7,12 @@ import re
 from pathlib import Path
 
 import numpy as np
+import pyarrow
 import pytest
 
 import segfmu
-from segfmu.validation.report import run_page
+from segfmu.validation.campaigns.result import CampaignResult
+from segfmu.validation.report import campaign_page, run_page
 from segfmu.validation.report.curves import TOLERANCE, thinned
 from segfmu.validation.report.page import render
 from segfmu.validation.units import length, pretty
@@ -118,3 +120,48 @@ def test_a_suite_has_every_criterion_and_error(tmp_path: Path) -> None:
         assert f"segfmu validate {result.scenario.path}" in text
         assert all(finding.name in text for finding in result.findings)
     assert "end stop" in text and "as expected" in text
+
+
+def campaign(runs: int = 500) -> CampaignResult:
+    """A campaign whose margin falls with the gust, and in which one run has an error."""
+    draw = np.random.default_rng(3)
+    gust, payload = draw.uniform(0.0, 2.0, runs), draw.uniform(0.9, 1.1, runs)
+    margins = [*(0.01 * (1.5 - gust) + 1e-3 * draw.normal(size=runs))[:-1], None]
+    holds = [None if margin is None else margin >= 0.0 for margin in margins]
+    table = pyarrow.table({
+        "run": range(runs), "scenario": ["quay.toml"] * runs, "gust": gust, "payload": payload,
+        "passed": [bool(held) for held in holds], "error": [None] * (runs - 1) + ["rope is slack"],
+        "margin.near its plan": margins, "bound.near its plan": [0.02] * runs,
+        "holds.near its plan": holds,
+    })
+    return CampaignResult("gusts", Path("out"), ("gust", "payload"), ("near its plan",), table)
+
+
+def test_a_campaign_has_every_run_in_its_distribution() -> None:
+    result = campaign()
+    page = campaign_page(result)
+    margins = np.array(result.column("margin.near its plan")[:-1])
+    (chart,) = page.sections[0].charts
+    counts = chart.curves[0].y
+    assert sum(counts) == margins.size and chart.limits == (0.0, None)
+    # bars below zero have the runs that fail, but for the bar at zero
+    below = sum(n for n, x in zip(counts, chart.curves[0].x[1:], strict=False) if x <= 0.0)
+    assert abs(below - (margins < 0.0).sum()) <= max(counts)
+    assert page.verdict == f"{sum(result.column('passed'))} of 500 runs passed"
+
+
+def test_a_campaign_names_causes_worst_case_and_errors(tmp_path: Path) -> None:
+    result = campaign()
+    text = result.report(tmp_path / "report.html").read_text(encoding="utf-8")
+    worst = int(np.argmin(result.column("margin.near its plan")[:-1]))
+    assert f"segfmu validate out/run_{worst}.toml" in text and "rope is slack" in text
+    depends = campaign_page(result).summary.rows[0][-1]
+    assert depends == "gust"
+    points = next(s for s in campaign_page(result).sections if s.tables and s.charts).charts[0]
+    # the effect is that of the draw: the margin falls by 0.01 for 1 of the gust
+    slope = np.polyfit(points.curves[0].x, points.curves[0].y, 1)[0]
+    assert points.across == "gust" and slope == pytest.approx(-0.01, rel=0.05)
+
+
+def test_a_campaign_of_one_run_has_a_report(tmp_path: Path) -> None:
+    assert campaign(2).report(tmp_path / "report.html").stat().st_size > 1e6

@@ -15,6 +15,8 @@ from segfmu.validation.campaigns.store import TABLE, names_in, read_table
 if TYPE_CHECKING:
     import pyarrow
 
+    from segfmu.validation.suites import Suite
+
 
 @dataclass(frozen=True)
 class Summary:
@@ -101,6 +103,12 @@ class CampaignResult:
         """Numbers of the runs with the worst margin of each criterion, each once."""
         runs = [s.run for s in self.summaries if s.run is not None]
         return list(dict.fromkeys(runs))
+
+    def report(self, path: str | Path, worst: Suite | None = None) -> Path:
+        """Write one HTML file that opens without a network; `worst` are runs it shows in full."""
+        from segfmu.validation.report import campaign_page, write
+
+        return write(path, campaign_page(self, worst))
 
     def _summary(self, name: str) -> Summary:
         margins, held = self.column(f"margin.{name}"), self.column(f"holds.{name}")

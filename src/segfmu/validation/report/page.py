@@ -41,7 +41,7 @@ class Curve:
 
 @dataclass(frozen=True)
 class Chart:
-    """A chart over time.
+    """A chart, over time if nothing else is said.
 
     Attributes
     ----------
@@ -51,6 +51,10 @@ class Chart:
     curves : sequence of Curve
     limits : tuple of float
         Lower and upper limit; None for none, or for one that is far away.
+    kind : str
+        "lines", "points", or "steps": how often, with the limits along the abscissa.
+    across : str
+        What the abscissa is, and its unit.
     """
 
     title: str
@@ -58,6 +62,8 @@ class Chart:
     caption: str
     curves: Sequence[Curve]
     limits: tuple[float | None, float | None] = (None, None)
+    kind: str = "lines"
+    across: str = ""
 
 
 @dataclass(frozen=True)
@@ -177,6 +183,7 @@ def _data(page: Page) -> str:
     charts = [
         {
             "title": chart.title, "unit": chart.unit, "limits": chart.limits,
+            "kind": chart.kind, "across": chart.across,
             "curves": [vars(curve) for curve in chart.curves], "scene": section.scene,
             "arrivals": section.arrivals, "end": section.end,
         }

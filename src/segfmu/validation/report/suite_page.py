@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import inf
 from typing import TYPE_CHECKING, Any
 
@@ -30,18 +31,7 @@ QUANTITIES = ("force",)
 def suite_page(suite: Suite) -> Page:
     """All criteria with their margins, then the runs, those with the least margins first."""
     ordered = sorted(suite.results, key=_badness)
-    sections: list[Section] = []
-    scenes: list[dict[str, Any]] = []
-    left = MOST_POINTS
-    for result in ordered:
-        if result.rows is None or left < 0:
-            sections.append(_without_run(result))
-            continue
-        section = _details(result, result.rows, len(scenes))
-        scenes.append(scene(result.scenario.mission, result.rows, result.scenario.file.name,
-                            FRAMES))
-        left -= sum(len(curve.x) for chart in section.charts for curve in chart.curves)
-        sections.append(section)
+    scenes, sections = runs(ordered)
     right = sum(result.right for result in suite)
     return Page(
         title="Suite of scenarios" if len(suite) != 1 else suite.results[0].scenario.file.name,
@@ -53,6 +43,23 @@ def suite_page(suite: Suite) -> Page:
         scenes=scenes,
         sections=[Section("Criteria", tables=[_criteria(ordered)]), *sections],
     )
+
+
+def runs(results: Sequence[Result]) -> tuple[list[dict[str, Any]], list[Section]]:
+    """Views and curves of runs, as many as one file should have."""
+    sections: list[Section] = []
+    scenes: list[dict[str, Any]] = []
+    left = MOST_POINTS
+    for result in results:
+        if result.rows is None or left < 0:
+            sections.append(_without_run(result))
+            continue
+        section = _details(result, result.rows, len(scenes))
+        own = result.scenario
+        scenes.append(scene(own.mission, result.rows, own.file.name, FRAMES))
+        left -= sum(len(curve.x) for chart in section.charts for curve in chart.curves)
+        sections.append(section)
+    return scenes, sections
 
 
 def _badness(result: Result) -> tuple[bool, bool, float]:

@@ -7,34 +7,25 @@
   const drawn = new Map();
 
   const traces = (chart) => chart.curves.map((curve) => ({
-    x: curve.x, y: curve.y, name: curve.name, uid: curve.role, type: "scatter", mode: "lines",
-    line: {width: curve.role === "plan" ? 1.6 : 2, dash: DASHES[curve.role]},
+    x: curve.x, y: curve.y, name: curve.name, uid: curve.role, type: "scatter",
+    mode: chart.kind === "points" ? "markers" : "lines", marker: {size: 5, opacity: 0.6},
+    line: {
+      width: curve.role === "plan" ? 1.6 : 2, dash: DASHES[curve.role],
+      shape: chart.kind === "steps" ? "hv" : "linear",
+    },
+    fill: chart.kind === "steps" ? "tozeroy" : "none", fillcolor: "rgba(0,114,178,0.3)",
     hovertemplate: "%{y:.4~g} " + chart.unit,
   }));
 
-  // what is beyond the limits, and the arrivals at waypoints
-  const shapes = (chart) => {
-    const found = chart.arrivals.map((time) => ({
-      type: "line", xref: "x", yref: "paper", x0: time, x1: time, y0: 0, y1: 1, layer: "below",
-      line: {color: GREY, width: 1},
-    }));
-    const [low, high] = chart.limits;
-    const span = high === null ? 0 : high - (low === null ? -high : low);
-    for (const [limit, side] of [[low, -1], [high, 1]]) {
-      if (limit !== null) {
-        found.push({
-          type: "rect", xref: "paper", yref: "y", x0: 0, x1: 1, y0: limit,
-          y1: limit + side * 10 * span, fillcolor: BAND, line: {width: 0}, layer: "below",
-        });
-      }
+  // from the least to the greatest value, limits included, with a rim
+  const range = (chart, key, limits) => {
+    let low = Infinity, high = -Infinity;
+    for (const curve of chart.curves) {
+      for (const value of curve[key]) [low, high] = [Math.min(low, value), Math.max(high, value)];
     }
-    return found;
-  };
-
-  const range = (chart) => {
-    const values = chart.curves.flatMap((curve) => curve.y);
-    for (const limit of chart.limits) if (limit !== null) values.push(limit);
-    let low = Math.min(...values), high = Math.max(...values);
+    for (const limit of limits) {
+      if (limit !== null) [low, high] = [Math.min(low, limit), Math.max(high, limit)];
+    }
     const size = Math.max(Math.abs(low), Math.abs(high));
     // what does not change is not enlarged to noise
     const least = 1e-3 * size || 1;
@@ -43,17 +34,43 @@
     return [low - rim, high + rim];
   };
 
-  const layout = (chart) => ({
-    margin: {l: 58, r: 12, t: 6, b: 30}, paper_bgcolor: "rgba(0,0,0,0)",
-    plot_bgcolor: "rgba(0,0,0,0)", showlegend: false, hovermode: "x unified", dragmode: false,
-    hoverlabel: {bgcolor: "#22282e", font: {color: "#ffffff", size: 13}},
-    font: {family: "system-ui, sans-serif", size: 12}, shapes: shapes(chart),
-    xaxis: {
-      range: [0, chart.end], fixedrange: true, ticksuffix: " s", showticksuffix: "last",
-      zeroline: false, nticks: 7,
-    },
-    yaxis: {range: range(chart), fixedrange: true, nticks: 6, zeroline: true, exponentformat: "e"},
-  });
+  // what is beyond the limits, and the arrivals at waypoints
+  const shapes = (chart, ranges) => {
+    const found = chart.arrivals.map((time) => ({
+      type: "line", xref: "x", yref: "paper", x0: time, x1: time, y0: 0, y1: 1, layer: "below",
+      line: {color: GREY, width: 1},
+    }));
+    const steps = chart.kind === "steps";
+    const edges = steps ? ranges.x : ranges.y;
+    chart.limits.forEach((limit, i) => {
+      if (limit === null) return;
+      const along = steps ? {xref: "x", yref: "paper", x0: limit, x1: edges[i], y0: 0, y1: 1}
+        : {xref: "paper", yref: "y", x0: 0, x1: 1, y0: limit, y1: edges[i]};
+      found.push({type: "rect", ...along, fillcolor: BAND, line: {width: 0}, layer: "below"});
+    });
+    return found;
+  };
+
+  const layout = (chart) => {
+    const steps = chart.kind === "steps", timed = !chart.across;
+    const ranges = {
+      x: timed ? [0, chart.end] : range(chart, "x", steps ? chart.limits : []),
+      y: range(chart, "y", steps ? [0] : chart.limits),
+    };
+    if (steps) ranges.y[0] = 0;
+    return {
+      margin: {l: 58, r: 12, t: 6, b: timed ? 30 : 44}, paper_bgcolor: "rgba(0,0,0,0)",
+      plot_bgcolor: "rgba(0,0,0,0)", showlegend: false, dragmode: false,
+      hovermode: chart.kind === "points" ? "closest" : "x unified",
+      hoverlabel: {bgcolor: "#22282e", font: {color: "#ffffff", size: 13}},
+      font: {family: "system-ui, sans-serif", size: 12}, shapes: shapes(chart, ranges),
+      xaxis: {
+        range: ranges.x, fixedrange: true, ticksuffix: timed ? " s" : "", showticksuffix: "last",
+        zeroline: false, nticks: 7, exponentformat: "e", title: timed ? {} : {text: chart.across, standoff: 6},
+      },
+      yaxis: {range: ranges.y, fixedrange: true, nticks: 6, zeroline: true, exponentformat: "e"},
+    };
+  };
 
   async function draw(place) {
     if (drawn.has(place)) return;
@@ -67,6 +84,18 @@
     place.append(cursor);
   }
 
+  // the page shows before the library starts
+  async function start() {
+    await Promise.race([
+      new Promise((next) => requestAnimationFrame(() => setTimeout(next))),
+      new Promise((next) => setTimeout(next, 1000)),
+    ]);
+    const library = document.createElement("script");
+    library.textContent = document.getElementById("plotly").textContent;
+    document.head.append(library);
+    await drawAll();
+  }
+
   // one after the other, so that the page stays alive
   async function drawAll() {
     for (const place of document.querySelectorAll(".chart")) {
@@ -78,7 +107,7 @@
   }
 
   document.addEventListener("toggle", (event) => {
-    if (event.target.open) event.target.querySelectorAll(".chart").forEach(draw);
+    if (event.target.open && window.Plotly) event.target.querySelectorAll(".chart").forEach(draw);
   }, true);
 
   document.addEventListener("scenetime", (event) => {
@@ -100,5 +129,5 @@
   window.addEventListener("afterprint", () => {
     for (const part of document.querySelectorAll(".chart .main-svg")) part.removeAttribute("viewBox");
   });
-  drawAll();
+  start();
 })();
