@@ -27,6 +27,7 @@ PARTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "j": ("drive_bounds", ()),
     "r": ("replanning", ()),
     "k": ("free_states", ("casadi",)),
+    "p": ("feedback", ()),
 }
 
 LIST = ", ".join(f"{letter} {module}" for letter, (module, _) in PARTS.items())

@@ -44,15 +44,15 @@ CASES = {
 
 def controller(
     crane: Crane, kind: str, lag: float, ropes: tuple[float, float], delayed: float = 1.0,
-    **options,
+    period: float = PERIOD, **options,
 ) -> TrackingController:
     """Feedback that is awake from the start and knows lag and delay."""
-    ranges = {"sample_time": PERIOD, "shortest": ropes[0], "longest": ropes[1], "driven": True}
+    ranges = {"sample_time": period, "shortest": ropes[0], "longest": ropes[1], "driven": True}
     observer = design_observer(
         crane, lag=(lag,) * 3, delayed=delayed, uncertainty=Uncertainty(*STEPS, wake=0.0),
         **ranges,
     )
-    gains = DESIGNS[kind](crane, lag=lag, dead_time=delayed * PERIOD, **ranges)
+    gains = DESIGNS[kind](crane, lag=lag, dead_time=delayed * period, **ranges)
     return TrackingController(observer, gains, **options)
 
 
@@ -106,6 +106,16 @@ def test_it_is_stable_with_any_lag_and_delay_at_both_sizes(
         for length in np.geomspace(*ropes, 4):
             payload = crane.payload_mass
             assert largest_eigenvalue(loop, float(length), payload, (lag,) * 3) < 0.999
+
+
+@pytest.mark.parametrize("delayed", [0.3, 1.4, 2.4, 2.5])
+@pytest.mark.parametrize("kind", DESIGNS)
+def test_it_is_stable_with_long_samples_and_any_part_of_one(kind: str, delayed: float) -> None:
+    """50 ms are 0.4 rad of the shortest pendulum of the lab rig."""
+    for lag in (0.0, 0.02, 0.5):
+        loop = controller(LAB, kind, lag, (0.16, 1.5), delayed, period=0.05)
+        for length in np.geomspace(0.16, 1.5, 5):
+            assert largest_eigenvalue(loop, float(length), 1.0, (lag,) * 3) < 0.998
 
 
 @pytest.mark.parametrize("cause", ["wind", "sensor"])

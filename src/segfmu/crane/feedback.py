@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.linalg import solve_discrete_are
 
-from segfmu.crane.checks import require_not_negative, require_positive
+from segfmu.crane.checks import require_not_negative, require_positive, sized
 from segfmu.crane.linear import (
     ROWS,
     lagged,
@@ -27,6 +27,7 @@ from segfmu.crane.linear import (
 from segfmu.crane.parameters import Crane
 from segfmu.errors import InputError
 from segfmu.kernels.control.records import GainInputs, Gains
+from segfmu.kernels.control.setting import weak_drive
 from segfmu.kernels.crane.records import Axes, State
 from segfmu.planning.arrays import FloatArray, finite_vector
 
@@ -103,11 +104,14 @@ def gain(
     driven: bool,
     lag: FloatArray,
     dead_time: float = 0.0,
+    strongest: FloatArray | None = None,
 ) -> FloatArray:
     """Discrete-time LQR gain at one rope length, shape (3, 11); a row is a `GainInputs`.
 
     The velocity command of a drive with lag is a state beside those of the crane. Effort costs more
-    where dead time [s] and period are not short for the pendulum, or for the faster hoist.
+    where dead time [s] and period are not short for the pendulum, or for the faster hoist, and
+    where the `strongest` corrections of a carriage (3,) [N] or [m/s2] are a tenth of the
+    weight or less: gains so high that a drive is always at its bound damp no sway.
     """
     lagging = np.flatnonzero(lag) if driven else np.zeros(0, dtype=int)
     kept = [*range(State.SIZE), *(State.SIZE + lagging)]
@@ -122,7 +126,11 @@ def gain(
     unit = np.ones(3) if driven else moved_masses(crane.masses)
     late = frequency * (dead_time + sample_time) / np.array([PATIENCE, PATIENCE, HOIST_PATIENCE])
     patience = np.maximum(late, 1.0) ** 4
-    effort = np.diag(w.effort * patience / (EFFORT * unit * crane.gravity) ** 2)
+    largest = EFFORT * unit * crane.gravity
+    if strongest is not None:
+        weak = strongest[: Axes.ROPE] / (weak_drive() * unit[: Axes.ROPE] * crane.gravity)
+        largest[: Axes.ROPE] *= np.minimum(weak, 1.0)
+    effort = np.diag(w.effort * patience / largest**2)
     try:
         riccati = solve_discrete_are(ad, bd, state_cost, effort)
     except (np.linalg.LinAlgError, ValueError) as error:
@@ -148,6 +156,7 @@ def design(
     driven: bool = False,
     lag: ArrayLike = 0.0,
     dead_time: float = 0.0,
+    strongest: ArrayLike | None = None,
     rows: int = ROWS,
 ) -> SwayFeedback:
     """Design the gain table between two rope lengths.
@@ -166,20 +175,27 @@ def design(
         Lags of the velocity drives [s], one or three.
     dead_time : float
         Age of the signals and dead time of the drives [s].
+    strongest : array_like, shape (3,), optional
+        Largest corrections that the drives can make [N] or [m/s2].
     rows : int
 
     Raises
     ------
     InputError
-        For a period or rope lengths that are not positive, negative lags, and weights without a
-        solution.
+        For a period, rope lengths or corrections that are not positive, negative lags, and weights
+        without a solution.
     """
     require_positive("sample_time", sample_time)
     require_not_negative("feedback dead_time", dead_time)
     lags = lags_of("feedback lag", lag)
     lengths = scheduled_lengths(shortest, longest, rows)
     chosen = weights or Weights()
-    table = [gain(crane, float(x), sample_time, chosen, driven, lags, dead_time) for x in lengths]
+    most = None if strongest is None else sized("strongest", strongest, Axes.SIZE)
+    for value in () if most is None else most:
+        require_positive("strongest correction", value)
+    table = [
+        gain(crane, float(x), sample_time, chosen, driven, lags, dead_time, most) for x in lengths
+    ]
     return SwayFeedback(sample_time, lengths, np.array(table), crane.payload_mass)
 
 

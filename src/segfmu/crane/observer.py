@@ -15,6 +15,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from segfmu.crane.checks import require_not_negative, require_positive, sized
 from segfmu.crane.linear import ROWS, scheduled_lengths
@@ -25,6 +26,7 @@ from segfmu.kernels import backend
 from segfmu.kernels.control.records import AxisModel, Expected, History, Kalman
 from segfmu.kernels.control.records import Observer as Table
 from segfmu.kernels.control.records import Uncertainty as Expectations
+from segfmu.kernels.crane.records import Axes, Plant
 from segfmu.kernels.messages import SETUP
 from segfmu.kernels.rig.records import Sensors, SetupFault, SetupStatus
 from segfmu.planning.arrays import FloatArray
@@ -48,7 +50,7 @@ class Uncertainty:
     drift, wind : float
         Random walks of the disturbances of carriages and rope, and of the load: standard deviation
         after sqrt(l / g), the time of the pendulum, as a multiple of gravity. Larger values make
-        the observer faster and noisier.
+        the observer faster and noisier. Where drives are weak, that of the load counts less.
     wake : float
         The controller starts to act when a signal first deviates from its reference by more than
         this many quantisation steps; smaller deviations may be rounding. 0: from the start.
@@ -66,7 +68,7 @@ class Uncertainty:
     length: float = 0.0
     angle: float = 0.0
     drift: float = 0.1
-    wind: float = 0.02
+    wind: float = 0.015
     wake: float = 1.0
     offset: float = 0.05
 
@@ -135,6 +137,7 @@ def design_observer(
     delayed: float = 0.0,
     dead_time: tuple[float, float, float] = (0.0, 0.0, 0.0),
     uncertainty: Uncertainty | None = None,
+    strongest: ArrayLike | None = None,
     rows: int = ROWS,
 ) -> Observer:
     """Design the observer between two rope lengths.
@@ -156,6 +159,8 @@ def design_observer(
     dead_time : tuple of 3 float
         From a setpoint to the drive that takes it [s].
     uncertainty : Uncertainty, optional
+    strongest : array_like, shape (3,), optional
+        Largest corrections that the drives can make [N] or [m/s2].
 
     Raises
     ------
@@ -172,19 +177,24 @@ def design_observer(
     expected = uncertainty or Uncertainty()
     steps = expected.vector
     backend.set_steps(np.zeros(Sensors.SIZE), float(lengths[-1]), steps)
+    known = replace(expected, **dict(zip(STEPS, steps.tolist(), strict=False)))
+    plant = crane.plant(driven, lags)
+    if strongest is not None:
+        bounds = Plant.ACCELERATION_MAX if driven else Plant.FORCE_MAX
+        plant[bounds : bounds + Axes.SIZE] = sized("strongest", strongest, Axes.SIZE)
+    backend.set_walks(plant, steps)
     table = np.zeros((lengths.size, Table.SIZE, Table.COLUMNS))
     work = np.zeros((Kalman.SIZE, WORK_COLUMNS))
     # overflow is reported below, for interpreted and compiled kernels alike
     with np.errstate(all="ignore"):
         finite = backend.observer_table(
-            crane.plant(driven, lags), sample_time, steps, lengths.size, lengths,
+            plant, sample_time, steps, lengths.size, lengths,
             np.zeros(Expected.SIZE), work, table,
         )
     if not finite:
         fault = np.zeros(SetupFault.SIZE)
         fault[[SetupFault.VALUE, SetupFault.BOUND]] = shortest, longest
         raise InputError(SETUP.text(SetupStatus.OBSERVER, fault.tolist()))
-    known = replace(expected, **dict(zip(STEPS, steps.tolist(), strict=False)))
     first, second, third = lags.tolist()
     return Observer(
         crane, sample_time, driven, float(delayed), table, known, (first, second, third),

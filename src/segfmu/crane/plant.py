@@ -22,7 +22,7 @@ from segfmu.crane.setpoints import Setpoints
 from segfmu.crane.tracking import FADE, TrackingController
 from segfmu.errors import InputError, SimulationError
 from segfmu.kernels import backend
-from segfmu.kernels.control.records import Acting, Correction, Gains, Observer, Tracker
+from segfmu.kernels.control.records import Acting, Correction, Gains, Observer, Tracker, Tracking
 from segfmu.kernels.crane.records import (
     Axes,
     Coordinates,
@@ -69,7 +69,8 @@ class Plant:
     setpoints : Setpoints
         Setpoints at the start.
     controller : Controller or SwayFeedback
-        Gains act on the true state; any other controller gets the measured signals.
+        Gains act on the true state, within what the drives can do; any other controller gets the
+        measured signals.
     driven : bool
         Velocity drives: bridge, trolley and rope follow the velocity setpoints.
     enabled : bool
@@ -115,6 +116,10 @@ class Plant:
         self._settings[Settings.SENSORS, : Sensors.SIZE] = rig.sensors.vector
         self._settings[Settings.PLANT, : Parameters.SIZE] = rig.parameters(crane, driven)
         self._changes, self._components = rig.changes, rig.wind.components
+        if isinstance(controller, SwayFeedback):
+            known = self._settings[Settings.TRACKING]
+            known[Tracking.PERIOD] = controller.sample_time
+            backend.set_drives(self._settings[Settings.PLANT], known)
         self._check_delays()
         self._memory = np.zeros((backend.rig_rows(self._settings), Memory.COLUMNS))
         backend.rig_start(

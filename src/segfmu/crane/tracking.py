@@ -47,7 +47,8 @@ PAYLOAD_TIME = 2.0
 # rows of the kernel's memory, and entries of its parameters
 ESTIMATE = slice(Tracker.ESTIMATE, Tracker.COMMAND)
 PRESENT = slice(Tracker.PRESENT, Tracker.AHEAD)
-BOUNDED = slice(Tracking.VELOCITY_MAX, Tracking.OFFSET_CAUSE)
+VELOCITIES = slice(Tracking.VELOCITY_MAX, Tracking.POWER_MAX)
+POWERS = slice(Tracking.POWER_MAX, Tracking.OFFSET_CAUSE)
 REJECTED = slice(Tracking.REJECTED_DRIFT, Tracking.ENABLED)
 
 
@@ -70,6 +71,8 @@ class TrackingController:
         a tenth of the load's weight on the rope, whatever is given.
     velocity_max : array_like, shape (3,), optional
         Bounds of the velocity setpoints with what corrections add [m/s]; 0: none.
+    power_max : array_like, shape (3,), optional
+        Largest powers of the drives [W], driving or braking; 0: none.
     fade : float
         Time constant [s] of the transition after switching; with 0 the correction jumps.
     payload_time : float
@@ -96,6 +99,7 @@ class TrackingController:
         lower: ArrayLike | None = None,
         upper: ArrayLike | None = None,
         velocity_max: ArrayLike | None = None,
+        power_max: ArrayLike | None = None,
         fade: float = FADE,
         payload_time: float = PAYLOAD_TIME,
         offset_cause: Cause = "wind",
@@ -119,7 +123,9 @@ class TrackingController:
         own[Tracking.OFFSET_CAUSE] = CAUSES.index(offset_cause)
         own[Tracking.OFFSET_ACTS] = rope_offset
         if velocity_max is not None:
-            own[BOUNDED] = sized("velocity_max", velocity_max, 3)
+            own[VELOCITIES] = sized("velocity_max", velocity_max, 3)
+        if power_max is not None:
+            own[POWERS] = sized("power_max", power_max, 3)
         limits = own[Tracking.LEAST : Tracking.GAINS_PAYLOAD].reshape(2, Axes.SIZE)
         least, greatest = _limits("lower", lower, limits[0]), _limits("upper", upper, limits[1])
         if (least > greatest).any():

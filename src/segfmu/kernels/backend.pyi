@@ -131,6 +131,18 @@ def drive_bound(
     /,
 ) -> float: ...
 
+def set_walks(
+    plant: Floats,
+    uncertainty: Floats,
+    /,
+) -> None: ...
+
+def set_drives(
+    plant: Floats,
+    tracking: Floats,
+    /,
+) -> None: ...
+
 def set_tracking(
     plant: Floats,
     design: Floats,

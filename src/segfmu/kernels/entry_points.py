@@ -252,6 +252,8 @@ ENTRY_POINTS = (
         table=("rows", Observer.SIZE, Observer.COLUMNS),
     ),
     entry("control.setting", "nominal_payload"),
+    entry("control.setting", "set_drives", plant=Plant.SIZE, tracking=Tracking.SIZE),
+    entry("control.setting", "set_walks", plant=Plant.SIZE, uncertainty=Uncertainty.SIZE),
     entry("control.design", "set_steps", sensors=Sensors.SIZE, uncertainty=Uncertainty.SIZE),
     entry("control.setting", "signal_age"),
     entry("control.setting", "drive_bound", plant=Plant.VISCOUS),

@@ -97,7 +97,8 @@ def loop(driven: bool, values: dict[str, float], **options) -> Loop:
     late = parameters["sensor.dead_time"]
     observer = design_observer(
         CRANE, lag=lag, delayed=late / 0.01,
-        uncertainty=Uncertainty(wake=values.get("feedback.observer.wake", 1.0), **steps), **ranges,
+        uncertainty=Uncertainty(wake=values.get("feedback.observer.wake", 1.0), **steps),
+        strongest=most, **ranges,
     )
     controller = TrackingController(
         observer, design_flat(CRANE, lag=lag, dead_time=late, **ranges), lower=-most,

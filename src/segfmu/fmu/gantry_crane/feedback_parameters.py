@@ -2,22 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
 from segfmu.crane import Crane
-from segfmu.crane.feedback import SwayFeedback, Weights
-from segfmu.crane.flat_feedback import DAMPING, HOIST_RATIO, RATIO
+from segfmu.crane.feedback import SwayFeedback, Weights, design
+from segfmu.crane.flat_feedback import DAMPING, HOIST_RATIO, RATIO, design_flat
+from segfmu.crane.linear import ROWS, rope_range
 from segfmu.crane.observer import UNCERTAINTY, Uncertainty, design_observer
 from segfmu.crane.tracking import CAUSES as OFFSET_CAUSES
 from segfmu.crane.tracking import FADE, PAYLOAD_TIME, TrackingController
-from segfmu.crane.variables import build, filled
+from segfmu.crane.variables import Value, build, filled
 from segfmu.fmu.standard.spec import Enumeration, Variable, choice, parameter
 from segfmu.kernels import backend
-from segfmu.kernels.control.records import Tracking, TrackingDesign
+from segfmu.kernels.control.records import FlatDesign, Tracking, TrackingDesign
 from segfmu.kernels.control.records import Uncertainty as Expectations
 from segfmu.kernels.crane.records import DRIVES, Axes, DriveMode, Plant
 from segfmu.kernels.rig.records import Sensors
@@ -93,7 +92,7 @@ def weight_parameters() -> list[Variable]:
     ]
 
 
-def weights_from(value: Callable[[str], Any]) -> Weights:
+def weights_from(value: Value) -> Weights:
     """The weights of the LQR design from the parameters; `value` gives one by name.
 
     Raises
@@ -174,15 +173,52 @@ def estimates() -> list[Variable]:
     ]
 
 
-def nominal_from(value: Callable[[str], Any]) -> Crane:
+def nominal_from(value: Value) -> Crane:
     """The crane with the load that the feedback is designed for; `value` gives values by name."""
     own = Crane.of(value)
     expected = float(value("feedback.payload_mass"))
     return replace(own, payload_mass=backend.nominal_payload(expected, own.payload_mass))
 
 
+def gains_from(value: Value, nominal: Crane, length: float) -> SwayFeedback:
+    """Gains from the parameters, by `feedback.design`; `value` gives one by name.
+
+    nominal: with the load that the feedback is designed for; length: of the rope at the start [m].
+
+    Raises
+    ------
+    InputError
+        For values without a design.
+    """
+    if DESIGNS.items[int(value("feedback.design")) - 1] == "lqr":
+        return lqr_from(value, nominal, length)
+    shortest, longest = rope_range(nominal, length)
+    plant, chosen = filled(Plant, value), filled(FlatDesign, value)
+    lags, late = _lateness(value, plant)
+    return design_flat(
+        nominal, sample_time=float(chosen[FlatDesign.PERIOD]), shortest=shortest, longest=longest,
+        ratio=float(chosen[FlatDesign.BANDWIDTH]),
+        hoist_ratio=float(chosen[FlatDesign.HOIST_BANDWIDTH]),
+        damping=float(chosen[FlatDesign.DAMPING]), driven=_driven(plant), lag=lags, dead_time=late,
+    )
+
+
+def lqr_from(
+    value: Value, nominal: Crane, length: float, rows: int = ROWS
+) -> SwayFeedback:
+    """The same of design lqr, whatever `feedback.design` is."""
+    shortest, longest = rope_range(nominal, length)
+    plant = filled(Plant, value)
+    lags, late = _lateness(value, plant)
+    return design(
+        nominal, sample_time=float(value("feedback.sample_time")), shortest=shortest,
+        longest=longest, weights=weights_from(value), driven=_driven(plant), lag=lags,
+        dead_time=late, strongest=_strongest(plant), rows=rows,
+    )
+
+
 def tracking_from(
-    value: Callable[[str], Any], nominal: Crane, feedback: SwayFeedback
+    value: Value, nominal: Crane, feedback: SwayFeedback
 ) -> TrackingController:
     """The controller from the parameters; `value` gives one by name.
 
@@ -194,7 +230,7 @@ def tracking_from(
         For inconsistent values.
     """
     plant, design, own = (filled(r, value) for r in (Plant, TrackingDesign, Tracking))
-    most = np.array([backend.drive_bound(plant, i) for i in range(Axes.SIZE)])
+    most = _strongest(plant)
     bridge, trolley, hoist = plant[Plant.LAG : Plant.FORCE_MAX].tolist()
     age = backend.signal_age(
         float(design[TrackingDesign.DEAD_TIME]), float(design[TrackingDesign.SAMPLING]),
@@ -206,14 +242,16 @@ def tracking_from(
     position, length, angle = steps[: Expectations.DRIFT].tolist()
     observer = design_observer(
         nominal, sample_time=feedback.sample_time, shortest=float(feedback.lengths[0]),
-        longest=float(feedback.lengths[-1]), driven=plant[Plant.MODE] == DriveMode.VELOCITY,
+        longest=float(feedback.lengths[-1]), driven=_driven(plant),
         lag=(bridge, trolley, hoist), delayed=age / feedback.sample_time,
         dead_time=dead_times(plant),
         uncertainty=replace(expected, position=position, length=length, angle=angle),
+        strongest=most,
     )
     return TrackingController(
         observer, feedback, rejection=_rejection(own), lower=-most, upper=most,
         velocity_max=plant[Plant.VELOCITY_MAX : Plant.VELOCITY_MAX + Axes.SIZE],
+        power_max=plant[Plant.POWER_MAX : Plant.POWER_MAX + Axes.SIZE],
         fade=float(own[Tracking.FADE]), payload_time=float(design[TrackingDesign.PAYLOAD_TIME]),
         offset_cause=OFFSET_CAUSES[int(own[Tracking.OFFSET_CAUSE])],
         rope_offset=bool(own[Tracking.OFFSET_ACTS]), enabled=bool(own[Tracking.ENABLED]),
@@ -226,15 +264,23 @@ def dead_times(plant: FloatArray) -> tuple[float, float, float]:
     return bridge, trolley, hoist
 
 
-def lateness(value: Callable[[str], Any]) -> tuple[FloatArray, float]:
+def _driven(plant: FloatArray) -> bool:
+    return bool(plant[Plant.MODE] == DriveMode.VELOCITY)
+
+
+def _strongest(plant: FloatArray) -> FloatArray:
+    """Largest setpoints of the drives, shape (3,) [N] or [m/s2], from a `Plant`."""
+    return np.array([backend.drive_bound(plant, i) for i in range(Axes.SIZE)])
+
+
+def _lateness(value: Value, plant: FloatArray) -> tuple[FloatArray, float]:
     """Lags of the drives, and what signals and drives are late by [s]; `value` gives parameters."""
-    plant = filled(Plant, value)
     lags = plant[Plant.LAG : Plant.FORCE_MAX]
     return lags, float(value("sensor.dead_time")) + max(dead_times(plant))
 
 
 def tune(
-    controller: TrackingController, value: Callable[[str], Any], feedback: SwayFeedback | None
+    controller: TrackingController, value: Value, feedback: SwayFeedback | None
 ) -> None:
     """Take over the tunable parameters and new gains; what stays the same is no switching."""
     own = filled(Tracking, value)

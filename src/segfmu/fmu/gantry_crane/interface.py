@@ -5,17 +5,15 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from segfmu.crane.feedback import SwayFeedback, design
-from segfmu.crane.linear import rope_range
+from segfmu.crane.feedback import SwayFeedback
 from segfmu.crane.plant import TOLERANCE
 from segfmu.fmu.gantry import SETPOINTS, crane_parameters
 from segfmu.fmu.gantry_crane.feedback_parameters import (
     estimates,
     feedback_parameters,
-    lateness,
+    lqr_from,
     nominal_from,
     weight_parameters,
-    weights_from,
 )
 from segfmu.fmu.gantry_crane.rig_parameters import rig_parameters
 from segfmu.fmu.standard.spec import (
@@ -302,13 +300,9 @@ def _table(starts: dict[str, Any], weights: list[str]) -> list[Variable]:
 def _designed(starts: dict[str, Any]) -> tuple[SwayFeedback, bool]:
     """The LQR design for the crane of the start values, and whether it is for velocity drives."""
     crane = nominal_from(starts.__getitem__)
-    shortest, longest = rope_range(crane, float(starts["rope.length"]))
     driven = MODES.items[int(starts["drive.mode"]) - 1] == "velocity"
-    lags, late = lateness(lambda n: starts.get(n, 0.0))
-    feedback = design(
-        crane, sample_time=float(starts["feedback.sample_time"]),
-        shortest=shortest, longest=longest, driven=driven, rows=MOST_ROWS,
-        weights=weights_from(starts.__getitem__), lag=lags, dead_time=late,
+    feedback = lqr_from(
+        lambda n: starts.get(n, 0.0), crane, float(starts["rope.length"]), MOST_ROWS
     )
     return feedback, driven
 

@@ -10,9 +10,7 @@ import numpy as np
 from pythonfmu.enums import Fmi2Status
 
 from segfmu.crane import Crane, Rig
-from segfmu.crane.feedback import SwayFeedback, design
-from segfmu.crane.flat_feedback import design_flat
-from segfmu.crane.linear import rope_range
+from segfmu.crane.feedback import SwayFeedback
 from segfmu.crane.plant import Plant
 from segfmu.crane.setpoints import Setpoints
 from segfmu.crane.tracking import TrackingController
@@ -21,11 +19,10 @@ from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_crane.feedback_parameters import (
     DESIGNS,
     SOURCES,
-    lateness,
+    gains_from,
     nominal_from,
     tracking_from,
     tune,
-    weights_from,
 )
 from segfmu.fmu.gantry_crane.start import Start
 from segfmu.fmu.python.slave import SpecSlave
@@ -65,7 +62,7 @@ class CraneSlave(SpecSlave):
         length = float(state[State.POSITION + Axes.ROPE])
         driven = self.filled(Parameters)[Parameters.MODE] == DriveMode.VELOCITY
         expected = nominal_from(self.value)
-        self._design = partial(self._feedback, expected, length, driven)
+        self._design = partial(gains_from, self.value, expected, length)
         self._tuned = self._poles()
         feedback = self._design()
         self._tracking = None
@@ -101,24 +98,6 @@ class CraneSlave(SpecSlave):
                 for r in references if 0 < r <= len(self.spec.variables)
             )
         super()._set(kind, references, values)
-
-    def _feedback(self, crane: Crane, length: float, driven: bool) -> SwayFeedback:
-        """Gains over rope length; `crane` has the payload that the feedback is designed for."""
-        shortest, longest = rope_range(crane, length)
-        chosen = self.filled(FlatDesign)
-        lags, late = lateness(self.value)
-        if self._flat():
-            return design_flat(
-                crane, sample_time=float(chosen[FlatDesign.PERIOD]), shortest=shortest,
-                longest=longest, ratio=float(chosen[FlatDesign.BANDWIDTH]),
-                hoist_ratio=float(chosen[FlatDesign.HOIST_BANDWIDTH]),
-                damping=float(chosen[FlatDesign.DAMPING]), driven=driven, lag=lags, dead_time=late,
-            )
-        return design(
-            crane, sample_time=float(chosen[FlatDesign.PERIOD]), shortest=shortest,
-            longest=longest, weights=weights_from(self.value), driven=driven, lag=lags,
-            dead_time=late,
-        )
 
     def advance(self, time: float, step: float) -> None:
         """Step the plant to the setpoints now set."""

@@ -19,6 +19,19 @@ static void hold_velocities(array_double_1d plant, array_double_1d state, array_
 static int64_t table_row(double length, array_double_3d table);
 static double table_share(double length, array_double_3d table, int64_t row);
 static void lead_gains(int64_t axis, double lag, double length, double gravity, array_double_1d gains);
+static double return_effort(void);
+static double return_speed(void);
+static double held_within(double value, double least, double greatest);
+static double scheduled_gain(double length, int64_t axis, int64_t column, array_double_3d gains);
+static double velocity_bound(int64_t axis, array_double_1d parameters, array_double_1d situation);
+static double power_bound(int64_t axis, array_double_1d parameters, array_double_1d situation);
+static double least_correction(int64_t axis, array_double_1d parameters, array_double_2d tick, array_double_1d situation);
+static double greatest_correction(int64_t axis, array_double_1d parameters, array_double_2d tick, array_double_1d situation);
+static void bound_correction(int64_t axis, array_double_1d parameters, array_double_2d tick, array_double_1d situation);
+static double return_room(int64_t axis, array_double_1d parameters, array_double_3d gains, array_double_1d situation);
+static void bound_return(int64_t axis, array_double_1d parameters, array_double_3d gains, array_double_2d tick, array_double_1d situation);
+static void observer_input(int64_t axis, double length, array_double_3d table, double period, double correction, array_double_1d change);
+static void observer_bend(int64_t axis, double length, array_double_3d table, double factor, array_double_1d change, array_double_1d estimate);
 static int64_t remembered_ticks(array_double_1d parameters);
 static void remember_tick(array_double_1d parameters, array_double_1d reference, array_double_2d memory);
 static void remember_start(array_double_1d reference, array_double_2d memory);
@@ -57,7 +70,8 @@ static void offset_sum(double keep, array_double_1d values, array_double_1d sums
 static void offset_decide(array_double_1d parameters, double length, double noise, array_double_1d sums, array_double_1d estimate);
 static void offset_equations(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory);
 static double offset_estimate(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory);
-static void set_bounds(array_double_1d plant, array_double_1d tracking);
+static double weak_drive(void);
+static double drive_strength(array_double_1d plant, int64_t axis);
 static void set_noise(array_double_1d uncertainty, double gravity, double longest, array_double_1d tracking);
 static void track_wake(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory);
 static void track_offset(array_double_1d parameters, array_double_2d tick, array_double_2d memory);
@@ -65,10 +79,10 @@ static void track_start(array_double_1d measured, array_double_1d reference, arr
 static void track_observe(array_double_1d parameters, array_double_3d table, array_double_2d memory);
 static bool track_acts(array_double_1d parameters, array_double_2d memory);
 static void track_deviation(array_double_1d parameters, array_double_2d memory);
+static void track_situation(array_double_1d parameters, array_double_2d tick, array_double_2d memory);
 static void track_forces(array_double_1d parameters, array_double_2d memory, array_double_1d correction);
-static void track_law(array_double_1d parameters, array_double_3d gains, array_double_2d memory, array_double_1d correction);
+static void track_law(array_double_1d parameters, array_double_3d gains, array_double_2d tick, array_double_2d memory);
 static void track_hoist(array_double_1d parameters, array_double_2d memory);
-static void track_limits(int64_t axis, array_double_1d parameters, array_double_2d tick, array_double_2d memory);
 static void crane_rhs_partials(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_2d partials);
 static void crane_driven_partials(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_2d partials);
 static void polynomial_differentiate(array_double_1d a, int64_t count, int64_t order, array_double_1d found);
@@ -365,6 +379,7 @@ static double next_command(array_double_2d settings, double until, array_double_
 static void late_commands(array_double_2d settings, double length, array_double_2d memory, array_double_2d delayed);
 static bool controller_due(array_double_2d settings, array_double_2d memory);
 static void prepare_tick(array_double_2d settings, array_double_1d setpoints, double duration, array_double_2d memory);
+static void bound_feedback(array_double_2d settings, array_double_3d gains, array_double_1d situation, array_double_2d memory);
 static void correct_setpoints(array_double_2d settings, array_double_3d table, array_double_3d gains, array_double_2d tracker, array_double_2d memory);
 static void command_velocities(array_double_1d setpoints, double duration, double until, array_double_2d memory);
 static void command_forces(array_double_1d setpoints, double duration, array_double_2d memory);
@@ -936,6 +951,189 @@ void segfmu_feedback_gains(array_double_1d plant, double length, double bandwidt
         }
     }
 }
+/*Bound of what the way back asks for, over what the drive can do. */
+static double return_effort(void)
+{
+    return 3.5;
+}
+/*Bound of the velocity of the way back, over what the plan leaves of the drive's. */
+static double return_speed(void)
+{
+    return 0.7;
+}
+/*A value within an interval.*/
+static double held_within(double value, double least, double greatest)
+{
+    return span_max(span_min(value, greatest), least);
+}
+/*A gain at a rope length [m], linear between the rows.*/
+static double scheduled_gain(double length, int64_t axis, int64_t column, array_double_3d gains)
+{
+    int64_t row;
+    double share;
+    int64_t following;
+    double first;
+    double result;
+    row = table_row(length, gains);
+    share = table_share(length, gains, row);
+    following = span_min_int(row + INT64_C(1), gains.shape[INT64_C(0)] - INT64_C(1));
+    first = (*cspan_at(&gains, row, INT64_C(1) + axis, column));
+    result = first + share * ((*cspan_at(&gains, following, INT64_C(1) + axis, column)) - first);
+    return result;
+}
+/*Largest velocity [m/s] of a drive, 1e99 for none; a hoist also has to hold the load at it. */
+static double velocity_bound(int64_t axis, array_double_1d parameters, array_double_1d situation)
+{
+    double power;
+    double bound;
+    bound = (*cspan_at(&parameters, INT64_C(30) + axis));
+    power = (*cspan_at(&parameters, INT64_C(33) + axis));
+    if (bound <= 0.0)
+    {
+        bound = 1e+99;
+    }
+    if ((axis == INT64_C(2)) && (power > 0.0))
+    {
+        bound = span_min(bound, power / (*cspan_at(&situation, INT64_C(0))));
+    }
+    return bound;
+}
+/*Greatest size of a setpoint, N or m/s2, that the drive's power allows; 1e99 for any. */
+static double power_bound(int64_t axis, array_double_1d parameters, array_double_1d situation)
+{
+    double power;
+    double weight;
+    double gravity;
+    double force;
+    power = (*cspan_at(&parameters, INT64_C(33) + axis));
+    if (power <= 0.0)
+    {
+        return 1e+99;
+    }
+    force = power / span_max(fabs((*cspan_at(&situation, INT64_C(2) + axis))), 1e-12 * power);
+    if ((int64_t)((*cspan_at(&parameters, INT64_C(0)))) == INT64_C(0))
+    {
+        return force;
+    }
+    weight = (*cspan_at(&situation, INT64_C(0)));
+    gravity = (*cspan_at(&parameters, INT64_C(6)));
+    if (axis == INT64_C(2))
+    {
+        /*a load that moves too fast is braked nevertheless*/
+        return gravity * span_max(force / weight - 1.0, 0.001);
+    }
+    force = force / ((*cspan_at(&parameters, INT64_C(3) + axis)) + weight / gravity);
+    return force;
+}
+/*Least correction with which the drive can do what it is told; a hoist lifts with it. */
+static double least_correction(int64_t axis, array_double_1d parameters, array_double_2d tick, array_double_1d situation)
+{
+    double least;
+    double result;
+    least = span_max((*cspan_at(&parameters, INT64_C(12) + axis)), -power_bound(axis, parameters, situation));
+    result = least - (*cspan_at(&tick, INT64_C(2), axis));
+    return result;
+}
+/*Greatest correction with which the drive can do what it is told. */
+static double greatest_correction(int64_t axis, array_double_1d parameters, array_double_2d tick, array_double_1d situation)
+{
+    double greatest;
+    double result;
+    greatest = (*cspan_at(&parameters, INT64_C(15) + axis));
+    if (axis != INT64_C(2))
+    {
+        greatest = span_min(greatest, power_bound(axis, parameters, situation));
+    }
+    else if ((int64_t)((*cspan_at(&parameters, INT64_C(0)))) == INT64_C(0))
+    {
+        /*a tenth of the weight keeps the rope taut*/
+        greatest = span_min(greatest, (-0.1) * (*cspan_at(&situation, INT64_C(0))));
+    }
+    result = greatest - (*cspan_at(&tick, INT64_C(2), axis));
+    return result;
+}
+/*Bound a correction, so that the drive can do what it is told, feedforward included.*/
+static void bound_correction(int64_t axis, array_double_1d parameters, array_double_2d tick, array_double_1d situation)
+{
+    double correction;
+    double bound;
+    double velocity;
+    double period;
+    correction = (*cspan_at(&tick, INT64_C(3), axis));
+    if ((int64_t)((*cspan_at(&parameters, INT64_C(0)))) == INT64_C(1))
+    {
+        bound = velocity_bound(axis, parameters, situation);
+        velocity = (*cspan_at(&situation, INT64_C(2) + axis));
+        period = (*cspan_at(&parameters, INT64_C(1)));
+        correction = held_within(correction, span_min((-bound) - velocity, 0.0) / period, span_max(bound - velocity, 0.0) / period);
+    }
+    (*cspan_at(&tick, INT64_C(3), axis)) = held_within(correction, least_correction(axis, parameters, tick, situation), greatest_correction(axis, parameters, tick, situation));
+}
+/*Bound of the way back, as a multiple of what the drive can do.                                     */
+/*                                                                                                   */
+/*    A carriage with the acceleration a has the load hang at -a / g, which the feedback of the sway */
+/*    opposes. So the way back asks for more than it gets; by that much its bound is larger.         */
+/*                                                                                                   */
+static double return_room(int64_t axis, array_double_1d parameters, array_double_3d gains, array_double_1d situation)
+{
+    double sign;
+    double length;
+    double pull;
+    double opposed;
+    if (axis == INT64_C(2))
+    {
+        return 1.0;
+    }
+    sign = 1.0 - 2.0 * axis;
+    length = (*cspan_at(&situation, INT64_C(1)));
+    pull = (*cspan_at(&parameters, INT64_C(6)));
+    if ((int64_t)((*cspan_at(&parameters, INT64_C(0)))) == INT64_C(0))
+    {
+        pull = pull * (*cspan_at(&parameters, INT64_C(3) + axis)) + (*cspan_at(&situation, INT64_C(0)));
+    }
+    opposed = length * scheduled_gain(length, axis, INT64_C(0) + axis, gains);
+    opposed = opposed - sign * scheduled_gain(length, axis, INT64_C(3) + axis, gains);
+    return return_effort() * span_max(1.0 + opposed / pull, 1.0);
+}
+/*Bound the part of a correction that brings the load, or the rope's length, to its place.       */
+/*                                                                                               */
+/*    With the deviation p of the load's place, that part is k (p' + r p), with the gains by the */
+/*    carriage's velocity and place; r p, a velocity, is bounded first.                          */
+/*                                                                                               */
+static void bound_return(int64_t axis, array_double_1d parameters, array_double_3d gains, array_double_2d tick, array_double_1d situation)
+{
+    double length;
+    double slope;
+    double pull;
+    double damping;
+    double asked;
+    double speed;
+    double reference;
+    double fastest;
+    double room;
+    double least;
+    double greatest;
+    double given;
+    length = (*cspan_at(&situation, INT64_C(1)));
+    slope = scheduled_gain(length, axis, INT64_C(5) + axis, gains);
+    slope = slope + scheduled_gain(length, axis, INT64_C(10), gains);
+    pull = scheduled_gain(length, axis, INT64_C(0) + axis, gains);
+    pull = pull * (*cspan_at(&situation, INT64_C(5) + axis));
+    damping = slope * (*cspan_at(&situation, INT64_C(8) + axis));
+    asked = -(pull + damping);
+    speed = velocity_bound(axis, parameters, situation);
+    if ((slope > 0.0) && (speed < 1e+99))
+    {
+        reference = fabs((*cspan_at(&tick, INT64_C(1), INT64_C(5) + axis)));
+        fastest = slope * return_speed() * span_max(speed - reference, 0.0);
+        pull = held_within(pull, -fastest, fastest);
+    }
+    room = return_room(axis, parameters, gains, situation);
+    least = room * span_min(least_correction(axis, parameters, tick, situation), 0.0);
+    greatest = room * span_max(greatest_correction(axis, parameters, tick, situation), 0.0);
+    given = held_within(-(pull + damping), least, greatest);
+    (*cspan_at(&tick, INT64_C(3), axis)) = (*cspan_at(&tick, INT64_C(3), axis)) + given - asked;
+}
 /*Advance the estimate of an axis by a sample under a velocity command and a correction. */
 void segfmu_observer_predict(int64_t axis, double length, array_double_3d table, double command, double correction, array_double_1d estimate, array_double_1d scratch)
 {
@@ -966,6 +1164,53 @@ void segfmu_observer_predict(int64_t axis, double length, array_double_3d table,
             total = total + entry * (*cspan_at(&scratch, j));
         }
         (*cspan_at(&estimate, i)) = total;
+    }
+}
+/*What a correction, held over a sample, changes of an estimate and of the command.*/
+static void observer_input(int64_t axis, double length, array_double_3d table, double period, double correction, array_double_1d change)
+{
+    int64_t row;
+    double share;
+    int64_t following;
+    int64_t i;
+    int64_t k;
+    double entry;
+    row = table_row(length, table);
+    share = table_share(length, table, row);
+    following = span_min_int(row + INT64_C(1), table.shape[INT64_C(0)] - INT64_C(1));
+    for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+    {
+        k = INT64_C(1) + INT64_C(6) * axis + i;
+        entry = (1.0 - share) * (*cspan_at(&table, row, k, INT64_C(7)));
+        entry = entry + share * (*cspan_at(&table, following, k, INT64_C(7)));
+        (*cspan_at(&change, i)) = entry * correction;
+    }
+    (*cspan_at(&change, INT64_C(6))) = period * correction;
+}
+/*Add `factor` times how a change, of estimate and command, itself changes in a sample.*/
+static void observer_bend(int64_t axis, double length, array_double_3d table, double factor, array_double_1d change, array_double_1d estimate)
+{
+    int64_t row;
+    double share;
+    int64_t following;
+    int64_t i;
+    int64_t k;
+    double total;
+    int64_t j;
+    double entry;
+    row = table_row(length, table);
+    share = table_share(length, table, row);
+    following = span_min_int(row + INT64_C(1), table.shape[INT64_C(0)] - INT64_C(1));
+    for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+    {
+        k = INT64_C(1) + INT64_C(6) * axis + i;
+        total = -(*cspan_at(&change, i));
+        for (j = INT64_C(0); j < INT64_C(7); j += INT64_C(1))
+        {
+            entry = (1.0 - share) * (*cspan_at(&table, row, k, j)) + share * (*cspan_at(&table, following, k, j));
+            total = total + entry * (*cspan_at(&change, j));
+        }
+        (*cspan_at(&estimate, i)) = (*cspan_at(&estimate, i)) + factor * total;
     }
 }
 /*Correct the estimate by the five measured signals and their references.*/
@@ -1039,7 +1284,7 @@ static void remember_tick(array_double_1d parameters, array_double_1d reference,
     rows = remembered_ticks(parameters);
     for (back = INT64_C(0); back < rows - INT64_C(1); back += INT64_C(1))
     {
-        row = INT64_C(29) + rows - INT64_C(1) - back;
+        row = INT64_C(31) + rows - INT64_C(1) - back;
         for (i = INT64_C(0); i < INT64_C(13); i += INT64_C(1))
         {
             (*cspan_at(&memory, row, i)) = (*cspan_at(&memory, row - INT64_C(1), i));
@@ -1047,13 +1292,13 @@ static void remember_tick(array_double_1d parameters, array_double_1d reference,
     }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        (*cspan_at(&memory, INT64_C(29), INT64_C(0) + i)) = (*cspan_at(&held, INT64_C(0) + i));
+        (*cspan_at(&memory, INT64_C(31), INT64_C(0) + i)) = (*cspan_at(&held, INT64_C(0) + i));
         added = (*cspan_at(&parameters, INT64_C(1))) * (*cspan_at(&held, INT64_C(0) + i));
         (*cspan_at(&command, INT64_C(0) + i)) = (*cspan_at(&command, INT64_C(0) + i)) + added;
     }
     for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
     {
-        (*cspan_at(&memory, INT64_C(29), INT64_C(3) + i)) = (*cspan_at(&reference, i));
+        (*cspan_at(&memory, INT64_C(31), INT64_C(3) + i)) = (*cspan_at(&reference, i));
     }
 }
 /*Before the first tick the reference was as it is, and nothing was corrected. */
@@ -1065,7 +1310,7 @@ static void remember_start(array_double_1d reference, array_double_2d memory)
     {
         for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
         {
-            (*cspan_at(&memory, INT64_C(29) + row, INT64_C(3) + i)) = (*cspan_at(&reference, i));
+            (*cspan_at(&memory, INT64_C(31) + row, INT64_C(3) + i)) = (*cspan_at(&reference, i));
         }
     }
 }
@@ -1083,8 +1328,8 @@ static void aged_reference(array_double_1d parameters, array_double_2d memory)
     share = span_min(span_max(age - whole, 0.0), 1.0);
     for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
     {
-        later = (*cspan_at(&memory, INT64_C(29) + whole, INT64_C(3) + i));
-        earlier = (*cspan_at(&memory, INT64_C(29) + whole + INT64_C(1), INT64_C(3) + i));
+        later = (*cspan_at(&memory, INT64_C(31) + whole, INT64_C(3) + i));
+        earlier = (*cspan_at(&memory, INT64_C(31) + whole + INT64_C(1), INT64_C(3) + i));
         (*cspan_at(&memory, INT64_C(6), i)) = later + share * (earlier - later);
     }
 }
@@ -1096,15 +1341,23 @@ static void advance_axis(int64_t axis, int64_t back, double share, array_double_
     double after;
     double command;
     int64_t i;
+    array_double_1d change;
     period = (*cspan_at(&parameters, INT64_C(1)));
-    before = (*cspan_at(&memory, INT64_C(29) + back + INT64_C(1), INT64_C(0) + axis));
-    after = (*cspan_at(&memory, INT64_C(29) + back, INT64_C(0) + axis));
+    before = (*cspan_at(&memory, INT64_C(31) + back + INT64_C(1), INT64_C(0) + axis));
+    after = (*cspan_at(&memory, INT64_C(31) + back, INT64_C(0) + axis));
     command = (*cspan_at(&memory, INT64_C(3), INT64_C(0) + axis)) - share * period * before;
     for (i = INT64_C(0); i < back + INT64_C(1); i += INT64_C(1))
     {
-        command = command - period * (*cspan_at(&memory, INT64_C(29) + i, INT64_C(0) + axis));
+        command = command - period * (*cspan_at(&memory, INT64_C(31) + i, INT64_C(0) + axis));
     }
     segfmu_observer_predict(axis, length, table, command, share * before + (1.0 - share) * after, estimate, span_row(&memory, INT64_C(9)));
+    if (share > 1e-09)
+    {
+        /*what acts earlier has moved the axis for longer*/
+        change = span_row(&memory, INT64_C(29));
+        observer_input(axis, length, table, period, before - after, change);
+        observer_bend(axis, length, table, 0.5 * share * (1.0 - share), change, estimate);
+    }
 }
 /*Bring the estimates from when the signals of the tick before were taken to those of now. */
 static void advance_estimates(array_double_1d parameters, double length, array_double_3d table, array_double_2d memory)
@@ -1121,28 +1374,33 @@ static void advance_estimates(array_double_1d parameters, double length, array_d
         advance_axis(axis, whole, share, parameters, length, table, memory, span_row(&memory, INT64_C(0) + axis));
     }
 }
-/*The last part of a sample: linear between the estimates at its ends. */
+/*The last part of a sample: a parabola through the estimates at its ends. */
 static void predict_share(int64_t axis, double share, array_double_1d parameters, double length, array_double_3d table, array_double_2d memory)
 {
     array_double_1d present;
     array_double_1d ahead;
+    array_double_1d change;
     int64_t i;
     double latest;
     double command;
     present = span_row(&memory, INT64_C(25) + axis);
     ahead = span_row(&memory, INT64_C(28));
+    change = span_row(&memory, INT64_C(29));
     for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
     {
         (*cspan_at(&ahead, i)) = (*cspan_at(&present, i));
     }
-    latest = (*cspan_at(&memory, INT64_C(29), INT64_C(0) + axis));
+    latest = (*cspan_at(&memory, INT64_C(31), INT64_C(0) + axis));
     command = (*cspan_at(&memory, INT64_C(3), INT64_C(0) + axis));
     command = command - share * (*cspan_at(&parameters, INT64_C(1))) * latest;
     segfmu_observer_predict(axis, length, table, command, latest, ahead, span_row(&memory, INT64_C(9)));
     for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
     {
-        (*cspan_at(&present, i)) = (*cspan_at(&present, i)) + share * ((*cspan_at(&ahead, i)) - (*cspan_at(&present, i)));
+        (*cspan_at(&change, i)) = (*cspan_at(&ahead, i)) - (*cspan_at(&present, i));
+        (*cspan_at(&present, i)) = (*cspan_at(&present, i)) + share * (*cspan_at(&change, i));
     }
+    (*cspan_at(&change, INT64_C(6))) = (*cspan_at(&parameters, INT64_C(1))) * latest;
+    observer_bend(axis, length, table, (-0.5) * share * (1.0 - share), change, present);
 }
 /*Predict the estimates to when the correction of this tick will act.*/
 static void predict_present(array_double_1d parameters, double length, array_double_3d table, array_double_2d memory)
@@ -2165,18 +2423,53 @@ double segfmu_drive_bound(array_double_1d plant, int64_t axis)
     }
     return 1e+99;
 }
-/*Fill in the bounds of a `Tracking`: those of the drives; a hoist cannot push its rope. */
-static void set_bounds(array_double_1d plant, array_double_1d tracking)
+/*Acceleration of a carriage over gravity below which its drive is weak. */
+static double weak_drive(void)
+{
+    return 0.1;
+}
+/*Share of the usual tunings that the drive of a carriage can follow: 1 unless it is weak. */
+static double drive_strength(array_double_1d plant, int64_t axis)
+{
+    double weight;
+    double result;
+    weight = (*cspan_at(&plant, INT64_C(3)));
+    if ((int64_t)((*cspan_at(&plant, INT64_C(4)))) == INT64_C(0))
+    {
+        weight = weight * carriage_mass(plant, axis);
+    }
+    result = span_min(segfmu_drive_bound(plant, axis) / (weak_drive() * weight), 1.0);
+    return result;
+}
+/*Make the wind of an `Uncertainty` what the drives of a `Plant` can answer.                         */
+/*                                                                                                   */
+/*    Otherwise its estimate would follow the sensors' noise, and a weak drive would always be at its*/
+/*    bound.                                                                                         */
+/*                                                                                                   */
+void segfmu_set_walks(array_double_1d plant, array_double_1d uncertainty)
+{
+    double strength;
+    strength = span_min(drive_strength(plant, INT64_C(0)), drive_strength(plant, INT64_C(1)));
+    (*cspan_at(&uncertainty, INT64_C(4))) = strength * (*cspan_at(&uncertainty, INT64_C(4)));
+}
+/*Fill in mode, masses and bounds of a `Tracking`; a hoist cannot push its rope. */
+void segfmu_set_drives(array_double_1d plant, array_double_1d tracking)
 {
     int64_t axis;
     double bound;
     double greatest;
+    (*cspan_at(&tracking, INT64_C(0))) = (*cspan_at(&plant, INT64_C(4)));
+    (*cspan_at(&tracking, INT64_C(3) + INT64_C(0))) = carriage_mass(plant, INT64_C(0));
+    (*cspan_at(&tracking, INT64_C(3) + INT64_C(1))) = carriage_mass(plant, INT64_C(1));
+    (*cspan_at(&tracking, INT64_C(3) + INT64_C(2))) = (*cspan_at(&plant, INT64_C(2)));
+    (*cspan_at(&tracking, INT64_C(6))) = (*cspan_at(&plant, INT64_C(3)));
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
         bound = segfmu_drive_bound(plant, axis);
         (*cspan_at(&tracking, INT64_C(15) + axis)) = bound;
         (*cspan_at(&tracking, INT64_C(12) + axis)) = -bound;
         (*cspan_at(&tracking, INT64_C(30) + axis)) = (*cspan_at(&plant, INT64_C(14) + axis));
+        (*cspan_at(&tracking, INT64_C(33) + axis)) = (*cspan_at(&plant, INT64_C(17) + axis));
     }
     greatest = 0.0;
     if ((int64_t)((*cspan_at(&plant, INT64_C(4)))) == INT64_C(1))
@@ -2221,18 +2514,13 @@ void segfmu_set_tracking(array_double_1d plant, array_double_1d design, double l
     double age;
     int64_t axis;
     period = (*cspan_at(&tracking, INT64_C(1)));
-    (*cspan_at(&tracking, INT64_C(0))) = (*cspan_at(&plant, INT64_C(4)));
+    segfmu_set_drives(plant, tracking);
     age = segfmu_signal_age((*cspan_at(&design, INT64_C(7))), (*cspan_at(&design, INT64_C(8))), period);
     (*cspan_at(&tracking, INT64_C(2))) = age / period;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
         (*cspan_at(&tracking, INT64_C(27) + axis)) = (age + (*cspan_at(&plant, INT64_C(20) + axis))) / period;
     }
-    (*cspan_at(&tracking, INT64_C(3) + INT64_C(0))) = carriage_mass(plant, INT64_C(0));
-    (*cspan_at(&tracking, INT64_C(3) + INT64_C(1))) = carriage_mass(plant, INT64_C(1));
-    (*cspan_at(&tracking, INT64_C(3) + INT64_C(2))) = (*cspan_at(&plant, INT64_C(2)));
-    (*cspan_at(&tracking, INT64_C(6))) = (*cspan_at(&plant, INT64_C(3)));
-    set_bounds(plant, tracking);
     (*cspan_at(&tracking, INT64_C(19))) = period / (*cspan_at(&design, INT64_C(9)));
     set_noise(design, (*cspan_at(&plant, INT64_C(3))), longest, tracking);
 }
@@ -2286,7 +2574,7 @@ static void track_offset(array_double_1d parameters, array_double_2d tick, array
     offsets = span_rows(&memory, INT64_C(11), INT64_C(11) + INT64_C(14));
     before = (*cspan_at(&offsets, INT64_C(9), INT64_C(5)));
     offset = offset_estimate(parameters, measured, span_row(&memory, INT64_C(6)), offsets);
-    if ((*cspan_at(&parameters, INT64_C(34))) < 0.5)
+    if ((*cspan_at(&parameters, INT64_C(37))) < 0.5)
     {
         offset = 0.0;
         before = 0.0;
@@ -2374,7 +2662,7 @@ static void track_deviation(array_double_1d parameters, array_double_2d memory)
         (*cspan_at(&target, i)) = 0.0;
     }
     moves = 1.0;
-    if ((int64_t)((*cspan_at(&parameters, INT64_C(33)))) == INT64_C(1))
+    if ((int64_t)((*cspan_at(&parameters, INT64_C(36)))) == INT64_C(1))
     {
         moves = 0.0;
     }
@@ -2399,6 +2687,50 @@ static void track_deviation(array_double_1d parameters, array_double_2d memory)
     /*the length of the first argument selects the gains, the difference is the deviation*/
     (*cspan_at(&target, INT64_C(0) + INT64_C(2))) = length - (*cspan_at(&deviation, INT64_C(0) + INT64_C(2))) + slant;
     (*cspan_at(&deviation, INT64_C(0) + INT64_C(2))) = length;
+}
+/*What bounds depend on: drives move as commanded, or as estimated where forces are commanded. */
+/*                                                                                             */
+/*    The load's mass is the estimated one.                                                    */
+/*                                                                                             */
+static void track_situation(array_double_1d parameters, array_double_2d tick, array_double_2d memory)
+{
+    array_double_1d situation;
+    array_double_1d deviation;
+    double length;
+    double share;
+    double weight;
+    int64_t i;
+    double velocity;
+    double place;
+    double rate;
+    double sign;
+    situation = span_row(&memory, INT64_C(30));
+    deviation = span_row(&memory, INT64_C(7));
+    length = (*cspan_at(&memory, INT64_C(10), INT64_C(0) + INT64_C(2)));
+    share = (*cspan_at(&memory, INT64_C(5), INT64_C(3)));
+    weight = (*cspan_at(&parameters, INT64_C(3) + INT64_C(2))) * (*cspan_at(&parameters, INT64_C(6)));
+    (*cspan_at(&situation, INT64_C(0))) = (1.0 + share) * weight;
+    (*cspan_at(&situation, INT64_C(1))) = length;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        velocity = (*cspan_at(&memory, INT64_C(25) + i, INT64_C(2)));
+        if ((int64_t)((*cspan_at(&parameters, INT64_C(0)))) == INT64_C(1))
+        {
+            velocity = (*cspan_at(&memory, INT64_C(3), INT64_C(0) + i));
+        }
+        velocity = velocity + (*cspan_at(&tick, INT64_C(1), INT64_C(5) + i));
+        (*cspan_at(&situation, INT64_C(2) + i)) = velocity;
+        place = (*cspan_at(&deviation, INT64_C(0) + i)) - (*cspan_at(&memory, INT64_C(8), INT64_C(0) + i));
+        rate = (*cspan_at(&deviation, INT64_C(5) + i));
+        if (i != INT64_C(2))
+        {
+            sign = 1.0 - 2.0 * i;
+            place = place + length * sign * (*cspan_at(&deviation, INT64_C(3) + i));
+            rate = rate + length * sign * (*cspan_at(&deviation, INT64_C(8) + i));
+        }
+        (*cspan_at(&situation, INT64_C(5) + i)) = place;
+        (*cspan_at(&situation, INT64_C(8) + i)) = rate;
+    }
 }
 /*Forces that also reject the estimated disturbances.*/
 static void track_forces(array_double_1d parameters, array_double_2d memory, array_double_1d correction)
@@ -2427,14 +2759,18 @@ static void track_forces(array_double_1d parameters, array_double_2d memory, arr
     rope = (1.0 + share) * rope - share * (*cspan_at(&parameters, INT64_C(6)));
     (*cspan_at(&correction, INT64_C(2))) = payload * rope;
 }
-/*Feedback on the estimated deviation; correction (3) [N] or [m/s2]. */
-static void track_law(array_double_1d parameters, array_double_3d gains, array_double_2d memory, array_double_1d correction)
+/*Feedback on the estimated deviation, written to `tick`.*/
+static void track_law(array_double_1d parameters, array_double_3d gains, array_double_2d tick, array_double_2d memory)
 {
+    array_double_1d correction;
     bool driven;
     int64_t i;
     double added;
     double fade;
+    correction = span_row(&tick, INT64_C(3));
     driven = (int64_t)((*cspan_at(&parameters, INT64_C(0)))) == INT64_C(1);
+    track_deviation(parameters, memory);
+    track_situation(parameters, tick, memory);
     if (!track_acts(parameters, memory))
     {
         for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
@@ -2450,8 +2786,11 @@ static void track_law(array_double_1d parameters, array_double_3d gains, array_d
         }
         return;
     }
-    track_deviation(parameters, memory);
     segfmu_feedback_correction(span_row(&memory, INT64_C(7)), span_row(&memory, INT64_C(8)), span_row(&memory, INT64_C(3)), gains, correction);
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        bound_return(i, parameters, gains, tick, span_row(&memory, INT64_C(30)));
+    }
     if (!driven)
     {
         track_forces(parameters, memory, correction);
@@ -2477,34 +2816,6 @@ static void track_hoist(array_double_1d parameters, array_double_2d memory)
         (*cspan_at(&memory, INT64_C(5), INT64_C(3))) = span_min(span_max(share, -0.98), 9.0);
     }
 }
-/*Limit a correction, so that the drive can do what it is told, feedforward included.*/
-static void track_limits(int64_t axis, array_double_1d parameters, array_double_2d tick, array_double_2d memory)
-{
-    double correction;
-    double bound;
-    double velocity;
-    double total;
-    double mass;
-    correction = (*cspan_at(&tick, INT64_C(3), axis));
-    bound = (*cspan_at(&parameters, INT64_C(30) + axis));
-    if (((int64_t)((*cspan_at(&parameters, INT64_C(0)))) == INT64_C(1)) && (bound > 0.0))
-    {
-        velocity = (*cspan_at(&tick, INT64_C(1), INT64_C(5) + axis));
-        velocity = velocity + (*cspan_at(&memory, INT64_C(3), INT64_C(0) + axis));
-        correction = span_min(correction, span_max(bound - velocity, 0.0) / (*cspan_at(&parameters, INT64_C(1))));
-        correction = span_max(correction, span_min((-bound) - velocity, 0.0) / (*cspan_at(&parameters, INT64_C(1))));
-    }
-    total = (*cspan_at(&tick, INT64_C(2), axis)) + correction;
-    total = span_max(total, (*cspan_at(&parameters, INT64_C(12) + axis)));
-    total = span_min(total, (*cspan_at(&parameters, INT64_C(15) + axis)));
-    if ((axis == INT64_C(2)) && ((int64_t)((*cspan_at(&parameters, INT64_C(0)))) == INT64_C(0)))
-    {
-        /*a tenth of the weight keeps the rope taut*/
-        mass = (*cspan_at(&parameters, INT64_C(3) + INT64_C(2))) * (1.0 + (*cspan_at(&memory, INT64_C(5), INT64_C(3))));
-        total = span_min(total, (-0.1) * mass * (*cspan_at(&parameters, INT64_C(6))));
-    }
-    (*cspan_at(&tick, INT64_C(3), axis)) = total - (*cspan_at(&tick, INT64_C(2), axis));
-}
 /*Compute the correction at a tick, held until the next one, and write it to `tick`. */
 /*                                                                                   */
 /*    Only the limits use the setpoints to which it is added.                        */
@@ -2528,7 +2839,7 @@ void segfmu_track_setpoint(array_double_1d parameters, array_double_3d table, ar
     aged_reference(parameters, memory);
     track_offset(parameters, tick, memory);
     track_observe(parameters, table, memory);
-    track_law(parameters, gains, memory, correction);
+    track_law(parameters, gains, tick, memory);
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         if ((*cspan_at(&memory, INT64_C(3), INT64_C(4))) > 0.5)
@@ -2538,7 +2849,7 @@ void segfmu_track_setpoint(array_double_1d parameters, array_double_3d table, ar
         }
         (*cspan_at(&step, INT64_C(0) + i)) = (*cspan_at(&parameters, INT64_C(11))) * (*cspan_at(&step, INT64_C(0) + i));
         (*cspan_at(&correction, i)) = (*cspan_at(&correction, i)) + (*cspan_at(&step, INT64_C(0) + i));
-        track_limits(i, parameters, tick, memory);
+        bound_correction(i, parameters, tick, span_row(&memory, INT64_C(30)));
         /*the observer gets the limited correction, so nothing winds up*/
         (*cspan_at(&held, INT64_C(3) + i)) = (*cspan_at(&correction, i));
         (*cspan_at(&held, INT64_C(0) + i)) = (*cspan_at(&correction, i));
@@ -13710,6 +14021,54 @@ static void prepare_tick(array_double_2d settings, array_double_1d setpoints, do
         }
     }
 }
+/*Bound the feedback of the true state by what the drives can do.*/
+static void bound_feedback(array_double_2d settings, array_double_3d gains, array_double_1d situation, array_double_2d memory)
+{
+    array_double_1d parameters;
+    array_double_1d state;
+    array_double_1d reference;
+    array_double_1d plant;
+    array_double_2d tick;
+    double length;
+    int64_t i;
+    double velocity;
+    double place;
+    double rate;
+    double sign;
+    double angle;
+    double swing;
+    parameters = span_row(&settings, INT64_C(2));
+    state = span_row(&memory, INT64_C(4));
+    reference = span_row(&memory, INT64_C(1));
+    plant = span_row(&memory, INT64_C(5));
+    tick = span_rows(&memory, INT64_C(0), INT64_C(4));
+    length = (*cspan_at(&state, INT64_C(0) + INT64_C(2)));
+    (*cspan_at(&situation, INT64_C(0))) = (*cspan_at(&plant, INT64_C(2))) * (*cspan_at(&plant, INT64_C(3)));
+    (*cspan_at(&situation, INT64_C(1))) = length;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        velocity = (*cspan_at(&state, INT64_C(5) + i));
+        if (is_driven(memory))
+        {
+            velocity = (*cspan_at(&reference, INT64_C(5) + i)) + (*cspan_at(&memory, INT64_C(9), i));
+        }
+        (*cspan_at(&situation, INT64_C(2) + i)) = velocity;
+        place = (*cspan_at(&state, INT64_C(0) + i)) - (*cspan_at(&reference, INT64_C(0) + i));
+        rate = (*cspan_at(&state, INT64_C(5) + i)) - (*cspan_at(&reference, INT64_C(5) + i));
+        if (i != INT64_C(2))
+        {
+            sign = 1.0 - 2.0 * i;
+            angle = (*cspan_at(&state, INT64_C(3) + i)) - (*cspan_at(&reference, INT64_C(3) + i));
+            swing = (*cspan_at(&state, INT64_C(8) + i)) - (*cspan_at(&reference, INT64_C(8) + i));
+            place = place + length * sign * angle;
+            rate = rate + length * sign * swing;
+        }
+        (*cspan_at(&situation, INT64_C(5) + i)) = place;
+        (*cspan_at(&situation, INT64_C(8) + i)) = rate;
+        bound_return(i, parameters, gains, tick, situation);
+        bound_correction(i, parameters, tick, situation);
+    }
+}
 /*Switch the new correction on or off; the jump at a change fades out.                           */
 /*                                                                                               */
 /*    A caller with a controller of its own calls it after writing its correction to the memory. */
@@ -13773,6 +14132,7 @@ static void correct_setpoints(array_double_2d settings, array_double_3d table, a
     else
     {
         segfmu_feedback_correction(span_row(&memory, INT64_C(4)), span_row(&memory, INT64_C(1)), span_row(&memory, INT64_C(9)), gains, span_row(&memory, INT64_C(3)));
+        bound_feedback(settings, gains, span_row(&tracker, INT64_C(30)), memory);
     }
     segfmu_switch_correction(settings, memory);
 }

@@ -22,6 +22,8 @@ SEGFMU_API bool segfmu_observer_table(array_double_1d plant, double sample_time,
 SEGFMU_API double segfmu_nominal_payload(double expected, double payload);
 SEGFMU_API double segfmu_signal_age(double dead_time, double sampling, double period);
 SEGFMU_API double segfmu_drive_bound(array_double_1d plant, int64_t axis);
+SEGFMU_API void segfmu_set_walks(array_double_1d plant, array_double_1d uncertainty);
+SEGFMU_API void segfmu_set_drives(array_double_1d plant, array_double_1d tracking);
 SEGFMU_API void segfmu_set_tracking(array_double_1d plant, array_double_1d design, double longest, array_double_1d tracking);
 SEGFMU_API void segfmu_set_fading(array_double_1d tracking);
 SEGFMU_API void segfmu_track_setpoint(array_double_1d parameters, array_double_3d table, array_double_3d gains, array_double_2d tick, array_double_2d memory);

@@ -437,6 +437,50 @@ static PyObject *call_drive_bound(
     return answer;
 }
 
+static PyObject *call_set_walks(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "set_walks", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_plant;
+    Py_buffer *in_uncertainty;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_uncertainty = take_array(&call, 1, 1, 'd', true)) != NULL
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 68)
+        && has_at_least(&call, "uncertainty", 0, in_uncertainty->shape[0], 7)) {
+        segfmu_set_walks(
+            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
+            (array_double_1d){in_uncertainty->buf, {in_uncertainty->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_set_drives(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "set_drives", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_plant;
+    Py_buffer *in_tracking;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_tracking = take_array(&call, 1, 1, 'd', true)) != NULL
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 68)
+        && has_at_least(&call, "tracking", 0, in_tracking->shape[0], 38)) {
+        segfmu_set_drives(
+            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
+            (array_double_1d){in_tracking->buf, {in_tracking->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_set_tracking(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -454,7 +498,7 @@ static PyObject *call_set_tracking(
         && (in_tracking = take_array(&call, 3, 1, 'd', true)) != NULL
         && has_at_least(&call, "plant", 0, in_plant->shape[0], 23)
         && has_at_least(&call, "design", 0, in_design->shape[0], 10)
-        && has_at_least(&call, "tracking", 0, in_tracking->shape[0], 35)) {
+        && has_at_least(&call, "tracking", 0, in_tracking->shape[0], 38)) {
         segfmu_set_tracking(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
             (array_double_1d){in_design->buf, {in_design->shape[0]}},
@@ -475,7 +519,7 @@ static PyObject *call_set_fading(
     (void)self;
     if (take_count(&call, count, 1)
         && (in_tracking = take_array(&call, 0, 1, 'd', true)) != NULL
-        && has_at_least(&call, "tracking", 0, in_tracking->shape[0], 35)) {
+        && has_at_least(&call, "tracking", 0, in_tracking->shape[0], 38)) {
         segfmu_set_fading(
             (array_double_1d){in_tracking->buf, {in_tracking->shape[0]}});
         answer = Py_NewRef(Py_None);
@@ -503,14 +547,14 @@ static PyObject *call_track_setpoint(
         && (in_memory = take_array(&call, 4, 2, 'd', true)) != NULL
         && has_at_least(&call, "table", 0, in_table->shape[0], 1)
         && has_at_least(&call, "gains", 0, in_gains->shape[0], 1)
-        && has_at_least(&call, "parameters", 0, in_parameters->shape[0], 35)
+        && has_at_least(&call, "parameters", 0, in_parameters->shape[0], 38)
         && has_at_least(&call, "table", 1, in_table->shape[1], 19)
         && has_at_least(&call, "table", 2, in_table->shape[2], 10)
         && has_at_least(&call, "gains", 1, in_gains->shape[1], 4)
         && has_at_least(&call, "gains", 2, in_gains->shape[2], 11)
         && has_at_least(&call, "tick", 0, in_tick->shape[0], 4)
         && has_at_least(&call, "tick", 1, in_tick->shape[1], 10)
-        && has_at_least(&call, "memory", 0, in_memory->shape[0], 69)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], 71)
         && has_at_least(&call, "memory", 1, in_memory->shape[1], 13)) {
         segfmu_track_setpoint(
             (array_double_1d){in_parameters->buf, {in_parameters->shape[0]}},
@@ -1624,7 +1668,7 @@ static PyObject *call_rig_event(
         && has_at_least(&call, "table", 2, in_table->shape[2], 10)
         && has_at_least(&call, "gains", 1, in_gains->shape[1], 4)
         && has_at_least(&call, "gains", 2, in_gains->shape[2], 11)
-        && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 69)
+        && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 71)
         && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 13)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
         && has_at_least(&call, "memory", 1, in_memory->shape[1], 68)
@@ -1796,7 +1840,7 @@ static PyObject *call_rig_step(
         && has_at_least(&call, "table", 2, in_table->shape[2], 10)
         && has_at_least(&call, "gains", 1, in_gains->shape[1], 4)
         && has_at_least(&call, "gains", 2, in_gains->shape[2], 11)
-        && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 69)
+        && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 71)
         && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 13)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
         && has_at_least(&call, "memory", 1, in_memory->shape[1], 68)
@@ -1900,8 +1944,8 @@ static PyObject *call_tracking_estimates(
         && (in_parameters = take_array(&call, 0, 1, 'd', false)) != NULL
         && (in_tracker = take_array(&call, 1, 2, 'd', false)) != NULL
         && (in_estimates = take_array(&call, 2, 1, 'd', true)) != NULL
-        && has_at_least(&call, "parameters", 0, in_parameters->shape[0], 35)
-        && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 69)
+        && has_at_least(&call, "parameters", 0, in_parameters->shape[0], 38)
+        && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 71)
         && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 13)
         && has_at_least(&call, "estimates", 0, in_estimates->shape[0], 7)) {
         segfmu_tracking_estimates(
@@ -2856,6 +2900,8 @@ static PyMethodDef methods[] = {
     {"nominal_payload", (PyCFunction)(void (*)(void))call_nominal_payload, METH_FASTCALL, NULL},
     {"signal_age", (PyCFunction)(void (*)(void))call_signal_age, METH_FASTCALL, NULL},
     {"drive_bound", (PyCFunction)(void (*)(void))call_drive_bound, METH_FASTCALL, NULL},
+    {"set_walks", (PyCFunction)(void (*)(void))call_set_walks, METH_FASTCALL, NULL},
+    {"set_drives", (PyCFunction)(void (*)(void))call_set_drives, METH_FASTCALL, NULL},
     {"set_tracking", (PyCFunction)(void (*)(void))call_set_tracking, METH_FASTCALL, NULL},
     {"set_fading", (PyCFunction)(void (*)(void))call_set_fading, METH_FASTCALL, NULL},
     {"track_setpoint", (PyCFunction)(void (*)(void))call_track_setpoint, METH_FASTCALL, NULL},

@@ -4,14 +4,15 @@ Of an axis with the delay d + f samples, d whole and f a share, the estimate in 
 long ago. From tick to tick it advances by one sample; then it is predicted to the present under the
 corrections made since. A dead time of the drive is as good as that much age of the signals: the
 estimate is then of when the correction of this tick will act. A correction is held from tick to
-tick, so that two of them act within a shifted sample; their mean takes their place, an error of
-second order in the sample time.
+tick, so that two of them act within a shifted sample; their mean takes their place, with the term
+of second order in the sample time.
 
 memory is a `Tracker`, parameters a `Tracking`.
 """
 
-from segfmu.kernels.control.observer import observer_predict
+from segfmu.kernels.control.observer import observer_bend, observer_input, observer_predict
 from segfmu.kernels.control.records import (
+    AxisModel,
     Estimate,
     Held,
     History,
@@ -92,6 +93,11 @@ def advance_axis(
         axis, length, table, command, share * before + (1.0 - share) * after, estimate,
         memory[Tracker.INPUTS, :],
     )
+    if share > 1e-9:
+        # what acts earlier has moved the axis for longer
+        change = memory[Tracker.CHANGE, :]
+        observer_input(axis, length, table, period, before - after, change)
+        observer_bend(axis, length, table, 0.5 * share * (1.0 - share), change, estimate)
 
 
 def advance_estimates(
@@ -135,9 +141,10 @@ def predict_share(
     table: 'float[:,:,:]',
     memory: 'float[:,:]',
 ) -> None:
-    """The last part of a sample: linear between the estimates at its ends."""
+    """The last part of a sample: a parabola through the estimates at its ends."""
     present = memory[Tracker.PRESENT + axis, :]
     ahead = memory[Tracker.AHEAD, :]
+    change = memory[Tracker.CHANGE, :]
     for i in range(Estimate.SIZE):
         ahead[i] = present[i]
     latest = memory[Tracker.PAST, Past.INPUT + axis]
@@ -147,4 +154,7 @@ def predict_share(
         axis, length, table, command, latest, ahead, memory[Tracker.INPUTS, :]
     )
     for i in range(Estimate.SIZE):
-        present[i] = present[i] + share * (ahead[i] - present[i])
+        change[i] = ahead[i] - present[i]
+        present[i] = present[i] + share * change[i]
+    change[AxisModel.COMMAND] = parameters[Tracking.PERIOD] * latest
+    observer_bend(axis, length, table, -0.5 * share * (1.0 - share), change, present)

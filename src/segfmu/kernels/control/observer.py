@@ -35,6 +35,47 @@ def observer_predict(
         estimate[i] = total
 
 
+def observer_input(
+    axis: int,
+    length: float,
+    table: 'float[:,:,:]',
+    period: float,
+    correction: float,
+    change: 'float[:]',
+) -> None:
+    """What a correction, held over a sample, changes of an estimate and of the command."""
+    row = table_row(length, table)
+    share = table_share(length, table, row)
+    following = min(row + 1, table.shape[0] - 1)
+    for i in range(Estimate.SIZE):
+        k = Observer.BRIDGE + Estimate.SIZE * axis + i
+        entry = (1.0 - share) * table[row, k, AxisModel.CORRECTION]
+        entry = entry + share * table[following, k, AxisModel.CORRECTION]
+        change[i] = entry * correction
+    change[AxisModel.COMMAND] = period * correction
+
+
+def observer_bend(
+    axis: int,
+    length: float,
+    table: 'float[:,:,:]',
+    factor: float,
+    change: 'float[:]',
+    estimate: 'float[:]',
+) -> None:
+    """Add `factor` times how a change, of estimate and command, itself changes in a sample."""
+    row = table_row(length, table)
+    share = table_share(length, table, row)
+    following = min(row + 1, table.shape[0] - 1)
+    for i in range(Estimate.SIZE):
+        k = Observer.BRIDGE + Estimate.SIZE * axis + i
+        total = -change[i]
+        for j in range(AxisModel.CORRECTION):
+            entry = (1.0 - share) * table[row, k, j] + share * table[following, k, j]
+            total = total + entry * change[j]
+        estimate[i] = estimate[i] + factor * total
+
+
 def observer_correct(
     length: float,
     table: 'float[:,:,:]',

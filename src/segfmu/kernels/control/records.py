@@ -194,7 +194,8 @@ class Tracking(Record):
     ANGLE_VARIANCE = field("variance of the angles' noise", "rad2")
     POSITION_VARIANCE = field("variance of the positions' noise", "m2")
     DELAY = field("age of the signals and dead time of the drive, in samples", size=3)
-    VELOCITY_MAX = field("largest velocities of the drives", "m/s", size=3)
+    VELOCITY_MAX = field("largest velocities of the drives; 0: no bound", "m/s", size=3)
+    POWER_MAX = field("largest powers of the drives; 0: no bound", "W", size=3)
     OFFSET_CAUSE = field(
         "what a lasting deviation of an angle is, see OffsetCause",
         variables=("feedback.offset_cause",), base=1,
@@ -307,6 +308,16 @@ class Past(Record):
     REFERENCE = field("reference, as a State", size=State.SIZE)
 
 
+class Situation(Record):
+    """What bounds of a correction depend on, beside the drives."""
+
+    WEIGHT = field("weight of the load", "N")
+    LENGTH = field("rope length", "m")
+    VELOCITY = field("velocities of the drives", "m/s", size=3)
+    PLACE = field("deviation of the load along an axis, or of the rope", "m", size=3)
+    RATE = field("its rate", "m/s", size=3)
+
+
 class Tracker(Record):
     """Rows: memory of the tracking controller."""
 
@@ -325,6 +336,8 @@ class Tracker(Record):
     OFFSET = field("memory of the offset's estimate", size=OffsetMemory.SIZE, of=OffsetMemory)
     PRESENT = field("estimates of when corrections act", size=3, of=Estimate)
     AHEAD = field("work space: an estimate one sample ahead", of=Estimate)
+    CHANGE = field("work space: change of an estimate in a sample", of=AxisModel)
+    SITUATION = field("work space: what bounds depend on", of=Situation)
     PAST = field("ticks before, the latest one first", size=History.MOST, of=Past)
 
 

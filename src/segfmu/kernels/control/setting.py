@@ -51,13 +51,42 @@ def drive_bound(plant: 'float[:]', axis: int) -> float:
     return 1e99
 
 
-def set_bounds(plant: 'float[:]', tracking: 'float[:]') -> None:
-    """Fill in the bounds of a `Tracking`: those of the drives; a hoist cannot push its rope."""
+def weak_drive() -> float:
+    """Acceleration of a carriage over gravity below which its drive is weak."""
+    return 0.1
+
+
+def drive_strength(plant: 'float[:]', axis: int) -> float:
+    """Share of the usual tunings that the drive of a carriage can follow: 1 unless it is weak."""
+    weight = plant[Plant.GRAVITY]
+    if int(plant[Plant.MODE]) == DriveMode.FORCE:
+        weight = weight * carriage_mass(plant, axis)
+    return min(drive_bound(plant, axis) / (weak_drive() * weight), 1.0)
+
+
+def set_walks(plant: 'float[:]', uncertainty: 'float[:]') -> None:
+    """Make the wind of an `Uncertainty` what the drives of a `Plant` can answer.
+
+    Otherwise its estimate would follow the sensors' noise, and a weak drive would always be at its
+    bound.
+    """
+    strength = min(drive_strength(plant, Axes.BRIDGE), drive_strength(plant, Axes.TROLLEY))
+    uncertainty[Uncertainty.WIND] = strength * uncertainty[Uncertainty.WIND]
+
+
+def set_drives(plant: 'float[:]', tracking: 'float[:]') -> None:
+    """Fill in mode, masses and bounds of a `Tracking`; a hoist cannot push its rope."""
+    tracking[Tracking.MODE] = plant[Plant.MODE]
+    tracking[Tracking.MASSES + Axes.BRIDGE] = carriage_mass(plant, Axes.BRIDGE)
+    tracking[Tracking.MASSES + Axes.TROLLEY] = carriage_mass(plant, Axes.TROLLEY)
+    tracking[Tracking.MASSES + Axes.ROPE] = plant[Plant.PAYLOAD_MASS]
+    tracking[Tracking.GRAVITY] = plant[Plant.GRAVITY]
     for axis in range(Axes.SIZE):
         bound = drive_bound(plant, axis)
         tracking[Tracking.GREATEST + axis] = bound
         tracking[Tracking.LEAST + axis] = -bound
         tracking[Tracking.VELOCITY_MAX + axis] = plant[Plant.VELOCITY_MAX + axis]
+        tracking[Tracking.POWER_MAX + axis] = plant[Plant.POWER_MAX + axis]
     greatest = 0.0
     if int(plant[Plant.MODE]) == DriveMode.VELOCITY:
         greatest = 0.9 * plant[Plant.GRAVITY]
@@ -75,18 +104,13 @@ def set_tracking(
     longest: rope length of the observer [m].
     """
     period = tracking[Tracking.PERIOD]
-    tracking[Tracking.MODE] = plant[Plant.MODE]
+    set_drives(plant, tracking)
     age = signal_age(
         design[TrackingDesign.DEAD_TIME], design[TrackingDesign.SAMPLING], period
     )
     tracking[Tracking.AGE] = age / period
     for axis in range(Axes.SIZE):
         tracking[Tracking.DELAY + axis] = (age + plant[Plant.DEAD_TIME + axis]) / period
-    tracking[Tracking.MASSES + Axes.BRIDGE] = carriage_mass(plant, Axes.BRIDGE)
-    tracking[Tracking.MASSES + Axes.TROLLEY] = carriage_mass(plant, Axes.TROLLEY)
-    tracking[Tracking.MASSES + Axes.ROPE] = plant[Plant.PAYLOAD_MASS]
-    tracking[Tracking.GRAVITY] = plant[Plant.GRAVITY]
-    set_bounds(plant, tracking)
     tracking[Tracking.PAYLOAD_SHARE] = period / design[TrackingDesign.PAYLOAD_TIME]
     set_noise(design, plant[Plant.GRAVITY], longest, tracking)
 

@@ -9,6 +9,7 @@ the force is the estimated mass times v and gravity. v is zero on average if tha
 otherwise it moves the estimate. The loop is then the same for every payload.
 """
 
+from segfmu.kernels.control.bounds import bound_correction, bound_return
 from segfmu.kernels.control.delay import (
     advance_estimates,
     aged_reference,
@@ -26,6 +27,7 @@ from segfmu.kernels.control.records import (
     OffsetCause,
     OffsetEstimate,
     OffsetMemory,
+    Situation,
     Tick,
     Tracker,
     Tracking,
@@ -138,11 +140,44 @@ def track_deviation(parameters: 'float[:]', memory: 'float[:,:]') -> None:
     deviation[State.POSITION + Axes.ROPE] = length
 
 
-def track_law(
-    parameters: 'float[:]', gains: 'float[:,:,:]', memory: 'float[:,:]', correction: 'float[:]'
+def track_situation(
+    parameters: 'float[:]', tick: 'float[:,:]', memory: 'float[:,:]'
 ) -> None:
-    """Feedback on the estimated deviation; correction (3) [N] or [m/s2]."""
+    """What bounds depend on: drives move as commanded, or as estimated where forces are commanded.
+
+    The load's mass is the estimated one.
+    """
+    situation = memory[Tracker.SITUATION, :]
+    deviation = memory[Tracker.DEVIATION, :]
+    length = memory[Tracker.SIGNALS, Coordinates.POSITION + Axes.ROPE]
+    share = memory[Tracker.FADING, Fading.PAYLOAD]
+    weight = parameters[Tracking.MASSES + Axes.ROPE] * parameters[Tracking.GRAVITY]
+    situation[Situation.WEIGHT] = (1.0 + share) * weight
+    situation[Situation.LENGTH] = length
+    for i in range(Axes.SIZE):
+        velocity = memory[Tracker.PRESENT + i, Estimate.VELOCITY]
+        if int(parameters[Tracking.MODE]) == DriveMode.VELOCITY:
+            velocity = memory[Tracker.COMMAND, VelocityCommand.VELOCITY + i]
+        velocity = velocity + tick[Tick.REFERENCE, State.VELOCITY + i]
+        situation[Situation.VELOCITY + i] = velocity
+        place = deviation[State.POSITION + i] - memory[Tracker.TARGET, State.POSITION + i]
+        rate = deviation[State.VELOCITY + i]
+        if i != Axes.ROPE:
+            sign = 1.0 - 2.0 * i
+            place = place + length * sign * deviation[State.ANGLE + i]
+            rate = rate + length * sign * deviation[State.RATE + i]
+        situation[Situation.PLACE + i] = place
+        situation[Situation.RATE + i] = rate
+
+
+def track_law(
+    parameters: 'float[:]', gains: 'float[:,:,:]', tick: 'float[:,:]', memory: 'float[:,:]'
+) -> None:
+    """Feedback on the estimated deviation, written to `tick`."""
+    correction = tick[Tick.CORRECTION, :]
     driven = int(parameters[Tracking.MODE]) == DriveMode.VELOCITY
+    track_deviation(parameters, memory)
+    track_situation(parameters, tick, memory)
     if not track_acts(parameters, memory):
         for i in range(3):
             correction[i] = 0.0
@@ -152,12 +187,13 @@ def track_law(
                 fade = max(parameters[Tracking.FADE], parameters[Tracking.PERIOD])
                 correction[i] = -added / fade
         return
-    track_deviation(parameters, memory)
     feedback_correction(
         memory[Tracker.DEVIATION, :], memory[Tracker.TARGET, :],
         memory[Tracker.COMMAND, :], gains,
         correction,
     )
+    for i in range(Axes.SIZE):
+        bound_return(i, parameters, gains, tick, memory[Tracker.SITUATION, :])
     if not driven:
         track_forces(parameters, memory, correction)
 
@@ -214,40 +250,17 @@ def track_setpoint(
     aged_reference(parameters, memory)
     track_offset(parameters, tick, memory)
     track_observe(parameters, table, memory)
-    track_law(parameters, gains, memory, correction)
+    track_law(parameters, gains, tick, memory)
     for i in range(3):
         if memory[Tracker.COMMAND, VelocityCommand.SWITCHED] > 0.5:
             # bumpless: the jump at a switch is added and fades out
             step[Fading.STEP + i] = held[Held.CORRECTION + i] - correction[i]
         step[Fading.STEP + i] = parameters[Tracking.DECAY] * step[Fading.STEP + i]
         correction[i] = correction[i] + step[Fading.STEP + i]
-        track_limits(i, parameters, tick, memory)
+        bound_correction(i, parameters, tick, memory[Tracker.SITUATION, :])
         # the observer gets the limited correction, so nothing winds up
         held[Held.CORRECTION + i] = correction[i]
         held[Held.INPUT + i] = correction[i]
     if int(parameters[Tracking.MODE]) == DriveMode.FORCE:
         track_hoist(parameters, memory)
     memory[Tracker.COMMAND, VelocityCommand.SWITCHED] = 0.0
-
-
-def track_limits(
-    axis: int, parameters: 'float[:]', tick: 'float[:,:]', memory: 'float[:,:]'
-) -> None:
-    """Limit a correction, so that the drive can do what it is told, feedforward included."""
-    correction = tick[Tick.CORRECTION, axis]
-    bound = parameters[Tracking.VELOCITY_MAX + axis]
-    if int(parameters[Tracking.MODE]) == DriveMode.VELOCITY and bound > 0.0:
-        velocity = tick[Tick.REFERENCE, State.VELOCITY + axis]
-        velocity = velocity + memory[Tracker.COMMAND, VelocityCommand.VELOCITY + axis]
-        correction = min(correction, max(bound - velocity, 0.0) / parameters[Tracking.PERIOD])
-        correction = max(correction, min(-bound - velocity, 0.0) / parameters[Tracking.PERIOD])
-    total = tick[Tick.ADDED_TO, axis] + correction
-    total = max(total, parameters[Tracking.LEAST + axis])
-    total = min(total, parameters[Tracking.GREATEST + axis])
-    if axis == Axes.ROPE and int(parameters[Tracking.MODE]) == DriveMode.FORCE:
-        # a tenth of the weight keeps the rope taut
-        mass = parameters[Tracking.MASSES + Axes.ROPE] * (
-            1.0 + memory[Tracker.FADING, Fading.PAYLOAD]
-        )
-        total = min(total, -0.1 * mass * parameters[Tracking.GRAVITY])
-    tick[Tick.CORRECTION, axis] = total - tick[Tick.ADDED_TO, axis]

@@ -5,11 +5,13 @@
 
 from math import exp
 
+from segfmu.kernels.control.bounds import bound_correction, bound_return
 from segfmu.kernels.control.feedback import feedback_correction
-from segfmu.kernels.control.records import Acting, Correction, Tick
+from segfmu.kernels.control.records import Acting, Correction, Situation, Tick, Tracker
 from segfmu.kernels.control.tracking import track_setpoint
 from segfmu.kernels.crane.plant import plant_advance
 from segfmu.kernels.crane.records import (
+    Axes,
     Plant,
     PlantStatus,
     Report,
@@ -76,7 +78,39 @@ def correct_setpoints(
             memory[Memory.STATE, :], memory[Memory.REFERENCE, :], memory[Memory.ADDED, :], gains,
             memory[Memory.CORRECTION, :],
         )
+        bound_feedback(settings, gains, tracker[Tracker.SITUATION, :], memory)
     switch_correction(settings, memory)
+
+
+def bound_feedback(
+    settings: 'float[:,:]', gains: 'float[:,:,:]', situation: 'float[:]', memory: 'float[:,:]'
+) -> None:
+    """Bound the feedback of the true state by what the drives can do."""
+    parameters = settings[Settings.TRACKING, :]
+    state = memory[Memory.STATE, :]
+    reference = memory[Memory.REFERENCE, :]
+    plant = memory[Memory.PLANT, :]
+    tick = memory[0:Tick.SIZE, :]
+    length = state[State.POSITION + Axes.ROPE]
+    situation[Situation.WEIGHT] = plant[Plant.PAYLOAD_MASS] * plant[Plant.GRAVITY]
+    situation[Situation.LENGTH] = length
+    for i in range(Axes.SIZE):
+        velocity = state[State.VELOCITY + i]
+        if is_driven(memory):
+            velocity = reference[State.VELOCITY + i] + memory[Memory.ADDED, i]
+        situation[Situation.VELOCITY + i] = velocity
+        place = state[State.POSITION + i] - reference[State.POSITION + i]
+        rate = state[State.VELOCITY + i] - reference[State.VELOCITY + i]
+        if i != Axes.ROPE:
+            sign = 1.0 - 2.0 * i
+            angle = state[State.ANGLE + i] - reference[State.ANGLE + i]
+            swing = state[State.RATE + i] - reference[State.RATE + i]
+            place = place + length * sign * angle
+            rate = rate + length * sign * swing
+        situation[Situation.PLACE + i] = place
+        situation[Situation.RATE + i] = rate
+        bound_return(i, parameters, gains, tick, situation)
+        bound_correction(i, parameters, tick, situation)
 
 
 def switch_correction(settings: 'float[:,:]', memory: 'float[:,:]') -> None:

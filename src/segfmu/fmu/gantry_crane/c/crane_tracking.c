@@ -21,6 +21,7 @@ static double design_observer(crane *m, double uncertainty[], char message[MESSA
     crane_nominal(m, plant);
     segfmu_set_steps(vector(setting(m, SETTINGS_SENSORS), SENSORS_SIZE), lengths[count - 1],
                      vector(uncertainty, UNCERTAINTY_SIZE));
+    segfmu_set_walks(vector(plant, PLANT_SIZE), vector(uncertainty, UNCERTAINTY_SIZE));
     if (!segfmu_observer_table(
             vector(plant, PLANT_SIZE), m->base.real[V_FEEDBACK_SAMPLE_TIME],
             vector(uncertainty, UNCERTAINTY_SIZE), count, vector(lengths, MOST_LENGTHS),
@@ -39,7 +40,9 @@ bool crane_set_tracking(crane *m, char message[MESSAGE])
     memset(p, 0, TRACKING_SIZE * sizeof *p);
     memset(m->tracker, 0, sizeof m->tracker);
     m->count_observer = 1;
-    p[TRACKING_MASSES + AXES_ROPE] = nominal_payload(m);
+    crane_nominal(m, plant);
+    p[TRACKING_PERIOD] = m->base.real[V_FEEDBACK_SAMPLE_TIME];
+    segfmu_set_drives(vector(plant, PLANT_SIZE), vector(p, TRACKING_SIZE));
     if (m->base.integer[V_FEEDBACK_SOURCE] != 2) {
         return true;
     }
@@ -49,7 +52,6 @@ bool crane_set_tracking(crane *m, char message[MESSAGE])
         return false;
     }
     crane_tune_tracking(m, false);
-    crane_nominal(m, plant);
     double age = segfmu_signal_age(design[TRACKING_DESIGN_DEAD_TIME],
                                    design[TRACKING_DESIGN_SAMPLING], p[TRACKING_PERIOD]);
     for (int i = 0; i < AXES_SIZE; i++) {
