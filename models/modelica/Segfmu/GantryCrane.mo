@@ -243,7 +243,7 @@ model GantryCrane "Dynamics of a 3-DOF gantry crane from Lagrange's equations, d
   parameter Real feedback_observer_length(unit = "m", min = 0.0) = 0.0 "expected quantisation step of the rope's length; 0: that of the sensor" annotation(Dialog(tab = "feedback"));
   parameter Real feedback_observer_angle(unit = "rad", displayUnit = "deg", min = 0.0) = 0.0 "expected quantisation step of the sway angles; 0: that of the sensors" annotation(Dialog(tab = "feedback"));
   parameter Real feedback_observer_drift(min = 1e-12) = 0.1 "expected random walk of the carriages' and the rope's unknown accelerations: standard deviation after sqrt(l / g) over gravity" annotation(Dialog(tab = "feedback"));
-  parameter Real feedback_observer_wind(min = 1e-12) = 0.02 "expected the same of the load's" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_observer_wind(min = 1e-12) = 0.015 "expected the same of the load's" annotation(Dialog(tab = "feedback"));
   parameter Real feedback_observer_wake(min = 0.0) = 1.0 "number of quantisation steps that a signal differs from its reference when corrections begin; 0: from the start" annotation(Dialog(tab = "feedback"));
   parameter Real feedback_observer_offset(min = 0.0) = 0.05 "expected standard deviation of the zero of the rope's sensor over the rope's length, which is estimated; 0: it is not" annotation(Dialog(tab = "feedback"));
   parameter Boolean feedback_rope_offset = false "the measured length of the rope is corrected by estimate.rope_offset" annotation(Dialog(tab = "feedback"));
@@ -459,7 +459,7 @@ protected
       reference_sway_y_rate_used, reference_load_position_x_used, reference_load_position_y_used,
       reference_load_position_z_used, wind_x_used, wind_y_used, wind_z_used};
   FMI.Instance fmu = FMI.Instance(folder, "GantryCrane", getInstanceName(),
-      "{f3f8f6a0-0502-92a7-6ee1-32720b301b52}", 16);
+      "{804105a8-fccf-d82b-ccbf-a557895a4b0f}", 16);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[16](each stateSelect = StateSelect.always, each nominal = 0.1) "states of the FMU";
