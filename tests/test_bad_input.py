@@ -118,12 +118,36 @@ def test_a_byte_order_mark_is_accepted(tmp_path: Path) -> None:
 def test_crane_and_mission_in_each_others_place(tmp_path: Path) -> None:
     files(tmp_path, GOOD.replace("crane.toml", "mission.toml"))
     line = refused(tmp_path, "plan", "mission.toml")
-    assert line.endswith("crane: mission.toml: this is a mission, not a crane file\n")
+    assert line.endswith(
+        "crane: mission.toml: this is a mission file, not a crane file; segfmu plan, build and "
+        "simulate take it\n"
+    )
     line = refused(tmp_path, "simulate", "crane.toml")
     assert line == (
-        "segfmu: crane.toml: this is a crane file; give a mission, which names it: "
+        "segfmu: crane.toml: this is a crane file, not a mission file; a mission names it, as "
         'crane = "crane.toml"\n'
     )
+
+
+KINDS = {
+    "crane": "crane_lab.toml", "mission": "paper.toml", "scenario": "scenarios/gust.toml",
+    "campaign": "campaigns/paper.toml",
+}
+
+
+@pytest.mark.parametrize(("command", "wanted"), [
+    ("plan", "mission"), ("build", "mission"), ("simulate", "mission"), ("validate", "scenario"),
+    ("campaign", "campaign"),
+])
+@pytest.mark.parametrize("given", KINDS)
+def test_a_file_of_another_kind_is_named(
+    command: str, wanted: str, given: str, tmp_path: Path
+) -> None:
+    if given == wanted:
+        return
+    path = Path(__file__).parents[1] / "models" / KINDS[given]
+    line = refused(tmp_path, command, str(path))
+    assert f": this is a {given} file, not a {wanted} file; " in line
 
 
 def test_a_long_plan_is_thinned_and_says_so(tmp_path: Path) -> None:

@@ -64,7 +64,7 @@ def test_changes_are_those_of_the_file() -> None:
         (3, "a mission is a file or a dict, got int"),
         ({}, "mission: crane: this key is missing"),
         ({**OBJECTS, "crane": "nowhere.toml"}, "mission: crane: nowhere.toml: cannot be read"),
-        ({**OBJECTS, "crane": str(MODELS / "paper.toml")}, "is a mission, not a crane file"),
+        ({**OBJECTS, "crane": str(MODELS / "paper.toml")}, "is a mission file, not a crane file"),
         ({**OBJECTS, "limits": segfmu.Limits(1.0, 1.0, crackle=9.0)}, "leave out crackle"),
         ({**OBJECTS, "waypoints": [segfmu.Waypoint([0, 0, -1], jerk=[1, 0, 0])]}, "alone"),
         ({**OBJECTS, "waypoints": [segfmu.Waypoint([0, 0, -1], [None, 0, 0])]}, "for all axes"),

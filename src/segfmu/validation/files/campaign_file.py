@@ -9,6 +9,7 @@ from typing import Any
 
 from segfmu.errors import InputError
 from segfmu.validation.files.campaign_tables import CampaignFile, FactorTable
+from segfmu.validation.files.kinds import require_kind
 from segfmu.validation.files.reading import checked, read
 from segfmu.validation.files.scenario_file import Source, inherit, located, read_source
 
@@ -44,7 +45,9 @@ def read_campaign(path: Path) -> CampaignSource:
         One line with the file, the key, the value and what is allowed.
     """
     place = path.resolve()
-    file = checked(CampaignFile, read(path), str(path))
+    data = read(path)
+    require_kind("campaign", data, path)
+    file = checked(CampaignFile, data, str(path))
     file = file.model_copy(update={"factors": [_placed(place, f) for f in file.factors]})
     own = located(place, file.changes)
     found = []

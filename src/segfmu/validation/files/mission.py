@@ -15,6 +15,7 @@ from segfmu.validation.files import crane_parameters
 from segfmu.validation.files.clearance_tables import ObstacleEntry, WorkspaceTable
 from segfmu.validation.files.crane_file import CraneFile
 from segfmu.validation.files.keys import AXES, Key, NotNegativeTriple, Place, Table, printable
+from segfmu.validation.files.kinds import require_kind
 from segfmu.validation.files.mission_checks import check_waypoints
 from segfmu.validation.files.mission_tables import (
     ActuatorEntry,
@@ -29,9 +30,6 @@ from segfmu.validation.files.reading import checked, merged, read
 # that the FMUs can have
 MOST_WAYPOINTS = 256
 
-# keys that only the other kind of file has
-OF_CRANES = ("bridge_mass", "trolley_mass", "payload_mass")
-OF_MISSIONS = ("waypoints", "limits", "simulation")
 
 
 class Mission(Table):
@@ -292,12 +290,7 @@ def build_mission(path: Path | None, data: Mapping[str, Any]) -> Mission:
 
 def _with_crane(path: Path | None, data: dict[str, Any]) -> dict[str, Any]:
     """The content of a mission with that of the crane file that it names."""
-    if not data.keys() & set(OF_MISSIONS) and data.keys() & set(OF_CRANES):
-        where = path or Path("crane.toml")
-        raise InputError(
-            f"{where}: this is a crane file; give a mission, which names it: "
-            f'crane = "{where.name}"'
-        )
+    require_kind("mission", data, path or "mission")
     if isinstance(data.get("crane"), str):
         return {**data, "crane": _crane_data(path, data["crane"])}
     return data
@@ -308,8 +301,7 @@ def _crane_data(mission: Path | None, name: str) -> dict[str, Any]:
     path = Path(name) if mission is None else mission.parent / name
     try:
         data = read(path)
-        if data.keys() & set(OF_MISSIONS):
-            raise InputError(f"{path}: this is a mission, not a crane file")
+        require_kind("crane", data, path)
         crane_parameters.check(checked(CraneFile, data, str(path)), str(path))
     except InputError as error:
         raise InputError(f"{mission or 'mission'}: crane: {error}") from None

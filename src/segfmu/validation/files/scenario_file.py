@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from segfmu.errors import InputError
+from segfmu.validation.files.kinds import require_kind
 from segfmu.validation.files.mission import Mission, build_mission, read_mission
 from segfmu.validation.files.reading import checked, merged, read
 from segfmu.validation.files.scenario_tables import ScenarioFile
@@ -141,7 +142,9 @@ def _inherited(path: Path, below: tuple[Path, ...]) -> dict[str, Any]:
     place = path.resolve()
     if place in below:
         raise InputError(f"{path} inherits from itself")
-    data = located(path, read(path))
+    data = read(path)
+    require_kind("scenario", data, path)
+    data = located(path, data)
     base = data.pop("base", None)
     if base is None:
         return data
