@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import factorial
+
 import numpy as np
 import pytest
 from hypothesis import example, given, settings
@@ -9,7 +11,12 @@ from hypothesis import strategies as st
 
 from segfmu import Limits, Waypoint, plan
 from segfmu.kernels.planner.records import WaypointState
-from segfmu.kernels.trajectory.check import bernstein_coefficients, check_plan, within
+from segfmu.kernels.trajectory.check import (
+    bernstein_coefficients,
+    check_plan,
+    integrate_hull,
+    within,
+)
 from segfmu.kernels.trajectory.records import Check, Hull
 from segfmu.planning.polynomials import piece_extrema
 
@@ -85,7 +92,17 @@ def test_a_tighter_limit_is_found(order: int) -> None:
 def test_verdict_is_that_of_the_roots(values, length: float, derivative: int, margin) -> None:
     coefficients = np.array([values])
     hull = np.zeros((40, Hull.SIZE))
-    count = bernstein_coefficients(coefficients, 0, len(values), derivative, length, hull)
+    count = len(values)
+    if derivative == 0:
+        bernstein_coefficients(coefficients, 0, count, length, hull)
+    else:
+        # from its own derivative
+        count -= derivative
+        slopes = np.polynomial.Polynomial(values).deriv(derivative + 1).coef[None]
+        bernstein_coefficients(slopes, 0, count - 1, length, hull)
+        start = factorial(derivative) * values[derivative]
+        largest = integrate_hull(count - 1, start, length, hull[0])
+        assert largest == np.abs(hull[0, :count]).max()
     polynomial = np.polynomial.Polynomial(values).deriv(derivative)
     low, high = piece_extrema(polynomial.coef, length)
     largest = max(-low, high)

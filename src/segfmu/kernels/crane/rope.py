@@ -132,7 +132,7 @@ def first_negative(count: int, length: float, work: 'float[:,:]') -> float:
     start = work.shape[1] - 2
     depth = work.shape[1] - 1
     hull = work[RopeWork.HULLS:work.shape[0], :]
-    bernstein_coefficients(work, RopeWork.DEMAND, count, 0, length, hull)
+    bernstein_coefficients(work, RopeWork.DEMAND, count, length, hull)
     for i in range(count // 2):
         swapped = hull[0, i]
         hull[0, i] = hull[0, count - 1 - i]

@@ -8,9 +8,9 @@ the share of the second one.
 from math import ceil
 
 from segfmu.kernels.planner.gaps import gap_ends
-from segfmu.kernels.planner.phases import append_hold, flush_tiny, total_duration
+from segfmu.kernels.planner.phases import append_hold, is_resting, total_duration
 from segfmu.kernels.planner.profile import shortest_profile
-from segfmu.kernels.planner.records import Axis, Cell, Interval, Nearest, Phase, PlanWork, Problem
+from segfmu.kernels.planner.records import Cell, Interval, Nearest, Phase, PlanWork, Problem
 from segfmu.kernels.planner.synchronize import stretch_phases, timed_profile
 
 
@@ -27,15 +27,6 @@ def set_shortest(
     if count < 0:
         return count, 0.0
     return 0, total_duration(phases, count)
-
-
-def is_resting(problem: 'float[:]', axis: 'float[:]') -> bool:
-    """Whether both boundary states are at rest."""
-    speed = abs(problem[Problem.V]) + abs(problem[Problem.W])
-    if flush_tiny(speed, axis[Axis.VELOCITY]) != 0.0:
-        return False
-    acceleration = abs(problem[Problem.A]) + abs(problem[Problem.B])
-    return flush_tiny(acceleration, axis[Axis.ACCELERATION]) == 0.0
 
 
 def set_stretched(

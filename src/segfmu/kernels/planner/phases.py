@@ -128,6 +128,15 @@ def boundary_problem(problem: 'float[:]', axis: 'float[:]', cleaned: 'float[:]')
     cleaned[Problem.DURATION] = problem[Problem.DURATION]
 
 
+def is_resting(problem: 'float[:]', axis: 'float[:]') -> bool:
+    """Whether both boundary states are at rest."""
+    speed = abs(problem[Problem.V]) + abs(problem[Problem.W])
+    if flush_tiny(speed, axis[Axis.VELOCITY]) != 0.0:
+        return False
+    acceleration = abs(problem[Problem.A]) + abs(problem[Problem.B])
+    return flush_tiny(acceleration, axis[Axis.ACCELERATION]) == 0.0
+
+
 def measure_phases(
     phases: 'float[:,:]', count: int, v: float, within: float, axis: 'float[:]'
 ) -> 'tuple[float, float, float, float, float]':

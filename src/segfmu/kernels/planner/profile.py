@@ -22,6 +22,7 @@ from segfmu.kernels.planner.phases import (
     append_change,
     boundary_problem,
     copy_phases,
+    is_resting,
     total_duration,
     valid_duration,
 )
@@ -52,7 +53,12 @@ def fastest_between(phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]')
         if abs(end - w) <= 1e-13 * min(velocity_limit, scale):
             if valid_duration(phases, count, problem, axis) >= 0.0:
                 return count
-    for side in range(2):
+    # both cannot be valid; that in the direction of the distance is more likely
+    first = 0
+    if problem[Problem.DISTANCE] < 0.0:
+        first = 1
+    for i in range(2):
+        side = (first + i) % 2
         cruise = velocity_limit * (1 - 2 * side)
         count = with_cruise(phases, cruise, problem, axis)
         if count > 0 and valid_duration(phases, count, problem, axis) >= 0.0:
@@ -80,7 +86,11 @@ def shortest_between(
             return count
     best = 0
     shortest = 0.0
+    found = -1
     for branch in range(6 - attempt):
+        # the branches of a pair have the same profile, seen from its start or from its end
+        if (branch == 1 or branch == 3) and found == branch - 1 and attempt == 0:
+            continue
         if branch == 4 and attempt == 1:
             count = slower_cruise(trial, problem, axis)
         elif branch >= 4:
@@ -93,6 +103,8 @@ def shortest_between(
                 count = tempered_form(trial, family, axis)
         if count > 0:
             duration = valid_duration(trial, count, problem, axis)
+            if duration >= 0.0:
+                found = branch
             if duration >= 0.0 and (best == 0 or duration < shortest):
                 copy_phases(trial, phases, count)
                 best = count
@@ -140,6 +152,10 @@ def shortest_ramps(
     longest = usual_duration(asked, axis)
     if status > 0:
         longest = total_duration(phases, status)
+    # from rest to rest the other forms have them all; where braking fails, none may pass zero
+    passing = asked[Problem.A] * asked[Problem.B] <= 0.0
+    if is_resting(asked, axis) or (passing and status < 0 and status != PlanStatus.NO_PROFILE):
+        return status
     count = loop_form(max(status, 0), longest, phases, asked, axis, work)
     if count == 0:
         return status

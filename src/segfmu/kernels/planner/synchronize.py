@@ -103,7 +103,7 @@ def usual_cruise(
     count, y, hold = timed_cruise(trial, middle, problem, axis)
     if count >= 0 and hold >= 0.0:
         keep_nearest(count, problem, axis, cell, work)
-        edge = cruise_range(trial, middle, y, problem, axis)
+        edge = cruise_range(trial, middle, y, hold, problem, axis)
         y_edge = keep_cruise(edge, problem, axis, cell, work)
         if is_enclosed(work):
             between_cruises(

@@ -27,30 +27,50 @@ def timed_cruise(
 
 
 def cruise_range(
-    phases: 'float[:,:]', middle: float, y: float, problem: 'float[:]', axis: 'float[:]'
+    phases: 'float[:,:]',
+    middle: float,
+    y: float,
+    hold: float,
+    problem: 'float[:]',
+    axis: 'float[:]',
 ) -> float:
     """A possible cruise velocity that, if there is one, covers at least the distance.
 
-    The velocity `middle` is possible and covers y; the search goes from there to the velocity limit
-    on the side of the distance. If there is no such velocity, the last possible one is returned.
+    The velocity `middle` is possible and covers y with a cruise of the duration `hold`; the search
+    goes from there to the velocity limit on the side of the distance. If there is no such velocity,
+    the last possible one is returned.
     """
     distance = problem[Problem.DISTANCE]
-    outside = axis[Axis.VELOCITY]
+    duration = problem[Problem.DURATION]
+    limit = axis[Axis.VELOCITY]
     if y > distance:
-        outside = -outside
+        limit = -limit
     inside = middle
-    cruise = outside
+    outside = limit
+    failed = False
+    missing = distance - y
+    # the distance grows with the cruise velocity by about its duration and half of the ramps'
+    cruise = middle + 2.5 * missing / (duration + hold)
+    if abs(cruise) > abs(limit):
+        cruise = limit
     for i in range(30):
+        # even velocities that all changed by twice as much would not cover the distance
+        if abs(missing) > 2.0 * duration * abs(outside - inside):
+            break
         count, y_cruise, hold = timed_cruise(phases, cruise, problem, axis)
         if count >= 0 and hold >= 0.0:
             inside = cruise
-            if i == 0 or (y_cruise - distance) * (y - distance) <= 0.0:
+            if (y_cruise - distance) * missing >= 0.0 or cruise == limit:
                 break
+            missing = distance - y_cruise
         else:
             outside = cruise
-        cruise = 0.5 * (inside + outside)
-        if cruise == inside or cruise == outside:
-            break
+            failed = True
+        cruise = limit
+        if failed:
+            cruise = 0.5 * (inside + outside)
+            if cruise == inside or cruise == outside:
+                break
     return inside
 
 
@@ -138,6 +158,9 @@ def between_cruises(
         if e_newest == 0.0 or e_other == 0.0:
             return
         share = root_share(newest, other, before, e_newest, e_other, e_before)
+        if i == 0:
+            # the distance is nearly linear
+            share = e_newest / (e_newest - e_other)
         cruise = newest + share * (other - newest)
         if cruise == newest or cruise == other:
             return

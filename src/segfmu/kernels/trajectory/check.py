@@ -2,7 +2,8 @@
 
 A polynomial on [0, h] lies in the hull of its Bernstein coefficients. If the hull exceeds a limit,
 the interval is halved, until every part is within the limit or one of its ends is not. So the
-answer is exact, up to the tolerance for rounding.
+answer is exact, up to the tolerance for rounding. The coefficients of a derivative are those of the
+next one, integrated: running sums.
 """
 
 from segfmu.kernels.trajectory.evaluate import evaluate_piece, find_piece, local_time
@@ -10,32 +11,37 @@ from segfmu.kernels.trajectory.records import Check, Hull, Timing
 
 
 def bernstein_coefficients(
-    coefficients: 'float[:,:]',
-    row: int,
-    width: int,
-    derivative: int,
-    length: float,
-    hull: 'float[:,:]',
-) -> int:
-    """Bernstein coefficients of a derivative of one piece on [0, length] in hull[0, :].
-
-    Returns their number.
-    """
-    count = width - derivative
+    coefficients: 'float[:,:]', row: int, count: int, length: float, hull: 'float[:,:]'
+) -> None:
+    """Bernstein coefficients on [0, length] of the `count` first powers of a row, in hull[0, :]."""
     power = 1.0
     binomial = 1.0
     for i in range(count):
-        factor = 1.0
-        for m in range(derivative):
-            factor = factor * (i + derivative - m)
-        hull[0, i] = factor * coefficients[row, i + derivative] * power / binomial
+        hull[0, i] = coefficients[row, i] * power / binomial
         power = power * length
         binomial = binomial * (count - 1 - i) / (i + 1)
     for r in range(1, count):
         for j in range(count - r):
             i = count - 1 - j
             hull[0, i] = hull[0, i] + hull[0, i - 1]
-    return count
+
+
+def integrate_hull(count: int, start: float, length: float, values: 'float[:]') -> float:
+    """Replace `count` Bernstein coefficients on [0, length] by those of an integral.
+
+    The integral begins with the value `start`, and has one coefficient more. Returns the largest
+    of their absolute values.
+    """
+    value = start
+    largest = abs(start)
+    step = length / max(count, 1)
+    for i in range(count):
+        gain = step * values[i]
+        values[i] = value
+        value = value + gain
+        largest = max(largest, abs(value))
+    values[count] = value
+    return largest
 
 
 def split_hull(hull: 'float[:,:]', row: int, count: int) -> None:
@@ -124,28 +130,44 @@ def check_piece(
 ) -> bool:
     """Whether a piece keeps the limits of its axis; notes peaks and, if it is joined, jumps."""
     order = limits.shape[0]
-    hull = work[Check.HULLS:Check.ENDS, :]
+    values = work[Check.VALUES, :]
     degree = coefficients.shape[1] - 1
     while degree > 0 and coefficients[row, degree] == 0.0:
         degree = degree - 1
-    for d in range(order + 1):
-        hull[0, 0] = 0.0
-        count = 1
-        if d <= degree:
-            count = bernstein_coefficients(coefficients, row, degree + 1, d, length, hull)
-        for i in range(count):
-            work[Check.PEAKS, d] = max(work[Check.PEAKS, d], abs(hull[0, i]))
-        if joined:
-            jump = abs(hull[0, 0] - work[Check.ENDS, d])
-            work[Check.JUMPS, d] = max(work[Check.JUMPS, d], jump)
-        # not max(), which would ignore NaN
-        if not abs(hull[0, 0]) < 1e300:
+    for d in range(degree + 1, order + 1):
+        note_ends(d, joined, 0.0, 0.0, 0.0, work)
+    factorial = 1.0
+    for i in range(2, degree + 1):
+        factorial = factorial * i
+    for count in range(degree + 1):
+        # the derivatives from the highest one, which is constant, downwards
+        d = degree - count
+        start = coefficients[row, d] * factorial
+        largest = integrate_hull(count, start, length, values)
+        factorial = factorial / max(d, 1)
+        # not a number, or an infinite one, passes on to the derivatives below
+        if not abs(values[count]) < 1e300:
             return False
-        work[Check.ENDS, d] = hull[0, count - 1]
-        if d > 0 and limits[d - 1] > 0.0:
-            if not within(hull, count, limits[d - 1] * (1.0 + tolerance)):
-                return False
+        if d <= order:
+            note_ends(d, joined, start, values[count], largest, work)
+            if d > 0 and limits[d - 1] > 0.0 and largest > limits[d - 1] * (1.0 + tolerance):
+                hull = work[Check.HULLS:Check.ENDS, :]
+                for i in range(count + 1):
+                    hull[0, i] = values[i]
+                if not within(hull, count + 1, limits[d - 1] * (1.0 + tolerance)):
+                    return False
     return True
+
+
+def note_ends(
+    d: int, joined: bool, start: float, end: float, largest: float, work: 'float[:,:]'
+) -> None:
+    """Note peak, end and, if a piece is joined to the one before, jump of a derivative."""
+    work[Check.PEAKS, d] = max(work[Check.PEAKS, d], largest)
+    if joined:
+        jump = abs(start - work[Check.ENDS, d])
+        work[Check.JUMPS, d] = max(work[Check.JUMPS, d], jump)
+    work[Check.ENDS, d] = end
 
 
 def check_plan(

@@ -33,17 +33,21 @@ def append_piece(
             coefficients[row, i] = coefficients[row, i] + state[i] / factorial
     timing[row, Timing.START] = state[PieceState.TIME]
     timing[row, Timing.LENGTH] = duration
+    # the powers that there are
+    used = width
+    while used > 1 and coefficients[row, used - 1] == 0.0:
+        used = used - 1
     y = 0.0
     v = 0.0
-    for j in range(width):
-        i = width - 1 - j
+    for j in range(used):
+        i = used - 1 - j
         y = y * duration + coefficients[row, i]
         if i > 0:
             v = v * duration + i * coefficients[row, i]
     state[PieceState.POSITION] = y
     state[PieceState.VELOCITY] = v
     for i in range(2, order):
-        state[i] = evaluate_piece(coefficients, row, width, duration, i)
+        state[i] = evaluate_piece(coefficients, row, used, duration, i)
     state[PieceState.TIME] = state[PieceState.TIME] + duration
     return row + 1
 
@@ -106,7 +110,8 @@ def expand_phases(
     state = work[Expansion.STATE, :]
     order = int(axis[Axis.SMOOTHNESS]) - 2
     plateau = axis[Axis.PLATEAU] > 0.5
-    transition_coefficients(order, psi)
+    if not plateau:
+        transition_coefficients(order, psi)
     for i in range(count):
         a = phases[i, Phase.ACCELERATION]
         change = phases[i, Phase.CHANGE]

@@ -63,6 +63,7 @@ class Check(Record):
     ENDS = field("derivatives at the end of the piece before, by their order")
     PEAKS = field("peaks of the derivatives; of the position its range")
     JUMPS = field("largest jumps of the derivatives between two pieces")
+    VALUES = field("Bernstein coefficients of a derivative", of=Hull)
 
 
 class Judging(Record):
