@@ -152,9 +152,11 @@ static void accept_step(array_double_1d state, array_double_2d work, double elap
 static int64_t find_piece(double time, array_double_2d timing, int64_t first, int64_t last);
 static double evaluate_piece(array_double_2d coefficients, int64_t row, int64_t width, double t, int64_t derivative);
 static double local_time(double time, array_double_2d timing, int64_t row);
-static int64_t bernstein_coefficients(array_double_2d coefficients, int64_t row, int64_t width, int64_t derivative, double length, array_double_2d hull);
+static void bernstein_coefficients(array_double_2d coefficients, int64_t row, int64_t count, double length, array_double_2d hull);
+static double integrate_hull(int64_t count, double start, double length, array_double_1d values);
 static void split_hull(array_double_2d hull, int64_t row, int64_t count);
 static bool within(array_double_2d hull, int64_t count, double limit);
+static void note_ends(int64_t d, bool joined, double start, double end, double largest, array_double_2d work);
 static bool check_piece(int64_t row, bool joined, double length, array_double_2d coefficients, array_double_1d limits, double tolerance, array_double_2d work);
 static bool check_axis(int64_t first, int64_t last, array_double_2d timing, array_double_2d coefficients, array_double_1d limits, double tolerance, array_double_2d work);
 static double interval_end(double time, array_double_2d timing, array_int64_t_1d offsets);
@@ -195,6 +197,7 @@ static void mirror_phases(array_double_2d phases, int64_t count);
 static void swap_entries(array_double_2d phases, int64_t i, int64_t j, int64_t column);
 static void reverse_phases(array_double_2d phases, int64_t first, int64_t count);
 static void boundary_problem(array_double_1d problem, array_double_1d axis, array_double_1d cleaned);
+static bool is_resting(array_double_1d problem, array_double_1d axis);
 static double total_duration(array_double_2d phases, int64_t count);
 static double valid_duration(array_double_2d phases, int64_t count, array_double_1d problem, array_double_1d axis);
 static double peak_past_zero(double v, double a, double level, array_double_1d axis);
@@ -236,7 +239,7 @@ static int64_t level_within(double* result_0, double* result_1_0001, double* res
 static double highest_within(double inside, double outside, double e_inside, double e_outside, array_double_2d phases, array_double_1d family, array_double_1d axis);
 static int64_t tempered_form(array_double_2d phases, array_double_1d family, array_double_1d axis);
 static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis);
-static double cruise_range(array_double_2d phases, double middle, double y, array_double_1d problem, array_double_1d axis);
+static double cruise_range(array_double_2d phases, double middle, double y, double hold, array_double_1d problem, array_double_1d axis);
 static void keep_nearest(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static bool is_enclosed(array_double_2d work);
 static double keep_cruise(double cruise, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
@@ -315,7 +318,6 @@ static double nearest_weight(array_double_1d problem, array_double_1d axis, arra
 static void surround_nearest(int64_t variant, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double slower_passing(array_double_1d axis, array_double_2d cell, array_double_2d work);
 static int64_t set_shortest(int64_t* result_0, double* result_1_0001, array_double_2d cell, array_double_1d axis, array_double_2d work);
-static bool is_resting(array_double_1d problem, array_double_1d axis);
 static void set_stretched(double target, bool resting, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static bool set_duration(double target, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static double first_feasible(double outside, double inside, array_double_2d cell, array_double_1d axis, array_double_2d work);
@@ -6189,31 +6191,19 @@ void segfmu_evaluate_orders(double time, array_double_2d timing, array_double_2d
         }
     }
 }
-/*Bernstein coefficients of a derivative of one piece on [0, length] in hull[0, :].*/
-/*                                                                                 */
-/*    Returns their number.                                                        */
-/*                                                                                 */
-static int64_t bernstein_coefficients(array_double_2d coefficients, int64_t row, int64_t width, int64_t derivative, double length, array_double_2d hull)
+/*Bernstein coefficients on [0, length] of the `count` first powers of a row, in hull[0, :]. */
+static void bernstein_coefficients(array_double_2d coefficients, int64_t row, int64_t count, double length, array_double_2d hull)
 {
     double power;
     double binomial;
     int64_t i;
-    double factor;
-    int64_t m;
     int64_t r;
     int64_t j;
-    int64_t count;
-    count = width - derivative;
     power = 1.0;
     binomial = 1.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        factor = 1.0;
-        for (m = INT64_C(0); m < derivative; m += INT64_C(1))
-        {
-            factor = factor * (i + derivative - m);
-        }
-        (*cspan_at(&hull, INT64_C(0), i)) = factor * (*cspan_at(&coefficients, row, i + derivative)) * power / binomial;
+        (*cspan_at(&hull, INT64_C(0), i)) = (*cspan_at(&coefficients, row, i)) * power / binomial;
         power = power * length;
         binomial = binomial * (count - INT64_C(1) - i) / (i + INT64_C(1));
     }
@@ -6225,7 +6215,31 @@ static int64_t bernstein_coefficients(array_double_2d coefficients, int64_t row,
             (*cspan_at(&hull, INT64_C(0), i)) = (*cspan_at(&hull, INT64_C(0), i)) + (*cspan_at(&hull, INT64_C(0), i - INT64_C(1)));
         }
     }
-    return count;
+}
+/*Replace `count` Bernstein coefficients on [0, length] by those of an integral.                   */
+/*                                                                                                 */
+/*    The integral begins with the value `start`, and has one coefficient more. Returns the largest*/
+/*    of their absolute values.                                                                    */
+/*                                                                                                 */
+static double integrate_hull(int64_t count, double start, double length, array_double_1d values)
+{
+    double value;
+    double step;
+    int64_t i;
+    double gain;
+    double largest;
+    value = start;
+    largest = fabs(start);
+    step = length / span_max_int(count, INT64_C(1));
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        gain = step * (*cspan_at(&values, i));
+        (*cspan_at(&values, i)) = value;
+        value = value + gain;
+        largest = span_max(largest, fabs(value));
+    }
+    (*cspan_at(&values, count)) = value;
+    return largest;
 }
 /*Halve row `row` by de Casteljau's scheme: its first half stays, the second one follows.*/
 static void split_hull(array_double_2d hull, int64_t row, int64_t count)
@@ -6290,51 +6304,73 @@ static bool within(array_double_2d hull, int64_t count, double limit)
     }
     return 1;
 }
+/*Note peak, end and, if a piece is joined to the one before, jump of a derivative.*/
+static void note_ends(int64_t d, bool joined, double start, double end, double largest, array_double_2d work)
+{
+    double jump;
+    (*cspan_at(&work, INT64_C(41), d)) = span_max((*cspan_at(&work, INT64_C(41), d)), largest);
+    if (joined)
+    {
+        jump = fabs(start - (*cspan_at(&work, INT64_C(40), d)));
+        (*cspan_at(&work, INT64_C(42), d)) = span_max((*cspan_at(&work, INT64_C(42), d)), jump);
+    }
+    (*cspan_at(&work, INT64_C(40), d)) = end;
+}
 /*Whether a piece keeps the limits of its axis; notes peaks and, if it is joined, jumps. */
 static bool check_piece(int64_t row, bool joined, double length, array_double_2d coefficients, array_double_1d limits, double tolerance, array_double_2d work)
 {
     int64_t order;
-    array_double_2d hull;
+    array_double_1d values;
     int64_t degree;
     int64_t d;
-    int64_t count;
+    double factorial;
     int64_t i;
-    double jump;
+    int64_t count;
+    double start;
+    double largest;
+    array_double_2d hull;
     order = limits.shape[INT64_C(0)];
-    hull = span_rows(&work, INT64_C(0), INT64_C(40));
+    values = span_row(&work, INT64_C(43));
     degree = coefficients.shape[INT64_C(1)] - INT64_C(1);
     while((degree > INT64_C(0)) && ((*cspan_at(&coefficients, row, degree)) == 0.0))
     {
         degree = degree - INT64_C(1);
     }
-    for (d = INT64_C(0); d < order + INT64_C(1); d += INT64_C(1))
+    for (d = degree + INT64_C(1); d < order + INT64_C(1); d += INT64_C(1))
     {
-        (*cspan_at(&hull, INT64_C(0), INT64_C(0))) = 0.0;
-        count = INT64_C(1);
-        if (d <= degree)
-        {
-            count = bernstein_coefficients(coefficients, row, degree + INT64_C(1), d, length, hull);
-        }
-        for (i = INT64_C(0); i < count; i += INT64_C(1))
-        {
-            (*cspan_at(&work, INT64_C(41), d)) = span_max((*cspan_at(&work, INT64_C(41), d)), fabs((*cspan_at(&hull, INT64_C(0), i))));
-        }
-        if (joined)
-        {
-            jump = fabs((*cspan_at(&hull, INT64_C(0), INT64_C(0))) - (*cspan_at(&work, INT64_C(40), d)));
-            (*cspan_at(&work, INT64_C(42), d)) = span_max((*cspan_at(&work, INT64_C(42), d)), jump);
-        }
-        /*not max(), which would ignore NaN*/
-        if (!(fabs((*cspan_at(&hull, INT64_C(0), INT64_C(0)))) < 1e+300))
+        note_ends(d, joined, 0.0, 0.0, 0.0, work);
+    }
+    factorial = 1.0;
+    for (i = INT64_C(2); i < degree + INT64_C(1); i += INT64_C(1))
+    {
+        factorial = factorial * i;
+    }
+    for (count = INT64_C(0); count < degree + INT64_C(1); count += INT64_C(1))
+    {
+        /*the derivatives from the highest one, which is constant, downwards*/
+        d = degree - count;
+        start = (*cspan_at(&coefficients, row, d)) * factorial;
+        largest = integrate_hull(count, start, length, values);
+        factorial = factorial / span_max_int(d, INT64_C(1));
+        /*not a number, or an infinite one, passes on to the derivatives below*/
+        if (!(fabs((*cspan_at(&values, count))) < 1e+300))
         {
             return 0;
         }
-        (*cspan_at(&work, INT64_C(40), d)) = (*cspan_at(&hull, INT64_C(0), count - INT64_C(1)));
-        if ((d > INT64_C(0)) && ((*cspan_at(&limits, d - INT64_C(1))) > 0.0))
+        if (d <= order)
         {
-            if (!within(hull, count, (*cspan_at(&limits, d - INT64_C(1))) * (1.0 + tolerance)))
+            note_ends(d, joined, start, (*cspan_at(&values, count)), largest, work);
+            if ((d > INT64_C(0)) && ((*cspan_at(&limits, d - INT64_C(1))) > 0.0) && (largest > (*cspan_at(&limits, d - INT64_C(1))) * (1.0 + tolerance)))
             {
-                return 0;
+                hull = span_rows(&work, INT64_C(0), INT64_C(40));
+                for (i = INT64_C(0); i < count + INT64_C(1); i += INT64_C(1))
+                {
+                    (*cspan_at(&hull, INT64_C(0), i)) = (*cspan_at(&values, i));
+                }
+                if (!within(hull, count + INT64_C(1), (*cspan_at(&limits, d - INT64_C(1))) * (1.0 + tolerance)))
+                {
+                    return 0;
+                }
             }
         }
     }
@@ -6570,7 +6606,7 @@ static double first_negative(int64_t count, double length, array_double_2d work)
     start = work.shape[INT64_C(1)] - INT64_C(2);
     depth = work.shape[INT64_C(1)] - INT64_C(1);
     hull = span_rows(&work, INT64_C(10), work.shape[INT64_C(0)]);
-    bernstein_coefficients(work, INT64_C(6), count, INT64_C(0), length, hull);
+    bernstein_coefficients(work, INT64_C(6), count, length, hull);
     for (i = INT64_C(0); i < span_floor_div(count, INT64_C(2)); i += INT64_C(1))
     {
         swapped = (*cspan_at(&hull, INT64_C(0), i));
@@ -7592,6 +7628,21 @@ static void boundary_problem(array_double_1d problem, array_double_1d axis, arra
     (*cspan_at(&cleaned, INT64_C(3))) = boundary_value((*cspan_at(&problem, INT64_C(3))), acceleration);
     (*cspan_at(&cleaned, INT64_C(4))) = flush_tiny((*cspan_at(&problem, INT64_C(4))), velocity * velocity / acceleration);
     (*cspan_at(&cleaned, INT64_C(5))) = (*cspan_at(&problem, INT64_C(5)));
+}
+/*Whether both boundary states are at rest.*/
+static bool is_resting(array_double_1d problem, array_double_1d axis)
+{
+    double speed;
+    double acceleration;
+    bool result;
+    speed = fabs((*cspan_at(&problem, INT64_C(0)))) + fabs((*cspan_at(&problem, INT64_C(2))));
+    if (flush_tiny(speed, (*cspan_at(&axis, INT64_C(2)))) != 0.0)
+    {
+        return 0;
+    }
+    acceleration = fabs((*cspan_at(&problem, INT64_C(1)))) + fabs((*cspan_at(&problem, INT64_C(3))));
+    result = flush_tiny(acceleration, (*cspan_at(&axis, INT64_C(3)))) == 0.0;
+    return result;
 }
 /*Duration, distance, end velocity, lowest and highest velocity of a list of phases.           */
 /*                                                                                             */
@@ -9439,46 +9490,70 @@ static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* re
 }
 /*A possible cruise velocity that, if there is one, covers at least the distance.                      */
 /*                                                                                                     */
-/*    The velocity `middle` is possible and covers y; the search goes from there to the velocity limit */
-/*    on the side of the distance. If there is no such velocity, the last possible one is returned.    */
+/*    The velocity `middle` is possible and covers y with a cruise of the duration `hold`; the search  */
+/*    goes from there to the velocity limit on the side of the distance. If there is no such velocity, */
+/*    the last possible one is returned.                                                               */
 /*                                                                                                     */
-static double cruise_range(array_double_2d phases, double middle, double y, array_double_1d problem, array_double_1d axis)
+static double cruise_range(array_double_2d phases, double middle, double y, double hold, array_double_1d problem, array_double_1d axis)
 {
     double distance;
+    double duration;
+    double limit;
     double outside;
+    bool failed;
+    double missing;
     double cruise;
     int64_t i;
     int64_t count;
     double y_cruise;
-    double hold;
     double inside;
     distance = (*cspan_at(&problem, INT64_C(4)));
-    outside = (*cspan_at(&axis, INT64_C(2)));
+    duration = (*cspan_at(&problem, INT64_C(5)));
+    limit = (*cspan_at(&axis, INT64_C(2)));
     if (y > distance)
     {
-        outside = -outside;
+        limit = -limit;
     }
     inside = middle;
-    cruise = outside;
+    outside = limit;
+    failed = 0;
+    missing = distance - y;
+    /*the distance grows with the cruise velocity by about its duration and half of the ramps'*/
+    cruise = middle + 2.5 * missing / (duration + hold);
+    if (fabs(cruise) > fabs(limit))
+    {
+        cruise = limit;
+    }
     for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
     {
+        /*even velocities that all changed by twice as much would not cover the distance*/
+        if (fabs(missing) > 2.0 * duration * fabs(outside - inside))
+        {
+            break;
+        }
         timed_cruise(&count, &y_cruise, &hold, phases, cruise, problem, axis);
         if ((count >= INT64_C(0)) && (hold >= 0.0))
         {
             inside = cruise;
-            if ((i == INT64_C(0)) || ((y_cruise - distance) * (y - distance) <= 0.0))
+            if (((y_cruise - distance) * missing >= 0.0) || (cruise == limit))
             {
                 break;
             }
+            missing = distance - y_cruise;
         }
         else
         {
             outside = cruise;
+            failed = 1;
         }
-        cruise = 0.5 * (inside + outside);
-        if ((cruise == inside) || (cruise == outside))
+        cruise = limit;
+        if (failed)
         {
-            break;
+            cruise = 0.5 * (inside + outside);
+            if ((cruise == inside) || (cruise == outside))
+            {
+                break;
+            }
         }
     }
     return inside;
@@ -9597,6 +9672,11 @@ static void between_cruises(double lower, double upper, double e_lower, double e
             return;
         }
         share = root_share(newest, other, before, e_newest, e_other, e_before);
+        if (i == INT64_C(0))
+        {
+            /*the distance is nearly linear*/
+            share = e_newest / (e_newest - e_other);
+        }
         cruise = newest + share * (other - newest);
         if ((cruise == newest) || (cruise == other))
         {
@@ -11536,6 +11616,8 @@ static int64_t fastest_between(array_double_2d phases, array_double_1d problem, 
     double duration;
     double end;
     double scale;
+    int64_t first;
+    int64_t i;
     int64_t side;
     double cruise;
     int64_t count;
@@ -11560,8 +11642,15 @@ static int64_t fastest_between(array_double_2d phases, array_double_1d problem, 
             }
         }
     }
-    for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
+    /*both cannot be valid; that in the direction of the distance is more likely*/
+    first = INT64_C(0);
+    if ((*cspan_at(&problem, INT64_C(4))) < 0.0)
     {
+        first = INT64_C(1);
+    }
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        side = span_floor_mod((first + i), INT64_C(2));
         cruise = velocity_limit * (INT64_C(1) - INT64_C(2) * side);
         count = with_cruise(phases, cruise, problem, axis);
         if ((count > INT64_C(0)) && (valid_duration(phases, count, problem, axis) >= 0.0))
@@ -11583,6 +11672,7 @@ static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_d
     int64_t count;
     int64_t best;
     double shortest;
+    int64_t found;
     int64_t branch;
     double duration;
     trial = span_rows(&work, INT64_C(0), INT64_C(13));
@@ -11597,8 +11687,14 @@ static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_d
     }
     best = INT64_C(0);
     shortest = 0.0;
+    found = -INT64_C(1);
     for (branch = INT64_C(0); branch < INT64_C(6) - attempt; branch += INT64_C(1))
     {
+        /*the branches of a pair have the same profile, seen from its start or from its end*/
+        if (((branch == INT64_C(1)) || (branch == INT64_C(3))) && (found == branch - INT64_C(1)) && (attempt == INT64_C(0)))
+        {
+            continue;
+        }
         if ((branch == INT64_C(4)) && (attempt == INT64_C(1)))
         {
             count = slower_cruise(trial, problem, axis);
@@ -11622,6 +11718,10 @@ static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_d
         if (count > INT64_C(0))
         {
             duration = valid_duration(trial, count, problem, axis);
+            if (duration >= 0.0)
+            {
+                found = branch;
+            }
             if ((duration >= 0.0) && ((best == INT64_C(0)) || (duration < shortest)))
             {
                 copy_phases(trial, phases, count);
@@ -11706,6 +11806,7 @@ static int64_t shortest_ramps(array_double_1d asked, array_double_1d axis, array
     int64_t count;
     double longest;
     int64_t status;
+    bool passing;
     count = shortest_between(INT64_C(0), phases, asked, axis, work);
     if (count > INT64_C(0))
     {
@@ -11721,6 +11822,12 @@ static int64_t shortest_ramps(array_double_1d asked, array_double_1d axis, array
     if (status > INT64_C(0))
     {
         longest = total_duration(phases, status);
+    }
+    /*from rest to rest the other forms have them all; where braking fails, none may pass zero*/
+    passing = (*cspan_at(&asked, INT64_C(1))) * (*cspan_at(&asked, INT64_C(3))) <= 0.0;
+    if (is_resting(asked, axis) || (passing && (status < INT64_C(0)) && (status != -INT64_C(3))))
+    {
+        return status;
     }
     count = loop_form(span_max_int(status, INT64_C(0)), longest, phases, asked, axis, work);
     if (count == INT64_C(0))
@@ -12060,7 +12167,7 @@ static void usual_cruise(array_double_1d problem, array_double_1d axis, array_do
     if ((count >= INT64_C(0)) && (hold >= 0.0))
     {
         keep_nearest(count, problem, axis, cell, work);
-        edge = cruise_range(trial, middle, y, problem, axis);
+        edge = cruise_range(trial, middle, y, hold, problem, axis);
         y_edge = keep_cruise(edge, problem, axis, cell, work);
         if (is_enclosed(work))
         {
@@ -12293,21 +12400,6 @@ static int64_t set_shortest(int64_t* result_0, double* result_1_0001, array_doub
     (*result_0) = INT64_C(0);
     (*result_1_0001) = total_duration(phases, count);
     return 0;
-}
-/*Whether both boundary states are at rest.*/
-static bool is_resting(array_double_1d problem, array_double_1d axis)
-{
-    double speed;
-    double acceleration;
-    bool result;
-    speed = fabs((*cspan_at(&problem, INT64_C(0)))) + fabs((*cspan_at(&problem, INT64_C(2))));
-    if (flush_tiny(speed, (*cspan_at(&axis, INT64_C(2)))) != 0.0)
-    {
-        return 0;
-    }
-    acceleration = fabs((*cspan_at(&problem, INT64_C(1)))) + fabs((*cspan_at(&problem, INT64_C(3))));
-    result = flush_tiny(acceleration, (*cspan_at(&axis, INT64_C(3)))) == 0.0;
-    return result;
 }
 /*Write the shortest profile, stretched from rest to rest to the target duration [s].*/
 static void set_stretched(double target, bool resting, array_double_2d cell, array_double_1d axis, array_double_2d work)
@@ -15407,6 +15499,7 @@ static int64_t append_piece(double duration, array_double_2d timing, array_doubl
     int64_t order;
     double factorial;
     int64_t i;
+    int64_t used;
     double y;
     double v;
     int64_t j;
@@ -15426,11 +15519,17 @@ static int64_t append_piece(double duration, array_double_2d timing, array_doubl
     }
     (*cspan_at(&timing, row, INT64_C(0))) = (*cspan_at(&state, INT64_C(8)));
     (*cspan_at(&timing, row, INT64_C(1))) = duration;
+    /*the powers that there are*/
+    used = width;
+    while((used > INT64_C(1)) && ((*cspan_at(&coefficients, row, used - INT64_C(1))) == 0.0))
+    {
+        used = used - INT64_C(1);
+    }
     y = 0.0;
     v = 0.0;
-    for (j = INT64_C(0); j < width; j += INT64_C(1))
+    for (j = INT64_C(0); j < used; j += INT64_C(1))
     {
-        i = width - INT64_C(1) - j;
+        i = used - INT64_C(1) - j;
         y = y * duration + (*cspan_at(&coefficients, row, i));
         if (i > INT64_C(0))
         {
@@ -15441,7 +15540,7 @@ static int64_t append_piece(double duration, array_double_2d timing, array_doubl
     (*cspan_at(&state, INT64_C(1))) = v;
     for (i = INT64_C(2); i < order; i += INT64_C(1))
     {
-        (*cspan_at(&state, i)) = evaluate_piece(coefficients, row, width, duration, i);
+        (*cspan_at(&state, i)) = evaluate_piece(coefficients, row, used, duration, i);
     }
     (*cspan_at(&state, INT64_C(8))) = (*cspan_at(&state, INT64_C(8))) + duration;
     return row + INT64_C(1);
@@ -15525,7 +15624,10 @@ int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, array_double
     state = span_row(&work, INT64_C(1));
     order = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
     plateau = (*cspan_at(&axis, INT64_C(10))) > 0.5;
-    transition_coefficients(order, psi);
+    if (!plateau)
+    {
+        transition_coefficients(order, psi);
+    }
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         a = (*cspan_at(&phases, i, INT64_C(2)));
@@ -15785,7 +15887,7 @@ static bool try_lead(int64_t order, int64_t row, array_double_1d limits, array_d
     {
         return 0;
     }
-    check = span_rows(&lead, INT64_C(175), INT64_C(218));
+    check = span_rows(&lead, INT64_C(175), INT64_C(219));
     if (last > first)
     {
         if (!begins_now(lead, coefficients))
@@ -16588,7 +16690,7 @@ int64_t segfmu_expand_motion(array_double_3d states, array_double_1d dwells, arr
         return INT64_C(1);
     }
     segfmu_expand_plan(states, dwells, axes, cells, timing, coefficients, offsets, times, span_rows(&work, INT64_C(124), INT64_C(126)));
-    wrong = segfmu_check_plan(states, times, timing, coefficients, offsets, limits, (*cspan_at(&work, INT64_C(1), INT64_C(0))), span_rows(&work, INT64_C(126), INT64_C(169)));
+    wrong = segfmu_check_plan(states, times, timing, coefficients, offsets, limits, (*cspan_at(&work, INT64_C(1), INT64_C(0))), span_rows(&work, INT64_C(126), INT64_C(170)));
     if (wrong > INT64_C(0))
     {
         return -INT64_C(12);

@@ -1177,7 +1177,7 @@ static PyObject *call_check_plan(
         && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 4)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
         && has_at_least(&call, "limits", 1, in_limits->shape[1], 3)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 43)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 44)
         && has_at_least(&call, "work", 1, in_work->shape[1], 14)
         && has_pieces(&call, "offsets", in_offsets->buf, (in_states->shape[1] + 1), 1, in_timing->shape[0])) {
         answer = PyLong_FromLongLong(segfmu_check_plan(
@@ -2433,7 +2433,7 @@ static PyObject *call_find_lead(
         && has_extent(&call, "coefficients", 1, in_coefficients->shape[1], in_plan_coefficients->shape[1])
         && has_at_least(&call, "plan_offsets", 0, in_plan_offsets->shape[0], (in_axis + 2))
         && has_at_least(&call, "plan_timing", 1, in_plan_timing->shape[1], 2)
-        && has_at_least(&call, "lead", 0, in_lead->shape[0], 218)
+        && has_at_least(&call, "lead", 0, in_lead->shape[0], 219)
         && has_at_least(&call, "lead", 1, in_lead->shape[1], 42)
         && has_at_least(&call, "timing", 0, in_timing->shape[0], 400)
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
@@ -2802,7 +2802,7 @@ static PyObject *call_plan_motion(
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
         && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
-        && has_at_least(&call, "work", 0, in_work->shape[0], 169)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 170)
         && has_at_least(&call, "work", 1, in_work->shape[1], 25)
         && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_work->buf)[0 * in_work->shape[1] + 0] + 1))
         && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], (2 * ((double *)in_work->buf)[0 * in_work->shape[1] + 0]))) {
@@ -2865,7 +2865,7 @@ static PyObject *call_expand_motion(
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
         && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
-        && has_at_least(&call, "work", 0, in_work->shape[0], 169)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 170)
         && has_at_least(&call, "work", 1, in_work->shape[1], 25)
         && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_work->buf)[0 * in_work->shape[1] + 0] + 1))
         && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], (2 * ((double *)in_work->buf)[0 * in_work->shape[1] + 0]))) {

@@ -10,7 +10,7 @@ from math import ceil
 from segfmu.kernels.planner.gaps import gap_ends
 from segfmu.kernels.planner.phases import append_hold, is_resting, total_duration
 from segfmu.kernels.planner.profile import shortest_profile
-from segfmu.kernels.planner.records import Cell, Interval, Nearest, Phase, PlanWork, Problem
+from segfmu.kernels.planner.records import Cell, Interval, Nearest, Phase, PlanWork
 from segfmu.kernels.planner.synchronize import stretch_phases, timed_profile
 
 
