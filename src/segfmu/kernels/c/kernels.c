@@ -229,6 +229,7 @@ static double shorter_member(double f_start, array_double_1d family, array_doubl
 static double second_window(double t_zero, array_double_1d family, array_double_1d axis);
 static double farther_member(double lower, double f_lower, array_double_1d family, array_double_1d axis);
 static double canonical_search(array_double_1d family, array_double_1d axis);
+static double nearby_member(array_double_1d family, array_double_1d axis);
 static double member_search(array_double_1d family, array_double_1d axis);
 static void set_family(int64_t branch, array_double_1d problem, array_double_1d axis, array_double_1d family);
 static void set_member(int64_t member, double time, bool by_time, array_double_1d family);
@@ -239,12 +240,13 @@ static int64_t level_within(double* result_0, double* result_1_0001, double* res
 static double highest_within(double inside, double outside, double e_inside, double e_outside, array_double_2d phases, array_double_1d family, array_double_1d axis);
 static int64_t tempered_form(array_double_2d phases, array_double_1d family, array_double_1d axis);
 static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis);
+static double distance_within(double change, array_double_1d problem);
 static double cruise_range(array_double_2d phases, double middle, double y, double hold, array_double_1d problem, array_double_1d axis);
 static void keep_nearest(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static bool is_enclosed(array_double_2d work);
 static double keep_cruise(double cruise, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static void between_cruises(double lower, double upper, double e_lower, double e_upper, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
-static double cruise_edge(double inside, double outside, array_double_2d phases, array_double_1d problem, array_double_1d axis);
+static double cruise_edge(double inside, double outside, double y, array_double_2d phases, array_double_1d problem, array_double_1d axis);
 static void scan_cruises(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double set_loop(array_double_1d problem, array_double_1d axis, array_double_1d family);
 static int64_t level_from(double* result_0_0001, double* result_1_0001, double* result_2_0001, double a, double time, double up, double down, array_double_1d axis);
@@ -8158,6 +8160,9 @@ static int64_t solve_level(double* result_0_0001, double* result_1_0001, double*
     return 0;
 }
 /*Duration [s] and distance [m] of the member: ramp, hold, ramp, hold, ramp. */
+/*                                                                           */
+/*    The distance is 0 where members are searched by their duration.        */
+/*                                                                           */
 static int64_t member_distance(double* result_0_0001, double* result_1, array_double_1d family, array_double_1d axis)
 {
     double v;
@@ -8176,15 +8181,21 @@ static int64_t member_distance(double* result_0_0001, double* result_1, array_do
     v = (*cspan_at(&family, INT64_C(0)));
     a = (*cspan_at(&family, INT64_C(1)));
     b = (*cspan_at(&family, INT64_C(3)));
-    t1 = (*cspan_at(&family, INT64_C(17)));
-    hold1 = (*cspan_at(&family, INT64_C(18)));
-    level1 = (*cspan_at(&family, INT64_C(19)));
-    hold2 = (*cspan_at(&family, INT64_C(20)));
-    level2 = (*cspan_at(&family, INT64_C(21)));
-    t3 = (*cspan_at(&family, INT64_C(22)));
+    t1 = (*cspan_at(&family, INT64_C(18)));
+    hold1 = (*cspan_at(&family, INT64_C(19)));
+    level1 = (*cspan_at(&family, INT64_C(20)));
+    hold2 = (*cspan_at(&family, INT64_C(21)));
+    level2 = (*cspan_at(&family, INT64_C(22)));
+    t3 = (*cspan_at(&family, INT64_C(23)));
     segfmu_ramp_duration(&basis, &slope, fabs(level2 - level1), axis);
-    t2 = basis * (*cspan_at(&family, INT64_C(23)));
-    basis = basis + (*cspan_at(&family, INT64_C(24))) * (t2 - basis);
+    t2 = basis * (*cspan_at(&family, INT64_C(24)));
+    basis = basis + (*cspan_at(&family, INT64_C(25))) * (t2 - basis);
+    if ((*cspan_at(&family, INT64_C(13))) > 0.5)
+    {
+        (*result_0_0001) = t1 + hold1 + t2 + hold2 + t3;
+        (*result_1) = 0.0;
+        return 0;
+    }
     y = ramp_distance(v, a, level1, t1, t1, axis);
     v = v + 0.5 * (a + level1) * t1;
     if (hold1 > 0.0)
@@ -8251,12 +8262,12 @@ static int64_t canonical_member(double* result_0, double* result_1, double p, ar
         (*result_1) = 0.0;
         return 0;
     }
-    (*cspan_at(&family, INT64_C(17))) = t1;
-    (*cspan_at(&family, INT64_C(18))) = hold1;
-    (*cspan_at(&family, INT64_C(19))) = level1;
-    (*cspan_at(&family, INT64_C(20))) = hold2;
-    (*cspan_at(&family, INT64_C(21))) = level2;
-    (*cspan_at(&family, INT64_C(22))) = t3;
+    (*cspan_at(&family, INT64_C(18))) = t1;
+    (*cspan_at(&family, INT64_C(19))) = hold1;
+    (*cspan_at(&family, INT64_C(20))) = level1;
+    (*cspan_at(&family, INT64_C(21))) = hold2;
+    (*cspan_at(&family, INT64_C(22))) = level2;
+    (*cspan_at(&family, INT64_C(23))) = t3;
     member_distance(result_0, result_1, family, axis);
     return 0;
 }
@@ -9023,6 +9034,44 @@ static double canonical_search(array_double_1d family, array_double_1d axis)
     p = farther_member(lower, f_lower, family, axis);
     return p;
 }
+/*Parameter of the member of the target value near that of another bound of the level, or -1.*/
+/*                                                                                           */
+/*    As the bound changes, the member moves along.                                          */
+/*                                                                                           */
+static double nearby_member(array_double_1d family, array_double_1d axis)
+{
+    double target;
+    double lower;
+    double upper;
+    double f_lower;
+    double duration;
+    double f_upper;
+    double result;
+    target = (*cspan_at(&family, INT64_C(14)));
+    lower = 0.95 * (*cspan_at(&family, INT64_C(17)));
+    upper = 1.05 * (*cspan_at(&family, INT64_C(17)));
+    if (lower <= 0.0)
+    {
+        return -1.0;
+    }
+    canonical_value(&f_lower, &duration, lower, family, axis);
+    if (duration < 0.0)
+    {
+        return -1.0;
+    }
+    canonical_value(&f_upper, &duration, upper, family, axis);
+    if ((duration < 0.0) || ((f_lower - target) * (f_upper - target) > 0.0) || (f_lower == f_upper))
+    {
+        return -1.0;
+    }
+    if (f_upper > f_lower)
+    {
+        result = bracketed_root(lower, upper, f_lower, f_upper, family, axis);
+        return result;
+    }
+    result = bracketed_root(upper, lower, f_upper, f_lower, family, axis);
+    return result;
+}
 /*Parameter of the canonical member number MEMBER of the target value, or -1.                          */
 /*                                                                                                     */
 /*    Neither duration nor distance is monotone along the family. The duration falls and rises again   */
@@ -9146,7 +9195,7 @@ static void set_family(int64_t branch, array_double_1d problem, array_double_1d 
     (*cspan_at(&family, INT64_C(14))) = distance;
     (*cspan_at(&family, INT64_C(15))) = -1.0;
     (*cspan_at(&family, INT64_C(16))) = last_ramp;
-    (*cspan_at(&family, INT64_C(23))) = 1.0;
+    (*cspan_at(&family, INT64_C(24))) = 1.0;
 }
 /*Set which of several members to search for: its number, from 0.                                    */
 /*                                                                                                   */
@@ -9156,6 +9205,7 @@ static void set_member(int64_t member, double time, bool by_time, array_double_1
 {
     (*cspan_at(&family, INT64_C(15))) = member;
     (*cspan_at(&family, INT64_C(16))) = span_max((*cspan_at(&family, INT64_C(5))), 0.1 * time);
+    (*cspan_at(&family, INT64_C(17))) = -1.0;
     if (by_time)
     {
         (*cspan_at(&family, INT64_C(13))) = 1.0;
@@ -9175,21 +9225,21 @@ static int64_t write_member(array_double_2d phases, array_double_1d family, arra
     int64_t count;
     a = (*cspan_at(&family, INT64_C(1)));
     b = (*cspan_at(&family, INT64_C(3)));
-    level1 = (*cspan_at(&family, INT64_C(19)));
-    level2 = (*cspan_at(&family, INT64_C(21)));
-    count = append_ramp(phases, INT64_C(0), a, level1, (*cspan_at(&family, INT64_C(17))), axis);
-    count = append_hold(phases, count, level1, (*cspan_at(&family, INT64_C(18))));
+    level1 = (*cspan_at(&family, INT64_C(20)));
+    level2 = (*cspan_at(&family, INT64_C(22)));
+    count = append_ramp(phases, INT64_C(0), a, level1, (*cspan_at(&family, INT64_C(18))), axis);
+    count = append_hold(phases, count, level1, (*cspan_at(&family, INT64_C(19))));
     before = count;
     count = append_change(phases, count, level1, level2, axis);
-    if ((count > before) && ((*cspan_at(&family, INT64_C(23))) > 1.0))
+    if ((count > before) && ((*cspan_at(&family, INT64_C(24))) > 1.0))
     {
         basis = (*cspan_at(&phases, before, INT64_C(1)));
-        duration = basis * (*cspan_at(&family, INT64_C(23)));
+        duration = basis * (*cspan_at(&family, INT64_C(24)));
         (*cspan_at(&phases, before, INT64_C(0))) = duration;
-        (*cspan_at(&phases, before, INT64_C(1))) = basis + (*cspan_at(&family, INT64_C(24))) * (duration - basis);
+        (*cspan_at(&phases, before, INT64_C(1))) = basis + (*cspan_at(&family, INT64_C(25))) * (duration - basis);
     }
-    count = append_hold(phases, count, level2, (*cspan_at(&family, INT64_C(20))));
-    count = append_ramp(phases, count, level2, b, (*cspan_at(&family, INT64_C(22))), axis);
+    count = append_hold(phases, count, level2, (*cspan_at(&family, INT64_C(21))));
+    count = append_ramp(phases, count, level2, b, (*cspan_at(&family, INT64_C(23))), axis);
     if ((*cspan_at(&family, INT64_C(11))) > 0.5)
     {
         reverse_phases(phases, INT64_C(0), count);
@@ -9217,12 +9267,17 @@ static int64_t merged_form(array_double_2d phases, double highest, array_double_
     }
     else
     {
-        p = member_search(family, axis);
+        p = nearby_member(family, axis);
+        if (p < 0.0)
+        {
+            p = member_search(family, axis);
+        }
     }
     if (p < 0.0)
     {
         return -INT64_C(1);
     }
+    (*cspan_at(&family, INT64_C(17))) = p;
     canonical_member(&duration, &y, p, family, axis);
     if (duration < 0.0)
     {
@@ -9488,6 +9543,16 @@ static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* re
     (*result_2) = hold;
     return 0;
 }
+/*What a change of the cruise velocity can change the distance by [m], at most.*/
+/*                                                                             */
+/*    It is that of velocities that all change by twice as much.               */
+/*                                                                             */
+static double distance_within(double change, array_double_1d problem)
+{
+    double result;
+    result = 2.0 * (*cspan_at(&problem, INT64_C(5))) * fabs(change);
+    return result;
+}
 /*A possible cruise velocity that, if there is one, covers at least the distance.                      */
 /*                                                                                                     */
 /*    The velocity `middle` is possible and covers y with a cruise of the duration `hold`; the search  */
@@ -9497,7 +9562,6 @@ static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* re
 static double cruise_range(array_double_2d phases, double middle, double y, double hold, array_double_1d problem, array_double_1d axis)
 {
     double distance;
-    double duration;
     double limit;
     double outside;
     bool failed;
@@ -9508,7 +9572,6 @@ static double cruise_range(array_double_2d phases, double middle, double y, doub
     double y_cruise;
     double inside;
     distance = (*cspan_at(&problem, INT64_C(4)));
-    duration = (*cspan_at(&problem, INT64_C(5)));
     limit = (*cspan_at(&axis, INT64_C(2)));
     if (y > distance)
     {
@@ -9519,15 +9582,14 @@ static double cruise_range(array_double_2d phases, double middle, double y, doub
     failed = 0;
     missing = distance - y;
     /*the distance grows with the cruise velocity by about its duration and half of the ramps'*/
-    cruise = middle + 2.5 * missing / (duration + hold);
+    cruise = middle + 2.5 * missing / ((*cspan_at(&problem, INT64_C(5))) + hold);
     if (fabs(cruise) > fabs(limit))
     {
         cruise = limit;
     }
     for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
     {
-        /*even velocities that all changed by twice as much would not cover the distance*/
-        if (fabs(missing) > 2.0 * duration * fabs(outside - inside))
+        if (fabs(missing) > distance_within(outside - inside, problem))
         {
             break;
         }
@@ -9692,15 +9754,23 @@ static void between_cruises(double lower, double upper, double e_lower, double e
         e_newest = error;
     }
 }
-/*Bisect between a possible cruise velocity and an impossible one. */
-static double cruise_edge(double inside, double outside, array_double_2d phases, array_double_1d problem, array_double_1d axis)
+/*Bisect between a possible cruise velocity, which covers y, and an impossible one.*/
+/*                                                                                 */
+/*    Roughly, if the distance cannot be covered between them.                     */
+/*                                                                                 */
+static double cruise_edge(double inside, double outside, double y, array_double_2d phases, array_double_1d problem, array_double_1d axis)
 {
+    int64_t halvings;
     int64_t i;
     double cruise;
     int64_t count;
-    double y;
     double hold;
-    for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
+    halvings = INT64_C(30);
+    if (fabs((*cspan_at(&problem, INT64_C(4))) - y) > distance_within(outside - inside, problem))
+    {
+        halvings = INT64_C(10);
+    }
+    for (i = INT64_C(0); i < halvings; i += INT64_C(1))
     {
         cruise = 0.5 * (inside + outside);
         timed_cruise(&count, &y, &hold, phases, cruise, problem, axis);
@@ -9723,6 +9793,7 @@ static void scan_cruises(array_double_1d problem, array_double_1d axis, array_do
     int64_t samples;
     bool inside;
     double before;
+    double y_before;
     int64_t i;
     double cruise;
     int64_t count;
@@ -9738,6 +9809,7 @@ static void scan_cruises(array_double_1d problem, array_double_1d axis, array_do
     samples = INT64_C(24);
     inside = 0;
     before = 0.0;
+    y_before = 0.0;
     for (i = INT64_C(0); i < samples + INT64_C(1); i += INT64_C(1))
     {
         cruise = (*cspan_at(&axis, INT64_C(2))) * (2.0 * i / samples - 1.0);
@@ -9749,11 +9821,11 @@ static void scan_cruises(array_double_1d problem, array_double_1d axis, array_do
             upper = cruise;
             if (!inside)
             {
-                lower = cruise_edge(cruise, before, trial, problem, axis);
+                lower = cruise_edge(cruise, before, y, trial, problem, axis);
             }
             if (!fits)
             {
-                upper = cruise_edge(before, cruise, trial, problem, axis);
+                upper = cruise_edge(before, cruise, y_before, trial, problem, axis);
             }
             e_lower = keep_cruise(lower, problem, axis, cell, work) - distance;
             e_upper = keep_cruise(upper, problem, axis, cell, work) - distance;
@@ -9768,6 +9840,7 @@ static void scan_cruises(array_double_1d problem, array_double_1d axis, array_do
         }
         inside = fits;
         before = cruise;
+        y_before = y;
     }
 }
 /*Set the family of a problem; returns the velocity that the single ramp misses [m/s]. */
@@ -9892,12 +9965,12 @@ static double set_point(double place, double radius, array_double_1d family, arr
     level_from(&t1, &hold1, &level1, a, p_sign * radius * (1.0 - part), (*cspan_at(&family, INT64_C(6))), (*cspan_at(&family, INT64_C(7))), axis);
     level_from(&t3, &hold2, &level2, b, q_sign * radius * part, (*cspan_at(&family, INT64_C(8))), (*cspan_at(&family, INT64_C(9))), axis);
     segfmu_ramp_duration(&t2, &slope, fabs(level2 - level1), axis);
-    (*cspan_at(&family, INT64_C(17))) = t1;
-    (*cspan_at(&family, INT64_C(18))) = hold1;
-    (*cspan_at(&family, INT64_C(19))) = level1;
-    (*cspan_at(&family, INT64_C(20))) = hold2;
-    (*cspan_at(&family, INT64_C(21))) = level2;
-    (*cspan_at(&family, INT64_C(22))) = t3;
+    (*cspan_at(&family, INT64_C(18))) = t1;
+    (*cspan_at(&family, INT64_C(19))) = hold1;
+    (*cspan_at(&family, INT64_C(20))) = level1;
+    (*cspan_at(&family, INT64_C(21))) = hold2;
+    (*cspan_at(&family, INT64_C(22))) = level2;
+    (*cspan_at(&family, INT64_C(23))) = t3;
     gain = 0.5 * ((a + level1) * t1 + (level1 + level2) * t2 + (level2 + b) * t3);
     gain = gain + level1 * hold1 + level2 * hold2;
     result = gain - ((*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))));
@@ -9976,8 +10049,8 @@ static bool slow_middle(double place, double radius, array_double_1d family, arr
     double mean;
     double stretch;
     error = set_point(place, radius, family, axis);
-    level1 = (*cspan_at(&family, INT64_C(19)));
-    level2 = (*cspan_at(&family, INT64_C(21)));
+    level1 = (*cspan_at(&family, INT64_C(20)));
+    level2 = (*cspan_at(&family, INT64_C(22)));
     segfmu_ramp_duration(&fastest, &slope, fabs(level2 - level1), axis);
     mean = 0.5 * (level1 + level2);
     if ((fastest <= 0.0) || (mean == 0.0))
@@ -9985,7 +10058,7 @@ static bool slow_middle(double place, double radius, array_double_1d family, arr
         return 0;
     }
     stretch = 1.0 - error / (mean * fastest);
-    (*cspan_at(&family, INT64_C(23))) = stretch;
+    (*cspan_at(&family, INT64_C(24))) = stretch;
     return stretch >= 1.0;
 }
 /*Duration of the member at a place (-1: none), and what it goes too far [m] or lasts too long.*/
@@ -9999,8 +10072,8 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
     double duration;
     double y;
     double error;
-    (*cspan_at(&family, INT64_C(23))) = 1.0;
-    (*cspan_at(&family, INT64_C(24))) = 0.0;
+    (*cspan_at(&family, INT64_C(24))) = 1.0;
+    (*cspan_at(&family, INT64_C(25))) = 0.0;
     if ((arc == INT64_C(0)) || (arc == INT64_C(6)))
     {
         if (loop_radius(arc, place, missing, largest, family, axis) < 0.0)
@@ -10012,7 +10085,7 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
     }
     else if (arc == INT64_C(5))
     {
-        (*cspan_at(&family, INT64_C(24))) = 0.25 * place;
+        (*cspan_at(&family, INT64_C(25))) = 0.25 * place;
         if (!slow_middle(0.0, 0.0, family, axis))
         {
             (*result_0) = -1.0;
@@ -10024,7 +10097,7 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
     {
         if ((arc == INT64_C(3)) || (arc == INT64_C(4)))
         {
-            (*cspan_at(&family, INT64_C(24))) = 1.0;
+            (*cspan_at(&family, INT64_C(25))) = 1.0;
         }
         part = 0.5 * place - 1.0;
         side = 0.0;
@@ -12488,11 +12561,12 @@ static double first_feasible(double outside, double inside, array_double_2d cell
     }
     return inside;
 }
-/*The end of the gap that contains the infeasible duration `start` [s]; -1 if none is found.   */
-/*                                                                                             */
-/*    The durations at which gaps can end are tried in turn. If a slightly shorter duration is */
-/*    feasible too, or none of them is feasible, the end is searched for.                      */
-/*                                                                                             */
+/*The end of the gap that contains the infeasible duration `start` [s]; -1 if none is found.           */
+/*                                                                                                     */
+/*    The durations at which gaps can end are tried in turn. The end is searched for if none of them   */
+/*    is feasible or, with smoothsteps, whose families have more kinks, if a slightly shorter duration */
+/*    is feasible too.                                                                                 */
+/*                                                                                                     */
 static double next_feasible(double start, array_double_2d cell, array_double_1d axis, array_double_2d work)
 {
     double after;
@@ -12500,9 +12574,8 @@ static double next_feasible(double start, array_double_2d cell, array_double_1d 
     int64_t sweep;
     int64_t count;
     int64_t i;
-    double duration;
     double growth;
-    double result;
+    double duration;
     after = start;
     delay = (*cspan_at(&cell, INT64_C(47), INT64_C(7)));
     for (sweep = INT64_C(0); sweep < INT64_C(8); sweep += INT64_C(1))
@@ -12513,8 +12586,12 @@ static double next_feasible(double start, array_double_2d cell, array_double_1d 
             duration = delay + (*cspan_at(&work, INT64_C(26) + i, INT64_C(0))) * (1.0 + 1e-09);
             if (set_duration(duration, cell, axis, work))
             {
-                result = first_feasible(after, duration, cell, axis, work);
-                return result;
+                if ((*cspan_at(&axis, INT64_C(10))) > 0.5)
+                {
+                    return duration;
+                }
+                duration = first_feasible(after, duration, cell, axis, work);
+                return duration;
             }
             after = duration;
         }
@@ -12529,8 +12606,8 @@ static double next_feasible(double start, array_double_2d cell, array_double_1d 
         duration = after * growth;
         if (set_duration(duration, cell, axis, work))
         {
-            result = first_feasible(after, duration, cell, axis, work);
-            return result;
+            duration = first_feasible(after, duration, cell, axis, work);
+            return duration;
         }
         after = duration;
         if (i > INT64_C(230))

@@ -10,7 +10,7 @@ from math import ceil
 from segfmu.kernels.planner.gaps import gap_ends
 from segfmu.kernels.planner.phases import append_hold, is_resting, total_duration
 from segfmu.kernels.planner.profile import shortest_profile
-from segfmu.kernels.planner.records import Cell, Interval, Nearest, Phase, PlanWork
+from segfmu.kernels.planner.records import Axis, Cell, Interval, Nearest, Phase, PlanWork
 from segfmu.kernels.planner.synchronize import stretch_phases, timed_profile
 
 
@@ -75,8 +75,9 @@ def next_feasible(
 ) -> float:
     """The end of the gap that contains the infeasible duration `start` [s]; -1 if none is found.
 
-    The durations at which gaps can end are tried in turn. If a slightly shorter duration is
-    feasible too, or none of them is feasible, the end is searched for.
+    The durations at which gaps can end are tried in turn. The end is searched for if none of them
+    is feasible or, with smoothsteps, whose families have more kinks, if a slightly shorter duration
+    is feasible too.
     """
     after = start
     delay = cell[Cell.RESULT, Interval.DELAY]
@@ -85,6 +86,8 @@ def next_feasible(
         for i in range(count):
             duration = delay + work[PlanWork.GAP_ENDS + i, 0] * (1.0 + 1e-9)
             if set_duration(duration, cell, axis, work):
+                if axis[Axis.PLATEAU] > 0.5:
+                    return duration
                 return first_feasible(after, duration, cell, axis, work)
             after = duration
         if count < PlanWork.NEAREST - PlanWork.GAP_ENDS:

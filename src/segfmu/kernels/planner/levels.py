@@ -113,7 +113,10 @@ def root_level(
 
 
 def member_distance(family: 'float[:]', axis: 'float[:]') -> 'tuple[float, float]':
-    """Duration [s] and distance [m] of the member: ramp, hold, ramp, hold, ramp."""
+    """Duration [s] and distance [m] of the member: ramp, hold, ramp, hold, ramp.
+
+    The distance is 0 where members are searched by their duration.
+    """
     v = family[Family.V]
     a = family[Family.A]
     b = family[Family.B]
@@ -126,6 +129,8 @@ def member_distance(family: 'float[:]', axis: 'float[:]') -> 'tuple[float, float
     basis, slope = ramp_duration(abs(level2 - level1), axis)
     t2 = basis * family[Family.STRETCH]
     basis = basis + family[Family.FLATNESS] * (t2 - basis)
+    if family[Family.BY_TIME] > 0.5:
+        return t1 + hold1 + t2 + hold2 + t3, 0.0
     y = ramp_distance(v, a, level1, t1, t1, axis)
     v = v + 0.5 * (a + level1) * t1
     if hold1 > 0.0:

@@ -16,7 +16,7 @@ from segfmu.kernels.planner.phases import (
 )
 from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.records import Axis, Family, Phase, Problem
-from segfmu.kernels.planner.search import canonical_search, member_search
+from segfmu.kernels.planner.search import canonical_search, member_search, nearby_member
 
 
 def set_family(
@@ -69,6 +69,7 @@ def set_member(member: int, time: float, by_time: bool, family: 'float[:]') -> N
     """
     family[Family.MEMBER] = member
     family[Family.SCALE] = max(family[Family.LAST_RAMP], 0.1 * time)
+    family[Family.NEAR] = -1.0
     if by_time:
         family[Family.BY_TIME] = 1.0
         family[Family.TARGET] = time
@@ -85,9 +86,12 @@ def merged_form(
     if family[Family.MEMBER] < 0.0:
         p = canonical_search(family, axis)
     else:
-        p = member_search(family, axis)
+        p = nearby_member(family, axis)
+        if p < 0.0:
+            p = member_search(family, axis)
     if p < 0.0:
         return -1
+    family[Family.NEAR] = p
     duration, y = canonical_member(p, family, axis)
     if duration < 0.0:
         return -1

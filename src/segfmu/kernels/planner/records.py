@@ -190,6 +190,7 @@ class Family(Record):
     TARGET = field("distance or duration that is searched for", "m or s")
     MEMBER = field("number of the member of that value, from 0; -1: the first one found")
     SCALE = field("time over which members are looked for", "s")
+    NEAR = field("parameter near which a member is looked for first; -1: nowhere", "s")
     FIRST_TIME = field("member: duration of the first ramp", "s")
     FIRST_HOLD = field("member: hold at the first level", "s")
     FIRST_LEVEL = field("member: first acceleration level", "m/s2")

@@ -190,6 +190,27 @@ def farther_member(
     return -1.0
 
 
+def nearby_member(family: 'float[:]', axis: 'float[:]') -> float:
+    """Parameter of the member of the target value near that of another bound of the level, or -1.
+
+    As the bound changes, the member moves along.
+    """
+    target = family[Family.TARGET]
+    lower = 0.95 * family[Family.NEAR]
+    upper = 1.05 * family[Family.NEAR]
+    if lower <= 0.0:
+        return -1.0
+    f_lower, duration = canonical_value(lower, family, axis)
+    if duration < 0.0:
+        return -1.0
+    f_upper, duration = canonical_value(upper, family, axis)
+    if duration < 0.0 or (f_lower - target) * (f_upper - target) > 0.0 or f_lower == f_upper:
+        return -1.0
+    if f_upper > f_lower:
+        return bracketed_root(lower, upper, f_lower, f_upper, family, axis)
+    return bracketed_root(upper, lower, f_upper, f_lower, family, axis)
+
+
 def member_search(family: 'float[:]', axis: 'float[:]') -> float:
     """Parameter of the canonical member number MEMBER of the target value, or -1.
 

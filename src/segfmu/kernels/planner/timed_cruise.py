@@ -41,7 +41,6 @@ def cruise_range(
     the last possible one is returned.
     """
     distance = problem[Problem.DISTANCE]
-    duration = problem[Problem.DURATION]
     limit = axis[Axis.VELOCITY]
     if y > distance:
         limit = -limit
@@ -50,12 +49,11 @@ def cruise_range(
     failed = False
     missing = distance - y
     # the distance grows with the cruise velocity by about its duration and half of the ramps'
-    cruise = middle + 2.5 * missing / (duration + hold)
+    cruise = middle + 2.5 * missing / (problem[Problem.DURATION] + hold)
     if abs(cruise) > abs(limit):
         cruise = limit
     for i in range(30):
-        # even velocities that all changed by twice as much would not cover the distance
-        if abs(missing) > 2.0 * duration * abs(outside - inside):
+        if abs(missing) > distance_within(outside - inside, problem):
             break
         count, y_cruise, hold = timed_cruise(phases, cruise, problem, axis)
         if count >= 0 and hold >= 0.0:
@@ -175,10 +173,21 @@ def between_cruises(
 
 
 def cruise_edge(
-    inside: float, outside: float, phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]'
+    inside: float,
+    outside: float,
+    y: float,
+    phases: 'float[:,:]',
+    problem: 'float[:]',
+    axis: 'float[:]',
 ) -> float:
-    """Bisect between a possible cruise velocity and an impossible one."""
-    for i in range(30):
+    """Bisect between a possible cruise velocity, which covers y, and an impossible one.
+
+    Roughly, if the distance cannot be covered between them.
+    """
+    halvings = 30
+    if abs(problem[Problem.DISTANCE] - y) > distance_within(outside - inside, problem):
+        halvings = 10
+    for i in range(halvings):
         cruise = 0.5 * (inside + outside)
         count, y, hold = timed_cruise(phases, cruise, problem, axis)
         if count >= 0 and hold >= 0.0:
@@ -186,6 +195,14 @@ def cruise_edge(
         else:
             outside = cruise
     return inside
+
+
+def distance_within(change: float, problem: 'float[:]') -> float:
+    """What a change of the cruise velocity can change the distance by [m], at most.
+
+    It is that of velocities that all change by twice as much.
+    """
+    return 2.0 * problem[Problem.DURATION] * abs(change)
 
 
 def scan_cruises(
@@ -197,6 +214,7 @@ def scan_cruises(
     samples = 24
     inside = False
     before = 0.0
+    y_before = 0.0
     for i in range(samples + 1):
         cruise = axis[Axis.VELOCITY] * (2.0 * i / samples - 1.0)
         count, y, hold = timed_cruise(trial, cruise, problem, axis)
@@ -205,9 +223,9 @@ def scan_cruises(
             lower = before
             upper = cruise
             if not inside:
-                lower = cruise_edge(cruise, before, trial, problem, axis)
+                lower = cruise_edge(cruise, before, y, trial, problem, axis)
             if not fits:
-                upper = cruise_edge(before, cruise, trial, problem, axis)
+                upper = cruise_edge(before, cruise, y_before, trial, problem, axis)
             e_lower = keep_cruise(lower, problem, axis, cell, work) - distance
             e_upper = keep_cruise(upper, problem, axis, cell, work) - distance
             if e_lower * e_upper <= 0.0:
@@ -216,3 +234,4 @@ def scan_cruises(
                 return
         inside = fits
         before = cruise
+        y_before = y
