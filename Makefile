@@ -58,7 +58,8 @@ examples: $(VENV)/installed ## run every example
 	@set -e; for notebook in examples/[0-9]*.ipynb; do \
 		echo "$$notebook"; $(BIN)/jupyter-execute $$notebook; done
 
-pictures: $(VENV)/installed ## pictures of reports in the documentation; needs Chromium
+pictures: $(VENV)/installed ## pictures of tutorial and reports in the documentation; needs Chromium
+	$(BIN)/python -m tests.tutorial
 	$(BIN)/python -m tests.validation.report.pictures docs/images
 
 $(VENV)/installed-docs: $(VENV)/installed

@@ -68,6 +68,30 @@ def test_listings_run(page: str, tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr
 
 
+def readme_commands() -> list[str]:
+    """Commands of segfmu in README, without their comments."""
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    return [found.strip() for found in re.findall(r"^    (segfmu [^#\n]*)", text, re.MULTILINE)]
+
+
+# takes a minute, and is run by tests/validation/test_suite.py
+SUITE = "segfmu validate models/scenarios"
+
+
+@needs_native
+def test_commands_of_the_readme_run_as_printed(tmp_path: Path) -> None:
+    (tmp_path / "models").symlink_to(ROOT / "models")
+    assert len(readme_commands()) >= 6 and SUITE in readme_commands()
+    for command in readme_commands():
+        if command == SUITE:
+            continue
+        done = subprocess.run(
+            [sys.executable, "-m", *command.split()], cwd=tmp_path, capture_output=True, text=True,
+            timeout=300, check=False,
+        )
+        assert done.returncode == 0, f"{command}: {done.stderr}"
+
+
 @needs_native
 @pytest.mark.parametrize("page", sorted(OF_PYTEST))
 def test_a_suite_of_pytest_runs(page: str, tmp_path: Path) -> None:

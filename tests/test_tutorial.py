@@ -11,7 +11,7 @@ from matplotlib.testing.compare import compare_images
 from tests.compiler import needs_native
 from tests.tutorial import commands, follow, pictures
 
-# RMS of differences of pixels, of 255: fonts may be drawn with other edges
+# RMS of differences of pixels, of 255: fonts may be drawn with other edges; make pictures renews
 DIFFERENCE = 2.0
 
 
