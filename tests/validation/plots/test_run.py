@@ -52,9 +52,12 @@ def test_noise_is_no_landscape(error: float) -> None:
     assert errors.texts[0].get_text() == "below 1e-06 mm"
 
 
-def test_an_error_is_shown_in_millimetres() -> None:
+@pytest.mark.parametrize(("error", "unit"), [(2e-3, "mm"), (2.0, "mm"), (2e-8, "µm")])
+def test_an_error_is_shown_in_the_unit_of_its_size(error: float, unit: str) -> None:
     errors = plot_run(
-        table(2e-3), np.array([0.0]), "run", CRANES["lab"], ActuatorBounds()
+        table(error), np.array([0.0]), "run", CRANES["lab"], ActuatorBounds()
     ).axes[-1]
-    assert errors.lines[0].get_ydata().max() == pytest.approx(2.0, rel=0.01)
+    factor = {"mm": 1e3, "µm": 1e6}[unit]
+    assert errors.lines[0].get_ydata().max() == pytest.approx(factor * error, rel=0.01)
+    assert errors.get_ylabel() == f"load error\n[{unit}]"
     assert not errors.texts

@@ -18,6 +18,8 @@ from segfmu.validation.plots.style import COLOURS, finish, legend, stack
 
 # [m] errors below this are numerical noise, which is not enlarged to a landscape
 NOISE = 1e-9
+# [m] errors below this are in micrometres
+SMALL = 1e-5
 DOTTED: dict[str, Any] = {"color": "black", "linestyle": ":", "linewidth": 1.0}
 QUANTITIES = [quantity for quantity, _, _ in PANELS]
 VELOCITY, SWAY = QUANTITIES.index("velocity"), QUANTITIES.index("sway angle")
@@ -44,12 +46,12 @@ def plot_run(
 
 
 def _errors(panel: Axes, rows: NDArray[np.void]) -> None:
-    largest = 0.0
-    for i, axis in enumerate("xyz"):
-        error = rows[f"error.load.{axis}"]
-        largest = max(largest, float(np.abs(error).max()))
-        panel.plot(rows["time"], 1e3 * error, color=COLOURS[i], label=axis)
-    panel.set_ylabel("load error\n[mm]")
+    errors = {axis: rows[f"error.load.{axis}"] for axis in "xyz"}
+    largest = max(float(np.abs(error).max()) for error in errors.values())
+    factor, unit = (1e6, "µm") if NOISE <= largest < SMALL else (1e3, "mm")
+    for colour, (axis, error) in zip(COLOURS, errors.items(), strict=True):
+        panel.plot(rows["time"], factor * error, color=colour, label=axis)
+    panel.set_ylabel(f"load error\n[{unit}]")
     legend(panel)
     if largest < NOISE:
         panel.set_ylim(-1e3 * NOISE, 1e3 * NOISE)
