@@ -89,8 +89,11 @@ def test_a_run_knows_its_signals(run: segfmu.Run) -> None:
     planned = run.trajectory(run.time)
     shown = np.stack([run[f"load.position.{axis}"] for axis in "xyz"], axis=1)
     assert np.abs(shown - planned).max() < 1e-7
-    with pytest.raises(segfmu.InputError, match="no variable 'sway'"):
-        run["sway"]
+    assert "sway.x.angle" in run and "sway.x" not in run
+    with pytest.raises(segfmu.InputError, match=r"no variable 'sway.x.angel' .* mean sway.x.angle"):
+        run["sway.x.angel"]
+    with pytest.raises(segfmu.InputError, match=r"run\.signals has all names"):
+        run[3]
 
 
 @needs_native

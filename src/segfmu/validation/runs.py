@@ -5,6 +5,7 @@ from __future__ import annotations
 import tempfile
 from contextlib import ExitStack
 from dataclasses import dataclass
+from difflib import get_close_matches
 from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
@@ -68,10 +69,19 @@ class Run:
         """Times of the rows [s]."""
         return self["time"]
 
+    @property
+    def signals(self) -> tuple[str, ...]:
+        """Names of all variables."""
+        return self.rows.dtype.names or ()
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.signals
+
     def __getitem__(self, name: str) -> FloatArray:
-        names = self.rows.dtype.names or ()
-        if name not in names:
-            raise InputError(f"no variable {name!r} in the run; to_pandas().columns lists all")
+        if name not in self:
+            near = get_close_matches(str(name), self.signals, n=1)
+            hint = f"did you mean {near[0]}?" if near else "run.signals has all names"
+            raise InputError(f"no variable {name!r} in the run; {hint}")
         column: FloatArray = self.rows[name]
         return column
 
@@ -96,7 +106,7 @@ class Run:
         InputError
             If pandas is not installed.
         """
-        return frame({name: self.rows[name] for name in self.rows.dtype.names or ()}, "time")
+        return frame({name: self.rows[name] for name in self.signals}, "time")
 
     def to_csv(self, path: str | Path) -> str:
         """Write all variables as CSV, thinned as `simulation.output_step` says.

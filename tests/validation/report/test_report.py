@@ -14,6 +14,7 @@ import segfmu
 from segfmu.validation.campaigns.result import CampaignResult
 from segfmu.validation.report import campaign_page, run_page
 from segfmu.validation.report.curves import TOLERANCE, thinned
+from segfmu.validation.report.motion import load_section, owned
 from segfmu.validation.report.page import render
 from segfmu.validation.units import length, pretty
 from tests.compiler import needs_native
@@ -89,6 +90,23 @@ def test_charts_show_the_run(run: segfmu.Run) -> None:
     # weight of the load: the rope pulls
     pull = charts["hoist, force"].curves[0].y[-1]
     assert pull == pytest.approx(9.81 * run.mission.crane.payload_mass, rel=1e-2)
+
+
+def test_variables_of_both_fmus_are_found_beside_others_of_their_names() -> None:
+    names = ["time", "GantryFeedforward.velocity.bridge", "Own.velocity.bridge", "GantryCrane.a",
+             "a", "Own.b"]
+    rows = np.zeros(3, dtype=[(name, float) for name in names])
+    found = owned(rows).dtype.names
+    assert found == ("time", "velocity.bridge", "Own.velocity.bridge", "GantryCrane.a", "a",
+                     "Own.b")
+
+
+def test_the_peak_of_a_short_ramp_shows() -> None:
+    limits = segfmu.Limits(1.0, 1.0, 4.0, 40.0)
+    far = [segfmu.Waypoint([0.0, 0.0, -1.0]), segfmu.Waypoint([2000.0, 0.0, -1.0])]
+    charts = load_section(segfmu.plan(far, limits, axis_names="xyz")).charts
+    for chart in charts[1:]:
+        assert max(chart.curves[0].y) == pytest.approx(100.0, abs=0.5)
 
 
 @needs_native

@@ -20,8 +20,12 @@ def thinned(x: FloatArray, y: FloatArray, height: float) -> tuple[FloatArray, Fl
     """The points of a curve that show in a chart of this height [unit of y].
 
     Peaks are kept: first the least and the greatest value of each bucket, of these the points that
-    are off the straight line between those that stay.
+    are off the straight line between those that stay. What is no number is left out.
     """
+    finite = np.isfinite(y)
+    x, y = x[finite], y[finite]
+    if y.size == 0:
+        return x, y
     places = _extremes(y)
     x, y = x[places], y[places]
     kept = _bent(x, y, TOLERANCE * height)
@@ -29,7 +33,7 @@ def thinned(x: FloatArray, y: FloatArray, height: float) -> tuple[FloatArray, Fl
 
 
 def digits(values: FloatArray, height: float) -> list[float]:
-    """Numbers rounded to what shows in a chart of this height."""
+    """Finite numbers rounded to what shows in a chart of this height."""
     places = max(0, ceil(-log10(height * TOLERANCE * 0.05))) if height > 0.0 else 0
     return [round(float(value), places) for value in values]
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.lib.recfunctions import rename_fields
 from numpy.typing import NDArray
 
 from segfmu.crane.bounds import DRIVES, UNITS, ActuatorBounds
@@ -40,7 +41,12 @@ Rows = NDArray[np.void]
 
 def load_section(trajectory: Trajectory) -> Section:
     """The planned motion of the load and its derivatives, against their limits."""
+    # peaks of short ramps are at ends of pieces and between them
+    ends = trajectory.events
+    between = 0.5 * (ends[1:] + ends[:-1])
     times = np.linspace(0.0, trajectory.duration, SAMPLES)
+    times = np.unique(np.concatenate([times, ends, between]))
+    times = times[times <= trajectory.duration]
     table = trajectory.limits.table(trajectory.axes, trajectory.smoothness)
     charts = [_position(trajectory, times)]
     for order, name in enumerate(NAMES[: min(trajectory.smoothness, 4)], 1):
@@ -180,13 +186,28 @@ def curves(
     height: float = 0.0,
 ) -> list[Curve]:
     """Curves of columns, thinned to what a chart of at least this height shows."""
-    own = float(values.max() - values.min()) if values.size else 0.0
-    most = max(own, height, 1e-12 * max(1.0, float(np.abs(values).max())))
+    known = values[np.isfinite(values)]
+    own = float(np.ptp(known)) if known.size else 0.0
+    size = float(np.abs(known).max()) if known.size else 0.0
+    most = max(own, height, 1e-12 * max(1.0, size))
     found = []
     for column, name, role in zip(values.T, names, roles, strict=True):
         x, y = thinned(times, np.asarray(column, dtype=np.float64), most)
         found.append(Curve(name, role, digits(x, float(np.ptp(times))), digits(y, most)))
     return found
+
+
+def owned(rows: Rows) -> Rows:
+    """Rows in which the variables of both FMUs have their names, whatever others are called."""
+    names = rows.dtype.names or ()
+    changed: dict[str, str] = {}
+    for fmu in ("GantryCrane", "GantryFeedforward"):
+        for name in names:
+            bare = name.removeprefix(f"{fmu}.")
+            if bare != name and bare not in names and bare not in changed.values():
+                changed[name] = bare
+    renamed: Rows = rename_fields(rows, changed) if changed else rows
+    return renamed
 
 
 def arrivals(rows: Rows, end: float) -> list[float]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import isfinite
+from math import inf, isfinite
 from typing import TYPE_CHECKING
 
 from segfmu.crane import ActuatorBounds
@@ -84,8 +84,13 @@ def _verdicts(found: Criteria) -> Table:
 
 
 def _share(row: Row) -> str:
-    """The margin, of what is allowed."""
-    return f"{100.0 * (1.0 - row.value / row.allowed):.1f} %" if row.allowed else ""
+    """The margin, and its share of what is allowed where that tells something."""
+    share = 1.0 - row.value / row.allowed if row.allowed else -inf
+    percent = f"{100.0 * share:.1f} %"
+    if row.unit == "%":
+        return percent
+    margin = f"{pretty(row.allowed - row.value)} {row.unit}"
+    return f"{margin} ({percent})" if abs(share) <= 1.0 else margin
 
 
 def _word(row: Row) -> Cell:

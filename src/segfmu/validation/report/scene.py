@@ -51,7 +51,8 @@ def _travel(mission: Mission, path: FloatArray, axis: int) -> list[float]:
     """From where to where the rails of the bridge, or the girder of the trolley, are drawn."""
     low, high = float(path[:, axis].min()), float(path[:, axis].max())
     stops = getattr(mission.crane.travel, ("bridge", "trolley")[axis])
-    beyond = 0.12 * float(np.ptp(path, axis=0).max()) + 1e-3
+    # short moves on a long rope are not drawn as a point
+    beyond = max(0.12 * float(np.ptp(path, axis=0).max()), 0.1 * float(-path[:, 2].min()))
     if stops is None:
         return [low - beyond, high + beyond]
     # far end stops would make the motion small

@@ -12,6 +12,7 @@ from segfmu.validation.report.motion import (
     arrivals,
     drive_section,
     error_section,
+    owned,
     sway_section,
 )
 from segfmu.validation.report.page import Cell, Page, Section, Table
@@ -54,9 +55,9 @@ def runs(results: Sequence[Result]) -> tuple[list[dict[str, Any]], list[Section]
         if result.rows is None or left < 0:
             sections.append(_without_run(result))
             continue
-        section = _details(result, result.rows, len(scenes))
-        own = result.scenario
-        scenes.append(scene(own.mission, result.rows, own.file.name, FRAMES))
+        rows, own = owned(result.rows), result.scenario
+        section = _details(result, rows, len(scenes))
+        scenes.append(scene(own.mission, rows, own.file.name, FRAMES))
         left -= sum(len(curve.x) for chart in section.charts for curve in chart.curves)
         sections.append(section)
     return scenes, sections

@@ -4,6 +4,7 @@
   const data = JSON.parse(document.getElementById("data").textContent);
   const DASHES = {x: "solid", y: "9px,3px", z: "3px,2px", run: "solid", plan: "2px,3px"};
   const GREY = "rgba(128,134,140,0.55)", BAND = "rgba(128,134,140,0.25)";
+  const MOST_ARRIVALS = 40;
   const drawn = new Map();
 
   const traces = (chart) => chart.curves.map((curve) => ({
@@ -36,7 +37,8 @@
 
   // what is beyond the limits, and the arrivals at waypoints
   const shapes = (chart, ranges) => {
-    const found = chart.arrivals.map((time) => ({
+    const many = chart.arrivals.length > MOST_ARRIVALS;
+    const found = (many ? [] : chart.arrivals).map((time) => ({
       type: "line", xref: "x", yref: "paper", x0: time, x1: time, y0: 0, y1: 1, layer: "below",
       line: {color: GREY, width: 1},
     }));

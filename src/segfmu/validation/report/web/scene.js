@@ -6,6 +6,7 @@
   const scenes = JSON.parse(document.getElementById("data").textContent).scenes;
   const NAMES = "http://www.w3.org/2000/svg";
   const FACES = [[0, 1, 3, 2], [4, 5, 7, 6], [0, 1, 5, 4], [2, 3, 7, 6], [0, 2, 6, 4], [1, 3, 7, 5]];
+  const MOST_NAMES = 20;
   const FLOOR = [[0, 0], [1, 0], [1, 1], [0, 1]];
   const view = {azimuth: 35, elevation: 25, zoom: 1};
   const find = (name) => document.getElementById(name);
@@ -148,9 +149,10 @@
     scene.waypoints.forEach((point, k) => {
       const [u, v] = place(point);
       add("circle", {cx: u, cy: v, r: 4.5, class: "waypoint"});
-      add("text", {x: u + 8, y: v + 15}, String(k + 1));
+      const ends = k === 0 || k === scene.waypoints.length - 1;
+      if (ends || scene.waypoints.length <= MOST_NAMES) add("text", {x: u + 8, y: v + 15}, String(k + 1));
     });
-    for (const box of boxes) {
+    for (const box of boxes.length <= MOST_NAMES ? boxes : []) {
       const points = corners(box.minimum, box.maximum).map(place);
       const lowest = Math.max(...points.map((p) => p[1]));
       const middle = points.reduce((sum, p) => sum + p[0], 0) / points.length;
