@@ -31,6 +31,7 @@ def measure(settings: Settings) -> Part:
             "ratio: median time over Ruckig's in the same way of calling; least and largest of "
             f"{settings.repetitions} passes",
             "Ruckig bounds velocity, acceleration and jerk; n = 4 bounds snap as well",
+            "99 % and largest: a problem counts with its least time of all passes",
             "segfmu.plan returns polynomials that were checked against every limit",
             "input built: waypoints and limits, or InputParameter, are made in the timed call",
         ),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,15 +22,15 @@ LARGEST = 64
 Size = tuple[int, int, int]
 
 
-@dataclass(frozen=True, eq=False)
-class Motion:
+class Motion(NamedTuple):
     """Results of the kernel `plan_motion` (kernels/trajectory/motion.py).
 
     Attributes
     ----------
     status : int
         Of PlanStatus.
-    refusal : ndarray, shape (Refusal,)
+    refusal : ndarray, shape (Refusal,), optional
+        Where and why there is no plan.
     timing : ndarray, shape (pieces, 2)
     coefficients : ndarray, shape (pieces, 2 * smoothness)
     offsets : ndarray of int, shape (axes + 1,)
@@ -38,7 +38,7 @@ class Motion:
     """
 
     status: int
-    refusal: FloatArray
+    refusal: FloatArray | None
     timing: FloatArray
     coefficients: FloatArray
     offsets: NDArray[np.int64]
@@ -84,11 +84,12 @@ def plan_motion(problem: Problem, tolerance: float) -> Motion:
     if status == PlanStatus.MORE_PIECES:
         space.enlarge()
         status = backend.expand_motion(*call, space.timing, space.coefficients, *found)
-    used = int(offsets[-1])
-    report = space.work[MotionWork.PLAN + PlanWork.REFUSAL, : Refusal.SIZE]
+    used = offsets[-1]
+    report = None
+    if status < 0 and status != PlanStatus.CHECK_FAILED:
+        report = space.work[MotionWork.PLAN + PlanWork.REFUSAL, : Refusal.SIZE].copy()
     motion = Motion(
-        status, report.copy(), space.timing[:used].copy(), space.coefficients[:used].copy(),
-        offsets, times,
+        status, report, space.timing[:used].copy(), space.coefficients[:used].copy(), offsets, times
     )
     if points * axes <= LARGEST and len(_spaces) < KEPT:
         _spaces[size] = space

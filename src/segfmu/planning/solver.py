@@ -34,7 +34,7 @@ def solve(
     """
     if follow is None and request.waypoints[0].settled:
         motion = plan_motion(request.problem, tolerance)
-        if motion.status < 0 and motion.status != PlanStatus.CHECK_FAILED:
+        if motion.refusal is not None:
             raise refusal(motion.status, motion.refusal, request.axis_names)
         found = _trajectory(
             request, motion.timing, motion.coefficients, motion.offsets, motion.times
