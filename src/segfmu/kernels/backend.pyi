@@ -156,6 +156,17 @@ def set_fading(
     /,
 ) -> None: ...
 
+def check_gains(
+    plant: Floats,
+    period: float,
+    predicted: int,
+    ends: Floats,
+    table: Floats,
+    work: Floats,
+    fault: Floats,
+    /,
+) -> int: ...
+
 def track_setpoint(
     parameters: Floats,
     table: Floats,

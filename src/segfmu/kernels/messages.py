@@ -210,6 +210,10 @@ SETUP = Messages(
         "{BOUND:g} m; set the crane's rope_min and rope_max",
         SetupStatus.OBSERVER: "the observer has no finite gains between {VALUE:g} and {BOUND:g} m "
         "of rope; check masses, lags and what it expects",
+        SetupStatus.UNSTABLE: "the feedback of the {DRIVE} is unstable at {VALUE:g} m of rope: a "
+        "deviation grows {BOUND:g} times in a sample; lower feedback.sample_time, or set "
+        "feedback.design to flatness (for drive.{DRIVE}.lag) and feedback.source to measured (for "
+        "drive.{DRIVE}.dead_time)",
     },
     {"AXIS": AXES, "DRIVE": DRIVES},
 )

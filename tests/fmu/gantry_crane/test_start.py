@@ -39,9 +39,12 @@ def pair(request, fmus, native_fmus) -> tuple[Path, Path]:
     return fmus if request.param == "python" else native_fmus[request.param]
 
 
-def moved(paths: tuple[Path, Path]) -> dict[str, Any]:
+def moved(paths: tuple[Path, Path], by: float = 0.0) -> dict[str, Any]:
+    """MOVED, with both waypoints farther along x [m]."""
+    names = [f"waypoint[{i}].position.x" for i in (1, 2)]
+    values = MOVED | {n: MOVED[n] + by for n in names}
     with Importer(paths[0]) as fmu:
-        return flat(MOVED) if fmu.three else MOVED
+        return flat(values) if fmu.three else values
 
 
 def test_a_moved_first_waypoint_needs_no_second_change(pair) -> None:
@@ -122,9 +125,9 @@ def test_model_exchange_starts_on_its_reference(native_fmus, fmi: int) -> None:
 
 
 def test_a_start_that_does_not_fit_is_said(pair) -> None:
-    words = "bridge.position started at 0, its reference at 1; set start.on_reference to true"
+    words = "bridge.position started at 0, its reference at 9; set start.on_reference to true"
     with pytest.raises(SimulationError, match=words) as raised:
-        simulate(*pair, stop_time=1.0, step=0.005, source_values=moved(pair),
+        simulate(*pair, stop_time=1.0, step=0.005, source_values=moved(pair, 8.0),
                  sink_values={"start.on_reference": False})
     assert "slack" not in str(raised.value)
 

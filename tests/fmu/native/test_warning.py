@@ -68,6 +68,20 @@ def test_is_silent_where_the_table_fits(native_fmus, fmi: int) -> None:
 
 
 @pytest.mark.parametrize("fmi", [2, 3])
+def test_warns_of_a_feedback_that_is_unstable_with_the_drives(native_fmus, fmi: int) -> None:
+    """The true state is not predicted over a dead time; an observer does this."""
+    path = native_fmus[fmi][1]
+    late = {
+        "drive.mode": "velocity", "feedback.design": "flatness", "drive.bridge.dead_time": 0.3
+    }
+    text, = said(path, late)
+    assert text.startswith("the feedback of the bridge is unstable at ")
+    assert "drive.bridge.dead_time" in text and "feedback.source to measured" in text
+    assert said(path, late | {"feedback.source": "measured"}) == []
+    assert said(path, late | {"feedback.enabled": False}) == []
+
+
+@pytest.mark.parametrize("fmi", [2, 3])
 def test_the_status_is_that_of_a_warning(native_fmus, fmi: int) -> None:
     with Importer(native_fmus[fmi][1]) as unit:
         unit.set({"crane.trolley_mass": 3.0})

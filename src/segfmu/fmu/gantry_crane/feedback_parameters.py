@@ -16,10 +16,11 @@ from segfmu.crane.tracking import FADE, PAYLOAD_TIME, TrackingController
 from segfmu.crane.variables import Value, build, filled
 from segfmu.fmu.standard.spec import Enumeration, Variable, choice, parameter
 from segfmu.kernels import backend
-from segfmu.kernels.control.records import FlatDesign, Tracking, TrackingDesign
+from segfmu.kernels.control.records import FlatDesign, LoopWork, Tracking, TrackingDesign
 from segfmu.kernels.control.records import Uncertainty as Expectations
 from segfmu.kernels.crane.records import DRIVES, Axes, DriveMode, Plant
-from segfmu.kernels.rig.records import Sensors
+from segfmu.kernels.messages import SETUP
+from segfmu.kernels.rig.records import Sensors, SetupFault, SetupStatus
 from segfmu.planning.arrays import FloatArray
 
 DESIGNS = Enumeration(
@@ -215,6 +216,18 @@ def lqr_from(
         longest=longest, weights=weights_from(value), driven=_driven(plant), lag=lags,
         dead_time=late, strongest=_strongest(plant), rows=rows,
     )
+
+
+def gains_warning(value: Value, nominal: Crane, feedback: SwayFeedback) -> str | None:
+    """What the user ought to know of gains that are unstable with the drives."""
+    plant, fault = filled(Plant, value), np.zeros(SetupFault.SIZE)
+    plant[Plant.PAYLOAD_MASS] = nominal.payload_mass
+    status = backend.check_gains(
+        plant, feedback.sample_time, int(value("feedback.source")) - 1,
+        feedback.lengths[[0, -1]], feedback.table, np.zeros((LoopWork.SIZE, LoopWork.COLUMNS)),
+        fault,
+    )
+    return None if status == SetupStatus.FITS else str(SETUP.text(status, fault.tolist()))
 
 
 def tracking_from(

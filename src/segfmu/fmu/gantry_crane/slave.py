@@ -20,6 +20,7 @@ from segfmu.fmu.gantry_crane.feedback_parameters import (
     DESIGNS,
     SOURCES,
     gains_from,
+    gains_warning,
     nominal_from,
     tracking_from,
     tune,
@@ -74,7 +75,10 @@ class CraneSlave(SpecSlave):
             rig=Rig.of(self.value), start_time=self.start_time,
         )
         self._show(self._plant)
-        warning = self._start.warning(crane, bool(self.value("feedback.enabled")))
+        enabled = bool(self.value("feedback.enabled"))
+        warning = self._start.warning(crane, enabled)
+        if enabled and warning is None:
+            warning = gains_warning(self.value, expected, feedback)
         if warning:
             self.log(warning, Fmi2Status.warning)
 

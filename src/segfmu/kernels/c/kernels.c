@@ -73,6 +73,10 @@ static double offset_estimate(array_double_1d parameters, array_double_1d measur
 static double weak_drive(void);
 static double drive_strength(array_double_1d plant, int64_t axis);
 static void set_noise(array_double_1d uncertainty, double gravity, double longest, array_double_1d tracking);
+static double spectral_radius(int64_t n, array_double_2d a, array_double_2d square);
+static bool is_state(int64_t axis, bool lagging, int64_t place);
+static void axis_gains(int64_t axis, array_double_1d plant, double length, array_double_3d table, array_double_1d gains);
+static int64_t close_loop(int64_t axis, bool lagging, double delay, array_double_1d gains, array_double_2d work);
 static void track_wake(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory);
 static void track_offset(array_double_1d parameters, array_double_2d tick, array_double_2d memory);
 static void track_start(array_double_1d measured, array_double_1d reference, array_double_2d memory);
@@ -2538,6 +2542,225 @@ void segfmu_set_fading(array_double_1d tracking)
     {
         (*cspan_at(&tracking, INT64_C(11))) = exp((-(*cspan_at(&tracking, INT64_C(1)))) / fade);
     }
+}
+/*Largest eigenvalue magnitude, by squaring; overwrites both matrices. */
+static double spectral_radius(int64_t n, array_double_2d a, array_double_2d square)
+{
+    double total;
+    double weight;
+    int64_t Dummy_0000;
+    double size;
+    int64_t i;
+    int64_t j;
+    total = 0.0;
+    weight = 1.0;
+    for (Dummy_0000 = INT64_C(0); Dummy_0000 < INT64_C(30); Dummy_0000 += INT64_C(1))
+    {
+        size = 0.0;
+        for (i = INT64_C(0); i < n; i += INT64_C(1))
+        {
+            for (j = INT64_C(0); j < n; j += INT64_C(1))
+            {
+                size = span_max(size, fabs((*cspan_at(&a, i, j))));
+            }
+        }
+        if (!(size > 0.0))
+        {
+            return 0.0;
+        }
+        total = total + weight * log(size);
+        weight = 0.5 * weight;
+        for (i = INT64_C(0); i < n; i += INT64_C(1))
+        {
+            for (j = INT64_C(0); j < n; j += INT64_C(1))
+            {
+                (*cspan_at(&a, i, j)) = (*cspan_at(&a, i, j)) / size;
+            }
+        }
+        matrix_product(n, a, a, square);
+        matrix_copy(n, square, a);
+    }
+    return exp(total);
+}
+/*Whether an entry of an `AxisModel` is a state of the loop. */
+static bool is_state(int64_t axis, bool lagging, int64_t place)
+{
+    if (place == INT64_C(6))
+    {
+        return lagging;
+    }
+    if ((place == INT64_C(1)) || (place == INT64_C(3)))
+    {
+        return axis != INT64_C(2);
+    }
+    return (place == INT64_C(0)) || (place == INT64_C(2));
+}
+/*Gains of an axis by the entries of an `AxisModel`. */
+static void axis_gains(int64_t axis, array_double_1d plant, double length, array_double_3d table, array_double_1d gains)
+{
+    double sign;
+    double scale;
+    bool driven;
+    int64_t i;
+    double command;
+    double place;
+    double velocity;
+    sign = 1.0 - 2.0 * axis;
+    scale = 1.0;
+    driven = (int64_t)((*cspan_at(&plant, INT64_C(4)))) == INT64_C(1);
+    if ((axis == INT64_C(2)) && (!driven))
+    {
+        /*the model of the hoist has an acceleration for its input*/
+        scale = 1.0 / (*cspan_at(&plant, INT64_C(2)));
+    }
+    for (i = INT64_C(0); i < INT64_C(8); i += INT64_C(1))
+    {
+        (*cspan_at(&gains, i)) = 0.0;
+    }
+    command = scale * scheduled_gain(length, axis, INT64_C(10), table);
+    (*cspan_at(&gains, INT64_C(6))) = command;
+    place = scheduled_gain(length, axis, INT64_C(0) + axis, table);
+    velocity = scheduled_gain(length, axis, INT64_C(5) + axis, table);
+    (*cspan_at(&gains, INT64_C(0))) = scale * place;
+    (*cspan_at(&gains, INT64_C(2))) = scale * velocity;
+    if (driven && ((*cspan_at(&plant, INT64_C(5) + axis)) <= 0.0))
+    {
+        /*the drive's velocity is its command*/
+        (*cspan_at(&gains, INT64_C(2))) = scale * velocity + command;
+    }
+    if (axis != INT64_C(2))
+    {
+        (*cspan_at(&gains, INT64_C(1))) = sign * scheduled_gain(length, axis, INT64_C(3) + axis, table);
+        (*cspan_at(&gains, INT64_C(3))) = sign * scheduled_gain(length, axis, INT64_C(8) + axis, table);
+    }
+}
+/*The loop's transition over a sample, for a delay in samples; returns its order.                      */
+/*                                                                                                     */
+/*    work: a `LoopWork` with the sampled model. The states are an `AxisModel` without its correction, */
+/*    then the corrections of past ticks that have not acted yet.                                      */
+/*                                                                                                     */
+static int64_t close_loop(int64_t axis, bool lagging, double delay, array_double_1d gains, array_double_2d work)
+{
+    array_double_2d transition;
+    array_double_2d loop;
+    int64_t own;
+    int64_t whole;
+    double share;
+    int64_t i;
+    int64_t j;
+    double effect;
+    int64_t order;
+    transition = span_rows(&work, INT64_C(8), INT64_C(16));
+    loop = span_rows(&work, INT64_C(48), INT64_C(96));
+    own = INT64_C(7);
+    whole = span_min_int((int64_t)(delay + 1e-09), INT64_C(48) - own - INT64_C(2));
+    share = span_min(span_max(delay - whole, 0.0), 1.0);
+    order = own + whole;
+    if (share > 1e-09)
+    {
+        order = order + INT64_C(1);
+    }
+    for (i = INT64_C(0); i < order; i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < order; j += INT64_C(1))
+        {
+            (*cspan_at(&loop, i, j)) = 0.0;
+        }
+    }
+    for (i = INT64_C(0); i < own; i += INT64_C(1))
+    {
+        if (is_state(axis, lagging, i))
+        {
+            effect = (*cspan_at(&transition, i, INT64_C(7)));
+            for (j = INT64_C(0); j < own; j += INT64_C(1))
+            {
+                if (is_state(axis, lagging, j))
+                {
+                    (*cspan_at(&loop, i, j)) = (*cspan_at(&transition, i, j));
+                    if (whole == INT64_C(0))
+                    {
+                        (*cspan_at(&loop, i, j)) = (*cspan_at(&loop, i, j)) - (1.0 - share) * effect * (*cspan_at(&gains, j));
+                    }
+                }
+            }
+            if (whole > INT64_C(0))
+            {
+                (*cspan_at(&loop, i, own + whole - INT64_C(1))) = (1.0 - share) * effect;
+            }
+            if (share > 1e-09)
+            {
+                (*cspan_at(&loop, i, own + whole)) = share * effect;
+            }
+        }
+    }
+    for (i = own; i < order; i += INT64_C(1))
+    {
+        if (i > own)
+        {
+            (*cspan_at(&loop, i, i - INT64_C(1))) = 1.0;
+        }
+        else
+        {
+            for (j = INT64_C(0); j < own; j += INT64_C(1))
+            {
+                if (is_state(axis, lagging, j))
+                {
+                    (*cspan_at(&loop, i, j)) = -(*cspan_at(&gains, j));
+                }
+            }
+        }
+    }
+    return order;
+}
+/*A `SetupStatus`: whether a table of gains is stable between two rope lengths, ends (2,) [m].       */
+/*                                                                                                   */
+/*    plant: a `Plant` with the design payload; period [s] of the feedback; predicted: 1 where an    */
+/*    observer predicts over dead times. fault: a `SetupFault`, with the fastest growth in a sample. */
+/*                                                                                                   */
+int64_t segfmu_check_gains(array_double_1d plant, double period, int64_t predicted, array_double_1d ends, array_double_3d table, array_double_2d work, array_double_1d fault)
+{
+    array_double_1d lengths;
+    array_double_1d gains;
+    int64_t count;
+    int64_t axis;
+    bool driven;
+    bool lagging;
+    double delay;
+    int64_t row;
+    int64_t order;
+    double growth;
+    int64_t status;
+    lengths = span_row(&work, INT64_C(144));
+    gains = span_row(&work, INT64_C(145));
+    count = segfmu_table_lengths((*cspan_at(&ends, INT64_C(0))), (*cspan_at(&ends, INT64_C(1))), INT64_C(33), lengths);
+    status = INT64_C(0);
+    (*cspan_at(&fault, INT64_C(3))) = 1.0 + 1e-06;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        driven = (int64_t)((*cspan_at(&plant, INT64_C(4)))) == INT64_C(1);
+        lagging = driven && ((*cspan_at(&plant, INT64_C(5) + axis)) > 0.0);
+        delay = (*cspan_at(&plant, INT64_C(20) + axis)) / period;
+        if (predicted == INT64_C(1))
+        {
+            delay = 0.0;
+        }
+        for (row = INT64_C(0); row < count; row += INT64_C(1))
+        {
+            kalman_model(axis, plant, (*cspan_at(&lengths, row)), span_rows(&work, INT64_C(0), INT64_C(8)));
+            kalman_sampled(period, 0.0, 0.0, span_rows(&work, INT64_C(0), INT64_C(8)), span_rows(&work, INT64_C(8), INT64_C(16)), span_rows(&work, INT64_C(16), INT64_C(24)), span_rows(&work, INT64_C(24), INT64_C(48)));
+            axis_gains(axis, plant, (*cspan_at(&lengths, row)), table, gains);
+            order = close_loop(axis, lagging, delay, gains, work);
+            growth = spectral_radius(order, span_rows(&work, INT64_C(48), INT64_C(96)), span_rows(&work, INT64_C(96), INT64_C(144)));
+            if (growth > (*cspan_at(&fault, INT64_C(3))))
+            {
+                (*cspan_at(&fault, INT64_C(3))) = growth;
+                (*cspan_at(&fault, INT64_C(1))) = (double)(axis);
+                (*cspan_at(&fault, INT64_C(2))) = (*cspan_at(&lengths, row));
+                status = INT64_C(15);
+            }
+        }
+    }
+    return status;
 }
 /*Wake the feedback at the first deviation above the sensors' quantisation.*/
 /*                                                                         */

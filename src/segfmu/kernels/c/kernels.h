@@ -26,6 +26,7 @@ SEGFMU_API void segfmu_set_walks(array_double_1d plant, array_double_1d uncertai
 SEGFMU_API void segfmu_set_drives(array_double_1d plant, array_double_1d tracking);
 SEGFMU_API void segfmu_set_tracking(array_double_1d plant, array_double_1d design, double longest, array_double_1d tracking);
 SEGFMU_API void segfmu_set_fading(array_double_1d tracking);
+SEGFMU_API int64_t segfmu_check_gains(array_double_1d plant, double period, int64_t predicted, array_double_1d ends, array_double_3d table, array_double_2d work, array_double_1d fault);
 SEGFMU_API void segfmu_track_setpoint(array_double_1d parameters, array_double_3d table, array_double_3d gains, array_double_2d tick, array_double_2d memory);
 SEGFMU_API void segfmu_crane_rhs(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative);
 SEGFMU_API void segfmu_crane_driven(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative, array_double_1d force);

@@ -330,6 +330,18 @@ bool segfmu_setup_message(
             report[SETUP_FAULT_VALUE],
             report[SETUP_FAULT_BOUND]);
         return true;
+    case 15:
+        snprintf(text, size,
+            "the feedback of the %s is unstable at %g m of rope: a deviation grows %g "
+            "times in a sample; lower feedback.sample_time, or set feedback.design to "
+            "flatness (for drive.%s.lag) and feedback.source to measured (for "
+            "drive.%s.dead_time)",
+            drive[(int)report[SETUP_FAULT_DRIVE]],
+            report[SETUP_FAULT_VALUE],
+            report[SETUP_FAULT_BOUND],
+            drive[(int)report[SETUP_FAULT_DRIVE]],
+            drive[(int)report[SETUP_FAULT_DRIVE]]);
+        return true;
     default:
         return false;
     }

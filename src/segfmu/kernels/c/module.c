@@ -528,6 +528,48 @@ static PyObject *call_set_fading(
     return answer;
 }
 
+static PyObject *call_check_gains(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "check_gains", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_plant;
+    double in_period;
+    int64_t in_predicted;
+    Py_buffer *in_ends;
+    Py_buffer *in_table;
+    Py_buffer *in_work;
+    Py_buffer *in_fault;
+    (void)self;
+    if (take_count(&call, count, 7)
+        && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
+        && take_float(&call, 1, &in_period)
+        && take_int(&call, 2, &in_predicted)
+        && (in_ends = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_table = take_array(&call, 4, 3, 'd', false)) != NULL
+        && (in_work = take_array(&call, 5, 2, 'd', true)) != NULL
+        && (in_fault = take_array(&call, 6, 1, 'd', true)) != NULL
+        && has_at_least(&call, "table", 0, in_table->shape[0], 1)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 68)
+        && has_at_least(&call, "ends", 0, in_ends->shape[0], 2)
+        && has_at_least(&call, "table", 1, in_table->shape[1], 4)
+        && has_at_least(&call, "table", 2, in_table->shape[2], 11)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 146)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 48)
+        && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
+        answer = PyLong_FromLongLong(segfmu_check_gains(
+            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
+            in_period,
+            in_predicted,
+            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
+            (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_track_setpoint(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -2904,6 +2946,7 @@ static PyMethodDef methods[] = {
     {"set_drives", (PyCFunction)(void (*)(void))call_set_drives, METH_FASTCALL, NULL},
     {"set_tracking", (PyCFunction)(void (*)(void))call_set_tracking, METH_FASTCALL, NULL},
     {"set_fading", (PyCFunction)(void (*)(void))call_set_fading, METH_FASTCALL, NULL},
+    {"check_gains", (PyCFunction)(void (*)(void))call_check_gains, METH_FASTCALL, NULL},
     {"track_setpoint", (PyCFunction)(void (*)(void))call_track_setpoint, METH_FASTCALL, NULL},
     {"crane_rhs", (PyCFunction)(void (*)(void))call_crane_rhs, METH_FASTCALL, NULL},
     {"crane_driven", (PyCFunction)(void (*)(void))call_crane_driven, METH_FASTCALL, NULL},

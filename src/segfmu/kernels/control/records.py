@@ -151,6 +151,31 @@ class Kalman(Doubling):
     MODEL = field("derivatives of states and inputs", size=AxisModel.SIZE)
 
 
+class Loops(Codes):
+    """How many states a loop can have that is checked for its stability."""
+
+    MOST = 48
+
+
+class LoopStates(Record):
+    """States of a closed loop."""
+
+    STATES = field("states of the model, then corrections on their way", size=Loops.MOST)
+
+
+class LoopWork(Record):
+    """Rows: work space of the check of a loop."""
+
+    MODEL = field("derivatives of states and inputs", size=AxisModel.SIZE, of=LoopStates)
+    TRANSITION = field("transition over a sample", size=AxisModel.SIZE)
+    COVARIANCE = field("not used", size=AxisModel.SIZE)
+    SERIES = field("work space of the sampled model", size=ModelWork.SIZE)
+    LOOP = field("transition of the closed loop", size=Loops.MOST)
+    SQUARE = field("its square", size=Loops.MOST)
+    LENGTHS = field("rope lengths", "m")
+    GAINS = field("gains by the entries of an AxisModel")
+
+
 class OffsetCause(Codes):
     """What a lasting deviation of a measured sway angle is; no signal tells these apart.
 

@@ -46,7 +46,8 @@ class SetupStatus(Codes):
     not ascending. LENGTHS, OBSERVER: of a controller's table, the observer's is not finite.
     LONG_DELAY, LATE_EXCHANGE: dead time of a drive, longer than there is memory for, or in model
     exchange. LOW_STATIC: static friction below Coulomb friction. NO_WIND: turbulence
-    without a mean speed. SLACK_EXCHANGE: a rope that may slacken, in model exchange.
+    without a mean speed. SLACK_EXCHANGE: a rope that may slacken, in model exchange. UNSTABLE: the
+    gains of the feedback.
     """
 
     FITS = 0
@@ -64,6 +65,7 @@ class SetupStatus(Codes):
     LOW_STATIC = 12
     NO_WIND = 13
     SLACK_EXCHANGE = 14
+    UNSTABLE = 15
 
 
 class SetupFault(Record):

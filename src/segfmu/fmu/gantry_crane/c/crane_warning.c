@@ -6,6 +6,7 @@
 
 #include "crane.h"
 #include "feeds.h"
+#include "messages.h"
 #include "say.h"
 
 /* Whether two values differ by more than the rounding of numbers as text. */
@@ -44,6 +45,24 @@ static void find_changed(const crane *m, const double start[], char names[MESSAG
     }
 }
 
+/* Whether the gains are unstable with the drives at some rope length. */
+static bool crane_unstable(crane *m, char message[MESSAGE])
+{
+    double work[LOOP_WORK_SIZE * LOOP_WORK_COLUMNS], fault[SETUP_FAULT_SIZE] = {0.0};
+    double plant[PLANT_SIZE];
+    double ends[2] = {m->gains[GAINS_ROW_LENGTH],
+                      m->gains[GAINS_ROW_LENGTH + (m->count_lengths - 1) * GAINS_BLOCK]};
+    if (m->base.integer[V_FEEDBACK_ENABLED] == 0) {
+        return false;
+    }
+    crane_nominal(m, plant);
+    int64_t status = segfmu_check_gains(
+        vector(plant, PLANT_SIZE), m->base.real[V_FEEDBACK_SAMPLE_TIME],
+        m->base.integer[V_FEEDBACK_SOURCE] == 2, vector(ends, 2),
+        gains_of(m), matrix(work, LOOP_WORK_SIZE, LOOP_WORK_COLUMNS), vector(fault, SETUP_FAULT_SIZE));
+    return segfmu_setup_message(status, fault, message, MESSAGE);
+}
+
 bool model_warning(const model *base, const double start[], char message[MESSAGE])
 {
     char names[MESSAGE] = "";
@@ -56,7 +75,8 @@ bool model_warning(const model *base, const double start[], char message[MESSAGE
         find_changed((const crane *)base, start, names);
     }
     if (names[0] == '\0') {
-        return crane_out_of_range((const crane *)base, message);
+        return crane_unstable((crane *)base, message)
+            || crane_out_of_range((const crane *)base, message);
     }
     say(message, "the gains of feedback.table, design lqr, were made for other values of %s; set "
         "feedback.design to flatness, or build the FMU with these values", names);
