@@ -72,25 +72,30 @@ class Trapezoid:
         """[s]"""
         return 2.0 * self.ramp + self.cruise
 
+    @property
+    def edges(self) -> tuple[tuple[float, float], ...]:
+        """Times at which the acceleration jumps [s], and by how much [m/s2]."""
+        times = (0.0, self.ramp, self.ramp + self.cruise, self.duration)
+        signs = (1.0, -1.0, -1.0, 1.0)
+        return tuple((t, s * self._acceleration) for t, s in zip(times, signs, strict=True))
+
     def __call__(self, t: ArrayLike, derivative: int = 0) -> FloatArray:
         """Position, velocity or acceleration (right-continuous) at times t, the shape of t."""
         _require_derivative(derivative)
-        # each edge of the acceleration, (sign, time), starts a parabola
+        # each edge of the acceleration starts a parabola
         times = np.asarray(t, dtype=np.float64)
-        edges = ((1.0, 0.0), (-1.0, self.ramp), (-1.0, self.ramp + self.cruise),
-                 (1.0, self.duration))
         value = np.full(times.shape, self._start if derivative == 0 else 0.0)
-        for sign, edge in edges:
+        for edge, step in self.edges:
             since = np.clip(times - edge, 0.0, None)
             if derivative == 0:
                 # no rounding error may remain after the end
                 since = np.minimum(since, self.duration - edge)
-                value += sign * self._acceleration * since**2 / 2.0
+                value += step * since**2 / 2.0
             elif derivative == 1:
                 since = np.minimum(since, self.duration - edge)
-                value += sign * self._acceleration * since
+                value += step * since
             else:
-                value += sign * self._acceleration * (times >= edge)
+                value += step * (times >= edge)
         return value
 
 

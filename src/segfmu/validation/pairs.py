@@ -22,6 +22,8 @@ from segfmu.validation.scenario import specs
 # of start values: a mission has those of some kB
 MOST_STARTS = 64
 TABLE = "feedback.table"
+# parameters of GantryFeedforward and GantryCrane, and gains
+Starts = tuple[dict[str, Any], dict[str, Any], dict[str, Any]]
 
 
 @dataclass(frozen=True)
@@ -42,7 +44,7 @@ class Pairs:
     def __init__(self) -> None:
         self._folder = tempfile.TemporaryDirectory(prefix="segfmu_")
         self._pairs: dict[tuple[int, int], Pair] = {}
-        self._starts: Kept[tuple[dict[str, Any], dict[str, Any]]] = Kept(MOST_STARTS)
+        self._starts: Kept[Starts] = Kept(MOST_STARTS)
 
     def close(self) -> None:
         """Remove the archives."""
@@ -68,14 +70,14 @@ class Pairs:
 
     def values(
         self, mission: Mission, trajectory: Trajectory, fmi: int
-    ) -> tuple[dict[str, Any], dict[str, Any]]:
-        """Parameters of both FMUs whose start values differ from those of their archives."""
+    ) -> Starts:
+        """Parameters of both FMUs whose start values differ from their archives', and all gains."""
         pair, planned = self.get(mission, trajectory, fmi), _planned(mission)
 
-        def make() -> tuple[dict[str, Any], dict[str, Any]]:
+        def make() -> Starts:
             own = _native(specs(planned, trajectory))
             first, second = map(_differences, pair.interfaces, own)
-            return first, second
+            return first, second, _table(own[1])
 
         return self._starts.get((id(pair), planned.model_dump_json()), make)
 
@@ -97,8 +99,13 @@ def _differences(old: Spec, new: Spec) -> dict[str, Any]:
     before = {v.name: v.start for v in old.variables}
     found = {v.name: v.start for v in new.where("parameter") if v.start != before[v.name]}
     if any(name.startswith(TABLE) for name in found):
-        found |= {v.name: v.start for v in new.where("parameter") if v.name.startswith(TABLE)}
+        found |= _table(new)
     return found
+
+
+def _table(interface: Spec) -> dict[str, Any]:
+    """The table of gains."""
+    return {v.name: v.start for v in interface.where("parameter") if v.name.startswith(TABLE)}
 
 
 def with_arrays(interface: Spec, values: Mapping[str, Any]) -> dict[str, Any]:

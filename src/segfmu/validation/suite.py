@@ -11,13 +11,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from segfmu.cosim import Change, System, profile
+from segfmu.cosim.points import communication_points
 from segfmu.errors import BuildError, InputError, SegfmuError
 from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.planning import Trajectory
+from segfmu.validation.baselines import Course, course, position_gains
+from segfmu.validation.baselines import changes as inputs
 from segfmu.validation.files.mission import Mission
 from segfmu.validation.files.scenario_file import Scenario
-from segfmu.validation.files.scenario_tables import ScenarioFile, moment
+from segfmu.validation.files.scenario_tables import moment
 from segfmu.validation.kept import Kept
 from segfmu.validation.monitor import Finding, judge
 from segfmu.validation.pairs import Pairs, with_arrays
@@ -30,6 +33,10 @@ from segfmu.validation.scenario import (
 
 FEEDFORWARD, CRANE = "GantryFeedforward", "GantryCrane"
 LEAD = "setpoint.lead"
+# control of positions knows no disturbances
+NO_REJECTION = {
+    "feedback.design": "lqr", "feedback.rejection.carriage": 0.0, "feedback.rejection.load": 0.0,
+}
 # loaded FMUs take some 10 MB, plans next to nothing
 MOST_SYSTEMS, MOST_PLANS = 4, 256
 Rows = NDArray[np.void]
@@ -87,6 +94,7 @@ class Runner:
         self._pairs = Pairs()
         self._systems: Kept[System] = Kept(MOST_SYSTEMS, System.close)
         self._plans: Kept[Trajectory] = Kept(MOST_PLANS)
+        self._courses: Kept[Course] = Kept(MOST_PLANS)
 
     def __enter__(self) -> Runner:
         return self
@@ -98,6 +106,7 @@ class Runner:
         """Free everything."""
         self._systems.clear()
         self._plans.clear()
+        self._courses.clear()
         self._pairs.close()
 
     def run(self, scenario: Scenario) -> Result:
@@ -113,7 +122,7 @@ class Runner:
         found = Result(scenario, {})
         try:
             trajectory = self._plan(scenario.mission)
-            known = _known(scenario.mission, trajectory)
+            known = self._known(scenario, trajectory)
             found = replace(found, known=known)
             rows = self._rows(scenario, trajectory, known)
             return replace(found, rows=rows, findings=tuple(
@@ -138,9 +147,9 @@ class Runner:
         """
         try:
             trajectory = self._plan(scenario.mission)
-            known = _known(scenario.mission, trajectory)
+            known = self._known(scenario, trajectory)
             values = self._values(scenario, trajectory)
-            changes = _changes(scenario.file, known)
+            changes = self._changes(scenario, known)
             self._system(scenario, trajectory).check(
                 values, stop_time=known["end"], changes=changes
             )
@@ -153,6 +162,33 @@ class Runner:
     def _plan(self, mission: Mission) -> Trajectory:
         key = mission.model_dump_json(exclude={"name", "true_crane", "simulation"})
         return self._plans.get(key, mission.plan)
+
+    def _known(self, scenario: Scenario, trajectory: Trajectory) -> dict[str, float]:
+        """Times of "start", "arrival" and "end" [s]."""
+        mission, own = scenario.mission, self._course(scenario)
+        end = ending(mission, trajectory)
+        if own is not None:
+            end = own.duration + max(own.dead_time)
+        return {"start": 0.0, "arrival": end, "end": end + mission.simulation.settle}
+
+    def _course(self, scenario: Scenario) -> Course | None:
+        """The course of a method without a plan."""
+        method, mission = scenario.file.method, scenario.mission
+        if method == "feedforward":
+            return None
+        key = method, mission.model_dump_json(exclude={"name", "true_crane"})
+        return self._courses.get(key, lambda: course(mission, method))
+
+    def _changes(self, scenario: Scenario, known: Mapping[str, float]) -> list[Change]:
+        file, own = scenario.file, self._course(scenario)
+        found: list[Change] = []
+        if own is not None:
+            times = communication_points(0.0, known["end"], scenario.mission.simulation.step)
+            found += inputs(own, CRANE, times)
+        found += [Change(moment(e.time, known), e.fmu, e.values) for e in file.events]
+        for p in file.profiles:
+            found += profile(p.fmu, p.variable, [moment(t, known) for t in p.times], p.values)
+        return found
 
     def _findings(
         self, scenario: Scenario, trajectory: Trajectory, known: Mapping[str, float], rows: Rows
@@ -175,19 +211,22 @@ class Runner:
     ) -> Rows:
         return self._system(scenario, trajectory).run(
             self._values(scenario, trajectory), stop_time=known["end"],
-            changes=_changes(scenario.file, known),
+            changes=self._changes(scenario, known),
         )
 
     def _values(self, scenario: Scenario, trajectory: Trajectory) -> dict[str, dict[str, Any]]:
         """Parameters and start values of all FMUs."""
         file, mission = scenario.file, scenario.mission
         lead = {LEAD: mission.simulation.step} if file.lead else {}
-        source, sink = self._pairs.values(mission, trajectory, file.fmi)
+        source, sink, gains = self._pairs.values(mission, trajectory, file.fmi)
         source = source | feedforward_values(mission, trajectory)
         # weights are those of the build
         sink = sink | {
             n: v for n, v in crane_values(mission).items() if not n.startswith(AT_BUILD)
         }
+        if file.method == "pd":
+            driven = sink["drive.mode"] == "velocity"
+            sink |= NO_REJECTION | position_gains(mission.build_crane(), driven, gains)
         if file.fmi == 3:
             interfaces = self._pairs.get(mission, trajectory, file.fmi).interfaces
             source, sink = with_arrays(interfaces[0], source), with_arrays(interfaces[1], sink)
@@ -195,6 +234,8 @@ class Runner:
             FEEDFORWARD: source | lead, CRANE: sink | lead,
             **{unit.name: dict(unit.values) for unit in file.fmus},
         }
+        if file.method != "feedforward":
+            del values[FEEDFORWARD]
         for fmu, own in file.parameters.items():
             values[fmu] = values.get(fmu, {}) | own
         return values
@@ -207,40 +248,28 @@ class Runner:
             if name in (FEEDFORWARD, CRANE):
                 raise InputError(f"fmus: {name} is the name of one of the two FMUs")
         links = [tuple(link) for unit in file.fmus for link in unit.connections]
+        planned = file.method == "feedforward"
 
         def make() -> System:
             taken = {link[2:] for link in links}
             own = [
                 (FEEDFORWARD, name, CRANE, name) for name in _shared()
-                if (CRANE, name) not in taken
+                if planned and (CRANE, name) not in taken
             ]
+            first = {FEEDFORWARD: archives[0]} if planned else {}
             return System(
-                {FEEDFORWARD: archives[0], **others, CRANE: archives[1]},
+                {**first, **others, CRANE: archives[1]},
                 step=step, coupling=file.coupling, connections=[*own, *links],
             )
 
-        key = (*archives, step, file.coupling, *others.items(), *links)
+        key = (planned, *archives, step, file.coupling, *others.items(), *links)
         return self._systems.get(key, make)
-
-
-def _known(mission: Mission, trajectory: Trajectory) -> dict[str, float]:
-    """Times of "start", "arrival" and "end" [s]."""
-    end = ending(mission, trajectory)
-    return {"start": 0.0, "arrival": end, "end": end + mission.simulation.settle}
 
 
 def _shared() -> list[str]:
     """Outputs of GantryFeedforward that GantryCrane takes."""
     taken = {v.name for v in gantry_crane.spec().where("input")}
     return [v.name for v in gantry_feedforward.spec().where("output") if v.name in taken]
-
-
-def _changes(file: ScenarioFile, known: Mapping[str, float]) -> list[Change]:
-    found = [Change(moment(e.time, known), e.fmu, e.values) for e in file.events]
-    for p in file.profiles:
-        times = [moment(t, known) for t in p.times]
-        found += profile(p.fmu, p.variable, times, p.values)
-    return found
 
 
 def _without_feedback(scenario: Scenario) -> Scenario:

@@ -157,6 +157,12 @@ class ScenarioFile(Table):
     expect: Annotated[
         Literal["pass", "fail"], Key("whether all criteria have to hold, or one must not")
     ] = "pass"
+    method: Annotated[
+        Literal["feedforward", "trapezoid", "pd", "zv", "zvd"],
+        Key("where setpoints come from: GantryFeedforward, or in its place trapezoidal velocities "
+            "from waypoint to waypoint, plain, with control of the carriages' positions alone in "
+            "place of the feedback, or through an input shaper"),
+    ] = "feedforward"
     step: Annotated[
         Annotated[Number, Field(ge=1e-6, le=0.1)] | None,
         Key("communication step", "s", default="simulation.step of the mission"),

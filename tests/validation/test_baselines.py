@@ -1,0 +1,161 @@
+"""Baselines: limits, stops, what shaping and PD leave; and the comparison as the docs tell it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from segfmu.validation.baselines import Course, changes, course
+from segfmu.validation.campaigns.result import load_result
+from segfmu.validation.files.mission import load_mission
+from segfmu.validation.files.scenario_file import build_scenario, read_source
+from segfmu.validation.suite import Runner
+from tests.compiler import require_native
+from tests.validation.campaigns.files import run
+
+ROOT = Path(__file__).parents[2]
+CAMPAIGNS = ROOT / "models" / "campaigns"
+VELOCITY = {"crane": {"drive": "velocity"}}
+LEVEL = CAMPAIGNS / "_methods_lab_level.toml"
+
+
+@pytest.fixture(scope="module")
+def runner() -> Iterator[Runner]:
+    require_native()
+    with Runner() as runner:
+        yield runner
+
+
+def test_baselines_stop_at_every_waypoint_within_limits_and_bounds() -> None:
+    mission = load_mission(ROOT / "models" / "inteco.toml", {
+        "limits": {"x": {"velocity": 1.0, "acceleration": 2.0}},
+    })
+    for method in ("trapezoid", "pd", "zv", "zvd"):
+        own = course(mission, method)
+        times = np.linspace(0.0, own.duration, 20001)
+        points, speeds, gains = (
+            np.stack([m(times, order) for m in own.motions], axis=-1) for order in range(3)
+        )
+        # the bounds of the drives are lower than these limits along x
+        assert np.all(np.abs(speeds).max(axis=0) <= np.array([0.3, 0.22, 0.2]) + 1e-9)
+        assert np.all(np.abs(gains).max(axis=0) <= np.array([0.6, 0.3, 0.3]) + 1e-9)
+        assert points[-1] == pytest.approx([0.25, 0.3, 0.7], abs=1e-12)
+        resting = points[np.abs(speeds).max(axis=1) < 1e-3]
+        if method in ("trapezoid", "pd"):
+            assert np.linalg.norm(resting - [0.0, 0.0, 0.5], axis=1).min() < 1e-3
+
+
+def residual(own: Course, axis: int, frequency: float) -> float:
+    """Amplitude of a linear pendulum behind the motion, by the Fourier integral of a''."""
+    times = np.linspace(0.0, own.duration, 400_001)
+    force = own.motions[axis](times, 2) * np.exp(1j * frequency * times)
+    return float(abs(np.trapezoid(force, times))) / frequency
+
+
+def test_shapers_leave_no_swing_and_references_end_at_rest() -> None:
+    mission = load_mission(ROOT / "models" / "inteco_level.toml", VELOCITY)
+    frequency = np.sqrt(9.81 / 0.6)
+    bare = residual(course(mission, "trapezoid"), 0, frequency)
+    for method in ("zv", "zvd"):
+        own = course(mission, method)
+        assert residual(own, 0, frequency) < 1e-4 * bare
+        state = own.reference(np.array([own.duration, own.duration + 1.0]))
+        assert state[:, 3:] == pytest.approx(np.zeros((2, 7)), abs=1e-12)
+
+
+def test_the_reference_of_a_shaper_is_a_motion() -> None:
+    own = course(load_mission(ROOT / "models" / "inteco.toml"), "zv")
+    times = np.linspace(0.0, own.duration, 40001)
+    states = own.reference(times)
+    rates = np.gradient(states[:, :5], times, axis=0)
+    assert states[:, 5:] == pytest.approx(rates, abs=2e-3)
+    assert np.abs(states[:, 3]).max() > 0.01
+
+
+def test_inputs_move_the_carriage_exactly_and_end_at_the_place() -> None:
+    own = course(load_mission(ROOT / "models" / "inteco.toml"), "trapezoid")
+    times = np.arange(0.0, own.duration + 0.5, 0.01)
+    found = changes(own, "GantryCrane", times)
+    assert found[0].time == 0.0 and found[-1].time < own.duration + 0.02
+    # velocities that are held from change to change
+    moved = np.zeros(3)
+    for change, end in zip(found, [*(c.time for c in found[1:]), times[-1]], strict=True):
+        rate = [change.values[f"velocity.{d}"] for d in ("bridge", "trolley", "hoist")]
+        moved += (end - change.time) * np.array(rate)
+    assert moved == pytest.approx([0.5, 0.6, -0.1], abs=1e-9)
+
+
+def swing(runner: Runner, method: str, **changes: object) -> tuple[float, float]:
+    """Largest sway along x behind the motion [rad], and its least within the last period."""
+    scenario = build_scenario(read_source(LEVEL), {"method": method, **changes})
+    result = runner.run(scenario)
+    assert result.rows is not None, result.error
+    times, sway = result.rows["time"], np.abs(result.rows["sway.x.angle"])
+    end = result.known["end"]
+    return (
+        float(sway[times >= result.known["arrival"]].max()), float(sway[times > end - 1.6].max())
+    )
+
+
+OFF = {"controller": {"enabled": False}}
+
+
+def test_the_fmu_swings_as_the_linear_pendulum(runner: Runner) -> None:
+    mission = load_mission(ROOT / "models" / "inteco_level.toml", VELOCITY)
+    expected = residual(course(mission, "trapezoid"), 0, np.sqrt(9.81 / 0.6)) / 0.6
+    bare, _ = swing(runner, "trapezoid", **OFF)
+    assert expected > 0.05
+    assert bare == pytest.approx(expected, rel=0.02)
+    shaped, _ = swing(runner, "zv", **OFF)
+    assert shaped < 0.001 * bare
+
+
+def test_pd_knows_nothing_of_the_sway_and_feedback_does(runner: Runner) -> None:
+    sway = {"simulation": {"initial_sway": [0.5, 0.0]}}
+    _, last = swing(runner, "pd", **sway)
+    # the carriages hold their places, so the load swings on
+    assert last == pytest.approx(swing(runner, "trapezoid", **sway, **OFF)[1], rel=0.02)
+    assert swing(runner, "zv", **sway)[1] < 0.02 * swing(runner, "zv", **sway, **OFF)[1]
+
+
+def told() -> list[dict[tuple[str, str], float]]:
+    """The tables of the page: distances [mm] by disturbance and method."""
+    page = (ROOT / "docs" / "validation.md").read_text(encoding="utf-8")
+    found = []
+    for block in re.findall(r"^\| \[mm\] .*(?:\n\|.*)+", page, re.MULTILINE):
+        head, _, *rows = [
+            [cell.strip() for cell in line.strip("|").split("|")] for line in block.splitlines()
+        ]
+        found.append({
+            (row[0], name): float(value)
+            for row in rows for name, value in zip(head[1:], row[1:], strict=True)
+        })
+    return found
+
+
+@pytest.mark.parametrize(("name", "place"), [("lab", 0), ("quay", 1)])
+def test_the_comparison_is_as_told_and_every_drive_within_its_bounds(
+    name: str, place: int, tmp_path: Path
+) -> None:
+    require_native()
+    run(CAMPAIGNS / f"methods_{name}.toml", "-o", tmp_path, code=1)
+    result = load_result(tmp_path)
+    assert not result.errors
+    assert all(result.column("holds.drives"))
+    first = result.column("scenario")[0]
+    table = told()[place]
+    count = 0
+    for i, method in enumerate(result.column("method")):
+        if result.column("scenario")[i] != first:
+            continue
+        row = result.column("disturbance")[i]
+        distance = 1e3 * (result.column("bound.distance")[i] - result.column("margin.distance")[i])
+        assert distance == pytest.approx(table[row, method], abs=0.06, rel=1e-3), (row, method)
+        arrival = table["arrival [s]", method]
+        assert result.column("arrival")[i] == pytest.approx(arrival, abs=0.06)
+        count += 1
+    assert count == 13 * 8 == len(table) - 8
