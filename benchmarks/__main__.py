@@ -22,6 +22,7 @@ PARTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "f": ("evaluation", ()),
     "g": ("fmu_steps", ()),
     "m": ("master_runs", ()),
+    "n": ("campaign_rate", ("distributed", "pyarrow")),
     "h": ("master_time", ()),
     "i": ("completeness", ()),
     "j": ("drive_bounds", ()),

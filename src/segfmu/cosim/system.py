@@ -51,8 +51,8 @@ class System:
         Steps also end at events: in FMI 3.0 where the first FMU returns early, in FMI 2.0 where an
         output `plan.next_event` says. Steps in parallel that `setpoint.lead` makes up for have to
         be equal, so they end at no events.
-    record : mapping of str to sequence of str, optional
-        Names of FMUs and of their variables; by default all scalar outputs.
+    record : mapping of str to sequence of str or None, optional
+        Names of FMUs and of their variables, or None; by default, and for None, all scalar outputs.
     engine : str
         "c": the step loop in C, for which the package must have been installed with a compiler;
         "python"; or "auto": C where there is one. Both give the same numbers.
@@ -82,7 +82,7 @@ class System:
         connections: Iterable[Sequence[str]] | None = None,
         coupling: Coupling | None = None,
         events: bool = True,
-        record: Mapping[str, Sequence[str]] | None = None,
+        record: Mapping[str, Sequence[str] | None] | None = None,
         engine: Engine = "auto",
     ) -> None:
         if coupling is not None and coupling not in get_args(Coupling):

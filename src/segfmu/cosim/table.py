@@ -43,7 +43,7 @@ def columns(units: Mapping[str, Unit], recorded: Mapping[str, Sequence[str]]) ->
 
 
 def chosen(
-    units: Mapping[str, Unit], record: Mapping[str, Sequence[str]] | None
+    units: Mapping[str, Unit], record: Mapping[str, Sequence[str] | None] | None
 ) -> dict[str, list[str]]:
     """Names of the variables to record, by unit; by default all scalar outputs.
 
@@ -57,13 +57,16 @@ def chosen(
     for owner, names in record.items():
         if owner not in units:
             raise InputError(f"no FMU {owner} in the system; it has {', '.join(units)}")
-        for name in names:
+        for name in names or ():
             variable = units[owner].variables.get(name)
             if variable is None:
                 raise InputError(f"{owner} has no variable {name}")
             if variable.type not in units[owner].COLUMNS or variable.dimensions:
                 raise InputError(f"{owner}: {name} is no number, only numbers can be recorded")
-    return {owner: list(dict.fromkeys(record.get(owner, ()))) for owner in units}
+    return {
+        owner: unit.outputs() if owner in record and record[owner] is None
+        else list(dict.fromkeys(record.get(owner) or ())) for owner, unit in units.items()
+    }
 
 
 def row_type(found: Sequence[Column]) -> np.dtype[np.void]:

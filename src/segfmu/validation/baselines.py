@@ -31,8 +31,9 @@ from segfmu.validation.files.mission import Mission
 SHAPERS: dict[str, Callable[[float], Shaper]] = {"zv": zv, "zvd": zvd}
 # of a trapezoid without a shaper
 PLAIN = Shaper(np.zeros(1), np.ones(1))
-# critically damped control of the carriages' positions: its frequency over the pendulum's
-RATIO = 3.0
+# critically damped control of the carriages' positions: its frequency over the pendulum's; a
+# stiffer one asks for more than drives have
+RATIO = 1.0
 
 
 class Legs:

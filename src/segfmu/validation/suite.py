@@ -242,7 +242,8 @@ class Runner:
 
     def _system(self, scenario: Scenario, trajectory: Trajectory) -> System:
         file, step = scenario.file, scenario.mission.simulation.step
-        archives = self._pairs.get(scenario.mission, trajectory, file.fmi).paths
+        pair = self._pairs.get(scenario.mission, trajectory, file.fmi)
+        archives, outputs = pair.paths, [v.name for v in pair.interfaces[1].where("output")]
         others = {unit.name: Path(unit.path) for unit in file.fmus}
         for name in others:
             if name in (FEEDFORWARD, CRANE):
@@ -257,8 +258,10 @@ class Runner:
                 if planned and (CRANE, name) not in taken
             ]
             first = {FEEDFORWARD: archives[0]} if planned else {}
+            # of GantryCrane alone: what it follows is among the rows too
+            rows = None if planned else {**dict.fromkeys(others), CRANE: [*outputs, *_shared()]}
             return System(
-                {**first, **others, CRANE: archives[1]},
+                {**first, **others, CRANE: archives[1]}, record=rows,
                 step=step, coupling=file.coupling, connections=[*own, *links],
             )
 

@@ -211,7 +211,12 @@ def owned(rows: Rows) -> Rows:
 
 
 def arrivals(rows: Rows, end: float) -> list[float]:
-    """Times at which the load is at the waypoints [s], from the rows of a run."""
+    """Times at which the load is at the waypoints [s], from the rows of a run.
+
+    A run without GantryFeedforward tells the start and the end alone.
+    """
+    if "plan.interval" not in (rows.dtype.names or ()):
+        return [0.0, round(end, 4)]
     jumps = np.flatnonzero(np.diff(rows["plan.interval"].astype(int)) > 0) + 1
     return [0.0, *(round(float(rows["time"][i]), 4) for i in jumps), round(end, 4)]
 
