@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from benchmarks.replanning import over_optimum, random_plan
+from benchmarks.stopping import shortest_stop
 
 from segfmu import (
     InfeasibleError,
@@ -95,6 +96,24 @@ def test_stops_are_near_the_optimum() -> None:
     # the programme is solved to 1e-3
     assert min(ratios) > 0.998
     assert np.median(ratios) < 1.02
+
+
+@pytest.mark.parametrize(
+    ("bounds", "state"),
+    [
+        ((0.38888, 0.474745, 1.305593, 2.703219), (0.0015523, 0.0306868, 0.4063397, 2.703219)),
+        ((1.687, 1.281, 1.045, 1.509), (-0.01029, -0.08916, -0.51853, -1.509)),
+        ((1.392, 0.432, 1.485, 0.631), (0.0058464, 0.0454896, 0.2395305, 0.631)),
+    ],
+)
+def test_a_stop_before_a_gap_of_durations(
+    bounds: tuple[float, ...], state: tuple[float, ...]
+) -> None:
+    # it lasts up to 1.33 times as long behind the gap, to which a slow settling of the snap leads
+    found = stop(Waypoint(0.0, *state), limits=Limits(*bounds), smoothness=4).duration
+    optimum = shortest_stop(np.array(state[:3]), np.array(bounds), 1.02 * found)
+    assert optimum is not None
+    assert found < 1.05 * optimum
 
 
 @pytest.mark.parametrize("n", [2, 3, 4, 5, 6])

@@ -267,10 +267,10 @@ static double power_of(double base, int64_t exponent);
 static void set_level(array_double_1d node, array_double_1d passing, array_double_1d axis);
 static void advance(double time, double level, double change, double variance, double fourth, int64_t above, array_double_1d state);
 static void pass_node(int64_t i, array_double_1d passing, array_double_1d axis, array_double_2d nodes);
-static double residual_scale(int64_t order, array_double_1d passing);
+static double residual_scale(int64_t order, array_double_1d passing, array_double_1d axis);
 static int64_t node_residuals(int64_t i, int64_t row, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d residual);
 static void hold_limit(int64_t q, array_double_1d node, array_double_1d axis, array_double_1d state);
-static void end_residuals(int64_t row, array_double_1d problem, array_double_1d passing, array_double_1d end, array_double_1d residual);
+static void end_residuals(int64_t row, array_double_1d problem, array_double_1d passing, array_double_1d axis, array_double_1d end, array_double_1d residual);
 static double sequence_duration(array_double_1d passing, array_double_2d nodes);
 static void run_sequence(int64_t first, array_double_1d problem, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d residual);
 static bool is_square(array_double_1d passing, array_double_2d nodes);
@@ -285,13 +285,15 @@ static void restore_sequence(array_double_2d work);
 static void insert_node(int64_t place, int64_t kind, double sign, double time, bool touch, array_double_2d work);
 static bool split_level(int64_t place, int64_t kind, double sign, array_double_1d axis, array_double_2d work);
 static bool split_ramp(int64_t place, int64_t kind, double sign, bool touch, bool holding, array_double_2d work);
-static bool insert_plateau(int64_t kind, bool other, array_double_1d axis, array_double_2d work);
+static bool insert_plateau(int64_t kind, bool touching, array_double_1d axis, array_double_2d work);
 static bool rotate_levels(array_double_2d work);
 static bool solve_rotated(array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t overlong_plateau(array_double_2d work);
+static bool shorten_hold(int64_t row, int64_t touch, int64_t steps, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static bool touch_limit(int64_t row, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool release_touch(int64_t kind, array_double_2d work);
-static int64_t add_plateau(array_double_1d axis, array_double_2d work);
-static bool meet_limits(array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d work);
+static bool meet_limits(bool upward, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static void append_level(double sign, double time, array_double_2d work);
 static void append_levels(double change, array_double_1d axis, array_double_2d work);
 static int64_t limit_held(int64_t* result_0, double* result_1_0001, double a, double v, array_double_1d axis);
@@ -299,6 +301,8 @@ static void copy_levels(int64_t count, array_double_2d phases, double v, array_d
 static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool slow_down(double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t write_sequence(array_double_2d phases, array_double_1d axis, array_double_2d work);
+static bool stays_below(array_double_2d work);
+static double passing_duration(int64_t way, int64_t attempt, double longest, int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t passing_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t timed_passing(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double usual_duration(array_double_1d problem, array_double_1d axis);
@@ -8914,8 +8918,8 @@ static bool measure_excess(array_double_1d axis, array_double_2d work)
             }
         }
         (*cspan_at(&state, q)) = level;
-        ramp = (*cspan_at(&work, row, INT64_C(10)));
-        change = (*cspan_at(&work, row, INT64_C(8))) - level;
+        ramp = (*cspan_at(&work, row, INT64_C(11)));
+        change = (*cspan_at(&work, row, INT64_C(9))) - level;
         if (ramp > 0.0)
         {
             for (piece = INT64_C(1); piece < pow(2.0, (double)(boxes)); piece += INT64_C(1))
@@ -8934,15 +8938,15 @@ static bool measure_excess(array_double_1d axis, array_double_2d work)
                 }
             }
         }
-        level = (*cspan_at(&work, row, INT64_C(8)));
-        if ((*cspan_at(&work, row, INT64_C(9))) > 0.0)
+        level = (*cspan_at(&work, row, INT64_C(9)));
+        if ((*cspan_at(&work, row, INT64_C(10))) > 0.0)
         {
             for (order = q; order < INT64_C(8); order += INT64_C(1))
             {
                 (*cspan_at(&state, order)) = 0.0;
             }
             (*cspan_at(&state, q)) = level;
-            piece_excess((*cspan_at(&work, row, INT64_C(9))), i, 1, axis, work);
+            piece_excess((*cspan_at(&work, row, INT64_C(10))), i, 1, axis, work);
         }
     }
     for (order = INT64_C(1); order < q; order += INT64_C(1))
@@ -10663,11 +10667,10 @@ static void set_level(array_double_1d node, array_double_1d passing, array_doubl
     kind = (int64_t)((*cspan_at(&node, INT64_C(4))));
     pace = (*cspan_at(&passing, INT64_C(2)));
     time = (*cspan_at(&node, INT64_C(6)));
-    (*cspan_at(&node, INT64_C(8))) = 0.0;
-    (*cspan_at(&node, INT64_C(9))) = time;
+    (*cspan_at(&node, INT64_C(9))) = 0.0;
+    (*cspan_at(&node, INT64_C(10))) = time;
     if ((*cspan_at(&node, INT64_C(7))) > 0.5)
     {
-        (*cspan_at(&node, INT64_C(9))) = 0.0;
         return;
     }
     if ((kind > INT64_C(0)) && ((kind != above) || (time >= 0.0)))
@@ -10680,17 +10683,17 @@ static void set_level(array_double_1d node, array_double_1d passing, array_doubl
         sign = -sign;
     }
     rise = fabs(time);
-    (*cspan_at(&node, INT64_C(9))) = 0.0;
+    (*cspan_at(&node, INT64_C(10))) = 0.0;
     most = (*cspan_at(&axis, INT64_C(14) + above - INT64_C(1)));
     if (rise >= most)
     {
-        (*cspan_at(&node, INT64_C(8))) = sign * (*cspan_at(&axis, INT64_C(4) + above - INT64_C(1)));
-        (*cspan_at(&node, INT64_C(9))) = (rise - most) / pace;
+        (*cspan_at(&node, INT64_C(9))) = sign * (*cspan_at(&axis, INT64_C(4) + above - INT64_C(1)));
+        (*cspan_at(&node, INT64_C(10))) = (rise - most) / pace;
     }
     else if (rise > 0.0)
     {
         plateau_change(&change, &slope, rise, above, axis);
-        (*cspan_at(&node, INT64_C(8))) = sign * change;
+        (*cspan_at(&node, INT64_C(9))) = sign * change;
     }
 }
 /*Advance the derivatives below q = 2 + above by a hold at a level, or a rise from it.       */
@@ -10763,43 +10766,63 @@ static void pass_node(int64_t i, array_double_1d passing, array_double_1d axis, 
     before = 0.0;
     if (i > INT64_C(0))
     {
-        before = (*cspan_at(&nodes, i - INT64_C(1), INT64_C(8)));
+        before = (*cspan_at(&nodes, i - INT64_C(1), INT64_C(9)));
     }
-    change = (*cspan_at(&nodes, i, INT64_C(8))) - before;
+    change = (*cspan_at(&nodes, i, INT64_C(9))) - before;
     for (k = INT64_C(0); k < above + INT64_C(2); k += INT64_C(1))
     {
         (*cspan_at(&nodes, i + INT64_C(1), INT64_C(0) + k)) = (*cspan_at(&nodes, i, INT64_C(0) + k));
     }
-    (*cspan_at(&nodes, i, INT64_C(10))) = 0.0;
+    (*cspan_at(&nodes, i, INT64_C(11))) = 0.0;
     if (change != 0.0)
     {
         plateau_duration(&basis, &slope, fabs(change) / power_of(pace, above + INT64_C(2)), above, axis);
         rise_moments(&variance, &fourth, basis, above, axis);
         square = 1.0 / (pace * pace);
-        (*cspan_at(&nodes, i, INT64_C(10))) = basis / pace;
+        (*cspan_at(&nodes, i, INT64_C(11))) = basis / pace;
         advance(basis / pace, before, change, variance * square, fourth * square * square, above, span_row(&nodes, i + INT64_C(1)));
     }
 }
-/*What a derivative is measured in.*/
-static double residual_scale(int64_t order, array_double_1d passing)
+/*What a derivative is measured in: about its peak, for the same rounding errors of all. */
+static double residual_scale(int64_t order, array_double_1d passing, array_double_1d axis)
 {
-    double scale;
-    double result;
-    scale = (*cspan_at(&passing, INT64_C(4))) * power_of((*cspan_at(&passing, INT64_C(3))), INT64_C(2));
-    result = scale / power_of((*cspan_at(&passing, INT64_C(3))), order);
-    return result;
+    double acceleration;
+    double time;
+    double speed;
+    acceleration = (*cspan_at(&passing, INT64_C(4)));
+    time = (*cspan_at(&passing, INT64_C(3)));
+    if (order > INT64_C(1))
+    {
+        speed = acceleration / power_of(span_min(time, (*cspan_at(&axis, INT64_C(9)))), order - INT64_C(2));
+        return speed;
+    }
+    speed = span_min((*cspan_at(&axis, INT64_C(2))), acceleration * time);
+    if (order == INT64_C(1))
+    {
+        return speed;
+    }
+    return speed * time;
 }
 /*Write the conditions at a plateau, after the ramp to it, from `row` on; the next row.*/
 static int64_t node_residuals(int64_t i, int64_t row, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d residual)
 {
     int64_t q;
     int64_t kind;
-    bool touch;
+    int64_t dropped;
     int64_t k;
     double error;
     q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
     kind = (int64_t)((*cspan_at(&nodes, i, INT64_C(4))));
-    touch = (*cspan_at(&nodes, i, INT64_C(7))) > 0.5;
+    /*which condition is that of the hold instead*/
+    dropped = -INT64_C(1);
+    if ((*cspan_at(&nodes, i, INT64_C(7))) > 1.5)
+    {
+        dropped = kind;
+    }
+    else if ((*cspan_at(&nodes, i, INT64_C(7))) > 0.5)
+    {
+        dropped = q - INT64_C(1);
+    }
     if (kind == INT64_C(0))
     {
         return row;
@@ -10811,11 +10834,11 @@ static int64_t node_residuals(int64_t i, int64_t row, array_double_1d passing, a
         {
             error = error - (*cspan_at(&nodes, i, INT64_C(5))) * (*cspan_at(&axis, INT64_C(2) + kind - INT64_C(1)));
         }
-        (*cspan_at(&residual, INT64_C(0) + row)) = error / residual_scale(k, passing);
-        if (touch && (k == q - INT64_C(1)))
+        (*cspan_at(&residual, INT64_C(0) + row)) = error / residual_scale(k, passing, axis);
+        if (k == dropped)
         {
-            /*of q - 1 the value is free, of q - 3 the derivative q - 1*/
-            (*cspan_at(&residual, INT64_C(0) + row)) = (*cspan_at(&nodes, i, INT64_C(6))) / (*cspan_at(&passing, INT64_C(3)));
+            error = (*cspan_at(&nodes, i, INT64_C(6))) - (*cspan_at(&nodes, i, INT64_C(8)));
+            (*cspan_at(&residual, INT64_C(0) + row)) = error / (*cspan_at(&passing, INT64_C(3)));
         }
         row = row + INT64_C(1);
     }
@@ -10827,7 +10850,7 @@ static void hold_limit(int64_t q, array_double_1d node, array_double_1d axis, ar
     int64_t kind;
     int64_t k;
     kind = (int64_t)((*cspan_at(&node, INT64_C(4))));
-    if ((kind > INT64_C(0)) && ((*cspan_at(&node, INT64_C(7))) < 0.5) && ((*cspan_at(&node, INT64_C(8))) == 0.0))
+    if ((kind > INT64_C(0)) && ((*cspan_at(&node, INT64_C(7))) < 0.5) && ((*cspan_at(&node, INT64_C(9))) == 0.0))
     {
         (*cspan_at(&state, INT64_C(0) + kind)) = (*cspan_at(&node, INT64_C(5))) * (*cspan_at(&axis, INT64_C(2) + kind - INT64_C(1)));
         for (k = kind + INT64_C(1); k < q; k += INT64_C(1))
@@ -10837,7 +10860,7 @@ static void hold_limit(int64_t q, array_double_1d node, array_double_1d axis, ar
     }
 }
 /*Write the conditions at the end of a sequence, whose state is in `end`, from `row` on. */
-static void end_residuals(int64_t row, array_double_1d problem, array_double_1d passing, array_double_1d end, array_double_1d residual)
+static void end_residuals(int64_t row, array_double_1d problem, array_double_1d passing, array_double_1d axis, array_double_1d end, array_double_1d residual)
 {
     int64_t k;
     double target;
@@ -10858,7 +10881,7 @@ static void end_residuals(int64_t row, array_double_1d problem, array_double_1d 
             target = (*cspan_at(&problem, INT64_C(3)));
         }
         error = (*cspan_at(&end, INT64_C(0) + k)) - target;
-        (*cspan_at(&residual, INT64_C(0) + row + k)) = error / residual_scale(k, passing);
+        (*cspan_at(&residual, INT64_C(0) + row + k)) = error / residual_scale(k, passing, axis);
     }
 }
 /*Duration of a sequence [s].*/
@@ -10869,7 +10892,7 @@ static double sequence_duration(array_double_1d passing, array_double_2d nodes)
     total = 0.0;
     for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
-        total = total + (*cspan_at(&nodes, i, INT64_C(10))) + (*cspan_at(&nodes, i, INT64_C(9)));
+        total = total + (*cspan_at(&nodes, i, INT64_C(11))) + (*cspan_at(&nodes, i, INT64_C(10)));
     }
     return total;
 }
@@ -10907,18 +10930,18 @@ static void run_sequence(int64_t first, array_double_1d problem, array_double_1d
         set_level(span_row(&nodes, i), passing, axis);
         pass_node(i, passing, axis, nodes);
         row = node_residuals(i, row, passing, axis, nodes, residual);
-        hold = (*cspan_at(&nodes, i, INT64_C(9)));
+        hold = (*cspan_at(&nodes, i, INT64_C(10)));
         hold_limit(q, span_row(&nodes, i), axis, span_row(&nodes, i + INT64_C(1)));
         if (hold != 0.0)
         {
-            advance(hold, (*cspan_at(&nodes, i, INT64_C(8))), 0.0, 0.0, 0.0, q - INT64_C(2), span_row(&nodes, i + INT64_C(1)));
+            advance(hold, (*cspan_at(&nodes, i, INT64_C(9))), 0.0, 0.0, 0.0, q - INT64_C(2), span_row(&nodes, i + INT64_C(1)));
         }
     }
     (*cspan_at(&nodes, count, INT64_C(4))) = 0.0;
-    (*cspan_at(&nodes, count, INT64_C(8))) = 0.0;
     (*cspan_at(&nodes, count, INT64_C(9))) = 0.0;
+    (*cspan_at(&nodes, count, INT64_C(10))) = 0.0;
     pass_node(count, passing, axis, nodes);
-    end_residuals(row, problem, passing, span_row(&nodes, count + INT64_C(1)), residual);
+    end_residuals(row, problem, passing, axis, span_row(&nodes, count + INT64_C(1)), residual);
     row = row + q;
     if ((*cspan_at(&passing, INT64_C(5))) > 0.0)
     {
@@ -11172,7 +11195,7 @@ static void keep_sequence(array_double_2d work)
     }
     for (j = INT64_C(0); j < (int64_t)((*cspan_at(&work, INT64_C(47), INT64_C(0)))) + INT64_C(2); j += INT64_C(1))
     {
-        for (i = INT64_C(0); i < INT64_C(11); i += INT64_C(1))
+        for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
         {
             (*cspan_at(&work, INT64_C(66) + INT64_C(1) + j, i)) = (*cspan_at(&work, INT64_C(48) + j, i));
         }
@@ -11189,7 +11212,7 @@ static void restore_sequence(array_double_2d work)
     }
     for (j = INT64_C(0); j < (int64_t)((*cspan_at(&work, INT64_C(47), INT64_C(0)))) + INT64_C(2); j += INT64_C(1))
     {
-        for (i = INT64_C(0); i < INT64_C(11); i += INT64_C(1))
+        for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
         {
             (*cspan_at(&work, INT64_C(48) + j, i)) = (*cspan_at(&work, INT64_C(66) + INT64_C(1) + j, i));
         }
@@ -11208,7 +11231,7 @@ static void insert_node(int64_t place, int64_t kind, double sign, double time, b
     for (j = INT64_C(0); j < count - place; j += INT64_C(1))
     {
         row = INT64_C(48) + count - j;
-        for (i = INT64_C(0); i < INT64_C(11); i += INT64_C(1))
+        for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
         {
             (*cspan_at(&work, row, i)) = (*cspan_at(&work, row - INT64_C(1), i));
         }
@@ -11218,6 +11241,7 @@ static void insert_node(int64_t place, int64_t kind, double sign, double time, b
     (*cspan_at(&work, row, INT64_C(5))) = sign;
     (*cspan_at(&work, row, INT64_C(6))) = time;
     (*cspan_at(&work, row, INT64_C(7))) = touch;
+    (*cspan_at(&work, row, INT64_C(8))) = 0.0;
     (*cspan_at(&passing, INT64_C(0))) = count + INT64_C(1);
 }
 /*Let the derivative q - 2 stay at its limit within a level: level, plateau, level.*/
@@ -11288,11 +11312,11 @@ static bool split_ramp(int64_t place, int64_t kind, double sign, bool touch, boo
     insert_node(place, INT64_C(0), after, time, 0, work);
     return 1;
 }
-/*Let a derivative that exceeds its limit the most at a node stay at the limit there.    */
-/*                                                                                       */
-/*    other: what is the less likely kind of plateau. False if there is no place for it. */
-/*                                                                                       */
-static bool insert_plateau(int64_t kind, bool other, array_double_1d axis, array_double_2d work)
+/*Let a derivative that exceeds its limit the most at a node stay at the limit there.      */
+/*                                                                                         */
+/*    touching: that of the order q - 3 only touches it. False if there is no place for it.*/
+/*                                                                                         */
+static bool insert_plateau(int64_t kind, bool touching, array_double_1d axis, array_double_2d work)
 {
     array_double_1d passing;
     array_double_1d excess;
@@ -11303,7 +11327,6 @@ static bool insert_plateau(int64_t kind, bool other, array_double_1d axis, array
     bool holding;
     int64_t row;
     bool here;
-    bool touch;
     bool result;
     passing = span_row(&work, INT64_C(47));
     excess = span_row(&work, INT64_C(85) + kind);
@@ -11322,7 +11345,7 @@ static bool insert_plateau(int64_t kind, bool other, array_double_1d axis, array
         {
             row = INT64_C(48) + place;
             here = (place < count) && ((*cspan_at(&work, row, INT64_C(4))) < 0.5);
-            if ((!here) || ((*cspan_at(&work, row, INT64_C(8))) * sign >= 0.0))
+            if ((!here) || ((*cspan_at(&work, row, INT64_C(9))) * sign >= 0.0))
             {
                 place = place - INT64_C(1);
             }
@@ -11336,12 +11359,7 @@ static bool insert_plateau(int64_t kind, bool other, array_double_1d axis, array
     }
     if (kind == q - INT64_C(3))
     {
-        touch = (*cspan_at(&excess, INT64_C(0))) < 0.1;
-        if (other)
-        {
-            touch = !touch;
-        }
-        result = split_ramp(place, kind, sign, touch, holding, work);
+        result = split_ramp(place, kind, sign, touching, holding, work);
         return result;
     }
     row = INT64_C(48) + place;
@@ -11375,7 +11393,7 @@ static bool rotate_levels(array_double_2d work)
     {
         for (row = first; row < last; row += INT64_C(1))
         {
-            for (i = INT64_C(0); i < INT64_C(11); i += INT64_C(1))
+            for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
             {
                 (*cspan_at(&work, row, i)) = (*cspan_at(&work, row + INT64_C(1), i));
             }
@@ -11411,6 +11429,7 @@ static int64_t overlong_plateau(array_double_2d work)
     int64_t i;
     int64_t row;
     int64_t kind;
+    bool held;
     int64_t found;
     passing = span_row(&work, INT64_C(47));
     found = -INT64_C(1);
@@ -11419,13 +11438,53 @@ static int64_t overlong_plateau(array_double_2d work)
     {
         row = INT64_C(48) + i;
         kind = (int64_t)((*cspan_at(&work, row, INT64_C(4))));
-        if ((kind > INT64_C(0)) && (kind != (int64_t)((*cspan_at(&passing, INT64_C(1))))) && ((*cspan_at(&work, row, INT64_C(6))) < least))
+        held = ((*cspan_at(&work, row, INT64_C(7))) < 0.5) && (kind != (int64_t)((*cspan_at(&passing, INT64_C(1)))));
+        if ((kind > INT64_C(0)) && held && ((*cspan_at(&work, row, INT64_C(6))) < least))
         {
             found = i;
             least = (*cspan_at(&work, row, INT64_C(6)));
         }
     }
     return found;
+}
+/*Bring the hold of a plateau to zero in steps, with one condition less (TOUCH). */
+static bool shorten_hold(int64_t row, int64_t touch, int64_t steps, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    double hold;
+    int64_t i;
+    hold = (*cspan_at(&work, row, INT64_C(6)));
+    (*cspan_at(&work, row, INT64_C(7))) = touch;
+    for (i = INT64_C(0); i < steps; i += INT64_C(1))
+    {
+        (*cspan_at(&work, row, INT64_C(8))) = hold * (steps - INT64_C(1) - i) / steps;
+        if (!solve_sequence(problem, axis, work))
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
+/*Let the derivative of a plateau whose hold is below zero only touch its limit, or less.*/
+static bool touch_limit(int64_t row, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    int64_t kind;
+    bool result;
+    keep_sequence(work);
+    kind = (int64_t)((*cspan_at(&work, row, INT64_C(4))));
+    if (kind == (int64_t)((*cspan_at(&work, INT64_C(47), INT64_C(1)))) + INT64_C(1))
+    {
+        if (shorten_hold(row, INT64_C(2), INT64_C(1), problem, axis, work))
+        {
+            return 1;
+        }
+    }
+    else if (shorten_hold(row, INT64_C(1), INT64_C(4), problem, axis, work))
+    {
+        return 1;
+    }
+    restore_sequence(work);
+    result = shorten_hold(row, INT64_C(2), INT64_C(4), problem, axis, work);
+    return result;
 }
 /*Let a derivative that touches its limit and still exceeds it stay there instead. */
 static bool release_touch(int64_t kind, array_double_2d work)
@@ -11435,7 +11494,7 @@ static bool release_touch(int64_t kind, array_double_2d work)
     for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(47), INT64_C(0)))); i += INT64_C(1))
     {
         row = INT64_C(48) + i;
-        if (((*cspan_at(&work, row, INT64_C(4))) == kind) && ((*cspan_at(&work, row, INT64_C(7))) > 0.5))
+        if (((*cspan_at(&work, row, INT64_C(4))) == kind) && ((*cspan_at(&work, row, INT64_C(7))) == 1.0))
         {
             (*cspan_at(&work, row, INT64_C(7))) = 0.0;
             return 1;
@@ -11443,8 +11502,11 @@ static bool release_touch(int64_t kind, array_double_2d work)
     }
     return 0;
 }
-/*Add a plateau of the highest derivative that exceeds its limit; its order, 0: impossible.*/
-static int64_t add_plateau(array_double_1d axis, array_double_2d work)
+/*Add a plateau of a derivative that exceeds its limit; its order, 0: impossible.*/
+/*                                                                               */
+/*    upward: of the lowest such derivative, else of the highest one.            */
+/*                                                                               */
+static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d work)
 {
     int64_t q;
     int64_t j;
@@ -11454,6 +11516,10 @@ static int64_t add_plateau(array_double_1d axis, array_double_2d work)
     for (j = INT64_C(0); j < q - INT64_C(1); j += INT64_C(1))
     {
         kind = q - INT64_C(1) - j;
+        if (upward)
+        {
+            kind = j + INT64_C(1);
+        }
         if ((*cspan_at(&work, INT64_C(85) + kind, INT64_C(0))) > 0.0)
         {
             if (insert_plateau(kind, 0, axis, work))
@@ -11473,7 +11539,10 @@ static int64_t add_plateau(array_double_1d axis, array_double_2d work)
     return INT64_C(0);
 }
 /*Add plateaus to a solved sequence, or take their holds, until it keeps all limits. */
-static bool meet_limits(array_double_1d problem, array_double_1d axis, array_double_2d work)
+/*                                                                                   */
+/*    upward: the derivatives of low order first.                                    */
+/*                                                                                   */
+static bool meet_limits(bool upward, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     int64_t q;
     int64_t added;
@@ -11506,12 +11575,10 @@ static bool meet_limits(array_double_1d problem, array_double_1d axis, array_dou
         if (place >= INT64_C(0))
         {
             row = INT64_C(48) + place;
-            if ((*cspan_at(&work, row, INT64_C(7))) > 0.5)
+            if (!touch_limit(row, problem, axis, work))
             {
                 return 0;
             }
-            (*cspan_at(&work, row, INT64_C(7))) = 1.0;
-            (*cspan_at(&work, row, INT64_C(6))) = 0.0;
         }
         else if (!measure_excess(axis, work))
         {
@@ -11520,7 +11587,7 @@ static bool meet_limits(array_double_1d problem, array_double_1d axis, array_dou
         else
         {
             keep_sequence(work);
-            added = add_plateau(axis, work);
+            added = add_plateau(upward, axis, work);
             if (added == INT64_C(0))
             {
                 return 0;
@@ -11783,17 +11850,17 @@ static int64_t write_sequence(array_double_2d phases, array_double_1d axis, arra
     for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(47), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
         row = INT64_C(48) + i;
-        if ((*cspan_at(&work, row, INT64_C(10))) > 0.0)
+        if ((*cspan_at(&work, row, INT64_C(11))) > 0.0)
         {
-            (*cspan_at(&phases, used, INT64_C(0))) = (*cspan_at(&work, row, INT64_C(10)));
-            (*cspan_at(&phases, used, INT64_C(1))) = (*cspan_at(&work, row, INT64_C(10))) * (*cspan_at(&work, INT64_C(47), INT64_C(2)));
+            (*cspan_at(&phases, used, INT64_C(0))) = (*cspan_at(&work, row, INT64_C(11)));
+            (*cspan_at(&phases, used, INT64_C(1))) = (*cspan_at(&work, row, INT64_C(11))) * (*cspan_at(&work, INT64_C(47), INT64_C(2)));
             (*cspan_at(&phases, used, INT64_C(2))) = level;
-            (*cspan_at(&phases, used, INT64_C(3))) = (*cspan_at(&work, row, INT64_C(8))) - level;
+            (*cspan_at(&phases, used, INT64_C(3))) = (*cspan_at(&work, row, INT64_C(9))) - level;
             (*cspan_at(&phases, used, INT64_C(4))) = above;
             used = used + INT64_C(1);
         }
-        level = (*cspan_at(&work, row, INT64_C(8)));
-        if ((*cspan_at(&work, row, INT64_C(9))) > 0.0)
+        level = (*cspan_at(&work, row, INT64_C(9)));
+        if (((*cspan_at(&work, row, INT64_C(10))) > 0.0) && ((*cspan_at(&work, row, INT64_C(7))) < 0.5))
         {
             held = level;
             order = above;
@@ -11808,11 +11875,56 @@ static int64_t write_sequence(array_double_2d phases, array_double_1d axis, arra
                     held = (*cspan_at(&work, row, INT64_C(5))) * (*cspan_at(&axis, INT64_C(2) + kind - INT64_C(1)));
                 }
             }
-            used = append_hold(phases, used, held, (*cspan_at(&work, row, INT64_C(9))));
+            used = append_hold(phases, used, held, (*cspan_at(&work, row, INT64_C(10))));
             (*cspan_at(&phases, used - INT64_C(1), INT64_C(4))) = order;
         }
     }
     return used;
+}
+/*Whether a derivative of a sequence stays below its limit where it could reach it.*/
+static bool stays_below(array_double_2d work)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(47), INT64_C(0)))); i += INT64_C(1))
+    {
+        if ((*cspan_at(&work, INT64_C(48) + i, INT64_C(7))) > 1.5)
+        {
+            return 1;
+        }
+    }
+    return 0;
+}
+/*Duration of the passing profile that keeps the limits in one of several ways.                      */
+/*                                                                                                   */
+/*    Plateaus of derivatives of high order first (0), of low order first (1), or a slower pace (2). */
+/*    -1: there is none; 0: the sequence has no solution from the start of this attempt.             */
+/*                                                                                                   */
+static double passing_duration(int64_t way, int64_t attempt, double longest, int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    bool found;
+    double result;
+    if (!set_sequence(attempt, count, phases, problem, axis, work))
+    {
+        return -1.0;
+    }
+    if (!solve_rotated(problem, axis, work))
+    {
+        return 0.0;
+    }
+    if (way == INT64_C(2))
+    {
+        found = slow_down(longest, problem, axis, work);
+    }
+    else
+    {
+        found = meet_limits(way == INT64_C(1), problem, axis, work);
+    }
+    if (!found)
+    {
+        return -1.0;
+    }
+    result = sequence_duration(span_row(&work, INT64_C(47)), span_rows(&work, INT64_C(48), INT64_C(66)));
+    return result;
 }
 /*Replace a profile of ramps of the acceleration by a shorter passing one, if there is one.*/
 /*                                                                                         */
@@ -11820,41 +11932,51 @@ static int64_t write_sequence(array_double_2d phases, array_double_1d axis, arra
 /*                                                                                         */
 static int64_t passing_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
-    array_double_1d passing;
-    array_double_2d nodes;
     double longest;
     int64_t attempt;
-    bool found;
+    int64_t best;
+    int64_t way;
+    double found;
     int64_t result;
-    passing = span_row(&work, INT64_C(47));
-    nodes = span_rows(&work, INT64_C(48), INT64_C(66));
     longest = total_duration(phases, count) * (1.0 - 1e-09);
     for (attempt = INT64_C(0); attempt < INT64_C(6); attempt += INT64_C(1))
     {
-        if (!set_sequence(attempt, count, phases, problem, axis, work))
+        best = -INT64_C(1);
+        way = INT64_C(0);
+        while(way < INT64_C(3))
         {
-            break;
+            found = passing_duration(way, attempt, longest, count, phases, problem, axis, work);
+            if (found == 0.0)
+            {
+                break;
+            }
+            if ((found > 0.0) && (found < longest))
+            {
+                longest = found;
+                best = way;
+                if (!stays_below(work))
+                {
+                    break;
+                }
+            }
+            way = way + INT64_C(1);
         }
-        if (!solve_rotated(problem, axis, work))
+        if ((way == INT64_C(0)) && (best < INT64_C(0)))
         {
+            /*no solution from this start*/
             continue;
         }
-        found = meet_limits(problem, axis, work);
-        if (!found)
+        if (best < INT64_C(0))
         {
-            set_sequence(attempt, count, phases, problem, axis, work);
-            solve_rotated(problem, axis, work);
-            found = slow_down(longest, problem, axis, work);
-        }
-        if (found)
-        {
-            if (sequence_duration(passing, nodes) < longest)
-            {
-                result = write_sequence(phases, axis, work);
-                return result;
-            }
             break;
         }
+        if (way != best)
+        {
+            /*the last one that was tried is not the shortest*/
+            found = passing_duration(best, attempt, longest, count, phases, problem, axis, work);
+        }
+        result = write_sequence(phases, axis, work);
+        return result;
     }
     return count;
 }
@@ -11882,7 +12004,7 @@ static int64_t timed_passing(array_double_2d phases, array_double_1d problem, ar
         {
             return INT64_C(0);
         }
-        if ((!meet_limits(problem, axis, work)) || ((*cspan_at(&passing, INT64_C(2))) > 1.0))
+        if ((!meet_limits(0, problem, axis, work)) || ((*cspan_at(&passing, INT64_C(2))) > 1.0))
         {
             return INT64_C(0);
         }
@@ -16339,6 +16461,7 @@ static void search_lead(int64_t order, array_double_1d limits, array_double_2d l
     int64_t i;
     double before;
     int64_t j;
+    bool gained;
     axis = span_row(&lead, INT64_C(43));
     steep = 1.0;
     for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
@@ -16353,7 +16476,9 @@ static void search_lead(int64_t order, array_double_1d limits, array_double_2d l
             {
                 (*cspan_at(&lead, INT64_C(5), j)) = (*cspan_at(&lead, INT64_C(6), j));
             }
-            if (!try_lead(order, INT64_C(200), limits, lead, timing, coefficients))
+            gained = try_lead(order, INT64_C(200), limits, lead, timing, coefficients);
+            /*before a gap of durations the best ends move: they are searched for once more*/
+            if ((i > INT64_C(1)) && (!gained))
             {
                 break;
             }

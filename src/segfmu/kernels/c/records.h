@@ -886,10 +886,11 @@ enum {
     NODE_SIGN = 5,
     NODE_TIME = 6,
     NODE_TOUCH = 7,
-    NODE_LEVEL = 8,
-    NODE_HOLD = 9,
-    NODE_RAMP = 10,
-    NODE_SIZE = 11
+    NODE_AIM = 8,
+    NODE_LEVEL = 9,
+    NODE_HOLD = 10,
+    NODE_RAMP = 11,
+    NODE_SIZE = 12
 };
 
 enum {

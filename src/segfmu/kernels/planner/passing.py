@@ -182,7 +182,7 @@ def write_sequence(phases: 'float[:,:]', axis: 'float[:]', work: 'float[:,:]') -
             phases[used, Phase.ABOVE] = above
             used = used + 1
         level = work[row, Node.LEVEL]
-        if work[row, Node.HOLD] > 0.0:
+        if work[row, Node.HOLD] > 0.0 and work[row, Node.TOUCH] < 0.5:
             held = level
             order = above
             if work[row, Node.KIND] > 0.5 and level == 0.0:
@@ -197,6 +197,36 @@ def write_sequence(phases: 'float[:,:]', axis: 'float[:]', work: 'float[:,:]') -
     return used
 
 
+def stays_below(work: 'float[:,:]') -> bool:
+    """Whether a derivative of a sequence stays below its limit where it could reach it."""
+    for i in range(int(work[PlanWork.PASSING, Passing.COUNT])):
+        if work[PlanWork.NODES + i, Node.TOUCH] > 1.5:
+            return True
+    return False
+
+
+def passing_duration(
+    way: int, attempt: int, longest: float, count: int, phases: 'float[:,:]',
+    problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]',
+) -> float:
+    """Duration of the passing profile that keeps the limits in one of several ways.
+
+    Plateaus of derivatives of high order first (0), of low order first (1), or a slower pace (2).
+    -1: there is none; 0: the sequence has no solution from the start of this attempt.
+    """
+    if not set_sequence(attempt, count, phases, problem, axis, work):
+        return -1.0
+    if not solve_rotated(problem, axis, work):
+        return 0.0
+    if way == 2:
+        found = slow_down(longest, problem, axis, work)
+    else:
+        found = meet_limits(way == 1, problem, axis, work)
+    if not found:
+        return -1.0
+    return sequence_duration(work[PlanWork.PASSING, :], work[PlanWork.NODES:PlanWork.KEPT, :])
+
+
 def passing_form(
     count: int, phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> int:
@@ -204,23 +234,29 @@ def passing_form(
 
     Returns the new number of phases.
     """
-    passing = work[PlanWork.PASSING, :]
-    nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
     longest = total_duration(phases, count) * (1.0 - 1e-9)
     for attempt in range(6):
-        if not set_sequence(attempt, count, phases, problem, axis, work):
-            break
-        if not solve_rotated(problem, axis, work):
+        best = -1
+        way = 0
+        while way < 3:
+            found = passing_duration(way, attempt, longest, count, phases, problem, axis, work)
+            if found == 0.0:
+                break
+            if found > 0.0 and found < longest:
+                longest = found
+                best = way
+                if not stays_below(work):
+                    break
+            way = way + 1
+        if way == 0 and best < 0:
+            # no solution from this start
             continue
-        found = meet_limits(problem, axis, work)
-        if not found:
-            set_sequence(attempt, count, phases, problem, axis, work)
-            solve_rotated(problem, axis, work)
-            found = slow_down(longest, problem, axis, work)
-        if found:
-            if sequence_duration(passing, nodes) < longest:
-                return write_sequence(phases, axis, work)
+        if best < 0:
             break
+        if way != best:
+            # the last one that was tried is not the shortest
+            found = passing_duration(best, attempt, longest, count, phases, problem, axis, work)
+        return write_sequence(phases, axis, work)
     return count
 
 
@@ -240,6 +276,6 @@ def timed_passing(
         passing[Passing.TARGET] = shortest * (1.0 + longer * (i + 1) / steps)
         if not solve_rotated(problem, axis, work):
             return 0
-        if not meet_limits(problem, axis, work) or passing[Passing.PACE] > 1.0:
+        if not meet_limits(False, problem, axis, work) or passing[Passing.PACE] > 1.0:
             return 0
     return write_sequence(phases, axis, work)

@@ -39,6 +39,7 @@ def insert_node(
     work[row, Node.SIGN] = sign
     work[row, Node.TIME] = time
     work[row, Node.TOUCH] = touch
+    work[row, Node.AIM] = 0.0
     passing[Passing.COUNT] = count + 1
 
 
@@ -88,10 +89,10 @@ def split_ramp(
     return True
 
 
-def insert_plateau(kind: int, other: bool, axis: 'float[:]', work: 'float[:,:]') -> bool:
+def insert_plateau(kind: int, touching: bool, axis: 'float[:]', work: 'float[:,:]') -> bool:
     """Let a derivative that exceeds its limit the most at a node stay at the limit there.
 
-    other: what is the less likely kind of plateau. False if there is no place for it.
+    touching: that of the order q - 3 only touches it. False if there is no place for it.
     """
     passing = work[PlanWork.PASSING, :]
     excess = work[PlanWork.EXCESS + kind, :]
@@ -112,10 +113,7 @@ def insert_plateau(kind: int, other: bool, axis: 'float[:]', work: 'float[:,:]')
     if place == 0 or place >= count:
         return False
     if kind == q - 3:
-        touch = excess[Excess.SHARE] < 0.1
-        if other:
-            touch = not touch
-        return split_ramp(place, kind, sign, touch, holding, work)
+        return split_ramp(place, kind, sign, touching, holding, work)
     row = PlanWork.NODES + place
     if holding or work[row, Node.KIND] > 0.5 or work[row - 1, Node.KIND] > 0.5:
         return False
@@ -161,27 +159,61 @@ def overlong_plateau(work: 'float[:,:]') -> int:
     for i in range(int(passing[Passing.COUNT])):
         row = PlanWork.NODES + i
         kind = int(work[row, Node.KIND])
-        if kind > 0 and kind != int(passing[Passing.ABOVE]) and work[row, Node.TIME] < least:
+        held = work[row, Node.TOUCH] < 0.5 and kind != int(passing[Passing.ABOVE])
+        if kind > 0 and held and work[row, Node.TIME] < least:
             found = i
             least = work[row, Node.TIME]
     return found
+
+
+def shorten_hold(
+    row: int, touch: int, steps: int, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
+) -> bool:
+    """Bring the hold of a plateau to zero in steps, with one condition less (TOUCH)."""
+    hold = work[row, Node.TIME]
+    work[row, Node.TOUCH] = touch
+    for i in range(steps):
+        work[row, Node.AIM] = hold * (steps - 1 - i) / steps
+        if not solve_sequence(problem, axis, work):
+            return False
+    return True
+
+
+def touch_limit(
+    row: int, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
+) -> bool:
+    """Let the derivative of a plateau whose hold is below zero only touch its limit, or less."""
+    keep_sequence(work)
+    kind = int(work[row, Node.KIND])
+    if kind == int(work[PlanWork.PASSING, Passing.ABOVE]) + 1:
+        if shorten_hold(row, 2, 1, problem, axis, work):
+            return True
+    elif shorten_hold(row, 1, 4, problem, axis, work):
+        return True
+    restore_sequence(work)
+    return shorten_hold(row, 2, 4, problem, axis, work)
 
 
 def release_touch(kind: int, work: 'float[:,:]') -> bool:
     """Let a derivative that touches its limit and still exceeds it stay there instead."""
     for i in range(int(work[PlanWork.PASSING, Passing.COUNT])):
         row = PlanWork.NODES + i
-        if work[row, Node.KIND] == kind and work[row, Node.TOUCH] > 0.5:
+        if work[row, Node.KIND] == kind and work[row, Node.TOUCH] == 1.0:
             work[row, Node.TOUCH] = 0.0
             return True
     return False
 
 
-def add_plateau(axis: 'float[:]', work: 'float[:,:]') -> int:
-    """Add a plateau of the highest derivative that exceeds its limit; its order, 0: impossible."""
+def add_plateau(upward: bool, axis: 'float[:]', work: 'float[:,:]') -> int:
+    """Add a plateau of a derivative that exceeds its limit; its order, 0: impossible.
+
+    upward: of the lowest such derivative, else of the highest one.
+    """
     q = int(work[PlanWork.PASSING, Passing.ABOVE]) + 2
     for j in range(q - 1):
         kind = q - 1 - j
+        if upward:
+            kind = j + 1
         if work[PlanWork.EXCESS + kind, Excess.SHARE] > 0.0:
             if insert_plateau(kind, False, axis, work):
                 return kind
@@ -192,8 +224,13 @@ def add_plateau(axis: 'float[:]', work: 'float[:,:]') -> int:
     return 0
 
 
-def meet_limits(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
-    """Add plateaus to a solved sequence, or take their holds, until it keeps all limits."""
+def meet_limits(
+    upward: bool, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
+) -> bool:
+    """Add plateaus to a solved sequence, or take their holds, until it keeps all limits.
+
+    upward: the derivatives of low order first.
+    """
     q = int(work[PlanWork.PASSING, Passing.ABOVE]) + 2
     added = 0
     for attempt in range(16):
@@ -210,15 +247,13 @@ def meet_limits(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bo
         place = overlong_plateau(work)
         if place >= 0:
             row = PlanWork.NODES + place
-            if work[row, Node.TOUCH] > 0.5:
+            if not touch_limit(row, problem, axis, work):
                 return False
-            work[row, Node.TOUCH] = 1.0
-            work[row, Node.TIME] = 0.0
         elif not measure_excess(axis, work):
             return True
         else:
             keep_sequence(work)
-            added = add_plateau(axis, work)
+            added = add_plateau(upward, axis, work)
             if added == 0:
                 return False
     return False

@@ -9,8 +9,8 @@ limit on a plateau, a node of level 0 with a hold: q - k more conditions.
 
 A free level has one unknown, the duration of the rise from 0 to it and, beyond its limit, of its
 hold. That of a plateau is its hold. Where the plateau of the derivative q - 2 has no time left, its
-node becomes a level, which touches the limit; that of q - 1 or q - 3 only touches (TOUCH) if one of
-its conditions is dropped.
+node becomes a level, which touches the limit; that of q - 1 or q - 3 has one condition less then
+(TOUCH).
 """
 
 from segfmu.kernels.planner.ramp import plateau_change, plateau_duration, rise_moments
@@ -34,7 +34,6 @@ def set_level(node: 'float[:]', passing: 'float[:]', axis: 'float[:]') -> None:
     node[Node.LEVEL] = 0.0
     node[Node.HOLD] = time
     if node[Node.TOUCH] > 0.5:
-        node[Node.HOLD] = 0.0
         return
     if kind > 0 and (kind != above or time >= 0.0):
         return
@@ -116,17 +115,22 @@ def node_residuals(
     """Write the conditions at a plateau, after the ramp to it, from `row` on; the next row."""
     q = int(passing[Passing.ABOVE]) + 2
     kind = int(nodes[i, Node.KIND])
-    touch = nodes[i, Node.TOUCH] > 0.5
+    # which condition is that of the hold instead
+    dropped = -1
+    if nodes[i, Node.TOUCH] > 1.5:
+        dropped = kind
+    elif nodes[i, Node.TOUCH] > 0.5:
+        dropped = q - 1
     if kind == 0:
         return row
     for k in range(kind, q):
         error = nodes[i + 1, Node.STATE + k]
         if k == kind:
             error = error - nodes[i, Node.SIGN] * axis[Axis.VELOCITY + kind - 1]
-        residual[Equations.VALUES + row] = error / residual_scale(k, passing)
-        if touch and k == q - 1:
-            # of q - 1 the value is free, of q - 3 the derivative q - 1
-            residual[Equations.VALUES + row] = nodes[i, Node.TIME] / passing[Passing.TIME]
+        residual[Equations.VALUES + row] = error / residual_scale(k, passing, axis)
+        if k == dropped:
+            error = nodes[i, Node.TIME] - nodes[i, Node.AIM]
+            residual[Equations.VALUES + row] = error / passing[Passing.TIME]
         row = row + 1
     return row
 
@@ -168,7 +172,7 @@ def run_sequence(
     nodes[count, Node.LEVEL] = 0.0
     nodes[count, Node.HOLD] = 0.0
     pass_node(count, passing, axis, nodes)
-    end_residuals(row, problem, passing, nodes[count + 1, :], residual)
+    end_residuals(row, problem, passing, axis, nodes[count + 1, :], residual)
     row = row + q
     if passing[Passing.TARGET] > 0.0:
         error = sequence_duration(passing, nodes) - passing[Passing.TARGET]
@@ -176,7 +180,8 @@ def run_sequence(
 
 
 def end_residuals(
-    row: int, problem: 'float[:]', passing: 'float[:]', end: 'float[:]', residual: 'float[:]'
+    row: int, problem: 'float[:]', passing: 'float[:]', axis: 'float[:]', end: 'float[:]',
+    residual: 'float[:]',
 ) -> None:
     """Write the conditions at the end of a sequence, whose state is in `end`, from `row` on."""
     for k in range(int(passing[Passing.ABOVE]) + 2):
@@ -188,13 +193,19 @@ def end_residuals(
         elif k == 2:
             target = problem[Problem.B]
         error = end[Node.STATE + k] - target
-        residual[Equations.VALUES + row + k] = error / residual_scale(k, passing)
+        residual[Equations.VALUES + row + k] = error / residual_scale(k, passing, axis)
 
 
-def residual_scale(order: int, passing: 'float[:]') -> float:
-    """What a derivative is measured in."""
-    scale = passing[Passing.ACCELERATION] * power_of(passing[Passing.TIME], 2)
-    return scale / power_of(passing[Passing.TIME], order)
+def residual_scale(order: int, passing: 'float[:]', axis: 'float[:]') -> float:
+    """What a derivative is measured in: about its peak, for the same rounding errors of all."""
+    acceleration = passing[Passing.ACCELERATION]
+    time = passing[Passing.TIME]
+    if order > 1:
+        return acceleration / power_of(min(time, axis[Axis.FULL_RAMP]), order - 2)
+    speed = min(axis[Axis.VELOCITY], acceleration * time)
+    if order == 1:
+        return speed
+    return speed * time
 
 
 def sequence_duration(passing: 'float[:]', nodes: 'float[:,:]') -> float:

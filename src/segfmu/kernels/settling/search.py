@@ -221,7 +221,9 @@ def search_lead(
         if before >= 0.0:
             for j in range(Chain.SIZE):
                 lead[LeadWork.ENDS, j] = lead[LeadWork.BEST_ENDS, j]
-            if not try_lead(order, LeadRows.PIECES, limits, lead, timing, coefficients):
+            gained = try_lead(order, LeadRows.PIECES, limits, lead, timing, coefficients)
+            # before a gap of durations the best ends move: they are searched for once more
+            if i > 1 and not gained:
                 break
         search_ends(order, limits, lead, timing, coefficients)
         steep = 10.0 * steep
