@@ -42,6 +42,20 @@ print(sys.version.split()[0], "segfmu", segfmu.__version__)
 """
 
 
+FACE = """
+import segfmu
+
+run = segfmu.simulate({mission!r}, step=0.01)
+assert run.passed, run
+run.report("face.html")
+segfmu.build(run.mission, "face")
+try:
+    run.to_pandas()
+except segfmu.InputError as error:
+    assert "pip install pandas" in str(error), error
+"""
+
+
 def built(folder: Path) -> tuple[Path, Path]:
     """Build into a folder; returns the source distribution and the wheel made from it."""
     run(sys.executable, "-m", "segfmu.fmu.native.prebuild")
@@ -132,7 +146,10 @@ def check_without_compiler(commands: Path, work: Path) -> None:
             [commands / "segfmu", *words], cwd=work, env=environment, check=True,
             stdout=subprocess.DEVNULL,
         )
-    assert (work / "bare" / "gust.csv").exists()
+    code = FACE.format(mission=str(models / "paper.toml"))
+    subprocess.run([commands / "python", "-c", code], cwd=work, env=environment, check=True)
+    for name in ("bare/gust.csv", "bare/report.html", "face.html", "face/GantryCrane.fmu"):
+        assert (work / name).exists(), name
     assert not (work / "cache").exists()
 
 
