@@ -8,7 +8,19 @@ from scipy.integrate import solve_ivp
 from scipy.signal import cont2discrete
 
 from segfmu import Crane, InputError
-from segfmu.crane.linear import lagged, linearised, matrices, sampled, scheduled_lengths
+from segfmu.crane.feedback import design
+from segfmu.crane.flat_feedback import design_flat
+from segfmu.crane.linear import (
+    lagged,
+    linearised,
+    matrices,
+    sampled,
+    scheduled_lengths,
+    usual_sample_time,
+)
+from segfmu.crane.observer import Uncertainty, design_observer
+from segfmu.crane.stability import largest_eigenvalue
+from segfmu.crane.tracking import TrackingController
 
 LAB = Crane(2.2, 1.155, 1.0)
 
@@ -71,3 +83,28 @@ def test_lengths_are_in_equal_ratios() -> None:
 def test_bad_lengths_are_refused(ends) -> None:
     with pytest.raises(InputError, match="rope lengths must be positive and ascending"):
         scheduled_lengths(*ends)
+
+
+@pytest.mark.parametrize("shortest", [0.02, 0.16, 1.0, 8.0, 40.0])
+@pytest.mark.parametrize("lag", [0.0, 0.5])
+def test_the_usual_sample_time_suits_any_crane(shortest: float, lag: float) -> None:
+    """Signals three samples late, ropes up to ten times as long."""
+    crane, period = Crane(5.0, 2.0, 1.0), usual_sample_time(9.81, shortest)
+    assert 0.03 < period / np.sqrt(shortest / 9.81) <= 0.08
+    ranges = {
+        "sample_time": period, "shortest": shortest, "longest": 10.0 * shortest, "driven": True,
+    }
+    observer = design_observer(
+        crane, lag=(lag,) * 3, delayed=3.0, uncertainty=Uncertainty(wake=0.0), **ranges
+    )
+    for make in (design, design_flat):
+        gains = make(crane, lag=lag, dead_time=3.0 * period, **ranges)
+        loop = TrackingController(observer, gains)
+        for length in (shortest, 3.0 * shortest, 10.0 * shortest):
+            assert largest_eigenvalue(loop, length, 1.0, (lag,) * 3) < 1.0
+
+
+def test_a_usual_sample_time_is_whole_samples_of_the_sensors() -> None:
+    assert usual_sample_time(9.81, 0.16, 0.004) == pytest.approx(0.008)
+    # slower signals have no more to say
+    assert usual_sample_time(9.81, 0.16, 0.02) == pytest.approx(0.02)

@@ -27,6 +27,9 @@ SIGNS = (1.0, -1.0)
 
 ROWS = 17
 
+# period of a feedback over sqrt(l / g), at most
+PERIOD_SHARE = 0.08
+
 
 def moved_masses(masses: Masses) -> FloatArray:
     """Masses [kg] moved by the drives of bridge, trolley and hoist, from `Crane.masses`."""
@@ -133,3 +136,16 @@ def rope_range(crane: Crane, length: float) -> tuple[float, float]:
     found = np.zeros(RopeRange.SIZE)
     backend.rope_range(length, crane.rope_min or 0.0, crane.rope_max or 0.0, found)
     return float(found[RopeRange.SHORTEST]), float(found[RopeRange.LONGEST])
+
+
+def usual_sample_time(gravity: float, shortest: float, sampling: float = 0.0) -> float:
+    """Period [s] of a feedback that is short for the pendulum at its shortest rope [m].
+
+    It is 1, 2 or 5 of a decade and at most PERIOD_SHARE of sqrt(l / g); with sampled signals, whole
+    samples [s], at least one.
+    """
+    most = PERIOD_SHARE * float(np.sqrt(shortest / gravity))
+    if sampling > 0.0:
+        return sampling * max(1.0, float(np.floor(most / sampling + 1e-9)))
+    decade = 10.0 ** float(np.floor(np.log10(most)))
+    return max(d * decade for d in (1.0, 2.0, 5.0) if d == 1.0 or d * decade <= most)

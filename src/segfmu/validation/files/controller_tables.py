@@ -96,7 +96,9 @@ class ControllerTable(Table):
     ] = "lqr"
     sample_time: Annotated[
         Annotated[float, Field(ge=1e-6, le=10.0), NUMBER] | None,
-        Key("period", "s", ("feedback.sample_time",)),
+        Key("period", "s", ("feedback.sample_time",),
+            "1, 2 or 5 of a decade up to 0.08 sqrt(rope_min / gravity), or whole samples of the "
+            "sensors; 0.01 without rope_min"),
     ] = None
     bandwidth: Annotated[
         Quantity | None,

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from segfmu.crane import ActuatorBounds, Crane, Rig
+from segfmu.crane.linear import usual_sample_time
 from segfmu.errors import InputError
 from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.standard.spec import started
@@ -36,6 +37,10 @@ def parameters(crane: CraneFile) -> dict[str, float | str]:
     for entry in _entries():
         if entry.feeds and "[" not in entry.feeds[0]:
             found.update(_fed(entry, _at(crane, entry.path)))
+    if crane.controller.sample_time is None and crane.rope_min is not None:
+        found["feedback.sample_time"] = usual_sample_time(
+            crane.gravity, crane.rope_min, crane.sensors.sample_time or 0.0
+        )
     for i, change in enumerate(crane.load.changes, 1):
         found[f"payload[{i}].time"] = change.time
         found[f"payload[{i}].mass"] = change.mass
