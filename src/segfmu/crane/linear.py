@@ -147,5 +147,5 @@ def usual_sample_time(gravity: float, shortest: float, sampling: float = 0.0) ->
     most = PERIOD_SHARE * float(np.sqrt(shortest / gravity))
     if sampling > 0.0:
         return sampling * max(1.0, float(np.floor(most / sampling + 1e-9)))
-    decade = 10.0 ** float(np.floor(np.log10(most)))
+    decade = float(10.0 ** np.floor(np.log10(most)))
     return max(d * decade for d in (1.0, 2.0, 5.0) if d == 1.0 or d * decade <= most)
