@@ -142,3 +142,13 @@ def test_a_run_that_there_is_not(
     path = write(tmp_path)
     words = ("campaign", str(path), "-o", str(tmp_path / "out"), "--replay", "40")
     assert "no run 40; they are 0 to 39" in refused(monkeypatch, capsys, *words)
+
+
+def test_packages_that_are_missing_are_one_line(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(
+        "segfmu.validation.campaigns.run.find_spec", lambda name: None if name == "dask" else name
+    )
+    line = refused(monkeypatch, capsys, "campaign", str(write(tmp_path)))
+    assert "campaigns need dask: pip install 'segfmu[campaign]'" in line

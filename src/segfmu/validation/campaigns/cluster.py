@@ -14,7 +14,7 @@ from time import monotonic, sleep
 from typing import TYPE_CHECKING, Any
 
 from segfmu.errors import InputError, SimulationError
-from segfmu.validation.campaigns import worker
+from segfmu.validation.campaigns import preload, worker
 from segfmu.validation.campaigns.worker import Order, Outcome
 from segfmu.validation.files.scenario_file import Source
 
@@ -45,13 +45,14 @@ def cluster(scheduler: str | None, jobs: int | None) -> Iterator[Client]:
 
     with ExitStack() as stack:
         if scheduler is None:
-            # workers keep no files of their own, so the folder is for their locks alone
+            # of Dask's locks and of archives, also those of a worker that is killed
             folder = stack.enter_context(
                 tempfile.TemporaryDirectory(prefix="segfmu_", ignore_cleanup_errors=True)
             )
             target: Any = stack.enter_context(LocalCluster(
                 n_workers=jobs or os.cpu_count() or 1, threads_per_worker=1, memory_limit=0,
-                dashboard_address=None, local_directory=folder, silence_logs=logging.CRITICAL,
+                dashboard_address="127.0.0.1:0", local_directory=folder,
+                silence_logs=logging.CRITICAL, preload=preload.__name__,
             ))
         else:
             target = scheduler
