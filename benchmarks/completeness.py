@@ -89,10 +89,10 @@ def constructed(random: np.random.Generator, n: int, size: float) -> Motion | No
     for _ in range(random.integers(1, 5)):
         b = np.clip(a + size * top * random.uniform(-1.0, 1.0), -top, top)
         duration, _ = backend.ramp_duration(abs(b - a), axis)
-        phases[count] = duration, duration, a, b - a
+        phases[count, : Phase.ABOVE] = duration, duration, a, b - a
         count += 1
         if random.random() < 0.4:
-            phases[count] = size * duration * random.uniform(0.0, 1.0), 0.0, b, 0.0
+            phases[count, : Phase.ABOVE] = size * duration * random.uniform(0.0, 1.0), 0.0, b, 0.0
             count += 1
         a = b
     v = SLACK * limits[0] * random.uniform(-1.0, 1.0)
