@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -14,7 +15,7 @@ from segfmu.cosim.load import load
 from segfmu.cosim.messages import MOST_TEXTS, Messages, on_stderr
 from segfmu.cosim.unit import Unit
 from segfmu.errors import SimulationError
-from segfmu.validation import scenario
+from segfmu.validation import archives, scenario
 
 MODELS = Path(__file__).parents[2] / "models"
 TABLE = (
@@ -171,10 +172,10 @@ def run_cli(monkeypatch, native_fmus, folder: Path, mass: float) -> int:
     monkeypatch.setattr(
         scenario, "crane_values", lambda mission: values(mission) | {"crane.bridge_mass": mass}
     )
-    monkeypatch.setattr(cli, "_built", lambda *_, **__: native_fmus[2])
+    monkeypatch.setattr(archives, "written", lambda *_: native_fmus[2])
     mission = str(MODELS / "paper.toml")
     monkeypatch.setattr(
-        cli.sys, "argv", ["segfmu", "simulate", mission, "-o", str(folder), "--step", "0.01"]
+        sys, "argv", ["segfmu", "simulate", mission, "-o", str(folder), "--step", "0.01"]
     )
     folder.mkdir()
     with pytest.raises(SystemExit) as ended:
