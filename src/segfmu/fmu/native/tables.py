@@ -75,7 +75,8 @@ def header(spec: Spec, version: int) -> str:
     )
     rows = max((len(a.members) // a.columns for a in spec.arrays), default=0)
     sizes = {
-        "VARIABLES": len(described), "DIFFERENTIABLE": differentiable,
+        "VARIABLES": len(described), "NAME": 1 + max(len(e.name) for e in described),
+        "DIFFERENTIABLE": differentiable,
         "REALS": len(placed.reals),
         # C has no arrays of no size
         "INTEGERS": max(1, len(placed.integers)), "INPUTS": len(spec.where("input")),

@@ -30,7 +30,7 @@ enum { SET_NEVER, SET_FIXED, SET_TUNABLE, SET_START, SET_INPUT };
 
 /* A variable; its value reference is its place in the table, from 1. */
 typedef struct {
-    const char *name;
+    char name[MODEL_NAME];  /* no pointer: the loader would have one to set for each */
     double least, most;   /* range */
     uint16_t offset;      /* of its first value in `real`, else in `integer` */
     uint16_t columns;     /* of an array, which has all rows of the instance; 0: a scalar */
