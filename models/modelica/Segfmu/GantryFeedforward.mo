@@ -154,7 +154,7 @@ protected
   constant Integer input_references[0] = fill(0, 0);
   Real inputs[0] = fill(0.0, 0);
   FMI.Instance fmu = FMI.Instance(folder, "GantryFeedforward", getInstanceName(),
-      "{80c139c7-5f3a-ce4b-518f-d3d1d55ad1d3}", 0);
+      "{951200f5-2f93-19d4-309c-9b4f67148be7}", 0);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[0] "states of the FMU";
