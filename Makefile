@@ -109,7 +109,7 @@ lock: $(VENV)/installed ## update the packages of all extras and write the lock 
 
 wheel: $(VENV)/installed-platforms ## source distribution and wheel with all binaries, into dist/
 	$(BIN)/python -m segfmu.fmu.native.prebuild
-	rm -rf build/lib*
+	rm -rf build
 	$(BIN)/python -m build --sdist --outdir dist
 	$(BIN)/python -m build --wheel --outdir dist
 

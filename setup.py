@@ -21,6 +21,8 @@ class BuildKernels(build_ext):
         else:
             # some builds of Python ask for debugging symbols: -g0 overrides
             ext.extra_compile_args = ["-std=c99", "-O3", "-ffp-contract=off", "-w", "-g0"]
+            # C has nothing to unwind
+            ext.extra_compile_args += ["-fno-asynchronous-unwind-tables"]
             # symbols for the static linker alone are of no use in a module
             ext.extra_link_args = ["-Wl,-x" if sys.platform == "darwin" else "-Wl,-s"]
         super().build_extension(ext)

@@ -60,8 +60,7 @@ def built(folder: Path) -> tuple[Path, Path]:
     """Build into a folder; returns the source distribution and the wheel made from it."""
     run(sys.executable, "-m", "segfmu.fmu.native.prebuild")
     # what setuptools kept of an earlier build would be in the wheel
-    for kept in (ROOT / "build").glob("lib*"):
-        shutil.rmtree(kept)
+    shutil.rmtree(ROOT / "build", ignore_errors=True)
     for kind in ("--sdist", "--wheel"):
         run(sys.executable, "-m", "build", kind, "--outdir", str(folder), str(ROOT))
     (source,), (wheel,) = folder.glob("*.tar.gz"), folder.glob("*.whl")

@@ -39,7 +39,8 @@ class Platform:
         return *self.compile, *self.link
 
 
-_CODE = ("-fPIC",)
+# C has nothing to unwind
+_CODE = ("-fPIC", "-fno-asynchronous-unwind-tables", "-fno-unwind-tables")
 _MACH = ("-shared", "-s")
 _ELF = ("-shared", "-s", "-Wl,--gc-sections", "-lm")
 PLATFORMS = {
