@@ -42,9 +42,11 @@ def pure(driven: bool, values: dict[str, float], events: bool) -> tuple[list, li
     inverse = FlatInverse(crane, trajectory)
     drives = ("bridge", "trolley", "hoist")
     late = parameters["sensor.dead_time"] + max(parameters[f"drive.{d}.dead_time"] for d in drives)
+    bound = "acceleration_max" if driven else "force_max"
     gains = design(
         crane, sample_time=0.01, shortest=0.16, longest=1.5, driven=driven,
         lag=[parameters[f"drive.{d}.lag"] for d in drives], dead_time=late,
+        strongest=[parameters[f"drive.{d}.{bound}"] or 1e99 for d in drives],
     )
 
     def setpoints(time: float) -> Setpoints:
