@@ -80,7 +80,7 @@ def test_while_it_builds_and_simulates(number: signal.Signals, tmp_path: Path) -
         assert not list((tmp_path / "temporary").iterdir())
         left = (tmp_path / f"out{part}").glob("*")
         assert {p.name for p in left} <= {
-            "GantryFeedforward.fmu", "GantryCrane.fmu", "run.csv", "run.png",
+            "GantryFeedforward.fmu", "GantryCrane.fmu", "run.csv", "run.png", "report.html",
         }
     assert caught >= 2
 

@@ -34,19 +34,16 @@ def validate(
     The exit code is 0 if every scenario passes or fails as its file expects.
     """
     from segfmu.validation import suites
-    from segfmu.validation.files.scenario_file import find, load_scenario
     from segfmu.validation.suite_files import suite_table, write_junit, write_results
 
-    scenarios = [load_scenario(path) for path in find(paths)]
-    # before the runs, which may take long
-    target = None if output is None else folder(output)
     with watched() as progress:
-        suite = suites.validate(scenarios, progress=progress)
+        suite = suites.validate(paths, progress=progress)
     # first what cannot fail for a full disk
     console.print(suite_table(suite.results))
     right = sum(result.right for result in suite)
     console.print(f"{right} of {len(suite)} scenarios as expected")
-    if target is not None:
+    if output is not None:
+        target = folder(output)
         write_results(target, suite.results)
         tell(f"report: {suite.report(target / 'report.html')}")
     if junit is not None:

@@ -111,7 +111,9 @@ def plant_of(task, inverse, values: dict[str, float], driven: bool = False) -> t
         longest=crane.rope_max or 5.0 * state[2], driven=driven,
         lag=max(values.get(f"drive.{d}.lag", 0.0) for d in DRIVES) if driven else 0.0,
     )
-    parameters = {v.name: v.start for v in rig_parameters()} | values
+    # choices are words in the values, and numbers here
+    given = {n: v for n, v in starts.items() if not isinstance(v, str)}
+    parameters = {v.name: given.get(v.name, v.start) for v in rig_parameters()} | values
     plant = Plant(
         crane, state, setpoints(0.0), gains, driven=driven, rig=Rig.of(parameters.__getitem__),
         enabled=bool(starts["feedback.enabled"]),

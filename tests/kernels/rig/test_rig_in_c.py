@@ -10,6 +10,7 @@ import pytest
 
 from segfmu.codegen.native import TARGET
 from segfmu.crane import Plant, Rig, Sensors, Setpoints, SwayFeedback
+from segfmu.kernels import backend
 from segfmu.kernels.control.records import Tracking
 from segfmu.kernels.crane.records import Plant as Parameters
 from segfmu.kernels.rig.records import Corrector, Loop, Settings
@@ -58,7 +59,10 @@ def settings(rig: Rig, controller, driven: bool) -> np.ndarray:
     found[Settings.LOOP, : Loop.SIZE] = corrector, controller.sample_time, 1.0, 1e-10, 0.1
     found[Settings.SENSORS, : Sensing.SIZE] = rig.sensors.vector
     found[Settings.PLANT, : Parameters.SIZE] = rig.parameters(LAB, driven)
-    if not on_state:
+    if on_state:
+        found[Settings.TRACKING, Tracking.PERIOD] = controller.sample_time
+        backend.set_drives(found[Settings.PLANT], found[Settings.TRACKING])
+    else:
         found[Settings.TRACKING, : Tracking.SIZE] = controller.parameters
     return found
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from segfmu import Limits, Waypoint, plan
+from segfmu.kernels.planner.records import Phase
 from segfmu.kernels.trajectory.evaluate import evaluate, evaluate_orders, find_piece
 from segfmu.kernels.trajectory.pieces import expand_phases
 from segfmu.kernels.trajectory.records import Expansion, PieceState
@@ -16,10 +17,11 @@ from tests.problems import packed_axis
 @pytest.mark.parametrize("smoothness", [2, 3, 4, 5, 6])
 @pytest.mark.parametrize("stretch", [1.0, 1.7])
 def test_pieces_join_and_integrate(smoothness: int, shape: int, stretch: float) -> None:
-    phases = np.array(
-        [[0.5, 0.5, 0.0, 0.8], [0.3, 0.0, 0.8, 0.0], [0.7, 0.7, 0.8, -1.1], [0.2, 0.0, -0.3, 0.0]]
-    )
-    phases[[0, 2], 1] /= stretch
+    phases = np.zeros((4, Phase.SIZE))
+    phases[:, Phase.DURATION] = 0.5, 0.3, 0.7, 0.2
+    phases[:, Phase.BASIS] = 0.5 / stretch, 0.0, 0.7 / stretch, 0.0
+    phases[:, Phase.ACCELERATION] = 0.0, 0.8, 0.8, -0.3
+    phases[:, Phase.CHANGE] = 0.8, 0.0, -1.1, 0.0
     timing, coefficients = np.zeros((124, 2)), np.zeros((124, 2 * smoothness))
     limits = [1.0, 1.0, 2.0, 20.0, 300.0, 9000.0, 0.0][: smoothness + 1]
     axis = packed_axis(smoothness, shape, limits)

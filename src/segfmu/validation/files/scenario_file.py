@@ -143,7 +143,8 @@ def _inherited(path: Path, below: tuple[Path, ...]) -> dict[str, Any]:
     if place in below:
         raise InputError(f"{path} inherits from itself")
     data = read(path)
-    require_kind("scenario", data, path)
+    if not below:
+        require_kind("scenario", data, path)
     data = located(path, data)
     base = data.pop("base", None)
     if base is None:
