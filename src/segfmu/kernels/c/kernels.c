@@ -9334,12 +9334,12 @@ static double member_search(array_double_1d family, array_double_1d axis)
         inside = duration >= 0.0;
         if (inside && (lower < 0.0) && (i > INT64_C(0)))
         {
-            lower = window_edge(INT64_C(14), p, previous, family, axis);
+            lower = window_edge(INT64_C(24), p, previous, family, axis);
             canonical_value(&f_lower, &duration, lower, family, axis);
         }
         if ((!inside) && (lower >= 0.0))
         {
-            upper = window_edge(INT64_C(14), lower, p, family, axis);
+            upper = window_edge(INT64_C(24), lower, p, family, axis);
             canonical_value(&value, &duration, upper, family, axis);
         }
         if ((lower >= 0.0) && ((f_lower - target) * (value - target) <= 0.0) && (value != f_lower))
@@ -12346,7 +12346,7 @@ static double turning_time(double lower, double upper, bool covering, array_doub
     q = lower + shrink * (upper - lower);
     t_p = cruise_time(p, covering, problem, axis, phases);
     t_q = cruise_time(q, covering, problem, axis, phases);
-    for (i = INT64_C(0); i < INT64_C(22); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
     {
         if (t_p <= t_q)
         {

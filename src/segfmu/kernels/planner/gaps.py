@@ -66,7 +66,7 @@ def turning_time(
     q = lower + shrink * (upper - lower)
     t_p = cruise_time(p, covering, problem, axis, phases)
     t_q = cruise_time(q, covering, problem, axis, phases)
-    for i in range(22):
+    for i in range(30):
         if t_p <= t_q:
             upper = q
             q = p

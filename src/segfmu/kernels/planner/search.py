@@ -231,10 +231,10 @@ def member_search(family: 'float[:]', axis: 'float[:]') -> float:
         upper = p
         inside = duration >= 0.0
         if inside and lower < 0.0 and i > 0:
-            lower = window_edge(14, p, previous, family, axis)
+            lower = window_edge(24, p, previous, family, axis)
             f_lower, duration = canonical_value(lower, family, axis)
         if not inside and lower >= 0.0:
-            upper = window_edge(14, lower, p, family, axis)
+            upper = window_edge(24, lower, p, family, axis)
             value, duration = canonical_value(upper, family, axis)
         if lower >= 0.0 and (f_lower - target) * (value - target) <= 0.0 and value != f_lower:
             if passed == int(family[Family.MEMBER]):
