@@ -67,3 +67,14 @@ def test_moving_states_with_a_given_duration(n: int, factor: float) -> None:
     shortest = plan(points, limits, smoothness=n).duration
     found = plan(points, limits, smoothness=n, duration=factor * shortest)
     assert found.duration == pytest.approx(factor * shortest, rel=1e-9)
+
+
+def test_reversed_in_time_it_takes_as_long() -> None:
+    """A search that finds the profile from one end only would leave 9.9 s from the other."""
+    limits = Limits(0.5, 0.25, pop=0.5)
+    forth, back = (
+        plan([Waypoint([0.0], [0.0], [a]), Waypoint([-1.0], [0.0], [b])], limits, smoothness=6)
+        for a, b in ((-0.1875, 0.0), (0.0, 0.1875))
+    )
+    assert back.duration == pytest.approx(forth.duration, rel=1e-9)
+    assert forth.duration < 6.5

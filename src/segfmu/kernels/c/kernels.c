@@ -311,6 +311,8 @@ static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_d
 static bool is_done(array_double_1d problem);
 static int64_t shortest_braked(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t shortest_ramps(array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work);
+static void reverse_problem(array_double_1d problem);
+static int64_t passing_either_way(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work);
 static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends);
 static double cruise_time(double cruise, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases);
 static double turning_time(double lower, double upper, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases);
@@ -7842,6 +7844,12 @@ static void reverse_phases(array_double_2d phases, int64_t first, int64_t count)
         /*a ramp from a to a + d, run backwards with the sign changed, goes from -(a + d) to -a*/
         end = (*cspan_at(&phases, i, INT64_C(2))) + (*cspan_at(&phases, i, INT64_C(3)));
         (*cspan_at(&phases, i, INT64_C(2))) = -end;
+        if ((*cspan_at(&phases, i, INT64_C(4))) == 1.0)
+        {
+            /*of the jerk: from a + d to a*/
+            (*cspan_at(&phases, i, INT64_C(2))) = end;
+            (*cspan_at(&phases, i, INT64_C(3))) = -(*cspan_at(&phases, i, INT64_C(3)));
+        }
     }
 }
 /*Copy a boundary problem (Problem), rounding tiny values to zero and to limits. */
@@ -12254,6 +12262,36 @@ static int64_t shortest_ramps(array_double_1d asked, array_double_1d axis, array
     }
     return count;
 }
+/*Reverse the time as `reverse_phases` does. */
+static void reverse_problem(array_double_1d problem)
+{
+    double v;
+    double a;
+    v = (*cspan_at(&problem, INT64_C(0)));
+    a = (*cspan_at(&problem, INT64_C(1)));
+    (*cspan_at(&problem, INT64_C(0))) = (*cspan_at(&problem, INT64_C(2)));
+    (*cspan_at(&problem, INT64_C(1))) = -(*cspan_at(&problem, INT64_C(3)));
+    (*cspan_at(&problem, INT64_C(2))) = v;
+    (*cspan_at(&problem, INT64_C(3))) = -a;
+}
+/*`passing_form`, and where it finds nothing that of the motion with the time reversed.*/
+static int64_t passing_either_way(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work)
+{
+    double longest;
+    int64_t found;
+    longest = total_duration(phases, count);
+    found = passing_form(count, phases, asked, axis, work);
+    if (total_duration(phases, found) < longest)
+    {
+        return found;
+    }
+    reverse_problem(asked);
+    reverse_phases(phases, INT64_C(0), found);
+    found = passing_form(found, phases, asked, axis, work);
+    reverse_problem(asked);
+    reverse_phases(phases, INT64_C(0), found);
+    return found;
+}
 /*Phases of the shortest profile of a boundary problem (Problem) of one axis (Axis).               */
 /*                                                                                                 */
 /*    `phases` has the rows of Cell.BELOW, `work` those of `PlanWork`. Returns the number of phases*/
@@ -12273,7 +12311,7 @@ int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, a
     count = shortest_ramps(asked, axis, phases, work);
     if ((count > INT64_C(0)) && ((*cspan_at(&axis, INT64_C(30))) > 0.5))
     {
-        count = passing_form(count, phases, asked, axis, work);
+        count = passing_either_way(count, phases, asked, axis, work);
         return count;
     }
     return count;

@@ -112,6 +112,10 @@ def reverse_phases(phases: 'float[:,:]', first: int, count: int) -> None:
         # a ramp from a to a + d, run backwards with the sign changed, goes from -(a + d) to -a
         end = phases[i, Phase.ACCELERATION] + phases[i, Phase.CHANGE]
         phases[i, Phase.ACCELERATION] = -end
+        if phases[i, Phase.ABOVE] == 1.0:
+            # of the jerk: from a + d to a
+            phases[i, Phase.ACCELERATION] = end
+            phases[i, Phase.CHANGE] = -phases[i, Phase.CHANGE]
 
 
 def boundary_problem(problem: 'float[:]', axis: 'float[:]', cleaned: 'float[:]') -> None:

@@ -23,6 +23,7 @@ from segfmu.kernels.planner.phases import (
     boundary_problem,
     copy_phases,
     is_resting,
+    reverse_phases,
     total_duration,
     valid_duration,
 )
@@ -134,8 +135,34 @@ def shortest_profile(
         return 0
     count = shortest_ramps(asked, axis, phases, work)
     if count > 0 and axis[Axis.ABOVE] > 0.5:
-        return passing_form(count, phases, asked, axis, work)
+        return passing_either_way(count, phases, asked, axis, work)
     return count
+
+
+def passing_either_way(
+    count: int, phases: 'float[:,:]', asked: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
+) -> int:
+    """`passing_form`, and where it finds nothing that of the motion with the time reversed."""
+    longest = total_duration(phases, count)
+    found = passing_form(count, phases, asked, axis, work)
+    if total_duration(phases, found) < longest:
+        return found
+    reverse_problem(asked)
+    reverse_phases(phases, 0, found)
+    found = passing_form(found, phases, asked, axis, work)
+    reverse_problem(asked)
+    reverse_phases(phases, 0, found)
+    return found
+
+
+def reverse_problem(problem: 'float[:]') -> None:
+    """Reverse the time as `reverse_phases` does."""
+    v = problem[Problem.V]
+    a = problem[Problem.A]
+    problem[Problem.V] = problem[Problem.W]
+    problem[Problem.A] = -problem[Problem.B]
+    problem[Problem.W] = v
+    problem[Problem.B] = -a
 
 
 def shortest_ramps(
