@@ -200,6 +200,7 @@ static void copy_phases(array_double_2d source, array_double_2d target, int64_t 
 static void mirror_phases(array_double_2d phases, int64_t count);
 static void swap_entries(array_double_2d phases, int64_t i, int64_t j, int64_t column);
 static void reverse_phases(array_double_2d phases, int64_t first, int64_t count);
+static void reverse_problem(array_double_1d problem);
 static void boundary_problem(array_double_1d problem, array_double_1d axis, array_double_1d cleaned);
 static bool is_resting(array_double_1d problem, array_double_1d axis);
 static double total_duration(array_double_2d phases, int64_t count);
@@ -311,7 +312,6 @@ static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_d
 static bool is_done(array_double_1d problem);
 static int64_t shortest_braked(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t shortest_ramps(array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work);
-static void reverse_problem(array_double_1d problem);
 static int64_t passing_either_way(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work);
 static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends);
 static double cruise_time(double cruise, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases);
@@ -7852,6 +7852,18 @@ static void reverse_phases(array_double_2d phases, int64_t first, int64_t count)
         }
     }
 }
+/*Reverse the time as `reverse_phases` does. */
+static void reverse_problem(array_double_1d problem)
+{
+    double v;
+    double a;
+    v = (*cspan_at(&problem, INT64_C(0)));
+    a = (*cspan_at(&problem, INT64_C(1)));
+    (*cspan_at(&problem, INT64_C(0))) = (*cspan_at(&problem, INT64_C(2)));
+    (*cspan_at(&problem, INT64_C(1))) = -(*cspan_at(&problem, INT64_C(3)));
+    (*cspan_at(&problem, INT64_C(2))) = v;
+    (*cspan_at(&problem, INT64_C(3))) = -a;
+}
 /*Copy a boundary problem (Problem), rounding tiny values to zero and to limits. */
 static void boundary_problem(array_double_1d problem, array_double_1d axis, array_double_1d cleaned)
 {
@@ -11197,7 +11209,7 @@ static void keep_sequence(array_double_2d work)
 {
     int64_t i;
     int64_t j;
-    for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(7); i += INT64_C(1))
     {
         (*cspan_at(&work, INT64_C(66), i)) = (*cspan_at(&work, INT64_C(47), i));
     }
@@ -11214,7 +11226,7 @@ static void restore_sequence(array_double_2d work)
 {
     int64_t i;
     int64_t j;
-    for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(7); i += INT64_C(1))
     {
         (*cspan_at(&work, INT64_C(47), i)) = (*cspan_at(&work, INT64_C(66), i));
     }
@@ -12262,34 +12274,29 @@ static int64_t shortest_ramps(array_double_1d asked, array_double_1d axis, array
     }
     return count;
 }
-/*Reverse the time as `reverse_phases` does. */
-static void reverse_problem(array_double_1d problem)
-{
-    double v;
-    double a;
-    v = (*cspan_at(&problem, INT64_C(0)));
-    a = (*cspan_at(&problem, INT64_C(1)));
-    (*cspan_at(&problem, INT64_C(0))) = (*cspan_at(&problem, INT64_C(2)));
-    (*cspan_at(&problem, INT64_C(1))) = -(*cspan_at(&problem, INT64_C(3)));
-    (*cspan_at(&problem, INT64_C(2))) = v;
-    (*cspan_at(&problem, INT64_C(3))) = -a;
-}
-/*`passing_form`, and where it finds nothing that of the motion with the time reversed.*/
+/*The shorter `passing_form` of the motion and of that with the time reversed. */
 static int64_t passing_either_way(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work)
 {
-    double longest;
+    array_double_2d ramps;
+    double forwards;
     int64_t found;
-    longest = total_duration(phases, count);
+    ramps = span_rows(&work, INT64_C(0), INT64_C(13));
+    copy_phases(phases, ramps, count);
     found = passing_form(count, phases, asked, axis, work);
-    if (total_duration(phases, found) < longest)
+    forwards = total_duration(phases, found);
+    copy_phases(ramps, phases, count);
+    reverse_problem(asked);
+    reverse_phases(phases, INT64_C(0), count);
+    found = passing_form(count, phases, asked, axis, work);
+    reverse_problem(asked);
+    reverse_phases(phases, INT64_C(0), found);
+    (*cspan_at(&work, INT64_C(47), INT64_C(6))) = 1.0;
+    if (forwards <= total_duration(phases, found))
     {
-        return found;
+        copy_phases(ramps, phases, count);
+        found = passing_form(count, phases, asked, axis, work);
+        (*cspan_at(&work, INT64_C(47), INT64_C(6))) = 0.0;
     }
-    reverse_problem(asked);
-    reverse_phases(phases, INT64_C(0), found);
-    found = passing_form(found, phases, asked, axis, work);
-    reverse_problem(asked);
-    reverse_phases(phases, INT64_C(0), found);
     return found;
 }
 /*Phases of the shortest profile of a boundary problem (Problem) of one axis (Axis).               */
@@ -12758,6 +12765,7 @@ static double slower_passing(array_double_1d axis, array_double_2d cell, array_d
     array_double_1d problem;
     array_double_2d phases;
     int64_t count;
+    bool backwards;
     if ((*cspan_at(&axis, INT64_C(30))) < 0.5)
     {
         return -1.0;
@@ -12769,7 +12777,17 @@ static double slower_passing(array_double_1d axis, array_double_2d cell, array_d
     {
         return -1.0;
     }
+    backwards = (*cspan_at(&work, INT64_C(47), INT64_C(6))) > 0.5;
+    if (backwards)
+    {
+        reverse_problem(problem);
+    }
     count = timed_passing(phases, problem, axis, work);
+    if (backwards)
+    {
+        reverse_problem(problem);
+        reverse_phases(phases, INT64_C(0), count);
+    }
     if (count == INT64_C(0))
     {
         return -1.0;

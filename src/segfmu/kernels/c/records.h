@@ -900,7 +900,8 @@ enum {
     PASSING_TIME = 3,
     PASSING_ACCELERATION = 4,
     PASSING_TARGET = 5,
-    PASSING_SIZE = 6
+    PASSING_REVERSED = 6,
+    PASSING_SIZE = 7
 };
 
 enum {

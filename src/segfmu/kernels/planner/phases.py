@@ -118,6 +118,16 @@ def reverse_phases(phases: 'float[:,:]', first: int, count: int) -> None:
             phases[i, Phase.CHANGE] = -phases[i, Phase.CHANGE]
 
 
+def reverse_problem(problem: 'float[:]') -> None:
+    """Reverse the time as `reverse_phases` does."""
+    v = problem[Problem.V]
+    a = problem[Problem.A]
+    problem[Problem.V] = problem[Problem.W]
+    problem[Problem.A] = -problem[Problem.B]
+    problem[Problem.W] = v
+    problem[Problem.B] = -a
+
+
 def boundary_problem(problem: 'float[:]', axis: 'float[:]', cleaned: 'float[:]') -> None:
     """Copy a boundary problem (Problem), rounding tiny values to zero and to limits."""
     velocity = axis[Axis.VELOCITY]

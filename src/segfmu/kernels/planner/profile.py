@@ -24,10 +24,19 @@ from segfmu.kernels.planner.phases import (
     copy_phases,
     is_resting,
     reverse_phases,
+    reverse_problem,
     total_duration,
     valid_duration,
 )
-from segfmu.kernels.planner.records import Axis, Braking, Phase, PlanStatus, PlanWork, Problem
+from segfmu.kernels.planner.records import (
+    Axis,
+    Braking,
+    Passing,
+    Phase,
+    PlanStatus,
+    PlanWork,
+    Problem,
+)
 
 
 def usual_duration(problem: 'float[:]', axis: 'float[:]') -> float:
@@ -142,27 +151,23 @@ def shortest_profile(
 def passing_either_way(
     count: int, phases: 'float[:,:]', asked: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> int:
-    """`passing_form`, and where it finds nothing that of the motion with the time reversed."""
-    longest = total_duration(phases, count)
+    """The shorter `passing_form` of the motion and of that with the time reversed."""
+    ramps = work[PlanWork.TRIAL:PlanWork.BEST, :]
+    copy_phases(phases, ramps, count)
     found = passing_form(count, phases, asked, axis, work)
-    if total_duration(phases, found) < longest:
-        return found
+    forwards = total_duration(phases, found)
+    copy_phases(ramps, phases, count)
+    reverse_problem(asked)
+    reverse_phases(phases, 0, count)
+    found = passing_form(count, phases, asked, axis, work)
     reverse_problem(asked)
     reverse_phases(phases, 0, found)
-    found = passing_form(found, phases, asked, axis, work)
-    reverse_problem(asked)
-    reverse_phases(phases, 0, found)
+    work[PlanWork.PASSING, Passing.REVERSED] = 1.0
+    if forwards <= total_duration(phases, found):
+        copy_phases(ramps, phases, count)
+        found = passing_form(count, phases, asked, axis, work)
+        work[PlanWork.PASSING, Passing.REVERSED] = 0.0
     return found
-
-
-def reverse_problem(problem: 'float[:]') -> None:
-    """Reverse the time as `reverse_phases` does."""
-    v = problem[Problem.V]
-    a = problem[Problem.A]
-    problem[Problem.V] = problem[Problem.W]
-    problem[Problem.A] = -problem[Problem.B]
-    problem[Problem.W] = v
-    problem[Problem.B] = -a
 
 
 def shortest_ramps(

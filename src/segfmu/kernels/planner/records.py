@@ -224,6 +224,7 @@ class Passing(Record):
     TIME = field("scale of durations", "s")
     ACCELERATION = field("scale of accelerations", "m/s2")
     TARGET = field("duration that it shall take by its pace; 0: the pace is given", "s")
+    REVERSED = field("1: of the motion with the time reversed")
 
 
 class Excess(Record):

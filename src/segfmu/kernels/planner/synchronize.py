@@ -18,7 +18,7 @@ from segfmu.kernels.planner.braking import braked, surround
 from segfmu.kernels.planner.loop import early_window, timed_loop
 from segfmu.kernels.planner.merged import set_family, set_member, tempered_form
 from segfmu.kernels.planner.passing import timed_passing
-from segfmu.kernels.planner.phases import boundary_problem
+from segfmu.kernels.planner.phases import boundary_problem, reverse_phases, reverse_problem
 from segfmu.kernels.planner.profile import shortest_profile
 from segfmu.kernels.planner.records import (
     Axis,
@@ -26,6 +26,7 @@ from segfmu.kernels.planner.records import (
     Cell,
     Interval,
     Nearest,
+    Passing,
     Phase,
     PlanWork,
     Problem,
@@ -213,7 +214,13 @@ def slower_passing(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> 
     count = shortest_profile(problem, axis, phases, work)
     if count <= 0 or phases[0, Phase.ABOVE] < 0.5:
         return -1.0
+    backwards = work[PlanWork.PASSING, Passing.REVERSED] > 0.5
+    if backwards:
+        reverse_problem(problem)
     count = timed_passing(phases, problem, axis, work)
+    if backwards:
+        reverse_problem(problem)
+        reverse_phases(phases, 0, count)
     if count == 0:
         return -1.0
     fit_duration(phases, count, problem[Problem.DURATION])
