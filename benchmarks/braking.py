@@ -11,6 +11,7 @@ from benchmarks.completeness import planned
 from benchmarks.problems import FloatArray
 from benchmarks.report import Part, Record, Section, Settings
 from segfmu.kernels import backend
+from segfmu.kernels.planner.parameters import usual_share
 from segfmu.kernels.planner.records import Axis, PlanWork, Shape
 
 SEED = 43
@@ -57,7 +58,7 @@ def _ramp(change: float, n: int, limits: FloatArray) -> float:
     """Duration of a ramp [s]."""
     axis, work = np.zeros(Axis.SIZE), np.zeros((PlanWork.SIZE, PlanWork.COLUMNS))
     backend.axis_limits(n, Shape.PLATEAU, limits, axis)
-    assert backend.ramp_parameters(0.1, axis, work)
+    assert backend.ramp_parameters(usual_share(), axis, work)
     return float(backend.ramp_duration(change, axis)[0])
 
 

@@ -15,6 +15,7 @@ from benchmarks.problems import FloatArray
 from benchmarks.report import Part, Record, Section, Settings
 from segfmu import InfeasibleError, Limits, Trajectory, Waypoint, plan
 from segfmu.kernels import backend
+from segfmu.kernels.planner.parameters import steepest_share, usual_share
 from segfmu.kernels.planner.records import Axis, Cell, Phase, PlanWork, Problem, Shape
 
 SEED = 41
@@ -59,7 +60,7 @@ def planned(n: int, limits: FloatArray, state: FloatArray) -> float:
     axis, work = np.zeros(Axis.SIZE), np.zeros((PlanWork.SIZE, PlanWork.COLUMNS))
     phases, problem = np.zeros((Cell.ABOVE, Phase.SIZE)), np.zeros(Problem.SIZE)
     problem[: Problem.DURATION] = state
-    for share in (0.1, 0.004):
+    for share in (usual_share(), steepest_share()):
         backend.axis_limits(n, Shape.PLATEAU, limits, axis)
         assert backend.ramp_parameters(share, axis, work)
         count = backend.shortest_profile(problem, axis, phases, work)
@@ -81,7 +82,7 @@ def constructed(random: np.random.Generator, n: int, size: float) -> Motion | No
     limits = random_limits(random, n)
     axis, work = np.zeros(Axis.SIZE), np.zeros((PlanWork.SIZE, PlanWork.COLUMNS))
     backend.axis_limits(n, Shape.PLATEAU, SLACK * limits, axis)
-    backend.ramp_parameters(0.1, axis, work)
+    backend.ramp_parameters(usual_share(), axis, work)
     top = SLACK * limits[1]
     phases = np.zeros((Cell.ABOVE, Phase.SIZE))
     a = first = top * random.choice([random.uniform(-1.0, 1.0), -1.0, 1.0, 0.0])

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from hypothesis import strategies as st
 
-from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters
+from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters, usual_share
 from segfmu.kernels.planner.phases import measure_phases
 from segfmu.kernels.planner.profile import shortest_profile
 from segfmu.kernels.planner.records import Axis, Cell, Phase, PlanWork, Problem
@@ -25,7 +25,7 @@ def packed_axis(smoothness: int, shape: int, limits: tuple[float, ...] | list[fl
     """Limits and ramp parameters of an axis (Axis)."""
     axis = np.zeros(Axis.SIZE)
     axis_limits(smoothness, shape, np.array(limits), axis)
-    assert ramp_parameters(0.1, axis, work_space())
+    assert ramp_parameters(usual_share(), axis, work_space())
     return axis
 
 

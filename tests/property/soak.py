@@ -19,6 +19,7 @@ from segfmu.kernels.backend import (
     ramp_parameters,
     shortest_profile,
 )
+from segfmu.kernels.planner.parameters import usual_share
 from segfmu.kernels.planner.records import Axis, Cell, Phase, PlanStatus, PlanWork, Problem
 from segfmu.kernels.trajectory.records import Expansion, PieceState, Timing
 from segfmu.planning.polynomials import derivative_pieces, hulls, piece_extrema
@@ -92,7 +93,7 @@ def _batch(n: int, shape: int, limits: np.ndarray, state: np.ndarray, tally: Tal
     rows, lengths, owners, ends = [], [], [], []
     for i in range(len(state)):
         axis_limits(n, shape, limits[i], axis)
-        assert ramp_parameters(0.1, axis, work)
+        assert ramp_parameters(usual_share(), axis, work)
         v, a, w, b, distance = (float(x) for x in state[i])
         problem[: Problem.DURATION] = state[i]
         count = shortest_profile(problem, axis, phases, work)

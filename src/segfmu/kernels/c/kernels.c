@@ -311,7 +311,7 @@ static int64_t fastest_between(array_double_2d phases, array_double_1d problem, 
 static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool is_done(array_double_1d problem);
 static int64_t shortest_braked(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
-static int64_t shortest_ramps(array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work);
+static int64_t shortest_ramps(int64_t count, array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t passing_either_way(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work);
 static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends);
 static double cruise_time(double cruise, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases);
@@ -339,6 +339,8 @@ static double common_duration(double start, double sample_time, int64_t first, i
 static void transition_coefficients(int64_t order, array_double_1d coefficients);
 static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s);
 static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks);
+static double usual_share(void);
+static double steepest_share(void);
 static bool plateau_parameters(double share, array_double_1d axis);
 static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, array_double_1d peaks);
 static int64_t check_waypoints(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_1d report);
@@ -12238,14 +12240,12 @@ static int64_t shortest_braked(array_double_1d problem, array_double_1d axis, ar
     }
     return best;
 }
-/*`shortest_profile` of ramps of the acceleration. */
-static int64_t shortest_ramps(array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work)
+/*`shortest_profile` of ramps of the acceleration; count: phases of the optimal form, or 0.*/
+static int64_t shortest_ramps(int64_t count, array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work)
 {
-    int64_t count;
     double longest;
     int64_t status;
     bool passing;
-    count = shortest_between(INT64_C(0), phases, asked, axis, work);
     if (count > INT64_C(0))
     {
         longest = early_window(total_duration(phases, count), asked, axis);
@@ -12308,6 +12308,7 @@ static int64_t passing_either_way(int64_t count, array_double_2d phases, array_d
 int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
 {
     array_double_1d asked;
+    bool optimal;
     int64_t count;
     asked = span_row(&work, INT64_C(43));
     boundary_problem(problem, axis, asked);
@@ -12315,8 +12316,11 @@ int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, a
     {
         return INT64_C(0);
     }
-    count = shortest_ramps(asked, axis, phases, work);
-    if ((count > INT64_C(0)) && ((*cspan_at(&axis, INT64_C(30))) > 0.5))
+    count = shortest_between(INT64_C(0), phases, asked, axis, work);
+    /*no limit above the snap: these forms are the optimum where the velocity limit lets them be*/
+    optimal = (count > INT64_C(0)) && ((*cspan_at(&axis, INT64_C(14) + INT64_C(1))) == 0.0);
+    count = shortest_ramps(count, asked, axis, phases, work);
+    if ((count > INT64_C(0)) && ((*cspan_at(&axis, INT64_C(30))) > 0.5) && (!optimal))
     {
         count = passing_either_way(count, phases, asked, axis, work);
         return count;
@@ -13208,6 +13212,20 @@ void segfmu_axis_limits(int64_t smoothness, int64_t shape, array_double_1d limit
         (*cspan_at(&axis, INT64_C(2) + i)) = (*cspan_at(&limits, i));
     }
 }
+/*Share of a rise in the rise it belongs to, where no limit bounds it.                             */
+/*                                                                                                 */
+/*    Ramps bounded by the snap alone take 1 / sqrt(1 - share) of those with jumps of the snap: 2 %*/
+/*    more. The derivatives without a limit grow with its inverse.                                 */
+/*                                                                                                 */
+static double usual_share(void)
+{
+    return 0.04;
+}
+/*`usual_share` where braking within the velocity limit fails by little. */
+static double steepest_share(void)
+{
+    return 0.004;
+}
 /*`ramp_parameters` where all derivatives have plateaus. */
 static bool plateau_parameters(double share, array_double_1d axis)
 {
@@ -13233,10 +13251,15 @@ static bool plateau_parameters(double share, array_double_1d axis)
     {
         return 0;
     }
-    (*cspan_at(&axis, INT64_C(30))) = span_min_int(span_max_int(last - INT64_C(1), INT64_C(0)), INT64_C(2));
+    (*cspan_at(&axis, INT64_C(30))) = span_min_int(span_floor_div((last + INT64_C(1)), INT64_C(2)), INT64_C(2));
     for (level = INT64_C(0); level < boxes - INT64_C(1); level += INT64_C(1))
     {
-        if ((level > INT64_C(0)) || (last == INT64_C(0)))
+        if (level > last)
+        {
+            /*costs no time: gentle, as the rise that it shapes is short already*/
+            (*cspan_at(&axis, INT64_C(19) + level)) = 0.1;
+        }
+        else if ((level > INT64_C(0)) || (last == INT64_C(0)))
         {
             (*cspan_at(&axis, INT64_C(19) + level)) = share;
         }
@@ -13759,11 +13782,11 @@ int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array
     set_problems(states, cells);
     for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
     {
-        status = plan_axis(axis, 0.1, axes, cells, work);
+        status = plan_axis(axis, usual_share(), axes, cells, work);
         if ((status == -INT64_C(1)) || (status == -INT64_C(2)))
         {
             /*braking fails by little: the steepest ramps decide whether it is feasible*/
-            status = plan_axis(axis, 0.004, axes, cells, work);
+            status = plan_axis(axis, steepest_share(), axes, cells, work);
         }
         if (status < INT64_C(0))
         {
@@ -15834,6 +15857,7 @@ static double natural_limit(int64_t order, double steep, array_double_1d axis, a
     int64_t above;
     double bound;
     int64_t given;
+    double share;
     double growth;
     double result;
     below = (*cspan_at(&limits, order - INT64_C(1)));
@@ -15855,7 +15879,12 @@ static double natural_limit(int64_t order, double steep, array_double_1d axis, a
             top = given;
         }
     }
-    growth = 10.0 * pow(steep, (1.0 / (highest - top)));
+    share = 0.1;
+    if (order == top + INT64_C(1))
+    {
+        share = usual_share();
+    }
+    growth = pow(steep, (1.0 / (highest - top))) / share;
     result = growth * below / shortest_scale(order - INT64_C(1), limits);
     return result;
 }
@@ -15921,7 +15950,7 @@ static void set_chains(double steep, array_double_1d axis, array_double_1d limit
                 (*cspan_at(&chain, INT64_C(2) + i)) = (*cspan_at(&limits, order + INT64_C(1) + i));
             }
         }
-        segfmu_ramp_parameters(0.1 / span_min(steep, 10.0), chain, span_rows(&chains, smoothness - INT64_C(1), smoothness + INT64_C(1)));
+        segfmu_ramp_parameters(usual_share() / span_min(steep, 10.0), chain, span_rows(&chains, smoothness - INT64_C(1), smoothness + INT64_C(1)));
     }
 }
 /*Integrate pieces of the derivative of an order to pieces of the position, in place.          */
@@ -16645,7 +16674,7 @@ bool segfmu_find_lead(int64_t order, int64_t axis, array_int64_t_1d plan_offsets
     }
     shape = (int64_t)((*cspan_at(&lead, INT64_C(43), INT64_C(1))));
     segfmu_axis_limits(smoothness, shape, limits, span_row(&lead, INT64_C(43)));
-    if (!segfmu_ramp_parameters(0.1, span_row(&lead, INT64_C(43)), span_rows(&lead, INT64_C(44), INT64_C(51))))
+    if (!segfmu_ramp_parameters(usual_share(), span_row(&lead, INT64_C(43)), span_rows(&lead, INT64_C(44), INT64_C(51))))
     {
         return 0;
     }

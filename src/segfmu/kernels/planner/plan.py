@@ -4,7 +4,12 @@
 """
 
 from segfmu.kernels.planner.intervals import common_duration, set_duration, set_shortest
-from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters
+from segfmu.kernels.planner.parameters import (
+    axis_limits,
+    ramp_parameters,
+    steepest_share,
+    usual_share,
+)
 from segfmu.kernels.planner.records import (
     Axis,
     Cell,
@@ -248,10 +253,10 @@ def plan_phases(
         return status
     set_problems(states, cells)
     for axis in range(axes.shape[0]):
-        status = plan_axis(axis, 0.1, axes, cells, work)
+        status = plan_axis(axis, usual_share(), axes, cells, work)
         if status == PlanStatus.START_BRAKING or status == PlanStatus.END_BRAKING:
             # braking fails by little: the steepest ramps decide whether it is feasible
-            status = plan_axis(axis, 0.004, axes, cells, work)
+            status = plan_axis(axis, steepest_share(), axes, cells, work)
         if status < 0:
             return status
     return synchronize_plan(dwells, options, axes, cells, work)

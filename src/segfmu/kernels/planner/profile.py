@@ -142,8 +142,11 @@ def shortest_profile(
     boundary_problem(problem, axis, asked)
     if is_done(asked):
         return 0
-    count = shortest_ramps(asked, axis, phases, work)
-    if count > 0 and axis[Axis.ABOVE] > 0.5:
+    count = shortest_between(0, phases, asked, axis, work)
+    # no limit above the snap: these forms are the optimum where the velocity limit lets them be
+    optimal = count > 0 and axis[Axis.RISES + 1] == 0.0
+    count = shortest_ramps(count, asked, axis, phases, work)
+    if count > 0 and axis[Axis.ABOVE] > 0.5 and not optimal:
         return passing_either_way(count, phases, asked, axis, work)
     return count
 
@@ -171,10 +174,9 @@ def passing_either_way(
 
 
 def shortest_ramps(
-    asked: 'float[:]', axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]'
+    count: int, asked: 'float[:]', axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]'
 ) -> int:
-    """`shortest_profile` of ramps of the acceleration."""
-    count = shortest_between(0, phases, asked, axis, work)
+    """`shortest_profile` of ramps of the acceleration; count: phases of the optimal form, or 0."""
     if count > 0:
         longest = early_window(total_duration(phases, count), asked, axis)
         if longest > 0.0:

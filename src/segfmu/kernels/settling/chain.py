@@ -6,7 +6,7 @@ limit is absent, a natural one takes its place: one that the derivatives next to
 the present state keeps.
 """
 
-from segfmu.kernels.planner.parameters import ramp_parameters
+from segfmu.kernels.planner.parameters import ramp_parameters, usual_share
 from segfmu.kernels.planner.records import Axis, Shape
 from segfmu.kernels.trajectory.evaluate import evaluate_piece
 from segfmu.kernels.trajectory.records import Timing
@@ -36,7 +36,10 @@ def natural_limit(order: int, steep: float, axis: 'float[:]', limits: 'float[:]'
     for given in range(3, order):
         if axis[Axis.VELOCITY + given - 1] > 0.0:
             top = given
-    growth = 10.0 * steep ** (1.0 / (highest - top))
+    share = 0.1
+    if order == top + 1:
+        share = usual_share()
+    growth = steep ** (1.0 / (highest - top)) / share
     return growth * below / shortest_scale(order - 1, limits)
 
 
@@ -81,7 +84,9 @@ def set_chains(
             chain[Axis.VELOCITY + i] = axis[Axis.VELOCITY + order + i]
             if i <= 2:
                 chain[Axis.VELOCITY + i] = limits[order + 1 + i]
-        ramp_parameters(0.1 / min(steep, 10.0), chain, chains[smoothness - 1:smoothness + 1, :])
+        ramp_parameters(
+            usual_share() / min(steep, 10.0), chain, chains[smoothness - 1:smoothness + 1, :]
+        )
 
 
 def lift_pieces(

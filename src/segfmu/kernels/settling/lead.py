@@ -4,7 +4,7 @@ Two kinds are tried: settling at once (search.py), and following an old plan to 
 its ramps, where all derivatives above the acceleration are zero, and settling there.
 """
 
-from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters
+from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters, usual_share
 from segfmu.kernels.planner.records import Axis, Problem
 from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadWork
 from segfmu.kernels.settling.search import search_lead, try_lead
@@ -94,7 +94,9 @@ def find_lead(
         return False
     shape = int(lead[LeadWork.AXIS, Axis.SHAPE])
     axis_limits(smoothness, shape, limits, lead[LeadWork.AXIS, :])
-    if not ramp_parameters(0.1, lead[LeadWork.AXIS, :], lead[LeadWork.CHAINS:LeadWork.PLAN, :]):
+    if not ramp_parameters(
+        usual_share(), lead[LeadWork.AXIS, :], lead[LeadWork.CHAINS:LeadWork.PLAN, :]
+    ):
         return False
     for i in range(Chain.SIZE):
         lead[LeadWork.START, i] = lead[LeadWork.NOW, i]
