@@ -7,7 +7,7 @@ from math import factorial
 import numpy as np
 import pytest
 
-from segfmu import Limits, Waypoint, plan
+from segfmu import Limits, Waypoint, plan, verify
 
 LOOSE = 1e6
 
@@ -18,7 +18,9 @@ def bounds(n: int, **given: float) -> Limits:
     return Limits(**(dict.fromkeys(names, LOOSE) | given))
 
 
-@pytest.mark.parametrize(("n", "name"), [(5, "crackle"), (6, "pop")])
+@pytest.mark.parametrize(
+    ("n", "name"), [(3, "jerk"), (4, "snap"), (5, "crackle"), (6, "pop")]
+)
 def test_rest_to_rest_with_the_highest_limit_alone(n: int, name: str) -> None:
     # the control of least time changes its sign where a Chebyshev polynomial does
     distance, bound = 0.7, 3.0
@@ -27,6 +29,30 @@ def test_rest_to_rest_with_the_highest_limit_alone(n: int, name: str) -> None:
     # a tenth of each rise is spent on the derivative above
     assert 1.0 < found.duration / optimum < (1.0 / 0.9) ** (1.0 / n)
     assert found.extrema(n)[1][0] == pytest.approx(bound, rel=1e-9)
+
+
+TOUCHES = (
+    # limits, state (v, a, w, b, distance), the optimum [s] by a linear program over 50 cells
+    (
+        (1.0311727883, 1.4445613520, 3.6490157204, 2.2758858534),
+        (0.3577104275, -0.6536666450, -0.5838497037, 0.5972673386, 0.8519926062), 5.6635,
+    ),
+    (
+        (1.3881915610, 1.7794294526, 4.7511211665, 1.4521238869),
+        (1.1105532488, -1.4235435621, 0.0, 0.0, 3.7566359522), 6.7838,
+    ),
+)
+
+
+@pytest.mark.parametrize(("limits", "state", "optimum"), TOUCHES)
+def test_a_velocity_touches_its_limit(
+    limits: tuple[float, ...], state: tuple[float, ...], optimum: float
+) -> None:
+    v, a, w, b, distance = state
+    found = plan([Waypoint(0.0, v, a), Waypoint(distance, w, b)], Limits(*limits))
+    assert found.extrema(1)[1][0] == pytest.approx(limits[0], rel=1e-9)
+    assert verify(found).passed
+    assert found.duration < 1.045 * optimum
 
 
 @pytest.mark.parametrize("n", [5, 6])

@@ -36,10 +36,7 @@ def natural_limit(order: int, steep: float, axis: 'float[:]', limits: 'float[:]'
     for given in range(3, order):
         if axis[Axis.VELOCITY + given - 1] > 0.0:
             top = given
-    share = 0.1
-    if order == top + 1:
-        share = usual_share()
-    growth = steep ** (1.0 / (highest - top)) / share
+    growth = steep ** (1.0 / (highest - top)) / usual_share()
     return growth * below / shortest_scale(order - 1, limits)
 
 
