@@ -351,6 +351,8 @@ static bool distribute(int64_t first, int64_t last, double target, array_double_
 static bool rewrite_intervals(int64_t first, int64_t last, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static void set_problems(array_double_3d states, array_double_3d cells);
 static int64_t plan_axis(int64_t axis, double share, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static double axis_duration(int64_t axis, array_double_2d axes, array_double_3d cells);
+static int64_t plan_steeper(int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static double meet_intervals(int64_t first, int64_t last, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static int64_t synchronize_plan(array_double_1d dwells, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static bool differ(double before, double value);
@@ -11211,7 +11213,7 @@ static void keep_sequence(array_double_2d work)
 {
     int64_t i;
     int64_t j;
-    for (i = INT64_C(0); i < INT64_C(7); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(8); i += INT64_C(1))
     {
         (*cspan_at(&work, INT64_C(66), i)) = (*cspan_at(&work, INT64_C(47), i));
     }
@@ -11228,7 +11230,7 @@ static void restore_sequence(array_double_2d work)
 {
     int64_t i;
     int64_t j;
-    for (i = INT64_C(0); i < INT64_C(7); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(8); i += INT64_C(1))
     {
         (*cspan_at(&work, INT64_C(47), i)) = (*cspan_at(&work, INT64_C(66), i));
     }
@@ -11961,6 +11963,7 @@ static int64_t passing_form(int64_t count, array_double_2d phases, array_double_
     double found;
     int64_t result;
     longest = total_duration(phases, count) * (1.0 - 1e-09);
+    (*cspan_at(&work, INT64_C(47), INT64_C(7))) = 0.0;
     for (attempt = INT64_C(0); attempt < INT64_C(6); attempt += INT64_C(1))
     {
         best = -INT64_C(1);
@@ -11978,6 +11981,10 @@ static int64_t passing_form(int64_t count, array_double_2d phases, array_double_
                 best = way;
                 if (!stays_below(work))
                 {
+                    if (way < INT64_C(2))
+                    {
+                        (*cspan_at(&work, INT64_C(47), INT64_C(7))) = 1.0;
+                    }
                     break;
                 }
             }
@@ -12274,15 +12281,22 @@ static int64_t shortest_ramps(int64_t count, array_double_1d asked, array_double
     }
     return count;
 }
-/*The shorter `passing_form` of the motion and of that with the time reversed. */
+/*`passing_form`; if that is not settled, the shorter one of it and that of reversed time. */
 static int64_t passing_either_way(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work)
 {
     array_double_2d ramps;
-    double forwards;
     int64_t found;
+    double longest;
+    double forwards;
     ramps = span_rows(&work, INT64_C(0), INT64_C(13));
     copy_phases(phases, ramps, count);
     found = passing_form(count, phases, asked, axis, work);
+    (*cspan_at(&work, INT64_C(47), INT64_C(6))) = 0.0;
+    if ((*cspan_at(&work, INT64_C(47), INT64_C(7))) > 0.5)
+    {
+        return found;
+    }
+    longest = total_duration(ramps, count);
     forwards = total_duration(phases, found);
     copy_phases(ramps, phases, count);
     reverse_problem(asked);
@@ -12294,6 +12308,10 @@ static int64_t passing_either_way(int64_t count, array_double_2d phases, array_d
     if (forwards <= total_duration(phases, found))
     {
         copy_phases(ramps, phases, count);
+        if (forwards >= longest)
+        {
+            return count;
+        }
         found = passing_form(count, phases, asked, axis, work);
         (*cspan_at(&work, INT64_C(47), INT64_C(6))) = 0.0;
     }
@@ -12312,6 +12330,7 @@ int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, a
     int64_t count;
     asked = span_row(&work, INT64_C(43));
     boundary_problem(problem, axis, asked);
+    (*cspan_at(&work, INT64_C(47), INT64_C(7))) = 1.0;
     if (is_done(asked))
     {
         return INT64_C(0);
@@ -13611,11 +13630,13 @@ static void set_problems(array_double_3d states, array_double_3d cells)
 static int64_t plan_axis(int64_t axis, double share, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
     array_double_1d report;
+    double settled;
     int64_t j;
     double time;
     int64_t status;
     report = span_row(&work, INT64_C(46));
     (*cspan_at(&report, INT64_C(0))) = axis;
+    settled = 1.0;
     if (!segfmu_ramp_parameters(share, span_row(&axes, axis), work))
     {
         return -INT64_C(9);
@@ -13634,11 +13655,43 @@ static int64_t plan_axis(int64_t axis, double share, array_double_2d axes, array
             (*cspan_at(&report, INT64_C(3))) = (*cspan_at(&axes, axis, INT64_C(2)));
             return status;
         }
+        settled = span_min(settled, (*cspan_at(&work, INT64_C(47), INT64_C(7))));
         time = time + (*cspan_at(&cells, j, INT64_C(47), INT64_C(7)));
         (*cspan_at(&cells, j, INT64_C(47), INT64_C(0))) = time;
         (*cspan_at(&cells, j, INT64_C(47), INT64_C(1))) = time;
     }
+    (*cspan_at(&work, INT64_C(47), INT64_C(7))) = settled;
     return INT64_C(0);
+}
+/*Sum of the shortest durations of an axis [s].*/
+static double axis_duration(int64_t axis, array_double_2d axes, array_double_3d cells)
+{
+    int64_t j;
+    double total;
+    total = 0.0;
+    for (j = axis; (axes.shape[INT64_C(0)] > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += axes.shape[INT64_C(0)])
+    {
+        total = total + (*cspan_at(&cells, j, INT64_C(47), INT64_C(0)));
+    }
+    return total;
+}
+/*Plan an axis again with steeper rises, if the usual ones cost more than smoothness does.         */
+/*                                                                                                 */
+/*    The limits can leave no room for the usual rises: the profile then is another one, which can */
+/*    take much longer.                                                                            */
+/*                                                                                                 */
+static int64_t plan_steeper(int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
+{
+    double usual;
+    int64_t status;
+    usual = axis_duration(axis, axes, cells);
+    status = plan_axis(axis, 0.2 * usual_share(), axes, cells, work);
+    if ((status == INT64_C(0)) && (axis_duration(axis, axes, cells) < 0.94 * usual))
+    {
+        return status;
+    }
+    status = plan_axis(axis, usual_share(), axes, cells, work);
+    return status;
 }
 /*Give the axes first .. last - 1 common durations in every interval, if requested.      */
 /*                                                                                       */
@@ -13783,6 +13836,10 @@ int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array
         {
             /*braking fails by little: the steepest ramps decide whether it is feasible*/
             status = plan_axis(axis, steepest_share(), axes, cells, work);
+        }
+        else if ((status == INT64_C(0)) && ((*cspan_at(&work, INT64_C(47), INT64_C(7))) < 0.5))
+        {
+            status = plan_steeper(axis, axes, cells, work);
         }
         if (status < INT64_C(0))
         {

@@ -901,7 +901,8 @@ enum {
     PASSING_ACCELERATION = 4,
     PASSING_TARGET = 5,
     PASSING_REVERSED = 6,
-    PASSING_SIZE = 7
+    PASSING_SETTLED = 7,
+    PASSING_SIZE = 8
 };
 
 enum {

@@ -235,6 +235,7 @@ def passing_form(
     Returns the new number of phases.
     """
     longest = total_duration(phases, count) * (1.0 - 1e-9)
+    work[PlanWork.PASSING, Passing.SETTLED] = 0.0
     for attempt in range(6):
         best = -1
         way = 0
@@ -246,6 +247,8 @@ def passing_form(
                 longest = found
                 best = way
                 if not stays_below(work):
+                    if way < 2:
+                        work[PlanWork.PASSING, Passing.SETTLED] = 1.0
                     break
             way = way + 1
         if way == 0 and best < 0:

@@ -140,6 +140,7 @@ def shortest_profile(
     """
     asked = work[PlanWork.PROBLEM, :]
     boundary_problem(problem, axis, asked)
+    work[PlanWork.PASSING, Passing.SETTLED] = 1.0
     if is_done(asked):
         return 0
     count = shortest_between(0, phases, asked, axis, work)
@@ -154,10 +155,14 @@ def shortest_profile(
 def passing_either_way(
     count: int, phases: 'float[:,:]', asked: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> int:
-    """The shorter `passing_form` of the motion and of that with the time reversed."""
+    """`passing_form`; if that is not settled, the shorter one of it and that of reversed time."""
     ramps = work[PlanWork.TRIAL:PlanWork.BEST, :]
     copy_phases(phases, ramps, count)
     found = passing_form(count, phases, asked, axis, work)
+    work[PlanWork.PASSING, Passing.REVERSED] = 0.0
+    if work[PlanWork.PASSING, Passing.SETTLED] > 0.5:
+        return found
+    longest = total_duration(ramps, count)
     forwards = total_duration(phases, found)
     copy_phases(ramps, phases, count)
     reverse_problem(asked)
@@ -168,6 +173,8 @@ def passing_either_way(
     work[PlanWork.PASSING, Passing.REVERSED] = 1.0
     if forwards <= total_duration(phases, found):
         copy_phases(ramps, phases, count)
+        if forwards >= longest:
+            return count
         found = passing_form(count, phases, asked, axis, work)
         work[PlanWork.PASSING, Passing.REVERSED] = 0.0
     return found

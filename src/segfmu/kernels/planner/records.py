@@ -225,6 +225,7 @@ class Passing(Record):
     ACCELERATION = field("scale of accelerations", "m/s2")
     TARGET = field("duration that it shall take by its pace; 0: the pace is given", "s")
     REVERSED = field("1: of the motion with the time reversed")
+    SETTLED = field("0: gentler rises than these may have left no room for a shorter profile")
 
 
 class Excess(Record):
