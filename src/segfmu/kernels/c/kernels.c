@@ -310,9 +310,10 @@ static double usual_duration(array_double_1d problem, array_double_1d axis);
 static int64_t fastest_between(array_double_2d phases, array_double_1d problem, array_double_1d axis);
 static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool is_done(array_double_1d problem);
-static int64_t shortest_braked(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
-static int64_t shortest_ramps(int64_t count, array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work);
+static bool ramps_suffice(array_double_1d axis);
+static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t passing_either_way(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work);
+static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends);
 static double cruise_time(double cruise, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases);
 static double turning_time(double lower, double upper, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases);
@@ -12190,8 +12191,15 @@ static bool is_done(array_double_1d problem)
     result = (*cspan_at(&problem, INT64_C(1))) == (*cspan_at(&problem, INT64_C(3)));
     return result;
 }
-/*`shortest_profile` with braking, and with forms that take longer to keep the limit.*/
-static int64_t shortest_braked(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
+/*Whether no limit above the snap makes ramps of the acceleration take longer than needed. */
+static bool ramps_suffice(array_double_1d axis)
+{
+    bool result;
+    result = (*cspan_at(&axis, INT64_C(14) + INT64_C(1))) == 0.0;
+    return result;
+}
+/*The shortest ramps, with braking or forms that take longer to keep the limit; or a status. */
+static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
 {
     array_double_2d trial;
     array_double_2d candidate;
@@ -12247,40 +12255,6 @@ static int64_t shortest_braked(array_double_1d problem, array_double_1d axis, ar
     }
     return best;
 }
-/*`shortest_profile` of ramps of the acceleration; count: phases of the optimal form, or 0.*/
-static int64_t shortest_ramps(int64_t count, array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work)
-{
-    double longest;
-    int64_t status;
-    bool passing;
-    if (count > INT64_C(0))
-    {
-        longest = early_window(total_duration(phases, count), asked, axis);
-        if (longest > 0.0)
-        {
-            count = loop_form(count, longest, phases, asked, axis, work);
-        }
-        return count;
-    }
-    status = shortest_braked(asked, axis, phases, work);
-    longest = usual_duration(asked, axis);
-    if (status > INT64_C(0))
-    {
-        longest = total_duration(phases, status);
-    }
-    /*from rest to rest the other forms have them all; where braking fails, none may pass zero*/
-    passing = (*cspan_at(&asked, INT64_C(1))) * (*cspan_at(&asked, INT64_C(3))) <= 0.0;
-    if (is_resting(asked, axis) || (passing && (status < INT64_C(0)) && (status != -INT64_C(3))))
-    {
-        return status;
-    }
-    count = loop_form(span_max_int(status, INT64_C(0)), longest, phases, asked, axis, work);
-    if (count == INT64_C(0))
-    {
-        return status;
-    }
-    return count;
-}
 /*`passing_form`; if that is not settled, the shorter one of it and that of reversed time. */
 static int64_t passing_either_way(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work)
 {
@@ -12317,6 +12291,48 @@ static int64_t passing_either_way(int64_t count, array_double_2d phases, array_d
     }
     return found;
 }
+/*`shortest_profile` where the optimal forms fail. */
+static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work)
+{
+    int64_t status;
+    double longest;
+    bool settled;
+    bool passing;
+    int64_t count;
+    int64_t result;
+    status = braked_ramps(asked, axis, phases, work);
+    longest = usual_duration(asked, axis);
+    if (status > INT64_C(0))
+    {
+        if ((*cspan_at(&axis, INT64_C(30))) > 0.5)
+        {
+            status = passing_either_way(status, phases, asked, axis, work);
+            settled = ((*cspan_at(&work, INT64_C(47), INT64_C(7))) > 0.5) && ramps_suffice(axis);
+            if (settled && (early_window(total_duration(phases, status), asked, axis) <= 0.0))
+            {
+                return status;
+            }
+        }
+        longest = total_duration(phases, status);
+    }
+    /*from rest to rest the other forms have them all; where braking fails, none may pass zero*/
+    passing = (*cspan_at(&asked, INT64_C(1))) * (*cspan_at(&asked, INT64_C(3))) <= 0.0;
+    if (is_resting(asked, axis) || (passing && (status < INT64_C(0)) && (status != -INT64_C(3))))
+    {
+        return status;
+    }
+    count = loop_form(span_max_int(status, INT64_C(0)), longest, phases, asked, axis, work);
+    if (count == INT64_C(0))
+    {
+        return status;
+    }
+    if (((*cspan_at(&axis, INT64_C(30))) > 0.5) && ((status < INT64_C(0)) || (total_duration(phases, count) < longest)))
+    {
+        result = passing_either_way(count, phases, asked, axis, work);
+        return result;
+    }
+    return count;
+}
 /*Phases of the shortest profile of a boundary problem (Problem) of one axis (Axis).               */
 /*                                                                                                 */
 /*    `phases` has the rows of Cell.BELOW, `work` those of `PlanWork`. Returns the number of phases*/
@@ -12326,7 +12342,7 @@ static int64_t passing_either_way(int64_t count, array_double_2d phases, array_d
 int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
 {
     array_double_1d asked;
-    bool optimal;
+    double longest;
     int64_t count;
     asked = span_row(&work, INT64_C(43));
     boundary_problem(problem, axis, asked);
@@ -12336,10 +12352,17 @@ int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, a
         return INT64_C(0);
     }
     count = shortest_between(INT64_C(0), phases, asked, axis, work);
-    /*no limit above the snap: these forms are the optimum where the velocity limit lets them be*/
-    optimal = (count > INT64_C(0)) && ((*cspan_at(&axis, INT64_C(14) + INT64_C(1))) == 0.0);
-    count = shortest_ramps(count, asked, axis, phases, work);
-    if ((count > INT64_C(0)) && ((*cspan_at(&axis, INT64_C(30))) > 0.5) && (!optimal))
+    if (count == INT64_C(0))
+    {
+        count = shortest_braked(asked, axis, phases, work);
+        return count;
+    }
+    longest = early_window(total_duration(phases, count), asked, axis);
+    if (longest > 0.0)
+    {
+        count = loop_form(count, longest, phases, asked, axis, work);
+    }
+    if (((*cspan_at(&axis, INT64_C(30))) > 0.5) && (!ramps_suffice(axis)))
     {
         count = passing_either_way(count, phases, asked, axis, work);
         return count;

@@ -129,6 +129,11 @@ def is_done(problem: 'float[:]') -> bool:
     return problem[Problem.A] == problem[Problem.B]
 
 
+def ramps_suffice(axis: 'float[:]') -> bool:
+    """Whether no limit above the snap makes ramps of the acceleration take longer than needed."""
+    return axis[Axis.RISES + 1] == 0.0
+
+
 def shortest_profile(
     problem: 'float[:]', axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]'
 ) -> int:
@@ -144,10 +149,37 @@ def shortest_profile(
     if is_done(asked):
         return 0
     count = shortest_between(0, phases, asked, axis, work)
-    # no limit above the snap: these forms are the optimum where the velocity limit lets them be
-    optimal = count > 0 and axis[Axis.RISES + 1] == 0.0
-    count = shortest_ramps(count, asked, axis, phases, work)
-    if count > 0 and axis[Axis.ABOVE] > 0.5 and not optimal:
+    if count == 0:
+        return shortest_braked(asked, axis, phases, work)
+    longest = early_window(total_duration(phases, count), asked, axis)
+    if longest > 0.0:
+        count = loop_form(count, longest, phases, asked, axis, work)
+    if axis[Axis.ABOVE] > 0.5 and not ramps_suffice(axis):
+        return passing_either_way(count, phases, asked, axis, work)
+    return count
+
+
+def shortest_braked(
+    asked: 'float[:]', axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]'
+) -> int:
+    """`shortest_profile` where the optimal forms fail."""
+    status = braked_ramps(asked, axis, phases, work)
+    longest = usual_duration(asked, axis)
+    if status > 0:
+        if axis[Axis.ABOVE] > 0.5:
+            status = passing_either_way(status, phases, asked, axis, work)
+            settled = work[PlanWork.PASSING, Passing.SETTLED] > 0.5 and ramps_suffice(axis)
+            if settled and early_window(total_duration(phases, status), asked, axis) <= 0.0:
+                return status
+        longest = total_duration(phases, status)
+    # from rest to rest the other forms have them all; where braking fails, none may pass zero
+    passing = asked[Problem.A] * asked[Problem.B] <= 0.0
+    if is_resting(asked, axis) or (passing and status < 0 and status != PlanStatus.NO_PROFILE):
+        return status
+    count = loop_form(max(status, 0), longest, phases, asked, axis, work)
+    if count == 0:
+        return status
+    if axis[Axis.ABOVE] > 0.5 and (status < 0 or total_duration(phases, count) < longest):
         return passing_either_way(count, phases, asked, axis, work)
     return count
 
@@ -180,33 +212,10 @@ def passing_either_way(
     return found
 
 
-def shortest_ramps(
-    count: int, asked: 'float[:]', axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]'
-) -> int:
-    """`shortest_profile` of ramps of the acceleration; count: phases of the optimal form, or 0."""
-    if count > 0:
-        longest = early_window(total_duration(phases, count), asked, axis)
-        if longest > 0.0:
-            count = loop_form(count, longest, phases, asked, axis, work)
-        return count
-    status = shortest_braked(asked, axis, phases, work)
-    longest = usual_duration(asked, axis)
-    if status > 0:
-        longest = total_duration(phases, status)
-    # from rest to rest the other forms have them all; where braking fails, none may pass zero
-    passing = asked[Problem.A] * asked[Problem.B] <= 0.0
-    if is_resting(asked, axis) or (passing and status < 0 and status != PlanStatus.NO_PROFILE):
-        return status
-    count = loop_form(max(status, 0), longest, phases, asked, axis, work)
-    if count == 0:
-        return status
-    return count
-
-
-def shortest_braked(
+def braked_ramps(
     problem: 'float[:]', axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]'
 ) -> int:
-    """`shortest_profile` with braking, and with forms that take longer to keep the limit."""
+    """The shortest ramps, with braking or forms that take longer to keep the limit; or a status."""
     trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
     candidate = work[PlanWork.BEST:PlanWork.GAP_ENDS, :]
     rest = work[PlanWork.REST, :]
