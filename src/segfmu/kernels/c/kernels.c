@@ -12255,7 +12255,10 @@ static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array
     }
     return best;
 }
-/*`passing_form`; if that is not settled, the shorter one of it and that of reversed time. */
+/*The shorter `passing_form` of the motion and of that with the time reversed. */
+/*                                                                             */
+/*    Settled, both are the same where the jerk has the levels.                */
+/*                                                                             */
 static int64_t passing_either_way(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work)
 {
     array_double_2d ramps;
@@ -12266,7 +12269,7 @@ static int64_t passing_either_way(int64_t count, array_double_2d phases, array_d
     copy_phases(phases, ramps, count);
     found = passing_form(count, phases, asked, axis, work);
     (*cspan_at(&work, INT64_C(47), INT64_C(6))) = 0.0;
-    if ((*cspan_at(&work, INT64_C(47), INT64_C(7))) > 0.5)
+    if (((*cspan_at(&work, INT64_C(47), INT64_C(7))) > 0.5) && ramps_suffice(axis))
     {
         return found;
     }

@@ -187,12 +187,15 @@ def shortest_braked(
 def passing_either_way(
     count: int, phases: 'float[:,:]', asked: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> int:
-    """`passing_form`; if that is not settled, the shorter one of it and that of reversed time."""
+    """The shorter `passing_form` of the motion and of that with the time reversed.
+
+    Settled, both are the same where the jerk has the levels.
+    """
     ramps = work[PlanWork.TRIAL:PlanWork.BEST, :]
     copy_phases(phases, ramps, count)
     found = passing_form(count, phases, asked, axis, work)
     work[PlanWork.PASSING, Passing.REVERSED] = 0.0
-    if work[PlanWork.PASSING, Passing.SETTLED] > 0.5:
+    if work[PlanWork.PASSING, Passing.SETTLED] > 0.5 and ramps_suffice(axis):
         return found
     longest = total_duration(ramps, count)
     forwards = total_duration(phases, found)
