@@ -56,6 +56,9 @@ class Space:
         self.axes = np.zeros((axes, Axis.SIZE))
         self.cells = np.zeros((cells, Cell.SIZE, Cell.COLUMNS))
         self.work = np.zeros((MotionWork.SIZE, MotionWork.COLUMNS))
+        self.options = self.work[MotionWork.OPTIONS, : PlanOptions.SIZE]
+        self.judging = self.work[MotionWork.JUDGING]
+        self.refusal = self.work[MotionWork.PLAN + PlanWork.REFUSAL, : Refusal.SIZE]
         self.timing = np.empty((rows, Timing.SIZE))
         self.coefficients = np.empty((rows, 2 * smoothness))
 
@@ -75,8 +78,8 @@ def plan_motion(problem: Problem, tolerance: float) -> Motion:
     points, axes = problem.states.shape[:2]
     size = points, axes, problem.options.smoothness
     space = _spaces.pop(size, None) or Space(size)
-    space.work[MotionWork.OPTIONS, : PlanOptions.SIZE] = problem.options.vector
-    space.work[MotionWork.JUDGING, Judging.TOLERANCE] = tolerance
+    space.options[:] = problem.options.vector
+    space.judging[Judging.TOLERANCE] = tolerance
     offsets, times = np.zeros(axes + 1, dtype=np.int64), np.zeros((points + 1, axes))
     call = problem.states, problem.dwells, problem.limits, space.axes, space.cells
     found = offsets, times, space.work
@@ -87,7 +90,7 @@ def plan_motion(problem: Problem, tolerance: float) -> Motion:
     used = offsets[-1]
     report = None
     if status < 0 and status != PlanStatus.CHECK_FAILED:
-        report = space.work[MotionWork.PLAN + PlanWork.REFUSAL, : Refusal.SIZE].copy()
+        report = space.refusal.copy()
     motion = Motion(
         status, report, space.timing[:used].copy(), space.coefficients[:used].copy(), offsets, times
     )

@@ -7052,7 +7052,7 @@ static int64_t next_bracket(double* result_0_0001, double* result_1_0001, double
 static double inner_rise(double rise, int64_t level, array_double_1d axis)
 {
     double result;
-    result = span_min(span_max((*cspan_at(&axis, INT64_C(14) + level)), (*cspan_at(&axis, INT64_C(19) + level)) * rise), 0.5 * rise);
+    result = span_min(span_max((*cspan_at(&axis, INT64_C(15) + level)), (*cspan_at(&axis, INT64_C(20) + level)) * rise), 0.5 * rise);
     return result;
 }
 /*The x > shift at which x^power (x - shift) has the value.*/
@@ -7117,8 +7117,8 @@ static int64_t plateau_duration(double* result_0_0001, double* result_1_0001, do
     for (level = first; level < boxes; level += INT64_C(1))
     {
         limit = (*cspan_at(&axis, INT64_C(4) + level));
-        least = (*cspan_at(&axis, INT64_C(14) + level));
-        share = (*cspan_at(&axis, INT64_C(19) + level));
+        least = (*cspan_at(&axis, INT64_C(15) + level));
+        share = (*cspan_at(&axis, INT64_C(20) + level));
         power = level - first;
         x_power = 1.0;
         for (j = INT64_C(0); j < power; j += INT64_C(1))
@@ -7191,10 +7191,10 @@ static int64_t plateau_change(double* result_0, double* result_1_0001, double du
     doubled = 1.0;
     for (level = first; level < boxes; level += INT64_C(1))
     {
-        least = (*cspan_at(&axis, INT64_C(14) + level));
+        least = (*cspan_at(&axis, INT64_C(15) + level));
         if (x >= 2.0 * least)
         {
-            share = (*cspan_at(&axis, INT64_C(19) + level));
+            share = (*cspan_at(&axis, INT64_C(20) + level));
             power = level - first;
             steepest = factor * (*cspan_at(&axis, INT64_C(4) + level));
             for (j = INT64_C(0); j < power; j += INT64_C(1))
@@ -7228,11 +7228,11 @@ static int64_t slowest_root(double* result_0, double* result_1_0001, double chan
     int64_t exponent;
     double root;
     int64_t e;
-    slowest = (*cspan_at(&axis, INT64_C(24))) * change;
+    slowest = (*cspan_at(&axis, INT64_C(25))) * change;
     exponent = INT64_C(1);
-    if ((*cspan_at(&axis, INT64_C(24) + INT64_C(1))) > 0.0)
+    if ((*cspan_at(&axis, INT64_C(25) + INT64_C(1))) > 0.0)
     {
-        root = sqrt((*cspan_at(&axis, INT64_C(24) + INT64_C(1))) * change);
+        root = sqrt((*cspan_at(&axis, INT64_C(25) + INT64_C(1))) * change);
         if (root > slowest)
         {
             slowest = root;
@@ -7241,9 +7241,9 @@ static int64_t slowest_root(double* result_0, double* result_1_0001, double chan
     }
     for (e = INT64_C(3); e < INT64_C(6); e += INT64_C(1))
     {
-        if ((*cspan_at(&axis, INT64_C(24) + e - INT64_C(1))) > 0.0)
+        if ((*cspan_at(&axis, INT64_C(25) + e - INT64_C(1))) > 0.0)
         {
-            root = pow(((*cspan_at(&axis, INT64_C(24) + e - INT64_C(1))) * change), (1.0 / e));
+            root = pow(((*cspan_at(&axis, INT64_C(25) + e - INT64_C(1))) * change), (1.0 / e));
             if (root > slowest)
             {
                 slowest = root;
@@ -7269,9 +7269,9 @@ static int64_t fastest_power(double* result_0, double* result_1_0001, double dur
     for (e = INT64_C(1); e < INT64_C(6); e += INT64_C(1))
     {
         power = power * duration;
-        if ((*cspan_at(&axis, INT64_C(24) + e - INT64_C(1))) > 0.0)
+        if ((*cspan_at(&axis, INT64_C(25) + e - INT64_C(1))) > 0.0)
         {
-            change = power / (*cspan_at(&axis, INT64_C(24) + e - INT64_C(1)));
+            change = power / (*cspan_at(&axis, INT64_C(25) + e - INT64_C(1)));
             if ((fastest < 0.0) || (change < fastest))
             {
                 fastest = change;
@@ -7288,6 +7288,7 @@ static int64_t fastest_power(double* result_0, double* result_1_0001, double dur
 int64_t segfmu_ramp_duration(double* result_0, double* result_1, double change, array_double_1d axis)
 {
     double slope;
+    double duration;
     if (change <= 0.0)
     {
         (*result_0) = 0.0;
@@ -7299,6 +7300,13 @@ int64_t segfmu_ramp_duration(double* result_0, double* result_1, double change, 
         slope = (*cspan_at(&axis, INT64_C(12)));
         (*result_0) = change * slope + (*cspan_at(&axis, INT64_C(13)));
         (*result_1) = slope;
+        return 0;
+    }
+    if ((*cspan_at(&axis, INT64_C(14))) > 0.0)
+    {
+        duration = sqrt((*cspan_at(&axis, INT64_C(14))) * change);
+        (*result_0) = duration;
+        (*result_1) = 0.5 * duration / change;
         return 0;
     }
     if ((*cspan_at(&axis, INT64_C(10))) < 0.5)
@@ -7313,10 +7321,25 @@ int64_t segfmu_ramp_duration(double* result_0, double* result_1, double change, 
 /*    the duration. Small ramps are solved for in their duration, which loses no digits. */
 static int64_t ramp_change(double* result_0, double* result_1, double duration, array_double_1d axis)
 {
+    double slope;
     if (duration <= 0.0)
     {
         (*result_0) = 0.0;
         (*result_1) = 0.0;
+        return 0;
+    }
+    if ((*cspan_at(&axis, INT64_C(14))) > 0.0)
+    {
+        if (((*cspan_at(&axis, INT64_C(12))) > 0.0) && (duration >= 2.0 * (*cspan_at(&axis, INT64_C(15)))))
+        {
+            slope = 1.0 / (*cspan_at(&axis, INT64_C(12)));
+            (*result_0) = (duration - (*cspan_at(&axis, INT64_C(13)))) * slope;
+            (*result_1) = slope;
+            return 0;
+        }
+        slope = duration / (*cspan_at(&axis, INT64_C(14)));
+        (*result_0) = slope * duration;
+        (*result_1) = 2.0 * slope;
         return 0;
     }
     if ((*cspan_at(&axis, INT64_C(10))) < 0.5)
@@ -7362,7 +7385,7 @@ static double ramp_variance(double basis, array_double_1d axis)
     double variance;
     if ((*cspan_at(&axis, INT64_C(10))) < 0.5)
     {
-        variance = (*cspan_at(&axis, INT64_C(29))) * basis * basis;
+        variance = (*cspan_at(&axis, INT64_C(30))) * basis * basis;
         return variance;
     }
     rise_moments(&variance, &fourth, basis, INT64_C(0), axis);
@@ -7478,18 +7501,18 @@ static int64_t curved_part(double* result_0, double* result_1, double* result_2_
     double integral;
     int64_t j;
     int64_t i;
-    count = (int64_t)((*cspan_at(&axis, INT64_C(31))));
+    count = (int64_t)((*cspan_at(&axis, INT64_C(32))));
     value = 0.0;
     slope = 0.0;
     integral = 0.0;
     for (j = INT64_C(0); j < count; j += INT64_C(1))
     {
         i = count - INT64_C(1) - j;
-        value = value * s + (*cspan_at(&axis, INT64_C(32) + i));
-        integral = integral * s + (*cspan_at(&axis, INT64_C(32) + i)) / (i + 1.0);
+        value = value * s + (*cspan_at(&axis, INT64_C(33) + i));
+        integral = integral * s + (*cspan_at(&axis, INT64_C(33) + i)) / (i + 1.0);
         if (i > INT64_C(0))
         {
-            slope = slope * s + i * (*cspan_at(&axis, INT64_C(32) + i));
+            slope = slope * s + i * (*cspan_at(&axis, INT64_C(33) + i));
         }
     }
     (*result_0) = value;
@@ -7698,7 +7721,7 @@ static double ramp_extreme_velocity(double v, double a, double b, double duratio
         result = plateau_extreme_velocity(start, first, change, duration, basis, axis);
         return result;
     }
-    if ((*cspan_at(&axis, INT64_C(31))) == 2.0)
+    if ((*cspan_at(&axis, INT64_C(32))) == 2.0)
     {
         return start - 0.5 * first * first * duration / change;
     }
@@ -10709,7 +10732,7 @@ static void set_level(array_double_1d node, array_double_1d passing, array_doubl
     }
     rise = fabs(time);
     (*cspan_at(&node, INT64_C(10))) = 0.0;
-    most = (*cspan_at(&axis, INT64_C(14) + above - INT64_C(1)));
+    most = (*cspan_at(&axis, INT64_C(15) + above - INT64_C(1)));
     if (rise >= most)
     {
         (*cspan_at(&node, INT64_C(9))) = sign * (*cspan_at(&axis, INT64_C(4) + above - INT64_C(1)));
@@ -11283,7 +11306,7 @@ static bool split_level(int64_t place, int64_t kind, double sign, array_double_1
     }
     time = (*cspan_at(&work, row, INT64_C(6)));
     level_sign = (*cspan_at(&work, row, INT64_C(5)));
-    dip = span_min(fabs(time), (*cspan_at(&axis, INT64_C(14) + kind - INT64_C(1))));
+    dip = span_min(fabs(time), (*cspan_at(&axis, INT64_C(15) + kind - INT64_C(1))));
     (*cspan_at(&work, row, INT64_C(6))) = 0.8 * time;
     insert_node(place + INT64_C(1), kind, sign, (-0.5) * dip, 0, work);
     insert_node(place + INT64_C(2), INT64_C(0), level_sign, 0.8 * time, 0, work);
@@ -11753,8 +11776,8 @@ static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases,
     double factor;
     int64_t row;
     passing = span_row(&work, INT64_C(47));
-    q = (int64_t)((*cspan_at(&axis, INT64_C(30)))) + INT64_C(2);
-    (*cspan_at(&passing, INT64_C(1))) = (*cspan_at(&axis, INT64_C(30)));
+    q = (int64_t)((*cspan_at(&axis, INT64_C(31)))) + INT64_C(2);
+    (*cspan_at(&passing, INT64_C(1))) = (*cspan_at(&axis, INT64_C(31)));
     (*cspan_at(&passing, INT64_C(2))) = 1.0;
     (*cspan_at(&passing, INT64_C(5))) = 0.0;
     (*cspan_at(&passing, INT64_C(3))) = total_duration(phases, count);
@@ -12195,7 +12218,7 @@ static bool is_done(array_double_1d problem)
 static bool ramps_suffice(array_double_1d axis)
 {
     bool result;
-    result = (*cspan_at(&axis, INT64_C(14) + INT64_C(1))) == 0.0;
+    result = (*cspan_at(&axis, INT64_C(15) + INT64_C(1))) == 0.0;
     return result;
 }
 /*The shortest ramps, with braking or forms that take longer to keep the limit; or a status. */
@@ -12307,7 +12330,7 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
     longest = usual_duration(asked, axis);
     if (status > INT64_C(0))
     {
-        if ((*cspan_at(&axis, INT64_C(30))) > 0.5)
+        if ((*cspan_at(&axis, INT64_C(31))) > 0.5)
         {
             status = passing_either_way(status, phases, asked, axis, work);
             settled = ((*cspan_at(&work, INT64_C(47), INT64_C(7))) > 0.5) && ramps_suffice(axis);
@@ -12329,7 +12352,7 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
     {
         return status;
     }
-    if (((*cspan_at(&axis, INT64_C(30))) > 0.5) && ((status < INT64_C(0)) || (total_duration(phases, count) < longest)))
+    if (((*cspan_at(&axis, INT64_C(31))) > 0.5) && ((status < INT64_C(0)) || (total_duration(phases, count) < longest)))
     {
         result = passing_either_way(count, phases, asked, axis, work);
         return result;
@@ -12365,7 +12388,7 @@ int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, a
     {
         count = loop_form(count, longest, phases, asked, axis, work);
     }
-    if (((*cspan_at(&axis, INT64_C(30))) > 0.5) && (!ramps_suffice(axis)))
+    if (((*cspan_at(&axis, INT64_C(31))) > 0.5) && (!ramps_suffice(axis)))
     {
         count = passing_either_way(count, phases, asked, axis, work);
         return count;
@@ -12815,7 +12838,7 @@ static double slower_passing(array_double_1d axis, array_double_2d cell, array_d
     array_double_2d phases;
     int64_t count;
     bool backwards;
-    if ((*cspan_at(&axis, INT64_C(30))) < 0.5)
+    if ((*cspan_at(&axis, INT64_C(31))) < 0.5)
     {
         return -1.0;
     }
@@ -13246,7 +13269,7 @@ static void transition_peaks(int64_t order, array_double_1d coefficients, array_
 void segfmu_axis_limits(int64_t smoothness, int64_t shape, array_double_1d limits, array_double_1d axis)
 {
     int64_t i;
-    for (i = INT64_C(0); i < INT64_C(42); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(43); i += INT64_C(1))
     {
         (*cspan_at(&axis, i)) = 0.0;
     }
@@ -13297,12 +13320,12 @@ static bool plateau_parameters(double share, array_double_1d axis)
     {
         return 0;
     }
-    (*cspan_at(&axis, INT64_C(30))) = span_min_int(span_floor_div((last + INT64_C(1)), INT64_C(2)), INT64_C(2));
+    (*cspan_at(&axis, INT64_C(31))) = span_min_int(span_floor_div((last + INT64_C(1)), INT64_C(2)), INT64_C(2));
     for (level = INT64_C(0); level < boxes - INT64_C(1); level += INT64_C(1))
     {
         if ((level > INT64_C(0)) || (last == INT64_C(0)))
         {
-            (*cspan_at(&axis, INT64_C(19) + level)) = share;
+            (*cspan_at(&axis, INT64_C(20) + level)) = share;
         }
     }
     for (i = INT64_C(0); i < last; i += INT64_C(1))
@@ -13315,14 +13338,19 @@ static bool plateau_parameters(double share, array_double_1d axis)
         {
             plateau_duration(&rise, &slope, limit, level + INT64_C(1), axis);
         }
-        (*cspan_at(&axis, INT64_C(14) + level)) = rise;
+        (*cspan_at(&axis, INT64_C(15) + level)) = rise;
+    }
+    if (last == INT64_C(1))
+    {
+        /*the snap alone determines a small ramp*/
+        (*cspan_at(&axis, INT64_C(14))) = 4.0 / ((*cspan_at(&axis, INT64_C(4) + INT64_C(1))) * (1.0 - (*cspan_at(&axis, INT64_C(20) + INT64_C(1)))));
     }
     jerk = (*cspan_at(&axis, INT64_C(4)));
     if (jerk > 0.0)
     {
-        rise = (*cspan_at(&axis, INT64_C(14)));
+        rise = (*cspan_at(&axis, INT64_C(15)));
         (*cspan_at(&axis, INT64_C(11))) = jerk * rise;
-        (*cspan_at(&axis, INT64_C(12))) = 1.0 / (jerk * (1.0 - (*cspan_at(&axis, INT64_C(19)))));
+        (*cspan_at(&axis, INT64_C(12))) = 1.0 / (jerk * (1.0 - (*cspan_at(&axis, INT64_C(20)))));
         (*cspan_at(&axis, INT64_C(13))) = rise;
     }
     return 1;
@@ -13340,22 +13368,22 @@ static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, arr
     k = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
     bounded = 0;
     transition_peaks(k, psi, peaks);
-    (*cspan_at(&axis, INT64_C(31))) = 2.0 * k + 2.0;
+    (*cspan_at(&axis, INT64_C(32))) = 2.0 * k + 2.0;
     for (j = INT64_C(0); j < INT64_C(2) * k + INT64_C(2); j += INT64_C(1))
     {
-        (*cspan_at(&axis, INT64_C(32) + j)) = (*cspan_at(&psi, j));
+        (*cspan_at(&axis, INT64_C(33) + j)) = (*cspan_at(&psi, j));
     }
-    (*cspan_at(&axis, INT64_C(29))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(3)));
+    (*cspan_at(&axis, INT64_C(30))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(3)));
     for (j = INT64_C(1); j < k + INT64_C(2); j += INT64_C(1))
     {
         limit = (*cspan_at(&axis, INT64_C(4) + j - INT64_C(1)));
         if (limit > 0.0)
         {
-            (*cspan_at(&axis, INT64_C(24) + j - INT64_C(1))) = (*cspan_at(&peaks, j)) / limit;
+            (*cspan_at(&axis, INT64_C(25) + j - INT64_C(1))) = (*cspan_at(&peaks, j)) / limit;
             bounded = 1;
         }
     }
-    slope = (*cspan_at(&axis, INT64_C(24)));
+    slope = (*cspan_at(&axis, INT64_C(25)));
     if (slope > 0.0)
     {
         (*cspan_at(&axis, INT64_C(11))) = 0.0;
@@ -13363,7 +13391,7 @@ static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, arr
         for (e = INT64_C(2); e < k + INT64_C(2); e += INT64_C(1))
         {
             /*the change above which the root of order e is not longer than the linear duration*/
-            change = pow(((*cspan_at(&axis, INT64_C(24) + e - INT64_C(1))) / pow(slope, (double)(e))), (1.0 / (e - INT64_C(1))));
+            change = pow(((*cspan_at(&axis, INT64_C(25) + e - INT64_C(1))) / pow(slope, (double)(e))), (1.0 / (e - INT64_C(1))));
             (*cspan_at(&axis, INT64_C(11))) = span_max((*cspan_at(&axis, INT64_C(11))), change);
         }
     }
@@ -13381,7 +13409,7 @@ bool segfmu_ramp_parameters(double share, array_double_1d axis, array_double_2d 
     double duration;
     double slope;
     bool bounded;
-    for (i = INT64_C(9); i < INT64_C(42); i += INT64_C(1))
+    for (i = INT64_C(9); i < INT64_C(43); i += INT64_C(1))
     {
         (*cspan_at(&axis, i)) = 0.0;
     }
@@ -16009,7 +16037,7 @@ static void set_chains(double steep, array_double_1d axis, array_double_1d limit
     for (order = INT64_C(0); order < smoothness - INT64_C(1); order += INT64_C(1))
     {
         chain = span_row(&chains, order);
-        for (i = INT64_C(0); i < INT64_C(42); i += INT64_C(1))
+        for (i = INT64_C(0); i < INT64_C(43); i += INT64_C(1))
         {
             (*cspan_at(&chain, i)) = 0.0;
         }

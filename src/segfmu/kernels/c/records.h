@@ -811,14 +811,15 @@ enum {
     AXIS_LINEAR_FROM = 11,
     AXIS_LINEAR_SLOPE = 12,
     AXIS_LINEAR_CONSTANT = 13,
-    AXIS_RISES = 14,
-    AXIS_SHARES = 19,
-    AXIS_POWERS = 24,
-    AXIS_VARIANCE = 29,
-    AXIS_ABOVE = 30,
-    AXIS_CURVE_SIZE = 31,
-    AXIS_CURVE = 32,
-    AXIS_SIZE = 42
+    AXIS_SQUARE = 14,
+    AXIS_RISES = 15,
+    AXIS_SHARES = 20,
+    AXIS_POWERS = 25,
+    AXIS_VARIANCE = 30,
+    AXIS_ABOVE = 31,
+    AXIS_CURVE_SIZE = 32,
+    AXIS_CURVE = 33,
+    AXIS_SIZE = 43
 };
 
 enum {
@@ -1331,7 +1332,7 @@ enum {
     LEAD_WORK_EXPANSION = 173,
     LEAD_WORK_CHECK = 175,
     LEAD_WORK_SIZE = 219,
-    LEAD_WORK_COLUMNS = 42
+    LEAD_WORK_COLUMNS = 43
 };
 
 /* kernels/trajectory/records.py */

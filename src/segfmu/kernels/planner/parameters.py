@@ -119,6 +119,9 @@ def plateau_parameters(share: float, axis: 'float[:]') -> bool:
         if limit > 0.0:
             rise, slope = plateau_duration(limit, level + 1, axis)
         axis[Axis.RISES + level] = rise
+    if last == 1:
+        # the snap alone determines a small ramp
+        axis[Axis.SQUARE] = 4.0 / (axis[Axis.JERK + 1] * (1.0 - axis[Axis.SHARES + 1]))
     jerk = axis[Axis.JERK]
     if jerk > 0.0:
         rise = axis[Axis.RISES]

@@ -145,6 +145,9 @@ def ramp_duration(change: float, axis: 'float[:]') -> 'tuple[float, float]':
     if change >= axis[Axis.LINEAR_FROM]:
         slope = axis[Axis.LINEAR_SLOPE]
         return change * slope + axis[Axis.LINEAR_CONSTANT], slope
+    if axis[Axis.SQUARE] > 0.0:
+        duration = sqrt(axis[Axis.SQUARE] * change)
+        return duration, 0.5 * duration / change
     if axis[Axis.PLATEAU] < 0.5:
         return slowest_root(change, axis)
     return plateau_duration(change, 0, axis)
@@ -155,6 +158,12 @@ def ramp_change(duration: float, axis: 'float[:]') -> 'tuple[float, float]':
     the duration. Small ramps are solved for in their duration, which loses no digits."""
     if duration <= 0.0:
         return 0.0, 0.0
+    if axis[Axis.SQUARE] > 0.0:
+        if axis[Axis.LINEAR_SLOPE] > 0.0 and duration >= 2.0 * axis[Axis.RISES]:
+            slope = 1.0 / axis[Axis.LINEAR_SLOPE]
+            return (duration - axis[Axis.LINEAR_CONSTANT]) * slope, slope
+        slope = duration / axis[Axis.SQUARE]
+        return slope * duration, 2.0 * slope
     if axis[Axis.PLATEAU] < 0.5:
         return fastest_power(duration, axis)
     return plateau_change(duration, 0, axis)

@@ -120,6 +120,7 @@ class Axis(Record):
     LINEAR_FROM = field("change from which the duration is linear; 1e300: none", "m/s2")
     LINEAR_SLOPE = field("slope of the duration there", "s3/m")
     LINEAR_CONSTANT = field("constant of the duration there", "s")
+    SQUARE = field("plateau: duration^2 over a change below, of the snap alone; else 0", "s4/m")
     RISES = field("plateau: rise of the jerk .. to its limit; 1e60: has none", "s", size=5)
     SHARES = field("plateau: least share of that rise in the rise it belongs to", size=5)
     POWERS = field("smoothstep: q_e; a ramp lasts (q_e change)^(1/e) at least", size=5)
