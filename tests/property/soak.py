@@ -114,7 +114,9 @@ def _batch(n: int, shape: int, limits: np.ndarray, state: np.ndarray, tally: Tal
         lengths.append(timing[:used, Timing.LENGTH].copy())
         owners.append(np.full(used, i))
         missed = np.abs(at[:3] - [distance, w, b])
-        missed /= [max(abs(distance), 1.0), limits[i, 0], limits[i, 1]]
+        # of the path, as `verify` judges
+        path = max(np.ptp(pieces[:used, 0]), abs(distance), 1.0) if used else 1.0
+        missed /= [path, limits[i, 0], limits[i, 1]]
         if count and not missed.max() <= TOLERANCE:
             tally.invalid.append(f"end {missed} {describe(n, shape, limits[i], state[i])}")
         ends.append(used)
