@@ -116,7 +116,7 @@ def _trajectory(
 ) -> Trajectory:
     options = request.problem.options
     for array in (timing, coefficients, offsets, times):
-        array.setflags(False)
+        array.setflags(write=False)
     return Trajectory(
         request.waypoints, request.limits, options.smoothness, options.shape, options.synchronize,
         request.axis_names, timing, coefficients, offsets, times[:-1], times[-1],
