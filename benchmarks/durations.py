@@ -8,11 +8,14 @@ from typing import Any
 
 import numpy as np
 
+from benchmarks.optimal_control import Transition, earliest
 from benchmarks.problems import Problems, random_problems
 from benchmarks.report import Part, Record, Section, Settings
 from segfmu import InfeasibleError, Limits, Waypoint, plan
 
-# 150 single-axis problems, n = 4; their optima, by linear programming, are known to about 0.5 %
+# 150 single-axis problems, n = 4; their optima, by linear programming, are known to about 0.5 %,
+# but for one: what a plan exceeds by more than SUSPECT is computed again
+SUSPECT = 1.15
 REFERENCE = Path(__file__).parents[1] / "tests" / "data" / "planner-problems.json"
 SEED = 5
 EQUAL = 1e-6
@@ -40,12 +43,14 @@ def measure(settings: Settings) -> Part:
             f"equal: within {EQUAL:g} s, relative above 1 s",
             "start passes the limit: even full jerk towards zero acceleration passes the velocity "
             "limit after the start; target: it did so before the target",
+            f"over optimum: where a plateau plan takes over {SUSPECT:g} of it, that of a linear "
+            "program over 100 cells",
         ),
     )
 
 
 def _against_optimum() -> Section:
-    problems = json.loads(REFERENCE.read_text(encoding="utf-8"))
+    problems = [checked(item) for item in json.loads(REFERENCE.read_text(encoding="utf-8"))]
     records: list[Record] = []
     for shape in ("plateau", "smoothstep"):
         found = [share_of_optimum(item, shape) for item in problems]
@@ -58,6 +63,16 @@ def _against_optimum() -> Section:
             "failures": len(found) - ratios.size,
         })
     return Section(f"Duration over optimum, n = 4, {len(problems)} reference problems", records)
+
+
+def checked(item: dict[str, Any]) -> dict[str, Any]:
+    """A reference problem; its optimum that of a linear program where a plan is far from it."""
+    ratio = share_of_optimum(item, "plateau")
+    if ratio is None or ratio < SUSPECT:
+        return item
+    transition = Transition("", tuple(item["start"]), tuple(item["end"]), tuple(item["limits"]))
+    known = ratio * item["optimal_duration"]
+    return item | {"optimal_duration": earliest(transition, known, 100, 1e-3)}
 
 
 def share_of_optimum(item: dict[str, Any], shape: str) -> float | None:
