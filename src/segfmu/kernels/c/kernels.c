@@ -320,12 +320,20 @@ static double turning_time(double lower, double upper, bool covering, array_doub
 static int64_t turning_ends(bool covering, double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
 static int64_t covering_ends(double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
 static int64_t gap_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static void polynomial_levels(array_double_1d problem, array_double_1d gentle);
+static int64_t gentle_hold(double* result_0_0001, double* result_1, double level, array_double_1d problem, array_double_1d axis);
+static void gentle_errors(array_double_1d problem, array_double_1d axis, array_double_1d gentle);
+static bool gentle_step(array_double_1d problem, array_double_1d axis, array_double_1d gentle);
+static void spread_levels(int64_t attempt, array_double_1d gentle);
+static bool solve_gentle(int64_t attempt, array_double_1d problem, array_double_1d axis, array_double_1d gentle);
+static int64_t write_gentle(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_1d gentle);
 static void stretch_phases(array_double_2d phases, int64_t count, double factor);
 static void fit_duration(array_double_2d phases, int64_t count, double target);
 static void timed_merged(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static void usual_cruise(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static void timed_between(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static void clear_nearest(array_double_2d work);
+static bool timed_gently(array_double_1d axis, array_double_2d cell, array_double_2d work);
 static bool timed_slower(double shortest, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double nearest_weight(array_double_1d problem, array_double_1d axis, array_double_1d nearest);
 static void surround_nearest(int64_t variant, array_double_1d axis, array_double_2d cell, array_double_2d work);
@@ -8890,10 +8898,10 @@ static void piece_excess(double length, int64_t node, bool holding, array_double
     double step;
     int64_t j;
     int64_t order;
-    state = span_row(&work, INT64_C(90));
-    end = span_row(&work, INT64_C(90) + INT64_C(1));
-    excess = span_rows(&work, INT64_C(85), INT64_C(89));
-    q = (int64_t)((*cspan_at(&work, INT64_C(47), INT64_C(1)))) + INT64_C(2);
+    state = span_row(&work, INT64_C(91));
+    end = span_row(&work, INT64_C(91) + INT64_C(1));
+    excess = span_rows(&work, INT64_C(86), INT64_C(90));
+    q = (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(2);
     rest = length;
     /*each derivative has one zero at most between those of the ones above*/
     for (i = INT64_C(0); i < INT64_C(16); i += INT64_C(1))
@@ -8943,9 +8951,9 @@ static bool measure_excess(array_double_1d axis, array_double_2d work)
     double basis;
     double length;
     double peak;
-    passing = span_row(&work, INT64_C(47));
-    excess = span_rows(&work, INT64_C(85), INT64_C(89));
-    state = span_row(&work, INT64_C(90));
+    passing = span_row(&work, INT64_C(48));
+    excess = span_rows(&work, INT64_C(86), INT64_C(90));
+    state = span_row(&work, INT64_C(91));
     above = (int64_t)((*cspan_at(&passing, INT64_C(1))));
     q = above + INT64_C(2);
     boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1) - above;
@@ -8956,7 +8964,7 @@ static bool measure_excess(array_double_1d axis, array_double_2d work)
     }
     for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
-        row = INT64_C(48) + i;
+        row = INT64_C(49) + i;
         for (order = INT64_C(0); order < INT64_C(8); order += INT64_C(1))
         {
             (*cspan_at(&state, order)) = 0.0;
@@ -11043,12 +11051,12 @@ static void perturbed_column(int64_t column, int64_t count, array_double_1d prob
     double largest;
     double slope;
     double diagonal;
-    passing = span_row(&work, INT64_C(47));
-    nodes = span_rows(&work, INT64_C(48), INT64_C(66));
-    residual = span_row(&work, INT64_C(89));
+    passing = span_row(&work, INT64_C(48));
+    nodes = span_rows(&work, INT64_C(49), INT64_C(67));
+    residual = span_row(&work, INT64_C(90));
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        (*cspan_at(&residual, INT64_C(0) + i)) = -(*cspan_at(&work, INT64_C(106) + i, INT64_C(0)));
+        (*cspan_at(&residual, INT64_C(0) + i)) = -(*cspan_at(&work, INT64_C(107) + i, INT64_C(0)));
     }
     if (column == (int64_t)((*cspan_at(&passing, INT64_C(0)))))
     {
@@ -11069,13 +11077,13 @@ static void perturbed_column(int64_t column, int64_t count, array_double_1d prob
     largest = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        slope = ((*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(106) + i, INT64_C(0)))) / change;
-        (*cspan_at(&work, INT64_C(90) + i, column)) = slope;
+        slope = ((*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(107) + i, INT64_C(0)))) / change;
+        (*cspan_at(&work, INT64_C(91) + i, column)) = slope;
         largest = span_max(largest, fabs(slope));
     }
     /*far from singular to rounding errors; the step changes by as little*/
-    diagonal = (*cspan_at(&work, INT64_C(90) + column, column));
-    (*cspan_at(&work, INT64_C(90) + column, column)) = diagonal + 1e-12 * span_max(largest, 1e-300);
+    diagonal = (*cspan_at(&work, INT64_C(91) + column, column));
+    (*cspan_at(&work, INT64_C(91) + column, column)) = diagonal + 1e-12 * span_max(largest, 1e-300);
 }
 /*Write the step of all unknowns to the rows STEP of `work`; derivatives are differences.*/
 static void newton_step(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work)
@@ -11086,12 +11094,12 @@ static void newton_step(int64_t count, array_double_1d problem, array_double_1d 
     int64_t i;
     int64_t j;
     array_double_2d matrix;
-    passing = span_row(&work, INT64_C(47));
-    nodes = span_rows(&work, INT64_C(48), INT64_C(66));
-    residual = span_row(&work, INT64_C(89));
+    passing = span_row(&work, INT64_C(48));
+    nodes = span_rows(&work, INT64_C(49), INT64_C(67));
+    residual = span_row(&work, INT64_C(90));
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        (*cspan_at(&work, INT64_C(106) + i, INT64_C(0))) = -(*cspan_at(&residual, INT64_C(0) + i));
+        (*cspan_at(&work, INT64_C(107) + i, INT64_C(0))) = -(*cspan_at(&residual, INT64_C(0) + i));
     }
     if ((*cspan_at(&passing, INT64_C(5))) > 0.0)
     {
@@ -11104,8 +11112,8 @@ static void newton_step(int64_t count, array_double_1d problem, array_double_1d 
         /*from the last node on, so that the states before the others are those of the sequence*/
         perturbed_column((int64_t)((*cspan_at(&passing, INT64_C(0)))) - INT64_C(1) - j, count, problem, axis, work);
     }
-    matrix = span_rows(&work, INT64_C(90), INT64_C(106));
-    matrix_solve(count, INT64_C(1), matrix, span_rows(&work, INT64_C(106), INT64_C(122)));
+    matrix = span_rows(&work, INT64_C(91), INT64_C(107));
+    matrix_solve(count, INT64_C(1), matrix, span_rows(&work, INT64_C(107), INT64_C(123)));
 }
 /*The share of a step that keeps the signs of most levels and changes no unknown too much. */
 static double longest_step(array_double_2d work)
@@ -11118,13 +11126,13 @@ static double longest_step(array_double_2d work)
     double time;
     double most;
     double share;
-    passing = span_row(&work, INT64_C(47));
-    nodes = span_rows(&work, INT64_C(48), INT64_C(66));
+    passing = span_row(&work, INT64_C(48));
+    nodes = span_rows(&work, INT64_C(49), INT64_C(67));
     share = 1.0;
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        change = (*cspan_at(&work, INT64_C(106) + i, INT64_C(0)));
+        change = (*cspan_at(&work, INT64_C(107) + i, INT64_C(0)));
         time = (*cspan_at(&nodes, i, INT64_C(6)));
         if (!(fabs(change) < 1000000000000.0 * (*cspan_at(&passing, INT64_C(3)))))
         {
@@ -11148,7 +11156,7 @@ static double longest_step(array_double_2d work)
     }
     if ((*cspan_at(&passing, INT64_C(5))) > 0.0)
     {
-        change = fabs((*cspan_at(&work, INT64_C(106) + count, INT64_C(0))));
+        change = fabs((*cspan_at(&work, INT64_C(107) + count, INT64_C(0))));
         if (change * share > 0.3 * (*cspan_at(&passing, INT64_C(2))))
         {
             share = 0.3 * (*cspan_at(&passing, INT64_C(2))) / change;
@@ -11163,16 +11171,16 @@ static void take_step(double share, array_double_2d work)
     int64_t i;
     int64_t row;
     double pace;
-    count = (int64_t)((*cspan_at(&work, INT64_C(47), INT64_C(0))));
+    count = (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(0))));
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        row = INT64_C(48) + i;
-        (*cspan_at(&work, row, INT64_C(6))) = (*cspan_at(&work, row, INT64_C(6))) + share * (*cspan_at(&work, INT64_C(106) + i, INT64_C(0)));
+        row = INT64_C(49) + i;
+        (*cspan_at(&work, row, INT64_C(6))) = (*cspan_at(&work, row, INT64_C(6))) + share * (*cspan_at(&work, INT64_C(107) + i, INT64_C(0)));
     }
-    if ((*cspan_at(&work, INT64_C(47), INT64_C(5))) > 0.0)
+    if ((*cspan_at(&work, INT64_C(48), INT64_C(5))) > 0.0)
     {
-        pace = (*cspan_at(&work, INT64_C(47), INT64_C(2))) + share * (*cspan_at(&work, INT64_C(106) + count, INT64_C(0)));
-        (*cspan_at(&work, INT64_C(47), INT64_C(2))) = pace;
+        pace = (*cspan_at(&work, INT64_C(48), INT64_C(2))) + share * (*cspan_at(&work, INT64_C(107) + count, INT64_C(0)));
+        (*cspan_at(&work, INT64_C(48), INT64_C(2))) = pace;
     }
 }
 /*Change the times of the sequence in `work` (PlanWork) until it meets its conditions. */
@@ -11190,9 +11198,9 @@ static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_
     double share;
     double reached;
     int64_t j;
-    passing = span_row(&work, INT64_C(47));
-    nodes = span_rows(&work, INT64_C(48), INT64_C(66));
-    residual = span_row(&work, INT64_C(89));
+    passing = span_row(&work, INT64_C(48));
+    nodes = span_rows(&work, INT64_C(49), INT64_C(67));
+    residual = span_row(&work, INT64_C(90));
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     if ((*cspan_at(&passing, INT64_C(5))) > 0.0)
     {
@@ -11239,13 +11247,13 @@ static void keep_sequence(array_double_2d work)
     int64_t j;
     for (i = INT64_C(0); i < INT64_C(8); i += INT64_C(1))
     {
-        (*cspan_at(&work, INT64_C(66), i)) = (*cspan_at(&work, INT64_C(47), i));
+        (*cspan_at(&work, INT64_C(67), i)) = (*cspan_at(&work, INT64_C(48), i));
     }
-    for (j = INT64_C(0); j < (int64_t)((*cspan_at(&work, INT64_C(47), INT64_C(0)))) + INT64_C(2); j += INT64_C(1))
+    for (j = INT64_C(0); j < (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(0)))) + INT64_C(2); j += INT64_C(1))
     {
         for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
         {
-            (*cspan_at(&work, INT64_C(66) + INT64_C(1) + j, i)) = (*cspan_at(&work, INT64_C(48) + j, i));
+            (*cspan_at(&work, INT64_C(67) + INT64_C(1) + j, i)) = (*cspan_at(&work, INT64_C(49) + j, i));
         }
     }
 }
@@ -11256,13 +11264,13 @@ static void restore_sequence(array_double_2d work)
     int64_t j;
     for (i = INT64_C(0); i < INT64_C(8); i += INT64_C(1))
     {
-        (*cspan_at(&work, INT64_C(47), i)) = (*cspan_at(&work, INT64_C(66), i));
+        (*cspan_at(&work, INT64_C(48), i)) = (*cspan_at(&work, INT64_C(67), i));
     }
-    for (j = INT64_C(0); j < (int64_t)((*cspan_at(&work, INT64_C(47), INT64_C(0)))) + INT64_C(2); j += INT64_C(1))
+    for (j = INT64_C(0); j < (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(0)))) + INT64_C(2); j += INT64_C(1))
     {
         for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
         {
-            (*cspan_at(&work, INT64_C(48) + j, i)) = (*cspan_at(&work, INT64_C(66) + INT64_C(1) + j, i));
+            (*cspan_at(&work, INT64_C(49) + j, i)) = (*cspan_at(&work, INT64_C(67) + INT64_C(1) + j, i));
         }
     }
 }
@@ -11274,17 +11282,17 @@ static void insert_node(int64_t place, int64_t kind, double sign, double time, b
     int64_t j;
     int64_t row;
     int64_t i;
-    passing = span_row(&work, INT64_C(47));
+    passing = span_row(&work, INT64_C(48));
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     for (j = INT64_C(0); j < count - place; j += INT64_C(1))
     {
-        row = INT64_C(48) + count - j;
+        row = INT64_C(49) + count - j;
         for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
         {
             (*cspan_at(&work, row, i)) = (*cspan_at(&work, row - INT64_C(1), i));
         }
     }
-    row = INT64_C(48) + place;
+    row = INT64_C(49) + place;
     (*cspan_at(&work, row, INT64_C(4))) = kind;
     (*cspan_at(&work, row, INT64_C(5))) = sign;
     (*cspan_at(&work, row, INT64_C(6))) = time;
@@ -11299,7 +11307,7 @@ static bool split_level(int64_t place, int64_t kind, double sign, array_double_1
     double time;
     double level_sign;
     double dip;
-    row = INT64_C(48) + place;
+    row = INT64_C(49) + place;
     if ((*cspan_at(&work, row, INT64_C(4))) > 0.5)
     {
         return 0;
@@ -11326,8 +11334,8 @@ static bool split_ramp(int64_t place, int64_t kind, double sign, bool touch, boo
     double before;
     double after;
     double hold;
-    first = INT64_C(48) + place - INT64_C(1);
-    last = INT64_C(48) + place;
+    first = INT64_C(49) + place - INT64_C(1);
+    last = INT64_C(49) + place;
     plateau = kind + INT64_C(2);
     if (holding)
     {
@@ -11376,8 +11384,8 @@ static bool insert_plateau(int64_t kind, bool touching, array_double_1d axis, ar
     int64_t row;
     bool here;
     bool result;
-    passing = span_row(&work, INT64_C(47));
-    excess = span_row(&work, INT64_C(85) + kind);
+    passing = span_row(&work, INT64_C(48));
+    excess = span_row(&work, INT64_C(86) + kind);
     q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     place = (int64_t)((*cspan_at(&excess, INT64_C(1))));
@@ -11391,7 +11399,7 @@ static bool insert_plateau(int64_t kind, bool touching, array_double_1d axis, ar
     {
         if (!holding)
         {
-            row = INT64_C(48) + place;
+            row = INT64_C(49) + place;
             here = (place < count) && ((*cspan_at(&work, row, INT64_C(4))) < 0.5);
             if ((!here) || ((*cspan_at(&work, row, INT64_C(9))) * sign >= 0.0))
             {
@@ -11410,7 +11418,7 @@ static bool insert_plateau(int64_t kind, bool touching, array_double_1d axis, ar
         result = split_ramp(place, kind, sign, touching, holding, work);
         return result;
     }
-    row = INT64_C(48) + place;
+    row = INT64_C(49) + place;
     if (holding || ((*cspan_at(&work, row, INT64_C(4))) > 0.5) || ((*cspan_at(&work, row - INT64_C(1), INT64_C(4))) > 0.5))
     {
         return 0;
@@ -11428,10 +11436,10 @@ static bool rotate_levels(array_double_2d work)
     double tiny;
     int64_t row;
     int64_t i;
-    passing = span_row(&work, INT64_C(47));
+    passing = span_row(&work, INT64_C(48));
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
-    first = INT64_C(48);
-    last = INT64_C(48) + count - INT64_C(1);
+    first = INT64_C(49);
+    last = INT64_C(49) + count - INT64_C(1);
     tiny = 0.03 * (*cspan_at(&passing, INT64_C(3)));
     if ((count < INT64_C(2)) || ((*cspan_at(&work, first, INT64_C(4))) > 0.5) || ((*cspan_at(&work, last, INT64_C(4))) > 0.5))
     {
@@ -11479,12 +11487,12 @@ static int64_t overlong_plateau(array_double_2d work)
     int64_t kind;
     bool held;
     int64_t found;
-    passing = span_row(&work, INT64_C(47));
+    passing = span_row(&work, INT64_C(48));
     found = -INT64_C(1);
     least = (-1e-12) * (*cspan_at(&passing, INT64_C(3)));
     for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))); i += INT64_C(1))
     {
-        row = INT64_C(48) + i;
+        row = INT64_C(49) + i;
         kind = (int64_t)((*cspan_at(&work, row, INT64_C(4))));
         held = ((*cspan_at(&work, row, INT64_C(7))) < 0.5) && (kind != (int64_t)((*cspan_at(&passing, INT64_C(1)))));
         if ((kind > INT64_C(0)) && held && ((*cspan_at(&work, row, INT64_C(6))) < least))
@@ -11519,7 +11527,7 @@ static bool touch_limit(int64_t row, array_double_1d problem, array_double_1d ax
     bool result;
     keep_sequence(work);
     kind = (int64_t)((*cspan_at(&work, row, INT64_C(4))));
-    if (kind == (int64_t)((*cspan_at(&work, INT64_C(47), INT64_C(1)))) + INT64_C(1))
+    if (kind == (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(1))
     {
         if (shorten_hold(row, INT64_C(2), INT64_C(1), problem, axis, work))
         {
@@ -11539,9 +11547,9 @@ static bool release_touch(int64_t kind, array_double_2d work)
 {
     int64_t i;
     int64_t row;
-    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(47), INT64_C(0)))); i += INT64_C(1))
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(0)))); i += INT64_C(1))
     {
-        row = INT64_C(48) + i;
+        row = INT64_C(49) + i;
         if (((*cspan_at(&work, row, INT64_C(4))) == kind) && ((*cspan_at(&work, row, INT64_C(7))) == 1.0))
         {
             (*cspan_at(&work, row, INT64_C(7))) = 0.0;
@@ -11560,7 +11568,7 @@ static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d wo
     int64_t j;
     int64_t kind;
     int64_t lowest;
-    q = (int64_t)((*cspan_at(&work, INT64_C(47), INT64_C(1)))) + INT64_C(2);
+    q = (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(2);
     for (j = INT64_C(0); j < q - INT64_C(1); j += INT64_C(1))
     {
         kind = q - INT64_C(1) - j;
@@ -11568,7 +11576,7 @@ static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d wo
         {
             kind = j + INT64_C(1);
         }
-        if ((*cspan_at(&work, INT64_C(85) + kind, INT64_C(0))) > 0.0)
+        if ((*cspan_at(&work, INT64_C(86) + kind, INT64_C(0))) > 0.0)
         {
             if (insert_plateau(kind, 0, axis, work))
             {
@@ -11577,7 +11585,7 @@ static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d wo
         }
     }
     lowest = q - INT64_C(3);
-    if ((lowest > INT64_C(0)) && ((*cspan_at(&work, INT64_C(85) + lowest, INT64_C(0))) > 0.0))
+    if ((lowest > INT64_C(0)) && ((*cspan_at(&work, INT64_C(86) + lowest, INT64_C(0))) > 0.0))
     {
         if (release_touch(lowest, work))
         {
@@ -11597,7 +11605,7 @@ static bool meet_limits(bool upward, array_double_1d problem, array_double_1d ax
     int64_t attempt;
     int64_t place;
     int64_t row;
-    q = (int64_t)((*cspan_at(&work, INT64_C(47), INT64_C(1)))) + INT64_C(2);
+    q = (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(2);
     added = INT64_C(0);
     for (attempt = INT64_C(0); attempt < INT64_C(16); attempt += INT64_C(1))
     {
@@ -11622,7 +11630,7 @@ static bool meet_limits(bool upward, array_double_1d problem, array_double_1d ax
         place = overlong_plateau(work);
         if (place >= INT64_C(0))
         {
-            row = INT64_C(48) + place;
+            row = INT64_C(49) + place;
             if (!touch_limit(row, problem, axis, work))
             {
                 return 0;
@@ -11650,10 +11658,10 @@ static void append_level(double sign, double time, array_double_2d work)
     int64_t count;
     int64_t row;
     double last;
-    count = (int64_t)((*cspan_at(&work, INT64_C(47), INT64_C(0))));
+    count = (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(0))));
     if (count > INT64_C(0))
     {
-        row = INT64_C(48) + count - INT64_C(1);
+        row = INT64_C(49) + count - INT64_C(1);
         if (((*cspan_at(&work, row, INT64_C(4))) < 0.5) && ((*cspan_at(&work, row, INT64_C(5))) == sign))
         {
             last = (*cspan_at(&work, row, INT64_C(6)));
@@ -11685,7 +11693,7 @@ static void append_levels(double change, array_double_1d axis, array_double_2d w
     segfmu_ramp_duration(&duration, &slope, fabs(change), axis);
     rise = inner_rise(duration, INT64_C(0), axis);
     hold = span_max(duration - 2.0 * rise, 0.0);
-    if ((*cspan_at(&work, INT64_C(47), INT64_C(1))) < 1.5)
+    if ((*cspan_at(&work, INT64_C(48), INT64_C(1))) < 1.5)
     {
         append_level(sign, rise + hold, work);
         return;
@@ -11694,7 +11702,7 @@ static void append_levels(double change, array_double_1d axis, array_double_2d w
     append_level(sign, time, work);
     if (hold > 1e-09 * duration)
     {
-        count = (int64_t)((*cspan_at(&work, INT64_C(47), INT64_C(0))));
+        count = (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(0))));
         insert_node(count, INT64_C(3), sign, hold, 0, work);
     }
     append_level(-sign, time, work);
@@ -11737,7 +11745,7 @@ static void copy_levels(int64_t count, array_double_2d phases, double v, array_d
     double duration;
     int64_t order;
     double sign;
-    passing = span_row(&work, INT64_C(47));
+    passing = span_row(&work, INT64_C(48));
     (*cspan_at(&passing, INT64_C(0))) = 0.0;
     pending = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
@@ -11775,7 +11783,7 @@ static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases,
     double time;
     double factor;
     int64_t row;
-    passing = span_row(&work, INT64_C(47));
+    passing = span_row(&work, INT64_C(48));
     q = (int64_t)((*cspan_at(&axis, INT64_C(31)))) + INT64_C(2);
     (*cspan_at(&passing, INT64_C(1))) = (*cspan_at(&axis, INT64_C(31)));
     (*cspan_at(&passing, INT64_C(2))) = 1.0;
@@ -11790,7 +11798,7 @@ static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases,
         (*cspan_at(&passing, INT64_C(4))) = span_max((*cspan_at(&passing, INT64_C(4))), a);
     }
     copy_levels(count, phases, (*cspan_at(&problem, INT64_C(0))), axis, work);
-    if (!is_square(passing, span_rows(&work, INT64_C(48), INT64_C(66))))
+    if (!is_square(passing, span_rows(&work, INT64_C(49), INT64_C(67))))
     {
         (*cspan_at(&passing, INT64_C(0))) = 0.0;
         for (i = INT64_C(0); i < q; i += INT64_C(1))
@@ -11815,7 +11823,7 @@ static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases,
     }
     for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))); i += INT64_C(1))
     {
-        row = INT64_C(48) + i;
+        row = INT64_C(49) + i;
         if ((*cspan_at(&work, row, INT64_C(4))) < 0.5)
         {
             (*cspan_at(&work, row, INT64_C(6))) = factor * (*cspan_at(&work, row, INT64_C(6)));
@@ -11842,8 +11850,8 @@ static bool slow_down(double longest, array_double_1d problem, array_double_1d a
     double fast;
     double slow;
     int64_t i;
-    passing = span_row(&work, INT64_C(47));
-    nodes = span_rows(&work, INT64_C(48), INT64_C(66));
+    passing = span_row(&work, INT64_C(48));
+    nodes = span_rows(&work, INT64_C(49), INT64_C(67));
     fast = 1.0;
     slow = 0.0;
     for (i = INT64_C(0); i < INT64_C(24); i += INT64_C(1))
@@ -11892,16 +11900,16 @@ static int64_t write_sequence(array_double_2d phases, array_double_1d axis, arra
     double order;
     int64_t kind;
     int64_t used;
-    above = (*cspan_at(&work, INT64_C(47), INT64_C(1)));
+    above = (*cspan_at(&work, INT64_C(48), INT64_C(1)));
     level = 0.0;
     used = INT64_C(0);
-    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(47), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
-        row = INT64_C(48) + i;
+        row = INT64_C(49) + i;
         if ((*cspan_at(&work, row, INT64_C(11))) > 0.0)
         {
             (*cspan_at(&phases, used, INT64_C(0))) = (*cspan_at(&work, row, INT64_C(11)));
-            (*cspan_at(&phases, used, INT64_C(1))) = (*cspan_at(&work, row, INT64_C(11))) * (*cspan_at(&work, INT64_C(47), INT64_C(2)));
+            (*cspan_at(&phases, used, INT64_C(1))) = (*cspan_at(&work, row, INT64_C(11))) * (*cspan_at(&work, INT64_C(48), INT64_C(2)));
             (*cspan_at(&phases, used, INT64_C(2))) = level;
             (*cspan_at(&phases, used, INT64_C(3))) = (*cspan_at(&work, row, INT64_C(9))) - level;
             (*cspan_at(&phases, used, INT64_C(4))) = above;
@@ -11933,9 +11941,9 @@ static int64_t write_sequence(array_double_2d phases, array_double_1d axis, arra
 static bool stays_below(array_double_2d work)
 {
     int64_t i;
-    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(47), INT64_C(0)))); i += INT64_C(1))
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(0)))); i += INT64_C(1))
     {
-        if ((*cspan_at(&work, INT64_C(48) + i, INT64_C(7))) > 1.5)
+        if ((*cspan_at(&work, INT64_C(49) + i, INT64_C(7))) > 1.5)
         {
             return 1;
         }
@@ -11971,7 +11979,7 @@ static double passing_duration(int64_t way, int64_t attempt, double longest, int
     {
         return -1.0;
     }
-    result = sequence_duration(span_row(&work, INT64_C(47)), span_rows(&work, INT64_C(48), INT64_C(66)));
+    result = sequence_duration(span_row(&work, INT64_C(48)), span_rows(&work, INT64_C(49), INT64_C(67)));
     return result;
 }
 /*Replace a profile of ramps of the acceleration by a shorter passing one, if there is one.*/
@@ -11987,7 +11995,7 @@ static int64_t passing_form(int64_t count, array_double_2d phases, array_double_
     double found;
     int64_t result;
     longest = total_duration(phases, count) * (1.0 - 1e-09);
-    (*cspan_at(&work, INT64_C(47), INT64_C(7))) = 0.0;
+    (*cspan_at(&work, INT64_C(48), INT64_C(7))) = 0.0;
     for (attempt = INT64_C(0); attempt < INT64_C(6); attempt += INT64_C(1))
     {
         best = -INT64_C(1);
@@ -12007,7 +12015,7 @@ static int64_t passing_form(int64_t count, array_double_2d phases, array_double_
                 {
                     if (way < INT64_C(2))
                     {
-                        (*cspan_at(&work, INT64_C(47), INT64_C(7))) = 1.0;
+                        (*cspan_at(&work, INT64_C(48), INT64_C(7))) = 1.0;
                     }
                     break;
                 }
@@ -12045,8 +12053,8 @@ static int64_t timed_passing(array_double_2d phases, array_double_1d problem, ar
     int64_t steps;
     int64_t i;
     int64_t result;
-    passing = span_row(&work, INT64_C(47));
-    shortest = sequence_duration(passing, span_rows(&work, INT64_C(48), INT64_C(66)));
+    passing = span_row(&work, INT64_C(48));
+    shortest = sequence_duration(passing, span_rows(&work, INT64_C(49), INT64_C(67)));
     longer = (*cspan_at(&problem, INT64_C(5))) / shortest - 1.0;
     /*by little each time, as plateaus begin and end on the way*/
     steps = span_min_int((int64_t)(20.0 * longer) + INT64_C(1), INT64_C(10));
@@ -12291,8 +12299,8 @@ static int64_t passing_either_way(int64_t count, array_double_2d phases, array_d
     ramps = span_rows(&work, INT64_C(0), INT64_C(13));
     copy_phases(phases, ramps, count);
     found = passing_form(count, phases, asked, axis, work);
-    (*cspan_at(&work, INT64_C(47), INT64_C(6))) = 0.0;
-    if (((*cspan_at(&work, INT64_C(47), INT64_C(7))) > 0.5) && ramps_suffice(axis))
+    (*cspan_at(&work, INT64_C(48), INT64_C(6))) = 0.0;
+    if (((*cspan_at(&work, INT64_C(48), INT64_C(7))) > 0.5) && ramps_suffice(axis))
     {
         return found;
     }
@@ -12304,7 +12312,7 @@ static int64_t passing_either_way(int64_t count, array_double_2d phases, array_d
     found = passing_form(count, phases, asked, axis, work);
     reverse_problem(asked);
     reverse_phases(phases, INT64_C(0), found);
-    (*cspan_at(&work, INT64_C(47), INT64_C(6))) = 1.0;
+    (*cspan_at(&work, INT64_C(48), INT64_C(6))) = 1.0;
     if (forwards <= total_duration(phases, found))
     {
         copy_phases(ramps, phases, count);
@@ -12313,7 +12321,7 @@ static int64_t passing_either_way(int64_t count, array_double_2d phases, array_d
             return count;
         }
         found = passing_form(count, phases, asked, axis, work);
-        (*cspan_at(&work, INT64_C(47), INT64_C(6))) = 0.0;
+        (*cspan_at(&work, INT64_C(48), INT64_C(6))) = 0.0;
     }
     return found;
 }
@@ -12333,7 +12341,7 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
         if ((*cspan_at(&axis, INT64_C(31))) > 0.5)
         {
             status = passing_either_way(status, phases, asked, axis, work);
-            settled = ((*cspan_at(&work, INT64_C(47), INT64_C(7))) > 0.5) && ramps_suffice(axis);
+            settled = ((*cspan_at(&work, INT64_C(48), INT64_C(7))) > 0.5) && ramps_suffice(axis);
             if (settled && (early_window(total_duration(phases, status), asked, axis) <= 0.0))
             {
                 return status;
@@ -12372,7 +12380,7 @@ int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, a
     int64_t count;
     asked = span_row(&work, INT64_C(43));
     boundary_problem(problem, axis, asked);
-    (*cspan_at(&work, INT64_C(47), INT64_C(7))) = 1.0;
+    (*cspan_at(&work, INT64_C(48), INT64_C(7))) = 1.0;
     if (is_done(asked))
     {
         return INT64_C(0);
@@ -12622,6 +12630,322 @@ static int64_t gap_ends(double after, array_double_1d problem, array_double_1d a
     }
     return count;
 }
+/*Set the levels to the extreme accelerations of the polynomial of degree five.*/
+static void polynomial_levels(array_double_1d problem, array_double_1d gentle)
+{
+    double duration;
+    double a;
+    double square;
+    double y;
+    double v;
+    double b;
+    double third;
+    double fourth;
+    double fifth;
+    double first;
+    double second;
+    double inner;
+    double root;
+    double low;
+    double high;
+    double last;
+    int64_t i;
+    double s;
+    double curve;
+    duration = (*cspan_at(&problem, INT64_C(5)));
+    a = (*cspan_at(&problem, INT64_C(1)));
+    square = duration * duration;
+    y = (*cspan_at(&problem, INT64_C(4))) - ((*cspan_at(&problem, INT64_C(0))) + 0.5 * a * duration) * duration;
+    v = ((*cspan_at(&problem, INT64_C(2))) - (*cspan_at(&problem, INT64_C(0))) - a * duration) * duration;
+    b = ((*cspan_at(&problem, INT64_C(3))) - a) * square;
+    third = 10.0 * y - 4.0 * v + 0.5 * b;
+    fourth = (-15.0) * y + 7.0 * v - b;
+    fifth = 6.0 * y - 3.0 * v + 0.5 * b;
+    /*where the jerk 10 fifth s^2 + 4 fourth s + third is zero*/
+    first = 1.0 / 3.0;
+    second = 2.0 / 3.0;
+    inner = 4.0 * fourth * fourth - 10.0 * third * fifth;
+    if (inner > 0.0)
+    {
+        root = 2.0 * fourth + sqrt(inner);
+        if (fourth < 0.0)
+        {
+            root = 2.0 * fourth - sqrt(inner);
+        }
+        low = (-third) / root;
+        high = 2.0;
+        if (fifth != 0.0)
+        {
+            high = (-0.1) * root / fifth;
+        }
+        if (low > high)
+        {
+            last = low;
+            low = high;
+            high = last;
+        }
+        if ((low > 0.0) && (low < 1.0))
+        {
+            first = low;
+            second = 0.5 * (1.0 + low);
+        }
+        if ((high > 0.0) && (high < 1.0))
+        {
+            second = high;
+            if (!((low > 0.0) && (low < 1.0)))
+            {
+                first = 0.5 * high;
+            }
+        }
+    }
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        s = first;
+        if (i == INT64_C(1))
+        {
+            s = second;
+        }
+        curve = s * (6.0 * third + s * (12.0 * fourth + s * 20.0 * fifth));
+        (*cspan_at(&gentle, INT64_C(0) + i)) = a + curve / square;
+    }
+}
+/*The level within the acceleration limit, and how long it is held [s].*/
+static int64_t gentle_hold(double* result_0_0001, double* result_1, double level, array_double_1d problem, array_double_1d axis)
+{
+    double top;
+    double hold;
+    top = (*cspan_at(&axis, INT64_C(3)));
+    if (fabs(level) <= top)
+    {
+        (*result_0_0001) = level;
+        (*result_1) = 0.0;
+        return 0;
+    }
+    hold = 0.5 * (*cspan_at(&problem, INT64_C(5))) * (fabs(level) / top - 1.0);
+    if (level < 0.0)
+    {
+        (*result_0_0001) = -top;
+        (*result_1) = hold;
+        return 0;
+    }
+    (*result_0_0001) = top;
+    (*result_1) = hold;
+    return 0;
+}
+/*Set the stretch for the levels, and by how much the motion gains and covers too much.*/
+static void gentle_errors(array_double_1d problem, array_double_1d axis, array_double_1d gentle)
+{
+    double hold;
+    double total;
+    double a;
+    int64_t i;
+    double b;
+    double held;
+    double duration;
+    double slope;
+    double v;
+    double y;
+    double basis;
+    hold = 0.0;
+    total = 0.0;
+    a = (*cspan_at(&problem, INT64_C(1)));
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        b = (*cspan_at(&problem, INT64_C(3)));
+        held = 0.0;
+        if (i < INT64_C(2))
+        {
+            gentle_hold(&b, &held, (*cspan_at(&gentle, INT64_C(0) + i)), problem, axis);
+        }
+        segfmu_ramp_duration(&duration, &slope, fabs(b - a), axis);
+        (*cspan_at(&gentle, INT64_C(4) + i)) = duration;
+        total = total + duration;
+        hold = hold + held;
+        a = b;
+    }
+    (*cspan_at(&gentle, INT64_C(7))) = 0.0;
+    if (total > 0.0)
+    {
+        (*cspan_at(&gentle, INT64_C(7))) = ((*cspan_at(&problem, INT64_C(5))) - hold) / total;
+    }
+    v = (*cspan_at(&problem, INT64_C(0)));
+    y = 0.0;
+    a = (*cspan_at(&problem, INT64_C(1)));
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        b = (*cspan_at(&problem, INT64_C(3)));
+        held = 0.0;
+        if (i < INT64_C(2))
+        {
+            gentle_hold(&b, &held, (*cspan_at(&gentle, INT64_C(0) + i)), problem, axis);
+        }
+        basis = (*cspan_at(&gentle, INT64_C(4) + i));
+        duration = basis * (*cspan_at(&gentle, INT64_C(7)));
+        if (duration > 0.0)
+        {
+            y = y + ramp_distance(v, a, b, duration, basis, axis);
+            v = v + 0.5 * (a + b) * duration;
+        }
+        y = y + (v + 0.5 * b * held) * held;
+        v = v + b * held;
+        a = b;
+    }
+    (*cspan_at(&gentle, INT64_C(8))) = v - (*cspan_at(&problem, INT64_C(2)));
+    (*cspan_at(&gentle, INT64_C(9))) = (y - (*cspan_at(&problem, INT64_C(4)))) / (*cspan_at(&problem, INT64_C(5)));
+}
+/*Set Newton's step of the levels, from differences; False if there is none. */
+static bool gentle_step(array_double_1d problem, array_double_1d axis, array_double_1d gentle)
+{
+    double gain;
+    double excess;
+    double change;
+    int64_t i;
+    double kept;
+    double g1;
+    double g2;
+    double e1;
+    double e2;
+    double determinant;
+    gain = (*cspan_at(&gentle, INT64_C(8)));
+    excess = (*cspan_at(&gentle, INT64_C(9)));
+    change = 1e-07 * span_max(fabs((*cspan_at(&gentle, INT64_C(0)))), fabs((*cspan_at(&gentle, INT64_C(0) + INT64_C(1)))));
+    if (change == 0.0)
+    {
+        return 0;
+    }
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        kept = (*cspan_at(&gentle, INT64_C(0) + i));
+        (*cspan_at(&gentle, INT64_C(0) + i)) = kept + change;
+        gentle_errors(problem, axis, gentle);
+        (*cspan_at(&gentle, INT64_C(0) + i)) = kept;
+        (*cspan_at(&gentle, INT64_C(10) + i)) = ((*cspan_at(&gentle, INT64_C(8))) - gain) / change;
+        (*cspan_at(&gentle, INT64_C(12) + i)) = ((*cspan_at(&gentle, INT64_C(9))) - excess) / change;
+    }
+    (*cspan_at(&gentle, INT64_C(8))) = gain;
+    (*cspan_at(&gentle, INT64_C(9))) = excess;
+    g1 = (*cspan_at(&gentle, INT64_C(10)));
+    g2 = (*cspan_at(&gentle, INT64_C(10) + INT64_C(1)));
+    e1 = (*cspan_at(&gentle, INT64_C(12)));
+    e2 = (*cspan_at(&gentle, INT64_C(12) + INT64_C(1)));
+    determinant = g1 * e2 - g2 * e1;
+    if (!(fabs(determinant) > 1e-09 * (fabs(g1 * e2) + fabs(g2 * e1))))
+    {
+        return 0;
+    }
+    (*cspan_at(&gentle, INT64_C(2))) = (g2 * excess - e2 * gain) / determinant;
+    (*cspan_at(&gentle, INT64_C(2) + INT64_C(1))) = (e1 * gain - g1 * excess) / determinant;
+    return 1;
+}
+/*Move the levels apart, or past each other, for another attempt of Newton's method. */
+static void spread_levels(int64_t attempt, array_double_1d gentle)
+{
+    double middle;
+    double half;
+    double factor;
+    middle = 0.5 * ((*cspan_at(&gentle, INT64_C(0))) + (*cspan_at(&gentle, INT64_C(0) + INT64_C(1))));
+    half = 0.5 * ((*cspan_at(&gentle, INT64_C(0))) - (*cspan_at(&gentle, INT64_C(0) + INT64_C(1))));
+    factor = 1.5 * attempt + 1.0;
+    if (span_floor_mod(attempt, INT64_C(2)) == INT64_C(0))
+    {
+        factor = -factor;
+    }
+    half = factor * half;
+    (*cspan_at(&gentle, INT64_C(0))) = middle + half;
+    (*cspan_at(&gentle, INT64_C(0) + INT64_C(1))) = middle - half;
+}
+/*Set the levels (Gentle) that lead to the end velocity and distance; False if none is found.*/
+/*                                                                                           */
+/*    Each attempt, 0 to 5, begins elsewhere.                                                */
+/*                                                                                           */
+static bool solve_gentle(int64_t attempt, array_double_1d problem, array_double_1d axis, array_double_1d gentle)
+{
+    double error;
+    double speed;
+    int64_t i;
+    double share;
+    double reached;
+    int64_t j;
+    int64_t k;
+    double moved;
+    polynomial_levels(problem, gentle);
+    if (attempt > INT64_C(0))
+    {
+        spread_levels(attempt, gentle);
+    }
+    gentle_errors(problem, axis, gentle);
+    error = fabs((*cspan_at(&gentle, INT64_C(8)))) + fabs((*cspan_at(&gentle, INT64_C(9))));
+    speed = (*cspan_at(&axis, INT64_C(2)));
+    for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
+    {
+        if (!gentle_step(problem, axis, gentle))
+        {
+            return 0;
+        }
+        share = 1.0;
+        reached = error;
+        for (j = INT64_C(0); j < INT64_C(4); j += INT64_C(1))
+        {
+            for (k = INT64_C(0); k < INT64_C(2); k += INT64_C(1))
+            {
+                moved = (*cspan_at(&gentle, INT64_C(0) + k)) + share * (*cspan_at(&gentle, INT64_C(2) + k));
+                (*cspan_at(&gentle, INT64_C(0) + k)) = moved;
+            }
+            gentle_errors(problem, axis, gentle);
+            reached = fabs((*cspan_at(&gentle, INT64_C(8)))) + fabs((*cspan_at(&gentle, INT64_C(9))));
+            if (reached < error)
+            {
+                break;
+            }
+            for (k = INT64_C(0); k < INT64_C(2); k += INT64_C(1))
+            {
+                moved = (*cspan_at(&gentle, INT64_C(0) + k)) - share * (*cspan_at(&gentle, INT64_C(2) + k));
+                (*cspan_at(&gentle, INT64_C(0) + k)) = moved;
+            }
+            share = 0.5 * share;
+        }
+        if (!(reached < error))
+        {
+            gentle_errors(problem, axis, gentle);
+            break;
+        }
+        error = reached;
+        if (error <= 1e-16 * speed)
+        {
+            break;
+        }
+    }
+    return error <= 1e-13 * speed;
+}
+/*Write the ramps as phases; their number. */
+static int64_t write_gentle(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_1d gentle)
+{
+    double a;
+    int64_t i;
+    double b;
+    double held;
+    int64_t used;
+    int64_t count;
+    count = INT64_C(0);
+    a = (*cspan_at(&problem, INT64_C(1)));
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        b = (*cspan_at(&problem, INT64_C(3)));
+        held = 0.0;
+        if (i < INT64_C(2))
+        {
+            gentle_hold(&b, &held, (*cspan_at(&gentle, INT64_C(0) + i)), problem, axis);
+        }
+        used = append_change(phases, count, a, b, axis);
+        if (used > count)
+        {
+            (*cspan_at(&phases, count, INT64_C(0))) = (*cspan_at(&phases, count, INT64_C(1))) * (*cspan_at(&gentle, INT64_C(7)));
+        }
+        count = append_hold(phases, used, b, held);
+        a = b;
+    }
+    return count;
+}
 /*Stretch phases that begin and end at rest in time; the distance stays (section 3.2). */
 static void stretch_phases(array_double_2d phases, int64_t count, double factor)
 {
@@ -12734,6 +13058,55 @@ static void clear_nearest(array_double_2d work)
 {
     (*cspan_at(&work, INT64_C(42), INT64_C(0))) = 0.0;
     (*cspan_at(&work, INT64_C(42), INT64_C(2))) = 0.0;
+}
+/*Three ramps that are slow enough to last the duration (gentle.py); False: there are none.*/
+static bool timed_gently(array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_1d problem;
+    array_double_1d gentle;
+    array_double_2d phases;
+    double target;
+    double velocity;
+    double most;
+    int64_t attempt;
+    int64_t count;
+    double duration;
+    double y;
+    double end;
+    double lowest;
+    double highest;
+    problem = span_row(&work, INT64_C(43));
+    gentle = span_row(&work, INT64_C(47));
+    phases = span_rows(&cell, INT64_C(0), INT64_C(33));
+    target = (*cspan_at(&problem, INT64_C(5)));
+    velocity = (*cspan_at(&axis, INT64_C(2)));
+    most = velocity * (1.0 + 1e-12);
+    for (attempt = INT64_C(0); attempt < INT64_C(6); attempt += INT64_C(1))
+    {
+        if (!solve_gentle(attempt, problem, axis, gentle))
+        {
+            continue;
+        }
+        if ((*cspan_at(&gentle, INT64_C(7))) < 1.0)
+        {
+            return 0;
+        }
+        count = write_gentle(phases, problem, axis, gentle);
+        fit_duration(phases, count, target);
+        segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, (*cspan_at(&problem, INT64_C(0))), most, axis);
+        if ((lowest < -most) || (highest > most) || (fabs(end - (*cspan_at(&problem, INT64_C(2)))) > 1e-12 * velocity))
+        {
+            return 0;
+        }
+        if (fabs(y - (*cspan_at(&problem, INT64_C(4)))) > 1e-12 * velocity * target)
+        {
+            return 0;
+        }
+        (*cspan_at(&work, INT64_C(42), INT64_C(0))) = count;
+        (*cspan_at(&work, INT64_C(42), INT64_C(2))) = 0.0;
+        return 1;
+    }
+    return 0;
 }
 /*A cruise of prescribed duration whose ramps are stretched, as those from rest to rest are.         */
 /*                                                                                                   */
@@ -12849,7 +13222,7 @@ static double slower_passing(array_double_1d axis, array_double_2d cell, array_d
     {
         return -1.0;
     }
-    backwards = (*cspan_at(&work, INT64_C(47), INT64_C(6))) > 0.5;
+    backwards = (*cspan_at(&work, INT64_C(48), INT64_C(6))) > 0.5;
     if (backwards)
     {
         reverse_problem(problem);
@@ -12892,6 +13265,10 @@ double segfmu_timed_profile(double target, array_double_1d axis, array_double_2d
     boundary_problem(span_row(&cell, INT64_C(46)), axis, problem);
     (*cspan_at(&problem, INT64_C(5))) = target;
     shortest = (*cspan_at(&cell, INT64_C(47), INT64_C(0)));
+    if ((shortest > 0.0) && timed_gently(axis, cell, work))
+    {
+        return 0.0;
+    }
     if ((shortest > 0.0) && timed_slower(shortest, axis, cell, work))
     {
         weight = nearest_weight(problem, axis, nearest);
@@ -13709,12 +14086,12 @@ static int64_t plan_axis(int64_t axis, double share, array_double_2d axes, array
             (*cspan_at(&report, INT64_C(3))) = (*cspan_at(&axes, axis, INT64_C(2)));
             return status;
         }
-        settled = span_min(settled, (*cspan_at(&work, INT64_C(47), INT64_C(7))));
+        settled = span_min(settled, (*cspan_at(&work, INT64_C(48), INT64_C(7))));
         time = time + (*cspan_at(&cells, j, INT64_C(47), INT64_C(7)));
         (*cspan_at(&cells, j, INT64_C(47), INT64_C(0))) = time;
         (*cspan_at(&cells, j, INT64_C(47), INT64_C(1))) = time;
     }
-    (*cspan_at(&work, INT64_C(47), INT64_C(7))) = settled;
+    (*cspan_at(&work, INT64_C(48), INT64_C(7))) = settled;
     return INT64_C(0);
 }
 /*Sum of the shortest durations of an axis [s].*/
@@ -13891,7 +14268,7 @@ int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array
             /*braking fails by little: the steepest ramps decide whether it is feasible*/
             status = plan_axis(axis, steepest_share(), axes, cells, work);
         }
-        else if ((status == INT64_C(0)) && ((*cspan_at(&work, INT64_C(47), INT64_C(7))) < 0.5))
+        else if ((status == INT64_C(0)) && ((*cspan_at(&work, INT64_C(48), INT64_C(7))) < 0.5))
         {
             status = plan_steeper(axis, axes, cells, work);
         }
@@ -16299,7 +16676,7 @@ static int64_t stage_phases(int64_t order, double end, bool free, array_double_2
     (*cspan_at(&problem, INT64_C(2))) = 0.0;
     (*cspan_at(&problem, INT64_C(3))) = 0.0;
     (*cspan_at(&problem, INT64_C(4))) = end - (*cspan_at(&state, order));
-    result = segfmu_shortest_profile(problem, chain, phases, span_rows(&lead, INT64_C(51), INT64_C(173)));
+    result = segfmu_shortest_profile(problem, chain, phases, span_rows(&lead, INT64_C(51), INT64_C(174)));
     return result;
 }
 /*Append the pieces of the stage for an order from `row` on; the row after them, -1: none. */
@@ -16331,7 +16708,7 @@ static int64_t run_stage(int64_t order, int64_t row, array_double_2d lead, array
     {
         return -INT64_C(1);
     }
-    expansion = span_rows(&lead, INT64_C(173), INT64_C(175));
+    expansion = span_rows(&lead, INT64_C(174), INT64_C(176));
     now = span_row(&expansion, INT64_C(1));
     (*cspan_at(&now, INT64_C(0))) = (*cspan_at(&state, seen));
     (*cspan_at(&now, INT64_C(1))) = (*cspan_at(&state, seen + INT64_C(1)));
@@ -16407,7 +16784,7 @@ static double profile_time(array_double_2d lead)
     (*cspan_at(&problem, INT64_C(2))) = (*cspan_at(&target, INT64_C(2)));
     (*cspan_at(&problem, INT64_C(3))) = (*cspan_at(&target, INT64_C(3)));
     (*cspan_at(&problem, INT64_C(4))) = (*cspan_at(&target, INT64_C(4))) - (*cspan_at(&state, INT64_C(0)));
-    count = segfmu_shortest_profile(problem, axis, phases, span_rows(&lead, INT64_C(51), INT64_C(173)));
+    count = segfmu_shortest_profile(problem, axis, phases, span_rows(&lead, INT64_C(51), INT64_C(174)));
     if (count < INT64_C(0))
     {
         return -1.0;
@@ -16495,7 +16872,7 @@ static bool try_lead(int64_t order, int64_t row, array_double_1d limits, array_d
     {
         return 0;
     }
-    check = span_rows(&lead, INT64_C(175), INT64_C(219));
+    check = span_rows(&lead, INT64_C(176), INT64_C(220));
     if (last > first)
     {
         if (!begins_now(lead, coefficients))
@@ -17300,8 +17677,8 @@ int64_t segfmu_expand_motion(array_double_3d states, array_double_1d dwells, arr
     {
         return INT64_C(1);
     }
-    segfmu_expand_plan(states, dwells, axes, cells, timing, coefficients, offsets, times, span_rows(&work, INT64_C(124), INT64_C(126)));
-    wrong = segfmu_check_plan(states, times, timing, coefficients, offsets, limits, (*cspan_at(&work, INT64_C(1), INT64_C(0))), span_rows(&work, INT64_C(126), INT64_C(170)));
+    segfmu_expand_plan(states, dwells, axes, cells, timing, coefficients, offsets, times, span_rows(&work, INT64_C(125), INT64_C(127)));
+    wrong = segfmu_check_plan(states, times, timing, coefficients, offsets, limits, (*cspan_at(&work, INT64_C(1), INT64_C(0))), span_rows(&work, INT64_C(127), INT64_C(171)));
     if (wrong > INT64_C(0))
     {
         return -INT64_C(12);
@@ -17319,7 +17696,7 @@ int64_t segfmu_plan_motion(array_double_3d states, array_double_1d dwells, array
 {
     array_double_2d planner;
     int64_t status;
-    planner = span_rows(&work, INT64_C(2), INT64_C(124));
+    planner = span_rows(&work, INT64_C(2), INT64_C(125));
     status = segfmu_check_problem(states, limits, span_row(&planner, INT64_C(46)));
     if (status == INT64_C(0))
     {

@@ -202,6 +202,19 @@ class Family(Record):
     FLATNESS = field("member: 0: it is the fastest one, stretched; 1: the one that lasts as long")
 
 
+class Gentle(Record):
+    """Three slow ramps over two levels (gentle.py)."""
+
+    LEVELS = field("levels; beyond the acceleration limit they are held there", "m/s2", size=2)
+    STEPS = field("their changes in Newton's method", "m/s2", size=2)
+    RAMPS = field("durations of the fastest ramps", "s", size=3)
+    STRETCH = field("by which they are slowed down")
+    GAIN = field("velocity that is gained too much", "m/s")
+    EXCESS = field("distance that is covered too much, over the duration", "m/s")
+    GAIN_SLOPES = field("derivatives of the first with the levels", "s", size=2)
+    EXCESS_SLOPES = field("derivatives of the second", "s", size=2)
+
+
 class Node(Record):
     """A level of a passing profile, and the ramp to it from the one before (sequence.py)."""
 
@@ -297,6 +310,7 @@ class PlanWork(Record):
     REST = field("boundary problem that braking leaves", of=Problem)
     FAMILY = field("canonical family", of=Family)
     REFUSAL = field("of a plan that is refused", of=Refusal)
+    GENTLE = field("three slow ramps", of=Gentle)
     PASSING = field("passing profile in question", of=Passing)
     NODES = field("its nodes, the end, and the state there", size=18, of=Node)
     KEPT = field("the same of one that was kept", size=19, of=Node)

@@ -15,15 +15,22 @@ durations can have gaps (errata E10). Outside the gaps the profile is, in this o
 """
 
 from segfmu.kernels.planner.braking import braked, surround
+from segfmu.kernels.planner.gentle import solve_gentle, write_gentle
 from segfmu.kernels.planner.loop import early_window, timed_loop
 from segfmu.kernels.planner.merged import set_family, set_member, tempered_form
 from segfmu.kernels.planner.passing import timed_passing
-from segfmu.kernels.planner.phases import boundary_problem, reverse_phases, reverse_problem
+from segfmu.kernels.planner.phases import (
+    boundary_problem,
+    measure_phases,
+    reverse_phases,
+    reverse_problem,
+)
 from segfmu.kernels.planner.profile import shortest_profile
 from segfmu.kernels.planner.records import (
     Axis,
     Braking,
     Cell,
+    Gentle,
     Interval,
     Nearest,
     Passing,
@@ -118,6 +125,34 @@ def clear_nearest(work: 'float[:,:]') -> None:
     work[PlanWork.NEAREST, Nearest.ABOVE_COUNT] = 0.0
 
 
+def timed_gently(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> bool:
+    """Three ramps that are slow enough to last the duration (gentle.py); False: there are none."""
+    problem = work[PlanWork.PROBLEM, :]
+    gentle = work[PlanWork.GENTLE, :]
+    phases = cell[Cell.BELOW:Cell.ABOVE, :]
+    target = problem[Problem.DURATION]
+    velocity = axis[Axis.VELOCITY]
+    most = velocity * (1.0 + 1e-12)
+    for attempt in range(6):
+        if not solve_gentle(attempt, problem, axis, gentle):
+            continue
+        if gentle[Gentle.STRETCH] < 1.0:
+            return False
+        count = write_gentle(phases, problem, axis, gentle)
+        fit_duration(phases, count, target)
+        duration, y, end, lowest, highest = measure_phases(
+            phases, count, problem[Problem.V], most, axis
+        )
+        if lowest < -most or highest > most or abs(end - problem[Problem.W]) > 1e-12 * velocity:
+            return False
+        if abs(y - problem[Problem.DISTANCE]) > 1e-12 * velocity * target:
+            return False
+        work[PlanWork.NEAREST, Nearest.BELOW_COUNT] = count
+        work[PlanWork.NEAREST, Nearest.ABOVE_COUNT] = 0.0
+        return True
+    return False
+
+
 def timed_slower(
     shortest: float, axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]'
 ) -> bool:
@@ -184,6 +219,8 @@ def timed_profile(
     boundary_problem(cell[Cell.PROBLEM, :], axis, problem)
     problem[Problem.DURATION] = target
     shortest = cell[Cell.RESULT, Interval.SHORTEST]
+    if shortest > 0.0 and timed_gently(axis, cell, work):
+        return 0.0
     if shortest > 0.0 and timed_slower(shortest, axis, cell, work):
         weight = nearest_weight(problem, axis, nearest)
         surround_nearest(0, axis, cell, work)
