@@ -13128,9 +13128,9 @@ static bool timed_slower(double shortest, array_double_1d axis, array_double_2d 
     problem = span_row(&work, INT64_C(43));
     rest = span_row(&work, INT64_C(44));
     velocity = (*cspan_at(&axis, INT64_C(2)));
-    factor = shortest / (*cspan_at(&problem, INT64_C(5)));
+    factor = pow((shortest / (*cspan_at(&problem, INT64_C(5)))), 2.0);
     steepest = span_max(fabs((*cspan_at(&problem, INT64_C(1)))), fabs((*cspan_at(&problem, INT64_C(3)))));
-    for (attempt = INT64_C(0); attempt < INT64_C(4); attempt += INT64_C(1))
+    for (attempt = INT64_C(0); attempt < INT64_C(9); attempt += INT64_C(1))
     {
         room = (*cspan_at(&axis, INT64_C(3))) * factor * factor * (1.0 - 1e-12);
         if ((steepest <= room) && (factor < 0.99))
@@ -13155,7 +13155,7 @@ static bool timed_slower(double shortest, array_double_1d axis, array_double_2d 
                 return 1;
             }
         }
-        factor = pow(factor, 0.6);
+        factor = pow(factor, 0.75);
     }
     return 0;
 }

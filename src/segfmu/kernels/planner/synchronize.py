@@ -164,9 +164,9 @@ def timed_slower(
     problem = work[PlanWork.PROBLEM, :]
     rest = work[PlanWork.REST, :]
     velocity = axis[Axis.VELOCITY]
-    factor = shortest / problem[Problem.DURATION]
+    factor = (shortest / problem[Problem.DURATION]) ** 2.0
     steepest = max(abs(problem[Problem.A]), abs(problem[Problem.B]))
-    for attempt in range(4):
+    for attempt in range(9):
         room = axis[Axis.ACCELERATION] * factor * factor * (1.0 - 1e-12)
         if steepest <= room and factor < 0.99:
             rest[Problem.V] = problem[Problem.V] / factor
@@ -186,7 +186,7 @@ def timed_slower(
                 stretch_phases(cell[Cell.BELOW:Cell.ABOVE, :], below, 1.0 / factor)
                 stretch_phases(cell[Cell.ABOVE:Cell.PROBLEM, :], above, 1.0 / factor)
                 return True
-        factor = factor ** 0.6
+        factor = factor ** 0.75
     return False
 
 
