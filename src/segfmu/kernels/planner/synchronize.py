@@ -7,8 +7,9 @@ of the distance and another one covers at least as much. Between two moving wayp
 durations can have gaps (errata E10). Outside the gaps the profile is, in this order:
 
 * from rest to rest the shortest profile stretched in time, as in section 3.2;
+* three ramps over two levels, slowed down alike (gentle.py): slower ramps are smoother;
 * the paper's form with the cruise velocity that makes it last T, if it exists as the form of a
-  faster time, stretched: slower ramps are smoother;
+  faster time, stretched;
 * that form with full ramps;
 * the weighted mean of two profiles that last T, one short of the distance and one beyond it;
 * the shortest profile at a slower pace, if it passes zero jerk with snap.
