@@ -161,7 +161,8 @@ FEEDFORWARD: dict[str, Scenario] = {
 
 # where a small change does nothing yet
 CHANGES: Values = {
-    "limits.z.velocity": 0.1, "planner.smoothness": 5, "planner.duration": 80.0,
+    "limits.x.velocity": 0.4, "limits.z.velocity": 0.1, "planner.smoothness": 5,
+    "planner.duration": 80.0,
     "feedback.observer.wake": 100.0, "feedback.observer.offset": 0.02,
 }
 # what only ever refuses: the scenario, a value that is refused, and a part of what is said
