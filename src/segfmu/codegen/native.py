@@ -94,8 +94,8 @@ def _spans(text: str) -> str:
 
 
 def _static(text: str) -> str:
-    """Make all functions static except the entry points; remove the rules around comments."""
-    text = re.sub(r"/\*[._]+\*/\n", "", text)
+    """Make all functions static except the entry points; leave out comments, which Python has."""
+    text = re.sub(r"^ */\*.*?\*/\n", "", text, flags=re.M | re.S)
 
     def storage(match: re.Match[str]) -> str:
         name = _name(match.group())

@@ -458,21 +458,14 @@ static int64_t expand_profile(array_double_2d cell, bool second, array_double_1d
 static int64_t expand_cell(array_double_2d cell, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work);
 
 
-/*Whether a magnitude exceeds a bound by more than rounding; 0 is no bound.*/
 static bool exceeds(double value, double bound)
 {
     return (bound > 0.0) && (fabs(value) > bound * (1.0 + 1e-12));
 }
-/*A value, limited to plus and minus a bound.*/
 static double limited(double value, double bound)
 {
     return span_min(span_max(value, -bound), bound);
 }
-/*Largest force [N] of a drive at a velocity [m/s]; 0: no bound.                                     */
-/*                                                                                                   */
-/*    Power bounds hold for driving and braking: in the field-weakening range the force that a motor */
-/*    has falls with its speed in both directions, and a converter that feeds back is sized alike.   */
-/*                                                                                                   */
 static double force_bound(array_double_1d plant, int64_t axis, double velocity)
 {
     double speed;
@@ -490,7 +483,6 @@ static double force_bound(array_double_1d plant, int64_t axis, double velocity)
     }
     return bound;
 }
-/*Write the direction of the rope in the coordinates of the drives.*/
 static void rope_direction(array_double_1d state, array_double_1d limit)
 {
     double phi_x;
@@ -501,7 +493,6 @@ static void rope_direction(array_double_1d state, array_double_1d limit)
     (*cspan_at(&limit, INT64_C(6) + INT64_C(1))) = (-cos(phi_x)) * sin(phi_y);
     (*cspan_at(&limit, INT64_C(6) + INT64_C(2))) = 1.0;
 }
-/*Mass [kg] that a drive moves in addition to the load.*/
 static double carriage_mass(array_double_1d masses, int64_t axis)
 {
     double result;
@@ -517,7 +508,6 @@ static double carriage_mass(array_double_1d masses, int64_t axis)
     }
     return 0.0;
 }
-/*The bound at which a drive must be for the present changes: -1, 1, or 0 for none.*/
 static double limit_side(array_double_1d plant, int64_t axis, array_double_1d action, array_double_1d limit)
 {
     double change;
@@ -529,7 +519,6 @@ static double limit_side(array_double_1d plant, int64_t axis, array_double_1d ac
     change = (*cspan_at(&limit, INT64_C(3) + axis));
     if (side != 0.0)
     {
-        /*it may only lag behind its demand*/
         if (side * change > 0.0)
         {
             return 0.0;
@@ -553,7 +542,6 @@ static double limit_side(array_double_1d plant, int64_t axis, array_double_1d ac
     }
     return -1.0;
 }
-/*Difference [N] from a drive's demanded force to the bound on its side. */
 static double missing_force(int64_t axis, array_double_1d action, array_double_1d limit)
 {
     double bound;
@@ -562,11 +550,6 @@ static double missing_force(int64_t axis, array_double_1d action, array_double_1
     result = bound - (*cspan_at(&action, INT64_C(0) + axis));
     return result;
 }
-/*Acceleration changes that bring the drives with a side to their bounds; 0 for the others.            */
-/*                                                                                                     */
-/*    Forces change by (M + m e e') times the changes, with the carriages' masses M, the load's mass m */
-/*    and the rope's direction e: the load resists only along the rope.                                */
-/*                                                                                                     */
 static void change_accelerations(array_double_1d plant, array_double_1d action, array_double_1d limit)
 {
     double payload;
@@ -617,13 +600,6 @@ static void change_accelerations(array_double_1d plant, array_double_1d action, 
         (*cspan_at(&limit, INT64_C(3) + INT64_C(2))) = rest;
     }
 }
-/*Reduce accelerations until no drive needs more than its largest force.                             */
-/*                                                                                                   */
-/*    A drive either meets its demand, or it is at its bound and lags behind: a complementarity      */
-/*    problem in three unknowns with a positive definite matrix, solved by K. G. Murty's least-index */
-/*    pivoting (Linear Algebra and its Applications 7, 1974). action: an `Action` with the demanded  */
-/*    forces; its flags are set for drives at their bound. limit: a `ForceLimit`.                    */
-/*                                                                                                   */
 static void limit_accelerations(array_double_1d plant, array_double_1d state, array_double_1d action, array_double_1d acceleration, array_double_1d limit)
 {
     int64_t i;
@@ -664,7 +640,6 @@ static void limit_accelerations(array_double_1d plant, array_double_1d state, ar
         }
     }
 }
-/*Whether a drive has its largest velocity.*/
 static bool at_velocity_bound(array_double_1d plant, int64_t axis, array_double_1d state)
 {
     double bound;
@@ -673,7 +648,6 @@ static bool at_velocity_bound(array_double_1d plant, int64_t axis, array_double_
     result = (bound > 0.0) && (fabs((*cspan_at(&state, INT64_C(5) + axis))) >= bound);
     return result;
 }
-/*Whether a drive at its largest velocity must be held: its direction, or 0. */
 static double held_side(int64_t axis, array_double_1d state, array_double_1d derivative, array_double_1d limit)
 {
     double side;
@@ -684,7 +658,6 @@ static double held_side(int64_t axis, array_double_1d state, array_double_1d der
     }
     if ((*cspan_at(&limit, INT64_C(0) + axis)) != 0.0)
     {
-        /*it must not be pushed on*/
         if (side * (*cspan_at(&limit, INT64_C(12) + axis)) > 0.0)
         {
             return 0.0;
@@ -697,7 +670,6 @@ static double held_side(int64_t axis, array_double_1d state, array_double_1d der
     }
     return 0.0;
 }
-/*Changes that bring the accelerations of the held drives to 0, and the forces for them. */
 static void hold_accelerations(array_double_1d plant, array_double_1d derivative, array_double_1d limit)
 {
     double payload;
@@ -726,7 +698,6 @@ static void hold_accelerations(array_double_1d plant, array_double_1d derivative
     }
     if ((*cspan_at(&limit, INT64_C(0) + INT64_C(2))) == 0.0)
     {
-        /*the rope gives way*/
         (*cspan_at(&limit, INT64_C(3) + INT64_C(2))) = -along;
         along = 0.0;
     }
@@ -746,13 +717,6 @@ static void hold_accelerations(array_double_1d plant, array_double_1d derivative
         }
     }
 }
-/*Change forces until no drive at its largest velocity is accelerated further.                     */
-/*                                                                                                 */
-/*    There a drive's speed control takes over: it either applies its demand, or what holds its    */
-/*    velocity, if it is less; a complementarity problem as that of `limit_accelerations`. A force */
-/*    beyond its bound is not available, and the drive becomes faster. action: an `Action` with the*/
-/*    demanded forces, which change; derivative: that of the state under them.                     */
-/*                                                                                                 */
 static void hold_velocities(array_double_1d plant, array_double_1d state, array_double_1d derivative, array_double_1d action, array_double_1d limit)
 {
     int64_t i;
@@ -801,7 +765,6 @@ static void hold_velocities(array_double_1d plant, array_double_1d state, array_
         }
     }
 }
-/*Last block of a table at or below a rope length; 0 .. blocks - 2.*/
 static int64_t table_row(double length, array_double_3d table)
 {
     int64_t row;
@@ -812,7 +775,6 @@ static int64_t table_row(double length, array_double_3d table)
     }
     return row;
 }
-/*Weight of the block after `row` in a linear interpolation; constant outside the table. */
 static double table_share(double length, array_double_3d table, int64_t row)
 {
     double first;
@@ -825,12 +787,6 @@ static double table_share(double length, array_double_3d table, int64_t row)
     result = span_min(span_max((length - first) / ((*cspan_at(&table, row + INT64_C(1), INT64_C(0), INT64_C(0))) - first), 0.0), 1.0);
     return result;
 }
-/*-K(l) (x - x*), K interpolated linearly over rope length, constant outside the table.                */
-/*                                                                                                     */
-/*    state and reference (10): a `State`; added (3): velocities that corrections have added to the    */
-/*    setpoints of velocity drives [m/s]; gains (rows, 4, 11): a `Gains` a rope length; correction (3) */
-/*    [N] or [m/s2].                                                                                   */
-/*                                                                                                     */
 void segfmu_feedback_correction(array_double_1d state, array_double_1d reference, array_double_1d added, array_double_3d gains, array_double_1d correction)
 {
     double length;
@@ -860,16 +816,10 @@ void segfmu_feedback_correction(array_double_1d state, array_double_1d reference
         (*cspan_at(&correction, i)) = -(total + k * (*cspan_at(&added, i)));
     }
 }
-/*Bandwidth [rad/s]: `ratio` pendulum frequencies, at most `largest` [rad] over a delay [s]. */
 double segfmu_feedback_bandwidth(double ratio, double length, double gravity, double delay, double largest)
 {
     return span_min(ratio * sqrt(gravity / length), largest / delay);
 }
-/*Make gains for accelerations those of a drive with a lag [s], a row of `Gains`, in place.          */
-/*                                                                                                   */
-/*    If the carriage is to have the acceleration a, the command's rate has to be a + T a'. With the */
-/*    command c and the velocity v, the present acceleration is (c - v) / T.                         */
-/*                                                                                                   */
 static void lead_gains(int64_t axis, double lag, double length, double gravity, array_double_1d gains)
 {
     double position;
@@ -884,7 +834,6 @@ static void lead_gains(int64_t axis, double lag, double length, double gravity, 
     }
     position = (*cspan_at(&gains, INT64_C(0) + axis));
     velocity = (*cspan_at(&gains, INT64_C(5) + axis));
-    /*by the present acceleration*/
     direct = velocity;
     if (axis != INT64_C(2))
     {
@@ -898,16 +847,6 @@ static void lead_gains(int64_t axis, double lag, double length, double gravity, 
     (*cspan_at(&gains, INT64_C(5) + axis)) = velocity + lag * position - direct;
     (*cspan_at(&gains, INT64_C(10))) = direct;
 }
-/*Gains (4, 11), a `Gains`, that place the poles of the flat output's error; closed form.              */
-/*                                                                                                     */
-/*    plant: masses, drive mode and lags of a `Plant`. About the load hanging at rest, with the sign   */
-/*    of the sway angle such that the load is at p = x_t + l phi: p'' = -g phi and p'''' = (g / l) (g  */
-/*    phi + a) for the carriage's acceleration a. The error of p has the characteristic polynomial     */
-/*    (s^2 + 2 D w s + w^2) (s^2 + 2 D w s + W^2), with the bandwidth w, the frequency W of the        */
-/*    pendulum's poles [rad/s] and the damping D; that of the rope is s^2 + 2 D w s + w^2 with its own */
-/*    bandwidth. For velocity drives the corrections are accelerations, and each drive keeps the pole  */
-/*    of its lag; otherwise they are forces, which also cancel the rope's pull on the carriage.        */
-/*                                                                                                     */
 void segfmu_feedback_gains(array_double_1d plant, double length, double bandwidth, double pendulum, double hoist_bandwidth, double damping, array_double_2d gains)
 {
     bool driven;
@@ -978,22 +917,18 @@ void segfmu_feedback_gains(array_double_1d plant, double length, double bandwidt
         }
     }
 }
-/*Bound of what the way back asks for, over what the drive can do. */
 static double return_effort(void)
 {
     return 3.5;
 }
-/*Bound of the velocity of the way back, over what the plan leaves of the drive's. */
 static double return_speed(void)
 {
     return 0.7;
 }
-/*A value within an interval.*/
 static double held_within(double value, double least, double greatest)
 {
     return span_max(span_min(value, greatest), least);
 }
-/*A gain at a rope length [m], linear between the rows.*/
 static double scheduled_gain(double length, int64_t axis, int64_t column, array_double_3d gains)
 {
     int64_t row;
@@ -1008,7 +943,6 @@ static double scheduled_gain(double length, int64_t axis, int64_t column, array_
     result = first + share * ((*cspan_at(&gains, following, INT64_C(1) + axis, column)) - first);
     return result;
 }
-/*Largest velocity [m/s] of a drive, 1e99 for none; a hoist also has to hold the load at it. */
 static double velocity_bound(int64_t axis, array_double_1d parameters, array_double_1d situation)
 {
     double power;
@@ -1025,7 +959,6 @@ static double velocity_bound(int64_t axis, array_double_1d parameters, array_dou
     }
     return bound;
 }
-/*Greatest size of a setpoint, N or m/s2, that the drive's power allows; 1e99 for any. */
 static double power_bound(int64_t axis, array_double_1d parameters, array_double_1d situation)
 {
     double power;
@@ -1046,13 +979,11 @@ static double power_bound(int64_t axis, array_double_1d parameters, array_double
     gravity = (*cspan_at(&parameters, INT64_C(6)));
     if (axis == INT64_C(2))
     {
-        /*a load that moves too fast is braked nevertheless*/
         return gravity * span_max(force / weight - 1.0, 0.001);
     }
     force = force / ((*cspan_at(&parameters, INT64_C(3) + axis)) + weight / gravity);
     return force;
 }
-/*Least correction with which the drive can do what it is told; a hoist lifts with it. */
 static double least_correction(int64_t axis, array_double_1d parameters, array_double_2d tick, array_double_1d situation)
 {
     double least;
@@ -1061,7 +992,6 @@ static double least_correction(int64_t axis, array_double_1d parameters, array_d
     result = least - (*cspan_at(&tick, INT64_C(2), axis));
     return result;
 }
-/*Greatest correction with which the drive can do what it is told. */
 static double greatest_correction(int64_t axis, array_double_1d parameters, array_double_2d tick, array_double_1d situation)
 {
     double greatest;
@@ -1073,13 +1003,11 @@ static double greatest_correction(int64_t axis, array_double_1d parameters, arra
     }
     else if ((int64_t)((*cspan_at(&parameters, INT64_C(0)))) == INT64_C(0))
     {
-        /*a tenth of the weight keeps the rope taut*/
         greatest = span_min(greatest, (-0.1) * (*cspan_at(&situation, INT64_C(0))));
     }
     result = greatest - (*cspan_at(&tick, INT64_C(2), axis));
     return result;
 }
-/*Bound a correction, so that the drive can do what it is told, feedforward included.*/
 static void bound_correction(int64_t axis, array_double_1d parameters, array_double_2d tick, array_double_1d situation)
 {
     double correction;
@@ -1096,11 +1024,6 @@ static void bound_correction(int64_t axis, array_double_1d parameters, array_dou
     }
     (*cspan_at(&tick, INT64_C(3), axis)) = held_within(correction, least_correction(axis, parameters, tick, situation), greatest_correction(axis, parameters, tick, situation));
 }
-/*Bound of the way back, as a multiple of what the drive can do.                                     */
-/*                                                                                                   */
-/*    A carriage with the acceleration a has the load hang at -a / g, which the feedback of the sway */
-/*    opposes. So the way back asks for more than it gets; by that much its bound is larger.         */
-/*                                                                                                   */
 static double return_room(int64_t axis, array_double_1d parameters, array_double_3d gains, array_double_1d situation)
 {
     double sign;
@@ -1122,11 +1045,6 @@ static double return_room(int64_t axis, array_double_1d parameters, array_double
     opposed = opposed - sign * scheduled_gain(length, axis, INT64_C(3) + axis, gains);
     return return_effort() * span_max(1.0 + opposed / pull, 1.0);
 }
-/*Bound the part of a correction that brings the load, or the rope's length, to its place.       */
-/*                                                                                               */
-/*    With the deviation p of the load's place, that part is k (p' + r p), with the gains by the */
-/*    carriage's velocity and place; r p, a velocity, is bounded first.                          */
-/*                                                                                               */
 static void bound_return(int64_t axis, array_double_1d parameters, array_double_3d gains, array_double_2d tick, array_double_1d situation)
 {
     double length;
@@ -1161,7 +1079,6 @@ static void bound_return(int64_t axis, array_double_1d parameters, array_double_
     given = held_within(-(pull + damping), least, greatest);
     (*cspan_at(&tick, INT64_C(3), axis)) = (*cspan_at(&tick, INT64_C(3), axis)) + given - asked;
 }
-/*Advance the estimate of an axis by a sample under a velocity command and a correction. */
 void segfmu_observer_predict(int64_t axis, double length, array_double_3d table, double command, double correction, array_double_1d estimate, array_double_1d scratch)
 {
     int64_t row;
@@ -1193,7 +1110,6 @@ void segfmu_observer_predict(int64_t axis, double length, array_double_3d table,
         (*cspan_at(&estimate, i)) = total;
     }
 }
-/*What a correction, held over a sample, changes of an estimate and of the command.*/
 static void observer_input(int64_t axis, double length, array_double_3d table, double period, double correction, array_double_1d change)
 {
     int64_t row;
@@ -1214,7 +1130,6 @@ static void observer_input(int64_t axis, double length, array_double_3d table, d
     }
     (*cspan_at(&change, INT64_C(6))) = period * correction;
 }
-/*Add `factor` times how a change, of estimate and command, itself changes in a sample.*/
 static void observer_bend(int64_t axis, double length, array_double_3d table, double factor, array_double_1d change, array_double_1d estimate)
 {
     int64_t row;
@@ -1240,7 +1155,6 @@ static void observer_bend(int64_t axis, double length, array_double_3d table, do
         (*cspan_at(&estimate, i)) = (*cspan_at(&estimate, i)) + factor * total;
     }
 }
-/*Correct the estimate by the five measured signals and their references.*/
 void segfmu_observer_correct(double length, array_double_3d table, array_double_1d measured, array_double_1d reference, array_double_2d estimate)
 {
     int64_t row;
@@ -1281,7 +1195,6 @@ void segfmu_observer_correct(double length, array_double_3d table, array_double_
         }
     }
 }
-/*Past ticks that the delays need. */
 static int64_t remembered_ticks(array_double_1d parameters)
 {
     double longest;
@@ -1293,10 +1206,6 @@ static int64_t remembered_ticks(array_double_1d parameters)
     }
     return span_min_int((int64_t)(longest) + INT64_C(3), INT64_C(40));
 }
-/*Add the corrections since the tick before, and the reference of this one; advance commands.*/
-/*                                                                                           */
-/*    The first row then has the corrections that end now, and the reference that begins now.*/
-/*                                                                                           */
 static void remember_tick(array_double_1d parameters, array_double_1d reference, array_double_2d memory)
 {
     array_double_1d held;
@@ -1328,7 +1237,6 @@ static void remember_tick(array_double_1d parameters, array_double_1d reference,
         (*cspan_at(&memory, INT64_C(31), INT64_C(3) + i)) = (*cspan_at(&reference, i));
     }
 }
-/*Before the first tick the reference was as it is, and nothing was corrected. */
 static void remember_start(array_double_1d reference, array_double_2d memory)
 {
     int64_t row;
@@ -1341,7 +1249,6 @@ static void remember_start(array_double_1d reference, array_double_2d memory)
         }
     }
 }
-/*The reference of when the signals were taken, linear between the ticks.*/
 static void aged_reference(array_double_1d parameters, array_double_2d memory)
 {
     double age;
@@ -1360,7 +1267,6 @@ static void aged_reference(array_double_1d parameters, array_double_2d memory)
         (*cspan_at(&memory, INT64_C(6), i)) = later + share * (earlier - later);
     }
 }
-/*Advance an estimate of an axis by the sample that began `back` + 1 + share samples ago.*/
 static void advance_axis(int64_t axis, int64_t back, double share, array_double_1d parameters, double length, array_double_3d table, array_double_2d memory, array_double_1d estimate)
 {
     double period;
@@ -1380,13 +1286,11 @@ static void advance_axis(int64_t axis, int64_t back, double share, array_double_
     segfmu_observer_predict(axis, length, table, command, share * before + (1.0 - share) * after, estimate, span_row(&memory, INT64_C(9)));
     if (share > 1e-09)
     {
-        /*what acts earlier has moved the axis for longer*/
         change = span_row(&memory, INT64_C(29));
         observer_input(axis, length, table, period, before - after, change);
         observer_bend(axis, length, table, 0.5 * share * (1.0 - share), change, estimate);
     }
 }
-/*Bring the estimates from when the signals of the tick before were taken to those of now. */
 static void advance_estimates(array_double_1d parameters, double length, array_double_3d table, array_double_2d memory)
 {
     int64_t axis;
@@ -1401,7 +1305,6 @@ static void advance_estimates(array_double_1d parameters, double length, array_d
         advance_axis(axis, whole, share, parameters, length, table, memory, span_row(&memory, INT64_C(0) + axis));
     }
 }
-/*The last part of a sample: a parabola through the estimates at its ends. */
 static void predict_share(int64_t axis, double share, array_double_1d parameters, double length, array_double_3d table, array_double_2d memory)
 {
     array_double_1d present;
@@ -1429,7 +1332,6 @@ static void predict_share(int64_t axis, double share, array_double_1d parameters
     (*cspan_at(&change, INT64_C(6))) = (*cspan_at(&parameters, INT64_C(1))) * latest;
     observer_bend(axis, length, table, (-0.5) * share * (1.0 - share), change, present);
 }
-/*Predict the estimates to when the correction of this tick will act.*/
 static void predict_present(array_double_1d parameters, double length, array_double_3d table, array_double_2d memory)
 {
     int64_t axis;
@@ -1459,7 +1361,6 @@ static void predict_present(array_double_1d parameters, double length, array_dou
         }
     }
 }
-/*a = value times the identity.*/
 static void matrix_set(int64_t n, double value, array_double_2d a)
 {
     int64_t i;
@@ -1473,7 +1374,6 @@ static void matrix_set(int64_t n, double value, array_double_2d a)
         (*cspan_at(&a, i, i)) = value;
     }
 }
-/*c = a.               */
 static void matrix_copy(int64_t n, array_double_2d a, array_double_2d c)
 {
     int64_t i;
@@ -1486,7 +1386,6 @@ static void matrix_copy(int64_t n, array_double_2d a, array_double_2d c)
         }
     }
 }
-/*c = c + factor * a.  */
 static void matrix_add(int64_t n, double factor, array_double_2d a, array_double_2d c)
 {
     int64_t i;
@@ -1499,7 +1398,6 @@ static void matrix_add(int64_t n, double factor, array_double_2d a, array_double
         }
     }
 }
-/*c = a b; c is neither of them. */
 static void matrix_product(int64_t n, array_double_2d a, array_double_2d b, array_double_2d c)
 {
     int64_t i;
@@ -1519,7 +1417,6 @@ static void matrix_product(int64_t n, array_double_2d a, array_double_2d b, arra
         }
     }
 }
-/*c = a b^T; c is neither of them. */
 static void matrix_product_transposed(int64_t n, array_double_2d a, array_double_2d b, array_double_2d c)
 {
     int64_t i;
@@ -1539,7 +1436,6 @@ static void matrix_product_transposed(int64_t n, array_double_2d a, array_double
         }
     }
 }
-/*c = a^T; c is not a. */
 static void matrix_transpose(int64_t n, array_double_2d a, array_double_2d c)
 {
     int64_t i;
@@ -1552,7 +1448,6 @@ static void matrix_transpose(int64_t n, array_double_2d a, array_double_2d c)
         }
     }
 }
-/*Bring the largest entry of a column to the pivot's row and clear the rows after it.*/
 static void matrix_reduce(int64_t n, int64_t columns, int64_t pivot, array_double_2d a, array_double_2d b)
 {
     int64_t best;
@@ -1593,7 +1488,6 @@ static void matrix_reduce(int64_t n, int64_t columns, int64_t pivot, array_doubl
         }
     }
 }
-/*b = a^-1 b for b with `columns` columns, by elimination; overwrites a. */
 static void matrix_solve(int64_t n, int64_t columns, array_double_2d a, array_double_2d b)
 {
     int64_t pivot;
@@ -1620,7 +1514,6 @@ static void matrix_solve(int64_t n, int64_t columns, array_double_2d a, array_do
         }
     }
 }
-/*System matrix (8, 8) of six states and two inputs at a rope length [m].*/
 static void kalman_model(int64_t axis, array_double_1d plant, double length, array_double_2d model)
 {
     double mass;
@@ -1654,7 +1547,6 @@ static void kalman_model(int64_t axis, array_double_1d plant, double length, arr
     if (axis != INT64_C(2))
     {
         rate = span_row(&model, INT64_C(3));
-        /*l angle'' = -g angle - carriage acceleration + acceleration of the load*/
         (*cspan_at(&model, INT64_C(1), INT64_C(3))) = 1.0;
         for (j = INT64_C(0); j < INT64_C(8); j += INT64_C(1))
         {
@@ -1664,7 +1556,6 @@ static void kalman_model(int64_t axis, array_double_1d plant, double length, arr
         (*cspan_at(&rate, INT64_C(5))) = 1.0 / length;
     }
 }
-/*exp(M h) = 1 + M h + ..., and the integral W h + (M W + W M^T) h^2 / 2 + ... of the walks. */
 static void kalman_series(double part, double drift, double wind, array_double_2d model, array_double_2d transition, array_double_2d covariance, array_double_2d work)
 {
     array_double_2d term;
@@ -1697,10 +1588,6 @@ static void kalman_series(double part, double drift, double wind, array_double_2
         matrix_add(INT64_C(6), part / n, product, term);
     }
 }
-/*Transition (8, 8) over a sample, and the covariance (6, 6) added by the walks.           */
-/*                                                                                         */
-/*    Taylor series over a short fraction of the sample, then doubled; work: a `ModelWork`.*/
-/*                                                                                         */
 static void kalman_sampled(double sample_time, double drift, double wind, array_double_2d model, array_double_2d transition, array_double_2d covariance, array_double_2d work)
 {
     double size;
@@ -1741,10 +1628,6 @@ static void kalman_sampled(double sample_time, double drift, double wind, array_
         matrix_copy(INT64_C(8), term, transition);
     }
 }
-/*One doubling of X in `spread` with the A^T and G of work, a `Doubling`.*/
-/*                                                                       */
-/*    Returns the largest relative change of a variance.                 */
-/*                                                                       */
 static double kalman_turn(array_double_2d spread, array_double_2d work)
 {
     array_double_2d transposed;
@@ -1764,7 +1647,6 @@ static double kalman_turn(array_double_2d spread, array_double_2d work)
     product = span_rows(&work, INT64_C(32), INT64_C(40));
     change = span_rows(&work, INT64_C(40), INT64_C(48));
     n = INT64_C(6);
-    /*one solution for both: (1 + G X)^-1 A^T and (1 + G X)^-1 G*/
     matrix_set(n, 1.0, factor);
     matrix_product(n, information, spread, solution);
     matrix_add(n, 1.0, solution, factor);
@@ -1784,16 +1666,13 @@ static double kalman_turn(array_double_2d spread, array_double_2d work)
             (*cspan_at(&product, i, j)) = (*cspan_at(&solution, i, n + j));
         }
     }
-    /*G + A^T (1 + G X)^-1 G A*/
     matrix_product(n, transposed, product, factor);
     matrix_product_transposed(n, factor, transposed, product);
     matrix_add(n, 1.0, product, information);
-    /*X + A X (1 + G X)^-1 A^T*/
     matrix_product(n, spread, solution, factor);
     matrix_transpose(n, transposed, product);
     matrix_product(n, product, factor, change);
     matrix_add(n, 1.0, change, spread);
-    /*A^T (1 + G X)^-1 A^T*/
     matrix_product(n, transposed, solution, factor);
     matrix_copy(n, factor, transposed);
     largest = 0.0;
@@ -1806,7 +1685,6 @@ static double kalman_turn(array_double_2d spread, array_double_2d work)
     }
     return largest;
 }
-/*Gains of an axis: X C^T (C X C^T + R)^-1, for variances R of position and angle. */
 static void kalman_gain(int64_t axis, double first, double second, array_double_2d spread, array_double_2d table)
 {
     double a;
@@ -1830,7 +1708,6 @@ static void kalman_gain(int64_t axis, double first, double second, array_double_
         (*cspan_at(&row, INT64_C(9))) = (a * (*cspan_at(&spread, i, INT64_C(1))) - b * (*cspan_at(&spread, i, INT64_C(0)))) / determinant;
     }
 }
-/*The rows of an axis in the table, for the model in work, a `Kalman`. */
 static void kalman_axis(int64_t axis, double sample_time, array_double_1d expected, array_double_2d work, array_double_2d table)
 {
     array_double_2d transition;
@@ -1882,7 +1759,6 @@ static void kalman_axis(int64_t axis, double sample_time, array_double_1d expect
     kalman_gain(axis, position, angle, spread, table);
     if (axis == INT64_C(2))
     {
-        /*the hoist has no angle and no load*/
         for (i = INT64_C(1); i < INT64_C(6); i += INT64_C(2))
         {
             for (j = INT64_C(0); j < INT64_C(10); j += INT64_C(1))
@@ -1892,11 +1768,6 @@ static void kalman_axis(int64_t axis, double sample_time, array_double_1d expect
         }
     }
 }
-/*One rope length's part (19, 10) of the observer's table, an `Observer`.                              */
-/*                                                                                                     */
-/*    plant: masses, drive mode and lags of the nominal crane, a `Plant`; sample_time [s]; length [m]; */
-/*    work (72, 16): a `Kalman`.                                                                       */
-/*                                                                                                     */
 void segfmu_observer_design(array_double_1d plant, double sample_time, double length, array_double_1d expected, array_double_2d work, array_double_2d table)
 {
     int64_t j;
@@ -1912,7 +1783,6 @@ void segfmu_observer_design(array_double_1d plant, double sample_time, double le
         kalman_axis(axis, sample_time, expected, work, table);
     }
 }
-/*A `RopeRange` from a crane's bounds [m], or else from the rope length at the start [m].*/
 void segfmu_rope_range(double length, double shortest, double longest, array_double_1d found)
 {
     (*cspan_at(&found, INT64_C(0))) = shortest;
@@ -1926,10 +1796,6 @@ void segfmu_rope_range(double length, double shortest, double longest, array_dou
         (*cspan_at(&found, INT64_C(1))) = 5.0 * length;
     }
 }
-/*Rope lengths (rows,) [m] of a table, in equal ratios; returns their number.*/
-/*                                                                           */
-/*    It is 1 if both ends are equal.                                        */
-/*                                                                           */
 int64_t segfmu_table_lengths(double shortest, double longest, int64_t rows, array_double_1d lengths)
 {
     int64_t row;
@@ -1945,20 +1811,14 @@ int64_t segfmu_table_lengths(double shortest, double longest, int64_t rows, arra
     (*cspan_at(&lengths, rows - INT64_C(1))) = longest;
     return rows;
 }
-/*Largest bandwidth of bridge and trolley times the time that it acts late [rad].*/
 static double largest_angle(void)
 {
     return 0.25;
 }
-/*The same for the hoist; two poles instead of four tolerate more. */
 static double largest_hoist_angle(void)
 {
     return 0.5;
 }
-/*Time [s] that limits the bandwidth: period, dead times, and a quarter of the longest lag.            */
-/*                                                                                                     */
-/*    The gains know the lag, so only what is wrong with it counts. Lags are those of velocity drives. */
-/*                                                                                                     */
 static double acts_late(array_double_1d plant, array_double_1d design)
 {
     double dead;
@@ -1979,10 +1839,6 @@ static double acts_late(array_double_1d plant, array_double_1d design)
     result = (*cspan_at(&design, INT64_C(0))) + (*cspan_at(&design, INT64_C(4))) + dead + 0.25 * lag;
     return result;
 }
-/*Gains (Gains) at a rope length [m].                                  */
-/*                                                                     */
-/*    plant: a `Plant` with the design payload. design: a `FlatDesign`.*/
-/*                                                                     */
 static void design_flat_gains(array_double_1d plant, array_double_1d design, double length, array_double_2d gains)
 {
     double delay;
@@ -1996,11 +1852,9 @@ static void design_flat_gains(array_double_1d plant, array_double_1d design, dou
     ratio = (*cspan_at(&design, INT64_C(1)));
     bandwidth = segfmu_feedback_bandwidth(ratio, length, gravity, delay, largest_angle());
     hoist = segfmu_feedback_bandwidth((*cspan_at(&design, INT64_C(2))), length, gravity, delay, largest_hoist_angle());
-    /*a slower carriage leaves the pendulum its frequency*/
     pendulum = ratio * sqrt(gravity / length);
     segfmu_feedback_gains(plant, length, bandwidth, pendulum, hoist, (*cspan_at(&design, INT64_C(3))), gains);
 }
-/*`design_flat_gains` at rope lengths (rows,) [m]; table (rows, 4, 11): one `Gains` per row. */
 void segfmu_flat_table(array_double_1d plant, array_double_1d design, int64_t rows, array_double_1d lengths, array_double_3d table)
 {
     int64_t row;
@@ -2009,7 +1863,6 @@ void segfmu_flat_table(array_double_1d plant, array_double_1d design, int64_t ro
         design_flat_gains(plant, design, (*cspan_at(&lengths, row)), span_matrix(&table, row));
     }
 }
-/*Step [m] or [rad] whose quantisation has the variance of a sensor's errors.*/
 static double sensor_step(array_double_1d sensors, int64_t signal)
 {
     double step;
@@ -2018,11 +1871,6 @@ static double sensor_step(array_double_1d sensors, int64_t signal)
     deviation = (*cspan_at(&sensors, INT64_C(8) + signal));
     return sqrt(step * step + 12.0 * deviation * deviation);
 }
-/*Fill in the steps of an `Uncertainty` that are 0: those of the sensors, noise included.          */
-/*                                                                                                 */
-/*    sensors: a `Sensors`; longest [m]: rope length. Sensors without an error are taken for usual */
-/*    encoders: steps of 1 / 5000 of the rope's length, and 4096 in a turn.                        */
-/*                                                                                                 */
 void segfmu_set_steps(array_double_1d sensors, double longest, array_double_1d uncertainty)
 {
     double bridge;
@@ -2056,11 +1904,6 @@ void segfmu_set_steps(array_double_1d sensors, double longest, array_double_1d u
         (*cspan_at(&uncertainty, INT64_C(2))) = 6.283185307179586 / 4096.0;
     }
 }
-/*What an `Uncertainty` is at a rope length [m], an `Expected`.                                      */
-/*                                                                                                   */
-/*    Quantisation errors stay while a signal stays within a step. They count as new ones only every */
-/*    twentieth of the pendulum's time sqrt(l / g), however short the samples are.                   */
-/*                                                                                                   */
 static void expect_errors(array_double_1d uncertainty, double gravity, double length, double sample_time, array_double_1d expected)
 {
     double time;
@@ -2073,11 +1916,6 @@ static void expect_errors(array_double_1d uncertainty, double gravity, double le
     (*cspan_at(&expected, INT64_C(3))) = (*cspan_at(&uncertainty, INT64_C(3))) * gravity / sqrt(time);
     (*cspan_at(&expected, INT64_C(4))) = (*cspan_at(&uncertainty, INT64_C(4))) * gravity / sqrt(time);
 }
-/*`observer_design` at rope lengths (rows,) [m]; returns whether the whole table is finite.          */
-/*                                                                                                   */
-/*    uncertainty: an `Uncertainty` with its steps; expected: work space, an `Expected`; table (rows,*/
-/*    19, 10): one `Observer` per row.                                                               */
-/*                                                                                                   */
 bool segfmu_observer_table(array_double_1d plant, double sample_time, array_double_1d uncertainty, int64_t rows, array_double_1d lengths, array_double_1d expected, array_double_2d work, array_double_3d table)
 {
     int64_t row;
@@ -2099,10 +1937,6 @@ bool segfmu_observer_table(array_double_1d plant, double sample_time, array_doub
     }
     return finite;
 }
-/*Three lags of half a sample over their time constant `share`, by Tustin's rule.*/
-/*                                                                               */
-/*    signals (7): `OffsetSignals`; states (4, 7): an `OffsetFilter`.            */
-/*                                                                               */
 static void offset_filter(bool first, double share, array_double_1d signals, array_double_2d states)
 {
     int64_t i;
@@ -2127,7 +1961,6 @@ static void offset_filter(bool first, double share, array_double_1d signals, arr
         }
     }
 }
-/*Position of the load and direction of the rope from the coordinates (5). */
 static void offset_signals(array_double_1d measured, double start, array_double_1d signals)
 {
     double phi_x;
@@ -2152,7 +1985,6 @@ static void offset_signals(array_double_1d measured, double start, array_double_
     }
     (*cspan_at(&signals, INT64_C(6))) = start;
 }
-/*Second derivative of a filtered signal over the square of the filter's bandwidth.*/
 static double second_difference(int64_t signal, array_double_2d states)
 {
     double difference;
@@ -2161,10 +1993,6 @@ static double second_difference(int64_t signal, array_double_2d states)
     result = difference + (*cspan_at(&states, INT64_C(3), signal));
     return result;
 }
-/*The equation's left side without offset, and the offset's factor, across the rope. */
-/*                                                                                   */
-/*    square: of the filter's bandwidth.                                             */
-/*                                                                                   */
 static int64_t offset_residual(double* result_0_0001, double* result_1_0001, int64_t axis, double gravity, double square, array_double_2d states)
 {
     int64_t sideways;
@@ -2187,7 +2015,6 @@ static int64_t offset_residual(double* result_0_0001, double* result_1_0001, int
     (*result_1_0001) = drop * across - turn * down;
     return 0;
 }
-/*Variances of residual and factor due to sensor noise, white before the filter. */
 static int64_t offset_noise(double* result_0, double* result_1_0001, array_double_1d parameters, double length)
 {
     double w;
@@ -2208,7 +2035,6 @@ static int64_t offset_noise(double* result_0, double* result_1_0001, array_doubl
     (*result_1_0001) = share * fifth * (*cspan_at(&parameters, INT64_C(25)));
     return 0;
 }
-/*Subtract the slow means from an axis' three values; share: weight of the new values. */
 static void offset_centre(int64_t axis, double share, array_double_1d values, array_double_1d means)
 {
     int64_t i;
@@ -2220,7 +2046,6 @@ static void offset_centre(int64_t axis, double share, array_double_1d values, ar
         (*cspan_at(&values, i)) = (*cspan_at(&values, i)) - (*cspan_at(&means, k));
     }
 }
-/*Add one axis' residual, factor and instrument to the sums, after scaling them by `keep`. */
 static void offset_sum(double keep, array_double_1d values, array_double_1d sums)
 {
     double residual;
@@ -2238,12 +2063,6 @@ static void offset_sum(double keep, array_double_1d values, array_double_1d sums
     (*cspan_at(&sums, INT64_C(4))) = keep * (*cspan_at(&sums, INT64_C(4))) + square * factor * factor;
     (*cspan_at(&sums, INT64_C(5))) = keep * (*cspan_at(&sums, INT64_C(5))) + square;
 }
-/*Offset and deviation from the sums, and the offset to use.                                           */
-/*                                                                                                     */
-/*    An offset is used after it has exceeded five deviations for five of the filter's time constants, */
-/*    and until the data contradict it. In a shorter time wind too often resembles the plan by chance. */
-/*    sums: an `OffsetSums`, estimate: an `OffsetEstimate`.                                            */
-/*                                                                                                     */
 static void offset_decide(array_double_1d parameters, double length, double noise, array_double_1d sums, array_double_1d estimate)
 {
     double period;
@@ -2260,8 +2079,6 @@ static void offset_decide(array_double_1d parameters, double length, double nois
     offset = (*cspan_at(&sums, INT64_C(0))) / (*cspan_at(&sums, INT64_C(1)));
     left = (*cspan_at(&sums, INT64_C(2))) - 2.0 * offset * (*cspan_at(&sums, INT64_C(3)));
     left = left + offset * offset * (*cspan_at(&sums, INT64_C(4)));
-    /*the residual may be small by chance, but not below the part of the sensors' noise that is as*/
-    /*slow as the plan*/
     least = noise * (*cspan_at(&sums, INT64_C(5))) / 16.0;
     deviation = sqrt(samples * (span_max(left, 0.0) + least)) / (*cspan_at(&sums, INT64_C(1)));
     (*cspan_at(&estimate, INT64_C(0))) = offset;
@@ -2282,7 +2099,6 @@ static void offset_decide(array_double_1d parameters, double length, double nois
         (*cspan_at(&estimate, INT64_C(4))) = 0.0;
     }
 }
-/*Residual, factor and instrument of x and y at the present tick.*/
 static void offset_equations(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory)
 {
     array_double_1d means;
@@ -2331,7 +2147,6 @@ static void offset_equations(array_double_1d parameters, array_double_1d measure
         {
             (*cspan_at(&means, INT64_C(6) + axis)) = residual;
         }
-        /*the filter assumes rest before the start, but the load may sway*/
         settling = (*cspan_at(&filtered, INT64_C(3), INT64_C(6)));
         equation = span_row(&memory, INT64_C(12) + axis);
         (*cspan_at(&equation, INT64_C(0))) = residual - (*cspan_at(&means, INT64_C(6) + axis)) * settling;
@@ -2340,7 +2155,6 @@ static void offset_equations(array_double_1d parameters, array_double_1d measure
         offset_centre(axis, step / 12.0, equation, means);
     }
 }
-/*Offset [m] to add to the measured length, from signals and reference of the same time. */
 static double offset_estimate(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory)
 {
     array_double_1d sums;
@@ -2372,7 +2186,6 @@ static double offset_estimate(array_double_1d parameters, array_double_1d measur
     }
     if (power > 9.0 * factor_noise)
     {
-        /*a planned swing below the sensors' noise contains no information*/
         step = (*cspan_at(&parameters, INT64_C(24))) * (*cspan_at(&parameters, INT64_C(1)));
         offset_sum(1.0 - step / 60.0, span_row(&memory, INT64_C(12)), sums);
         offset_sum(1.0, span_row(&memory, INT64_C(12) + INT64_C(1)), sums);
@@ -2387,7 +2200,6 @@ static double offset_estimate(array_double_1d parameters, array_double_1d measur
     result = (*cspan_at(&estimate, INT64_C(5)));
     return result;
 }
-/*Mass [kg] of the load that feedback and observer are for; expected 0: the crane's own. */
 double segfmu_nominal_payload(double expected, double payload)
 {
     if (expected > 0.0)
@@ -2396,13 +2208,6 @@ double segfmu_nominal_payload(double expected, double payload)
     }
     return payload;
 }
-/*Age [s] of the signals at a tick of the controller.                                                */
-/*                                                                                                   */
-/*    dead_time [s]: from sampling to the signal; sampling, period [s]: of the sensors, 0 for        */
-/*    continuous ones, and of the controller. A sample becomes a signal within its dead time, so the */
-/*    latest signal at a tick is that of a whole number of samples before; on average half a sample  */
-/*    more, if ticks and samples are not in step.                                                    */
-/*                                                                                                   */
 double segfmu_signal_age(double dead_time, double sampling, double period)
 {
     double age;
@@ -2419,11 +2224,6 @@ double segfmu_signal_age(double dead_time, double sampling, double period)
     }
     return age;
 }
-/*Greatest setpoint of a drive of a `Plant`, N or m/s2; 1e99 where there is none.                    */
-/*                                                                                                   */
-/*    The acceleration of a velocity drive is also bounded by its force, with which it moves carriage*/
-/*    and load.                                                                                      */
-/*                                                                                                   */
 double segfmu_drive_bound(array_double_1d plant, int64_t axis)
 {
     double moved;
@@ -2450,12 +2250,10 @@ double segfmu_drive_bound(array_double_1d plant, int64_t axis)
     }
     return 1e+99;
 }
-/*Acceleration of a carriage over gravity below which its drive is weak. */
 static double weak_drive(void)
 {
     return 0.1;
 }
-/*Share of the usual tunings that the drive of a carriage can follow: 1 unless it is weak. */
 static double drive_strength(array_double_1d plant, int64_t axis)
 {
     double weight;
@@ -2468,18 +2266,12 @@ static double drive_strength(array_double_1d plant, int64_t axis)
     result = span_min(segfmu_drive_bound(plant, axis) / (weak_drive() * weight), 1.0);
     return result;
 }
-/*Make the wind of an `Uncertainty` what the drives of a `Plant` can answer.                         */
-/*                                                                                                   */
-/*    Otherwise its estimate would follow the sensors' noise, and a weak drive would always be at its*/
-/*    bound.                                                                                         */
-/*                                                                                                   */
 void segfmu_set_walks(array_double_1d plant, array_double_1d uncertainty)
 {
     double strength;
     strength = span_min(drive_strength(plant, INT64_C(0)), drive_strength(plant, INT64_C(1)));
     (*cspan_at(&uncertainty, INT64_C(4))) = strength * (*cspan_at(&uncertainty, INT64_C(4)));
 }
-/*Fill in mode, masses and bounds of a `Tracking`; a hoist cannot push its rope. */
 void segfmu_set_drives(array_double_1d plant, array_double_1d tracking)
 {
     int64_t axis;
@@ -2509,11 +2301,6 @@ void segfmu_set_drives(array_double_1d plant, array_double_1d tracking)
     }
     (*cspan_at(&tracking, INT64_C(15) + INT64_C(2))) = greatest;
 }
-/*Fill in a `Tracking` that has a PERIOD, from WAKE_POSITION on, by an `Uncertainty`.              */
-/*                                                                                                 */
-/*    The bandwidth of the filter that finds the rope's offset is in units of the frequency of the */
-/*    longest rope [m], but no more than half a radian in a sample.                                */
-/*                                                                                                 */
 static void set_noise(array_double_1d uncertainty, double gravity, double longest, array_double_1d tracking)
 {
     double wake;
@@ -2530,11 +2317,6 @@ static void set_noise(array_double_1d uncertainty, double gravity, double longes
     (*cspan_at(&tracking, INT64_C(25))) = angle * angle / 12.0;
     (*cspan_at(&tracking, INT64_C(26))) = place * place / 12.0;
 }
-/*Fill in what a `Tracking` with a PERIOD has beside switches and gains.                               */
-/*                                                                                                     */
-/*    plant: a `Plant` with the mass of the load that the observer is for; design: a `TrackingDesign`; */
-/*    longest: rope length of the observer [m].                                                        */
-/*                                                                                                     */
 void segfmu_set_tracking(array_double_1d plant, array_double_1d design, double longest, array_double_1d tracking)
 {
     double period;
@@ -2551,7 +2333,6 @@ void segfmu_set_tracking(array_double_1d plant, array_double_1d design, double l
     (*cspan_at(&tracking, INT64_C(19))) = period / (*cspan_at(&design, INT64_C(9)));
     set_noise(design, (*cspan_at(&plant, INT64_C(3))), longest, tracking);
 }
-/*Fill in the DECAY of a `Tracking` by PERIOD and FADE.*/
 void segfmu_set_fading(array_double_1d tracking)
 {
     double fade;
@@ -2562,7 +2343,6 @@ void segfmu_set_fading(array_double_1d tracking)
         (*cspan_at(&tracking, INT64_C(11))) = exp((-(*cspan_at(&tracking, INT64_C(1)))) / fade);
     }
 }
-/*Largest eigenvalue magnitude, by squaring; overwrites both matrices. */
 static double spectral_radius(int64_t n, array_double_2d a, array_double_2d square)
 {
     double total;
@@ -2601,7 +2381,6 @@ static double spectral_radius(int64_t n, array_double_2d a, array_double_2d squa
     }
     return exp(total);
 }
-/*Whether an entry of an `AxisModel` is a state of the loop. */
 static bool is_state(int64_t axis, bool lagging, int64_t place)
 {
     if (place == INT64_C(6))
@@ -2614,7 +2393,6 @@ static bool is_state(int64_t axis, bool lagging, int64_t place)
     }
     return (place == INT64_C(0)) || (place == INT64_C(2));
 }
-/*Gains of an axis by the entries of an `AxisModel`. */
 static void axis_gains(int64_t axis, array_double_1d plant, double length, array_double_3d table, array_double_1d gains)
 {
     double sign;
@@ -2629,7 +2407,6 @@ static void axis_gains(int64_t axis, array_double_1d plant, double length, array
     driven = (int64_t)((*cspan_at(&plant, INT64_C(4)))) == INT64_C(1);
     if ((axis == INT64_C(2)) && (!driven))
     {
-        /*the model of the hoist has an acceleration for its input*/
         scale = 1.0 / (*cspan_at(&plant, INT64_C(2)));
     }
     for (i = INT64_C(0); i < INT64_C(8); i += INT64_C(1))
@@ -2644,7 +2421,6 @@ static void axis_gains(int64_t axis, array_double_1d plant, double length, array
     (*cspan_at(&gains, INT64_C(2))) = scale * velocity;
     if (driven && ((*cspan_at(&plant, INT64_C(5) + axis)) <= 0.0))
     {
-        /*the drive's velocity is its command*/
         (*cspan_at(&gains, INT64_C(2))) = scale * velocity + command;
     }
     if (axis != INT64_C(2))
@@ -2653,11 +2429,6 @@ static void axis_gains(int64_t axis, array_double_1d plant, double length, array
         (*cspan_at(&gains, INT64_C(3))) = sign * scheduled_gain(length, axis, INT64_C(8) + axis, table);
     }
 }
-/*The loop's transition over a sample, for a delay in samples; returns its order.                      */
-/*                                                                                                     */
-/*    work: a `LoopWork` with the sampled model. The states are an `AxisModel` without its correction, */
-/*    then the corrections of past ticks that have not acted yet.                                      */
-/*                                                                                                     */
 static int64_t close_loop(int64_t axis, bool lagging, double delay, array_double_1d gains, array_double_2d work)
 {
     array_double_2d transition;
@@ -2731,11 +2502,6 @@ static int64_t close_loop(int64_t axis, bool lagging, double delay, array_double
     }
     return order;
 }
-/*A `SetupStatus`: whether a table of gains is stable between two rope lengths, ends (2,) [m].       */
-/*                                                                                                   */
-/*    plant: a `Plant` with the design payload; period [s] of the feedback; predicted: 1 where an    */
-/*    observer predicts over dead times. fault: a `SetupFault`, with the fastest growth in a sample. */
-/*                                                                                                   */
 int64_t segfmu_check_gains(array_double_1d plant, double period, int64_t predicted, array_double_1d ends, array_double_3d table, array_double_2d work, array_double_1d fault)
 {
     array_double_1d lengths;
@@ -2781,10 +2547,6 @@ int64_t segfmu_check_gains(array_double_1d plant, double period, int64_t predict
     }
     return status;
 }
-/*Wake the feedback at the first deviation above the sensors' quantisation.*/
-/*                                                                         */
-/*    Until then the deviation may be rounding.                            */
-/*                                                                         */
 static void track_wake(array_double_1d parameters, array_double_1d measured, array_double_1d reference, array_double_2d memory)
 {
     int64_t i;
@@ -2806,7 +2568,6 @@ static void track_wake(array_double_1d parameters, array_double_1d measured, arr
         }
     }
 }
-/*Signals, with the offset of the rope's length removed if it is to be.*/
 static void track_offset(array_double_1d parameters, array_double_2d tick, array_double_2d memory)
 {
     array_double_1d measured;
@@ -2825,7 +2586,6 @@ static void track_offset(array_double_1d parameters, array_double_2d tick, array
         offset = 0.0;
         before = 0.0;
     }
-    /*a correction of the length is no motion of the rope*/
     hoist = span_row(&memory, INT64_C(0) + INT64_C(2));
     (*cspan_at(&hoist, INT64_C(0))) = (*cspan_at(&hoist, INT64_C(0))) + (offset - before);
     length = INT64_C(0) + INT64_C(2);
@@ -2835,7 +2595,6 @@ static void track_offset(array_double_1d parameters, array_double_2d tick, array
     }
     (*cspan_at(&memory, INT64_C(10), length)) = (*cspan_at(&measured, length)) + offset;
 }
-/*Begin the estimate at the first measured positions and angles. */
 static void track_start(array_double_1d measured, array_double_1d reference, array_double_2d memory)
 {
     array_double_2d estimate;
@@ -2853,7 +2612,6 @@ static void track_start(array_double_1d measured, array_double_1d reference, arr
     (*cspan_at(&estimate, INT64_C(1), INT64_C(1))) = (*cspan_at(&reference, phi_y)) - (*cspan_at(&measured, phi_y));
     (*cspan_at(&memory, INT64_C(3), INT64_C(3))) = 1.0;
 }
-/*Correct the estimate by the signals, and predict it to when a correction acts. */
 static void track_observe(array_double_1d parameters, array_double_3d table, array_double_2d memory)
 {
     array_double_1d measured;
@@ -2874,19 +2632,12 @@ static void track_observe(array_double_1d parameters, array_double_3d table, arr
     }
     predict_present(parameters, length, table, memory);
 }
-/*Whether corrections act: enabled, and a deviation has woken the feedback.*/
 static bool track_acts(array_double_1d parameters, array_double_2d memory)
 {
     bool result;
     result = ((*cspan_at(&parameters, INT64_C(9))) > 0.5) && ((*cspan_at(&memory, INT64_C(4), INT64_C(6))) > 0.5);
     return result;
 }
-/*Estimated deviation from the state that balances the disturbances.                               */
-/*                                                                                                 */
-/*    A load pushed by an acceleration w hangs at the angle w / g. Its position is right if the    */
-/*    carriage is at -l w / g, and its height if the rope is longer by l (w / g)^2 / 2. A sensor of*/
-/*    the angle that is wrong by w / g shows the same while all is in place.                       */
-/*                                                                                                 */
 static void track_deviation(array_double_1d parameters, array_double_2d memory)
 {
     double length;
@@ -2930,14 +2681,9 @@ static void track_deviation(array_double_1d parameters, array_double_2d memory)
         (*cspan_at(&deviation, INT64_C(8) + i)) = sign * (*cspan_at(&estimate, INT64_C(3)));
         slant = slant + 0.5 * moves * length * angle * angle;
     }
-    /*the length of the first argument selects the gains, the difference is the deviation*/
     (*cspan_at(&target, INT64_C(0) + INT64_C(2))) = length - (*cspan_at(&deviation, INT64_C(0) + INT64_C(2))) + slant;
     (*cspan_at(&deviation, INT64_C(0) + INT64_C(2))) = length;
 }
-/*What bounds depend on: drives move as commanded, or as estimated where forces are commanded. */
-/*                                                                                             */
-/*    The load's mass is the estimated one.                                                    */
-/*                                                                                             */
 static void track_situation(array_double_1d parameters, array_double_2d tick, array_double_2d memory)
 {
     array_double_1d situation;
@@ -2978,7 +2724,6 @@ static void track_situation(array_double_1d parameters, array_double_2d tick, ar
         (*cspan_at(&situation, INT64_C(8) + i)) = rate;
     }
 }
-/*Forces that also reject the estimated disturbances.*/
 static void track_forces(array_double_1d parameters, array_double_2d memory, array_double_1d correction)
 {
     double rejected;
@@ -3005,7 +2750,6 @@ static void track_forces(array_double_1d parameters, array_double_2d memory, arr
     rope = (1.0 + share) * rope - share * (*cspan_at(&parameters, INT64_C(6)));
     (*cspan_at(&correction, INT64_C(2))) = payload * rope;
 }
-/*Feedback on the estimated deviation, written to `tick`.*/
 static void track_law(array_double_1d parameters, array_double_3d gains, array_double_2d tick, array_double_2d memory)
 {
     array_double_1d correction;
@@ -3024,7 +2768,6 @@ static void track_law(array_double_1d parameters, array_double_3d gains, array_d
             (*cspan_at(&correction, i)) = 0.0;
             if (driven)
             {
-                /*the velocity added by the feedback must return to zero*/
                 added = (*cspan_at(&memory, INT64_C(3), INT64_C(0) + i));
                 fade = span_max((*cspan_at(&parameters, INT64_C(10))), (*cspan_at(&parameters, INT64_C(1))));
                 (*cspan_at(&correction, i)) = (-added) / fade;
@@ -3042,7 +2785,6 @@ static void track_law(array_double_1d parameters, array_double_3d gains, array_d
         track_forces(parameters, memory, correction);
     }
 }
-/*The rope's acceleration for the limited force; update of the payload's estimate. */
 static void track_hoist(array_double_1d parameters, array_double_2d memory)
 {
     double gravity;
@@ -3062,10 +2804,6 @@ static void track_hoist(array_double_1d parameters, array_double_2d memory)
         (*cspan_at(&memory, INT64_C(5), INT64_C(3))) = span_min(span_max(share, -0.98), 9.0);
     }
 }
-/*Compute the correction at a tick, held until the next one, and write it to `tick`. */
-/*                                                                                   */
-/*    Only the limits use the setpoints to which it is added.                        */
-/*                                                                                   */
 void segfmu_track_setpoint(array_double_1d parameters, array_double_3d table, array_double_3d gains, array_double_2d tick, array_double_2d memory)
 {
     array_double_1d correction;
@@ -3090,13 +2828,11 @@ void segfmu_track_setpoint(array_double_1d parameters, array_double_3d table, ar
     {
         if ((*cspan_at(&memory, INT64_C(3), INT64_C(4))) > 0.5)
         {
-            /*bumpless: the jump at a switch is added and fades out*/
             (*cspan_at(&step, INT64_C(0) + i)) = (*cspan_at(&held, INT64_C(3) + i)) - (*cspan_at(&correction, i));
         }
         (*cspan_at(&step, INT64_C(0) + i)) = (*cspan_at(&parameters, INT64_C(11))) * (*cspan_at(&step, INT64_C(0) + i));
         (*cspan_at(&correction, i)) = (*cspan_at(&correction, i)) + (*cspan_at(&step, INT64_C(0) + i));
         bound_correction(i, parameters, tick, span_row(&memory, INT64_C(30)));
-        /*the observer gets the limited correction, so nothing winds up*/
         (*cspan_at(&held, INT64_C(3) + i)) = (*cspan_at(&correction, i));
         (*cspan_at(&held, INT64_C(0) + i)) = (*cspan_at(&correction, i));
     }
@@ -3106,7 +2842,6 @@ void segfmu_track_setpoint(array_double_1d parameters, array_double_3d table, ar
     }
     (*cspan_at(&memory, INT64_C(3), INT64_C(4))) = 0.0;
 }
-/*Right-hand side of (1): derivative of the state under forces on every coordinate.*/
 void segfmu_crane_rhs(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative)
 {
     double l;
@@ -3218,7 +2953,6 @@ void segfmu_crane_rhs(array_double_1d state, array_double_1d generalized_force, 
     (*cspan_at(&derivative, INT64_C(8))) = (-c3) * (c12 * c28 + c19 * c2 + c26 * c27);
     (*cspan_at(&derivative, INT64_C(9))) = c10 * ((-c27) * c7 + c28 * c9);
 }
-/*The same for given accelerations of bridge, trolley and rope, with the forces they need. */
 void segfmu_crane_driven(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative, array_double_1d force)
 {
     double l;
@@ -3345,7 +3079,6 @@ void segfmu_crane_driven(array_double_1d state, array_double_1d carriage, array_
     (*cspan_at(&force, INT64_C(1))) = a_y * trolley_mass + payload_mass * (c19 - c24 * c33 + c31) - w_y;
     (*cspan_at(&force, INT64_C(2))) = payload_mass * ((-c11) * c2 * (c20 + c31 + c33 * c34) - c12 * c2 * (c23 + c29 * c3 * c34 + c30 * c32) + c3 * (c26 + c28 * c34 + c9));
 }
-/*Flat inverse (7): flat[d, i] is the d-th derivative of the load's position in axis i.*/
 void segfmu_crane_flat_inverse(array_double_2d flat, array_double_1d masses, array_double_1d force, array_double_1d state, array_double_1d acceleration)
 {
     double p0x;
@@ -3541,7 +3274,6 @@ void segfmu_crane_flat_inverse(array_double_2d flat, array_double_1d masses, arr
     (*cspan_at(&acceleration, INT64_C(3))) = c41 * ((-c28) * p4x + c55 * p4y + c56 * p4z + p3x * ((-c45) * c59 + c45 - c47 * c59 + c47 + c58 * p2x) - p3y * (c21 * c41 * c56 + c24 * c57 * c61 + c24 * c62 * p3y + c44 * p3x - c58 * p2y - c61 + c62 * c63) - p3z * ((-c0) * c58 + c46 * p3x + c5 * c57 * c64 + c5 * c62 * p3z + c55 * c57 * c65 + c62 * c66 - c64));
     (*cspan_at(&acceleration, INT64_C(4))) = c48 * (c0 * p4y - c16 - p3y * ((-c24) * c67 * p3z + c66 * c67 + p3z) + p3z * ((-c5) * c67 * p3y + c63 * c67 + p3y));
 }
-/*Position load[0] and velocity load[1] of the load, (16). */
 void segfmu_crane_load(array_double_1d state, array_double_2d load)
 {
     double x_t;
@@ -3591,7 +3323,6 @@ void segfmu_crane_load(array_double_1d state, array_double_2d load)
     (*cspan_at(&load, INT64_C(1), INT64_C(1))) = (-c2) * c8 + c2 * c9 - c7 * phi_y_rate + y_t_rate;
     (*cspan_at(&load, INT64_C(1), INT64_C(2))) = c5 * phi_y_rate - c6 * c8 + c6 * c9;
 }
-/*Kinetic and potential energy, (17a) and (17b). */
 void segfmu_crane_energy(array_double_1d state, array_double_1d masses, array_double_1d energy)
 {
     double l;
@@ -3647,7 +3378,6 @@ void segfmu_crane_energy(array_double_1d state, array_double_1d masses, array_do
     (*cspan_at(&energy, INT64_C(0))) = 1.0 / 2.0 * bridge_mass * c0 + 1.0 / 2.0 * payload_mass * (c10 * c10 + c11 * c11 + c12 * c12) + 1.0 / 2.0 * trolley_mass * (c0 + y_t_rate * y_t_rate);
     (*cspan_at(&energy, INT64_C(1))) = (-c4) * c8 * gravity * payload_mass;
 }
-/*Accelerations (5) by the state (10), generalised forces (5) and load forces (3). */
 static void crane_rhs_partials(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_2d partials)
 {
     double l;
@@ -4003,8 +3733,6 @@ static void crane_rhs_partials(array_double_1d state, array_double_1d generalize
     (*cspan_at(&partials, INT64_C(4), INT64_C(16))) = (-c40) * c42;
     (*cspan_at(&partials, INT64_C(4), INT64_C(17))) = c15 * c39 * c42;
 }
-/*Sway accelerations (2) and forces (3) by the state (10), the accelerations of bridge, trolley*/
-/*    and rope (3), the torques (2) and load forces (3).                                       */
 static void crane_driven_partials(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_2d partials)
 {
     double l;
@@ -4460,7 +4188,6 @@ static void crane_driven_partials(array_double_1d state, array_double_1d carriag
     (*cspan_at(&partials, INT64_C(4), INT64_C(16))) = (-c100) * c162;
     (*cspan_at(&partials, INT64_C(4), INT64_C(17))) = c99 * ((-c133) * c84 - c142 * c83 - c161 - c83 + INT64_C(1));
 }
-/*Position and velocity of the load (6) by the state (10). */
 void segfmu_crane_load_partials(array_double_1d state, array_double_2d partials)
 {
     double l;
@@ -4570,7 +4297,6 @@ void segfmu_crane_load_partials(array_double_1d state, array_double_2d partials)
     (*cspan_at(&partials, INT64_C(5), INT64_C(8))) = c13;
     (*cspan_at(&partials, INT64_C(5), INT64_C(9))) = c14;
 }
-/*Kinetic and potential energy by the state (10).*/
 void segfmu_crane_energy_partials(array_double_1d state, array_double_1d masses, array_double_2d partials)
 {
     double l;
@@ -4666,7 +4392,6 @@ void segfmu_crane_energy_partials(array_double_1d state, array_double_1d masses,
     (*cspan_at(&partials, INT64_C(1), INT64_C(8))) = 0.0;
     (*cspan_at(&partials, INT64_C(1), INT64_C(9))) = 0.0;
 }
-/*Put a derivative of a polynomial of `count` coefficients into found. */
 static void polynomial_differentiate(array_double_1d a, int64_t count, int64_t order, array_double_1d found)
 {
     int64_t i;
@@ -4682,7 +4407,6 @@ static void polynomial_differentiate(array_double_1d a, int64_t count, int64_t o
         (*cspan_at(&found, i)) = factor * (*cspan_at(&a, i + order));
     }
 }
-/*found = found + a b. */
 static void polynomial_add_product(array_double_1d a, int64_t a_count, array_double_1d b, int64_t b_count, array_double_1d found)
 {
     int64_t i;
@@ -4695,7 +4419,6 @@ static void polynomial_add_product(array_double_1d a, int64_t a_count, array_dou
         }
     }
 }
-/*found = 0.           */
 static void polynomial_clear(array_double_1d found)
 {
     int64_t i;
@@ -4704,13 +4427,11 @@ static void polynomial_clear(array_double_1d found)
         (*cspan_at(&found, i)) = 0.0;
     }
 }
-/*Rewrite a polynomial, in place, about the offset: its value at 0 is the one at the offset. */
 static void polynomial_shift(array_double_1d a, double offset, int64_t count)
 {
     int64_t i;
     int64_t j;
     int64_t k;
-    /*repeated synthetic division*/
     for (i = INT64_C(0); i < count - INT64_C(1); i += INT64_C(1))
     {
         for (j = INT64_C(0); j < count - INT64_C(1) - i; j += INT64_C(1))
@@ -4720,7 +4441,6 @@ static void polynomial_shift(array_double_1d a, double offset, int64_t count)
         }
     }
 }
-/*The pull w of each axis from the load's position.*/
 static void rope_pull(double gravity, int64_t width, array_double_2d work)
 {
     polynomial_differentiate(span_row(&work, INT64_C(0)), width, INT64_C(2), span_row(&work, INT64_C(3)));
@@ -4728,11 +4448,6 @@ static void rope_pull(double gravity, int64_t width, array_double_2d work)
     polynomial_differentiate(span_row(&work, INT64_C(0) + INT64_C(2)), width, INT64_C(2), span_row(&work, INT64_C(3) + INT64_C(2)));
     (*cspan_at(&work, INT64_C(3) + INT64_C(2), INT64_C(0))) = (*cspan_at(&work, INT64_C(3) + INT64_C(2), INT64_C(0))) + gravity;
 }
-/*Put the polynomial of a demand into work[RopeWork.DEMAND, :]; returns its length.                  */
-/*                                                                                                   */
-/*    bound: least distance below the trolley [m], least remainder of gravity [m/s2], or rope length */
-/*    [m].                                                                                           */
-/*                                                                                                   */
 static int64_t rope_margin(int64_t demand, double bound, int64_t width, array_double_2d work)
 {
     array_double_1d z;
@@ -4771,18 +4486,14 @@ static int64_t rope_margin(int64_t demand, double bound, int64_t width, array_do
         (*cspan_at(&margin, INT64_C(0))) = (*cspan_at(&margin, INT64_C(0))) - bound;
         return width - INT64_C(2);
     }
-    /*product_0 = w_z**2*/
     polynomial_clear(product_0);
     polynomial_add_product(w_z, width - INT64_C(2), w_z, width - INT64_C(2), product_0);
-    /*product_1 = z**2*/
     polynomial_clear(product_1);
     polynomial_add_product(z, width, z, width, product_1);
-    /*product_2 = w_x**2 + w_y**2 + w_z**2*/
     polynomial_clear(product_2);
     polynomial_add_product(w_x, width - INT64_C(2), w_x, width - INT64_C(2), product_2);
     polynomial_add_product(w_y, width - INT64_C(2), w_y, width - INT64_C(2), product_2);
     polynomial_add_product(w_z, width - INT64_C(2), w_z, width - INT64_C(2), product_2);
-    /*margin = z**2*(w_x**2 + w_y**2 + w_z**2)*/
     polynomial_clear(margin);
     polynomial_add_product(product_1, INT64_C(2) * width - INT64_C(1), product_2, INT64_C(2) * width - INT64_C(5), margin);
     sign = 1.0;
@@ -4796,7 +4507,6 @@ static int64_t rope_margin(int64_t demand, double bound, int64_t width, array_do
     }
     return INT64_C(4) * width - INT64_C(7);
 }
-/*What a demand bounds: height [m], acceleration downwards [m/s2] or rope's length [m].*/
 static double rope_value(int64_t demand, double gravity, double z, double w_x, double w_y, double w_z)
 {
     if (demand == INT64_C(1))
@@ -4809,7 +4519,6 @@ static double rope_value(int64_t demand, double gravity, double z, double w_x, d
     }
     return (-z) * sqrt(w_x * w_x + w_y * w_y + w_z * w_z) / w_z;
 }
-/*order! as a float.   */
 static double series_factorial(int64_t order)
 {
     int64_t i;
@@ -4821,7 +4530,6 @@ static double series_factorial(int64_t order)
     }
     return product;
 }
-/*Series of a function from its derivatives in a column of `values`, from a row on.*/
 static void series_of_derivatives(array_double_2d values, int64_t first, int64_t column, int64_t count, array_double_1d found)
 {
     double scale;
@@ -4836,14 +4544,12 @@ static void series_of_derivatives(array_double_2d values, int64_t first, int64_t
         (*cspan_at(&found, i)) = (*cspan_at(&values, first + i, column)) / scale;
     }
 }
-/*The derivative of an order, from a series. */
 static double series_derivative(array_double_1d a, int64_t order)
 {
     double result;
     result = series_factorial(order) * (*cspan_at(&a, order));
     return result;
 }
-/*found = a + b.       */
 static void series_sum(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found)
 {
     int64_t i;
@@ -4852,7 +4558,6 @@ static void series_sum(array_double_1d a, array_double_1d b, int64_t count, arra
         (*cspan_at(&found, i)) = (*cspan_at(&a, i)) + (*cspan_at(&b, i));
     }
 }
-/*found = a - b.       */
 static void series_difference(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found)
 {
     int64_t i;
@@ -4861,7 +4566,6 @@ static void series_difference(array_double_1d a, array_double_1d b, int64_t coun
         (*cspan_at(&found, i)) = (*cspan_at(&a, i)) - (*cspan_at(&b, i));
     }
 }
-/*found = -a.          */
 static void series_negative(array_double_1d a, int64_t count, array_double_1d found)
 {
     int64_t i;
@@ -4870,7 +4574,6 @@ static void series_negative(array_double_1d a, int64_t count, array_double_1d fo
         (*cspan_at(&found, i)) = -(*cspan_at(&a, i));
     }
 }
-/*found = a b.         */
 static void series_product(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found)
 {
     int64_t k;
@@ -4886,7 +4589,6 @@ static void series_product(array_double_1d a, array_double_1d b, int64_t count, 
         (*cspan_at(&found, k)) = total;
     }
 }
-/*found = a / b, where b[0] is not zero. */
 static void series_quotient(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found)
 {
     int64_t k;
@@ -4902,7 +4604,6 @@ static void series_quotient(array_double_1d a, array_double_1d b, int64_t count,
         (*cspan_at(&found, k)) = total / (*cspan_at(&b, INT64_C(0)));
     }
 }
-/*found = sqrt(a), where a[0] is positive. */
 static void series_root(array_double_1d a, int64_t count, array_double_1d found)
 {
     int64_t k;
@@ -4919,7 +4620,6 @@ static void series_root(array_double_1d a, int64_t count, array_double_1d found)
         (*cspan_at(&found, k)) = total / (2.0 * (*cspan_at(&found, INT64_C(0))));
     }
 }
-/*found = atan2(y, x), where square = x x + y y: its rate is (x y' - y x') / square. */
 static void series_angle(array_double_1d y, array_double_1d x, array_double_1d square, int64_t count, array_double_1d scratch, array_double_1d found)
 {
     int64_t k;
@@ -4941,11 +4641,6 @@ static void series_angle(array_double_1d y, array_double_1d x, array_double_1d s
         (*cspan_at(&found, k + INT64_C(1))) = (*cspan_at(&scratch, k)) / (k + 1.0);
     }
 }
-/*Derivatives, of an order, of what `crane_flat_inverse` gives.                              */
-/*                                                                                           */
-/*    flat (order + 5, 3) holds the derivatives 0 .. order + 4 of the load's position; masses*/
-/*    (Masses.SIZE), work (FlatSeries.SIZE, order + 3 or more), found (FlatInverse.SIZE).    */
-/*                                                                                           */
 void segfmu_flat_derivatives(array_double_2d flat, int64_t order, array_double_1d masses, array_double_2d work, array_double_1d found)
 {
     double bridge_mass;
@@ -5003,31 +4698,22 @@ void segfmu_flat_derivatives(array_double_2d flat, int64_t order, array_double_1
     series_of_derivatives(flat, INT64_C(2), INT64_C(1), count, w_y);
     series_of_derivatives(flat, INT64_C(2), INT64_C(2), count, w_z);
     (*cspan_at(&w_z, INT64_C(0))) = (*cspan_at(&w_z, INT64_C(0))) + gravity;
-    /*s0 = z/w_z*/
     series_quotient(z, w_z, count, s0);
-    /*s1 = w_y**2 + w_z**2*/
     series_product(w_y, w_y, count, s2);
     series_product(w_z, w_z, count, s3);
     series_sum(s2, s3, count, s1);
-    /*s2 = s1 + w_x**2*/
     series_product(w_x, w_x, count, s3);
     series_sum(s1, s3, count, s2);
-    /*s3 = sqrt(s2)*/
     series_root(s2, count, s3);
-    /*x_t = -s0*w_x + x*/
     series_product(s0, w_x, count, s4);
     series_difference(x, s4, count, x_t);
-    /*y_t = -s0*w_y + y*/
     series_product(s0, w_y, count, s4);
     series_difference(y, s4, count, y_t);
-    /*l = -s0*s3*/
     series_product(s0, s3, count, l);
     series_negative(l, count, l);
-    /*phi_x = atan2(-w_x, sqrt(s1))*/
     series_negative(w_x, count, s4);
     series_root(s1, count, s5);
     series_angle(s4, s5, s2, count, s6, phi_x);
-    /*phi_y = atan2(w_y, w_z)*/
     series_angle(w_y, w_z, s1, count, s4, phi_y);
     for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
     {
@@ -5040,7 +4726,6 @@ void segfmu_flat_derivatives(array_double_2d flat, int64_t order, array_double_1
     (*cspan_at(&found, INT64_C(0) + INT64_C(1))) = payload_mass * (*cspan_at(&flat, order + INT64_C(2), INT64_C(1))) + trolley_mass * (*cspan_at(&found, INT64_C(13) + INT64_C(1)));
     (*cspan_at(&found, INT64_C(0) + INT64_C(2))) = (-payload_mass) * scale * (*cspan_at(&s3, order));
 }
-/*How far [m] an axis is beyond its end stops: negative at the lower one, 0 between them.*/
 static double compression(array_double_1d plant, int64_t axis, double position)
 {
     double result;
@@ -5052,7 +4737,6 @@ static double compression(array_double_1d plant, int64_t axis, double position)
     result = span_min(position - (*cspan_at(&plant, INT64_C(38) + axis)), 0.0);
     return result;
 }
-/*Resistance [N] of the buffer that an axis presses, if any. */
 static double buffer_force(array_double_1d plant, int64_t axis, double position, double velocity)
 {
     double pressed;
@@ -5073,7 +4757,6 @@ static double buffer_force(array_double_1d plant, int64_t axis, double position,
     }
     return force;
 }
-/*Derivatives of the resistance by position [N/m] and velocity [N s/m].*/
 static int64_t buffer_slopes(double* result_0_0001, double* result_1_0001, array_double_1d plant, int64_t axis, double position, double velocity)
 {
     if (buffer_force(plant, axis, position, velocity) == 0.0)
@@ -5086,12 +4769,6 @@ static int64_t buffer_slopes(double* result_0_0001, double* result_1_0001, array
     (*result_1_0001) = (*cspan_at(&plant, INT64_C(47) + axis));
     return 0;
 }
-/*Velocity setpoints, and forces in place, of bridge, trolley and hoist (3 each).                    */
-/*                                                                                                   */
-/*    velocity and acceleration [m/s], [m/s2] are the planned ones; known: a `Compensation`. A drive */
-/*    with lag, v' = (v* - v) / T, follows v exactly if v* = v + T v'; friction viscous v + coulomb  */
-/*    tanh(v / width) is added to the forces.                                                        */
-/*                                                                                                   */
 void segfmu_compensate_setpoints(array_double_1d velocity, array_double_1d acceleration, array_double_1d known, array_double_1d force, array_double_1d setpoint)
 {
     double width;
@@ -5107,11 +4784,6 @@ void segfmu_compensate_setpoints(array_double_1d velocity, array_double_1d accel
         (*cspan_at(&force, i)) = (*cspan_at(&force, i)) + viscous + coulomb;
     }
 }
-/*Demands of many motions, a `Demand` per row.                                                         */
-/*                                                                                                     */
-/*    flat[row, d, i] is the d-th derivative of the load's position in axis i; masses: `Masses`; work: */
-/*    `DemandWork`. The power is force times velocity: positive where the drive does work.             */
-/*                                                                                                     */
 void segfmu_drive_demands(array_double_3d flat, array_double_1d masses, array_double_2d work, array_double_2d demands)
 {
     int64_t i;
@@ -5136,21 +4808,18 @@ void segfmu_drive_demands(array_double_3d flat, array_double_1d masses, array_do
         }
     }
 }
-/*Whether a rope without tension is allowed. */
 static bool may_slacken(array_double_1d plant)
 {
     bool result;
     result = (int64_t)((*cspan_at(&plant, INT64_C(67)))) == INT64_C(1);
     return result;
 }
-/*Whether the load is nearer to the trolley than rope is paid out. */
 static bool is_slack(array_double_1d state)
 {
     bool result;
     result = (*cspan_at(&state, INT64_C(16))) > 0.5;
     return result;
 }
-/*Position of a carriage, or length of the rope that is paid out [m].*/
 static double axis_position(array_double_1d state, int64_t axis)
 {
     double result;
@@ -5162,7 +4831,6 @@ static double axis_position(array_double_1d state, int64_t axis)
     result = (*cspan_at(&state, INT64_C(0) + axis));
     return result;
 }
-/*Velocity of a carriage, or rate of the rope that is paid out [m/s].*/
 static double axis_velocity(array_double_1d state, int64_t axis)
 {
     double result;
@@ -5174,7 +4842,6 @@ static double axis_velocity(array_double_1d state, int64_t axis)
     result = (*cspan_at(&state, INT64_C(5) + axis));
     return result;
 }
-/*Whether a taut rope would have to push, or a slack one is too short. */
 static bool bears_wrongly(array_double_1d plant, array_double_1d state, double rope_force)
 {
     double over;
@@ -5188,11 +4855,6 @@ static bool bears_wrongly(array_double_1d plant, array_double_1d state, double r
     result = rope_force > 1e-09 * (*cspan_at(&plant, INT64_C(2))) * (*cspan_at(&plant, INT64_C(3)));
     return result;
 }
-/*Let a taut rope go slack, or end a slack rope by the impulse that makes it taut.                 */
-/*                                                                                                 */
-/*    With the load's mass m, its rate against the rope u, and the velocity v along the rope of the*/
-/*    rope's end, the drives do the work -m u v, and m u^2 / 2 is lost.                            */
-/*                                                                                                 */
 static void change_rope(array_double_1d plant, array_double_1d state)
 {
     int64_t rope;
@@ -5224,7 +4886,6 @@ static void change_rope(array_double_1d plant, array_double_1d state)
     (*cspan_at(&state, INT64_C(17))) = 0.0;
     (*cspan_at(&state, INT64_C(18))) = 0.0;
 }
-/*Where a force drive would push a rope that may slacken, let the drum follow the load.*/
 static void run_on(array_double_1d plant, array_double_2d work)
 {
     array_double_1d force;
@@ -5243,7 +4904,6 @@ static void run_on(array_double_1d plant, array_double_2d work)
         (*cspan_at(&force, INT64_C(3) + i)) = 0.0;
     }
 }
-/*Derivative of the crane under force demands; see `driven_derivative`.*/
 static void forced_derivative(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative)
 {
     array_double_1d force;
@@ -5282,10 +4942,6 @@ static void forced_derivative(array_double_1d plant, array_double_1d state, arra
     }
     (*cspan_at(&action, INT64_C(6))) = (*cspan_at(&force, INT64_C(0) + INT64_C(2)));
 }
-/*The same while the rope is slack: the load falls freely, the drum follows its demand.*/
-/*                                                                                     */
-/*    Each carriage has its own mass to move, the drum only its friction.              */
-/*                                                                                     */
 static void slack_derivative(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative)
 {
     array_double_1d force;
@@ -5319,7 +4975,6 @@ static void slack_derivative(array_double_1d plant, array_double_1d state, array
     (*cspan_at(&derivative, INT64_C(18))) = (*cspan_at(&work, INT64_C(17), INT64_C(2)));
     (*cspan_at(&action, INT64_C(6))) = 0.0;
 }
-/*Derivative and drive forces under the accelerations demanded.*/
 static void driven_forces(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative)
 {
     array_double_1d action;
@@ -5332,11 +4987,6 @@ static void driven_forces(array_double_1d plant, array_double_1d state, array_do
         (*cspan_at(&action, INT64_C(0) + i)) = (*cspan_at(&action, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(18), i));
     }
 }
-/*Derivative of the crane under velocity demands, without lag acceleration demands.                */
-/*                                                                                                 */
-/*    work contains the demands, the torques on the sway angles, wind and friction; the forces and */
-/*    accelerations that act are written to it.                                                    */
-/*                                                                                                 */
 static void driven_derivative(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative)
 {
     array_double_1d action;
@@ -5380,10 +5030,6 @@ static void driven_derivative(array_double_1d plant, array_double_1d state, arra
         }
     }
 }
-/*Fill in PlantFault for a status other than DONE at a time [s], for messages.       */
-/*                                                                                   */
-/*    Returns the status without the axis: BELOW_TRAVEL or ABOVE_TRAVEL for any axis.*/
-/*                                                                                   */
 int64_t segfmu_plant_failure(int64_t status, double time, array_double_1d state, array_double_1d plant, array_double_1d fault)
 {
     int64_t axis;
@@ -5403,7 +5049,6 @@ int64_t segfmu_plant_failure(int64_t status, double time, array_double_1d state,
     (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(38) + axis));
     return INT64_C(6);
 }
-/*Dry friction [N] at a velocity: from static to Coulomb friction (R. Stribeck 1902).*/
 static double dry_level(array_double_1d plant, int64_t axis, double velocity)
 {
     double ratio;
@@ -5417,7 +5062,6 @@ static double dry_level(array_double_1d plant, int64_t axis, double velocity)
     coulomb = coulomb + ((*cspan_at(&plant, INT64_C(29) + axis)) - coulomb) * exp((-ratio) * ratio);
     return coulomb;
 }
-/*Derivative of the dry friction by the velocity [N s/m].*/
 static double level_slope(array_double_1d plant, int64_t axis, double velocity)
 {
     double coulomb;
@@ -5432,21 +5076,18 @@ static double level_slope(array_double_1d plant, int64_t axis, double velocity)
     result = (-2.0) * velocity / (width * width) * (dry_level(plant, axis, velocity) - coulomb);
     return result;
 }
-/*Whether an axis has dry friction.*/
 static bool rubs(array_double_1d plant, int64_t axis)
 {
     bool result;
     result = ((*cspan_at(&plant, INT64_C(26) + axis)) > 0.0) || ((*cspan_at(&plant, INT64_C(29) + axis)) > 0.0);
     return result;
 }
-/*Deflection of a contact over that at which it slides, -1 to 1. */
 static double deflected(array_double_1d plant, double deflection)
 {
     double result;
     result = span_min(span_max(deflection / (*cspan_at(&plant, INT64_C(36))), -1.0), 1.0);
     return result;
 }
-/*Damping [N s/m] that lets a mass come to rest in its contact without a swing.*/
 static double contact_damping(array_double_1d plant, int64_t axis)
 {
     double mass;
@@ -5461,7 +5102,6 @@ static double contact_damping(array_double_1d plant, int64_t axis)
     result = 2.0 * sqrt(1.5 * static_0001 * mass / (*cspan_at(&plant, INT64_C(36))));
     return result;
 }
-/*Friction [N] against a velocity [m/s], with the deflection [m] of the contact. */
 static double friction_force(array_double_1d plant, int64_t axis, double velocity, double deflection)
 {
     double level;
@@ -5475,14 +5115,12 @@ static double friction_force(array_double_1d plant, int64_t axis, double velocit
         level = dry_level(plant, axis, velocity);
         share = deflected(plant, deflection);
         friction = friction + level * 0.5 * share * (3.0 - share * share);
-        /*damped within the contact, by at most the friction itself*/
         damped = contact_damping(plant, axis) * velocity / level;
         damped = damped / sqrt(1.0 + damped * damped);
         friction = friction + level * damped * (1.0 - share * share);
     }
     return friction;
 }
-/*Derivatives of the friction by velocity [N s/m] and deflection [N/m].*/
 static int64_t friction_slopes(double* result_0, double* result_1_0001, array_double_1d plant, int64_t axis, double velocity, double deflection)
 {
     double by_velocity;
@@ -5510,7 +5148,6 @@ static int64_t friction_slopes(double* result_0, double* result_1_0001, array_do
     damped = damping * velocity / level;
     root = sqrt(1.0 + damped * damped);
     by_velocity = by_velocity + slope * 0.5 * share * (3.0 - share * share);
-    /*level * damped / root, whose ratio changes with the level*/
     changed = (damping - damped * slope) / (root * root * root);
     by_velocity = by_velocity + rest * (slope * damped / root + changed);
     if (fabs(share) >= 1.0)
@@ -5524,7 +5161,6 @@ static int64_t friction_slopes(double* result_0, double* result_1_0001, array_do
     (*result_1_0001) = by_share / (*cspan_at(&plant, INT64_C(36)));
     return 0;
 }
-/*Derivative of a deflection [m/s]: the velocity, but 0 where the contact slides.*/
 static double deflection_rate(array_double_1d plant, int64_t axis, double velocity, double deflection)
 {
     if (!rubs(plant, axis))
@@ -5537,7 +5173,6 @@ static double deflection_rate(array_double_1d plant, int64_t axis, double veloci
     }
     return velocity;
 }
-/*Deflection [m] of a contact at the start: one that moves slides. */
 static double first_deflection(array_double_1d plant, int64_t axis, double velocity)
 {
     double share;
@@ -5550,12 +5185,10 @@ static double first_deflection(array_double_1d plant, int64_t axis, double veloc
     result = (*cspan_at(&plant, INT64_C(36))) * span_min(span_max(share, -1.0), 1.0);
     return result;
 }
-/*2 pi; C99 has no name for it.*/
 static double full_circle(void)
 {
     return 6.283185307179586;
 }
-/*A number in the open interval (0, 1).*/
 double segfmu_next_uniform(array_double_1d numbers)
 {
     double first;
@@ -5572,7 +5205,6 @@ double segfmu_next_uniform(array_double_1d numbers)
     }
     return difference / 2147483563.0;
 }
-/*Start the random numbers; seed in 0 .. 2^31 - 1. */
 void segfmu_seed_numbers(int64_t seed, array_double_1d numbers)
 {
     int64_t other;
@@ -5580,13 +5212,11 @@ void segfmu_seed_numbers(int64_t seed, array_double_1d numbers)
     other = seed * INT64_C(69069) + INT64_C(12345);
     (*cspan_at(&numbers, INT64_C(0))) = 1.0 + seed - span_floor_div(seed, INT64_C(2147483562)) * INT64_C(2147483562);
     (*cspan_at(&numbers, INT64_C(1))) = 1.0 + other - span_floor_div(other, INT64_C(2147483398)) * INT64_C(2147483398);
-    /*similar seeds give similar first numbers, so skip some*/
     for (Dummy_0000 = INT64_C(0); Dummy_0000 < INT64_C(20); Dummy_0000 += INT64_C(1))
     {
         segfmu_next_uniform(numbers);
     }
 }
-/*A number of the standard normal distribution, by Box and Muller. */
 static double next_normal(array_double_1d numbers)
 {
     double radius;
@@ -5595,13 +5225,6 @@ static double next_normal(array_double_1d numbers)
     result = radius * cos(full_circle() * segfmu_next_uniform(numbers));
     return result;
 }
-/*Sines that add up to noise whose spectrum is flat up to a bandwidth [Hz] and zero above.           */
-/*                                                                                                   */
-/*    deviation (3,): standard deviations along x, y, z [N]; components (count, 8): a `Sinusoid` a   */
-/*    row, a sine with a random phase.                                                               */
-/*    Spectral representation of M. Shinozuka and C.-M. Jan, J. Sound Vib. 25 (1972); the frequencies*/
-/*    are random within equal bands, so that the noise has no period.                                */
-/*                                                                                                   */
 void segfmu_noise_components(double bandwidth, array_double_1d deviation, array_double_1d numbers, array_double_2d components)
 {
     int64_t count;
@@ -5624,13 +5247,6 @@ void segfmu_noise_components(double bandwidth, array_double_1d deviation, array_
         }
     }
 }
-/*Sines that add up to the turbulence of wind with a mean speed [m/s], up to a bandwidth [Hz].       */
-/*                                                                                                   */
-/*    deviation (3,): standard deviations along x, y, z [m/s]; components: as `noise_components`.    */
-/*    Spectrum of A. G. Davenport, Quart. J. R. Met. Soc. 87 (1961), f S / s^2 = 2 X^2 / (3 (1 + X^2)*/
-/*    ^(4/3)) with X = f length / speed, whose integral is 1 - (1 + X^2)^(-1/3). The sines divide it */
-/*    into equal parts, at a random frequency within each.                                           */
-/*                                                                                                   */
 void segfmu_turbulence_components(double speed, double length, double bandwidth, array_double_1d deviation, array_double_1d numbers, array_double_2d components)
 {
     int64_t count;
@@ -5660,7 +5276,6 @@ void segfmu_turbulence_components(double speed, double length, double bandwidth,
         }
     }
 }
-/*Force of a gust relative to its peak, at a share of its duration.*/
 static double gust_factor(double shape, double share)
 {
     if ((share <= 0.0) || (share >= 1.0))
@@ -5673,11 +5288,9 @@ static double gust_factor(double shape, double share)
     }
     return 0.5 * (1.0 - cos(full_circle() * share));
 }
-/*Derivative of `gust_factor` by the share of the gust's duration, between its ends. */
 static double gust_rate(double shape, double share)
 {
     double angle;
-    /*both shapes are sines of the share: their rate is the shape a quarter period later*/
     angle = full_circle() * share;
     if ((int64_t)(shape) == INT64_C(1))
     {
@@ -5685,7 +5298,6 @@ static double gust_rate(double shape, double share)
     }
     return 0.5 * full_circle() * cos(angle - 0.25 * full_circle());
 }
-/*Add a sinusoid to a vector.*/
 static void add_sinusoid(array_double_1d component, double sine, double cosine, array_double_1d total)
 {
     int64_t i;
@@ -5696,14 +5308,12 @@ static void add_sinusoid(array_double_1d component, double sine, double cosine, 
         (*cspan_at(&total, i)) = added + (*cspan_at(&component, INT64_C(4) + i)) * cosine;
     }
 }
-/*Force of the air over the square of its relative speed [N s2/m2].*/
 static double drag_factor(array_double_1d plant)
 {
     double result;
     result = 0.5 * (*cspan_at(&plant, INT64_C(66))) * (*cspan_at(&plant, INT64_C(65)));
     return result;
 }
-/*Speed of the air relative to the load [m/s]. */
 static double relative_speed(array_double_1d air)
 {
     double squares;
@@ -5715,7 +5325,6 @@ static double relative_speed(array_double_1d air)
     }
     return sqrt(squares);
 }
-/*Add the drag of the air, rho c A |v| v / 2, to the force; v is relative to the load. */
 static void add_drag(array_double_1d plant, array_double_1d state, array_double_2d work)
 {
     array_double_1d air;
@@ -5735,7 +5344,6 @@ static void add_drag(array_double_1d plant, array_double_1d state, array_double_
         (*cspan_at(&work, INT64_C(14), i)) = (*cspan_at(&work, INT64_C(14), i)) + factor * (*cspan_at(&air, INT64_C(0) + i));
     }
 }
-/*Force on the load [N]: the given one, constant wind, gust, noise, and drag of the air. */
 static void wind_force(array_double_1d plant, array_double_2d components, double time, array_double_1d state, array_double_2d work)
 {
     double gust;
@@ -5779,7 +5387,6 @@ static void wind_force(array_double_1d plant, array_double_2d components, double
         add_drag(plant, state, work);
     }
 }
-/*Derivative of a component of the drag by one of the relative velocity [N s/m]. */
 static double drag_slope(array_double_1d plant, array_double_1d air, int64_t i, int64_t j)
 {
     double speed;
@@ -5798,7 +5405,6 @@ static double drag_slope(array_double_1d plant, array_double_1d air, int64_t i, 
     result = drag_factor(plant) * slope;
     return result;
 }
-/*Add the time derivative of a sinusoid to a vector, from a place on.*/
 static void add_rate(array_double_1d component, double time, int64_t first, array_double_1d total)
 {
     double frequency;
@@ -5814,7 +5420,6 @@ static void add_rate(array_double_1d component, double time, int64_t first, arra
         (*cspan_at(&total, first + i)) = (*cspan_at(&total, first + i)) + frequency * sines;
     }
 }
-/*Write the time derivatives of the air's velocity and of the force, where the load stays. */
 static void wind_rates(array_double_1d plant, array_double_2d components, double time, array_double_1d air)
 {
     double gust;
@@ -5860,7 +5465,6 @@ static void wind_rates(array_double_1d plant, array_double_2d components, double
         (*cspan_at(&air, INT64_C(6) + i)) = rate;
     }
 }
-/*Node c of a stage, as a share of the step. */
 static double stage_node(int64_t stage)
 {
     if (stage == INT64_C(0))
@@ -5885,11 +5489,6 @@ static double stage_node(int64_t stage)
     }
     return 1.0;
 }
-/*First components of the state at a stage after the first: state + h sum a_ij k_j.                  */
-/*                                                                                                   */
-/*    k: one row per stage (`Stages`); trial: the result. Every sum is written out, so that its terms*/
-/*    stay in registers. The last stage is the end of the step.                                      */
-/*                                                                                                   */
 static void stage_state(int64_t stage, double h, int64_t count, array_double_1d state, array_double_2d k, array_double_1d trial)
 {
     double a0;
@@ -5966,10 +5565,6 @@ static void stage_state(int64_t stage, double h, int64_t count, array_double_1d 
         }
     }
 }
-/*Largest difference of the fifth- and fourth-order states, relative to values above 1.*/
-/*                                                                                     */
-/*    A difference that is not finite counts as 1e100.                                 */
-/*                                                                                     */
 static double step_error(double h, int64_t count, array_double_1d start, array_double_1d end, array_double_2d k)
 {
     double e0;
@@ -6003,17 +5598,14 @@ static double step_error(double h, int64_t count, array_double_1d start, array_d
     }
     return error;
 }
-/*Ratio of the next step to this one, from this one's error. */
 static double next_step(double error, double tolerance)
 {
-    /*most steps are shortened by their interval's end, with errors far below the tolerance*/
     if (5300.0 * error > tolerance)
     {
         return span_min(5.0, span_max(0.2, 0.9 * pow((tolerance / error), 0.2)));
     }
     return 5.0;
 }
-/*Whether the first values are finite and below 1e100. */
 static bool all_finite(array_double_1d values, int64_t count)
 {
     int64_t i;
@@ -6026,7 +5618,6 @@ static bool all_finite(array_double_1d values, int64_t count)
     }
     return 1;
 }
-/*Powers of drives, wind and friction [W]: the derivatives of their work.*/
 static void plant_powers(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative)
 {
     array_double_1d wind;
@@ -6038,7 +5629,6 @@ static void plant_powers(array_double_1d plant, array_double_1d state, array_dou
     double power;
     double lost;
     wind = span_row(&work, INT64_C(14));
-    /*no wind, no work: skips the load's velocity*/
     calm = ((*cspan_at(&wind, INT64_C(0))) == 0.0) && ((*cspan_at(&wind, INT64_C(1))) == 0.0) && ((*cspan_at(&wind, INT64_C(2))) == 0.0);
     if (!calm)
     {
@@ -6051,7 +5641,6 @@ static void plant_powers(array_double_1d plant, array_double_1d state, array_dou
     (*cspan_at(&derivative, INT64_C(15))) = (*cspan_at(&plant, INT64_C(37))) * squares;
     if (may_slacken(plant) && ((*cspan_at(&work, INT64_C(13), INT64_C(6))) >= 0.0))
     {
-        /*the sway is damped by a rope that bears*/
         (*cspan_at(&derivative, INT64_C(15))) = 0.0;
     }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
@@ -6068,7 +5657,6 @@ static void plant_powers(array_double_1d plant, array_double_1d state, array_dou
         (*cspan_at(&derivative, INT64_C(15))) = (*cspan_at(&derivative, INT64_C(15))) + lost;
     }
 }
-/*Derivative of the state at a time [s] elapsed since the interval's start, `time` [s].*/
 static void plant_derivative(array_double_1d plant, array_double_2d components, double time, double elapsed, array_double_1d state, array_double_2d work, array_double_1d derivative)
 {
     array_double_1d rate;
@@ -6111,7 +5699,6 @@ static void plant_derivative(array_double_1d plant, array_double_2d components, 
     }
     plant_powers(plant, state, work, derivative);
 }
-/*Use the last stage of a step, at its end, as the first stage of the next step. */
 static void reuse_last_stage(array_double_2d work)
 {
     array_double_1d action;
@@ -6126,16 +5713,11 @@ static void reuse_last_stage(array_double_2d work)
         (*cspan_at(&action, INT64_C(7) + i)) = (*cspan_at(&action, INT64_C(3) + i));
     }
 }
-/*Derivative from which the next step starts, where none leads up to the state.*/
 static void first_stage(array_double_1d plant, array_double_2d components, double time, double elapsed, array_double_1d state, array_double_2d work)
 {
     plant_derivative(plant, components, time, elapsed, state, work, span_row(&work, INT64_C(3) + INT64_C(6)));
     reuse_last_stage(work);
 }
-/*Try a step of length h [s] from the derivative of the first stage on; returns the error. */
-/*                                                                                         */
-/*    The new state is the trial state of work.                                            */
-/*                                                                                         */
 static double try_step(array_double_1d plant, array_double_2d components, double time, double elapsed, array_double_1d state, double h, array_double_2d work)
 {
     array_double_2d stages;
@@ -6147,14 +5729,12 @@ static double try_step(array_double_1d plant, array_double_2d components, double
     trial = span_row(&work, INT64_C(10));
     for (stage = INT64_C(1); stage < INT64_C(7); stage += INT64_C(1))
     {
-        /*the derivatives do not depend on the work*/
         count = INT64_C(13);
         if ((stage == INT64_C(6)) || may_slacken(plant))
         {
             count = INT64_C(19);
         }
         stage_state(stage, h, count, state, stages, trial);
-        /*values beyond all bounds: the step was much too long*/
         if (!all_finite(trial, count))
         {
             return 1e+100;
@@ -6164,7 +5744,6 @@ static double try_step(array_double_1d plant, array_double_2d components, double
     result = step_error(h, INT64_C(19), state, trial, stages);
     return result;
 }
-/*Whether the crane is within the range of its equations: a `PlantStatus`. */
 static int64_t plant_status(array_double_1d plant, array_double_1d state, double rope_force)
 {
     int64_t i;
@@ -6182,7 +5761,6 @@ static int64_t plant_status(array_double_1d plant, array_double_1d state, double
     }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        /*rest exactly at the limit is allowed, and a buffer gives way*/
         if ((*cspan_at(&plant, INT64_C(44) + i)) > 0.0)
         {
             continue;
@@ -6203,7 +5781,6 @@ static int64_t plant_status(array_double_1d plant, array_double_1d state, double
     }
     return INT64_C(0);
 }
-/*Accept the trial state, and report the forces in it. */
 static void accept_step(array_double_1d state, array_double_2d work, double elapsed, array_double_1d report)
 {
     array_double_1d action;
@@ -6225,15 +5802,6 @@ static void accept_step(array_double_1d state, array_double_2d work, double elap
     (*cspan_at(&report, INT64_C(8))) = (*cspan_at(&work, INT64_C(3) + INT64_C(6), INT64_C(15)));
     (*cspan_at(&report, INT64_C(9))) = elapsed;
 }
-/*Advance the state, in place, by a duration [s] from a time [s] on.                                 */
-/*                                                                                                   */
-/*    tolerance: relative and absolute error of a step. report: a `Report`; the caller collects the  */
-/*    drives that were at a bound in the communication step.                                         */
-/*                                                                                                   */
-/*    Returns a `PlantStatus`. A failure, and a rope that goes slack or taut where it may, is located*/
-/*    to 0.1 us; after a failure the state is the last valid one. With                               */
-/*    stiff friction, STEP_TOO_SMALL also means too many steps.                                      */
-/*                                                                                                   */
 int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d components, double time, array_double_1d state, double duration, double tolerance, array_double_2d work, array_double_1d report)
 {
     int64_t i;
@@ -6257,7 +5825,6 @@ int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d components, 
     }
     first_stage(plant, components, time, 0.0, state, work);
     t = 0.0;
-    /*the previous step is a better guess than the interval, which may need many steps*/
     planned = (*cspan_at(&work, INT64_C(11), INT64_C(0)));
     if (planned <= 0.0)
     {
@@ -6305,7 +5872,6 @@ int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d components, 
         accept_step(state, work, t, report);
         if (last)
         {
-            /*a step shortened by the interval's end is a worse guess than the step planned before*/
             (*cspan_at(&work, INT64_C(11), INT64_C(0))) = span_max(h, planned);
             return INT64_C(0);
         }
@@ -6313,7 +5879,6 @@ int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d components, 
     }
     return INT64_C(3);
 }
-/*The row of first .. last - 1 whose piece contains `time`, by bisection.*/
 static int64_t find_piece(double time, array_double_2d timing, int64_t first, int64_t last)
 {
     int64_t upper;
@@ -6335,7 +5900,6 @@ static int64_t find_piece(double time, array_double_2d timing, int64_t first, in
     }
     return lower;
 }
-/*Value of a derivative of one piece at local time t.*/
 static double evaluate_piece(array_double_2d coefficients, int64_t row, int64_t width, double t, int64_t derivative)
 {
     int64_t j;
@@ -6356,20 +5920,12 @@ static double evaluate_piece(array_double_2d coefficients, int64_t row, int64_t 
     }
     return value;
 }
-/*Time since the start of a piece, at most its length.                                 */
-/*                                                                                     */
-/*    The clock may be coarser than the length of a piece, which must not be exceeded. */
-/*                                                                                     */
 static double local_time(double time, array_double_2d timing, int64_t row)
 {
     double result;
     result = span_min(time - (*cspan_at(&timing, row, INT64_C(0))), (*cspan_at(&timing, row, INT64_C(1))));
     return result;
 }
-/*One derivative of every axis at many times: values[time, axis].                                */
-/*                                                                                               */
-/*    Before its start and after its end an axis stays in its end position, all derivatives zero.*/
-/*                                                                                               */
 void segfmu_evaluate(array_double_1d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, int64_t derivative, array_double_2d values)
 {
     int64_t width;
@@ -6407,7 +5963,6 @@ void segfmu_evaluate(array_double_1d times, array_double_2d timing, array_double
         }
     }
 }
-/*The first derivatives of every axis at one time: values[derivative, axis], as `evaluate`.*/
 void segfmu_evaluate_orders(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d values)
 {
     int64_t width;
@@ -6435,7 +5990,6 @@ void segfmu_evaluate_orders(double time, array_double_2d timing, array_double_2d
         }
     }
 }
-/*Bernstein coefficients on [0, length] of the `count` first powers of a row, in hull[0, :]. */
 static void bernstein_coefficients(array_double_2d coefficients, int64_t row, int64_t count, double length, array_double_2d hull)
 {
     double power;
@@ -6460,11 +6014,6 @@ static void bernstein_coefficients(array_double_2d coefficients, int64_t row, in
         }
     }
 }
-/*Replace `count` Bernstein coefficients on [0, length] by those of an integral.                   */
-/*                                                                                                 */
-/*    The integral begins with the value `start`, and has one coefficient more. Returns the largest*/
-/*    of their absolute values.                                                                    */
-/*                                                                                                 */
 static double integrate_hull(int64_t count, double start, double length, array_double_1d values)
 {
     double value;
@@ -6485,7 +6034,6 @@ static double integrate_hull(int64_t count, double start, double length, array_d
     (*cspan_at(&values, count)) = value;
     return largest;
 }
-/*Halve row `row` by de Casteljau's scheme: its first half stays, the second one follows.*/
 static void split_hull(array_double_2d hull, int64_t row, int64_t count)
 {
     int64_t i;
@@ -6494,7 +6042,6 @@ static void split_hull(array_double_2d hull, int64_t row, int64_t count)
     {
         (*cspan_at(&hull, row + INT64_C(1), i)) = (*cspan_at(&hull, row, i));
     }
-    /*the last coefficients of the shrinking triangle are those of the second half, reversed*/
     for (r = INT64_C(1); r < count; r += INT64_C(1))
     {
         for (i = INT64_C(0); i < count - r; i += INT64_C(1))
@@ -6504,10 +6051,6 @@ static void split_hull(array_double_2d hull, int64_t row, int64_t count)
         (*cspan_at(&hull, row, r)) = (*cspan_at(&hull, row + INT64_C(1), INT64_C(0)));
     }
 }
-/*Whether a polynomial with the Bernstein coefficients hull[0, :] keeps a limit. */
-/*                                                                               */
-/*    hull is work space with 40 rows of `Hull`.                                 */
-/*                                                                               */
 static bool within(array_double_2d hull, int64_t count, double limit)
 {
     int64_t rows;
@@ -6529,7 +6072,6 @@ static bool within(array_double_2d hull, int64_t count, double limit)
             largest = span_max(largest, fabs((*cspan_at(&hull, row, i))));
             total = total + fabs((*cspan_at(&hull, row, i)));
         }
-        /*the sum detects NaN, for which every comparison is false*/
         if ((largest <= limit) && (total <= count * limit))
         {
             rows = rows - INT64_C(1);
@@ -6548,7 +6090,6 @@ static bool within(array_double_2d hull, int64_t count, double limit)
     }
     return 1;
 }
-/*Note peak, end and, if a piece is joined to the one before, jump of a derivative.*/
 static void note_ends(int64_t d, bool joined, double start, double end, double largest, array_double_2d work)
 {
     double jump;
@@ -6560,7 +6101,6 @@ static void note_ends(int64_t d, bool joined, double start, double end, double l
     }
     (*cspan_at(&work, INT64_C(40), d)) = end;
 }
-/*Whether a piece keeps the limits of its axis; notes peaks and, if it is joined, jumps. */
 static bool check_piece(int64_t row, bool joined, double length, array_double_2d coefficients, array_double_1d limits, double tolerance, array_double_2d work)
 {
     int64_t order;
@@ -6591,12 +6131,10 @@ static bool check_piece(int64_t row, bool joined, double length, array_double_2d
     }
     for (count = INT64_C(0); count < degree + INT64_C(1); count += INT64_C(1))
     {
-        /*the derivatives from the highest one, which is constant, downwards*/
         d = degree - count;
         start = (*cspan_at(&coefficients, row, d)) * factorial;
         largest = integrate_hull(count, start, length, values);
         factorial = factorial / span_max_int(d, INT64_C(1));
-        /*not a number, or an infinite one, passes on to the derivatives below*/
         if (!(fabs((*cspan_at(&values, count))) < 1e+300))
         {
             return 0;
@@ -6620,10 +6158,6 @@ static bool check_piece(int64_t row, bool joined, double length, array_double_2d
     }
     return 1;
 }
-/*Whether the pieces first .. last - 1 of one axis keep its limits c_1 .. and join smoothly. */
-/*                                                                                           */
-/*    The row PEAKS of `work` (Check) becomes the peaks of the derivatives.                  */
-/*                                                                                           */
 static bool check_axis(int64_t first, int64_t last, array_double_2d timing, array_double_2d coefficients, array_double_1d limits, double tolerance, array_double_2d work)
 {
     int64_t order;
@@ -6654,7 +6188,6 @@ static bool check_axis(int64_t first, int64_t last, array_double_2d timing, arra
     }
     low = span_min(low, (*cspan_at(&work, INT64_C(40), INT64_C(0))));
     high = span_max(high, (*cspan_at(&work, INT64_C(40), INT64_C(0))));
-    /*where the position is large, its rounding is a part of the distance that counts*/
     (*cspan_at(&work, INT64_C(41), INT64_C(0))) = span_max(high - low, 1e-05 * span_max(-low, high));
     for (d = INT64_C(0); d < order; d += INT64_C(1))
     {
@@ -6666,13 +6199,6 @@ static bool check_axis(int64_t first, int64_t last, array_double_2d timing, arra
     result = (*cspan_at(&work, INT64_C(41), INT64_C(0))) < 1e+300;
     return result;
 }
-/*Check the pieces of every axis: 0, or 1 + the first axis that may be wrong.                        */
-/*                                                                                                   */
-/*    Up to the relative tolerance, limits hold, the derivatives 0 .. n are continuous (in units of  */
-/*    the range of the position and of the peaks of the others), and the trajectory                  */
-/*    passes the waypoints. Arrays as in `expand_plan`; limits[axis, i] is c_{i+1}, 0 if absent; work*/
-/*    (Check rows, Check columns).                                                                   */
-/*                                                                                                   */
 int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, double tolerance, array_double_2d work)
 {
     int64_t width;
@@ -6699,7 +6225,6 @@ int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_d
         }
         for (j = INT64_C(0); j < points + INT64_C(1); j += INT64_C(1))
         {
-            /*the last waypoint is checked on arrival and, after its dwell, at the end*/
             point = span_min_int(j, points - INT64_C(1));
             row = find_piece((*cspan_at(&times, j, axis)), timing, first, last);
             local = local_time((*cspan_at(&times, j, axis)), timing, row);
@@ -6720,7 +6245,6 @@ int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_d
     }
     return INT64_C(0);
 }
-/*First end of a piece of any axis after a time, or the time itself if there is none.*/
 static double interval_end(double time, array_double_2d timing, array_int64_t_1d offsets)
 {
     int64_t axis;
@@ -6745,7 +6269,6 @@ static double interval_end(double time, array_double_2d timing, array_int64_t_1d
     }
     return until;
 }
-/*Position and pull of all axes in an interval's local time; an axis rests after its end.*/
 static void interval_pieces(double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work)
 {
     int64_t width;
@@ -6781,7 +6304,6 @@ static void interval_pieces(double time, double until, array_double_2d timing, a
     }
     rope_pull(gravity, width, work);
 }
-/*Bound of a demand: height [m], downward acceleration [m/s2] or length [m]. */
 static double demand_bound(int64_t demand, array_double_1d bounds)
 {
     double result;
@@ -6802,7 +6324,6 @@ static double demand_bound(int64_t demand, array_double_1d bounds)
     }
     return 0.0;
 }
-/*Write a demand's polynomial to work[RopeWork.DEMAND, :]; returns its length, 0: no demand. */
 static int64_t rope_demand(int64_t demand, array_double_1d bounds, int64_t width, array_double_2d work)
 {
     double tolerance;
@@ -6832,10 +6353,6 @@ static int64_t rope_demand(int64_t demand, array_double_1d bounds, int64_t width
     result = rope_margin(demand, bound * (1.0 - tolerance), width, work);
     return result;
 }
-/*First share of the interval at which a demand is not proved to hold; -1: it holds. */
-/*                                                                                   */
-/*    Hulls are reversed, so that the first half of an interval is on top.           */
-/*                                                                                   */
 static double first_negative(int64_t count, double length, array_double_2d work)
 {
     int64_t start;
@@ -6889,7 +6406,6 @@ static double first_negative(int64_t count, double length, array_double_2d work)
     }
     return -1.0;
 }
-/*Value bounded by a demand at a local time: height, downward acceleration or length.*/
 static double value_at(int64_t demand, double local, double gravity, int64_t width, array_double_2d work)
 {
     double z;
@@ -6902,7 +6418,6 @@ static double value_at(int64_t demand, double local, double gravity, int64_t wid
     w_z = evaluate_piece(work, INT64_C(3) + INT64_C(2), width - INT64_C(2), local, INT64_C(0));
     return rope_value(demand, gravity, z, w_x, w_y, w_z);
 }
-/*Worst value bounded by a demand from a time on, of 33 samples per interval.*/
 static double worst_value(int64_t demand, double first, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work)
 {
     double gravity;
@@ -6939,14 +6454,6 @@ static double worst_value(int64_t demand, double first, array_double_2d timing, 
     }
     return sign * worst;
 }
-/*Check a trajectory x, y, z, with pieces as in kernels/trajectory/evaluate.py in order of         */
-/*    time.                                                                                        */
-/*                                                                                                 */
-/*    bounds (RopeBounds.SIZE); work (RopeWork.SIZE, 4 width - 5 or more) for pieces of `width`    */
-/*    coefficients, 4 or more. Returns the first violated demand of RopeDemand, or 0. report       */
-/*    (RopeFault): for the load's height [m], its downward acceleration [m/s2], or the rope length */
-/*    [m].                                                                                         */
-/*                                                                                                 */
 int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work, array_double_1d report)
 {
     int64_t none;
@@ -6988,7 +6495,6 @@ int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, 
     (*cspan_at(&report, INT64_C(2))) = demand_bound(failed, bounds);
     return failed;
 }
-/*Whether a value is within its range; a `RangeStatus`. No range without an end below. */
 int64_t segfmu_check_range(double value, double least, double most, array_double_1d fault)
 {
     (*cspan_at(&fault, INT64_C(0))) = value;
@@ -7004,10 +6510,6 @@ int64_t segfmu_check_range(double value, double least, double most, array_double
     }
     return INT64_C(2);
 }
-/*Next point to evaluate, as a share in (0, 1) of the way from the newest to the other point.  */
-/*                                                                                             */
-/*    e_newest, e_other and e_before are the errors at the points, 0 where they are not known. */
-/*                                                                                             */
 static double root_share(double newest, double other, double before, double e_newest, double e_other, double e_before)
 {
     double place;
@@ -7032,14 +6534,9 @@ static double root_share(double newest, double other, double before, double e_ne
     share = e_newest / (e_other - e_newest) * e_before / (e_other - e_before);
     rest = (before - newest) / (other - newest);
     share = share + rest * e_newest / (e_before - e_newest) * e_other / (e_before - e_other);
-    /*the point must differ from both ends*/
     least = 2e-16 * span_max(fabs(newest), fabs(other)) / fabs(other - newest);
     return span_max(span_min(share, 1.0 - least), least);
 }
-/*The other point and the one before, and their errors, once a new point was evaluated.*/
-/*                                                                                     */
-/*    `newest` is the point before it; crossed: the root lies between the two.         */
-/*                                                                                     */
 static int64_t next_bracket(double* result_0_0001, double* result_1_0001, double* result_2_0001, double* result_3_0001, bool crossed, double newest, double other, double e_newest, double e_other)
 {
     if (crossed)
@@ -7056,14 +6553,12 @@ static int64_t next_bracket(double* result_0_0001, double* result_1_0001, double
     (*result_3_0001) = e_newest;
     return 0;
 }
-/*Duration of the rises within a rise of the derivative 2 + level, 3 + level for the ramp. */
 static double inner_rise(double rise, int64_t level, array_double_1d axis)
 {
     double result;
     result = span_min(span_max((*cspan_at(&axis, INT64_C(15) + level)), (*cspan_at(&axis, INT64_C(20) + level)) * rise), 0.5 * rise);
     return result;
 }
-/*The x > shift at which x^power (x - shift) has the value.*/
 static double shifted_root(double value, int64_t power, double shift)
 {
     int64_t i;
@@ -7090,7 +6585,6 @@ static double shifted_root(double value, int64_t power, double shift)
         }
         error = x_power * x * (x - shift) - value;
         step = error / (x_power * (power * (x - shift) + x));
-        /*convex, and begun above the root*/
         if (step <= 2e-16 * x)
         {
             break;
@@ -7099,11 +6593,6 @@ static double shifted_root(double value, int64_t power, double shift)
     }
     return x;
 }
-/*Duration of the fastest rise by `change` [s] of the derivative 2 + first, and its slope.           */
-/*                                                                                                   */
-/*    The least derivative that reaches its limit c is found first. With x the duration of its rise, */
-/*    and all rises below it triangles, the change is a power of x times c (x - the rise within).    */
-/*                                                                                                   */
 static int64_t plateau_duration(double* result_0_0001, double* result_1_0001, double change, int64_t first, array_double_1d axis)
 {
     int64_t boxes;
@@ -7179,7 +6668,6 @@ static int64_t plateau_duration(double* result_0_0001, double* result_1_0001, do
     (*result_1_0001) = 0.0;
     return 0;
 }
-/*Inverse of `plateau_duration`, and its derivative with the duration. */
 static int64_t plateau_change(double* result_0, double* result_1_0001, double duration, int64_t first, array_double_1d axis)
 {
     int64_t boxes;
@@ -7229,7 +6717,6 @@ static int64_t plateau_change(double* result_0, double* result_1_0001, double du
     (*result_1_0001) = 0.0;
     return 0;
 }
-/*max over e of (q_e change)^(1/e), and its derivative with the change.*/
 static int64_t slowest_root(double* result_0, double* result_1_0001, double change, array_double_1d axis)
 {
     double slowest;
@@ -7263,7 +6750,6 @@ static int64_t slowest_root(double* result_0, double* result_1_0001, double chan
     (*result_1_0001) = slowest / (exponent * change);
     return 0;
 }
-/*Inverse of `slowest_root`: min over e of duration^e / q_e, and its derivative. */
 static int64_t fastest_power(double* result_0, double* result_1_0001, double duration, array_double_1d axis)
 {
     double fastest;
@@ -7291,8 +6777,6 @@ static int64_t fastest_power(double* result_0, double* result_1_0001, double dur
     (*result_1_0001) = exponent * fastest / duration;
     return 0;
 }
-/*Duration of the fastest ramp for an acceleration change >= 0 [s], and its derivative with*/
-/*    the change (0 for no change, where it is infinite).                                  */
 int64_t segfmu_ramp_duration(double* result_0, double* result_1, double change, array_double_1d axis)
 {
     double slope;
@@ -7325,8 +6809,6 @@ int64_t segfmu_ramp_duration(double* result_0, double* result_1, double change, 
     plateau_duration(result_0, result_1, change, INT64_C(0), axis);
     return 0;
 }
-/*Inverse of `ramp_duration`: the acceleration change of a ramp, and its derivative with */
-/*    the duration. Small ramps are solved for in their duration, which loses no digits. */
 static int64_t ramp_change(double* result_0, double* result_1, double duration, array_double_1d axis)
 {
     double slope;
@@ -7358,10 +6840,6 @@ static int64_t ramp_change(double* result_0, double* result_1, double duration, 
     plateau_change(result_0, result_1, duration, INT64_C(0), axis);
     return 0;
 }
-/*Variance and fourth cumulant over time of the fastest rise of the derivative 2 + first.*/
-/*                                                                                       */
-/*    They are those of its slope, seen as a density: sums over its boxes.               */
-/*                                                                                       */
 static int64_t rise_moments(double* result_0_0001, double* result_1_0001, double duration, int64_t first, array_double_1d axis)
 {
     double rise;
@@ -7386,7 +6864,6 @@ static int64_t rise_moments(double* result_0_0001, double* result_1_0001, double
     (*result_1_0001) = (-(fourths + square * square)) / 120.0;
     return 0;
 }
-/*Variance of the jerk over time, seen as a density, of the fastest ramp that lasts `basis`. */
 static double ramp_variance(double basis, array_double_1d axis)
 {
     double fourth;
@@ -7399,10 +6876,6 @@ static double ramp_variance(double basis, array_double_1d axis)
     rise_moments(&variance, &fourth, basis, INT64_C(0), axis);
     return variance;
 }
-/*Distance covered by the ramp from acceleration a to b that starts with velocity v.             */
-/*                                                                                               */
-/*    basis: duration of the fastest ramp with the same proportions; shorter if it is stretched. */
-/*                                                                                               */
 static double ramp_distance(double v, double a, double b, double duration, double basis, array_double_1d axis)
 {
     double variance;
@@ -7419,7 +6892,6 @@ static double ramp_distance(double v, double a, double b, double duration, doubl
     }
     return y + (b - a) * (0.125 * duration * duration + 0.5 * variance);
 }
-/*Number of polynomial pieces of a ramp. */
 int64_t segfmu_ramp_pieces(array_double_1d axis)
 {
     int64_t i;
@@ -7435,7 +6907,6 @@ int64_t segfmu_ramp_pieces(array_double_1d axis)
     }
     return count;
 }
-/*Which derivative piece 1 .. of a rise by `boxes` boxes holds (0: its slope), and the sign. */
 static int64_t held_level(int64_t* result_0, double* result_1, int64_t piece, int64_t boxes)
 {
     int64_t level;
@@ -7448,7 +6919,6 @@ static int64_t held_level(int64_t* result_0, double* result_1, int64_t piece, in
         level = level - INT64_C(1);
         rest = span_floor_div(rest, INT64_C(2));
     }
-    /*each descent of the derivatives below changes the sign*/
     sign = 1.0;
     rest = span_floor_div(rest, INT64_C(2));
     while(rest > INT64_C(0))
@@ -7463,11 +6933,6 @@ static int64_t held_level(int64_t* result_0, double* result_1, int64_t piece, in
     (*result_1) = sign;
     return 0;
 }
-/*Duration of the pieces of a rise that hold a derivative (0: its slope) [s], and its value.       */
-/*                                                                                                 */
-/*    It is a rise of the derivative 2 + first, 0 for a ramp. One that lasts longer than `basis` is*/
-/*    the fastest one of that duration, stretched.                                                 */
-/*                                                                                                 */
 static int64_t piece_peak(double* result_0_0001, double* result_1, int64_t level, int64_t first, double change, double duration, double basis, array_double_1d axis)
 {
     int64_t boxes;
@@ -7500,7 +6965,6 @@ static int64_t piece_peak(double* result_0_0001, double* result_1, int64_t level
     (*result_1) = 0.0;
     return 0;
 }
-/*The transition polynomial at s, its derivative and its integral from 0.*/
 static int64_t curved_part(double* result_0, double* result_1, double* result_2_0001, double s, array_double_1d axis)
 {
     int64_t count;
@@ -7528,11 +6992,6 @@ static int64_t curved_part(double* result_0, double* result_1, double* result_2_
     (*result_2_0001) = integral * s;
     return 0;
 }
-/*The s in [0, upper] at which the transition polynomial, 1/2 at `upper`, has the given value. */
-/*                                                                                             */
-/*    The accuracy suffices for an extremum, whose error is of second order in that of s. The  */
-/*    polynomial is nearly a square at its upper end.                                          */
-/*                                                                                             */
 static double invert_curved_part(double value, double upper, array_double_1d axis)
 {
     double low;
@@ -7575,15 +7034,10 @@ static double invert_curved_part(double value, double upper, array_double_1d axi
     }
     return s;
 }
-/*Change within t by the derivatives from the first one on.*/
 static double taylor(double t, double first, double second, double third, double fourth, double fifth)
 {
     return t * (first + t / 2.0 * (second + t / 3.0 * (third + t / 4.0 * (fourth + t / 5.0 * fifth))));
 }
-/*When within [0, length] an acceleration a, with these derivatives, is zero.                */
-/*                                                                                           */
-/*    The accuracy suffices for an extremum of the velocity, whose error is of second order. */
-/*                                                                                           */
 static double crossing_time(double a, double length, double jerk, double snap, double crackle, double pop, double highest)
 {
     double low;
@@ -7626,7 +7080,6 @@ static double crossing_time(double a, double length, double jerk, double snap, d
     }
     return t;
 }
-/*`ramp_extreme_velocity` of a plateau ramp that crosses zero in its first half. */
 static double plateau_extreme_velocity(double v, double a, double change, double duration, double basis, array_double_1d axis)
 {
     int64_t boxes;
@@ -7704,7 +7157,6 @@ static double plateau_extreme_velocity(double v, double a, double change, double
     }
     return v;
 }
-/*Velocity where the acceleration of a ramp from a to b, of opposite signs, is zero. */
 static double ramp_extreme_velocity(double v, double a, double b, double duration, double basis, array_double_1d axis)
 {
     double start;
@@ -7720,7 +7172,6 @@ static double ramp_extreme_velocity(double v, double a, double b, double duratio
     change = b - a;
     if (fabs(a) > fabs(b))
     {
-        /*the symmetric ramp, run backwards from its end, crosses zero in its first half*/
         start = v + 0.5 * (a + b) * duration;
         first = -b;
     }
@@ -7737,7 +7188,6 @@ static double ramp_extreme_velocity(double v, double a, double b, double duratio
     curved_part(&value, &slope, &integral, s, axis);
     return start + duration * (first * s + change * integral);
 }
-/*The value, or 0 if it is so small relative to its scale that its powers would underflow. */
 static double flush_tiny(double value, double scale)
 {
     if (fabs(value) <= 1e-30 * scale)
@@ -7746,16 +7196,10 @@ static double flush_tiny(double value, double scale)
     }
     return value;
 }
-/*A boundary value, set to zero if tiny, clamped if it exceeds its limit by rounding.*/
 static double boundary_value(double value, double limit)
 {
     return span_min(span_max(flush_tiny(value, limit), -limit), limit);
 }
-/*Append the ramp from a to b with a computed duration; nothing if that is zero.                 */
-/*                                                                                               */
-/*    The change follows from the duration, not from b - a: the rounding error of that difference*/
-/*    would be large against a small change, and break the limits of the ramp.                   */
-/*                                                                                               */
 static int64_t append_ramp(array_double_2d phases, int64_t count, double a, double b, double duration, array_double_1d axis)
 {
     double change;
@@ -7776,7 +7220,6 @@ static int64_t append_ramp(array_double_2d phases, int64_t count, double a, doub
     (*cspan_at(&phases, count, INT64_C(4))) = 0.0;
     return count + INT64_C(1);
 }
-/*Append the fastest ramp from a to b; nothing if they are equal.*/
 static int64_t append_change(array_double_2d phases, int64_t count, double a, double b, array_double_1d axis)
 {
     double duration;
@@ -7793,7 +7236,6 @@ static int64_t append_change(array_double_2d phases, int64_t count, double a, do
     (*cspan_at(&phases, count, INT64_C(4))) = 0.0;
     return count + INT64_C(1);
 }
-/*Append a phase of constant acceleration; nothing if it has no duration.*/
 static int64_t append_hold(array_double_2d phases, int64_t count, double a, double duration)
 {
     if (duration <= 0.0)
@@ -7807,7 +7249,6 @@ static int64_t append_hold(array_double_2d phases, int64_t count, double a, doub
     (*cspan_at(&phases, count, INT64_C(4))) = 0.0;
     return count + INT64_C(1);
 }
-/*Insert a phase of constant acceleration before `row`; nothing if it has no duration. */
 static int64_t insert_hold(array_double_2d phases, int64_t count, int64_t row, double a, double duration)
 {
     int64_t j;
@@ -7828,7 +7269,6 @@ static int64_t insert_hold(array_double_2d phases, int64_t count, int64_t row, d
     append_hold(phases, row, a, duration);
     return count + INT64_C(1);
 }
-/*Copy the first rows of a list of phases. */
 static void copy_phases(array_double_2d source, array_double_2d target, int64_t count)
 {
     int64_t i;
@@ -7841,7 +7281,6 @@ static void copy_phases(array_double_2d source, array_double_2d target, int64_t 
         }
     }
 }
-/*The same motion in the other direction.*/
 static void mirror_phases(array_double_2d phases, int64_t count)
 {
     int64_t i;
@@ -7851,7 +7290,6 @@ static void mirror_phases(array_double_2d phases, int64_t count)
         (*cspan_at(&phases, i, INT64_C(3))) = -(*cspan_at(&phases, i, INT64_C(3)));
     }
 }
-/*Exchange one column of two rows. */
 static void swap_entries(array_double_2d phases, int64_t i, int64_t j, int64_t column)
 {
     double kept;
@@ -7859,10 +7297,6 @@ static void swap_entries(array_double_2d phases, int64_t i, int64_t j, int64_t c
     (*cspan_at(&phases, i, column)) = (*cspan_at(&phases, j, column));
     (*cspan_at(&phases, j, column)) = kept;
 }
-/*The same path run from its end, velocities kept: accelerations change their sign.*/
-/*                                                                                 */
-/*    y(t) becomes -y(T - t); rows first .. count - 1 are reversed.                */
-/*                                                                                 */
 static void reverse_phases(array_double_2d phases, int64_t first, int64_t count)
 {
     int64_t i;
@@ -7877,18 +7311,15 @@ static void reverse_phases(array_double_2d phases, int64_t first, int64_t count)
     }
     for (i = first; i < count; i += INT64_C(1))
     {
-        /*a ramp from a to a + d, run backwards with the sign changed, goes from -(a + d) to -a*/
         end = (*cspan_at(&phases, i, INT64_C(2))) + (*cspan_at(&phases, i, INT64_C(3)));
         (*cspan_at(&phases, i, INT64_C(2))) = -end;
         if ((*cspan_at(&phases, i, INT64_C(4))) == 1.0)
         {
-            /*of the jerk: from a + d to a*/
             (*cspan_at(&phases, i, INT64_C(2))) = end;
             (*cspan_at(&phases, i, INT64_C(3))) = -(*cspan_at(&phases, i, INT64_C(3)));
         }
     }
 }
-/*Reverse the time as `reverse_phases` does. */
 static void reverse_problem(array_double_1d problem)
 {
     double v;
@@ -7900,7 +7331,6 @@ static void reverse_problem(array_double_1d problem)
     (*cspan_at(&problem, INT64_C(2))) = v;
     (*cspan_at(&problem, INT64_C(3))) = -a;
 }
-/*Copy a boundary problem (Problem), rounding tiny values to zero and to limits. */
 static void boundary_problem(array_double_1d problem, array_double_1d axis, array_double_1d cleaned)
 {
     double velocity;
@@ -7914,7 +7344,6 @@ static void boundary_problem(array_double_1d problem, array_double_1d axis, arra
     (*cspan_at(&cleaned, INT64_C(4))) = flush_tiny((*cspan_at(&problem, INT64_C(4))), velocity * velocity / acceleration);
     (*cspan_at(&cleaned, INT64_C(5))) = (*cspan_at(&problem, INT64_C(5)));
 }
-/*Whether both boundary states are at rest.*/
 static bool is_resting(array_double_1d problem, array_double_1d axis)
 {
     double speed;
@@ -7929,11 +7358,6 @@ static bool is_resting(array_double_1d problem, array_double_1d axis)
     result = flush_tiny(acceleration, (*cspan_at(&axis, INT64_C(3)))) == 0.0;
     return result;
 }
-/*Duration, distance, end velocity, lowest and highest velocity of a list of phases.           */
-/*                                                                                             */
-/*    v is the velocity at the start. Peaks inside ramps are ignored if they are surely within */
-/*    +-`within`.                                                                              */
-/*                                                                                             */
 int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result_2_0001, double* result_3, double* result_4, array_double_2d phases, int64_t count, double v, double within_0001, array_double_1d axis)
 {
     double total;
@@ -7959,8 +7383,6 @@ int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result
         b = a + (*cspan_at(&phases, i, INT64_C(3)));
         if (a * b < 0.0)
         {
-            /*a quick bound first: the end with the smaller acceleration is less than half of the*/
-            /*ramp away from the crossing*/
             bound = v + 0.5 * a * duration;
             if ((bound > span_max(highest, within_0001)) || (bound < span_min(lowest, -within_0001)))
             {
@@ -7982,7 +7404,6 @@ int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result
     (*result_4) = highest;
     return 0;
 }
-/*Sum of the durations of phases [s].*/
 static double total_duration(array_double_2d phases, int64_t count)
 {
     int64_t i;
@@ -7994,7 +7415,6 @@ static double total_duration(array_double_2d phases, int64_t count)
     }
     return total;
 }
-/*Duration [s] of phases that join the boundary states within the velocity limit, else -1. */
 static double valid_duration(array_double_2d phases, int64_t count, array_double_1d problem, array_double_1d axis)
 {
     double limit;
@@ -8014,7 +7434,6 @@ static double valid_duration(array_double_2d phases, int64_t count, array_double
     {
         return -1.0;
     }
-    /*relative to the motion, which can be tiny*/
     fastest = span_max(-lowest, highest);
     if (fabs(end - (*cspan_at(&problem, INT64_C(2)))) > 1e-12 * fastest)
     {
@@ -8026,7 +7445,6 @@ static double valid_duration(array_double_2d phases, int64_t count, array_double
     }
     return duration;
 }
-/*Extreme velocity of the ramp from a > 0 to a level <= 0 that starts with velocity v. */
 static double peak_past_zero(double v, double a, double level, array_double_1d axis)
 {
     double duration;
@@ -8040,10 +7458,6 @@ static double peak_past_zero(double v, double a, double level, array_double_1d a
     result = ramp_extreme_velocity(v, a, level, duration, duration, axis);
     return result;
 }
-/*The level nearest to zero to which a ramp from a > 0 keeps the velocity limit [m/s2].*/
-/*                                                                                     */
-/*    v is the velocity at its start. Returns 1 if there is no such level.             */
-/*                                                                                     */
 static double level_past_zero(double v, double a, array_double_1d axis)
 {
     double velocity_limit;
@@ -8063,7 +7477,6 @@ static double level_past_zero(double v, double a, array_double_1d axis)
     shrink = 0.6180339887498949;
     lower = -top;
     upper = 0.0;
-    /*golden section: the extreme velocity falls with the depth of the level, and may rise again*/
     for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
     {
         inner = upper - shrink * (upper - lower);
@@ -8102,11 +7515,6 @@ static double level_past_zero(double v, double a, array_double_1d axis)
     }
     return inside;
 }
-/*Phases from (v, a) to zero acceleration; their number (-1: none keeps the limit).            */
-/*                                                                                             */
-/*    Also returns duration, distance and end velocity. If the ramp back from a level past zero*/
-/*    exceeds the limit on the other side, it is braked in turn.                               */
-/*                                                                                             */
 static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, array_double_1d axis, array_double_2d phases)
 {
     double velocity_limit;
@@ -8158,11 +7566,6 @@ static int64_t brake(int64_t* result_0, double* result_1, double* result_2, doub
     (*result_3) = 0.0;
     return 0;
 }
-/*Write the problem that remains after braking none (0), the first (1), last (2), both (3).      */
-/*                                                                                               */
-/*    Returns the number of braking phases and their duration. The number is one of `Braking` if */
-/*    there is no such problem. `trial` is work space.                                           */
-/*                                                                                               */
 static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d trial, array_double_1d rest)
 {
     int64_t first;
@@ -8225,7 +7628,6 @@ static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant,
     (*result_1) = spent;
     return 0;
 }
-/*Add a variant's braking phases to the others; returns the number of phases.*/
 static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d trial)
 {
     int64_t first;
@@ -8265,11 +7667,6 @@ static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, 
     }
     return count;
 }
-/*The level of `solve_level` where the durations of both ramps are linear in their change.             */
-/*                                                                                                     */
-/*    slope level^2 + constant level = gain + slope (a^2 + b^2) / 2 - constant (a + b) / 2; -1 if that */
-/*    has no root.                                                                                     */
-/*                                                                                                     */
 static double linear_level(double gain, double a, double b, array_double_1d axis)
 {
     double slope;
@@ -8284,14 +7681,8 @@ static double linear_level(double gain, double a, double b, array_double_1d axis
     {
         return -1.0;
     }
-    /*the form without a difference of nearly equal numbers*/
     return rest / (half + sqrt(square));
 }
-/*Duration of the first ramp of `solve_level` in [lower, upper] by Newton's method; level.         */
-/*                                                                                                 */
-/*    share is where the gain lies between those of the two durations; the gain is nearly quadratic*/
-/*    in the duration.                                                                             */
-/*                                                                                                 */
 static int64_t root_level(double* result_0, double* result_1, double gain, double a, double b, double lower, double upper, double share, array_double_1d axis)
 {
     double t;
@@ -8338,7 +7729,6 @@ static int64_t root_level(double* result_0, double* result_1, double gain, doubl
         if (rate > 0.0)
         {
             newton = t - error / rate;
-            /*at the root the step may round to zero, outside the open bracket*/
             if (fabs(newton - t) <= 4e-16 * t)
             {
                 (*result_0) = t;
@@ -8346,13 +7736,10 @@ static int64_t root_level(double* result_0, double* result_1, double gain, doubl
                 return 0;
             }
             reached = first + second;
-            /*far from the root, Newton's method on logarithms, as the gain is nearly a power*/
             far = (reached > 0.0) && (gain > 0.0) && ((reached > 2.0 * gain) || (gain > 2.0 * reached));
-            /*a power of this height leads out of the bracket, and can overflow*/
             if (far && (reached < 60.0 * t * rate))
             {
                 newton = t * pow((gain / reached), (reached / (t * rate)));
-                /*the power can differ on both sides of the root: halve the bracket in between*/
                 if (span_floor_mod(i, INT64_C(3)) == INT64_C(2))
                 {
                     newton = sqrt(span_max(lower, 0.001 * upper) * upper);
@@ -8376,12 +7763,6 @@ static int64_t root_level(double* result_0, double* result_1, double gain, doubl
     (*result_1) = a + change;
     return 0;
 }
-/*Ramp from a to a level in [low, high], hold it, ramp to b, and gain a velocity.                  */
-/*                                                                                                 */
-/*    low >= max(0, a, b), where the gain grows with the level. Returns the duration of the first  */
-/*    ramp, the hold (above zero only at `high`), and -1 in place of the hold when even the lowest */
-/*    level gains too much; last the level.                                                        */
-/*                                                                                                 */
 static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, array_double_1d axis)
 {
     double linear_from;
@@ -8412,7 +7793,6 @@ static int64_t solve_level(double* result_0_0001, double* result_1_0001, double*
     least = 0.5 * (a + low) * t_low + 0.5 * (low + b) * t_end;
     if (gain <= least)
     {
-        /*up to rounding, this is the lowest level*/
         if (gain < least - 1e-14 * (fabs(gain) + fabs(least)))
         {
             (*result_0_0001) = 0.0;
@@ -8442,10 +7822,6 @@ static int64_t solve_level(double* result_0_0001, double* result_1_0001, double*
     (*result_2_0001) = level;
     return 0;
 }
-/*Duration [s] and distance [m] of the member: ramp, hold, ramp, hold, ramp. */
-/*                                                                           */
-/*    The distance is 0 where members are searched by their duration.        */
-/*                                                                           */
 static int64_t member_distance(double* result_0_0001, double* result_1, array_double_1d family, array_double_1d axis)
 {
     double v;
@@ -8498,13 +7874,6 @@ static int64_t member_distance(double* result_0_0001, double* result_1, array_do
     (*result_1) = y;
     return 0;
 }
-/*Write one member of the canonical family (Family) from (V, A) to (W, B).                             */
-/*                                                                                                     */
-/*    p is the duration of the last ramp, from the second level up to B. Above LAST_RAMP that level is */
-/*    the negative acceleration limit, and the excess is the duration of its hold. The first level is  */
-/*    at most HIGHEST: the acceleration limit, or less to limit the velocity between the levels, but   */
-/*    not less than A and B. Returns duration [s] (-1: no such member) and distance [m].               */
-/*                                                                                                     */
 static int64_t canonical_member(double* result_0, double* result_1, double p, array_double_1d family, array_double_1d axis)
 {
     double a;
@@ -8554,7 +7923,6 @@ static int64_t canonical_member(double* result_0, double* result_1, double p, ar
     member_distance(result_0, result_1, family, axis);
     return 0;
 }
-/*Append the fastest change from (v, a) to (w, 0) over one level; -1 if there is none. */
 static int64_t append_velocity_change(array_double_2d phases, int64_t count, double v, double a, double w, array_double_1d axis)
 {
     double top;
@@ -8580,11 +7948,6 @@ static int64_t append_velocity_change(array_double_2d phases, int64_t count, dou
     result = append_change(phases, count, sign * level, 0.0, axis);
     return result;
 }
-/*The paper's form with a given cruise velocity, without the cruise itself.                        */
-/*                                                                                                 */
-/*    Returns the number of phases (-1: a velocity change does not exist), the row before which to */
-/*    insert the cruise, duration and distance.                                                    */
-/*                                                                                                 */
 static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_2, double* result_3, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis)
 {
     double v;
@@ -8606,7 +7969,6 @@ static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_
         (*result_3) = 0.0;
         return 0;
     }
-    /*the second part is the first part of the reversed problem*/
     w = (*cspan_at(&problem, INT64_C(2)));
     count = append_velocity_change(phases, row, w, -(*cspan_at(&problem, INT64_C(3))), cruise, axis);
     if (count < INT64_C(0))
@@ -8625,7 +7987,6 @@ static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_
     (*result_3) = y;
     return 0;
 }
-/*The paper's form with the cruise that covers the distance; 0 if it is overshot.*/
 static int64_t with_cruise(array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis)
 {
     double distance;
@@ -8642,7 +8003,6 @@ static int64_t with_cruise(array_double_2d phases, double cruise, array_double_1
         return span_max_int(count, INT64_C(0));
     }
     hold = (distance - y) / cruise;
-    /*shorter than rounding: no cruise; the caller checks the remaining error*/
     if ((hold < 0.0) && (fabs(distance - y) > 1e-13 * fabs(distance)))
     {
         return INT64_C(0);
@@ -8650,11 +8010,6 @@ static int64_t with_cruise(array_double_2d phases, double cruise, array_double_1
     result = insert_hold(phases, count, row, 0.0, hold);
     return result;
 }
-/*The paper's form with the cruise velocity, below the limit, that makes the cruise vanish.            */
-/*                                                                                                     */
-/*    The search goes between the two limits, one of which falls short of the distance while the other */
-/*    exceeds it; it bisects where the form does not exist.                                            */
-/*                                                                                                     */
 static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, array_double_1d axis)
 {
     double distance;
@@ -8726,7 +8081,6 @@ static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, ar
         lower = other;
         upper = newest;
     }
-    /*the side whose rounding error a short cruise can compensate*/
     cruise = lower;
     if (cruise < 0.0)
     {
@@ -8735,11 +8089,6 @@ static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, ar
     result = with_cruise(phases, cruise, problem, axis);
     return result;
 }
-/*The paper's form with the velocity that one ramp to zero reaches from one end, or 0.               */
-/*                                                                                                   */
-/*    The distance has a kink there, and this member can be the only one that covers the distance, as*/
-/*    for boundary states taken from another profile.                                                */
-/*                                                                                                   */
 static int64_t direct_form(array_double_2d phases, bool from_start, array_double_1d problem, array_double_1d axis)
 {
     double v;
@@ -8791,7 +8140,6 @@ static int64_t direct_form(array_double_2d phases, bool from_start, array_double
     }
     return span_max_int(count, INT64_C(0));
 }
-/*A derivative of a polynomial at t, from those at 0 up to the order 7.*/
 static double taylor_value(int64_t order, double t, array_double_1d state)
 {
     int64_t j;
@@ -8805,10 +8153,6 @@ static double taylor_value(int64_t order, double t, array_double_1d state)
     }
     return value;
 }
-/*Where within a piece a derivative that changes its sign is zero.           */
-/*                                                                           */
-/*    The accuracy suffices for an extremum, whose error is of second order. */
-/*                                                                           */
 static double zero_time(int64_t order, double length, array_double_1d state)
 {
     double lower;
@@ -8851,7 +8195,6 @@ static double zero_time(int64_t order, double length, array_double_1d state)
     }
     return t;
 }
-/*Derivatives of a polynomial at the end of a piece. */
 static void advance_piece(double length, array_double_1d state, array_double_1d end)
 {
     int64_t order;
@@ -8860,7 +8203,6 @@ static void advance_piece(double length, array_double_1d state, array_double_1d 
         (*cspan_at(&end, order)) = taylor_value(order, length, state);
     }
 }
-/*Note what the derivatives below q exceed their limits by (Excess). */
 static void note_excess(int64_t q, int64_t node, bool holding, array_double_1d axis, array_double_1d end, array_double_2d excess)
 {
     int64_t order;
@@ -8886,7 +8228,6 @@ static void note_excess(int64_t q, int64_t node, bool holding, array_double_1d a
         }
     }
 }
-/*Note what a piece exceeds; the state in the first row MATRIX of `work` goes on to its end. */
 static void piece_excess(double length, int64_t node, bool holding, array_double_1d axis, array_double_2d work)
 {
     array_double_1d state;
@@ -8903,7 +8244,6 @@ static void piece_excess(double length, int64_t node, bool holding, array_double
     excess = span_rows(&work, INT64_C(86), INT64_C(90));
     q = (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(2);
     rest = length;
-    /*each derivative has one zero at most between those of the ones above*/
     for (i = INT64_C(0); i < INT64_C(16); i += INT64_C(1))
     {
         step = rest;
@@ -8930,7 +8270,6 @@ static void piece_excess(double length, int64_t node, bool holding, array_double
         }
     }
 }
-/*Write by how much the sequence in `work` (PlanWork) exceeds limits; whether it does. */
 static bool measure_excess(array_double_1d axis, array_double_2d work)
 {
     array_double_1d passing;
@@ -9014,7 +8353,6 @@ static bool measure_excess(array_double_1d axis, array_double_2d work)
     }
     return 0;
 }
-/*Bisect between a parameter that has a canonical member and one that has none.*/
 static double window_edge(int64_t halvings, double inside, double outside, array_double_1d family, array_double_1d axis)
 {
     int64_t i;
@@ -9040,7 +8378,6 @@ static double window_edge(int64_t halvings, double inside, double outside, array
     }
     return inside;
 }
-/*The searched quantity (duration or distance) of a member, and its duration or -1.*/
 static int64_t canonical_value(double* result_0_0001, double* result_1, double p, array_double_1d family, array_double_1d axis)
 {
     double duration;
@@ -9056,10 +8393,6 @@ static int64_t canonical_value(double* result_0_0001, double* result_1, double p
     (*result_1) = duration;
     return 0;
 }
-/*Parameter of the member with the target value; f_lower < target <= f_upper.*/
-/*                                                                           */
-/*    `lower` and `upper` name the values, not the order of the parameters.  */
-/*                                                                           */
 static double bracketed_root(double lower, double upper, double f_lower, double f_upper, array_double_1d family, array_double_1d axis)
 {
     double target;
@@ -9101,7 +8434,6 @@ static double bracketed_root(double lower, double upper, double f_lower, double 
         next_bracket(&other, &before, &e_other, &e_before, error * e_newest < 0.0, newest, other, e_newest, e_other);
         newest = p;
         e_newest = error;
-        /*rounding error of a sum whose terms may cancel*/
         if (fabs(error) <= 2e-15 * (fabs(target) + speed * duration))
         {
             break;
@@ -9113,13 +8445,6 @@ static double bracketed_root(double lower, double upper, double f_lower, double 
     }
     return newest;
 }
-/*Search the members whose second level lies between the end acceleration and zero.                    */
-/*                                                                                                     */
-/*    f_start is the value of the first member, t_zero the parameter at which the second level is      */
-/*    zero. Returns the parameter or -1, and t_zero if the family continues there, else -1: a positive */
-/*    second level gains velocity, so there may be no first level. If the motion starts backwards, the */
-/*    distance can rise and fall again, so the members between are searched too.                       */
-/*                                                                                                     */
 static int64_t first_window(double* result_0, double* result_1_0001, double f_start, double t_zero, array_double_1d family, array_double_1d axis)
 {
     double target;
@@ -9179,11 +8504,6 @@ static int64_t first_window(double* result_0, double* result_1_0001, double f_st
     (*result_1_0001) = going_on;
     return 0;
 }
-/*Parameter of a member that covers the target, which is less than f_start of the first one.     */
-/*                                                                                               */
-/*    -1 if there is none. A longer motion covers less distance while the velocity in between is */
-/*    negative.                                                                                  */
-/*                                                                                               */
 static double shorter_member(double f_start, array_double_1d family, array_double_1d axis)
 {
     int64_t samples;
@@ -9211,7 +8531,6 @@ static double shorter_member(double f_start, array_double_1d family, array_doubl
     }
     return -1.0;
 }
-/*First parameter beyond t_zero with a member, if t_zero has none. */
 static double second_window(double t_zero, array_double_1d family, array_double_1d axis)
 {
     double upper;
@@ -9233,7 +8552,6 @@ static double second_window(double t_zero, array_double_1d family, array_double_
     result = window_edge(INT64_C(80), upper, t_zero, family, axis);
     return result;
 }
-/*Parameter beyond `lower` that covers the target, or -1; `lower` covers f_lower.*/
 static double farther_member(double lower, double f_lower, array_double_1d family, array_double_1d axis)
 {
     double upper;
@@ -9241,7 +8559,6 @@ static double farther_member(double lower, double f_lower, array_double_1d famil
     double f_upper;
     double duration;
     double result;
-    /*if the last acceleration is at its limit, the last ramp cannot scale the family*/
     upper = span_max((*cspan_at(&family, INT64_C(5))), (*cspan_at(&axis, INT64_C(9))));
     if (upper <= lower)
     {
@@ -9261,7 +8578,6 @@ static double farther_member(double lower, double f_lower, array_double_1d famil
     }
     return -1.0;
 }
-/*Parameter of the first canonical member that covers the target distance, or -1.*/
 static double canonical_search(array_double_1d family, array_double_1d axis)
 {
     double target;
@@ -9281,7 +8597,6 @@ static double canonical_search(array_double_1d family, array_double_1d axis)
     {
         return -1.0;
     }
-    /*the first member covers the target up to rounding*/
     if (fabs(f_lower - target) <= 1e-14 * (fabs(target) + (fabs(v) + fabs(w)) * duration))
     {
         return 0.0;
@@ -9317,10 +8632,6 @@ static double canonical_search(array_double_1d family, array_double_1d axis)
     p = farther_member(lower, f_lower, family, axis);
     return p;
 }
-/*Parameter of the member of the target value near that of another bound of the level, or -1.*/
-/*                                                                                           */
-/*    As the bound changes, the member moves along.                                          */
-/*                                                                                           */
 static double nearby_member(array_double_1d family, array_double_1d axis)
 {
     double target;
@@ -9355,13 +8666,6 @@ static double nearby_member(array_double_1d family, array_double_1d axis)
     result = bracketed_root(upper, lower, f_upper, f_lower, family, axis);
     return result;
 }
-/*Parameter of the canonical member number MEMBER of the target value, or -1.                          */
-/*                                                                                                     */
-/*    Neither duration nor distance is monotone along the family. The duration falls and rises again   */
-/*    as a first level with a long way back gives way to a shorter one; the distance does so while the */
-/*    velocity in between is negative. So the search steps through the members, up to nine times       */
-/*    SCALE.                                                                                           */
-/*                                                                                                     */
 static double member_search(array_double_1d family, array_double_1d axis)
 {
     double target;
@@ -9426,12 +8730,6 @@ static double member_search(array_double_1d family, array_double_1d axis)
     }
     return -1.0;
 }
-/*Set the canonical family (Family) of a problem on a branch 0 .. 3, by the distance.              */
-/*                                                                                                 */
-/*    Reversal (1, 2) exchanges the boundary states, mirroring (2, 3) changes their signs; together*/
-/*    they reduce every branch to the canonical one. By default the first member that covers the   */
-/*    distance is searched for, see `set_member`.                                                  */
-/*                                                                                                 */
 static void set_family(int64_t branch, array_double_1d problem, array_double_1d axis, array_double_1d family)
 {
     bool reverse;
@@ -9480,10 +8778,6 @@ static void set_family(int64_t branch, array_double_1d problem, array_double_1d 
     (*cspan_at(&family, INT64_C(16))) = last_ramp;
     (*cspan_at(&family, INT64_C(24))) = 1.0;
 }
-/*Set which of several members to search for: its number, from 0.                                    */
-/*                                                                                                   */
-/*    With `by_time` it lasts `time` [s]; else it covers the distance, and `time` scales the search. */
-/*                                                                                                   */
 static void set_member(int64_t member, double time, bool by_time, array_double_1d family)
 {
     (*cspan_at(&family, INT64_C(15))) = member;
@@ -9495,7 +8789,6 @@ static void set_member(int64_t member, double time, bool by_time, array_double_1
         (*cspan_at(&family, INT64_C(14))) = time;
     }
 }
-/*Write the member of a family as phases, on its own branch; their number. */
 static int64_t write_member(array_double_2d phases, array_double_1d family, array_double_1d axis)
 {
     double a;
@@ -9533,10 +8826,6 @@ static int64_t write_member(array_double_2d phases, array_double_1d family, arra
     }
     return count;
 }
-/*Write the member of a family that is searched for; its number of phases, -1 if none. */
-/*                                                                                     */
-/*    highest [m/s2] bounds the first level.                                           */
-/*                                                                                     */
 static int64_t merged_form(array_double_2d phases, double highest, array_double_1d family, array_double_1d axis)
 {
     double p;
@@ -9569,10 +8858,6 @@ static int64_t merged_form(array_double_2d phases, double highest, array_double_
     result = write_member(phases, family, axis);
     return result;
 }
-/*Excess over the velocity limit [m/s] of phases that start with velocity v; below 0: none.*/
-/*                                                                                         */
-/*    Peaks inside ramps may be ignored if they are within +-limit_kept.                   */
-/*                                                                                         */
 static double velocity_excess(array_double_2d phases, int64_t count, double v, double limit_kept, array_double_1d axis)
 {
     double duration;
@@ -9585,11 +8870,6 @@ static double velocity_excess(array_double_2d phases, int64_t count, double v, d
     result = span_max(highest, -lowest) - (*cspan_at(&axis, INT64_C(2)));
     return result;
 }
-/*A first level whose member keeps the velocity limit, and one above it that does not.                 */
-/*                                                                                                     */
-/*    Returns both and their excess over the limit less a billionth; the first is -1 if there is none. */
-/*    Below some level there may be no member, or one that exceeds the limit on the other side.        */
-/*                                                                                                     */
 static int64_t level_within(double* result_0, double* result_1_0001, double* result_2_0001, double* result_3_0001, double outside, double e_outside, array_double_2d phases, array_double_1d family, array_double_1d axis)
 {
     double velocity_limit;
@@ -9653,7 +8933,6 @@ static int64_t level_within(double* result_0, double* result_1_0001, double* res
     (*result_3_0001) = e_outside;
     return 0;
 }
-/*The highest first level that keeps the velocity limit less a billionth: a bracketed root.*/
 static double highest_within(double inside, double outside, double e_inside, double e_outside, array_double_2d phases, array_double_1d family, array_double_1d axis)
 {
     double margin;
@@ -9672,7 +8951,6 @@ static double highest_within(double inside, double outside, double e_inside, dou
     before = outside;
     e_before = e_outside;
     newest_inside = 1;
-    /*a boundary state can keep the excess near zero at any level; then only its sign is used*/
     constant = 0;
     probing = 0;
     steps = INT64_C(0);
@@ -9746,13 +9024,6 @@ static double highest_within(double inside, double outside, double e_inside, dou
     }
     return inside;
 }
-/*The merged form that keeps the velocity limit; the number of phases.                         */
-/*                                                                                             */
-/*    It is -1 if there is no merged form, 0 if none keeps the limit.                          */
-/*                                                                                             */
-/*    Between its levels the velocity has a peak. If that exceeds the limit, the first level is*/
-/*    lowered and held (tempered), so that the peak is at the limit less a billionth.          */
-/*                                                                                             */
 static int64_t tempered_form(array_double_2d phases, array_double_1d family, array_double_1d axis)
 {
     double velocity_limit;
@@ -9799,11 +9070,6 @@ static int64_t tempered_form(array_double_2d phases, array_double_1d family, arr
     count = merged_form(phases, inside, family, axis);
     return count;
 }
-/*The paper's form with the cruise that makes it last the problem's duration.                          */
-/*                                                                                                     */
-/*    Returns the number of phases, the distance, and the duration of the cruise, which is negative if */
-/*    the form takes longer; the number is -1 if the form does not exist.                              */
-/*                                                                                                     */
 static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis)
 {
     int64_t count;
@@ -9826,22 +9092,12 @@ static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* re
     (*result_2) = hold;
     return 0;
 }
-/*What a change of the cruise velocity can change the distance by [m], at most.*/
-/*                                                                             */
-/*    It is that of velocities that all change by twice as much.               */
-/*                                                                             */
 static double distance_within(double change, array_double_1d problem)
 {
     double result;
     result = 2.0 * (*cspan_at(&problem, INT64_C(5))) * fabs(change);
     return result;
 }
-/*A possible cruise velocity that, if there is one, covers at least the distance.                      */
-/*                                                                                                     */
-/*    The velocity `middle` is possible and covers y with a cruise of the duration `hold`; the search  */
-/*    goes from there to the velocity limit on the side of the distance. If there is no such velocity, */
-/*    the last possible one is returned.                                                               */
-/*                                                                                                     */
 static double cruise_range(array_double_2d phases, double middle, double y, double hold, array_double_1d problem, array_double_1d axis)
 {
     double distance;
@@ -9864,7 +9120,6 @@ static double cruise_range(array_double_2d phases, double middle, double y, doub
     outside = limit;
     failed = 0;
     missing = distance - y;
-    /*the distance grows with the cruise velocity by about its duration and half of the ramps'*/
     cruise = middle + 2.5 * missing / ((*cspan_at(&problem, INT64_C(5))) + hold);
     if (fabs(cruise) > fabs(limit))
     {
@@ -9903,11 +9158,6 @@ static double cruise_range(array_double_2d phases, double middle, double y, doub
     }
     return inside;
 }
-/*Keep the trial profile if it is the nearest one below or above the distance.                         */
-/*                                                                                                     */
-/*    It must last the problem's duration. The phases go to the cell, their number and distance to the */
-/*    row NEAREST of `work`.                                                                           */
-/*                                                                                                     */
 static void keep_nearest(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
     array_double_2d trial;
@@ -9961,7 +9211,6 @@ static void keep_nearest(int64_t count, array_double_1d problem, array_double_1d
         (*cspan_at(&nearest, INT64_C(3))) = y;
     }
 }
-/*Whether profiles on both sides of the distance are kept. */
 static bool is_enclosed(array_double_2d work)
 {
     array_double_1d nearest;
@@ -9970,7 +9219,6 @@ static bool is_enclosed(array_double_2d work)
     result = ((*cspan_at(&nearest, INT64_C(0))) > 0.0) && ((*cspan_at(&nearest, INT64_C(2))) > 0.0);
     return result;
 }
-/*Try a cruise velocity and keep its profile if it is the nearest one; returns its distance. */
 static double keep_cruise(double cruise, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
     array_double_2d trial;
@@ -9982,10 +9230,6 @@ static double keep_cruise(double cruise, array_double_1d problem, array_double_1
     keep_nearest(count, problem, axis, cell, work);
     return y;
 }
-/*Search for the cruise velocity that covers the distance.                   */
-/*                                                                           */
-/*    e_lower and e_upper are the excess distances of the two velocities [m].*/
-/*                                                                           */
 static void between_cruises(double lower, double upper, double e_lower, double e_upper, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
     double distance;
@@ -10019,7 +9263,6 @@ static void between_cruises(double lower, double upper, double e_lower, double e
         share = root_share(newest, other, before, e_newest, e_other, e_before);
         if (i == INT64_C(0))
         {
-            /*the distance is nearly linear*/
             share = e_newest / (e_newest - e_other);
         }
         cruise = newest + share * (other - newest);
@@ -10037,10 +9280,6 @@ static void between_cruises(double lower, double upper, double e_lower, double e
         e_newest = error;
     }
 }
-/*Bisect between a possible cruise velocity, which covers y, and an impossible one.*/
-/*                                                                                 */
-/*    Roughly, if the distance cannot be covered between them.                     */
-/*                                                                                 */
 static double cruise_edge(double inside, double outside, double y, array_double_2d phases, array_double_1d problem, array_double_1d axis)
 {
     int64_t halvings;
@@ -10068,7 +9307,6 @@ static double cruise_edge(double inside, double outside, double y, array_double_
     }
     return inside;
 }
-/*Nearest profiles with a cruise, over all windows of possible cruise velocities.*/
 static void scan_cruises(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
     array_double_2d trial;
@@ -10126,10 +9364,6 @@ static void scan_cruises(array_double_1d problem, array_double_1d axis, array_do
         y_before = y;
     }
 }
-/*Set the family of a problem; returns the velocity that the single ramp misses [m/s]. */
-/*                                                                                     */
-/*    The problem is mirrored if the single ramp gains too much.                       */
-/*                                                                                     */
 static double set_loop(array_double_1d problem, array_double_1d axis, array_double_1d family)
 {
     double top;
@@ -10168,10 +9402,6 @@ static double set_loop(array_double_1d problem, array_double_1d axis, array_doub
     segfmu_ramp_duration(cspan_at(&family, INT64_C(9)), &slope, top + sign * b, axis);
     return sign * missing;
 }
-/*The ramp from a that takes `time`, downwards if negative: its duration, hold, and level. */
-/*                                                                                         */
-/*    up and down are the durations of the ramps to the limits.                            */
-/*                                                                                         */
 static int64_t level_from(double* result_0_0001, double* result_1_0001, double* result_2_0001, double a, double time, double up, double down, array_double_1d axis)
 {
     double change;
@@ -10203,10 +9433,6 @@ static int64_t level_from(double* result_0_0001, double* result_1_0001, double* 
     (*result_2_0001) = a + change;
     return 0;
 }
-/*Set a member of the family; returns how much it gains too much [m/s].                              */
-/*                                                                                                   */
-/*    radius is |p| + |q|; the place along the loop is 0 for p = radius, 1 for q = radius, and so on.*/
-/*                                                                                                   */
 static double set_point(double place, double radius, array_double_1d family, array_double_1d axis)
 {
     double part;
@@ -10259,10 +9485,6 @@ static double set_point(double place, double radius, array_double_1d family, arr
     result = gain - ((*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))));
     return result;
 }
-/*The radius at which the velocity is reached at a place, and that member; -1: none. */
-/*                                                                                   */
-/*    arc: LOOP for the least such radius, FOLD for the next one.                    */
-/*                                                                                   */
 static double loop_radius(int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis)
 {
     double lower;
@@ -10321,7 +9543,6 @@ static double loop_radius(int64_t arc, double place, double missing, double larg
     }
     return newest;
 }
-/*Set the member with one of p and q zero (as in `set_point`) whose second ramp is slow. */
 static bool slow_middle(double place, double radius, array_double_1d family, array_double_1d axis)
 {
     double error;
@@ -10344,10 +9565,6 @@ static bool slow_middle(double place, double radius, array_double_1d family, arr
     (*cspan_at(&family, INT64_C(24))) = stretch;
     return stretch >= 1.0;
 }
-/*Duration of the member at a place (-1: none), and what it goes too far [m] or lasts too long.*/
-/*                                                                                             */
-/*    On an arc with a slow ramp, places are 0 .. 4 from the largest downward to upward change.*/
-/*                                                                                             */
 static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis)
 {
     double part;
@@ -10407,7 +9624,6 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
         return 0;
     }
     error = y - (*cspan_at(&family, INT64_C(14)));
-    /*states on another plan have its rounding errors, and an arc can end at the distance*/
     if (fabs(error) <= 2e-13 * (fabs(y) + (*cspan_at(&axis, INT64_C(2))) * duration))
     {
         error = 0.0;
@@ -10416,7 +9632,6 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
     (*result_1) = error;
     return 0;
 }
-/*Duration of the member between two places that covers the distance; sets it. -1: none. */
 static double loop_root(int64_t arc, double lower, double upper, double e_lower, double e_upper, double missing, double largest, array_double_1d family, array_double_1d axis)
 {
     double place;
@@ -10470,11 +9685,6 @@ static double loop_root(int64_t arc, double lower, double upper, double e_lower,
     }
     return duration;
 }
-/*Set the next member of an arc that is searched for, after a sample 0 .. 47 of its places.      */
-/*                                                                                               */
-/*    Returns the sample after it, or -1 if there is none, and its duration [s]. Between the last*/
-/*    place with a member and one without, members are searched by halving.                      */
-/*                                                                                               */
 static int64_t arc_root(int64_t* result_0, double* result_1, int64_t arc, int64_t sample, double missing, double largest, array_double_1d family, array_double_1d axis)
 {
     int64_t samples;
@@ -10510,7 +9720,6 @@ static int64_t arc_root(int64_t* result_0, double* result_1, int64_t arc, int64_
         {
             continue;
         }
-        /*the arc from `other`, to `inside`, perhaps on its way to a place without a member*/
         other = before;
         e_other = e_before;
         inside = place;
@@ -10562,11 +9771,6 @@ static int64_t arc_root(int64_t* result_0, double* result_1, int64_t arc, int64_
     (*result_1) = -1.0;
     return 0;
 }
-/*Replace a profile by the shortest one of all arcs, if that is shorter.                             */
-/*                                                                                                   */
-/*    count: number of its phases, 0 if there is none; longest: its duration, or the longest one that*/
-/*    is looked for [s]. Returns the new number.                                                     */
-/*                                                                                                   */
 static int64_t loop_form(int64_t count, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     array_double_1d family;
@@ -10595,7 +9799,6 @@ static int64_t loop_form(int64_t count, double longest, array_double_2d phases, 
             {
                 used = write_member(trial, family, axis);
                 duration = valid_duration(trial, used, problem, axis);
-                /*a gain by rounding is none*/
                 if ((duration >= 0.0) && (duration < longest * (1.0 - 1e-10)))
                 {
                     copy_phases(trial, phases, used);
@@ -10607,7 +9810,6 @@ static int64_t loop_form(int64_t count, double longest, array_double_2d phases, 
     }
     return count;
 }
-/*Nearest profiles of all arcs that last the problem's duration. */
 static void timed_loop(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
     array_double_1d family;
@@ -10636,11 +9838,6 @@ static void timed_loop(array_double_1d problem, array_double_1d axis, array_doub
         }
     }
 }
-/*The longest duration [s] of profiles whose acceleration keeps its sign; 0 if there are none.     */
-/*                                                                                                 */
-/*    Only those can take less time than the shortest profile of the other forms, whose duration is*/
-/*    given: any other one can be prolonged where its acceleration is zero.                        */
-/*                                                                                                 */
 static double early_window(double duration, array_double_1d problem, array_double_1d axis)
 {
     double v;
@@ -10675,7 +9872,6 @@ static double early_window(double duration, array_double_1d problem, array_doubl
         return 0.0;
     }
     least = span_max(single, gain / (*cspan_at(&axis, INT64_C(3))));
-    /*the mean velocity is one between v and w*/
     fastest = span_max(v, w);
     slowest = span_min(v, w);
     if (distance < 0.0)
@@ -10695,7 +9891,6 @@ static double early_window(double duration, array_double_1d problem, array_doubl
     }
     return span_min(most * (1.0 + 1e-09), duration);
 }
-/*base to the exponent, a small whole number.*/
 static double power_of(double base, int64_t exponent)
 {
     int64_t i;
@@ -10707,7 +9902,6 @@ static double power_of(double base, int64_t exponent)
     }
     return power;
 }
-/*Set level and hold of a node from its time.*/
 static void set_level(array_double_1d node, array_double_1d passing, array_double_1d axis)
 {
     int64_t above;
@@ -10752,10 +9946,6 @@ static void set_level(array_double_1d node, array_double_1d passing, array_doubl
         (*cspan_at(&node, INT64_C(9))) = sign * change;
     }
 }
-/*Advance the derivatives below q = 2 + above by a hold at a level, or a rise from it.       */
-/*                                                                                           */
-/*    The rise by `change` has the given variance and fourth cumulant of its slope over time.*/
-/*                                                                                           */
 static void advance(double time, double level, double change, double variance, double fourth, int64_t above, array_double_1d state)
 {
     double half;
@@ -10804,7 +9994,6 @@ static void advance(double time, double level, double change, double variance, d
         (*cspan_at(&state, k)) = total;
     }
 }
-/*Ramp to the level of a node; the state after it is written to the next node. */
 static void pass_node(int64_t i, array_double_1d passing, array_double_1d axis, array_double_2d nodes)
 {
     int64_t above;
@@ -10839,7 +10028,6 @@ static void pass_node(int64_t i, array_double_1d passing, array_double_1d axis, 
         advance(basis / pace, before, change, variance * square, fourth * square * square, above, span_row(&nodes, i + INT64_C(1)));
     }
 }
-/*What a derivative is measured in: about its peak, for the same rounding errors of all. */
 static double residual_scale(int64_t order, array_double_1d passing, array_double_1d axis)
 {
     double acceleration;
@@ -10859,7 +10047,6 @@ static double residual_scale(int64_t order, array_double_1d passing, array_doubl
     }
     return speed * time;
 }
-/*Write the conditions at a plateau, after the ramp to it, from `row` on; the next row.*/
 static int64_t node_residuals(int64_t i, int64_t row, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d residual)
 {
     int64_t q;
@@ -10869,7 +10056,6 @@ static int64_t node_residuals(int64_t i, int64_t row, array_double_1d passing, a
     double error;
     q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
     kind = (int64_t)((*cspan_at(&nodes, i, INT64_C(4))));
-    /*which condition is that of the hold instead*/
     dropped = -INT64_C(1);
     if ((*cspan_at(&nodes, i, INT64_C(7))) > 1.5)
     {
@@ -10900,7 +10086,6 @@ static int64_t node_residuals(int64_t i, int64_t row, array_double_1d passing, a
     }
     return row;
 }
-/*Remove the rounding errors of a state on a plateau, which a long hold would enlarge. */
 static void hold_limit(int64_t q, array_double_1d node, array_double_1d axis, array_double_1d state)
 {
     int64_t kind;
@@ -10915,7 +10100,6 @@ static void hold_limit(int64_t q, array_double_1d node, array_double_1d axis, ar
         }
     }
 }
-/*Write the conditions at the end of a sequence, whose state is in `end`, from `row` on. */
 static void end_residuals(int64_t row, array_double_1d problem, array_double_1d passing, array_double_1d axis, array_double_1d end, array_double_1d residual)
 {
     int64_t k;
@@ -10940,7 +10124,6 @@ static void end_residuals(int64_t row, array_double_1d problem, array_double_1d 
         (*cspan_at(&residual, INT64_C(0) + row + k)) = error / residual_scale(k, passing, axis);
     }
 }
-/*Duration of a sequence [s].*/
 static double sequence_duration(array_double_1d passing, array_double_2d nodes)
 {
     int64_t i;
@@ -10952,7 +10135,6 @@ static double sequence_duration(array_double_1d passing, array_double_2d nodes)
     }
     return total;
 }
-/*Follow a sequence from node `first` on, and write its residuals from there to the end. */
 static void run_sequence(int64_t first, array_double_1d problem, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d residual)
 {
     int64_t q;
@@ -11005,7 +10187,6 @@ static void run_sequence(int64_t first, array_double_1d problem, array_double_1d
         (*cspan_at(&residual, INT64_C(0) + row)) = error / (*cspan_at(&passing, INT64_C(3)));
     }
 }
-/*Whether a sequence has as many unknowns as conditions. */
 static bool is_square(array_double_1d passing, array_double_2d nodes)
 {
     int64_t q;
@@ -11024,7 +10205,6 @@ static bool is_square(array_double_1d passing, array_double_2d nodes)
     }
     return (conditions == count) && (count <= INT64_C(16));
 }
-/*Root of the sum of squares.*/
 static double residual_norm(int64_t count, array_double_1d residual)
 {
     double total;
@@ -11036,10 +10216,6 @@ static double residual_norm(int64_t count, array_double_1d residual)
     }
     return sqrt(total);
 }
-/*Write the derivatives of all residuals with one unknown: a node's time, or last the pace.        */
-/*                                                                                                 */
-/*    A change of a time changes the sequence from its node on; the residuals are in the rows STEP.*/
-/*                                                                                                 */
 static void perturbed_column(int64_t column, int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     array_double_1d passing;
@@ -11081,11 +10257,9 @@ static void perturbed_column(int64_t column, int64_t count, array_double_1d prob
         (*cspan_at(&work, INT64_C(91) + i, column)) = slope;
         largest = span_max(largest, fabs(slope));
     }
-    /*far from singular to rounding errors; the step changes by as little*/
     diagonal = (*cspan_at(&work, INT64_C(91) + column, column));
     (*cspan_at(&work, INT64_C(91) + column, column)) = diagonal + 1e-12 * span_max(largest, 1e-300);
 }
-/*Write the step of all unknowns to the rows STEP of `work`; derivatives are differences.*/
 static void newton_step(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     array_double_1d passing;
@@ -11104,18 +10278,15 @@ static void newton_step(int64_t count, array_double_1d problem, array_double_1d 
     if ((*cspan_at(&passing, INT64_C(5))) > 0.0)
     {
         perturbed_column(count - INT64_C(1), count, problem, axis, work);
-        /*the states before each node are those of the present pace again*/
         run_sequence(INT64_C(0), problem, passing, axis, nodes, residual);
     }
     for (j = INT64_C(0); j < (int64_t)((*cspan_at(&passing, INT64_C(0)))); j += INT64_C(1))
     {
-        /*from the last node on, so that the states before the others are those of the sequence*/
         perturbed_column((int64_t)((*cspan_at(&passing, INT64_C(0)))) - INT64_C(1) - j, count, problem, axis, work);
     }
     matrix = span_rows(&work, INT64_C(91), INT64_C(107));
     matrix_solve(count, INT64_C(1), matrix, span_rows(&work, INT64_C(107), INT64_C(123)));
 }
-/*The share of a step that keeps the signs of most levels and changes no unknown too much. */
 static double longest_step(array_double_2d work)
 {
     array_double_1d passing;
@@ -11146,7 +10317,6 @@ static double longest_step(array_double_2d work)
             {
                 most = 1.5 * fabs(time);
             }
-            /*a small level can change its sign*/
             most = most + 0.01 * (*cspan_at(&passing, INT64_C(3)));
         }
         if (fabs(change) * share > most)
@@ -11164,7 +10334,6 @@ static double longest_step(array_double_2d work)
     }
     return share;
 }
-/*Add a share of the step to all unknowns. */
 static void take_step(double share, array_double_2d work)
 {
     int64_t count;
@@ -11183,10 +10352,6 @@ static void take_step(double share, array_double_2d work)
         (*cspan_at(&work, INT64_C(48), INT64_C(2))) = pace;
     }
 }
-/*Change the times of the sequence in `work` (PlanWork) until it meets its conditions. */
-/*                                                                                     */
-/*    If it has a TARGET, its pace is changed too, until it lasts that long.           */
-/*                                                                                     */
 static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     array_double_1d passing;
@@ -11215,7 +10380,6 @@ static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_
         reached = error;
         for (j = INT64_C(0); j < INT64_C(8); j += INT64_C(1))
         {
-            /*at the root only rounding errors are left*/
             if ((share == 0.0) || ((j > INT64_C(0)) && (error <= 1e-11)))
             {
                 break;
@@ -11232,7 +10396,6 @@ static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_
         }
         if (!(reached < error * (1.0 - 0.0001 * share)))
         {
-            /*the states are those of a step that was taken back*/
             run_sequence(INT64_C(0), problem, passing, axis, nodes, residual);
             break;
         }
@@ -11240,7 +10403,6 @@ static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_
     }
     return error <= 1e-12;
 }
-/*Copy the sequence to the rows KEPT of `work` (PlanWork). */
 static void keep_sequence(array_double_2d work)
 {
     int64_t i;
@@ -11257,7 +10419,6 @@ static void keep_sequence(array_double_2d work)
         }
     }
 }
-/*Copy it back.        */
 static void restore_sequence(array_double_2d work)
 {
     int64_t i;
@@ -11274,7 +10435,6 @@ static void restore_sequence(array_double_2d work)
         }
     }
 }
-/*Insert a node before another one.*/
 static void insert_node(int64_t place, int64_t kind, double sign, double time, bool touch, array_double_2d work)
 {
     array_double_1d passing;
@@ -11300,7 +10460,6 @@ static void insert_node(int64_t place, int64_t kind, double sign, double time, b
     (*cspan_at(&work, row, INT64_C(8))) = 0.0;
     (*cspan_at(&passing, INT64_C(0))) = count + INT64_C(1);
 }
-/*Let the derivative q - 2 stay at its limit within a level: level, plateau, level.*/
 static bool split_level(int64_t place, int64_t kind, double sign, array_double_1d axis, array_double_2d work)
 {
     int64_t row;
@@ -11320,10 +10479,6 @@ static bool split_level(int64_t place, int64_t kind, double sign, array_double_1
     insert_node(place + INT64_C(2), INT64_C(0), level_sign, 0.8 * time, 0, work);
     return 1;
 }
-/*Let the derivative q - 3 reach its limit in the ramp to a node: level, plateau, level.         */
-/*                                                                                               */
-/*    holding: it exceeds the limit where the derivative q - 1 stays; that goes on at both sides.*/
-/*                                                                                               */
 static bool split_ramp(int64_t place, int64_t kind, double sign, bool touch, bool holding, array_double_2d work)
 {
     int64_t first;
@@ -11368,10 +10523,6 @@ static bool split_ramp(int64_t place, int64_t kind, double sign, bool touch, boo
     insert_node(place, INT64_C(0), after, time, 0, work);
     return 1;
 }
-/*Let a derivative that exceeds its limit the most at a node stay at the limit there.      */
-/*                                                                                         */
-/*    touching: that of the order q - 3 only touches it. False if there is no place for it.*/
-/*                                                                                         */
 static bool insert_plateau(int64_t kind, bool touching, array_double_1d axis, array_double_2d work)
 {
     array_double_1d passing;
@@ -11426,7 +10577,6 @@ static bool insert_plateau(int64_t kind, bool touching, array_double_1d axis, ar
     insert_node(place, kind, sign, 0.0, 0, work);
     return 1;
 }
-/*Move a first or last level that vanishes to the other end, with the next sign there. */
 static bool rotate_levels(array_double_2d work)
 {
     array_double_1d passing;
@@ -11466,7 +10616,6 @@ static bool rotate_levels(array_double_2d work)
     }
     return 0;
 }
-/*`solve_sequence`; where that fails as a level at one end vanishes, with one at the other.*/
 static bool solve_rotated(array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     bool result;
@@ -11477,7 +10626,6 @@ static bool solve_rotated(array_double_1d problem, array_double_1d axis, array_d
     result = rotate_levels(work) && solve_sequence(problem, axis, work);
     return result;
 }
-/*The plateau whose hold is the most below zero; -1 if there is none.*/
 static int64_t overlong_plateau(array_double_2d work)
 {
     array_double_1d passing;
@@ -11503,7 +10651,6 @@ static int64_t overlong_plateau(array_double_2d work)
     }
     return found;
 }
-/*Bring the hold of a plateau to zero in steps, with one condition less (TOUCH). */
 static bool shorten_hold(int64_t row, int64_t touch, int64_t steps, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     double hold;
@@ -11520,7 +10667,6 @@ static bool shorten_hold(int64_t row, int64_t touch, int64_t steps, array_double
     }
     return 1;
 }
-/*Let the derivative of a plateau whose hold is below zero only touch its limit, or less.*/
 static bool touch_limit(int64_t row, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     int64_t kind;
@@ -11542,7 +10688,6 @@ static bool touch_limit(int64_t row, array_double_1d problem, array_double_1d ax
     result = shorten_hold(row, INT64_C(2), INT64_C(4), problem, axis, work);
     return result;
 }
-/*Let a derivative that touches its limit and still exceeds it stay there instead. */
 static bool release_touch(int64_t kind, array_double_2d work)
 {
     int64_t i;
@@ -11558,10 +10703,6 @@ static bool release_touch(int64_t kind, array_double_2d work)
     }
     return 0;
 }
-/*Add a plateau of a derivative that exceeds its limit; its order, 0: impossible.*/
-/*                                                                               */
-/*    upward: of the lowest such derivative, else of the highest one.            */
-/*                                                                               */
 static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d work)
 {
     int64_t q;
@@ -11594,10 +10735,6 @@ static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d wo
     }
     return INT64_C(0);
 }
-/*Add plateaus to a solved sequence, or take their holds, until it keeps all limits. */
-/*                                                                                   */
-/*    upward: the derivatives of low order first.                                    */
-/*                                                                                   */
 static bool meet_limits(bool upward, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     int64_t q;
@@ -11652,7 +10789,6 @@ static bool meet_limits(bool upward, array_double_1d problem, array_double_1d ax
     }
     return 0;
 }
-/*Append a level to a sequence, or enlarge the last one if that has the same sign. */
 static void append_level(double sign, double time, array_double_2d work)
 {
     int64_t count;
@@ -11671,7 +10807,6 @@ static void append_level(double sign, double time, array_double_2d work)
     }
     insert_node(count, INT64_C(0), sign, time, 0, work);
 }
-/*Append the levels of a ramp of the acceleration; nothing for no change.*/
 static void append_levels(double change, array_double_1d axis, array_double_2d work)
 {
     double sign;
@@ -11707,7 +10842,6 @@ static void append_levels(double change, array_double_1d axis, array_double_2d w
     }
     append_level(-sign, time, work);
 }
-/*The derivative that a hold keeps at its limit, 1 or 2, and its sign; 0 if there is none. */
 static int64_t limit_held(int64_t* result_0, double* result_1_0001, double a, double v, array_double_1d axis)
 {
     int64_t order;
@@ -11734,7 +10868,6 @@ static int64_t limit_held(int64_t* result_0, double* result_1_0001, double a, do
     (*result_1_0001) = 1.0;
     return 0;
 }
-/*Set the sequence of the levels in the ramps of an ordinary profile from the velocity v.*/
 static void copy_levels(int64_t count, array_double_2d phases, double v, array_double_1d axis, array_double_2d work)
 {
     array_double_1d passing;
@@ -11773,7 +10906,6 @@ static void copy_levels(int64_t count, array_double_2d phases, double v, array_d
     }
     append_levels(pending, axis, work);
 }
-/*Set what Newton's method starts from in an attempt; False if it is that of another one.*/
 static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     array_double_1d passing;
@@ -11807,7 +10939,6 @@ static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases,
             insert_node(i, INT64_C(0), 1.0 - 2.0 * (span_floor_mod(i, INT64_C(2))), time, 0, work);
         }
     }
-    /*the levels of ordinary profiles are lower, as they meet at zero*/
     factor = 1.0;
     if (q == INT64_C(4))
     {
@@ -11839,10 +10970,6 @@ static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases,
     }
     return 1;
 }
-/*Slow a solved sequence down, as little as possible, until it keeps the limits. */
-/*                                                                               */
-/*    False if that takes longer than `longest` [s].                             */
-/*                                                                               */
 static bool slow_down(double longest, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     array_double_1d passing;
@@ -11889,7 +11016,6 @@ static bool slow_down(double longest, array_double_1d problem, array_double_1d a
     }
     return slow > 0.0;
 }
-/*Write a sequence as phases; their number.*/
 static int64_t write_sequence(array_double_2d phases, array_double_1d axis, array_double_2d work)
 {
     double above;
@@ -11922,7 +11048,6 @@ static int64_t write_sequence(array_double_2d phases, array_double_1d axis, arra
             order = above;
             if (((*cspan_at(&work, row, INT64_C(4))) > 0.5) && (level == 0.0))
             {
-                /*this derivative is held, without the rounding errors of the ramps before*/
                 order = span_max((*cspan_at(&work, row, INT64_C(4))) - 2.0, 0.0);
                 held = 0.0;
                 if ((*cspan_at(&work, row, INT64_C(4))) > 1.5)
@@ -11937,7 +11062,6 @@ static int64_t write_sequence(array_double_2d phases, array_double_1d axis, arra
     }
     return used;
 }
-/*Whether a derivative of a sequence stays below its limit where it could reach it.*/
 static bool stays_below(array_double_2d work)
 {
     int64_t i;
@@ -11950,11 +11074,6 @@ static bool stays_below(array_double_2d work)
     }
     return 0;
 }
-/*Duration of the passing profile that keeps the limits in one of several ways.                      */
-/*                                                                                                   */
-/*    Plateaus of derivatives of high order first (0), of low order first (1), or a slower pace (2). */
-/*    -1: there is none; 0: the sequence has no solution from the start of this attempt.             */
-/*                                                                                                   */
 static double passing_duration(int64_t way, int64_t attempt, double longest, int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     bool found;
@@ -11982,10 +11101,6 @@ static double passing_duration(int64_t way, int64_t attempt, double longest, int
     result = sequence_duration(span_row(&work, INT64_C(48)), span_rows(&work, INT64_C(49), INT64_C(67)));
     return result;
 }
-/*Replace a profile of ramps of the acceleration by a shorter passing one, if there is one.*/
-/*                                                                                         */
-/*    Returns the new number of phases.                                                    */
-/*                                                                                         */
 static int64_t passing_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     double longest;
@@ -12024,7 +11139,6 @@ static int64_t passing_form(int64_t count, array_double_2d phases, array_double_
         }
         if ((way == INT64_C(0)) && (best < INT64_C(0)))
         {
-            /*no solution from this start*/
             continue;
         }
         if (best < INT64_C(0))
@@ -12033,7 +11147,6 @@ static int64_t passing_form(int64_t count, array_double_2d phases, array_double_
         }
         if (way != best)
         {
-            /*the last one that was tried is not the shortest*/
             found = passing_duration(best, attempt, longest, count, phases, problem, axis, work);
         }
         result = write_sequence(phases, axis, work);
@@ -12041,10 +11154,6 @@ static int64_t passing_form(int64_t count, array_double_2d phases, array_double_
     }
     return count;
 }
-/*Slow the passing profile in `work` down so that it lasts the problem's duration. */
-/*                                                                                 */
-/*    Returns the number of its phases; 0 if that breaks a limit.                  */
-/*                                                                                 */
 static int64_t timed_passing(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     array_double_1d passing;
@@ -12056,7 +11165,6 @@ static int64_t timed_passing(array_double_2d phases, array_double_1d problem, ar
     passing = span_row(&work, INT64_C(48));
     shortest = sequence_duration(passing, span_rows(&work, INT64_C(49), INT64_C(67)));
     longer = (*cspan_at(&problem, INT64_C(5))) / shortest - 1.0;
-    /*by little each time, as plateaus begin and end on the way*/
     steps = span_min_int((int64_t)(20.0 * longer) + INT64_C(1), INT64_C(10));
     for (i = INT64_C(0); i < steps; i += INT64_C(1))
     {
@@ -12073,7 +11181,6 @@ static int64_t timed_passing(array_double_2d phases, array_double_1d problem, ar
     result = write_sequence(phases, axis, work);
     return result;
 }
-/*Upper bound [s] for the duration of the paper's form with cruise.*/
 static double usual_duration(array_double_1d problem, array_double_1d axis)
 {
     double limit;
@@ -12084,7 +11191,6 @@ static double usual_duration(array_double_1d problem, array_double_1d axis)
     result = 4.0 * change + fabs((*cspan_at(&problem, INT64_C(4)))) / limit;
     return result;
 }
-/*The optimal forms, one ramp or cruise at the limit; 0 if none is valid.*/
 static int64_t fastest_between(array_double_2d phases, array_double_1d problem, array_double_1d axis)
 {
     double v;
@@ -12105,13 +11211,11 @@ static int64_t fastest_between(array_double_2d phases, array_double_1d problem, 
     w = (*cspan_at(&problem, INT64_C(2)));
     b = (*cspan_at(&problem, INT64_C(3)));
     velocity_limit = (*cspan_at(&axis, INT64_C(2)));
-    /*nothing is faster than one ramp (phase I.1 alone), if it joins the boundary states*/
     count = append_change(phases, INT64_C(0), a, b, axis);
     if (count > INT64_C(0))
     {
         duration = (*cspan_at(&phases, INT64_C(0), INT64_C(0)));
         end = v + 0.5 * (a + b) * duration;
-        /*relative to the motion, which can be tiny*/
         scale = fabs(v) + fabs(w) + (fabs(a) + fabs(b)) * duration;
         if (fabs(end - w) <= 1e-13 * span_min(velocity_limit, scale))
         {
@@ -12121,7 +11225,6 @@ static int64_t fastest_between(array_double_2d phases, array_double_1d problem, 
             }
         }
     }
-    /*both cannot be valid; that in the direction of the distance is more likely*/
     first = INT64_C(0);
     if ((*cspan_at(&problem, INT64_C(4))) < 0.0)
     {
@@ -12139,11 +11242,6 @@ static int64_t fastest_between(array_double_2d phases, array_double_1d problem, 
     }
     return INT64_C(0);
 }
-/*The shortest candidate between two boundary states, without braking; 0 if none is valid.         */
-/*                                                                                                 */
-/*    The first attempt (0) tries the optimal forms; the second one tries those that take longer to*/
-/*    keep the velocity limit. Returns the number of phases.                                       */
-/*                                                                                                 */
 static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     array_double_2d trial;
@@ -12169,7 +11267,6 @@ static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_d
     found = -INT64_C(1);
     for (branch = INT64_C(0); branch < INT64_C(6) - attempt; branch += INT64_C(1))
     {
-        /*the branches of a pair have the same profile, seen from its start or from its end*/
         if (((branch == INT64_C(1)) || (branch == INT64_C(3))) && (found == branch - INT64_C(1)) && (attempt == INT64_C(0)))
         {
             continue;
@@ -12211,7 +11308,6 @@ static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_d
     }
     return best;
 }
-/*Whether start and end states are equal.*/
 static bool is_done(array_double_1d problem)
 {
     bool result;
@@ -12222,14 +11318,12 @@ static bool is_done(array_double_1d problem)
     result = (*cspan_at(&problem, INT64_C(1))) == (*cspan_at(&problem, INT64_C(3)));
     return result;
 }
-/*Whether no limit above the snap makes ramps of the acceleration take longer than needed. */
 static bool ramps_suffice(array_double_1d axis)
 {
     bool result;
     result = (*cspan_at(&axis, INT64_C(15) + INT64_C(1))) == 0.0;
     return result;
 }
-/*The shortest ramps, with braking or forms that take longer to keep the limit; or a status. */
 static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
 {
     array_double_2d trial;
@@ -12251,8 +11345,6 @@ static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array
     usual = usual_duration(problem, axis);
     for (variant = INT64_C(1); variant < INT64_C(8); variant += INT64_C(1))
     {
-        /*variants 0 to 3: braking none, the first, the last or both of the accelerations to zero;*/
-        /*4 to 7 the same with the second attempt; the last three are the fallback*/
         if ((variant > INT64_C(4)) && (best > INT64_C(0)) && (shortest <= usual))
         {
             break;
@@ -12286,10 +11378,6 @@ static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array
     }
     return best;
 }
-/*The shorter `passing_form` of the motion and of that with the time reversed. */
-/*                                                                             */
-/*    Settled, both are the same where the jerk has the levels.                */
-/*                                                                             */
 static int64_t passing_either_way(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work)
 {
     array_double_2d ramps;
@@ -12325,7 +11413,6 @@ static int64_t passing_either_way(int64_t count, array_double_2d phases, array_d
     }
     return found;
 }
-/*`shortest_profile` where the optimal forms fail. */
 static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work)
 {
     int64_t status;
@@ -12349,7 +11436,6 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
         }
         longest = total_duration(phases, status);
     }
-    /*from rest to rest the other forms have them all; where braking fails, none may pass zero*/
     passing = (*cspan_at(&asked, INT64_C(1))) * (*cspan_at(&asked, INT64_C(3))) <= 0.0;
     if (is_resting(asked, axis) || (passing && (status < INT64_C(0)) && (status != -INT64_C(3))))
     {
@@ -12367,12 +11453,6 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
     }
     return count;
 }
-/*Phases of the shortest profile of a boundary problem (Problem) of one axis (Axis).               */
-/*                                                                                                 */
-/*    `phases` has the rows of Cell.BELOW, `work` those of `PlanWork`. Returns the number of phases*/
-/*    (0 when there is nothing to do), or the status START_BRAKING, END_BRAKING or NO_PROFILE      */
-/*    (PlanStatus).                                                                                */
-/*                                                                                                 */
 int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
 {
     array_double_1d asked;
@@ -12403,7 +11483,6 @@ int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, a
     }
     return count;
 }
-/*Insert a duration above `after` in the sorted first column of ends; the longest drops out. */
 static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends)
 {
     int64_t place;
@@ -12434,10 +11513,6 @@ static int64_t insert_end(double duration, double after, int64_t count, array_do
     }
     return count;
 }
-/*Duration of the paper's form; if `covering`, with the cruise that covers the distance. */
-/*                                                                                       */
-/*    1e300 if there is no such form.                                                    */
-/*                                                                                       */
 static double cruise_time(double cruise, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases)
 {
     int64_t count;
@@ -12457,7 +11532,6 @@ static double cruise_time(double cruise, bool covering, array_double_1d problem,
     }
     return duration;
 }
-/*The least `cruise_time` between two cruise velocities, by golden section.*/
 static double turning_time(double lower, double upper, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases)
 {
     double shrink;
@@ -12492,10 +11566,6 @@ static double turning_time(double lower, double upper, bool covering, array_doub
     }
     return span_min(t_p, t_q);
 }
-/*Insert the minima of the paper's form's duration over all cruise velocities.                     */
-/*                                                                                                 */
-/*    `spent` is the duration of braking, `count` the number of durations; returns the new number. */
-/*                                                                                                 */
 static int64_t turning_ends(bool covering, double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count)
 {
     array_double_2d phases;
@@ -12536,10 +11606,6 @@ static int64_t turning_ends(bool covering, double spent, double after, array_dou
     }
     return count;
 }
-/*Insert the durations of all candidates of the shortest profile that cover the distance.          */
-/*                                                                                                 */
-/*    `spent` is the duration of braking, `count` the number of durations; returns the new number. */
-/*                                                                                                 */
 static int64_t covering_ends(double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count)
 {
     array_double_2d phases;
@@ -12598,11 +11664,6 @@ static int64_t covering_ends(double spent, double after, array_double_1d problem
     }
     return count;
 }
-/*Write the shortest durations above a given one at which a gap can end; returns their number.       */
-/*                                                                                                   */
-/*    They are in ascending order in the first column of the rows GAP_ENDS of `work`, at most one per*/
-/*    row.                                                                                           */
-/*                                                                                                   */
 static int64_t gap_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     array_double_2d trial;
@@ -12630,7 +11691,6 @@ static int64_t gap_ends(double after, array_double_1d problem, array_double_1d a
     }
     return count;
 }
-/*Set the levels to the extreme accelerations of the polynomial of degree five.*/
 static void polynomial_levels(array_double_1d problem, array_double_1d gentle)
 {
     double duration;
@@ -12661,7 +11721,6 @@ static void polynomial_levels(array_double_1d problem, array_double_1d gentle)
     third = 10.0 * y - 4.0 * v + 0.5 * b;
     fourth = (-15.0) * y + 7.0 * v - b;
     fifth = 6.0 * y - 3.0 * v + 0.5 * b;
-    /*where the jerk 10 fifth s^2 + 4 fourth s + third is zero*/
     first = 1.0 / 3.0;
     second = 2.0 / 3.0;
     inner = 4.0 * fourth * fourth - 10.0 * third * fifth;
@@ -12709,7 +11768,6 @@ static void polynomial_levels(array_double_1d problem, array_double_1d gentle)
         (*cspan_at(&gentle, INT64_C(0) + i)) = a + curve / square;
     }
 }
-/*The level within the acceleration limit, and how long it is held [s].*/
 static int64_t gentle_hold(double* result_0_0001, double* result_1, double level, array_double_1d problem, array_double_1d axis)
 {
     double top;
@@ -12732,7 +11790,6 @@ static int64_t gentle_hold(double* result_0_0001, double* result_1, double level
     (*result_1) = hold;
     return 0;
 }
-/*Set the stretch for the levels, and by how much the motion gains and covers too much.*/
 static void gentle_errors(array_double_1d problem, array_double_1d axis, array_double_1d gentle)
 {
     double hold;
@@ -12793,7 +11850,6 @@ static void gentle_errors(array_double_1d problem, array_double_1d axis, array_d
     (*cspan_at(&gentle, INT64_C(8))) = v - (*cspan_at(&problem, INT64_C(2)));
     (*cspan_at(&gentle, INT64_C(9))) = (y - (*cspan_at(&problem, INT64_C(4)))) / (*cspan_at(&problem, INT64_C(5)));
 }
-/*Set Newton's step of the levels, from differences; False if there is none. */
 static bool gentle_step(array_double_1d problem, array_double_1d axis, array_double_1d gentle)
 {
     double gain;
@@ -12837,7 +11893,6 @@ static bool gentle_step(array_double_1d problem, array_double_1d axis, array_dou
     (*cspan_at(&gentle, INT64_C(2) + INT64_C(1))) = (e1 * gain - g1 * excess) / determinant;
     return 1;
 }
-/*Move the levels apart, or past each other, for another attempt of Newton's method. */
 static void spread_levels(int64_t attempt, array_double_1d gentle)
 {
     double middle;
@@ -12854,10 +11909,6 @@ static void spread_levels(int64_t attempt, array_double_1d gentle)
     (*cspan_at(&gentle, INT64_C(0))) = middle + half;
     (*cspan_at(&gentle, INT64_C(0) + INT64_C(1))) = middle - half;
 }
-/*Set the levels (Gentle) that lead to the end velocity and distance; False if none is found.*/
-/*                                                                                           */
-/*    Each attempt, 0 to 5, begins elsewhere.                                                */
-/*                                                                                           */
 static bool solve_gentle(int64_t attempt, array_double_1d problem, array_double_1d axis, array_double_1d gentle)
 {
     double error;
@@ -12917,7 +11968,6 @@ static bool solve_gentle(int64_t attempt, array_double_1d problem, array_double_
     }
     return error <= 1e-13 * speed;
 }
-/*Write the ramps as phases; their number. */
 static int64_t write_gentle(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_1d gentle)
 {
     double a;
@@ -12946,7 +11996,6 @@ static int64_t write_gentle(array_double_2d phases, array_double_1d problem, arr
     }
     return count;
 }
-/*Stretch phases that begin and end at rest in time; the distance stays (section 3.2). */
 static void stretch_phases(array_double_2d phases, int64_t count, double factor)
 {
     int64_t i;
@@ -12964,7 +12013,6 @@ static void stretch_phases(array_double_2d phases, int64_t count, double factor)
         (*cspan_at(&phases, i, INT64_C(3))) = (*cspan_at(&phases, i, INT64_C(3))) / power;
     }
 }
-/*Remove the rounding error of the total duration: two averaged profiles need the same.*/
 static void fit_duration(array_double_2d phases, int64_t count, double target)
 {
     double total;
@@ -12979,7 +12027,6 @@ static void fit_duration(array_double_2d phases, int64_t count, double target)
         (*cspan_at(&phases, i, INT64_C(0))) = (*cspan_at(&phases, i, INT64_C(0))) * (target / total);
     }
 }
-/*Nearest profiles of the merged form, on all of its branches. */
 static void timed_merged(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
     array_double_2d trial;
@@ -13004,7 +12051,6 @@ static void timed_merged(array_double_1d problem, array_double_1d axis, array_do
         }
     }
 }
-/*The paper's form with a cruise about as fast as the mean velocity, if there is one.*/
 static void usual_cruise(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
     array_double_2d trial;
@@ -13034,7 +12080,6 @@ static void usual_cruise(array_double_1d problem, array_double_1d axis, array_do
         }
     }
 }
-/*Nearest profiles below and above the distance, without braking.*/
 static void timed_between(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
     double target;
@@ -13053,13 +12098,11 @@ static void timed_between(array_double_1d problem, array_double_1d axis, array_d
         timed_loop(problem, axis, cell, work);
     }
 }
-/*Forget the profiles next to the distance.*/
 static void clear_nearest(array_double_2d work)
 {
     (*cspan_at(&work, INT64_C(42), INT64_C(0))) = 0.0;
     (*cspan_at(&work, INT64_C(42), INT64_C(2))) = 0.0;
 }
-/*Three ramps that are slow enough to last the duration (gentle.py); False: there are none.*/
 static bool timed_gently(array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
     array_double_1d problem;
@@ -13108,11 +12151,6 @@ static bool timed_gently(array_double_1d axis, array_double_2d cell, array_doubl
     }
     return 0;
 }
-/*A cruise of prescribed duration whose ramps are stretched, as those from rest to rest are.         */
-/*                                                                                                   */
-/*    shortest: the shortest duration of the problem [s]. False if there is none; the boundary states*/
-/*    must not exceed the limits that remain.                                                        */
-/*                                                                                                   */
 static bool timed_slower(double shortest, array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
     array_double_1d problem;
@@ -13159,7 +12197,6 @@ static bool timed_slower(double shortest, array_double_1d axis, array_double_2d 
     }
     return 0;
 }
-/*Share of the profile above in the weighted mean that covers the distance.*/
 static double nearest_weight(array_double_1d problem, array_double_1d axis, array_double_1d nearest)
 {
     double distance;
@@ -13169,7 +12206,6 @@ static double nearest_weight(array_double_1d problem, array_double_1d axis, arra
     distance = (*cspan_at(&problem, INT64_C(4)));
     below = (*cspan_at(&nearest, INT64_C(1)));
     above = (*cspan_at(&nearest, INT64_C(3)));
-    /*one profile is enough if it covers the distance up to rounding*/
     tiny = 1e-14 * (fabs(distance) + (*cspan_at(&axis, INT64_C(2))) * (*cspan_at(&problem, INT64_C(5))));
     if (above - distance <= tiny)
     {
@@ -13181,7 +12217,6 @@ static double nearest_weight(array_double_1d problem, array_double_1d axis, arra
     }
     return 0.0;
 }
-/*Add a variant's braking phases to both profiles, and give them the exact duration. */
 static void surround_nearest(int64_t variant, array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
     array_double_2d trial;
@@ -13204,7 +12239,6 @@ static void surround_nearest(int64_t variant, array_double_1d axis, array_double
     fit_duration(above, count, (*cspan_at(&problem, INT64_C(5))));
     (*cspan_at(&nearest, INT64_C(2))) = count;
 }
-/*The shortest profile, if it passes zero jerk with snap, slowed down; as `timed_profile`. */
 static double slower_passing(array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
     array_double_1d problem;
@@ -13242,11 +12276,6 @@ static double slower_passing(array_double_1d axis, array_double_2d cell, array_d
     (*cspan_at(&work, INT64_C(42), INT64_C(2))) = 0.0;
     return 0.0;
 }
-/*Two profiles of a cell's problem (Cell) that last `target` [s] and enclose the distance.         */
-/*                                                                                                 */
-/*    Returns the weight of the second one, or -1 if that duration is not feasible. The motion is  */
-/*    (1 - weight) * BELOW + weight * ABOVE; the counts of phases are in the row NEAREST of `work`.*/
-/*                                                                                                 */
 double segfmu_timed_profile(double target, array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
     array_double_2d trial;
@@ -13302,7 +12331,6 @@ double segfmu_timed_profile(double target, array_double_1d axis, array_double_2d
     weight = slower_passing(axis, cell, work);
     return weight;
 }
-/*Write the shortest profile of a cell; returns its status (PlanStatus) and duration [s].*/
 static int64_t set_shortest(int64_t* result_0, double* result_1_0001, array_double_2d cell, array_double_1d axis, array_double_2d work)
 {
     array_double_1d problem;
@@ -13324,7 +12352,6 @@ static int64_t set_shortest(int64_t* result_0, double* result_1_0001, array_doub
     (*result_1_0001) = total_duration(phases, count);
     return 0;
 }
-/*Write the shortest profile, stretched from rest to rest to the target duration [s].*/
 static void set_stretched(double target, bool resting, array_double_2d cell, array_double_1d axis, array_double_2d work)
 {
     array_double_2d phases;
@@ -13335,7 +12362,6 @@ static void set_stretched(double target, bool resting, array_double_2d cell, arr
     int64_t count;
     phases = span_rows(&cell, INT64_C(0), INT64_C(33));
     shortest = (*cspan_at(&cell, INT64_C(47), INT64_C(0))) - (*cspan_at(&cell, INT64_C(47), INT64_C(7)));
-    /*the shortest profile may still be stored, from the first step of planning*/
     duration = 0.0;
     if ((*cspan_at(&cell, INT64_C(47), INT64_C(4))) == 0.0)
     {
@@ -13358,7 +12384,6 @@ static void set_stretched(double target, bool resting, array_double_2d cell, arr
         stretch_phases(phases, count, target / duration);
     }
 }
-/*Write a profile of the given duration [s], delay included; False if that is not feasible.*/
 static bool set_duration(double target, array_double_2d cell, array_double_1d axis, array_double_2d work)
 {
     double delay;
@@ -13387,7 +12412,6 @@ static bool set_duration(double target, array_double_2d cell, array_double_1d ax
     (*cspan_at(&cell, INT64_C(47), INT64_C(4))) = (*cspan_at(&work, INT64_C(42), INT64_C(2)));
     return 1;
 }
-/*The first feasible duration between an infeasible and a feasible one, to 4e-9 of it. */
 static double first_feasible(double outside, double inside, array_double_2d cell, array_double_1d axis, array_double_2d work)
 {
     double duration;
@@ -13411,12 +12435,6 @@ static double first_feasible(double outside, double inside, array_double_2d cell
     }
     return inside;
 }
-/*The end of the gap that contains the infeasible duration `start` [s]; -1 if none is found.           */
-/*                                                                                                     */
-/*    The durations at which gaps can end are tried in turn. The end is searched for if none of them   */
-/*    is feasible or, with smoothsteps, whose families have more kinks, if a slightly shorter duration */
-/*    is feasible too.                                                                                 */
-/*                                                                                                     */
 static double next_feasible(double start, array_double_2d cell, array_double_1d axis, array_double_2d work)
 {
     double after;
@@ -13471,7 +12489,6 @@ static double next_feasible(double start, array_double_2d cell, array_double_1d 
     }
     return -1.0;
 }
-/*The next multiple of the sample time, or the duration itself if there is none. */
 static double round_up(double duration, double sample_time)
 {
     if (sample_time <= 0.0)
@@ -13480,10 +12497,6 @@ static double round_up(double duration, double sample_time)
     }
     return (int64_t)ceil(duration / sample_time - 1e-09) * sample_time;
 }
-/*The shortest duration >= start [s] feasible for the cells first .. last - 1; -1 if none. */
-/*                                                                                         */
-/*    The cells belong to one interval. Their profiles of that duration are written.       */
-/*                                                                                         */
 static double common_duration(double start, double sample_time, int64_t first, int64_t last, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
     int64_t i;
@@ -13532,7 +12545,6 @@ static double common_duration(double start, double sample_time, int64_t first, i
     }
     return -1.0;
 }
-/*Coefficients of Psi(s, 1) of (12) in ascending powers of s; 2 order + 2 of them. */
 static void transition_coefficients(int64_t order, array_double_1d coefficients)
 {
     int64_t i;
@@ -13542,7 +12554,6 @@ static void transition_coefficients(int64_t order, array_double_1d coefficients)
     {
         (*cspan_at(&coefficients, i)) = 0.0;
     }
-    /*Psi' is (2k+1)!/(k!)^2 s^k (1-s)^k; expanding the binomial gives the sum in (12).*/
     scale = 1.0;
     for (i = INT64_C(1); i < order + INT64_C(1); i += INT64_C(1))
     {
@@ -13556,7 +12567,6 @@ static void transition_coefficients(int64_t order, array_double_1d coefficients)
         binomial = (-binomial) * (order - i) / (i + INT64_C(1));
     }
 }
-/*Value at s of a derivative of the polynomial with `count` ascending coefficients.*/
 static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s)
 {
     int64_t j;
@@ -13577,11 +12587,6 @@ static double polynomial_derivative(array_double_1d coefficients, int64_t count,
     }
     return value;
 }
-/*M_j of errata E3: peaks[j] = max over [0, 1] of |d^j Psi / ds^j|, j = 1 .. order + 1.          */
-/*                                                                                               */
-/*    `coefficients` is work space for 2 order + 2 numbers. All extrema of these derivatives of  */
-/*    s^k (1-s)^k lie in [0, 1]; the largest is the first one, next to s = 0, or the end itself. */
-/*                                                                                               */
 static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks)
 {
     int64_t count;
@@ -13619,7 +12624,6 @@ static void transition_peaks(int64_t order, array_double_1d coefficients, array_
         {
             lower = 0.0;
         }
-        /*bisect the next derivative, which changes sign at an interior extremum*/
         left = polynomial_derivative(coefficients, count, j + INT64_C(1), lower);
         for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
         {
@@ -13642,7 +12646,6 @@ static void transition_peaks(int64_t order, array_double_1d coefficients, array_
         (*cspan_at(&peaks, j)) = best;
     }
 }
-/*Set smoothness, shape and limits of an axis (Axis): limits[i] is c_{i+1}, 0 where absent.*/
 void segfmu_axis_limits(int64_t smoothness, int64_t shape, array_double_1d limits, array_double_1d axis)
 {
     int64_t i;
@@ -13657,22 +12660,14 @@ void segfmu_axis_limits(int64_t smoothness, int64_t shape, array_double_1d limit
         (*cspan_at(&axis, INT64_C(2) + i)) = (*cspan_at(&limits, i));
     }
 }
-/*Share of a rise in the rise it belongs to, where no limit bounds it.                               */
-/*                                                                                                   */
-/*    Ramps bounded by the snap alone take 1 / sqrt(1 - share) of those with jumps of the snap: 5 %  */
-/*    more. The derivatives without a limit grow with its inverse, and with them the errors of forces*/
-/*    that are held from sample to sample: with 0.06 they are more than three times as large.        */
-/*                                                                                                   */
 static double usual_share(void)
 {
     return 0.1;
 }
-/*`usual_share` where braking within the velocity limit fails by little. */
 static double steepest_share(void)
 {
     return 0.004;
 }
-/*`ramp_parameters` where all derivatives have plateaus. */
 static bool plateau_parameters(double share, array_double_1d axis)
 {
     int64_t boxes;
@@ -13709,7 +12704,6 @@ static bool plateau_parameters(double share, array_double_1d axis)
     {
         level = last - INT64_C(1) - i;
         limit = (*cspan_at(&axis, INT64_C(4) + level));
-        /*without a limit the rise takes half of the one it belongs to*/
         rise = 1e+60;
         if (limit > 0.0)
         {
@@ -13719,7 +12713,6 @@ static bool plateau_parameters(double share, array_double_1d axis)
     }
     if (last == INT64_C(1))
     {
-        /*the snap alone determines a small ramp*/
         (*cspan_at(&axis, INT64_C(14))) = 4.0 / ((*cspan_at(&axis, INT64_C(4) + INT64_C(1))) * (1.0 - (*cspan_at(&axis, INT64_C(20) + INT64_C(1)))));
     }
     jerk = (*cspan_at(&axis, INT64_C(4)));
@@ -13732,7 +12725,6 @@ static bool plateau_parameters(double share, array_double_1d axis)
     }
     return 1;
 }
-/*`ramp_parameters` of the polynomial of order k = n - 2.*/
 static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, array_double_1d peaks)
 {
     int64_t k;
@@ -13767,19 +12759,12 @@ static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, arr
         (*cspan_at(&axis, INT64_C(12))) = slope;
         for (e = INT64_C(2); e < k + INT64_C(2); e += INT64_C(1))
         {
-            /*the change above which the root of order e is not longer than the linear duration*/
             change = pow(((*cspan_at(&axis, INT64_C(25) + e - INT64_C(1))) / pow(slope, (double)(e))), (1.0 / (e - INT64_C(1))));
             (*cspan_at(&axis, INT64_C(11))) = span_max((*cspan_at(&axis, INT64_C(11))), change);
         }
     }
     return bounded;
 }
-/*Set the ramp parameters of an axis whose limits are set (Axis).                                    */
-/*                                                                                                   */
-/*    share: of a rise in the rise it belongs to, where no limit bounds it. A smaller share makes    */
-/*    faster ramps with larger unbounded derivatives. `work` has two rows of 2 smoothness numbers or */
-/*    more. Returns False if no limit bounds the ramp.                                               */
-/*                                                                                                   */
 bool segfmu_ramp_parameters(double share, array_double_1d axis, array_double_2d work)
 {
     int64_t i;
@@ -13807,7 +12792,6 @@ bool segfmu_ramp_parameters(double share, array_double_1d axis, array_double_2d 
     }
     return bounded;
 }
-/*PlanStatus of a waypoint that breaks a limit or has a dwell while moving.*/
 static int64_t check_waypoints(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_1d report)
 {
     int64_t j;
@@ -13844,10 +12828,6 @@ static int64_t check_waypoints(array_double_3d states, array_double_1d dwells, a
     }
     return INT64_C(0);
 }
-/*Target duration [s] minus the intervals of one axis.                               */
-/*                                                                                   */
-/*    Also returns the sum [s] and the number of the intervals that can be prolonged.*/
-/*                                                                                   */
 static int64_t time_left(double* result_0, double* result_1, int64_t* result_2, int64_t first, int64_t step, double target, array_double_3d cells)
 {
     double rest;
@@ -13871,12 +12851,6 @@ static int64_t time_left(double* result_0, double* result_1, int64_t* result_2, 
     (*result_2) = count;
     return 0;
 }
-/*Prolong the intervals of the axes first .. last - 1, in proportion, to `target` [s] in total.      */
-/*                                                                                                   */
-/*    Intervals of zero duration share it equally. If the new duration of an interval lies in a gap, */
-/*    it goes to the end of the gap if time permits, else it keeps its duration. False if no interval*/
-/*    can take the remaining time.                                                                   */
-/*                                                                                                   */
 static bool prolong_all(int64_t first, int64_t last, double target, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
     int64_t step;
@@ -13938,10 +12912,6 @@ static bool prolong_all(int64_t first, int64_t last, double target, array_double
     }
     return 0;
 }
-/*Prolong the interval of cell `begin` by a share of the time that is left, then the next ones.*/
-/*                                                                                             */
-/*    The others take as much as they can, one after the other. True if no time is left.       */
-/*                                                                                             */
 static bool prolong_from(int64_t begin, double share, int64_t first, int64_t last, double target, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
     int64_t step;
@@ -13974,10 +12944,6 @@ static bool prolong_from(int64_t begin, double share, int64_t first, int64_t las
     time_left(&rest, &base, &count, first, step, target, cells);
     return rest <= 1e-13 * target;
 }
-/*Prolong the intervals of the axes first .. last - 1 to `target` [s] in total.                  */
-/*                                                                                               */
-/*    All in proportion if their gaps permit, else as few as possible. False if neither succeeds.*/
-/*                                                                                               */
 static bool distribute(int64_t first, int64_t last, double target, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
     int64_t step;
@@ -14011,7 +12977,6 @@ static bool distribute(int64_t first, int64_t last, double target, array_double_
     }
     return 0;
 }
-/*Write the profiles of the final durations; False if one is infeasible. */
 static bool rewrite_intervals(int64_t first, int64_t last, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
     int64_t j;
@@ -14030,7 +12995,6 @@ static bool rewrite_intervals(int64_t first, int64_t last, array_double_2d axes,
     }
     return 1;
 }
-/*Write the boundary problems of all axes in all intervals.*/
 static void set_problems(array_double_3d states, array_double_3d cells)
 {
     int64_t axes;
@@ -14057,7 +13021,6 @@ static void set_problems(array_double_3d states, array_double_3d cells)
         }
     }
 }
-/*Ramp parameters and shortest profiles of one axis; status as in `plan_phases`. */
 static int64_t plan_axis(int64_t axis, double share, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
     array_double_1d report;
@@ -14094,7 +13057,6 @@ static int64_t plan_axis(int64_t axis, double share, array_double_2d axes, array
     (*cspan_at(&work, INT64_C(48), INT64_C(7))) = settled;
     return INT64_C(0);
 }
-/*Sum of the shortest durations of an axis [s].*/
 static double axis_duration(int64_t axis, array_double_2d axes, array_double_3d cells)
 {
     int64_t j;
@@ -14106,11 +13068,6 @@ static double axis_duration(int64_t axis, array_double_2d axes, array_double_3d 
     }
     return total;
 }
-/*Plan an axis again with steeper rises, if the usual ones cost more than smoothness does.         */
-/*                                                                                                 */
-/*    The limits can leave no room for the usual rises: the profile then is another one, which can */
-/*    take much longer.                                                                            */
-/*                                                                                                 */
 static int64_t plan_steeper(int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
     double usual;
@@ -14124,10 +13081,6 @@ static int64_t plan_steeper(int64_t axis, array_double_2d axes, array_double_3d 
     status = plan_axis(axis, usual_share(), axes, cells, work);
     return status;
 }
-/*Give the axes first .. last - 1 common durations in every interval, if requested.      */
-/*                                                                                       */
-/*    Returns the sum of all intervals' durations [s]; -1 if there is no common duration.*/
-/*                                                                                       */
 static double meet_intervals(int64_t first, int64_t last, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
     double sample_time;
@@ -14161,7 +13114,6 @@ static double meet_intervals(int64_t first, int64_t last, array_double_1d option
     }
     return total;
 }
-/*Give the shortest profiles common durations; status as in `plan_phases`. */
 static int64_t synchronize_plan(array_double_1d dwells, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
     array_double_1d report;
@@ -14227,13 +13179,6 @@ static int64_t synchronize_plan(array_double_1d dwells, array_double_1d options,
     }
     return INT64_C(0);
 }
-/*Plan all intervals. Returns PLANNED or the reason of a refusal (PlanStatus).                     */
-/*                                                                                                 */
-/*    m waypoints, k axes: states (m, k, WaypointState or DelayedState), dwells (m,) [s], limits   */
-/*    (k, smoothness + 1) with 0 for absent, options (PlanOptions,). Written: axes (k, Axis), and  */
-/*    cells ((m - 1) k, Cell rows, Cell columns), all axes of the first interval, then of the next;*/
-/*    after a refusal also the row REFUSAL of `work` (PlanWork rows, PlanWork columns).            */
-/*                                                                                                 */
 int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
     array_double_1d report;
@@ -14243,7 +13188,6 @@ int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array
     int64_t status;
     report = span_row(&work, INT64_C(46));
     (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&options, INT64_C(3)));
-    /*counts of samples must be whole numbers, and durations have digits behind a sample*/
     if (((*cspan_at(&report, INT64_C(2))) > 0.0) && (!((1e-09 <= (*cspan_at(&report, INT64_C(2)))) && ((*cspan_at(&report, INT64_C(2))) <= 1000000.0))))
     {
         return -INT64_C(16);
@@ -14265,7 +13209,6 @@ int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array
         status = plan_axis(axis, usual_share(), axes, cells, work);
         if ((status == -INT64_C(1)) || (status == -INT64_C(2)))
         {
-            /*braking fails by little: the steepest ramps decide whether it is feasible*/
             status = plan_axis(axis, steepest_share(), axes, cells, work);
         }
         else if ((status == INT64_C(0)) && ((*cspan_at(&work, INT64_C(48), INT64_C(7))) < 0.5))
@@ -14280,16 +13223,10 @@ int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array
     status = synchronize_plan(dwells, options, axes, cells, work);
     return status;
 }
-/*Whether two numbers differ by more than rounding, relative to their size or to 1.*/
 static bool differ(double before, double value)
 {
     return !(fabs(value - before) <= 1e-15 * span_max(fabs(value), 1.0));
 }
-/*PLANNED, or the error (PlanStatus), with a report (Refusal).                                   */
-/*                                                                                               */
-/*    m waypoints, k axes: states (m, k, WaypointState), limits (k, 2 or more) from velocity on. */
-/*    Consecutive waypoints must differ within double precision.                                 */
-/*                                                                                               */
 int64_t segfmu_check_problem(array_double_3d states, array_double_2d limits, array_double_1d report)
 {
     int64_t axis;
@@ -14330,7 +13267,6 @@ int64_t segfmu_check_problem(array_double_3d states, array_double_2d limits, arr
     }
     return INT64_C(0);
 }
-/*A velocity or acceleration; 0 or its limit where it is within 1e-9 of the limit from it. */
 static double settle_value(double value, double limit)
 {
     double near;
@@ -14349,11 +13285,6 @@ static double settle_value(double value, double limit)
     }
     return value;
 }
-/*Round velocities and accelerations that nearly are 0 or their limit; arrays as above.              */
-/*                                                                                                   */
-/*    The ramp from such a state to the limit would last nanoseconds, and its jumps could not be told*/
-/*    from rounding errors. Returns the number of states that change.                                */
-/*                                                                                                   */
 int64_t segfmu_settle_states(array_double_3d states, array_double_2d limits)
 {
     int64_t j;
@@ -14381,7 +13312,6 @@ int64_t segfmu_settle_states(array_double_3d states, array_double_2d limits)
     }
     return changed;
 }
-/*Rows of memory, for the samples within the dead time, the new one, and one for rounding. */
 static int64_t sensing_rows(double sample_time, double dead_time)
 {
     int64_t samples;
@@ -14392,7 +13322,6 @@ static int64_t sensing_rows(double sample_time, double dead_time)
     samples = (int64_t)ceil(dead_time / sample_time) + INT64_C(2);
     return INT64_C(4) + span_floor_div((samples + INT64_C(6) - INT64_C(1)), INT64_C(6));
 }
-/*Row of a rig's memory behind that of the sensors.*/
 static int64_t sensing_end(array_double_2d settings)
 {
     array_double_1d sensors;
@@ -14401,11 +13330,6 @@ static int64_t sensing_end(array_double_2d settings)
     result = INT64_C(34) + sensing_rows((*cspan_at(&sensors, INT64_C(0))), (*cspan_at(&sensors, INT64_C(1))));
     return result;
 }
-/*Measured coordinates (5) of a state: offset, noise, quantisation.                                */
-/*                                                                                                 */
-/*    numbers (2): state of the random numbers. If any sensor has noise, five numbers are drawn, so*/
-/*    that the noise of one sensor does not depend on the others.                                  */
-/*                                                                                                 */
 void segfmu_measure_state(array_double_1d state, array_double_1d sensors, array_double_1d numbers, array_double_1d measured)
 {
     bool noisy;
@@ -14425,7 +13349,6 @@ void segfmu_measure_state(array_double_1d state, array_double_1d sensors, array_
             value = value + (*cspan_at(&sensors, INT64_C(8) + i)) * next_normal(numbers);
         }
         step = (*cspan_at(&sensors, INT64_C(13) + i));
-        /*a step below the value's precision would not change it*/
         if (fabs(value) < 1000000000000000.0 * step)
         {
             value = (int64_t)floor(value / step + 0.5) * step;
@@ -14433,7 +13356,6 @@ void segfmu_measure_state(array_double_1d state, array_double_1d sensors, array_
         (*cspan_at(&measured, i)) = value;
     }
 }
-/*Time of the next sample since the start [s]; 1e300 for continuous signals. */
 static double next_sample(array_double_1d sensors, array_double_2d memory)
 {
     double result;
@@ -14444,14 +13366,12 @@ static double next_sample(array_double_1d sensors, array_double_2d memory)
     result = (*cspan_at(&memory, INT64_C(0), INT64_C(0))) * (*cspan_at(&sensors, INT64_C(0)));
     return result;
 }
-/*Capacity of the ring in samples. */
 static int64_t ring_size(array_double_2d memory)
 {
     int64_t result;
     result = INT64_C(6) * (memory.shape[INT64_C(0)] - INT64_C(4));
     return result;
 }
-/*Row and first column of a sample of the ring.*/
 static int64_t ring_place(int64_t* result_0, int64_t* result_1_0001, int64_t number, array_double_2d memory)
 {
     int64_t sample;
@@ -14462,7 +13382,6 @@ static int64_t ring_place(int64_t* result_0, int64_t* result_1_0001, int64_t num
     (*result_1_0001) = INT64_C(6) * (span_floor_mod(sample, INT64_C(6)));
     return 0;
 }
-/*Take the samples available at a time from the ring; the first one at once. */
 static void deliver_samples(array_double_1d sensors, double time, array_double_2d memory)
 {
     array_double_1d queue;
@@ -14488,7 +13407,6 @@ static void deliver_samples(array_double_1d sensors, double time, array_double_2
         (*cspan_at(&queue, INT64_C(3))) = 1.0;
     }
 }
-/*Store the sample that is due in the ring.*/
 static void take_sample(array_double_1d sensors, array_double_1d state, array_double_2d memory)
 {
     array_double_1d queue;
@@ -14511,7 +13429,6 @@ static void take_sample(array_double_1d sensors, array_double_1d state, array_do
     (*cspan_at(&queue, INT64_C(0))) = (*cspan_at(&queue, INT64_C(0))) + 1.0;
     (*cspan_at(&queue, INT64_C(2))) = (*cspan_at(&queue, INT64_C(2))) + 1.0;
 }
-/*Reset the memory and take the first sample.*/
 static void start_sensing(array_double_1d sensors, array_double_1d state, array_double_2d memory)
 {
     int64_t i;
@@ -14525,7 +13442,6 @@ static void start_sensing(array_double_1d sensors, array_double_1d state, array_
         take_sample(sensors, state, memory);
     }
 }
-/*Signals (5) at a time [s] since the start; times must not decrease.*/
 static void sense_signals(array_double_1d sensors, double time, array_double_1d state, array_double_2d memory, array_double_1d measured)
 {
     int64_t i;
@@ -14540,35 +13456,30 @@ static void sense_signals(array_double_1d sensors, double time, array_double_1d 
         (*cspan_at(&measured, i)) = (*cspan_at(&memory, INT64_C(2), i));
     }
 }
-/*Times [s] that differ by less are equal, because sums of steps are rounded.*/
 static double time_tolerance(array_double_2d settings)
 {
     double result;
     result = 1e-09 * (*cspan_at(&settings, INT64_C(0), INT64_C(1)));
     return result;
 }
-/*Time [s] since the start.*/
 static double present_time(array_double_2d memory)
 {
     double result;
     result = (*cspan_at(&memory, INT64_C(6), INT64_C(1))) + (*cspan_at(&memory, INT64_C(6), INT64_C(2)));
     return result;
 }
-/*Time [s] since the start of the controller's next tick.*/
 static double next_tick(array_double_2d settings, array_double_2d memory)
 {
     double result;
     result = (*cspan_at(&memory, INT64_C(6), INT64_C(3))) * (*cspan_at(&settings, INT64_C(0), INT64_C(1)));
     return result;
 }
-/*Time [s] since the start of the sensors' next sample; 1e300 for continuous signals.*/
 static double next_reading(array_double_2d settings, array_double_2d memory)
 {
     double result;
     result = next_sample(span_row(&settings, INT64_C(1)), span_rows(&memory, INT64_C(34), sensing_end(settings)));
     return result;
 }
-/*Time [s] since the start of the next tick, sample, or change of payload or wind. */
 double segfmu_rig_next_event(array_double_2d settings, array_double_2d memory)
 {
     double time;
@@ -14577,7 +13488,6 @@ double segfmu_rig_next_event(array_double_2d settings, array_double_2d memory)
     result = span_min(time, next_reading(settings, memory));
     return result;
 }
-/*Time [s] within the step of the next event, or the step's end. */
 static double next_event(array_double_2d settings, double duration, array_double_2d memory)
 {
     double until;
@@ -14588,7 +13498,6 @@ static double next_event(array_double_2d settings, double duration, array_double
     }
     return until;
 }
-/*Time [s] of the first change of payload or wind after another time; 1e300: there is none.*/
 static double next_change(array_double_2d changes, double after, array_double_2d memory)
 {
     double start;
@@ -14624,7 +13533,6 @@ static double next_change(array_double_2d changes, double after, array_double_2d
     }
     return first;
 }
-/*Kinetic and potential energy of the crane [J]. */
 static double mechanical_energy(array_double_2d memory)
 {
     array_double_1d energy;
@@ -14634,7 +13542,6 @@ static double mechanical_energy(array_double_2d memory)
     result = (*cspan_at(&energy, INT64_C(0))) + (*cspan_at(&energy, INT64_C(1)));
     return result;
 }
-/*Set the mass of the load that is valid from a time [s] on. */
 static void change_payload(array_double_2d settings, array_double_2d changes, double time, array_double_2d memory)
 {
     int64_t chosen;
@@ -14657,7 +13564,6 @@ static void change_payload(array_double_2d settings, array_double_2d changes, do
         (*cspan_at(&memory, INT64_C(5), INT64_C(2))) = (*cspan_at(&changes, chosen, INT64_C(1)));
     }
 }
-/*Take the samples and change the payload if they are due. */
 static void handle_events(array_double_2d settings, array_double_2d changes, array_double_2d memory)
 {
     array_double_1d clock;
@@ -14683,19 +13589,16 @@ static void handle_events(array_double_2d settings, array_double_2d changes, arr
         (*cspan_at(&energy, INT64_C(3))) = (*cspan_at(&energy, INT64_C(3))) + added;
     }
 }
-/*Signals of the sensors at a time [s] since the start that does not decrease. */
 static void update_signals(array_double_2d settings, double time, array_double_2d memory)
 {
     sense_signals(span_row(&settings, INT64_C(1)), time, span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(34), sensing_end(settings)), span_row(&memory, INT64_C(0)));
 }
-/*Whether the drives follow velocities.*/
 static bool is_driven(array_double_2d memory)
 {
     bool result;
     result = (int64_t)((*cspan_at(&memory, INT64_C(5), INT64_C(4)))) == INT64_C(1);
     return result;
 }
-/*A setpoint at a share of the step. */
 static double setpoint_at(array_double_1d setpoints, int64_t i, double share, array_double_2d memory)
 {
     double last;
@@ -14706,7 +13609,6 @@ static double setpoint_at(array_double_1d setpoints, int64_t i, double share, ar
     result = last + ((*cspan_at(&setpoints, i)) - last + bend * (share - 1.0)) * share;
     return result;
 }
-/*Taylor coefficients over time of a setpoint at a share of the step: slope, square, cube. */
 static int64_t setpoint_rates(double* result_0_0001, double* result_1, double* result_2_0001, array_double_1d setpoints, int64_t i, double share, double duration, array_double_2d memory)
 {
     double square;
@@ -14723,7 +13625,6 @@ static int64_t setpoint_rates(double* result_0_0001, double* result_1, double* r
     (*result_2_0001) = cube / (duration * duration * duration);
     return 0;
 }
-/*A velocity within the bound of its drive, which counts as saturated beyond it. */
 static double bounded_velocity(int64_t axis, double velocity, array_double_2d memory)
 {
     double bound;
@@ -14735,7 +13636,6 @@ static double bounded_velocity(int64_t axis, double velocity, array_double_2d me
     }
     return velocity;
 }
-/*Command of a drive, and its coefficients over the elapsed time.*/
 static void set_command(int64_t axis, double value, double slope, double square, double cube, array_double_2d memory)
 {
     (*cspan_at(&memory, INT64_C(13) + INT64_C(0), axis)) = value;
@@ -14743,10 +13643,6 @@ static void set_command(int64_t axis, double value, double slope, double square,
     (*cspan_at(&memory, INT64_C(13) + INT64_C(1), INT64_C(3) + axis)) = square;
     (*cspan_at(&memory, INT64_C(13) + INT64_C(1), INT64_C(6) + axis)) = cube;
 }
-/*Rows of memory for the longest dead time [s] and the period of the controller [s].             */
-/*                                                                                               */
-/*    Two neighbours that no tick parts are at least a share of the dead time long, see `Delay`. */
-/*                                                                                               */
 static int64_t delay_rows(double longest, double period)
 {
     int64_t commands;
@@ -14757,7 +13653,6 @@ static int64_t delay_rows(double longest, double period)
     commands = INT64_C(2) * (INT64_C(512) + (int64_t)ceil(longest / period)) + INT64_C(8);
     return INT64_C(1) + span_floor_div((commands + INT64_C(2) - INT64_C(1)), INT64_C(2));
 }
-/*Longest dead time of the drives [s]. */
 static double longest_delay(array_double_1d plant)
 {
     int64_t i;
@@ -14769,14 +13664,12 @@ static double longest_delay(array_double_1d plant)
     }
     return longest;
 }
-/*Whether a drive has a dead time. */
 static bool is_late(array_double_2d memory)
 {
     bool result;
     result = longest_delay(span_row(&memory, INT64_C(5))) > 0.0;
     return result;
 }
-/*Row and first column of a command of the ring, counted from the oldest one.*/
 static int64_t command_place(int64_t* result_0, int64_t* result_1_0001, int64_t number, array_double_2d delayed)
 {
     int64_t size;
@@ -14789,7 +13682,6 @@ static int64_t command_place(int64_t* result_0, int64_t* result_1_0001, int64_t 
     (*result_1_0001) = INT64_C(14) * (span_floor_mod(place, INT64_C(2)));
     return 0;
 }
-/*When [s] a command of the ring was sent, counted from the oldest one.*/
 static double command_start(int64_t number, array_double_2d delayed)
 {
     int64_t row;
@@ -14799,7 +13691,6 @@ static double command_start(int64_t number, array_double_2d delayed)
     result = (*cspan_at(&delayed, row, column + INT64_C(0)));
     return result;
 }
-/*The only command is that of the start, for all times.*/
 static void start_delay(array_double_1d setpoints, array_double_2d delayed, array_double_2d memory)
 {
     int64_t row;
@@ -14819,7 +13710,6 @@ static void start_delay(array_double_1d setpoints, array_double_2d delayed, arra
         (*cspan_at(&delayed, row, column + INT64_C(2) + i)) = (*cspan_at(&setpoints, first + i));
     }
 }
-/*Coefficients of a command of a row of the ring about a time [s] after its start. */
 static int64_t shifted_command(double* result_0, double* result_1, double* result_2_0001, double* result_3, int64_t axis, double after, int64_t column, array_double_1d sent)
 {
     double cube;
@@ -14838,10 +13728,6 @@ static int64_t shifted_command(double* result_0, double* result_1, double* resul
     (*result_3) = cube;
     return 0;
 }
-/*Make one command of the two newest, up to a time, that are shorter together than a bound [s].  */
-/*                                                                                               */
-/*    So the ring is large enough for any communication step. A tick, where forces jump, is kept.*/
-/*                                                                                               */
 static void join_commands(double time, double shortest, array_double_2d delayed)
 {
     int64_t newest;
@@ -14880,7 +13766,6 @@ static void join_commands(double time, double shortest, array_double_2d delayed)
     }
     (*cspan_at(&delayed, INT64_C(0), INT64_C(1))) = (double)(newest);
 }
-/*Drop the commands that ended before a time [s], and the oldest if the ring is full.*/
 static void drop_commands(double time, array_double_2d delayed)
 {
     array_double_1d queue;
@@ -14893,7 +13778,6 @@ static void drop_commands(double time, array_double_2d delayed)
         (*cspan_at(&queue, INT64_C(1))) = (*cspan_at(&queue, INT64_C(1))) - 1.0;
     }
 }
-/*Write what a drive is sent from a share of the step on, in a row of the ring.*/
 static void write_command(int64_t axis, array_double_1d setpoints, double share, double duration, array_double_2d memory, int64_t column, array_double_1d sent)
 {
     int64_t place;
@@ -14919,7 +13803,6 @@ static void write_command(int64_t axis, array_double_1d setpoints, double share,
     (*cspan_at(&sent, column + INT64_C(8) + axis)) = square;
     (*cspan_at(&sent, column + INT64_C(11) + axis)) = cube;
 }
-/*Put the commands from now on into the ring, where a step begins or a tick has come.*/
 static void send_commands(array_double_1d setpoints, double duration, array_double_2d memory, array_double_2d delayed)
 {
     array_double_1d clock;
@@ -14940,7 +13823,6 @@ static void send_commands(array_double_1d setpoints, double duration, array_doub
         return;
     }
     time = present_time(memory);
-    /*a step that failed is tried again*/
     newest = (int64_t)((*cspan_at(&queue, INT64_C(1)))) - INT64_C(1);
     while((newest > INT64_C(0)) && (command_start(newest, delayed) >= time))
     {
@@ -14965,7 +13847,6 @@ static void send_commands(array_double_1d setpoints, double duration, array_doub
         write_command(i, setpoints, share, duration, memory, column, span_row(&delayed, row));
     }
 }
-/*The command of the ring that was sent at a time [s], counted from the oldest one.*/
 static int64_t command_number(double time, array_double_2d delayed)
 {
     int64_t last;
@@ -14987,7 +13868,6 @@ static int64_t command_number(double time, array_double_2d delayed)
     }
     return first;
 }
-/*Time [s] within the step when a drive gets its next command, at most `until`.*/
 static double next_command(array_double_2d settings, double until, array_double_2d memory, array_double_2d delayed)
 {
     array_double_1d clock;
@@ -15017,7 +13897,6 @@ static double next_command(array_double_2d settings, double until, array_double_
     }
     return first;
 }
-/*Commands of the drives with a dead time for a length of time [s] from now on.*/
 static void late_commands(array_double_2d settings, double length, array_double_2d memory, array_double_2d delayed)
 {
     int64_t i;
@@ -15055,14 +13934,12 @@ static void late_commands(array_double_2d settings, double length, array_double_
         }
     }
 }
-/*Whether the controller's next tick has come. */
 static bool controller_due(array_double_2d settings, array_double_2d memory)
 {
     bool result;
     result = next_tick(settings, memory) <= present_time(memory) + time_tolerance(settings);
     return result;
 }
-/*Prepare the controller's inputs for the tick that is due.*/
 static void prepare_tick(array_double_2d settings, array_double_1d setpoints, double duration, array_double_2d memory)
 {
     array_double_1d clock;
@@ -15098,7 +13975,6 @@ static void prepare_tick(array_double_2d settings, array_double_1d setpoints, do
         }
     }
 }
-/*Bound the feedback of the true state by what the drives can do.*/
 static void bound_feedback(array_double_2d settings, array_double_3d gains, array_double_1d situation, array_double_2d memory)
 {
     array_double_1d parameters;
@@ -15146,10 +14022,6 @@ static void bound_feedback(array_double_2d settings, array_double_3d gains, arra
         bound_correction(i, parameters, tick, situation);
     }
 }
-/*Switch the new correction on or off; the jump at a change fades out.                           */
-/*                                                                                               */
-/*    A caller with a controller of its own calls it after writing its correction to the memory. */
-/*                                                                                               */
 void segfmu_switch_correction(array_double_2d settings, array_double_2d memory)
 {
     array_double_1d loop;
@@ -15181,7 +14053,6 @@ void segfmu_switch_correction(array_double_2d settings, array_double_2d memory)
             (*cspan_at(&correction, INT64_C(0) + i)) = 0.0;
             if (is_driven(memory))
             {
-                /*the added velocity must return to zero*/
                 fade = span_max((*cspan_at(&loop, INT64_C(4))), (*cspan_at(&loop, INT64_C(1))));
                 (*cspan_at(&correction, INT64_C(0) + i)) = (-(*cspan_at(&memory, INT64_C(9), i))) / fade;
             }
@@ -15199,7 +14070,6 @@ void segfmu_switch_correction(array_double_2d settings, array_double_2d memory)
     }
     (*cspan_at(&correction, INT64_C(6))) = acts;
 }
-/*The correction at a tick; the tracking controller's observer runs even if it is off. */
 static void correct_setpoints(array_double_2d settings, array_double_3d table, array_double_3d gains, array_double_2d tracker, array_double_2d memory)
 {
     if ((int64_t)((*cspan_at(&settings, INT64_C(0), INT64_C(0)))) == INT64_C(2))
@@ -15213,7 +14083,6 @@ static void correct_setpoints(array_double_2d settings, array_double_3d table, a
     }
     segfmu_switch_correction(settings, memory);
 }
-/*Commands of velocity drives and their rates until a time; advances the added velocities. */
 static void command_velocities(array_double_1d setpoints, double duration, double until, array_double_2d memory)
 {
     double done;
@@ -15241,7 +14110,6 @@ static void command_velocities(array_double_1d setpoints, double duration, doubl
         set_command(i, command, slope + correction, square, cube, memory);
         if ((*cspan_at(&memory, INT64_C(5), INT64_C(5) + i)) == 0.0)
         {
-            /*at the end it has its setpoint, even after saturation*/
             end = setpoint_at(setpoints, velocity, until / duration, memory);
             end = end + (*cspan_at(&memory, INT64_C(9), i));
             end = bounded_velocity(i, end, memory);
@@ -15250,7 +14118,6 @@ static void command_velocities(array_double_1d setpoints, double duration, doubl
         }
     }
 }
-/*Commands of force drives now, and their rates. */
 static void command_forces(array_double_1d setpoints, double duration, array_double_2d memory)
 {
     double share;
@@ -15269,7 +14136,6 @@ static void command_forces(array_double_1d setpoints, double duration, array_dou
         set_command(i, force + correction, slope, square, cube, memory);
     }
 }
-/*Integrate until a time [s] within the step; returns a `PlantStatus`. */
 static int64_t advance_plant(array_double_2d settings, array_double_2d components, array_double_1d setpoints, double duration, double until, array_double_2d memory)
 {
     array_double_1d clock;
@@ -15311,14 +14177,12 @@ static int64_t advance_plant(array_double_2d settings, array_double_2d component
     }
     return status;
 }
-/*Signals of the sensors at a time that does not decrease. */
 void segfmu_rig_signals(array_double_2d settings, double time, array_double_2d memory)
 {
     (*cspan_at(&memory, INT64_C(6), INT64_C(1))) = time;
     (*cspan_at(&memory, INT64_C(6), INT64_C(2))) = 0.0;
     update_signals(settings, time, memory);
 }
-/*Velocity [m/s] that corrections have added to a velocity setpoint at a time. */
 static double added_velocity(int64_t axis, double time, array_double_2d memory)
 {
     double held;
@@ -15329,11 +14193,6 @@ static double added_velocity(int64_t axis, double time, array_double_2d memory)
     result = (*cspan_at(&memory, INT64_C(9), axis)) + correction * held;
     return result;
 }
-/*Take samples, change the payload and correct the setpoints if due at a time.                 */
-/*                                                                                             */
-/*    The slopes of the setpoints are unknown, so with velocity drives the limits of a tracking*/
-/*    controller apply to its correction only.                                                 */
-/*                                                                                             */
 void segfmu_rig_event(array_double_2d settings, array_double_2d changes, array_double_3d table, array_double_3d gains, array_double_2d tracker, array_double_1d setpoints, double time, array_double_2d memory)
 {
     array_double_1d clock;
@@ -15356,10 +14215,6 @@ void segfmu_rig_event(array_double_2d settings, array_double_2d changes, array_d
         correct_setpoints(settings, table, gains, tracker, memory);
     }
 }
-/*Derivative of the state (13) at a time; the plant's report goes to the memory. */
-/*                                                                               */
-/*    Returns a `PlantStatus`.                                                   */
-/*                                                                               */
 int64_t segfmu_rig_rates(array_double_2d components, array_double_1d setpoints, double time, array_double_2d memory, array_double_1d derivative)
 {
     array_double_2d work;
@@ -15394,7 +14249,6 @@ int64_t segfmu_rig_rates(array_double_2d components, array_double_1d setpoints, 
     result = plant_status(span_row(&memory, INT64_C(5)), span_row(&memory, INT64_C(4)), (*cspan_at(&work, INT64_C(13), INT64_C(6))));
     return result;
 }
-/*Rows of memory for the settings: samples and commands may be on their way. */
 int64_t segfmu_rig_rows(array_double_2d settings)
 {
     double longest;
@@ -15405,7 +14259,6 @@ int64_t segfmu_rig_rows(array_double_2d settings)
     result = sensing_end(settings) + late;
     return result;
 }
-/*Reset the memory to a state (10) and the setpoints at the start [s]. */
 void segfmu_rig_start(array_double_2d settings, array_double_2d changes, array_double_1d state, array_double_1d setpoints, double start, array_double_2d memory)
 {
     int64_t row;
@@ -15449,13 +14302,6 @@ void segfmu_rig_start(array_double_2d settings, array_double_2d changes, array_d
         start_delay(setpoints, span_rows(&memory, sensing_end(settings), memory.shape[INT64_C(0)]), memory);
     }
 }
-/*Advance by a duration [s] to the given setpoints; returns the status.                                */
-/*                                                                                                     */
-/*    The status is a `PlantStatus`: after a failure the state is the last valid one, and the step may */
-/*    be tried again. Or it is `RigStatus.TICK`, if the caller has the controller: the first rows of   */
-/*    memory are a `Tick` without correction; the caller writes the correction there, calls            */
-/*    `switch_correction`, and then `rig_step` again with the same arguments.                          */
-/*                                                                                                     */
 int64_t segfmu_rig_step(array_double_2d settings, array_double_2d components, array_double_2d changes, array_double_3d table, array_double_3d gains, array_double_2d tracker, array_double_1d setpoints, double duration, array_double_2d memory)
 {
     array_double_1d clock;
@@ -15464,7 +14310,6 @@ int64_t segfmu_rig_step(array_double_2d settings, array_double_2d components, ar
     array_double_2d delayed;
     int64_t status;
     clock = span_row(&memory, INT64_C(6));
-    /*checked before it changes any memory, such as the observer's*/
     if ((!(fabs(duration) < 1e+100)) || (!all_finite(setpoints, INT64_C(19))))
     {
         (*cspan_at(&clock, INT64_C(5))) = (*cspan_at(&clock, INT64_C(0))) + (*cspan_at(&clock, INT64_C(1)));
@@ -15517,7 +14362,6 @@ int64_t segfmu_rig_step(array_double_2d settings, array_double_2d components, ar
     update_signals(settings, (*cspan_at(&clock, INT64_C(1))), memory);
     return status;
 }
-/*Energies [J], a `Balance` (7). */
 void segfmu_rig_balance(array_double_2d memory, array_double_1d balance)
 {
     array_double_1d state;
@@ -15533,7 +14377,6 @@ void segfmu_rig_balance(array_double_2d memory, array_double_1d balance)
     (*cspan_at(&balance, INT64_C(5))) = (*cspan_at(&energy, INT64_C(3)));
     (*cspan_at(&balance, INT64_C(6))) = (*cspan_at(&state, INT64_C(15)));
 }
-/*Error of the balance by integration and rounding [J].*/
 double segfmu_rig_imbalance(array_double_1d balance)
 {
     double gained;
@@ -15543,7 +14386,6 @@ double segfmu_rig_imbalance(array_double_1d balance)
     kept = (*cspan_at(&balance, INT64_C(0))) + (*cspan_at(&balance, INT64_C(1))) - (*cspan_at(&balance, INT64_C(2)));
     return kept - gained;
 }
-/*The load's motion and speed, and its distance from where it shall be.*/
 static void load_outputs(array_double_1d target, array_double_2d memory, array_double_1d outputs)
 {
     array_double_2d load;
@@ -15567,14 +14409,12 @@ static void load_outputs(array_double_1d target, array_double_2d memory, array_d
     (*cspan_at(&outputs, INT64_C(24))) = sqrt(speed);
     (*cspan_at(&outputs, INT64_C(29))) = sqrt(square);
 }
-/*Angle [rad] between rope and vertical, of the angles phi_x and phi_y [rad] of (16).*/
 static double total_sway(double angle_x, double angle_y)
 {
     double across;
     across = cos(angle_x) * sin(angle_y);
     return atan2(sqrt(sin(angle_x) * sin(angle_x) + across * across), cos(angle_x) * cos(angle_y));
 }
-/*Forces and powers of drives, rope and wind.*/
 static void drive_outputs(array_double_2d memory, array_double_1d outputs)
 {
     array_double_1d report;
@@ -15591,7 +14431,6 @@ static void drive_outputs(array_double_2d memory, array_double_1d outputs)
     (*cspan_at(&outputs, INT64_C(50))) = (*cspan_at(&report, INT64_C(8)));
     (*cspan_at(&outputs, INT64_C(40))) = (*cspan_at(&memory, INT64_C(5), INT64_C(2)));
 }
-/*Write Outputs; target: reference of the load (Target), balance (Balance): work space.*/
 void segfmu_rig_outputs(array_double_1d target, array_double_2d memory, array_double_1d balance, array_double_1d outputs)
 {
     array_double_1d state;
@@ -15622,7 +14461,6 @@ void segfmu_rig_outputs(array_double_1d target, array_double_2d memory, array_do
     (*cspan_at(&outputs, INT64_C(47))) = (*cspan_at(&balance, INT64_C(6)));
     (*cspan_at(&outputs, INT64_C(48))) = segfmu_rig_imbalance(balance);
 }
-/*Write the estimates (Estimates) of a tracking controller (Tracking, Tracker).*/
 void segfmu_tracking_estimates(array_double_1d parameters, array_double_2d tracker, array_double_1d estimates)
 {
     int64_t i;
@@ -15637,7 +14475,6 @@ void segfmu_tracking_estimates(array_double_1d parameters, array_double_2d track
     }
     (*cspan_at(&estimates, INT64_C(6))) = (*cspan_at(&tracker, INT64_C(11) + INT64_C(9), INT64_C(5)));
 }
-/*Derivatives of an axis' resistance by its position, its velocity and its deflection. */
 static int64_t axis_slopes(double* result_0, double* result_1_0001, double* result_2, array_double_1d plant, int64_t axis, array_double_1d state)
 {
     double velocity;
@@ -15653,7 +14490,6 @@ static int64_t axis_slopes(double* result_0, double* result_1_0001, double* resu
     (*result_2) = by_deflection;
     return 0;
 }
-/*Derivative of a drive's force by its velocity [N s/m], where its power bounds it.*/
 static double power_slope(array_double_1d plant, int64_t axis, array_double_1d state, array_double_1d action)
 {
     double velocity;
@@ -15668,7 +14504,6 @@ static double power_slope(array_double_1d plant, int64_t axis, array_double_1d s
     result = (-(*cspan_at(&action, INT64_C(0) + axis))) / velocity;
     return result;
 }
-/*Add the effect of the sway damping to a row of partial derivatives by the sway rates.*/
 static void add_damping(array_double_1d plant, array_double_1d by, array_double_1d row)
 {
     int64_t j;
@@ -15679,7 +14514,6 @@ static void add_damping(array_double_1d plant, array_double_1d by, array_double_
         (*cspan_at(&row, INT64_C(8) + j)) = (*cspan_at(&row, INT64_C(8) + j)) - damped;
     }
 }
-/*Accelerations and forces under force commands. */
 static void forced_partials(array_double_1d plant, array_double_1d state, array_double_2d rig, array_double_2d work, array_double_2d partials)
 {
     array_double_1d saturated;
@@ -15740,7 +14574,6 @@ static void forced_partials(array_double_1d plant, array_double_1d state, array_
     (*cspan_at(&rope, velocity)) = by_power - slope;
     (*cspan_at(&rope, INT64_C(16) + INT64_C(2))) = -by_deflection;
 }
-/*Accelerations of the drives under velocity commands; false if one is at its force bound. */
 static bool demand_partials(array_double_1d plant, array_double_1d state, array_double_2d rig, array_double_1d command, array_double_2d partials)
 {
     array_double_1d action;
@@ -15782,7 +14615,6 @@ static bool demand_partials(array_double_1d plant, array_double_1d state, array_
     }
     return 1;
 }
-/*The same under velocity commands; false if a drive is at its largest force.*/
 static bool driven_partials(array_double_1d plant, array_double_1d state, array_double_2d rig, array_double_2d work, array_double_2d partials)
 {
     int64_t first;
@@ -15802,7 +14634,6 @@ static bool driven_partials(array_double_1d plant, array_double_1d state, array_
         return 0;
     }
     crane_driven_partials(state, span_row(&rig, INT64_C(17)), span_row(&rig, INT64_C(12)), span_row(&rig, INT64_C(14)), plant, work);
-    /*angles and forces are adjacent in both*/
     first = INT64_C(0) + INT64_C(3);
     for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
     {
@@ -15813,7 +14644,6 @@ static bool driven_partials(array_double_1d plant, array_double_1d state, array_
         }
         for (j = INT64_C(0); j < INT64_C(3); j += INT64_C(1))
         {
-            /*through the accelerations of the drives*/
             by_drive = (*cspan_at(&work, i, INT64_C(10) + j));
             velocity = INT64_C(5) + j;
             command = INT64_C(10) + j;
@@ -15839,7 +14669,6 @@ static bool driven_partials(array_double_1d plant, array_double_1d state, array_
     }
     return 1;
 }
-/*Powers of drives, wind and friction. */
 static void power_partials(array_double_1d plant, array_double_1d state, array_double_2d rig, array_double_2d work, array_double_2d partials)
 {
     array_double_1d drive;
@@ -15874,7 +14703,6 @@ static void power_partials(array_double_1d plant, array_double_1d state, array_d
             (*cspan_at(&drive, j)) = (*cspan_at(&drive, j)) + (*cspan_at(&partials, INT64_C(5) + i, j)) * velocity;
         }
         (*cspan_at(&drive, rate)) = (*cspan_at(&drive, rate)) + (*cspan_at(&rig, INT64_C(13), INT64_C(0) + i));
-        /*the load's velocity is linear in the rates*/
         by_wind = INT64_C(13) + i;
         for (j = INT64_C(5); j < INT64_C(10); j += INT64_C(1))
         {
@@ -15895,10 +14723,6 @@ static void power_partials(array_double_1d plant, array_double_1d state, array_d
         (*cspan_at(&lost, i)) = 2.0 * (*cspan_at(&plant, INT64_C(37))) * (*cspan_at(&state, i));
     }
 }
-/*Add what all rows have by the load's velocity, as the drag of the air depends on it. */
-/*                                                                                     */
-/*    work: rows `LoadPartials` by the state.                                          */
-/*                                                                                     */
 static void drag_partials(array_double_1d plant, array_double_1d air, array_double_2d work, array_double_2d partials)
 {
     int64_t j;
@@ -15926,11 +14750,6 @@ static void drag_partials(array_double_1d plant, array_double_1d air, array_doub
         }
     }
 }
-/*All partial derivatives at a time [s] since the start.                                           */
-/*                                                                                                 */
-/*    False if a velocity drive is at its largest force, or a force drive at its largest velocity: */
-/*    there they jump. Also where the rope bears nothing.                                          */
-/*                                                                                                 */
 bool segfmu_rig_partials(array_double_2d components, double time, array_double_2d memory, array_double_2d work, array_double_2d partials)
 {
     array_double_1d plant;
@@ -15998,7 +14817,6 @@ bool segfmu_rig_partials(array_double_2d components, double time, array_double_2
             added = (*cspan_at(&row, INT64_C(19))) + (*cspan_at(&row, INT64_C(13) + j)) * slope;
             if (driven)
             {
-                /*corrections are integrated into the velocities*/
                 correction = (*cspan_at(&memory, INT64_C(3), INT64_C(0) + j));
                 added = added + (*cspan_at(&row, INT64_C(10) + j)) * correction;
             }
@@ -16007,7 +14825,6 @@ bool segfmu_rig_partials(array_double_2d components, double time, array_double_2
     }
     return 1;
 }
-/*Check that the end stops of every axis [m], least and greatest (Axes,), are ascending. */
 int64_t segfmu_check_travel(array_double_1d least, array_double_1d greatest, array_double_1d fault)
 {
     int64_t axis;
@@ -16023,7 +14840,6 @@ int64_t segfmu_check_travel(array_double_1d least, array_double_1d greatest, arr
     }
     return INT64_C(0);
 }
-/*Check that velocity drives have a lag, which model exchange needs. */
 int64_t segfmu_check_lags(array_double_1d plant, array_double_1d fault)
 {
     int64_t axis;
@@ -16040,7 +14856,6 @@ int64_t segfmu_check_lags(array_double_1d plant, array_double_1d fault)
     }
     return INT64_C(0);
 }
-/*Check that static friction [N], of each axis (Axes,), is not below Coulomb friction or 0.*/
 int64_t segfmu_check_friction(array_double_1d static_0001, array_double_1d coulomb, array_double_1d fault)
 {
     int64_t axis;
@@ -16056,7 +14871,6 @@ int64_t segfmu_check_friction(array_double_1d static_0001, array_double_1d coulo
     }
     return INT64_C(0);
 }
-/*Magnitude of the mean speed of the air [m/s], from its components (Vector,). */
 double segfmu_wind_speed(array_double_1d speed)
 {
     double squares;
@@ -16068,7 +14882,6 @@ double segfmu_wind_speed(array_double_1d speed)
     }
     return sqrt(squares);
 }
-/*Check that turbulence (Vector,) [m/s] has a mean speed (Vector,) for its spectrum. */
 int64_t segfmu_check_turbulence(array_double_1d speed, array_double_1d deviation, array_double_1d fault)
 {
     int64_t i;
@@ -16082,10 +14895,6 @@ int64_t segfmu_check_turbulence(array_double_1d speed, array_double_1d deviation
     }
     return INT64_C(0);
 }
-/*Check that the rope cannot slacken in model exchange, where it has no memory.*/
-/*                                                                             */
-/*    exchange: 1 in model exchange.                                           */
-/*                                                                             */
 int64_t segfmu_check_slack(array_double_1d plant, int64_t exchange, array_double_1d fault)
 {
     (*cspan_at(&fault, INT64_C(2))) = (*cspan_at(&plant, INT64_C(67)));
@@ -16095,10 +14904,6 @@ int64_t segfmu_check_slack(array_double_1d plant, int64_t exchange, array_double
     }
     return INT64_C(0);
 }
-/*Check that there is memory for the dead times of the drives; in model exchange there is none.*/
-/*                                                                                             */
-/*    period: of the controller [s]; exchange: 1 in model exchange.                            */
-/*                                                                                             */
 int64_t segfmu_check_delays(array_double_1d plant, double period, int64_t exchange, array_double_1d fault)
 {
     int64_t axis;
@@ -16120,7 +14925,6 @@ int64_t segfmu_check_delays(array_double_1d plant, double period, int64_t exchan
     }
     return INT64_C(0);
 }
-/*Check that noise and dead time have a sample time, and that the ring can hold the samples. */
 int64_t segfmu_check_sensors(array_double_1d sensors, array_double_1d fault)
 {
     double sample_time;
@@ -16152,7 +14956,6 @@ int64_t segfmu_check_sensors(array_double_1d sensors, array_double_1d fault)
     }
     return INT64_C(0);
 }
-/*Check that the rope starts above 0 m and its bounds are ascending; a bound of 0 is none. */
 int64_t segfmu_check_rope_bounds(double length, double shortest, double longest, array_double_1d fault)
 {
     (*cspan_at(&fault, INT64_C(2))) = length;
@@ -16168,7 +14971,6 @@ int64_t segfmu_check_rope_bounds(double length, double shortest, double longest,
     }
     return INT64_C(0);
 }
-/*The rope lengths of a table, a `RopeRange`, are positive and do not descend. */
 int64_t segfmu_check_lengths(array_double_1d lengths, array_double_1d fault)
 {
     double shortest;
@@ -16183,13 +14985,6 @@ int64_t segfmu_check_lengths(array_double_1d lengths, array_double_1d fault)
     }
     return INT64_C(0);
 }
-/*The state at the start (State,), as far from its reference as its start values say.                  */
-/*                                                                                                     */
-/*    own: start values of the state; held: those of the reference; reference: its values at the       */
-/*    start. What has the reference for a start value already does not deviate from it, so that models */
-/*    in which both follow a moved waypoint stay right. A reference without a rope is none: importers  */
-/*    write zeros to inputs that they do not use.                                                      */
-/*                                                                                                     */
 void segfmu_start_state(array_double_1d own, array_double_1d held, array_double_1d reference, array_double_1d state)
 {
     bool none;
@@ -16209,7 +15004,6 @@ void segfmu_start_state(array_double_1d own, array_double_1d held, array_double_
         }
     }
 }
-/*The rope has a length and the load hangs below the trolley, in a state (State,). */
 int64_t segfmu_check_start(array_double_1d state, array_double_1d reference, array_double_1d fault)
 {
     int64_t rope;
@@ -16233,11 +15027,6 @@ int64_t segfmu_check_start(array_double_1d state, array_double_1d reference, arr
     }
     return INT64_C(0);
 }
-/*Whether a state (State,) that can be is near its reference, on the crane's own scale.    */
-/*                                                                                         */
-/*    That is a quarter of the rope's length, 45 degrees, and these by the pendulum's time */
-/*    sqrt(length / gravity) for rates. Without a rope, the reference is none.             */
-/*                                                                                         */
 int64_t segfmu_judge_start(array_double_1d state, array_double_1d reference, double gravity, array_double_1d fault)
 {
     double length;
@@ -16276,7 +15065,6 @@ int64_t segfmu_judge_start(array_double_1d state, array_double_1d reference, dou
     }
     return status;
 }
-/*The rope starts within its bounds [m]; a bound of 0 is none. */
 int64_t segfmu_check_start_rope(double length, double shortest, double longest, array_double_1d fault)
 {
     (*cspan_at(&fault, INT64_C(0))) = INT64_C(0) + INT64_C(2);
@@ -16293,10 +15081,6 @@ int64_t segfmu_check_start_rope(double length, double shortest, double longest, 
     }
     return INT64_C(0);
 }
-/*1 where a reference (State,) is not what moves in the first step [s] from the one before.*/
-/*                                                                                         */
-/*    So it is where an importer hands on values only after initialisation.                */
-/*                                                                                         */
 int64_t segfmu_is_elsewhere(array_double_1d before, array_double_1d reference, double step)
 {
     int64_t i;
@@ -16317,7 +15101,6 @@ int64_t segfmu_is_elsewhere(array_double_1d before, array_double_1d reference, d
     }
     return INT64_C(0);
 }
-/*The shortest time [s] in which a derivative of lower order changes by its limit. */
 static double shortest_scale(int64_t order, array_double_1d limits)
 {
     int64_t below;
@@ -16329,10 +15112,6 @@ static double shortest_scale(int64_t order, array_double_1d limits)
     }
     return scale;
 }
-/*A value in place of the absent limit of a derivative; those of lower order are set.*/
-/*                                                                                   */
-/*    steep >= 1: by how much derivatives without a limit above exceed what is usual.*/
-/*                                                                                   */
 static double natural_limit(int64_t order, double steep, array_double_1d axis, array_double_1d limits)
 {
     double below;
@@ -16351,7 +15130,6 @@ static double natural_limit(int64_t order, double steep, array_double_1d axis, a
         bound = (*cspan_at(&axis, INT64_C(2) + above - INT64_C(1)));
         if (bound > 0.0)
         {
-            /*between two limits the derivatives grow by the same factor from order to order*/
             return 2.0 * below * pow((bound / below), (1.0 / (above - order + INT64_C(1))));
         }
     }
@@ -16366,11 +15144,6 @@ static double natural_limit(int64_t order, double steep, array_double_1d axis, a
     result = growth * below / shortest_scale(order - INT64_C(1), limits);
     return result;
 }
-/*Limits of all derivatives of an axis (Axis) by their order (Chain), natural ones for absent.       */
-/*                                                                                                   */
-/*    A natural limit is at least twice the state (Chain), and lets the derivative below brake before*/
-/*    the one below that reaches its own limit. steep as in `natural_limit`.                         */
-/*                                                                                                   */
 static void chain_limits(double steep, array_double_1d axis, array_double_1d state, array_double_1d limits)
 {
     int64_t smoothness;
@@ -16399,11 +15172,6 @@ static void chain_limits(double steep, array_double_1d axis, array_double_1d sta
         }
     }
 }
-/*Axes (Axis) whose positions are the derivatives of order 0 .. n - 2 of an axis.                    */
-/*                                                                                                   */
-/*    steep as in `natural_limit`, limits those of `chain_limits`; chains has two rows more, as work */
-/*    space.                                                                                         */
-/*                                                                                                   */
 static void set_chains(double steep, array_double_1d axis, array_double_1d limits, array_double_2d chains)
 {
     int64_t smoothness;
@@ -16431,10 +15199,6 @@ static void set_chains(double steep, array_double_1d axis, array_double_1d limit
         segfmu_ramp_parameters(usual_share() / span_min(steep, 10.0), chain, span_rows(&chains, smoothness - INT64_C(1), smoothness + INT64_C(1)));
     }
 }
-/*Integrate pieces of the derivative of an order to pieces of the position, in place.          */
-/*                                                                                             */
-/*    The derivatives below that order in the state (Chain) go on to the end of the last piece.*/
-/*                                                                                             */
 static void lift_pieces(int64_t order, int64_t first, int64_t last, array_double_1d state, array_double_2d timing, array_double_2d coefficients)
 {
     int64_t width;
@@ -16474,10 +15238,6 @@ static void lift_pieces(int64_t order, int64_t first, int64_t last, array_double
         }
     }
 }
-/*Complete the piece in `row`: add the derivatives of `state`, and advance `state`.*/
-/*                                                                                 */
-/*    state (PieceState) is that at the start of the piece. Returns row + 1.       */
-/*                                                                                 */
 static int64_t append_piece(double duration, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_1d state)
 {
     int64_t width;
@@ -16504,7 +15264,6 @@ static int64_t append_piece(double duration, array_double_2d timing, array_doubl
     }
     (*cspan_at(&timing, row, INT64_C(0))) = (*cspan_at(&state, INT64_C(8)));
     (*cspan_at(&timing, row, INT64_C(1))) = duration;
-    /*the powers that there are*/
     used = width;
     while((used > INT64_C(1)) && ((*cspan_at(&coefficients, row, used - INT64_C(1))) == 0.0))
     {
@@ -16530,7 +15289,6 @@ static int64_t append_piece(double duration, array_double_2d timing, array_doubl
     (*cspan_at(&state, INT64_C(8))) = (*cspan_at(&state, INT64_C(8))) + duration;
     return row + INT64_C(1);
 }
-/*Set every coefficient of a piece to zero.*/
 static void clear_piece(array_double_2d coefficients, int64_t row)
 {
     int64_t i;
@@ -16539,7 +15297,6 @@ static void clear_piece(array_double_2d coefficients, int64_t row)
         (*cspan_at(&coefficients, row, i)) = 0.0;
     }
 }
-/*Set the derivative of order 2 + above of a state, and those above it to zero.*/
 static void set_held(int64_t above, double level, array_double_1d state)
 {
     int64_t i;
@@ -16549,7 +15306,6 @@ static void set_held(int64_t above, double level, array_double_1d state)
         (*cspan_at(&state, i)) = 0.0;
     }
 }
-/*Pieces of a plateau ramp; returns the row after them.*/
 static int64_t expand_plateau(array_double_1d phase, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_1d state)
 {
     double duration;
@@ -16587,11 +15343,6 @@ static int64_t expand_plateau(array_double_1d phase, array_double_1d axis, array
     }
     return row;
 }
-/*Expand `count` phases into pieces from `row` on; returns the row after the last one.           */
-/*                                                                                               */
-/*    The row STATE of `work` (Expansion) holds position, velocity, acceleration and time at the */
-/*    start, and is advanced to the end.                                                         */
-/*                                                                                               */
 int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work)
 {
     array_double_1d psi;
@@ -16641,7 +15392,6 @@ int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, array_double
     }
     return row;
 }
-/*Phases of the stage for an order in the row PHASES of `lead`; their number, below 0: none. */
 static int64_t stage_phases(int64_t order, double end, bool free, array_double_2d lead)
 {
     array_double_1d state;
@@ -16679,10 +15429,6 @@ static int64_t stage_phases(int64_t order, double end, bool free, array_double_2
     result = segfmu_shortest_profile(problem, chain, phases, span_rows(&lead, INT64_C(51), INT64_C(174)));
     return result;
 }
-/*Append the pieces of the stage for an order from `row` on; the row after them, -1: none. */
-/*                                                                                         */
-/*    The row STATE of `lead` (LeadWork) goes on to the end of the stage.                  */
-/*                                                                                         */
 static int64_t run_stage(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     array_double_1d state;
@@ -16731,10 +15477,6 @@ static int64_t run_stage(int64_t order, int64_t row, array_double_2d lead, array
     (*cspan_at(&state, INT64_C(8))) = (*cspan_at(&now, INT64_C(8)));
     return last;
 }
-/*Settle from the row START of `lead` so that all derivatives above an order are zero.             */
-/*                                                                                                 */
-/*    The row ENDS tells where stages end. Returns the row after the last piece, -1: there is none.*/
-/*                                                                                                 */
 static int64_t settle(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     int64_t smoothness;
@@ -16755,7 +15497,6 @@ static int64_t settle(int64_t order, int64_t row, array_double_2d lead, array_do
     }
     return row;
 }
-/*Duration [s] of the planner's profile from the row STATE to the target; -1: there is none. */
 static double profile_time(array_double_2d lead)
 {
     array_double_1d state;
@@ -16796,7 +15537,6 @@ static double profile_time(array_double_2d lead)
     }
     return duration;
 }
-/*Keep the lead in the second half of the arrays as the best one.*/
 static void keep_lead(int64_t last, double time, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     int64_t first;
@@ -16822,7 +15562,6 @@ static void keep_lead(int64_t last, double time, array_double_2d lead, array_dou
     (*cspan_at(&lead, INT64_C(7), INT64_C(0))) = time;
     (*cspan_at(&lead, INT64_C(7), INT64_C(1))) = last - first;
 }
-/*Whether the lead in the second half of the pieces begins in the state of the row NOW.*/
 static bool begins_now(array_double_2d lead, array_double_2d coefficients)
 {
     int64_t width;
@@ -16839,10 +15578,6 @@ static bool begins_now(array_double_2d lead, array_double_2d coefficients)
     }
     return 1;
 }
-/*Settle from `row` on to the ends in the row ENDS; keep the lead if it is the best one so far.*/
-/*                                                                                             */
-/*    Rows of the second half before `row` belong to the lead as they are.                     */
-/*                                                                                             */
 static bool try_lead(int64_t order, int64_t row, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     int64_t first;
@@ -16888,7 +15623,6 @@ static bool try_lead(int64_t order, int64_t row, array_double_1d limits, array_d
     (*cspan_at(&lead, INT64_C(7), INT64_C(2))) = 1.0 - 1e-12;
     return 1;
 }
-/*`try_lead` with the ends of the best lead, but one of them changed.*/
 static bool try_end(int64_t order, int64_t stage, double end, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     double bound;
@@ -16903,7 +15637,6 @@ static bool try_end(int64_t order, int64_t stage, double end, array_double_1d li
     result = try_lead(order, INT64_C(200), limits, lead, timing, coefficients);
     return result;
 }
-/*Improve the end of one stage: over a grid, then by halved steps. */
 static void search_end(int64_t order, int64_t stage, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     double bound;
@@ -16932,7 +15665,6 @@ static void search_end(int64_t order, int64_t stage, array_double_1d limits, arr
         }
     }
 }
-/*End a stage at the first level of the profile that follows.*/
 static void follow_profile(int64_t order, int64_t stage, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     array_double_1d first;
@@ -16952,7 +15684,6 @@ static void follow_profile(int64_t order, int64_t stage, array_double_1d limits,
         }
     }
 }
-/*Whether all derivatives above the acceleration are zero in a state (Chain).*/
 static bool is_settled(array_double_1d state, int64_t smoothness)
 {
     int64_t i;
@@ -16965,7 +15696,6 @@ static bool is_settled(array_double_1d state, int64_t smoothness)
     }
     return 1;
 }
-/*Try the soonest ends of all stages, then search for better ones unless all is settled. */
 static void search_ends(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     int64_t smoothness;
@@ -17013,10 +15743,6 @@ static void search_ends(int64_t order, array_double_1d limits, array_double_2d l
         }
     }
 }
-/*Search for the best lead from the row START.                                                 */
-/*                                                                                             */
-/*    Derivatives that nothing limits are raised as long as that shortens it by more than 1 %. */
-/*                                                                                             */
 static void search_lead(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     array_double_1d axis;
@@ -17040,7 +15766,6 @@ static void search_lead(int64_t order, array_double_1d limits, array_double_2d l
                 (*cspan_at(&lead, INT64_C(5), j)) = (*cspan_at(&lead, INT64_C(6), j));
             }
             gained = try_lead(order, INT64_C(200), limits, lead, timing, coefficients);
-            /*before a gap of durations the best ends move: they are searched for once more*/
             if ((i > INT64_C(1)) && (!gained))
             {
                 break;
@@ -17050,7 +15775,6 @@ static void search_lead(int64_t order, array_double_1d limits, array_double_2d l
         steep = 10.0 * steep;
     }
 }
-/*Whether a ramp ends with a piece; the row START of `lead` becomes the state there. */
 static bool settled_end(int64_t row, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     array_double_1d state;
@@ -17070,7 +15794,6 @@ static bool settled_end(int64_t row, int64_t last, array_double_2d lead, array_d
         }
         else
         {
-            /*the start of the next piece has no rounding errors*/
             (*cspan_at(&state, i)) = evaluate_piece(coefficients, row, width, length, i);
         }
         if (i > INT64_C(2))
@@ -17085,7 +15808,6 @@ static bool settled_end(int64_t row, int64_t last, array_double_2d lead, array_d
     (*cspan_at(&state, INT64_C(8))) = (*cspan_at(&timing, row, INT64_C(0))) + length;
     return settled;
 }
-/*Try leads that follow the pieces of an axis to the end of a ramp.*/
 static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     int64_t first;
@@ -17127,16 +15849,6 @@ static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offse
         }
     }
 }
-/*Find the shortest lead of one axis; False: none keeps the limits.                                    */
-/*                                                                                                     */
-/*    With the order 1 it ends at the velocity in the row TARGET of `lead` (LeadWork), with the order  */
-/*    2 where the planner goes on to the position there. The caller sets that row, the state in the    */
-/*    row NOW, and the shape of the ramps in the row AXIS. limits are c_1 .. c_{n+1}, 0 where absent.  */
-/*    The plan to follow has no pieces where there is none; its times count from now on.               */
-/*                                                                                                     */
-/*    Written: the rows REACHED and BEST, and pieces from the first row on of timing and coefficients, */
-/*    which have twice LeadRows.PIECES rows.                                                           */
-/*                                                                                                     */
 bool segfmu_find_lead(int64_t order, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     int64_t smoothness;
@@ -17166,10 +15878,6 @@ bool segfmu_find_lead(int64_t order, int64_t axis, array_int64_t_1d plan_offsets
     result = (*cspan_at(&lead, INT64_C(7), INT64_C(0))) >= 0.0;
     return result;
 }
-/*First time after `time` [s] at which a piece of any axis begins or its last one ends.*/
-/*                                                                                     */
-/*    1e300 if there is none.                                                          */
-/*                                                                                     */
 static double next_break(double time, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends)
 {
     int64_t axis;
@@ -17201,16 +15909,10 @@ static double next_break(double time, array_double_2d timing, array_int64_t_1d o
     }
     return following;
 }
-/*Events that differ by less [s] are the same; late times have a coarser resolution. */
 double segfmu_same_break(double time)
 {
     return 1e-08 + 1e-14 * fabs(time);
 }
-/*First event after `time` of a plan that begins at `start`; 1e300 if there is none.               */
-/*                                                                                                 */
-/*    Events are the last axis' arrival at a waypoint, the end of the motion, and the starts of all*/
-/*    pieces, where a derivative of the crane's forces jumps: at smoothness 4 the first one.       */
-/*                                                                                                 */
 double segfmu_next_plan_event(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends, array_double_2d times)
 {
     double event;
@@ -17243,20 +15945,17 @@ double segfmu_next_plan_event(double time, double start, array_double_2d timing,
     {
         piece_end = start + piece_end;
     }
-    /*long after the start, the clock may be too coarse to separate a break from the present*/
     if ((event <= piece_end + segfmu_same_break(time)) || (piece_end <= time))
     {
         return event;
     }
     return piece_end;
 }
-/*Time since `start`; at a break, just after it, so that all axes are on the next piece. */
 double segfmu_right_of_break(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends)
 {
     double local;
     double behind;
     local = time - start;
-    /*at its end an axis is still on its last piece*/
     behind = local + segfmu_same_break(time);
     if (next_break(local - segfmu_same_break(time), timing, offsets, ends) <= behind)
     {
@@ -17264,7 +15963,6 @@ double segfmu_right_of_break(double time, double start, array_double_2d timing, 
     }
     return local;
 }
-/*A derivative at the end of a piece, without rounding errors if it is continuous or zero. */
 static double end_derivative(int64_t row, int64_t last, int64_t order, array_double_2d timing, array_double_2d coefficients)
 {
     int64_t width;
@@ -17296,11 +15994,6 @@ static double end_derivative(int64_t row, int64_t last, int64_t order, array_dou
     }
     return value;
 }
-/*Write a piece from its local time on. Its second half is expanded from the end.              */
-/*                                                                                             */
-/*    Near the end of a motion all derivatives are small there; from the start on they would be*/
-/*    differences of large numbers.                                                            */
-/*                                                                                             */
 static void cut_piece(int64_t row, int64_t last, double local, array_double_2d timing, array_double_2d coefficients, array_double_2d cut_coefficients, int64_t target)
 {
     int64_t width;
@@ -17337,7 +16030,6 @@ static void cut_piece(int64_t row, int64_t last, double local, array_double_2d t
         (*cspan_at(&cut_coefficients, target, i)) = value / factorial;
     }
 }
-/*Copy one piece.      */
 static void copy_piece(array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d target_timing, array_double_2d target_coefficients, int64_t target)
 {
     int64_t i;
@@ -17350,11 +16042,6 @@ static void copy_piece(array_double_2d timing, array_double_2d coefficients, int
         (*cspan_at(&target_coefficients, target, i)) = (*cspan_at(&coefficients, row, i));
     }
 }
-/*Write what is left of every axis from `time` on, which becomes time 0; the number of pieces.   */
-/*                                                                                               */
-/*    An axis that has ended stays: one piece without length. The cut arrays have as many rows as*/
-/*    there are pieces and offsets together.                                                     */
-/*                                                                                               */
 int64_t segfmu_cut_plan(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d cut_timing, array_double_2d cut_coefficients, array_int64_t_1d cut_offsets)
 {
     int64_t axis;
@@ -17375,7 +16062,6 @@ int64_t segfmu_cut_plan(double time, array_double_2d timing, array_double_2d coe
         start = 0.0;
         rest = (*cspan_at(&timing, row, INT64_C(1))) - local;
         cut_piece(row, last, local, timing, coefficients, cut_coefficients, target);
-        /*up to the resolution of the clock, this is the end*/
         if ((row == last - INT64_C(1)) && (rest <= 1e-15 * time))
         {
             rest = 0.0;
@@ -17400,7 +16086,6 @@ int64_t segfmu_cut_plan(double time, array_double_2d timing, array_double_2d coe
     (*cspan_at(&cut_offsets, offsets.shape[INT64_C(0)] - INT64_C(1))) = target;
     return target;
 }
-/*Add to a piece what has but one derivative, of a value, `before` [s] after its start.*/
 static void add_power(double value, int64_t order, double before, array_double_2d coefficients, int64_t row)
 {
     int64_t power;
@@ -17420,11 +16105,6 @@ static void add_power(double value, int64_t order, double before, array_double_2
         (*cspan_at(&coefficients, row, power)) = (*cspan_at(&coefficients, row, power)) + term;
     }
 }
-/*Change pieces by rounding errors so that every axis ends exactly in its state ends[axis, :].         */
-/*                                                                                                     */
-/*    Derivatives that it does not have are zero there. Rounding errors of a whole motion may be large */
-/*    against what is left of it.                                                                      */
-/*                                                                                                     */
 void segfmu_anchor_plan(array_double_2d ends, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets)
 {
     int64_t width;
@@ -17457,11 +16137,6 @@ void segfmu_anchor_plan(array_double_2d ends, array_double_2d timing, array_doub
         }
     }
 }
-/*Write the pieces of each axis of leads and then those of a plan; returns their number.               */
-/*                                                                                                     */
-/*    Times stay as they are; axes may have no lead. The arrays of leads and plan have the same number */
-/*    of rows, the joined ones twice as many.                                                          */
-/*                                                                                                     */
 int64_t segfmu_join_plans(array_double_2d lead_timing, array_double_2d lead_coefficients, array_int64_t_1d lead_offsets, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d joined_timing, array_double_2d joined_coefficients, array_int64_t_1d joined_offsets)
 {
     int64_t axis;
@@ -17485,7 +16160,6 @@ int64_t segfmu_join_plans(array_double_2d lead_timing, array_double_2d lead_coef
     (*cspan_at(&joined_offsets, offsets.shape[INT64_C(0)] - INT64_C(1))) = target;
     return target;
 }
-/*Rows that `expand_plan` needs: pieces of each phase, one per dwell, and the spare ones.*/
 int64_t segfmu_count_pieces(array_double_2d axes, array_double_3d cells)
 {
     int64_t each;
@@ -17502,7 +16176,6 @@ int64_t segfmu_count_pieces(array_double_2d axes, array_double_3d cells)
     }
     return total;
 }
-/*Add weight times the piece in row `source`, from its local time t on, to row `target`. */
 static void shift_piece(array_double_2d coefficients, int64_t source, double t, double weight, int64_t target)
 {
     int64_t width;
@@ -17521,11 +16194,6 @@ static void shift_piece(array_double_2d coefficients, int64_t source, double t, 
         (*cspan_at(&coefficients, target, i)) = (*cspan_at(&coefficients, target, i)) + weight * value;
     }
 }
-/*Average the pieces in the spare rows, from the time `now` [s]; returns the row after them.     */
-/*                                                                                               */
-/*    The result is (1 - weight) * pieces before the row `middle` + weight * pieces from there to*/
-/*    `last`.                                                                                    */
-/*                                                                                               */
 static int64_t merge_pieces(double weight, double now, int64_t middle, int64_t last, array_double_2d timing, array_double_2d coefficients, int64_t row)
 {
     int64_t a;
@@ -17568,7 +16236,6 @@ static int64_t merge_pieces(double weight, double now, int64_t middle, int64_t l
     }
     return row;
 }
-/*Expand the first or the second profile of a cell; returns the row after its last piece.*/
 static int64_t expand_profile(array_double_2d cell, bool second, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work)
 {
     array_double_1d state;
@@ -17590,7 +16257,6 @@ static int64_t expand_profile(array_double_2d cell, bool second, array_double_1d
     result = segfmu_expand_phases(span_rows(&cell, INT64_C(0), INT64_C(33)), count, axis, timing, coefficients, row, work);
     return result;
 }
-/*Expand one interval of one axis from `row` on; returns the row after its last piece. */
 static int64_t expand_cell(array_double_2d cell, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work)
 {
     double weight;
@@ -17612,13 +16278,6 @@ static int64_t expand_cell(array_double_2d cell, array_double_1d axis, array_dou
     result = merge_pieces(weight, now, middle, last, timing, coefficients, row);
     return result;
 }
-/*Expand a plan into the pieces of every axis; returns the number of pieces.                           */
-/*                                                                                                     */
-/*    The first four arrays are those of `plan_phases`. Written: timing (.., Timing) and coefficients  */
-/*    (.., 2 smoothness), which hold at least count_pieces rows; offsets (axes + 1,), the first piece  */
-/*    of each axis; times (waypoints + 1, axes), the arrival of each axis at each waypoint and, in the */
-/*    last row, the end of its motion [s]. work (Expansion rows, Expansion columns).                   */
-/*                                                                                                     */
 int64_t segfmu_expand_plan(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d work)
 {
     int64_t points;
@@ -17642,7 +16301,6 @@ int64_t segfmu_expand_plan(array_double_3d states, array_double_1d dwells, array
             if (((*cspan_at(&dwells, j)) > 0.0) || ((j == points - INT64_C(1)) && (row == (*cspan_at(&offsets, axis)))))
             {
                 clear_piece(coefficients, row);
-                /*an axis that has nothing to do may move all the same*/
                 a = (*cspan_at(&states, j, axis, INT64_C(2)));
                 (*cspan_at(&coefficients, row, INT64_C(0))) = (*cspan_at(&states, j, axis, INT64_C(0)));
                 (*cspan_at(&coefficients, row, INT64_C(1))) = (*cspan_at(&states, j, axis, INT64_C(1)));
@@ -17666,10 +16324,6 @@ int64_t segfmu_expand_plan(array_double_3d states, array_double_1d dwells, array
     (*cspan_at(&offsets, count)) = row;
     return row;
 }
-/*Expand and check a planned motion, as in `plan_motion`: PLANNED, CHECK_FAILED, MORE_PIECES.*/
-/*                                                                                           */
-/*    After CHECK_FAILED the pieces are written all the same.                                */
-/*                                                                                           */
 int64_t segfmu_expand_motion(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d work)
 {
     int64_t wrong;
@@ -17685,13 +16339,6 @@ int64_t segfmu_expand_motion(array_double_3d states, array_double_1d dwells, arr
     }
     return INT64_C(0);
 }
-/*Plan, expand and check a motion; returns the status (PlanStatus).                                  */
-/*                                                                                                   */
-/*    states, dwells, limits, axes and cells are those of `plan_phases`, the others those of         */
-/*    `expand_plan`. work (MotionWork rows, MotionWork columns) brings the options and the tolerance */
-/*    of the check. MORE_PIECES: the plan is made, and `expand_motion` will do the rest with as many */
-/*    rows as `count_pieces` says. After a refusal the row REFUSAL of the planner's rows says where. */
-/*                                                                                                   */
 int64_t segfmu_plan_motion(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d work)
 {
     array_double_2d planner;
