@@ -13,10 +13,10 @@ import numpy as np
 from benchmarks.optimal_control import Transition, earliest
 from benchmarks.problems import FloatArray
 from benchmarks.report import Part, Record, Section, Settings
-from segfmu import InfeasibleError, Limits, Trajectory, Waypoint, plan
+from segfmu import InfeasibleError, InputError, Limits, Trajectory, Waypoint, plan
 from segfmu.kernels import backend
-from segfmu.kernels.planner.parameters import steepest_share, usual_share
-from segfmu.kernels.planner.records import Axis, Cell, Phase, PlanWork, Problem, Shape
+from segfmu.kernels.planner.parameters import usual_share
+from segfmu.kernels.planner.records import Axis, Cell, Phase, PlanWork, Shape
 
 SEED = 41
 SLACK = 0.95
@@ -56,17 +56,15 @@ def measure(settings: Settings) -> Part:
 
 
 def planned(n: int, limits: FloatArray, state: FloatArray) -> float:
-    """Duration of the shortest plateau profile of a problem [s]; inf where it is refused."""
-    axis, work = np.zeros(Axis.SIZE), np.zeros((PlanWork.SIZE, PlanWork.COLUMNS))
-    phases, problem = np.zeros((Cell.ABOVE, Phase.SIZE)), np.zeros(Problem.SIZE)
-    problem[: Problem.DURATION] = state
-    for share in (usual_share(), steepest_share()):
-        backend.axis_limits(n, Shape.PLATEAU, limits, axis)
-        assert backend.ramp_parameters(share, axis, work)
-        count = backend.shortest_profile(problem, axis, phases, work)
-        if count >= 0:
-            return float(phases[:count, Phase.DURATION].sum())
-    return np.inf
+    """Duration of the plan of a problem [s]; inf where it is refused, 0 with nothing to do."""
+    v, a, w, b, distance = state
+    points = [Waypoint(0.0, v, a), Waypoint(distance, w, b)]
+    try:
+        return plan(points, Limits(*(c or None for c in limits[:6])), smoothness=n).duration
+    except InfeasibleError:
+        return np.inf
+    except InputError:
+        return 0.0
 
 
 def random_limits(random: np.random.Generator, n: int) -> FloatArray:
