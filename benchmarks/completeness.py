@@ -7,6 +7,7 @@ planner may take its duration at most. The optima of smoothness 4 to 6 come from
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -59,8 +60,9 @@ def planned(n: int, limits: FloatArray, state: FloatArray) -> float:
     """Duration of the plan of a problem [s]; inf where it is refused, 0 with nothing to do."""
     v, a, w, b, distance = state
     points = [Waypoint(0.0, v, a), Waypoint(distance, w, b)]
+    given: list[Any] = [c or None for c in limits[:6]]
     try:
-        return plan(points, Limits(*(c or None for c in limits[:6])), smoothness=n).duration
+        return plan(points, Limits(*given), smoothness=n).duration
     except InfeasibleError:
         return np.inf
     except InputError:
