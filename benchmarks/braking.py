@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from math import factorial
-
 import numpy as np
 from scipy.optimize import linprog
 
 from benchmarks.completeness import planned
+from benchmarks.optimal_control import integrators
 from benchmarks.problems import FloatArray
 from benchmarks.report import Part, Record, Section, Settings
 from segfmu.kernels import backend
@@ -71,11 +70,8 @@ def least_velocity(first: float, limits: FloatArray, horizon: float) -> float:
     order = limits.size
     h = horizon / CELLS
     # state: velocity, acceleration .. below the control
-    step = np.array([
-        [h ** (j - i) / factorial(j - i) if j >= i else 0.0 for j in range(order)]
-        for i in range(order)
-    ])
-    gain = limits[-1] * np.array([h ** (order - i) / factorial(order - i) for i in range(order)])
+    step, gain = integrators(order, h)
+    gain *= limits[-1]
     effect, free = np.zeros((CELLS + 1, order, CELLS)), np.zeros((CELLS + 1, order))
     free[0, 1] = first
     for k in range(CELLS):

@@ -127,15 +127,20 @@ def _bisect(
     return high, solved
 
 
-def _feasible(transition: Transition, duration: float, intervals: int) -> bool:
-    limits = np.array(transition.limits)
-    order = len(limits)
-    h = duration / intervals
+def integrators(order: int, h: float) -> tuple[FloatArray, FloatArray]:
+    """Integrators over h [s]: the matrix of their state, and what a constant input adds."""
     step = np.array([
         [h ** (j - i) / factorial(j - i) if j >= i else 0.0 for j in range(order)]
         for i in range(order)
     ])
-    gain = np.array([h ** (order - i) / factorial(order - i) for i in range(order)])
+    return step, np.array([h ** (order - i) / factorial(order - i) for i in range(order)])
+
+
+def _feasible(transition: Transition, duration: float, intervals: int) -> bool:
+    limits = np.array(transition.limits)
+    order = len(limits)
+    h = duration / intervals
+    step, gain = integrators(order, h)
     # states[k] = effect[k] @ (snap / limit) + free[k]
     effect = np.zeros((intervals + 1, order, intervals))
     free = np.zeros((intervals + 1, order))

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from math import factorial
-
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import linprog
+
+from benchmarks.optimal_control import integrators
 
 FloatArray = NDArray[np.float64]
 
@@ -42,11 +42,8 @@ def shortest_stop(
 def _feasible(state: FloatArray, limits: FloatArray, duration: float, intervals: int) -> bool:
     order = state.size
     h = duration / intervals
-    step = np.array([
-        [h ** (j - i) / factorial(j - i) if j >= i else 0.0 for j in range(order)]
-        for i in range(order)
-    ])
-    gain = limits[-1] * np.array([h ** (order - i) / factorial(order - i) for i in range(order)])
+    step, gain = integrators(order, h)
+    gain *= limits[-1]
     effect, free = np.zeros((intervals + 1, order, intervals)), np.zeros((intervals + 1, order))
     free[0] = state
     for k in range(intervals):

@@ -322,9 +322,11 @@ static int64_t covering_ends(double spent, double after, array_double_1d problem
 static int64_t gap_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static void polynomial_levels(array_double_1d problem, array_double_1d gentle);
 static int64_t gentle_hold(double* result_0_0001, double* result_1, double level, array_double_1d problem, array_double_1d axis);
-static void gentle_errors(array_double_1d problem, array_double_1d axis, array_double_1d gentle);
+static void gentle_ramps(array_double_1d problem, array_double_1d axis, array_double_1d gentle);
+static double gentle_errors(array_double_1d problem, array_double_1d axis, array_double_1d gentle);
 static bool gentle_step(array_double_1d problem, array_double_1d axis, array_double_1d gentle);
 static void spread_levels(int64_t attempt, array_double_1d gentle);
+static void take_levels(double share, array_double_1d gentle);
 static bool solve_gentle(int64_t attempt, array_double_1d problem, array_double_1d axis, array_double_1d gentle);
 static int64_t write_gentle(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_1d gentle);
 static void stretch_phases(array_double_2d phases, int64_t count, double factor);
@@ -352,6 +354,10 @@ static double usual_share(void);
 static double steepest_share(void);
 static bool plateau_parameters(double share, array_double_1d axis);
 static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, array_double_1d peaks);
+static int64_t plan_with_share(int64_t axis, double share, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static double axis_duration(int64_t axis, array_double_2d axes, array_double_3d cells);
+static int64_t plan_steeper(int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static int64_t plan_axis(int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static int64_t check_waypoints(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_1d report);
 static int64_t time_left(double* result_0, double* result_1, int64_t* result_2, int64_t first, int64_t step, double target, array_double_3d cells);
 static bool prolong_all(int64_t first, int64_t last, double target, array_double_2d axes, array_double_3d cells, array_double_2d work);
@@ -359,9 +365,6 @@ static bool prolong_from(int64_t begin, double share, int64_t first, int64_t las
 static bool distribute(int64_t first, int64_t last, double target, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static bool rewrite_intervals(int64_t first, int64_t last, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static void set_problems(array_double_3d states, array_double_3d cells);
-static int64_t plan_axis(int64_t axis, double share, array_double_2d axes, array_double_3d cells, array_double_2d work);
-static double axis_duration(int64_t axis, array_double_2d axes, array_double_3d cells);
-static int64_t plan_steeper(int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static double meet_intervals(int64_t first, int64_t last, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static int64_t synchronize_plan(array_double_1d dwells, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static bool differ(double before, double value);
@@ -11790,7 +11793,7 @@ static int64_t gentle_hold(double* result_0_0001, double* result_1, double level
     (*result_1) = hold;
     return 0;
 }
-static void gentle_errors(array_double_1d problem, array_double_1d axis, array_double_1d gentle)
+static void gentle_ramps(array_double_1d problem, array_double_1d axis, array_double_1d gentle)
 {
     double hold;
     double total;
@@ -11800,9 +11803,6 @@ static void gentle_errors(array_double_1d problem, array_double_1d axis, array_d
     double held;
     double duration;
     double slope;
-    double v;
-    double y;
-    double basis;
     hold = 0.0;
     total = 0.0;
     a = (*cspan_at(&problem, INT64_C(1)));
@@ -11815,29 +11815,40 @@ static void gentle_errors(array_double_1d problem, array_double_1d axis, array_d
             gentle_hold(&b, &held, (*cspan_at(&gentle, INT64_C(0) + i)), problem, axis);
         }
         segfmu_ramp_duration(&duration, &slope, fabs(b - a), axis);
-        (*cspan_at(&gentle, INT64_C(4) + i)) = duration;
+        (*cspan_at(&gentle, INT64_C(4) + i)) = b;
+        (*cspan_at(&gentle, INT64_C(7) + i)) = held;
+        (*cspan_at(&gentle, INT64_C(10) + i)) = duration;
         total = total + duration;
         hold = hold + held;
         a = b;
     }
-    (*cspan_at(&gentle, INT64_C(7))) = 0.0;
+    (*cspan_at(&gentle, INT64_C(13))) = 0.0;
     if (total > 0.0)
     {
-        (*cspan_at(&gentle, INT64_C(7))) = ((*cspan_at(&problem, INT64_C(5))) - hold) / total;
+        (*cspan_at(&gentle, INT64_C(13))) = ((*cspan_at(&problem, INT64_C(5))) - hold) / total;
     }
+}
+static double gentle_errors(array_double_1d problem, array_double_1d axis, array_double_1d gentle)
+{
+    double v;
+    double y;
+    double a;
+    int64_t i;
+    double b;
+    double held;
+    double basis;
+    double duration;
+    double result;
+    gentle_ramps(problem, axis, gentle);
     v = (*cspan_at(&problem, INT64_C(0)));
     y = 0.0;
     a = (*cspan_at(&problem, INT64_C(1)));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        b = (*cspan_at(&problem, INT64_C(3)));
-        held = 0.0;
-        if (i < INT64_C(2))
-        {
-            gentle_hold(&b, &held, (*cspan_at(&gentle, INT64_C(0) + i)), problem, axis);
-        }
-        basis = (*cspan_at(&gentle, INT64_C(4) + i));
-        duration = basis * (*cspan_at(&gentle, INT64_C(7)));
+        b = (*cspan_at(&gentle, INT64_C(4) + i));
+        held = (*cspan_at(&gentle, INT64_C(7) + i));
+        basis = (*cspan_at(&gentle, INT64_C(10) + i));
+        duration = basis * (*cspan_at(&gentle, INT64_C(13)));
         if (duration > 0.0)
         {
             y = y + ramp_distance(v, a, b, duration, basis, axis);
@@ -11847,8 +11858,10 @@ static void gentle_errors(array_double_1d problem, array_double_1d axis, array_d
         v = v + b * held;
         a = b;
     }
-    (*cspan_at(&gentle, INT64_C(8))) = v - (*cspan_at(&problem, INT64_C(2)));
-    (*cspan_at(&gentle, INT64_C(9))) = (y - (*cspan_at(&problem, INT64_C(4)))) / (*cspan_at(&problem, INT64_C(5)));
+    (*cspan_at(&gentle, INT64_C(14))) = v - (*cspan_at(&problem, INT64_C(2)));
+    (*cspan_at(&gentle, INT64_C(15))) = (y - (*cspan_at(&problem, INT64_C(4)))) / (*cspan_at(&problem, INT64_C(5)));
+    result = fabs((*cspan_at(&gentle, INT64_C(14)))) + fabs((*cspan_at(&gentle, INT64_C(15))));
+    return result;
 }
 static bool gentle_step(array_double_1d problem, array_double_1d axis, array_double_1d gentle)
 {
@@ -11862,8 +11875,8 @@ static bool gentle_step(array_double_1d problem, array_double_1d axis, array_dou
     double e1;
     double e2;
     double determinant;
-    gain = (*cspan_at(&gentle, INT64_C(8)));
-    excess = (*cspan_at(&gentle, INT64_C(9)));
+    gain = (*cspan_at(&gentle, INT64_C(14)));
+    excess = (*cspan_at(&gentle, INT64_C(15)));
     change = 1e-07 * span_max(fabs((*cspan_at(&gentle, INT64_C(0)))), fabs((*cspan_at(&gentle, INT64_C(0) + INT64_C(1)))));
     if (change == 0.0)
     {
@@ -11875,15 +11888,15 @@ static bool gentle_step(array_double_1d problem, array_double_1d axis, array_dou
         (*cspan_at(&gentle, INT64_C(0) + i)) = kept + change;
         gentle_errors(problem, axis, gentle);
         (*cspan_at(&gentle, INT64_C(0) + i)) = kept;
-        (*cspan_at(&gentle, INT64_C(10) + i)) = ((*cspan_at(&gentle, INT64_C(8))) - gain) / change;
-        (*cspan_at(&gentle, INT64_C(12) + i)) = ((*cspan_at(&gentle, INT64_C(9))) - excess) / change;
+        (*cspan_at(&gentle, INT64_C(16) + i)) = ((*cspan_at(&gentle, INT64_C(14))) - gain) / change;
+        (*cspan_at(&gentle, INT64_C(18) + i)) = ((*cspan_at(&gentle, INT64_C(15))) - excess) / change;
     }
-    (*cspan_at(&gentle, INT64_C(8))) = gain;
-    (*cspan_at(&gentle, INT64_C(9))) = excess;
-    g1 = (*cspan_at(&gentle, INT64_C(10)));
-    g2 = (*cspan_at(&gentle, INT64_C(10) + INT64_C(1)));
-    e1 = (*cspan_at(&gentle, INT64_C(12)));
-    e2 = (*cspan_at(&gentle, INT64_C(12) + INT64_C(1)));
+    (*cspan_at(&gentle, INT64_C(14))) = gain;
+    (*cspan_at(&gentle, INT64_C(15))) = excess;
+    g1 = (*cspan_at(&gentle, INT64_C(16)));
+    g2 = (*cspan_at(&gentle, INT64_C(16) + INT64_C(1)));
+    e1 = (*cspan_at(&gentle, INT64_C(18)));
+    e2 = (*cspan_at(&gentle, INT64_C(18) + INT64_C(1)));
     determinant = g1 * e2 - g2 * e1;
     if (!(fabs(determinant) > 1e-09 * (fabs(g1 * e2) + fabs(g2 * e1))))
     {
@@ -11909,6 +11922,14 @@ static void spread_levels(int64_t attempt, array_double_1d gentle)
     (*cspan_at(&gentle, INT64_C(0))) = middle + half;
     (*cspan_at(&gentle, INT64_C(0) + INT64_C(1))) = middle - half;
 }
+static void take_levels(double share, array_double_1d gentle)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&gentle, INT64_C(0) + i)) = (*cspan_at(&gentle, INT64_C(0) + i)) + share * (*cspan_at(&gentle, INT64_C(2) + i));
+    }
+}
 static bool solve_gentle(int64_t attempt, array_double_1d problem, array_double_1d axis, array_double_1d gentle)
 {
     double error;
@@ -11917,15 +11938,12 @@ static bool solve_gentle(int64_t attempt, array_double_1d problem, array_double_
     double share;
     double reached;
     int64_t j;
-    int64_t k;
-    double moved;
     polynomial_levels(problem, gentle);
     if (attempt > INT64_C(0))
     {
         spread_levels(attempt, gentle);
     }
-    gentle_errors(problem, axis, gentle);
-    error = fabs((*cspan_at(&gentle, INT64_C(8)))) + fabs((*cspan_at(&gentle, INT64_C(9))));
+    error = gentle_errors(problem, axis, gentle);
     speed = (*cspan_at(&axis, INT64_C(2)));
     for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
     {
@@ -11937,27 +11955,18 @@ static bool solve_gentle(int64_t attempt, array_double_1d problem, array_double_
         reached = error;
         for (j = INT64_C(0); j < INT64_C(4); j += INT64_C(1))
         {
-            for (k = INT64_C(0); k < INT64_C(2); k += INT64_C(1))
-            {
-                moved = (*cspan_at(&gentle, INT64_C(0) + k)) + share * (*cspan_at(&gentle, INT64_C(2) + k));
-                (*cspan_at(&gentle, INT64_C(0) + k)) = moved;
-            }
-            gentle_errors(problem, axis, gentle);
-            reached = fabs((*cspan_at(&gentle, INT64_C(8)))) + fabs((*cspan_at(&gentle, INT64_C(9))));
+            take_levels(share, gentle);
+            reached = gentle_errors(problem, axis, gentle);
             if (reached < error)
             {
                 break;
             }
-            for (k = INT64_C(0); k < INT64_C(2); k += INT64_C(1))
-            {
-                moved = (*cspan_at(&gentle, INT64_C(0) + k)) - share * (*cspan_at(&gentle, INT64_C(2) + k));
-                (*cspan_at(&gentle, INT64_C(0) + k)) = moved;
-            }
+            take_levels(-share, gentle);
             share = 0.5 * share;
         }
         if (!(reached < error))
         {
-            gentle_errors(problem, axis, gentle);
+            error = gentle_errors(problem, axis, gentle);
             break;
         }
         error = reached;
@@ -11973,25 +11982,19 @@ static int64_t write_gentle(array_double_2d phases, array_double_1d problem, arr
     double a;
     int64_t i;
     double b;
-    double held;
     int64_t used;
     int64_t count;
     count = INT64_C(0);
     a = (*cspan_at(&problem, INT64_C(1)));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        b = (*cspan_at(&problem, INT64_C(3)));
-        held = 0.0;
-        if (i < INT64_C(2))
-        {
-            gentle_hold(&b, &held, (*cspan_at(&gentle, INT64_C(0) + i)), problem, axis);
-        }
+        b = (*cspan_at(&gentle, INT64_C(4) + i));
         used = append_change(phases, count, a, b, axis);
         if (used > count)
         {
-            (*cspan_at(&phases, count, INT64_C(0))) = (*cspan_at(&phases, count, INT64_C(1))) * (*cspan_at(&gentle, INT64_C(7)));
+            (*cspan_at(&phases, count, INT64_C(0))) = (*cspan_at(&phases, count, INT64_C(1))) * (*cspan_at(&gentle, INT64_C(13)));
         }
-        count = append_hold(phases, used, b, held);
+        count = append_hold(phases, used, b, (*cspan_at(&gentle, INT64_C(7) + i)));
         a = b;
     }
     return count;
@@ -12130,7 +12133,7 @@ static bool timed_gently(array_double_1d axis, array_double_2d cell, array_doubl
         {
             continue;
         }
-        if ((*cspan_at(&gentle, INT64_C(7))) < 1.0)
+        if ((*cspan_at(&gentle, INT64_C(13))) < 1.0)
         {
             return 0;
         }
@@ -12792,6 +12795,82 @@ bool segfmu_ramp_parameters(double share, array_double_1d axis, array_double_2d 
     }
     return bounded;
 }
+static int64_t plan_with_share(int64_t axis, double share, array_double_2d axes, array_double_3d cells, array_double_2d work)
+{
+    array_double_1d report;
+    double settled;
+    int64_t j;
+    double time;
+    int64_t status;
+    report = span_row(&work, INT64_C(46));
+    (*cspan_at(&report, INT64_C(0))) = axis;
+    settled = 1.0;
+    if (!segfmu_ramp_parameters(share, span_row(&axes, axis), work))
+    {
+        return -INT64_C(9);
+    }
+    for (j = axis; (axes.shape[INT64_C(0)] > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += axes.shape[INT64_C(0)])
+    {
+        (*cspan_at(&report, INT64_C(1))) = span_floor_div(j, axes.shape[INT64_C(0)]);
+        set_shortest(&status, &time, span_matrix(&cells, j), span_row(&axes, axis), work);
+        if (status < INT64_C(0))
+        {
+            (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&cells, j, INT64_C(46), INT64_C(1)));
+            if (status == -INT64_C(2))
+            {
+                (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&cells, j, INT64_C(46), INT64_C(3)));
+            }
+            (*cspan_at(&report, INT64_C(3))) = (*cspan_at(&axes, axis, INT64_C(2)));
+            return status;
+        }
+        settled = span_min(settled, (*cspan_at(&work, INT64_C(48), INT64_C(7))));
+        time = time + (*cspan_at(&cells, j, INT64_C(47), INT64_C(7)));
+        (*cspan_at(&cells, j, INT64_C(47), INT64_C(0))) = time;
+        (*cspan_at(&cells, j, INT64_C(47), INT64_C(1))) = time;
+    }
+    (*cspan_at(&work, INT64_C(48), INT64_C(7))) = settled;
+    return INT64_C(0);
+}
+static double axis_duration(int64_t axis, array_double_2d axes, array_double_3d cells)
+{
+    int64_t j;
+    double total;
+    total = 0.0;
+    for (j = axis; (axes.shape[INT64_C(0)] > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += axes.shape[INT64_C(0)])
+    {
+        total = total + (*cspan_at(&cells, j, INT64_C(47), INT64_C(0)));
+    }
+    return total;
+}
+static int64_t plan_steeper(int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
+{
+    double usual;
+    int64_t status;
+    usual = axis_duration(axis, axes, cells);
+    status = plan_with_share(axis, 0.2 * usual_share(), axes, cells, work);
+    if ((status == INT64_C(0)) && (axis_duration(axis, axes, cells) < 0.94 * usual))
+    {
+        return status;
+    }
+    status = plan_with_share(axis, usual_share(), axes, cells, work);
+    return status;
+}
+static int64_t plan_axis(int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
+{
+    int64_t status;
+    status = plan_with_share(axis, usual_share(), axes, cells, work);
+    if ((status == -INT64_C(1)) || (status == -INT64_C(2)))
+    {
+        status = plan_with_share(axis, steepest_share(), axes, cells, work);
+        return status;
+    }
+    if ((status == INT64_C(0)) && ((*cspan_at(&work, INT64_C(48), INT64_C(7))) < 0.5))
+    {
+        status = plan_steeper(axis, axes, cells, work);
+        return status;
+    }
+    return status;
+}
 static int64_t check_waypoints(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_1d report)
 {
     int64_t j;
@@ -13021,66 +13100,6 @@ static void set_problems(array_double_3d states, array_double_3d cells)
         }
     }
 }
-static int64_t plan_axis(int64_t axis, double share, array_double_2d axes, array_double_3d cells, array_double_2d work)
-{
-    array_double_1d report;
-    double settled;
-    int64_t j;
-    double time;
-    int64_t status;
-    report = span_row(&work, INT64_C(46));
-    (*cspan_at(&report, INT64_C(0))) = axis;
-    settled = 1.0;
-    if (!segfmu_ramp_parameters(share, span_row(&axes, axis), work))
-    {
-        return -INT64_C(9);
-    }
-    for (j = axis; (axes.shape[INT64_C(0)] > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += axes.shape[INT64_C(0)])
-    {
-        (*cspan_at(&report, INT64_C(1))) = span_floor_div(j, axes.shape[INT64_C(0)]);
-        set_shortest(&status, &time, span_matrix(&cells, j), span_row(&axes, axis), work);
-        if (status < INT64_C(0))
-        {
-            (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&cells, j, INT64_C(46), INT64_C(1)));
-            if (status == -INT64_C(2))
-            {
-                (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&cells, j, INT64_C(46), INT64_C(3)));
-            }
-            (*cspan_at(&report, INT64_C(3))) = (*cspan_at(&axes, axis, INT64_C(2)));
-            return status;
-        }
-        settled = span_min(settled, (*cspan_at(&work, INT64_C(48), INT64_C(7))));
-        time = time + (*cspan_at(&cells, j, INT64_C(47), INT64_C(7)));
-        (*cspan_at(&cells, j, INT64_C(47), INT64_C(0))) = time;
-        (*cspan_at(&cells, j, INT64_C(47), INT64_C(1))) = time;
-    }
-    (*cspan_at(&work, INT64_C(48), INT64_C(7))) = settled;
-    return INT64_C(0);
-}
-static double axis_duration(int64_t axis, array_double_2d axes, array_double_3d cells)
-{
-    int64_t j;
-    double total;
-    total = 0.0;
-    for (j = axis; (axes.shape[INT64_C(0)] > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += axes.shape[INT64_C(0)])
-    {
-        total = total + (*cspan_at(&cells, j, INT64_C(47), INT64_C(0)));
-    }
-    return total;
-}
-static int64_t plan_steeper(int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
-{
-    double usual;
-    int64_t status;
-    usual = axis_duration(axis, axes, cells);
-    status = plan_axis(axis, 0.2 * usual_share(), axes, cells, work);
-    if ((status == INT64_C(0)) && (axis_duration(axis, axes, cells) < 0.94 * usual))
-    {
-        return status;
-    }
-    status = plan_axis(axis, usual_share(), axes, cells, work);
-    return status;
-}
 static double meet_intervals(int64_t first, int64_t last, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
     double sample_time;
@@ -13206,15 +13225,7 @@ int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array
     set_problems(states, cells);
     for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
     {
-        status = plan_axis(axis, usual_share(), axes, cells, work);
-        if ((status == -INT64_C(1)) || (status == -INT64_C(2)))
-        {
-            status = plan_axis(axis, steepest_share(), axes, cells, work);
-        }
-        else if ((status == INT64_C(0)) && ((*cspan_at(&work, INT64_C(48), INT64_C(7))) < 0.5))
-        {
-            status = plan_steeper(axis, axes, cells, work);
-        }
+        status = plan_axis(axis, axes, cells, work);
         if (status < INT64_C(0))
         {
             return status;

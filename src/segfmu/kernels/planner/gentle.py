@@ -67,8 +67,8 @@ def gentle_hold(level: float, problem: 'float[:]', axis: 'float[:]') -> 'tuple[f
     return top, hold
 
 
-def gentle_errors(problem: 'float[:]', axis: 'float[:]', gentle: 'float[:]') -> None:
-    """Set the stretch for the levels, and by how much the motion gains and covers too much."""
+def gentle_ramps(problem: 'float[:]', axis: 'float[:]', gentle: 'float[:]') -> None:
+    """Set ends, holds and durations of the three ramps to the levels, and their stretch."""
     hold = 0.0
     total = 0.0
     a = problem[Problem.A]
@@ -78,6 +78,8 @@ def gentle_errors(problem: 'float[:]', axis: 'float[:]', gentle: 'float[:]') -> 
         if i < 2:
             b, held = gentle_hold(gentle[Gentle.LEVELS + i], problem, axis)
         duration, slope = ramp_duration(abs(b - a), axis)
+        gentle[Gentle.ENDS + i] = b
+        gentle[Gentle.HOLDS + i] = held
         gentle[Gentle.RAMPS + i] = duration
         total = total + duration
         hold = hold + held
@@ -85,14 +87,17 @@ def gentle_errors(problem: 'float[:]', axis: 'float[:]', gentle: 'float[:]') -> 
     gentle[Gentle.STRETCH] = 0.0
     if total > 0.0:
         gentle[Gentle.STRETCH] = (problem[Problem.DURATION] - hold) / total
+
+
+def gentle_errors(problem: 'float[:]', axis: 'float[:]', gentle: 'float[:]') -> float:
+    """Set by how much the motion of the levels gains and covers too much; the sum of both [m/s]."""
+    gentle_ramps(problem, axis, gentle)
     v = problem[Problem.V]
     y = 0.0
     a = problem[Problem.A]
     for i in range(3):
-        b = problem[Problem.B]
-        held = 0.0
-        if i < 2:
-            b, held = gentle_hold(gentle[Gentle.LEVELS + i], problem, axis)
+        b = gentle[Gentle.ENDS + i]
+        held = gentle[Gentle.HOLDS + i]
         basis = gentle[Gentle.RAMPS + i]
         duration = basis * gentle[Gentle.STRETCH]
         if duration > 0.0:
@@ -103,6 +108,7 @@ def gentle_errors(problem: 'float[:]', axis: 'float[:]', gentle: 'float[:]') -> 
         a = b
     gentle[Gentle.GAIN] = v - problem[Problem.W]
     gentle[Gentle.EXCESS] = (y - problem[Problem.DISTANCE]) / problem[Problem.DURATION]
+    return abs(gentle[Gentle.GAIN]) + abs(gentle[Gentle.EXCESS])
 
 
 def gentle_step(problem: 'float[:]', axis: 'float[:]', gentle: 'float[:]') -> bool:
@@ -145,6 +151,12 @@ def spread_levels(attempt: int, gentle: 'float[:]') -> None:
     gentle[Gentle.LEVELS + 1] = middle - half
 
 
+def take_levels(share: float, gentle: 'float[:]') -> None:
+    """Add a share of Newton's step to the levels."""
+    for i in range(2):
+        gentle[Gentle.LEVELS + i] = gentle[Gentle.LEVELS + i] + share * gentle[Gentle.STEPS + i]
+
+
 def solve_gentle(
     attempt: int, problem: 'float[:]', axis: 'float[:]', gentle: 'float[:]'
 ) -> bool:
@@ -155,8 +167,7 @@ def solve_gentle(
     polynomial_levels(problem, gentle)
     if attempt > 0:
         spread_levels(attempt, gentle)
-    gentle_errors(problem, axis, gentle)
-    error = abs(gentle[Gentle.GAIN]) + abs(gentle[Gentle.EXCESS])
+    error = gentle_errors(problem, axis, gentle)
     speed = axis[Axis.VELOCITY]
     for i in range(12):
         if not gentle_step(problem, axis, gentle):
@@ -164,19 +175,15 @@ def solve_gentle(
         share = 1.0
         reached = error
         for j in range(4):
-            for k in range(2):
-                moved = gentle[Gentle.LEVELS + k] + share * gentle[Gentle.STEPS + k]
-                gentle[Gentle.LEVELS + k] = moved
-            gentle_errors(problem, axis, gentle)
-            reached = abs(gentle[Gentle.GAIN]) + abs(gentle[Gentle.EXCESS])
+            take_levels(share, gentle)
+            reached = gentle_errors(problem, axis, gentle)
             if reached < error:
                 break
-            for k in range(2):
-                moved = gentle[Gentle.LEVELS + k] - share * gentle[Gentle.STEPS + k]
-                gentle[Gentle.LEVELS + k] = moved
+            take_levels(-share, gentle)
             share = 0.5 * share
         if not reached < error:
-            gentle_errors(problem, axis, gentle)
+            # the ramps are those of a step that was taken back
+            error = gentle_errors(problem, axis, gentle)
             break
         error = reached
         if error <= 1e-16 * speed:
@@ -191,13 +198,10 @@ def write_gentle(
     count = 0
     a = problem[Problem.A]
     for i in range(3):
-        b = problem[Problem.B]
-        held = 0.0
-        if i < 2:
-            b, held = gentle_hold(gentle[Gentle.LEVELS + i], problem, axis)
+        b = gentle[Gentle.ENDS + i]
         used = append_change(phases, count, a, b, axis)
         if used > count:
             phases[count, Phase.DURATION] = phases[count, Phase.BASIS] * gentle[Gentle.STRETCH]
-        count = append_hold(phases, used, b, held)
+        count = append_hold(phases, used, b, gentle[Gentle.HOLDS + i])
         a = b
     return count

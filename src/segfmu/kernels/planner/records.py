@@ -207,6 +207,8 @@ class Gentle(Record):
 
     LEVELS = field("levels; beyond the acceleration limit they are held there", "m/s2", size=2)
     STEPS = field("their changes in Newton's method", "m/s2", size=2)
+    ENDS = field("accelerations at the ends of the ramps", "m/s2", size=3)
+    HOLDS = field("how long they are held", "s", size=3)
     RAMPS = field("durations of the fastest ramps", "s", size=3)
     STRETCH = field("by which they are slowed down")
     GAIN = field("velocity that is gained too much", "m/s")
@@ -239,7 +241,7 @@ class Passing(Record):
     ACCELERATION = field("scale of accelerations", "m/s2")
     TARGET = field("duration that it shall take by its pace; 0: the pace is given", "s")
     REVERSED = field("1: of the motion with the time reversed")
-    SETTLED = field("0: gentler rises than these may have left no room for a shorter profile")
+    SETTLED = field("0: steeper rises than these may leave room for a shorter profile")
 
 
 class Excess(Record):
