@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import linprog
+from scipy.optimize import linprog, nnls
 
 FloatArray = NDArray[np.float64]
 ORDER = 4
@@ -137,11 +137,48 @@ def integrators(order: int, h: float) -> tuple[FloatArray, FloatArray]:
 
 
 def _feasible(transition: Transition, duration: float, intervals: int) -> bool:
+    rows, room, ends, reached = _conditions(transition, duration, intervals)
+    found = linprog(
+        np.zeros(intervals), A_ub=rows, b_ub=room, A_eq=ends, b_eq=reached, bounds=(-1.0, 1.0),
+        method="highs",
+    )
+    return bool(found.status == 0)
+
+
+def smoothest(transition: Transition, duration: float, intervals: int) -> float:
+    """Least RMS of the highest limited derivative of a motion that lasts `duration` [s].
+
+    A quadratic program over cells in which that derivative is constant; NaN where no motion keeps
+    the limits. With the conditions at the end eliminated it is one of least distance, which
+    non-negative least squares solve (Lawson and Hanson, Solving Least Squares Problems, ch. 23).
+    """
+    rows, room, ends, reached = _conditions(transition, duration, intervals)
+    rows = np.vstack([rows, np.eye(intervals), -np.eye(intervals)])
+    room = np.concatenate([room, np.ones(2 * intervals)])
+    least = np.linalg.lstsq(ends, reached, rcond=None)[0]
+    free = np.linalg.svd(ends)[2][len(ends) :].T
+    scale = np.abs(least).max()
+    dual = np.vstack([-scale * (rows @ free).T, rows @ least - room])
+    target = np.eye(1, len(dual), len(dual) - 1)[0]
+    residual = dual @ nnls(dual, target, maxiter=100 * intervals)[0] - target
+    if np.abs(residual).max() < 1e-12:
+        return float("nan")
+    found = least - scale * free @ (residual[:-1] / residual[-1])
+    return float(np.sqrt(np.mean(found * found)) * transition.limits[-1])
+
+
+def _conditions(
+    transition: Transition, duration: float, intervals: int
+) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+    """What the highest derivative u over its limit, by cells, has to fulfil.
+
+    rows @ u <= room: the limits of lower derivatives at the nodes; ends @ u = reached: the end.
+    """
     limits = np.array(transition.limits)
     order = len(limits)
     h = duration / intervals
     step, gain = integrators(order, h)
-    # states[k] = effect[k] @ (snap / limit) + free[k]
+    # states[k] = effect[k] @ u + free[k]
     effect = np.zeros((intervals + 1, order, intervals))
     free = np.zeros((intervals + 1, order))
     free[0, :3] = transition.start
@@ -149,17 +186,12 @@ def _feasible(transition: Transition, duration: float, intervals: int) -> bool:
         effect[k + 1] = step @ effect[k]
         effect[k + 1, :, k] += gain * limits[-1]
         free[k + 1] = step @ free[k]
-    inner = effect[1:-1, 1:] / limits[:-1, None]
-    offset = free[1:-1, 1:] / limits[:-1]
-    rows = inner.reshape(-1, intervals)
+    inner = (effect[1:-1, 1:] / limits[:-1, None]).reshape(-1, intervals)
+    offset = (free[1:-1, 1:] / limits[:-1]).ravel()
     scale = np.array([limits[0] * duration, *limits[:-1]])
-    found = linprog(
-        np.zeros(intervals),
-        A_ub=np.vstack([rows, -rows]),
-        b_ub=np.concatenate([1.0 - offset.ravel(), 1.0 + offset.ravel()]),
-        A_eq=effect[-1] / scale[:, None],
-        b_eq=(np.array([*transition.end, *(order - 3) * (0.0,)]) - free[-1]) / scale,
-        bounds=(-1.0, 1.0),
-        method="highs",
+    return (
+        np.vstack([inner, -inner]),
+        np.concatenate([1.0 - offset, 1.0 + offset]),
+        effect[-1] / scale[:, None],
+        (np.array([*transition.end, *(order - 3) * (0.0,)]) - free[-1]) / scale,
     )
-    return bool(found.status == 0)

@@ -13,7 +13,7 @@ import typer
 from benchmarks import __main__ as command
 from benchmarks.drivers import KERNELS, NATIVE
 from benchmarks.effort import OPTIMA, TOLERANCE, transitions
-from benchmarks.optimal_control import Transition, linear_program
+from benchmarks.optimal_control import Transition, linear_program, smoothest
 from benchmarks.problems import KINDS, random_problems
 from benchmarks.timing import interleaved, ratios
 from typer.testing import CliRunner
@@ -84,6 +84,23 @@ def test_linear_programs_find_the_optimum_of_snap_alone() -> None:
     # farthest point at rest: c_4 / 3! times the least L1 norm of a monic cubic over T, T^4 / 64,
     # that of the Chebyshev polynomial of the second kind
     assert duration == pytest.approx((384.0 / 8.0) ** 0.25, rel=0.003)
+
+
+def test_the_smoothest_motion_is_a_polynomial_of_degree_seven_where_no_limit_matters() -> None:
+    wide = Transition("", (0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (9.0, 90.0, 900.0, 9000.0))
+    # 35 s^4 - 84 s^5 + 70 s^6 - 20 s^7, whose fourth derivative has the mean square 100800
+    assert smoothest(wide, 2.0, 60) == pytest.approx(np.sqrt(100800.0) / 2.0**4, rel=2e-3)
+
+
+def test_the_smoothest_motion_keeps_its_limits() -> None:
+    rest, end = (0.0, 0.0, 0.0), (1.0, 0.0, 0.0)
+    free, slow, none = (
+        smoothest(Transition("", rest, end, (velocity, 9.0, 200.0, 9000.0)), 1.0, 60)
+        for velocity in (2.2, 1.5, 1.01)
+    )
+    # the polynomial peaks at 35/16 m/s
+    assert slow > 1.3 * free
+    assert np.isnan(none)
 
 
 def test_the_table_of_optima_belongs_to_the_mission_file() -> None:
