@@ -21,6 +21,11 @@ class BuildKernels(build_ext):
         else:
             # some builds of Python ask for debugging symbols: -g0 overrides
             ext.extra_compile_args = ["-std=c99", "-O3", "-ffp-contract=off", "-w", "-g0"]
+            # nothing reads errno or traps, and nothing but the module's initialiser is called
+            ext.extra_compile_args += [
+                "-fno-math-errno", "-fno-trapping-math", "-fno-tree-vectorize",
+                "-fvisibility=hidden",
+            ]
             # C has nothing to unwind
             ext.extra_compile_args += ["-fno-asynchronous-unwind-tables"]
             # symbols for the static linker alone are of no use in a module

@@ -18,7 +18,10 @@ from benchmarks.report import installed_version
 FloatArray = NDArray[np.float64]
 NATIVE = Path(__file__).parent / "native"
 KERNELS = Path(__file__).parents[1] / "src" / "segfmu" / "kernels" / "c"
-OPTIMISED = ["-O3", "-DNDEBUG", "-fPIC", "-shared"]
+OPTIMISED = [
+    "-O3", "-DNDEBUG", "-fPIC", "-shared", "-fno-semantic-interposition", "-fno-math-errno",
+    "-fno-trapping-math",
+]
 
 
 class DriverError(Exception):
