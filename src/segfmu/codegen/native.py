@@ -21,6 +21,8 @@ from segfmu.kernels import entry_points
 TARGET = KERNELS / "c"
 ENTRY_POINTS = tuple(e.name for e in entry_points.ENTRY_POINTS)
 PREFIX = "segfmu_"
+# functions of the innermost loops, a twelfth of a plan's time if they are called
+INLINED = ("ramp_change", "ramp_distance", "ramp_duration", "ramp_variance")
 
 BANNER = "/* Generated from the kernels in Python by `python -m segfmu.codegen`; never edited. */\n"
 
@@ -99,7 +101,8 @@ def _static(text: str) -> str:
 
     def storage(match: re.Match[str]) -> str:
         name = _name(match.group())
-        return match.group() if name in ENTRY_POINTS else f"static {match.group()}"
+        function = f"SPAN_INLINE {match.group()}" if name in INLINED else match.group()
+        return function if name in ENTRY_POINTS else f"static {function}"
 
     return re.sub(r"^(?:void|double|bool|int64_t) \w+\([^;]*?\)$", storage, text, flags=re.M)
 

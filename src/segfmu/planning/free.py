@@ -10,7 +10,6 @@ acceleration are candidates as well, so the choice is never slower than these.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -53,7 +52,7 @@ def choose_states(
         return request
     problem = request.problem
     free = np.isnan(problem.states)
-    resting = replace(problem, states=np.where(free, 0.0, problem.states))
+    resting = problem._replace(states=np.where(free, 0.0, problem.states))
     free[[0, -1]] = False
     free[problem.dwells > 0.0] = False
     states = resting.states
@@ -62,8 +61,8 @@ def choose_states(
         states[part.waypoints, part.axes, WaypointState.VELOCITY:] = _fastest(part)
         if progress is not None:
             progress(done + 1, len(parts))
-    return replace(
-        request, waypoints=with_states(request.waypoints, states), problem=resting
+    return request._replace(
+        waypoints=with_states(request.waypoints, states), problem=resting
     )
 
 

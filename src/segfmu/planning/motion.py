@@ -11,7 +11,7 @@ from segfmu.kernels import backend
 from segfmu.kernels.planner.records import Axis, Cell, PlanOptions, PlanStatus, PlanWork, Refusal
 from segfmu.kernels.trajectory.records import Judging, MotionWork, Spare, Timing
 from segfmu.planning.arrays import FloatArray
-from segfmu.planning.problem import Problem
+from segfmu.planning.problem import Options, Problem
 
 # ramps of an axis in an interval whose pieces there are rows for at first
 USUAL_RAMPS = 12
@@ -56,6 +56,7 @@ class Space:
         self.axes = np.zeros((axes, Axis.SIZE))
         self.cells = np.zeros((cells, Cell.SIZE, Cell.COLUMNS))
         self.work = np.zeros((MotionWork.SIZE, MotionWork.COLUMNS))
+        self.chosen: Options | None = None
         self.options = self.work[MotionWork.OPTIONS, : PlanOptions.SIZE]
         self.judging = self.work[MotionWork.JUDGING]
         self.refusal = self.work[MotionWork.PLAN + PlanWork.REFUSAL, : Refusal.SIZE]
@@ -78,7 +79,9 @@ def plan_motion(problem: Problem, tolerance: float) -> Motion:
     points, axes = problem.states.shape[:2]
     size = points, axes, problem.options.smoothness
     space = _spaces.pop(size, None) or Space(size)
-    space.options[:] = problem.options.vector
+    if space.chosen is not problem.options:
+        space.chosen = problem.options
+        space.options[:] = problem.options.vector
     space.judging[Judging.TOLERANCE] = tolerance
     offsets, times = np.zeros(axes + 1, dtype=np.int64), np.zeros((points + 1, axes))
     call = problem.states, problem.dwells, problem.limits, space.axes, space.cells

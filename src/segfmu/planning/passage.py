@@ -50,12 +50,12 @@ class Passage:
     def with_states(self, states: FloatArray) -> Problem:
         """The problem with velocities and accelerations, shape (waypoints, axes, 2)."""
         positions = self.problem.states[:, :, :WaypointState.VELOCITY]
-        return replace(self.problem, states=np.concatenate([positions, states], axis=2))
+        return self.problem._replace(states=np.concatenate([positions, states], axis=2))
 
     def least_durations(self, states: FloatArray) -> FloatArray:
         """Shortest duration of every interval of every axis on its own [s]; infinite: none."""
         options = replace(self.problem.options, synchronize="none")
-        return self._durations(replace(self.with_states(states), options=options))
+        return self._durations(self.with_states(states)._replace(options=options))
 
     def durations(self, states: FloatArray) -> FloatArray:
         """Duration of every interval [s]; infinite: none."""
@@ -73,7 +73,7 @@ class Passage:
     def around(self, point: int) -> Passage:
         """The passage from the waypoint before to the one after a waypoint."""
         rows, intervals = slice(point - 1, point + 2), slice(point - 1, point + 1)
-        problem = replace(self.problem, states=self.problem.states[rows], dwells=np.zeros(3))
+        problem = self.problem._replace(states=self.problem.states[rows], dwells=np.zeros(3))
         return replace(self, problem=problem, free=self.free[rows], box=self.box[intervals])
 
     def _durations(self, problem: Problem) -> FloatArray:
@@ -83,7 +83,7 @@ class Passage:
         found = np.full((len(problem.states) - 1, problem.states.shape[1]), np.inf)
         for i in range(len(found)):
             phases = plan_phases(
-                replace(problem, states=problem.states[i:i + 2], dwells=np.zeros(2))
+                problem._replace(states=problem.states[i:i + 2], dwells=np.zeros(2))
             )
             if self._usual(phases):
                 found[i] = phases.durations

@@ -7,7 +7,6 @@ phases and expand them to polynomials; verify.py checks the trajectory.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -97,7 +96,7 @@ def planned(request: Request, follow: Pieces | None = None) -> Trajectory:
             chosen.position, chosen.velocity, chosen.acceleration, first.jerk, first.snap,
             first.crackle, first.pop,
         )
-        request = replace(request, waypoints=(start, *others))
+        request = request._replace(waypoints=(start, *others))
     elif follow is not None:
         request.require_different()
     trajectory, proved = solve(request, TOLERANCE, follow)

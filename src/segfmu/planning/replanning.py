@@ -8,7 +8,6 @@ the same target end together, however often they are replanned.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -131,7 +130,7 @@ def _kept(
     target = Waypoint(last.position, last.velocity, last.acceleration, dwell=dwell)
     for pieces in (rest, rest.anchored(target.state(2))):
         first = Waypoint(*pieces.starts().T)
-        request = replace(request, waypoints=(first, *points, target))
+        request = request._replace(waypoints=(first, *points, target))
         states = np.stack([p.state(trajectory.smoothness) for p in request.waypoints])
         kept, proved = judged(request, states, pieces, times, TOLERANCE)
         if proved or verify(kept).passed:
@@ -281,7 +280,7 @@ def _joined(request: Request, leads: Leads) -> tuple[Trajectory, bool]:
     ).after(leads.pieces)
     start = np.where(leads.following[:, None], pieces.starts(), request.start)
     end = Waypoint(leads.states[:, 0] + velocity * (duration - delays), velocity)
-    request = replace(request, waypoints=(Waypoint(*start.T), end))
+    request = request._replace(waypoints=(Waypoint(*start.T), end))
     states = np.stack([p.state(request.problem.options.smoothness) for p in request.waypoints])
     times = np.vstack([np.zeros(axes), np.full((2, axes), duration)])
     return judged(request, states, pieces, times, TOLERANCE)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -20,8 +20,7 @@ from segfmu.planning.waypoint import DERIVATIVES, FREE, Waypoint
 SMOOTHNESS = range(2, 7)
 
 
-@dataclass(frozen=True, eq=False)
-class Request:
+class Request(NamedTuple):
     """A request to the planner.
 
     Attributes
@@ -106,13 +105,13 @@ def _checked_waypoints(waypoints: Sequence[Waypoint]) -> tuple[Waypoint, ...]:
         points = tuple(waypoints)
     except TypeError:
         raise InputError(f"waypoints must be a sequence, got {waypoints!r}") from None
+    axes = 0
     for i, point in enumerate(points, 1):
         if not isinstance(point, Waypoint):
             raise InputError(f"waypoint {i} must be a segfmu.Waypoint, got {type(point).__name__}")
-        if point.axes != points[0].axes:
-            raise InputError(
-                f"waypoint {i} has {point.axes} axes, waypoint 1 has {points[0].axes}"
-            )
+        axes = axes or point.axes
+        if point.axes != axes:
+            raise InputError(f"waypoint {i} has {point.axes} axes, waypoint 1 has {axes}")
     if len(points) < 2:
         raise InputError(f"a plan needs at least 2 waypoints, got {len(points)}")
     return points

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -50,7 +48,7 @@ def solve_after(request: Request, leads: Leads, tolerance: float) -> tuple[Traje
     delayed = np.zeros((points, axes, DelayedState.SIZE))
     delayed[:, :, : WaypointState.SIZE] = problem.states
     delayed[0] = leads.states
-    problem = replace(problem, states=delayed)
+    problem = problem._replace(states=delayed)
     pieces, times = _expand(problem, _phases(request, problem))
     full = np.stack([p.state(problem.options.smoothness) for p in request.waypoints])
     return judged(request, full, pieces.after(leads.pieces), times, tolerance)
@@ -68,7 +66,7 @@ def _leads(request: Request, follow: Pieces | None) -> Leads:
         # from rest the target may be refused for itself
         states = problem.states.copy()
         states[0, :, WaypointState.VELOCITY :] = 0.0
-        _phases(request, replace(problem, states=states))
+        _phases(request, problem._replace(states=states))
         raise no_lead(request.axis_names[leads.failed], leads.failed)
     return leads
 

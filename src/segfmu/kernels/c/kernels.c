@@ -186,6 +186,7 @@ static int64_t held_level(int64_t* result_0, double* result_1, int64_t piece, in
 static int64_t piece_peak(double* result_0_0001, double* result_1, int64_t level, int64_t first, double change, double duration, double basis, array_double_1d axis);
 static int64_t curved_part(double* result_0, double* result_1, double* result_2_0001, double s, array_double_1d axis);
 static double invert_curved_part(double value, double upper, array_double_1d axis);
+static double extreme_gain(double a, double b, double duration, double basis, array_double_1d axis);
 static double taylor(double t, double first, double second, double third, double fourth, double fifth);
 static double crossing_time(double a, double length, double jerk, double snap, double crackle, double pop, double highest);
 static double plateau_extreme_velocity(double v, double a, double change, double duration, double basis, array_double_1d axis);
@@ -211,7 +212,7 @@ static int64_t brake(int64_t* result_0, double* result_1, double* result_2, doub
 static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d trial, array_double_1d rest);
 static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d trial);
 static double linear_level(double gain, double a, double b, array_double_1d axis);
-static int64_t root_level(double* result_0, double* result_1, double gain, double a, double b, double lower, double upper, double share, array_double_1d axis);
+static int64_t root_level(double* result_0_0001, double* result_1, double gain, double a, double b, double lower, double upper, double share, array_double_1d axis);
 static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, array_double_1d axis);
 static int64_t member_distance(double* result_0_0001, double* result_1, array_double_1d family, array_double_1d axis);
 static int64_t canonical_member(double* result_0, double* result_1, double p, array_double_1d family, array_double_1d axis);
@@ -229,8 +230,10 @@ static bool measure_excess(array_double_1d axis, array_double_2d work);
 static double window_edge(int64_t halvings, double inside, double outside, array_double_1d family, array_double_1d axis);
 static int64_t canonical_value(double* result_0_0001, double* result_1, double p, array_double_1d family, array_double_1d axis);
 static double bracketed_root(double lower, double upper, double f_lower, double f_upper, array_double_1d family, array_double_1d axis);
+static void note_near(double y, double duration, array_double_1d family, array_double_1d axis);
 static int64_t first_window(double* result_0, double* result_1_0001, double f_start, double t_zero, array_double_1d family, array_double_1d axis);
 static double shorter_member(double f_start, array_double_1d family, array_double_1d axis);
+static void note_near_gain(array_double_1d family, array_double_1d axis);
 static double second_window(double t_zero, array_double_1d family, array_double_1d axis);
 static double farther_member(double lower, double f_lower, array_double_1d family, array_double_1d axis);
 static double canonical_search(array_double_1d family, array_double_1d axis);
@@ -261,28 +264,32 @@ static bool slow_middle(double place, double radius, array_double_1d family, arr
 static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis);
 static double loop_root(int64_t arc, double lower, double upper, double e_lower, double e_upper, double missing, double largest, array_double_1d family, array_double_1d axis);
 static int64_t arc_root(int64_t* result_0, double* result_1, int64_t arc, int64_t sample, double missing, double largest, array_double_1d family, array_double_1d axis);
-static int64_t loop_form(int64_t count, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t loop_form(int64_t arcs, int64_t count, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static void timed_loop(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
-static double early_window(double duration, array_double_1d problem, array_double_1d axis);
 static double power_of(double base, int64_t exponent);
 static void set_level(array_double_1d node, array_double_1d passing, array_double_1d axis);
 static void advance(double time, double level, double change, double variance, double fourth, int64_t above, array_double_1d state);
 static void pass_node(int64_t i, array_double_1d passing, array_double_1d axis, array_double_2d nodes);
+static int64_t dropped_condition(int64_t q, array_double_1d node);
 static double residual_scale(int64_t order, array_double_1d passing, array_double_1d axis);
 static int64_t node_residuals(int64_t i, int64_t row, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d residual);
 static void hold_limit(int64_t q, array_double_1d node, array_double_1d axis, array_double_1d state);
+static int64_t first_row(int64_t node, array_double_1d passing, array_double_2d nodes);
 static void end_residuals(int64_t row, array_double_1d problem, array_double_1d passing, array_double_1d axis, array_double_1d end, array_double_1d residual);
+static int64_t follow_node(int64_t i, int64_t row, array_double_1d problem, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d residual);
 static double sequence_duration(array_double_1d passing, array_double_2d nodes);
-static void run_sequence(int64_t first, array_double_1d problem, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d residual);
+static void run_sequence(array_double_1d problem, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d residual);
+static void follow_change(int64_t first, int64_t row, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d change, array_double_1d slopes);
 static bool is_square(array_double_1d passing, array_double_2d nodes);
 static double residual_norm(int64_t count, array_double_1d residual);
-static void perturbed_column(int64_t column, int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static void pace_column(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static void time_column(int64_t column, int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static void newton_step(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double longest_step(array_double_2d work);
 static void take_step(double share, array_double_2d work);
 static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_double_2d work);
-static void keep_sequence(array_double_2d work);
-static void restore_sequence(array_double_2d work);
+static void keep_sequence(int64_t row, array_double_2d work);
+static void restore_sequence(int64_t row, array_double_2d work);
 static void insert_node(int64_t place, int64_t kind, double sign, double time, bool touch, array_double_2d work);
 static bool split_level(int64_t place, int64_t kind, double sign, array_double_1d axis, array_double_2d work);
 static bool split_ramp(int64_t place, int64_t kind, double sign, bool touch, bool holding, array_double_2d work);
@@ -304,8 +311,10 @@ static bool slow_down(double longest, array_double_1d problem, array_double_1d a
 static int64_t write_sequence(array_double_2d phases, array_double_1d axis, array_double_2d work);
 static bool stays_below(array_double_2d work);
 static double passing_duration(int64_t way, int64_t attempt, double longest, int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static int64_t passing_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t passing_form(double longest, int64_t count, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t timed_passing(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static double least_lever(double c, double gain, array_double_1d axis);
+static double early_window(double duration, array_double_1d problem, array_double_1d axis);
 static double usual_duration(array_double_1d problem, array_double_1d axis);
 static int64_t fastest_between(array_double_2d phases, array_double_1d problem, array_double_1d axis);
 static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
@@ -324,7 +333,8 @@ static void polynomial_levels(array_double_1d problem, array_double_1d gentle);
 static int64_t gentle_hold(double* result_0_0001, double* result_1, double level, array_double_1d problem, array_double_1d axis);
 static void gentle_ramps(array_double_1d problem, array_double_1d axis, array_double_1d gentle);
 static double gentle_errors(array_double_1d problem, array_double_1d axis, array_double_1d gentle);
-static bool gentle_step(array_double_1d problem, array_double_1d axis, array_double_1d gentle);
+static bool gentle_slopes(array_double_1d problem, array_double_1d axis, array_double_1d gentle);
+static bool gentle_step(array_double_1d gentle);
 static void spread_levels(int64_t attempt, array_double_1d gentle);
 static void take_levels(double share, array_double_1d gentle);
 static bool solve_gentle(int64_t attempt, array_double_1d problem, array_double_1d axis, array_double_1d gentle);
@@ -351,12 +361,19 @@ static void transition_coefficients(int64_t order, array_double_1d coefficients)
 static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s);
 static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks);
 static double usual_share(void);
+static double steeper_above(void);
+static double moderate_share(void);
 static double steepest_share(void);
 static bool plateau_parameters(double share, array_double_1d axis);
 static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, array_double_1d peaks);
 static int64_t plan_with_share(int64_t axis, double share, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static double axis_duration(int64_t axis, array_double_2d axes, array_double_3d cells);
-static int64_t plan_steeper(int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static void keep_shortest(int64_t axis, array_double_2d axes, array_double_3d cells);
+static void restore_shortest(int64_t axis, array_double_2d axes, array_double_3d cells);
+static double smoothness_share(double usual, double share, array_double_1d axis);
+static bool shorter_with(double share, double kept, double factor, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static void plan_steeper(double missed, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static int64_t plan_refused(int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static int64_t plan_axis(int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static int64_t check_waypoints(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_1d report);
 static int64_t time_left(double* result_0, double* result_1, int64_t* result_2, int64_t first, int64_t step, double target, array_double_3d cells);
@@ -6194,7 +6211,7 @@ static bool check_axis(int64_t first, int64_t last, array_double_2d timing, arra
     (*cspan_at(&work, INT64_C(41), INT64_C(0))) = span_max(high - low, 1e-05 * span_max(-low, high));
     for (d = INT64_C(0); d < order; d += INT64_C(1))
     {
-        if (!((*cspan_at(&work, INT64_C(42), d)) <= tolerance * (*cspan_at(&work, INT64_C(41), d))))
+        if (!((*cspan_at(&work, INT64_C(42), d)) <= 0.5 * tolerance * (*cspan_at(&work, INT64_C(41), d))))
         {
             return 0;
         }
@@ -6239,7 +6256,7 @@ int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_d
                 {
                     scale = (*cspan_at(&limits, axis, d - INT64_C(1)));
                 }
-                if (!(fabs(value - (*cspan_at(&states, point, axis, d))) <= tolerance * scale))
+                if (!(fabs(value - (*cspan_at(&states, point, axis, d))) <= 0.5 * tolerance * scale))
                 {
                     return INT64_C(1) + axis;
                 }
@@ -6559,7 +6576,7 @@ static int64_t next_bracket(double* result_0_0001, double* result_1_0001, double
 static double inner_rise(double rise, int64_t level, array_double_1d axis)
 {
     double result;
-    result = span_min(span_max((*cspan_at(&axis, INT64_C(15) + level)), (*cspan_at(&axis, INT64_C(20) + level)) * rise), 0.5 * rise);
+    result = span_min(span_max((*cspan_at(&axis, INT64_C(16) + level)), (*cspan_at(&axis, INT64_C(21) + level)) * rise), 0.5 * rise);
     return result;
 }
 static double shifted_root(double value, int64_t power, double shift)
@@ -6617,8 +6634,8 @@ static int64_t plateau_duration(double* result_0_0001, double* result_1_0001, do
     for (level = first; level < boxes; level += INT64_C(1))
     {
         limit = (*cspan_at(&axis, INT64_C(4) + level));
-        least = (*cspan_at(&axis, INT64_C(15) + level));
-        share = (*cspan_at(&axis, INT64_C(20) + level));
+        least = (*cspan_at(&axis, INT64_C(16) + level));
+        share = (*cspan_at(&axis, INT64_C(21) + level));
         power = level - first;
         x_power = 1.0;
         for (j = INT64_C(0); j < power; j += INT64_C(1))
@@ -6690,10 +6707,10 @@ static int64_t plateau_change(double* result_0, double* result_1_0001, double du
     doubled = 1.0;
     for (level = first; level < boxes; level += INT64_C(1))
     {
-        least = (*cspan_at(&axis, INT64_C(15) + level));
+        least = (*cspan_at(&axis, INT64_C(16) + level));
         if (x >= 2.0 * least)
         {
-            share = (*cspan_at(&axis, INT64_C(20) + level));
+            share = (*cspan_at(&axis, INT64_C(21) + level));
             power = level - first;
             steepest = factor * (*cspan_at(&axis, INT64_C(4) + level));
             for (j = INT64_C(0); j < power; j += INT64_C(1))
@@ -6726,11 +6743,11 @@ static int64_t slowest_root(double* result_0, double* result_1_0001, double chan
     int64_t exponent;
     double root;
     int64_t e;
-    slowest = (*cspan_at(&axis, INT64_C(25))) * change;
+    slowest = (*cspan_at(&axis, INT64_C(26))) * change;
     exponent = INT64_C(1);
-    if ((*cspan_at(&axis, INT64_C(25) + INT64_C(1))) > 0.0)
+    if ((*cspan_at(&axis, INT64_C(26) + INT64_C(1))) > 0.0)
     {
-        root = sqrt((*cspan_at(&axis, INT64_C(25) + INT64_C(1))) * change);
+        root = sqrt((*cspan_at(&axis, INT64_C(26) + INT64_C(1))) * change);
         if (root > slowest)
         {
             slowest = root;
@@ -6739,9 +6756,9 @@ static int64_t slowest_root(double* result_0, double* result_1_0001, double chan
     }
     for (e = INT64_C(3); e < INT64_C(6); e += INT64_C(1))
     {
-        if ((*cspan_at(&axis, INT64_C(25) + e - INT64_C(1))) > 0.0)
+        if ((*cspan_at(&axis, INT64_C(26) + e - INT64_C(1))) > 0.0)
         {
-            root = pow(((*cspan_at(&axis, INT64_C(25) + e - INT64_C(1))) * change), (1.0 / e));
+            root = pow(((*cspan_at(&axis, INT64_C(26) + e - INT64_C(1))) * change), (1.0 / e));
             if (root > slowest)
             {
                 slowest = root;
@@ -6766,9 +6783,9 @@ static int64_t fastest_power(double* result_0, double* result_1_0001, double dur
     for (e = INT64_C(1); e < INT64_C(6); e += INT64_C(1))
     {
         power = power * duration;
-        if ((*cspan_at(&axis, INT64_C(25) + e - INT64_C(1))) > 0.0)
+        if ((*cspan_at(&axis, INT64_C(26) + e - INT64_C(1))) > 0.0)
         {
-            change = power / (*cspan_at(&axis, INT64_C(25) + e - INT64_C(1)));
+            change = power / (*cspan_at(&axis, INT64_C(26) + e - INT64_C(1)));
             if ((fastest < 0.0) || (change < fastest))
             {
                 fastest = change;
@@ -6780,7 +6797,7 @@ static int64_t fastest_power(double* result_0, double* result_1_0001, double dur
     (*result_1_0001) = exponent * fastest / duration;
     return 0;
 }
-int64_t segfmu_ramp_duration(double* result_0, double* result_1, double change, array_double_1d axis)
+SPAN_INLINE int64_t segfmu_ramp_duration(double* result_0, double* result_1, double change, array_double_1d axis)
 {
     double slope;
     double duration;
@@ -6790,21 +6807,21 @@ int64_t segfmu_ramp_duration(double* result_0, double* result_1, double change, 
         (*result_1) = 0.0;
         return 0;
     }
-    if (change >= (*cspan_at(&axis, INT64_C(11))))
+    if (change >= (*cspan_at(&axis, INT64_C(12))))
     {
-        slope = (*cspan_at(&axis, INT64_C(12)));
-        (*result_0) = change * slope + (*cspan_at(&axis, INT64_C(13)));
+        slope = (*cspan_at(&axis, INT64_C(13)));
+        (*result_0) = change * slope + (*cspan_at(&axis, INT64_C(14)));
         (*result_1) = slope;
         return 0;
     }
-    if ((*cspan_at(&axis, INT64_C(14))) > 0.0)
+    if ((*cspan_at(&axis, INT64_C(15))) > 0.0)
     {
-        duration = sqrt((*cspan_at(&axis, INT64_C(14))) * change);
+        duration = sqrt((*cspan_at(&axis, INT64_C(15))) * change);
         (*result_0) = duration;
         (*result_1) = 0.5 * duration / change;
         return 0;
     }
-    if ((*cspan_at(&axis, INT64_C(10))) < 0.5)
+    if ((*cspan_at(&axis, INT64_C(11))) < 0.5)
     {
         slowest_root(result_0, result_1, change, axis);
         return 0;
@@ -6812,7 +6829,7 @@ int64_t segfmu_ramp_duration(double* result_0, double* result_1, double change, 
     plateau_duration(result_0, result_1, change, INT64_C(0), axis);
     return 0;
 }
-static int64_t ramp_change(double* result_0, double* result_1, double duration, array_double_1d axis)
+static SPAN_INLINE int64_t ramp_change(double* result_0, double* result_1, double duration, array_double_1d axis)
 {
     double slope;
     if (duration <= 0.0)
@@ -6821,21 +6838,21 @@ static int64_t ramp_change(double* result_0, double* result_1, double duration, 
         (*result_1) = 0.0;
         return 0;
     }
-    if ((*cspan_at(&axis, INT64_C(14))) > 0.0)
+    if ((*cspan_at(&axis, INT64_C(15))) > 0.0)
     {
-        if (((*cspan_at(&axis, INT64_C(12))) > 0.0) && (duration >= 2.0 * (*cspan_at(&axis, INT64_C(15)))))
+        if (((*cspan_at(&axis, INT64_C(13))) > 0.0) && (duration >= 2.0 * (*cspan_at(&axis, INT64_C(16)))))
         {
-            slope = 1.0 / (*cspan_at(&axis, INT64_C(12)));
-            (*result_0) = (duration - (*cspan_at(&axis, INT64_C(13)))) * slope;
+            slope = 1.0 / (*cspan_at(&axis, INT64_C(13)));
+            (*result_0) = (duration - (*cspan_at(&axis, INT64_C(14)))) * slope;
             (*result_1) = slope;
             return 0;
         }
-        slope = duration / (*cspan_at(&axis, INT64_C(14)));
+        slope = duration / (*cspan_at(&axis, INT64_C(15)));
         (*result_0) = slope * duration;
         (*result_1) = 2.0 * slope;
         return 0;
     }
-    if ((*cspan_at(&axis, INT64_C(10))) < 0.5)
+    if ((*cspan_at(&axis, INT64_C(11))) < 0.5)
     {
         fastest_power(result_0, result_1, duration, axis);
         return 0;
@@ -6867,19 +6884,31 @@ static int64_t rise_moments(double* result_0_0001, double* result_1_0001, double
     (*result_1_0001) = (-(fourths + square * square)) / 120.0;
     return 0;
 }
-static double ramp_variance(double basis, array_double_1d axis)
+static SPAN_INLINE double ramp_variance(double basis, array_double_1d axis)
 {
+    double rise;
+    double box;
     double fourth;
     double variance;
-    if ((*cspan_at(&axis, INT64_C(10))) < 0.5)
+    if (((*cspan_at(&axis, INT64_C(13))) > 0.0) && ((*cspan_at(&axis, INT64_C(11))) > 0.5))
     {
-        variance = (*cspan_at(&axis, INT64_C(30))) * basis * basis;
+        rise = (*cspan_at(&axis, INT64_C(16)));
+        if ((basis >= 2.0 * rise) && ((*cspan_at(&axis, INT64_C(21))) == 0.0))
+        {
+            box = basis - rise;
+            variance = box * box / 12.0 + (*cspan_at(&axis, INT64_C(32)));
+            return variance;
+        }
+    }
+    if ((*cspan_at(&axis, INT64_C(31))) > 0.0)
+    {
+        variance = (*cspan_at(&axis, INT64_C(31))) * basis * basis;
         return variance;
     }
     rise_moments(&variance, &fourth, basis, INT64_C(0), axis);
     return variance;
 }
-static double ramp_distance(double v, double a, double b, double duration, double basis, array_double_1d axis)
+static SPAN_INLINE double ramp_distance(double v, double a, double b, double duration, double basis, array_double_1d axis)
 {
     double variance;
     double y;
@@ -6899,7 +6928,7 @@ int64_t segfmu_ramp_pieces(array_double_1d axis)
 {
     int64_t i;
     int64_t count;
-    if ((*cspan_at(&axis, INT64_C(10))) < 0.5)
+    if ((*cspan_at(&axis, INT64_C(11))) < 0.5)
     {
         return INT64_C(1);
     }
@@ -6976,18 +7005,18 @@ static int64_t curved_part(double* result_0, double* result_1, double* result_2_
     double integral;
     int64_t j;
     int64_t i;
-    count = (int64_t)((*cspan_at(&axis, INT64_C(32))));
+    count = (int64_t)((*cspan_at(&axis, INT64_C(34))));
     value = 0.0;
     slope = 0.0;
     integral = 0.0;
     for (j = INT64_C(0); j < count; j += INT64_C(1))
     {
         i = count - INT64_C(1) - j;
-        value = value * s + (*cspan_at(&axis, INT64_C(33) + i));
-        integral = integral * s + (*cspan_at(&axis, INT64_C(33) + i)) / (i + 1.0);
+        value = value * s + (*cspan_at(&axis, INT64_C(35) + i));
+        integral = integral * s + (*cspan_at(&axis, INT64_C(35) + i)) / (i + 1.0);
         if (i > INT64_C(0))
         {
-            slope = slope * s + i * (*cspan_at(&axis, INT64_C(33) + i));
+            slope = slope * s + i * (*cspan_at(&axis, INT64_C(35) + i));
         }
     }
     (*result_0) = value;
@@ -7036,6 +7065,18 @@ static double invert_curved_part(double value, double upper, array_double_1d axi
         }
     }
     return s;
+}
+static double extreme_gain(double a, double b, double duration, double basis, array_double_1d axis)
+{
+    double smaller;
+    double slowness;
+    smaller = span_min(fabs(a), fabs(b));
+    if ((*cspan_at(&axis, INT64_C(11))) < 0.5)
+    {
+        return 0.5 * smaller * duration;
+    }
+    slowness = (basis - inner_rise(basis, INT64_C(0), axis)) * (duration / basis) / fabs(b - a);
+    return 0.5 * smaller * (duration + (smaller - fabs(b - a)) * slowness);
 }
 static double taylor(double t, double first, double second, double third, double fourth, double fifth)
 {
@@ -7178,12 +7219,12 @@ static double ramp_extreme_velocity(double v, double a, double b, double duratio
         start = v + 0.5 * (a + b) * duration;
         first = -b;
     }
-    if ((*cspan_at(&axis, INT64_C(10))) > 0.5)
+    if ((*cspan_at(&axis, INT64_C(11))) > 0.5)
     {
         result = plateau_extreme_velocity(start, first, change, duration, basis, axis);
         return result;
     }
-    if ((*cspan_at(&axis, INT64_C(32))) == 2.0)
+    if ((*cspan_at(&axis, INT64_C(34))) == 2.0)
     {
         return start - 0.5 * first * first * duration / change;
     }
@@ -7372,6 +7413,7 @@ int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result
     double basis;
     double a;
     double b;
+    double near;
     double bound;
     double extreme;
     total = 0.0;
@@ -7386,7 +7428,16 @@ int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result
         b = a + (*cspan_at(&phases, i, INT64_C(3)));
         if (a * b < 0.0)
         {
-            bound = v + 0.5 * a * duration;
+            near = v;
+            if (fabs(a) > fabs(b))
+            {
+                near = v + 0.5 * (a + b) * duration;
+            }
+            bound = near + extreme_gain(a, b, duration, basis, axis);
+            if (a < 0.0)
+            {
+                bound = 2.0 * near - bound;
+            }
             if ((bound > span_max(highest, within_0001)) || (bound < span_min(lowest, -within_0001)))
             {
                 extreme = ramp_extreme_velocity(v, a, b, duration, basis, axis);
@@ -7676,8 +7727,8 @@ static double linear_level(double gain, double a, double b, array_double_1d axis
     double half;
     double rest;
     double square;
-    slope = (*cspan_at(&axis, INT64_C(12)));
-    half = 0.5 * (*cspan_at(&axis, INT64_C(13)));
+    slope = (*cspan_at(&axis, INT64_C(13)));
+    half = 0.5 * (*cspan_at(&axis, INT64_C(14)));
     rest = gain + 0.5 * slope * (a * a + b * b) - half * (a + b);
     square = half * half + slope * rest;
     if (square <= 0.0)
@@ -7686,7 +7737,7 @@ static double linear_level(double gain, double a, double b, array_double_1d axis
     }
     return rest / (half + sqrt(square));
 }
-static int64_t root_level(double* result_0, double* result_1, double gain, double a, double b, double lower, double upper, double share, array_double_1d axis)
+static int64_t root_level(double* result_0_0001, double* result_1, double gain, double a, double b, double lower, double upper, double share, array_double_1d axis)
 {
     double t;
     double level;
@@ -7715,7 +7766,7 @@ static int64_t root_level(double* result_0, double* result_1, double gain, doubl
         error = first + second - gain;
         if (fabs(error) <= 2e-16 * (fabs(first) + fabs(second)))
         {
-            (*result_0) = t;
+            (*result_0_0001) = t;
             (*result_1) = level;
             return 0;
         }
@@ -7732,10 +7783,11 @@ static int64_t root_level(double* result_0, double* result_1, double gain, doubl
         if (rate > 0.0)
         {
             newton = t - error / rate;
-            if (fabs(newton - t) <= 4e-16 * t)
+            if (fabs(newton - t) <= 1e-09 * t)
             {
-                (*result_0) = t;
-                (*result_1) = level;
+                ramp_change(&change, &growth, newton, axis);
+                (*result_0_0001) = newton;
+                (*result_1) = a + change;
                 return 0;
             }
             reached = first + second;
@@ -7755,14 +7807,14 @@ static int64_t root_level(double* result_0, double* result_1, double gain, doubl
         }
         if (fabs(following - t) <= 4e-16 * t)
         {
-            (*result_0) = t;
+            (*result_0_0001) = t;
             (*result_1) = level;
             return 0;
         }
         t = following;
     }
     ramp_change(&change, &growth, t, axis);
-    (*result_0) = t;
+    (*result_0_0001) = t;
     (*result_1) = a + change;
     return 0;
 }
@@ -7778,13 +7830,13 @@ static int64_t solve_level(double* result_0_0001, double* result_1_0001, double*
     double t_high;
     double most;
     double share;
-    linear_from = (*cspan_at(&axis, INT64_C(11)));
+    linear_from = (*cspan_at(&axis, INT64_C(12)));
     if (span_max(a, b) + linear_from <= high)
     {
         level = linear_level(gain, a, b, axis);
         if ((level >= span_max(a, b) + linear_from) && (level >= low) && (level <= high))
         {
-            t = (level - a) * (*cspan_at(&axis, INT64_C(12))) + (*cspan_at(&axis, INT64_C(13)));
+            t = (level - a) * (*cspan_at(&axis, INT64_C(13))) + (*cspan_at(&axis, INT64_C(14)));
             (*result_0_0001) = t;
             (*result_1_0001) = 0.0;
             (*result_2_0001) = level;
@@ -7843,15 +7895,15 @@ static int64_t member_distance(double* result_0_0001, double* result_1, array_do
     v = (*cspan_at(&family, INT64_C(0)));
     a = (*cspan_at(&family, INT64_C(1)));
     b = (*cspan_at(&family, INT64_C(3)));
-    t1 = (*cspan_at(&family, INT64_C(18)));
-    hold1 = (*cspan_at(&family, INT64_C(19)));
-    level1 = (*cspan_at(&family, INT64_C(20)));
-    hold2 = (*cspan_at(&family, INT64_C(21)));
-    level2 = (*cspan_at(&family, INT64_C(22)));
-    t3 = (*cspan_at(&family, INT64_C(23)));
+    t1 = (*cspan_at(&family, INT64_C(19)));
+    hold1 = (*cspan_at(&family, INT64_C(20)));
+    level1 = (*cspan_at(&family, INT64_C(21)));
+    hold2 = (*cspan_at(&family, INT64_C(22)));
+    level2 = (*cspan_at(&family, INT64_C(23)));
+    t3 = (*cspan_at(&family, INT64_C(24)));
     segfmu_ramp_duration(&basis, &slope, fabs(level2 - level1), axis);
-    t2 = basis * (*cspan_at(&family, INT64_C(24)));
-    basis = basis + (*cspan_at(&family, INT64_C(25))) * (t2 - basis);
+    t2 = basis * (*cspan_at(&family, INT64_C(25)));
+    basis = basis + (*cspan_at(&family, INT64_C(26))) * (t2 - basis);
     if ((*cspan_at(&family, INT64_C(13))) > 0.5)
     {
         (*result_0_0001) = t1 + hold1 + t2 + hold2 + t3;
@@ -7917,12 +7969,12 @@ static int64_t canonical_member(double* result_0, double* result_1, double p, ar
         (*result_1) = 0.0;
         return 0;
     }
-    (*cspan_at(&family, INT64_C(18))) = t1;
-    (*cspan_at(&family, INT64_C(19))) = hold1;
-    (*cspan_at(&family, INT64_C(20))) = level1;
-    (*cspan_at(&family, INT64_C(21))) = hold2;
-    (*cspan_at(&family, INT64_C(22))) = level2;
-    (*cspan_at(&family, INT64_C(23))) = t3;
+    (*cspan_at(&family, INT64_C(19))) = t1;
+    (*cspan_at(&family, INT64_C(20))) = hold1;
+    (*cspan_at(&family, INT64_C(21))) = level1;
+    (*cspan_at(&family, INT64_C(22))) = hold2;
+    (*cspan_at(&family, INT64_C(23))) = level2;
+    (*cspan_at(&family, INT64_C(24))) = t3;
     member_distance(result_0, result_1, family, axis);
     return 0;
 }
@@ -8242,9 +8294,9 @@ static void piece_excess(double length, int64_t node, bool holding, array_double
     double step;
     int64_t j;
     int64_t order;
-    state = span_row(&work, INT64_C(91));
-    end = span_row(&work, INT64_C(91) + INT64_C(1));
-    excess = span_rows(&work, INT64_C(86), INT64_C(90));
+    state = span_row(&work, INT64_C(110));
+    end = span_row(&work, INT64_C(110) + INT64_C(1));
+    excess = span_rows(&work, INT64_C(105), INT64_C(109));
     q = (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(2);
     rest = length;
     for (i = INT64_C(0); i < INT64_C(16); i += INT64_C(1))
@@ -8294,8 +8346,8 @@ static bool measure_excess(array_double_1d axis, array_double_2d work)
     double length;
     double peak;
     passing = span_row(&work, INT64_C(48));
-    excess = span_rows(&work, INT64_C(86), INT64_C(90));
-    state = span_row(&work, INT64_C(91));
+    excess = span_rows(&work, INT64_C(105), INT64_C(109));
+    state = span_row(&work, INT64_C(110));
     above = (int64_t)((*cspan_at(&passing, INT64_C(1))));
     q = above + INT64_C(2);
     boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1) - above;
@@ -8448,6 +8500,16 @@ static double bracketed_root(double lower, double upper, double f_lower, double 
     }
     return newest;
 }
+static void note_near(double y, double duration, array_double_1d family, array_double_1d axis)
+{
+    double speed;
+    speed = fabs((*cspan_at(&family, INT64_C(0)))) + fabs((*cspan_at(&family, INT64_C(2))));
+    speed = speed + (fabs((*cspan_at(&family, INT64_C(1)))) + fabs((*cspan_at(&family, INT64_C(3))))) * duration;
+    if (fabs(y - (*cspan_at(&family, INT64_C(14)))) <= 0.6 * (*cspan_at(&axis, INT64_C(21) + INT64_C(1))) * speed * duration)
+    {
+        (*cspan_at(&family, INT64_C(17))) = 1.0;
+    }
+}
 static int64_t first_window(double* result_0, double* result_1_0001, double f_start, double t_zero, array_double_1d family, array_double_1d axis)
 {
     double target;
@@ -8503,6 +8565,10 @@ static int64_t first_window(double* result_0, double* result_1_0001, double f_st
         (*result_1_0001) = going_on;
         return 0;
     }
+    if (going_on < 0.0)
+    {
+        note_near(value, duration, family, axis);
+    }
     (*result_0) = -1.0;
     (*result_1_0001) = going_on;
     return 0;
@@ -8517,7 +8583,7 @@ static double shorter_member(double f_start, array_double_1d family, array_doubl
     double duration;
     double result;
     samples = INT64_C(12);
-    span = span_max((*cspan_at(&family, INT64_C(5))), (*cspan_at(&axis, INT64_C(9))));
+    span = span_max((*cspan_at(&family, INT64_C(5))), (*cspan_at(&axis, INT64_C(10))));
     for (i = INT64_C(1); i < samples + INT64_C(1); i += INT64_C(1))
     {
         p = span * i * i / (samples * samples);
@@ -8533,6 +8599,26 @@ static double shorter_member(double f_start, array_double_1d family, array_doubl
         }
     }
     return -1.0;
+}
+static void note_near_gain(array_double_1d family, array_double_1d axis)
+{
+    double a;
+    double b;
+    double low;
+    double first;
+    double slope;
+    double last;
+    double least;
+    a = (*cspan_at(&family, INT64_C(1)));
+    b = (*cspan_at(&family, INT64_C(3)));
+    low = span_max(0.0, span_max(a, b));
+    segfmu_ramp_duration(&first, &slope, low - a, axis);
+    segfmu_ramp_duration(&last, &slope, low - b, axis);
+    least = 0.5 * ((a + low) * first + (low + b) * last);
+    if ((*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))) >= (1.0 - 0.6 * (*cspan_at(&axis, INT64_C(21) + INT64_C(1)))) * least)
+    {
+        (*cspan_at(&family, INT64_C(17))) = 1.0;
+    }
 }
 static double second_window(double t_zero, array_double_1d family, array_double_1d axis)
 {
@@ -8562,7 +8648,7 @@ static double farther_member(double lower, double f_lower, array_double_1d famil
     double f_upper;
     double duration;
     double result;
-    upper = span_max((*cspan_at(&family, INT64_C(5))), (*cspan_at(&axis, INT64_C(9))));
+    upper = span_max((*cspan_at(&family, INT64_C(5))), (*cspan_at(&axis, INT64_C(10))));
     if (upper <= lower)
     {
         upper = 2.0 * lower;
@@ -8598,6 +8684,7 @@ static double canonical_search(array_double_1d family, array_double_1d axis)
     canonical_value(&f_lower, &duration, 0.0, family, axis);
     if (duration < 0.0)
     {
+        note_near_gain(family, axis);
         return -1.0;
     }
     if (fabs(f_lower - target) <= 1e-14 * (fabs(target) + (fabs(v) + fabs(w)) * duration))
@@ -8606,6 +8693,7 @@ static double canonical_search(array_double_1d family, array_double_1d axis)
     }
     if (f_lower > target)
     {
+        note_near(f_lower, duration, family, axis);
         if ((v >= 0.0) && (w >= 0.0))
         {
             return -1.0;
@@ -8645,8 +8733,8 @@ static double nearby_member(array_double_1d family, array_double_1d axis)
     double f_upper;
     double result;
     target = (*cspan_at(&family, INT64_C(14)));
-    lower = 0.95 * (*cspan_at(&family, INT64_C(17)));
-    upper = 1.05 * (*cspan_at(&family, INT64_C(17)));
+    lower = 0.95 * (*cspan_at(&family, INT64_C(18)));
+    upper = 1.05 * (*cspan_at(&family, INT64_C(18)));
     if (lower <= 0.0)
     {
         return -1.0;
@@ -8779,13 +8867,13 @@ static void set_family(int64_t branch, array_double_1d problem, array_double_1d 
     (*cspan_at(&family, INT64_C(14))) = distance;
     (*cspan_at(&family, INT64_C(15))) = -1.0;
     (*cspan_at(&family, INT64_C(16))) = last_ramp;
-    (*cspan_at(&family, INT64_C(24))) = 1.0;
+    (*cspan_at(&family, INT64_C(25))) = 1.0;
 }
 static void set_member(int64_t member, double time, bool by_time, array_double_1d family)
 {
     (*cspan_at(&family, INT64_C(15))) = member;
     (*cspan_at(&family, INT64_C(16))) = span_max((*cspan_at(&family, INT64_C(5))), 0.1 * time);
-    (*cspan_at(&family, INT64_C(17))) = -1.0;
+    (*cspan_at(&family, INT64_C(18))) = -1.0;
     if (by_time)
     {
         (*cspan_at(&family, INT64_C(13))) = 1.0;
@@ -8804,21 +8892,21 @@ static int64_t write_member(array_double_2d phases, array_double_1d family, arra
     int64_t count;
     a = (*cspan_at(&family, INT64_C(1)));
     b = (*cspan_at(&family, INT64_C(3)));
-    level1 = (*cspan_at(&family, INT64_C(20)));
-    level2 = (*cspan_at(&family, INT64_C(22)));
-    count = append_ramp(phases, INT64_C(0), a, level1, (*cspan_at(&family, INT64_C(18))), axis);
-    count = append_hold(phases, count, level1, (*cspan_at(&family, INT64_C(19))));
+    level1 = (*cspan_at(&family, INT64_C(21)));
+    level2 = (*cspan_at(&family, INT64_C(23)));
+    count = append_ramp(phases, INT64_C(0), a, level1, (*cspan_at(&family, INT64_C(19))), axis);
+    count = append_hold(phases, count, level1, (*cspan_at(&family, INT64_C(20))));
     before = count;
     count = append_change(phases, count, level1, level2, axis);
-    if ((count > before) && ((*cspan_at(&family, INT64_C(24))) > 1.0))
+    if ((count > before) && ((*cspan_at(&family, INT64_C(25))) > 1.0))
     {
         basis = (*cspan_at(&phases, before, INT64_C(1)));
-        duration = basis * (*cspan_at(&family, INT64_C(24)));
+        duration = basis * (*cspan_at(&family, INT64_C(25)));
         (*cspan_at(&phases, before, INT64_C(0))) = duration;
-        (*cspan_at(&phases, before, INT64_C(1))) = basis + (*cspan_at(&family, INT64_C(25))) * (duration - basis);
+        (*cspan_at(&phases, before, INT64_C(1))) = basis + (*cspan_at(&family, INT64_C(26))) * (duration - basis);
     }
-    count = append_hold(phases, count, level2, (*cspan_at(&family, INT64_C(21))));
-    count = append_ramp(phases, count, level2, b, (*cspan_at(&family, INT64_C(23))), axis);
+    count = append_hold(phases, count, level2, (*cspan_at(&family, INT64_C(22))));
+    count = append_ramp(phases, count, level2, b, (*cspan_at(&family, INT64_C(24))), axis);
     if ((*cspan_at(&family, INT64_C(11))) > 0.5)
     {
         reverse_phases(phases, INT64_C(0), count);
@@ -8852,7 +8940,7 @@ static int64_t merged_form(array_double_2d phases, double highest, array_double_
     {
         return -INT64_C(1);
     }
-    (*cspan_at(&family, INT64_C(17))) = p;
+    (*cspan_at(&family, INT64_C(18))) = p;
     canonical_member(&duration, &y, p, family, axis);
     if (duration < 0.0)
     {
@@ -9209,7 +9297,7 @@ static void keep_nearest(int64_t count, array_double_1d problem, array_double_1d
     above = (*cspan_at(&nearest, INT64_C(2))) > 0.0;
     if ((y >= distance) && ((!above) || (y < (*cspan_at(&nearest, INT64_C(3))))))
     {
-        copy_phases(trial, span_rows(&cell, INT64_C(33), INT64_C(46)), count);
+        copy_phases(trial, span_rows(&cell, INT64_C(33), INT64_C(66)), count);
         (*cspan_at(&nearest, INT64_C(2))) = count;
         (*cspan_at(&nearest, INT64_C(3))) = y;
     }
@@ -9477,12 +9565,12 @@ static double set_point(double place, double radius, array_double_1d family, arr
     level_from(&t1, &hold1, &level1, a, p_sign * radius * (1.0 - part), (*cspan_at(&family, INT64_C(6))), (*cspan_at(&family, INT64_C(7))), axis);
     level_from(&t3, &hold2, &level2, b, q_sign * radius * part, (*cspan_at(&family, INT64_C(8))), (*cspan_at(&family, INT64_C(9))), axis);
     segfmu_ramp_duration(&t2, &slope, fabs(level2 - level1), axis);
-    (*cspan_at(&family, INT64_C(18))) = t1;
-    (*cspan_at(&family, INT64_C(19))) = hold1;
-    (*cspan_at(&family, INT64_C(20))) = level1;
-    (*cspan_at(&family, INT64_C(21))) = hold2;
-    (*cspan_at(&family, INT64_C(22))) = level2;
-    (*cspan_at(&family, INT64_C(23))) = t3;
+    (*cspan_at(&family, INT64_C(19))) = t1;
+    (*cspan_at(&family, INT64_C(20))) = hold1;
+    (*cspan_at(&family, INT64_C(21))) = level1;
+    (*cspan_at(&family, INT64_C(22))) = hold2;
+    (*cspan_at(&family, INT64_C(23))) = level2;
+    (*cspan_at(&family, INT64_C(24))) = t3;
     gain = 0.5 * ((a + level1) * t1 + (level1 + level2) * t2 + (level2 + b) * t3);
     gain = gain + level1 * hold1 + level2 * hold2;
     result = gain - ((*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))));
@@ -9556,8 +9644,8 @@ static bool slow_middle(double place, double radius, array_double_1d family, arr
     double mean;
     double stretch;
     error = set_point(place, radius, family, axis);
-    level1 = (*cspan_at(&family, INT64_C(20)));
-    level2 = (*cspan_at(&family, INT64_C(22)));
+    level1 = (*cspan_at(&family, INT64_C(21)));
+    level2 = (*cspan_at(&family, INT64_C(23)));
     segfmu_ramp_duration(&fastest, &slope, fabs(level2 - level1), axis);
     mean = 0.5 * (level1 + level2);
     if ((fastest <= 0.0) || (mean == 0.0))
@@ -9565,7 +9653,7 @@ static bool slow_middle(double place, double radius, array_double_1d family, arr
         return 0;
     }
     stretch = 1.0 - error / (mean * fastest);
-    (*cspan_at(&family, INT64_C(24))) = stretch;
+    (*cspan_at(&family, INT64_C(25))) = stretch;
     return stretch >= 1.0;
 }
 static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis)
@@ -9575,8 +9663,8 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
     double duration;
     double y;
     double error;
-    (*cspan_at(&family, INT64_C(24))) = 1.0;
-    (*cspan_at(&family, INT64_C(25))) = 0.0;
+    (*cspan_at(&family, INT64_C(25))) = 1.0;
+    (*cspan_at(&family, INT64_C(26))) = 0.0;
     if ((arc == INT64_C(0)) || (arc == INT64_C(6)))
     {
         if (loop_radius(arc, place, missing, largest, family, axis) < 0.0)
@@ -9588,7 +9676,7 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
     }
     else if (arc == INT64_C(5))
     {
-        (*cspan_at(&family, INT64_C(25))) = 0.25 * place;
+        (*cspan_at(&family, INT64_C(26))) = 0.25 * place;
         if (!slow_middle(0.0, 0.0, family, axis))
         {
             (*result_0) = -1.0;
@@ -9600,7 +9688,7 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
     {
         if ((arc == INT64_C(3)) || (arc == INT64_C(4)))
         {
-            (*cspan_at(&family, INT64_C(25))) = 1.0;
+            (*cspan_at(&family, INT64_C(26))) = 1.0;
         }
         part = 0.5 * place - 1.0;
         side = 0.0;
@@ -9774,7 +9862,7 @@ static int64_t arc_root(int64_t* result_0, double* result_1, int64_t arc, int64_
     (*result_1) = -1.0;
     return 0;
 }
-static int64_t loop_form(int64_t count, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
+static int64_t loop_form(int64_t arcs, int64_t count, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     array_double_1d family;
     array_double_2d trial;
@@ -9788,7 +9876,7 @@ static int64_t loop_form(int64_t count, double longest, array_double_2d phases, 
     trial = span_rows(&work, INT64_C(0), INT64_C(13));
     missing = set_loop(problem, axis, family);
     given = longest;
-    for (arc = INT64_C(0); arc < INT64_C(7); arc += INT64_C(1))
+    for (arc = INT64_C(0); arc < arcs; arc += INT64_C(1))
     {
         if ((arc == INT64_C(6)) && (longest < given))
         {
@@ -9841,59 +9929,6 @@ static void timed_loop(array_double_1d problem, array_double_1d axis, array_doub
         }
     }
 }
-static double early_window(double duration, array_double_1d problem, array_double_1d axis)
-{
-    double v;
-    double a;
-    double w;
-    double b;
-    double distance;
-    double gain;
-    double single;
-    double slope;
-    double least;
-    double fastest;
-    double slowest;
-    double most;
-    v = (*cspan_at(&problem, INT64_C(0)));
-    a = (*cspan_at(&problem, INT64_C(1)));
-    w = (*cspan_at(&problem, INT64_C(2)));
-    b = (*cspan_at(&problem, INT64_C(3)));
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    gain = w - v;
-    if (a + b < 0.0)
-    {
-        gain = -gain;
-    }
-    if ((a * b < 0.0) || (a + b == 0.0) || ((*cspan_at(&axis, INT64_C(0))) < 3.0))
-    {
-        return 0.0;
-    }
-    segfmu_ramp_duration(&single, &slope, fabs(b - a), axis);
-    if (gain < 0.5 * fabs(a + b) * single * (1.0 - 1e-12))
-    {
-        return 0.0;
-    }
-    least = span_max(single, gain / (*cspan_at(&axis, INT64_C(3))));
-    fastest = span_max(v, w);
-    slowest = span_min(v, w);
-    if (distance < 0.0)
-    {
-        fastest = -span_min(v, w);
-        slowest = -span_max(v, w);
-        distance = -distance;
-    }
-    most = duration;
-    if (slowest * most > distance)
-    {
-        most = distance / slowest;
-    }
-    if ((fastest * most < distance) || (most < least))
-    {
-        return 0.0;
-    }
-    return span_min(most * (1.0 + 1e-09), duration);
-}
 static double power_of(double base, int64_t exponent)
 {
     int64_t i;
@@ -9937,7 +9972,7 @@ static void set_level(array_double_1d node, array_double_1d passing, array_doubl
     }
     rise = fabs(time);
     (*cspan_at(&node, INT64_C(10))) = 0.0;
-    most = (*cspan_at(&axis, INT64_C(15) + above - INT64_C(1)));
+    most = (*cspan_at(&axis, INT64_C(16) + above - INT64_C(1)));
     if (rise >= most)
     {
         (*cspan_at(&node, INT64_C(9))) = sign * (*cspan_at(&axis, INT64_C(4) + above - INT64_C(1)));
@@ -10031,6 +10066,20 @@ static void pass_node(int64_t i, array_double_1d passing, array_double_1d axis, 
         advance(basis / pace, before, change, variance * square, fourth * square * square, above, span_row(&nodes, i + INT64_C(1)));
     }
 }
+static int64_t dropped_condition(int64_t q, array_double_1d node)
+{
+    int64_t result;
+    if ((*cspan_at(&node, INT64_C(7))) > 1.5)
+    {
+        result = (int64_t)((*cspan_at(&node, INT64_C(4))));
+        return result;
+    }
+    if ((*cspan_at(&node, INT64_C(7))) > 0.5)
+    {
+        return q - INT64_C(1);
+    }
+    return -INT64_C(1);
+}
 static double residual_scale(int64_t order, array_double_1d passing, array_double_1d axis)
 {
     double acceleration;
@@ -10040,7 +10089,7 @@ static double residual_scale(int64_t order, array_double_1d passing, array_doubl
     time = (*cspan_at(&passing, INT64_C(3)));
     if (order > INT64_C(1))
     {
-        speed = acceleration / power_of(span_min(time, (*cspan_at(&axis, INT64_C(9)))), order - INT64_C(2));
+        speed = acceleration / power_of(span_min(time, (*cspan_at(&axis, INT64_C(10)))), order - INT64_C(2));
         return speed;
     }
     speed = span_min((*cspan_at(&axis, INT64_C(2))), acceleration * time);
@@ -10059,15 +10108,7 @@ static int64_t node_residuals(int64_t i, int64_t row, array_double_1d passing, a
     double error;
     q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
     kind = (int64_t)((*cspan_at(&nodes, i, INT64_C(4))));
-    dropped = -INT64_C(1);
-    if ((*cspan_at(&nodes, i, INT64_C(7))) > 1.5)
-    {
-        dropped = kind;
-    }
-    else if ((*cspan_at(&nodes, i, INT64_C(7))) > 0.5)
-    {
-        dropped = q - INT64_C(1);
-    }
+    dropped = dropped_condition(q, span_row(&nodes, i));
     if (kind == INT64_C(0))
     {
         return row;
@@ -10103,6 +10144,22 @@ static void hold_limit(int64_t q, array_double_1d node, array_double_1d axis, ar
         }
     }
 }
+static int64_t first_row(int64_t node, array_double_1d passing, array_double_2d nodes)
+{
+    int64_t q;
+    int64_t i;
+    int64_t row;
+    q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
+    row = INT64_C(0);
+    for (i = INT64_C(0); i < node; i += INT64_C(1))
+    {
+        if ((*cspan_at(&nodes, i, INT64_C(4))) > 0.5)
+        {
+            row = row + q - (int64_t)((*cspan_at(&nodes, i, INT64_C(4))));
+        }
+    }
+    return row;
+}
 static void end_residuals(int64_t row, array_double_1d problem, array_double_1d passing, array_double_1d axis, array_double_1d end, array_double_1d residual)
 {
     int64_t k;
@@ -10127,6 +10184,31 @@ static void end_residuals(int64_t row, array_double_1d problem, array_double_1d 
         (*cspan_at(&residual, INT64_C(0) + row + k)) = error / residual_scale(k, passing, axis);
     }
 }
+static int64_t follow_node(int64_t i, int64_t row, array_double_1d problem, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d residual)
+{
+    int64_t q;
+    double hold;
+    q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
+    if (i == (int64_t)((*cspan_at(&passing, INT64_C(0)))))
+    {
+        (*cspan_at(&nodes, i, INT64_C(4))) = 0.0;
+        (*cspan_at(&nodes, i, INT64_C(9))) = 0.0;
+        (*cspan_at(&nodes, i, INT64_C(10))) = 0.0;
+        pass_node(i, passing, axis, nodes);
+        end_residuals(row, problem, passing, axis, span_row(&nodes, i + INT64_C(1)), residual);
+        return row + q;
+    }
+    set_level(span_row(&nodes, i), passing, axis);
+    pass_node(i, passing, axis, nodes);
+    row = node_residuals(i, row, passing, axis, nodes, residual);
+    hold = (*cspan_at(&nodes, i, INT64_C(10)));
+    hold_limit(q, span_row(&nodes, i), axis, span_row(&nodes, i + INT64_C(1)));
+    if (hold != 0.0)
+    {
+        advance(hold, (*cspan_at(&nodes, i, INT64_C(9))), 0.0, 0.0, 0.0, q - INT64_C(2), span_row(&nodes, i + INT64_C(1)));
+    }
+    return row;
+}
 static double sequence_duration(array_double_1d passing, array_double_2d nodes)
 {
     int64_t i;
@@ -10138,56 +10220,73 @@ static double sequence_duration(array_double_1d passing, array_double_2d nodes)
     }
     return total;
 }
-static void run_sequence(int64_t first, array_double_1d problem, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d residual)
+static void run_sequence(array_double_1d problem, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d residual)
 {
-    int64_t q;
-    int64_t count;
+    int64_t k;
     int64_t row;
     int64_t i;
-    int64_t k;
-    double hold;
     double error;
-    q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
-    count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
+    for (k = INT64_C(0); k < (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2); k += INT64_C(1))
+    {
+        (*cspan_at(&nodes, INT64_C(0), INT64_C(0) + k)) = 0.0;
+    }
+    (*cspan_at(&nodes, INT64_C(0), INT64_C(0) + INT64_C(1))) = (*cspan_at(&problem, INT64_C(0)));
+    (*cspan_at(&nodes, INT64_C(0), INT64_C(0) + INT64_C(2))) = (*cspan_at(&problem, INT64_C(1)));
     row = INT64_C(0);
-    for (i = INT64_C(0); i < first; i += INT64_C(1))
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
-        if ((*cspan_at(&nodes, i, INT64_C(4))) > 0.5)
-        {
-            row = row + q - (int64_t)((*cspan_at(&nodes, i, INT64_C(4))));
-        }
+        row = follow_node(i, row, problem, passing, axis, nodes, residual);
     }
-    if (first == INT64_C(0))
-    {
-        for (k = INT64_C(0); k < q; k += INT64_C(1))
-        {
-            (*cspan_at(&nodes, INT64_C(0), INT64_C(0) + k)) = 0.0;
-        }
-        (*cspan_at(&nodes, INT64_C(0), INT64_C(0) + INT64_C(1))) = (*cspan_at(&problem, INT64_C(0)));
-        (*cspan_at(&nodes, INT64_C(0), INT64_C(0) + INT64_C(2))) = (*cspan_at(&problem, INT64_C(1)));
-    }
-    for (i = first; i < count; i += INT64_C(1))
-    {
-        set_level(span_row(&nodes, i), passing, axis);
-        pass_node(i, passing, axis, nodes);
-        row = node_residuals(i, row, passing, axis, nodes, residual);
-        hold = (*cspan_at(&nodes, i, INT64_C(10)));
-        hold_limit(q, span_row(&nodes, i), axis, span_row(&nodes, i + INT64_C(1)));
-        if (hold != 0.0)
-        {
-            advance(hold, (*cspan_at(&nodes, i, INT64_C(9))), 0.0, 0.0, 0.0, q - INT64_C(2), span_row(&nodes, i + INT64_C(1)));
-        }
-    }
-    (*cspan_at(&nodes, count, INT64_C(4))) = 0.0;
-    (*cspan_at(&nodes, count, INT64_C(9))) = 0.0;
-    (*cspan_at(&nodes, count, INT64_C(10))) = 0.0;
-    pass_node(count, passing, axis, nodes);
-    end_residuals(row, problem, passing, axis, span_row(&nodes, count + INT64_C(1)), residual);
-    row = row + q;
     if ((*cspan_at(&passing, INT64_C(5))) > 0.0)
     {
         error = sequence_duration(passing, nodes) - (*cspan_at(&passing, INT64_C(5)));
         (*cspan_at(&residual, INT64_C(0) + row)) = error / (*cspan_at(&passing, INT64_C(3)));
+    }
+}
+static void follow_change(int64_t first, int64_t row, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d change, array_double_1d slopes)
+{
+    int64_t q;
+    int64_t count;
+    int64_t i;
+    int64_t kind;
+    int64_t dropped;
+    int64_t k;
+    double slope;
+    q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
+    count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
+    for (i = first; i < count + INT64_C(1); i += INT64_C(1))
+    {
+        advance((*cspan_at(&nodes, i, INT64_C(11))), 0.0, 0.0, 0.0, 0.0, q - INT64_C(2), change);
+        kind = (int64_t)((*cspan_at(&nodes, i, INT64_C(4))));
+        if (i == count)
+        {
+            kind = INT64_C(0);
+        }
+        dropped = dropped_condition(q, span_row(&nodes, i));
+        if ((kind > INT64_C(0)) || (i == count))
+        {
+            for (k = kind; k < q; k += INT64_C(1))
+            {
+                slope = (*cspan_at(&change, INT64_C(0) + k)) / residual_scale(k, passing, axis);
+                if ((kind > INT64_C(0)) && (k == dropped))
+                {
+                    slope = 0.0;
+                }
+                (*cspan_at(&slopes, INT64_C(0) + row)) = slope;
+                row = row + INT64_C(1);
+            }
+        }
+        if ((kind > INT64_C(0)) && ((*cspan_at(&nodes, i, INT64_C(7))) < 0.5) && ((*cspan_at(&nodes, i, INT64_C(9))) == 0.0))
+        {
+            for (k = kind; k < q; k += INT64_C(1))
+            {
+                (*cspan_at(&change, INT64_C(0) + k)) = 0.0;
+            }
+        }
+        if ((i < count) && ((*cspan_at(&nodes, i, INT64_C(10))) != 0.0))
+        {
+            advance((*cspan_at(&nodes, i, INT64_C(10))), 0.0, 0.0, 0.0, 0.0, q - INT64_C(2), change);
+        }
     }
 }
 static bool is_square(array_double_1d passing, array_double_2d nodes)
@@ -10219,76 +10318,154 @@ static double residual_norm(int64_t count, array_double_1d residual)
     }
     return sqrt(total);
 }
-static void perturbed_column(int64_t column, int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work)
+static void pace_column(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     array_double_1d passing;
     array_double_2d nodes;
     array_double_1d residual;
-    int64_t i;
-    double kept;
     double change;
-    double largest;
+    int64_t i;
     double slope;
-    double diagonal;
     passing = span_row(&work, INT64_C(48));
     nodes = span_rows(&work, INT64_C(49), INT64_C(67));
-    residual = span_row(&work, INT64_C(90));
+    residual = span_row(&work, INT64_C(109));
+    change = 1e-07;
+    (*cspan_at(&passing, INT64_C(2))) = (*cspan_at(&passing, INT64_C(2))) + change;
+    run_sequence(problem, passing, axis, nodes, residual);
+    (*cspan_at(&passing, INT64_C(2))) = (*cspan_at(&passing, INT64_C(2))) - change;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        (*cspan_at(&residual, INT64_C(0) + i)) = -(*cspan_at(&work, INT64_C(107) + i, INT64_C(0)));
+        slope = ((*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(126) + i, INT64_C(0)))) / change;
+        (*cspan_at(&work, INT64_C(110) + i, count - INT64_C(1))) = slope;
     }
-    if (column == (int64_t)((*cspan_at(&passing, INT64_C(0)))))
+    run_sequence(problem, passing, axis, nodes, residual);
+}
+static void time_column(int64_t column, int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    array_double_2d nodes;
+    array_double_1d residual;
+    array_double_1d slopes;
+    array_double_2d before;
+    array_double_1d moved;
+    int64_t q;
+    int64_t following;
+    array_double_1d base;
+    double spent;
+    int64_t j;
+    int64_t i;
+    double change;
+    int64_t row;
+    int64_t begin;
+    double slope;
+    int64_t k;
+    double difference;
+    passing = span_row(&work, INT64_C(48));
+    nodes = span_rows(&work, INT64_C(49), INT64_C(67));
+    residual = span_row(&work, INT64_C(109));
+    slopes = span_row(&work, INT64_C(142));
+    before = span_rows(&work, INT64_C(143), INT64_C(146));
+    moved = span_row(&work, INT64_C(146));
+    q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
+    following = column + INT64_C(2);
+    base = span_row(&work, INT64_C(143) + INT64_C(2));
+    spent = 0.0;
+    for (j = INT64_C(0); j < INT64_C(3); j += INT64_C(1))
     {
-        kept = (*cspan_at(&passing, INT64_C(2)));
-        change = 1e-07;
-        (*cspan_at(&passing, INT64_C(2))) = kept + change;
-        run_sequence(INT64_C(0), problem, passing, axis, nodes, residual);
-        (*cspan_at(&passing, INT64_C(2))) = kept;
+        for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
+        {
+            (*cspan_at(&before, j, i)) = (*cspan_at(&nodes, column + j, i));
+        }
     }
-    else
+    for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
     {
-        kept = (*cspan_at(&nodes, column, INT64_C(6)));
-        change = 1e-07 * (fabs(kept) + 0.001 * (*cspan_at(&passing, INT64_C(3))));
-        (*cspan_at(&nodes, column, INT64_C(6))) = kept + change;
-        run_sequence(column, problem, passing, axis, nodes, residual);
-        (*cspan_at(&nodes, column, INT64_C(6))) = kept;
+        spent = spent - (*cspan_at(&nodes, column + j, INT64_C(11))) - (*cspan_at(&nodes, column + j, INT64_C(10)));
     }
-    largest = 0.0;
+    change = 1e-07 * (fabs((*cspan_at(&nodes, column, INT64_C(6)))) + 0.001 * (*cspan_at(&passing, INT64_C(3))));
+    (*cspan_at(&nodes, column, INT64_C(6))) = (*cspan_at(&nodes, column, INT64_C(6))) + change;
+    row = first_row(column, passing, nodes);
+    begin = row;
+    row = follow_node(column, row, problem, passing, axis, nodes, residual);
+    row = follow_node(column + INT64_C(1), row, problem, passing, axis, nodes, residual);
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        slope = ((*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(107) + i, INT64_C(0)))) / change;
-        (*cspan_at(&work, INT64_C(91) + i, column)) = slope;
-        largest = span_max(largest, fabs(slope));
+        (*cspan_at(&slopes, INT64_C(0) + i)) = 0.0;
     }
-    diagonal = (*cspan_at(&work, INT64_C(91) + column, column));
-    (*cspan_at(&work, INT64_C(91) + column, column)) = diagonal + 1e-12 * span_max(largest, 1e-300);
+    for (i = begin; i < row; i += INT64_C(1))
+    {
+        slope = (*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(126) + i, INT64_C(0)));
+        (*cspan_at(&slopes, INT64_C(0) + i)) = slope / change;
+    }
+    for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
+    {
+        spent = spent + (*cspan_at(&nodes, column + j, INT64_C(11))) + (*cspan_at(&nodes, column + j, INT64_C(10)));
+    }
+    if ((*cspan_at(&passing, INT64_C(5))) > 0.0)
+    {
+        (*cspan_at(&slopes, INT64_C(0) + count - INT64_C(1))) = spent / (change * (*cspan_at(&passing, INT64_C(3))));
+    }
+    if (following <= (int64_t)((*cspan_at(&passing, INT64_C(0)))))
+    {
+        for (k = INT64_C(0); k < q; k += INT64_C(1))
+        {
+            difference = (*cspan_at(&nodes, following, INT64_C(0) + k)) - (*cspan_at(&base, INT64_C(0) + k));
+            (*cspan_at(&moved, INT64_C(0) + k)) = difference / change;
+        }
+        follow_change(following, row, passing, axis, nodes, moved, slopes);
+    }
+    for (j = INT64_C(0); j < INT64_C(3); j += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
+        {
+            (*cspan_at(&nodes, column + j, i)) = (*cspan_at(&before, j, i));
+        }
+    }
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(110) + i, column)) = (*cspan_at(&slopes, INT64_C(0) + i));
+    }
 }
 static void newton_step(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     array_double_1d passing;
-    array_double_2d nodes;
     array_double_1d residual;
     int64_t i;
     int64_t j;
+    double largest;
+    double added;
+    double diagonal;
     array_double_2d matrix;
     passing = span_row(&work, INT64_C(48));
-    nodes = span_rows(&work, INT64_C(49), INT64_C(67));
-    residual = span_row(&work, INT64_C(90));
+    residual = span_row(&work, INT64_C(109));
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        (*cspan_at(&work, INT64_C(107) + i, INT64_C(0))) = -(*cspan_at(&residual, INT64_C(0) + i));
+        (*cspan_at(&work, INT64_C(126) + i, INT64_C(0))) = -(*cspan_at(&residual, INT64_C(0) + i));
     }
     if ((*cspan_at(&passing, INT64_C(5))) > 0.0)
     {
-        perturbed_column(count - INT64_C(1), count, problem, axis, work);
-        run_sequence(INT64_C(0), problem, passing, axis, nodes, residual);
+        pace_column(count, problem, axis, work);
     }
     for (j = INT64_C(0); j < (int64_t)((*cspan_at(&passing, INT64_C(0)))); j += INT64_C(1))
     {
-        perturbed_column((int64_t)((*cspan_at(&passing, INT64_C(0)))) - INT64_C(1) - j, count, problem, axis, work);
+        time_column(j, count, problem, axis, work);
     }
-    matrix = span_rows(&work, INT64_C(91), INT64_C(107));
-    matrix_solve(count, INT64_C(1), matrix, span_rows(&work, INT64_C(107), INT64_C(123)));
+    for (j = INT64_C(0); j < count; j += INT64_C(1))
+    {
+        largest = 0.0;
+        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        {
+            largest = span_max(largest, fabs((*cspan_at(&work, INT64_C(110) + i, j))));
+        }
+        added = 1e-12 * span_max(largest, 1e-300);
+        diagonal = (*cspan_at(&work, INT64_C(110) + j, j));
+        if (diagonal < 0.0)
+        {
+            added = -added;
+        }
+        (*cspan_at(&work, INT64_C(110) + j, j)) = diagonal + added;
+    }
+    matrix = span_rows(&work, INT64_C(110), INT64_C(126));
+    matrix_solve(count, INT64_C(1), matrix, span_rows(&work, INT64_C(126), INT64_C(142)));
 }
 static double longest_step(array_double_2d work)
 {
@@ -10306,7 +10483,7 @@ static double longest_step(array_double_2d work)
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        change = (*cspan_at(&work, INT64_C(107) + i, INT64_C(0)));
+        change = (*cspan_at(&work, INT64_C(126) + i, INT64_C(0)));
         time = (*cspan_at(&nodes, i, INT64_C(6)));
         if (!(fabs(change) < 1000000000000.0 * (*cspan_at(&passing, INT64_C(3)))))
         {
@@ -10329,7 +10506,7 @@ static double longest_step(array_double_2d work)
     }
     if ((*cspan_at(&passing, INT64_C(5))) > 0.0)
     {
-        change = fabs((*cspan_at(&work, INT64_C(107) + count, INT64_C(0))));
+        change = fabs((*cspan_at(&work, INT64_C(126) + count, INT64_C(0))));
         if (change * share > 0.3 * (*cspan_at(&passing, INT64_C(2))))
         {
             share = 0.3 * (*cspan_at(&passing, INT64_C(2))) / change;
@@ -10347,11 +10524,11 @@ static void take_step(double share, array_double_2d work)
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         row = INT64_C(49) + i;
-        (*cspan_at(&work, row, INT64_C(6))) = (*cspan_at(&work, row, INT64_C(6))) + share * (*cspan_at(&work, INT64_C(107) + i, INT64_C(0)));
+        (*cspan_at(&work, row, INT64_C(6))) = (*cspan_at(&work, row, INT64_C(6))) + share * (*cspan_at(&work, INT64_C(126) + i, INT64_C(0)));
     }
     if ((*cspan_at(&work, INT64_C(48), INT64_C(5))) > 0.0)
     {
-        pace = (*cspan_at(&work, INT64_C(48), INT64_C(2))) + share * (*cspan_at(&work, INT64_C(107) + count, INT64_C(0)));
+        pace = (*cspan_at(&work, INT64_C(48), INT64_C(2))) + share * (*cspan_at(&work, INT64_C(126) + count, INT64_C(0)));
         (*cspan_at(&work, INT64_C(48), INT64_C(2))) = pace;
     }
 }
@@ -10368,13 +10545,13 @@ static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_
     int64_t j;
     passing = span_row(&work, INT64_C(48));
     nodes = span_rows(&work, INT64_C(49), INT64_C(67));
-    residual = span_row(&work, INT64_C(90));
+    residual = span_row(&work, INT64_C(109));
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     if ((*cspan_at(&passing, INT64_C(5))) > 0.0)
     {
         count = count + INT64_C(1);
     }
-    run_sequence(INT64_C(0), problem, passing, axis, nodes, residual);
+    run_sequence(problem, passing, axis, nodes, residual);
     error = residual_norm(count, residual);
     for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
     {
@@ -10388,7 +10565,7 @@ static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_
                 break;
             }
             take_step(share, work);
-            run_sequence(INT64_C(0), problem, passing, axis, nodes, residual);
+            run_sequence(problem, passing, axis, nodes, residual);
             reached = residual_norm(count, residual);
             if (reached < error * (1.0 - 0.0001 * share))
             {
@@ -10399,42 +10576,42 @@ static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_
         }
         if (!(reached < error * (1.0 - 0.0001 * share)))
         {
-            run_sequence(INT64_C(0), problem, passing, axis, nodes, residual);
+            run_sequence(problem, passing, axis, nodes, residual);
             break;
         }
         error = reached;
     }
     return error <= 1e-12;
 }
-static void keep_sequence(array_double_2d work)
+static void keep_sequence(int64_t row, array_double_2d work)
 {
     int64_t i;
     int64_t j;
     for (i = INT64_C(0); i < INT64_C(8); i += INT64_C(1))
     {
-        (*cspan_at(&work, INT64_C(67), i)) = (*cspan_at(&work, INT64_C(48), i));
+        (*cspan_at(&work, row, i)) = (*cspan_at(&work, INT64_C(48), i));
     }
     for (j = INT64_C(0); j < (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(0)))) + INT64_C(2); j += INT64_C(1))
     {
         for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
         {
-            (*cspan_at(&work, INT64_C(67) + INT64_C(1) + j, i)) = (*cspan_at(&work, INT64_C(49) + j, i));
+            (*cspan_at(&work, row + INT64_C(1) + j, i)) = (*cspan_at(&work, INT64_C(49) + j, i));
         }
     }
 }
-static void restore_sequence(array_double_2d work)
+static void restore_sequence(int64_t row, array_double_2d work)
 {
     int64_t i;
     int64_t j;
     for (i = INT64_C(0); i < INT64_C(8); i += INT64_C(1))
     {
-        (*cspan_at(&work, INT64_C(48), i)) = (*cspan_at(&work, INT64_C(67), i));
+        (*cspan_at(&work, INT64_C(48), i)) = (*cspan_at(&work, row, i));
     }
     for (j = INT64_C(0); j < (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(0)))) + INT64_C(2); j += INT64_C(1))
     {
         for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
         {
-            (*cspan_at(&work, INT64_C(49) + j, i)) = (*cspan_at(&work, INT64_C(67) + INT64_C(1) + j, i));
+            (*cspan_at(&work, INT64_C(49) + j, i)) = (*cspan_at(&work, row + INT64_C(1) + j, i));
         }
     }
 }
@@ -10476,7 +10653,7 @@ static bool split_level(int64_t place, int64_t kind, double sign, array_double_1
     }
     time = (*cspan_at(&work, row, INT64_C(6)));
     level_sign = (*cspan_at(&work, row, INT64_C(5)));
-    dip = span_min(fabs(time), (*cspan_at(&axis, INT64_C(15) + kind - INT64_C(1))));
+    dip = span_min(fabs(time), (*cspan_at(&axis, INT64_C(16) + kind - INT64_C(1))));
     (*cspan_at(&work, row, INT64_C(6))) = 0.8 * time;
     insert_node(place + INT64_C(1), kind, sign, (-0.5) * dip, 0, work);
     insert_node(place + INT64_C(2), INT64_C(0), level_sign, 0.8 * time, 0, work);
@@ -10539,7 +10716,7 @@ static bool insert_plateau(int64_t kind, bool touching, array_double_1d axis, ar
     bool here;
     bool result;
     passing = span_row(&work, INT64_C(48));
-    excess = span_row(&work, INT64_C(86) + kind);
+    excess = span_row(&work, INT64_C(105) + kind);
     q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     place = (int64_t)((*cspan_at(&excess, INT64_C(1))));
@@ -10674,7 +10851,7 @@ static bool touch_limit(int64_t row, array_double_1d problem, array_double_1d ax
 {
     int64_t kind;
     bool result;
-    keep_sequence(work);
+    keep_sequence(INT64_C(67), work);
     kind = (int64_t)((*cspan_at(&work, row, INT64_C(4))));
     if (kind == (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(1))
     {
@@ -10687,7 +10864,7 @@ static bool touch_limit(int64_t row, array_double_1d problem, array_double_1d ax
     {
         return 1;
     }
-    restore_sequence(work);
+    restore_sequence(INT64_C(67), work);
     result = shorten_hold(row, INT64_C(2), INT64_C(4), problem, axis, work);
     return result;
 }
@@ -10720,7 +10897,7 @@ static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d wo
         {
             kind = j + INT64_C(1);
         }
-        if ((*cspan_at(&work, INT64_C(86) + kind, INT64_C(0))) > 0.0)
+        if ((*cspan_at(&work, INT64_C(105) + kind, INT64_C(0))) > 0.0)
         {
             if (insert_plateau(kind, 0, axis, work))
             {
@@ -10729,7 +10906,7 @@ static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d wo
         }
     }
     lowest = q - INT64_C(3);
-    if ((lowest > INT64_C(0)) && ((*cspan_at(&work, INT64_C(86) + lowest, INT64_C(0))) > 0.0))
+    if ((lowest > INT64_C(0)) && ((*cspan_at(&work, INT64_C(105) + lowest, INT64_C(0))) > 0.0))
     {
         if (release_touch(lowest, work))
         {
@@ -10755,7 +10932,7 @@ static bool meet_limits(bool upward, array_double_1d problem, array_double_1d ax
             {
                 return 0;
             }
-            restore_sequence(work);
+            restore_sequence(INT64_C(67), work);
             added = INT64_C(0);
             if (!insert_plateau(q - INT64_C(3), 1, axis, work))
             {
@@ -10782,7 +10959,7 @@ static bool meet_limits(bool upward, array_double_1d problem, array_double_1d ax
         }
         else
         {
-            keep_sequence(work);
+            keep_sequence(INT64_C(67), work);
             added = add_plateau(upward, axis, work);
             if (added == INT64_C(0))
             {
@@ -10919,8 +11096,8 @@ static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases,
     double factor;
     int64_t row;
     passing = span_row(&work, INT64_C(48));
-    q = (int64_t)((*cspan_at(&axis, INT64_C(31)))) + INT64_C(2);
-    (*cspan_at(&passing, INT64_C(1))) = (*cspan_at(&axis, INT64_C(31)));
+    q = (int64_t)((*cspan_at(&axis, INT64_C(33)))) + INT64_C(2);
+    (*cspan_at(&passing, INT64_C(1))) = (*cspan_at(&axis, INT64_C(33)));
     (*cspan_at(&passing, INT64_C(2))) = 1.0;
     (*cspan_at(&passing, INT64_C(5))) = 0.0;
     (*cspan_at(&passing, INT64_C(3))) = total_duration(phases, count);
@@ -11001,7 +11178,7 @@ static bool slow_down(double longest, array_double_1d problem, array_double_1d a
         }
         if ((overlong_plateau(work) < INT64_C(0)) && (!measure_excess(axis, work)))
         {
-            keep_sequence(work);
+            keep_sequence(INT64_C(67), work);
             slow = (*cspan_at(&passing, INT64_C(2)));
         }
         else
@@ -11015,7 +11192,7 @@ static bool slow_down(double longest, array_double_1d problem, array_double_1d a
     }
     if (slow > 0.0)
     {
-        restore_sequence(work);
+        restore_sequence(INT64_C(67), work);
     }
     return slow > 0.0;
 }
@@ -11104,31 +11281,36 @@ static double passing_duration(int64_t way, int64_t attempt, double longest, int
     result = sequence_duration(span_row(&work, INT64_C(48)), span_rows(&work, INT64_C(49), INT64_C(67)));
     return result;
 }
-static int64_t passing_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
+static int64_t passing_form(double longest, int64_t count, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
-    double longest;
+    double shortest;
     int64_t attempt;
-    int64_t best;
+    bool solved;
     int64_t way;
     double found;
-    int64_t result;
-    longest = total_duration(phases, count) * (1.0 - 1e-09);
+    int64_t used;
+    shortest = total_duration(ramps, count) * (1.0 - 1e-09);
+    used = INT64_C(0);
     (*cspan_at(&work, INT64_C(48), INT64_C(7))) = 0.0;
     for (attempt = INT64_C(0); attempt < INT64_C(6); attempt += INT64_C(1))
     {
-        best = -INT64_C(1);
-        way = INT64_C(0);
-        while(way < INT64_C(3))
+        solved = 0;
+        for (way = INT64_C(0); way < INT64_C(3); way += INT64_C(1))
         {
-            found = passing_duration(way, attempt, longest, count, phases, problem, axis, work);
+            found = passing_duration(way, attempt, shortest, count, ramps, problem, axis, work);
             if (found == 0.0)
             {
                 break;
             }
-            if ((found > 0.0) && (found < longest))
+            solved = 1;
+            if ((found > 0.0) && (found < shortest))
             {
-                longest = found;
-                best = way;
+                shortest = found;
+                if (found < longest)
+                {
+                    used = write_sequence(phases, axis, work);
+                    keep_sequence(INT64_C(86), work);
+                }
                 if (!stays_below(work))
                 {
                     if (way < INT64_C(2))
@@ -11138,24 +11320,13 @@ static int64_t passing_form(int64_t count, array_double_2d phases, array_double_
                     break;
                 }
             }
-            way = way + INT64_C(1);
         }
-        if ((way == INT64_C(0)) && (best < INT64_C(0)))
-        {
-            continue;
-        }
-        if (best < INT64_C(0))
+        if (solved)
         {
             break;
         }
-        if (way != best)
-        {
-            found = passing_duration(best, attempt, longest, count, phases, problem, axis, work);
-        }
-        result = write_sequence(phases, axis, work);
-        return result;
     }
-    return count;
+    return used;
 }
 static int64_t timed_passing(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
@@ -11165,6 +11336,7 @@ static int64_t timed_passing(array_double_2d phases, array_double_1d problem, ar
     int64_t steps;
     int64_t i;
     int64_t result;
+    restore_sequence(INT64_C(86), work);
     passing = span_row(&work, INT64_C(48));
     shortest = sequence_duration(passing, span_rows(&work, INT64_C(49), INT64_C(67)));
     longer = (*cspan_at(&problem, INT64_C(5))) / shortest - 1.0;
@@ -11184,13 +11356,126 @@ static int64_t timed_passing(array_double_2d phases, array_double_1d problem, ar
     result = write_sequence(phases, axis, work);
     return result;
 }
+static double least_lever(double c, double gain, array_double_1d axis)
+{
+    double top;
+    double jerk;
+    double rise;
+    double rest;
+    double hold;
+    if (gain <= 0.0)
+    {
+        return 0.0;
+    }
+    top = (*cspan_at(&axis, INT64_C(3)));
+    jerk = (*cspan_at(&axis, INT64_C(4)));
+    rise = (top - c) / jerk;
+    rest = gain - (c + 0.5 * jerk * rise) * rise;
+    if (rest <= 0.0)
+    {
+        rise = (sqrt(c * c + 2.0 * jerk * gain) - c) / jerk;
+        rest = 0.0;
+    }
+    hold = rest / top;
+    return (0.5 * c + jerk * rise / 3.0) * rise * rise + rest * (rise + 0.5 * hold);
+}
+static double early_window(double duration, array_double_1d problem, array_double_1d axis)
+{
+    double sign;
+    double v;
+    double a;
+    double w;
+    double b;
+    double distance;
+    double gain;
+    double single;
+    double slope;
+    double jerk;
+    double first;
+    double last;
+    double late;
+    double early;
+    double rounding;
+    double least;
+    double most;
+    double slowest;
+    double fastest;
+    sign = 1.0;
+    if ((*cspan_at(&problem, INT64_C(1))) + (*cspan_at(&problem, INT64_C(3))) < 0.0)
+    {
+        sign = -1.0;
+    }
+    v = sign * (*cspan_at(&problem, INT64_C(0)));
+    a = sign * (*cspan_at(&problem, INT64_C(1)));
+    w = sign * (*cspan_at(&problem, INT64_C(2)));
+    b = sign * (*cspan_at(&problem, INT64_C(3)));
+    distance = sign * (*cspan_at(&problem, INT64_C(4)));
+    gain = w - v;
+    if ((a < 0.0) || (b < 0.0) || (a + b == 0.0) || ((*cspan_at(&axis, INT64_C(0))) < 3.0))
+    {
+        return 0.0;
+    }
+    segfmu_ramp_duration(&single, &slope, fabs(b - a), axis);
+    if (gain < 0.5 * (a + b) * single * (1.0 - 1e-12))
+    {
+        return 0.0;
+    }
+    jerk = (*cspan_at(&axis, INT64_C(4)));
+    first = 0.0;
+    last = 0.0;
+    late = 0.0;
+    early = 0.0;
+    if ((jerk > 0.0) && ((*cspan_at(&axis, INT64_C(12))) > 0.0))
+    {
+        first = 0.5 * a * a / jerk;
+        last = 0.5 * b * b / jerk;
+        late = least_lever(b, gain - first, axis) - a * first / (3.0 * jerk);
+        early = least_lever(a, gain - last, axis) - b * last / (3.0 * jerk);
+    }
+    rounding = 1e-09 * (fabs(distance) + fabs(late) + fabs(early));
+    late = late - rounding;
+    early = early - rounding;
+    least = span_max(single, gain / (*cspan_at(&axis, INT64_C(3))));
+    most = duration;
+    slowest = v + first;
+    fastest = w - last;
+    if (slowest > 0.0)
+    {
+        most = span_min(most, (distance - late) / slowest);
+    }
+    else if (slowest < 0.0)
+    {
+        least = span_max(least, (distance - late) / slowest);
+    }
+    else if (late > distance)
+    {
+        return 0.0;
+    }
+    if (fastest > 0.0)
+    {
+        least = span_max(least, (distance + early) / fastest);
+    }
+    else if (fastest < 0.0)
+    {
+        most = span_min(most, (distance + early) / fastest);
+    }
+    else if (distance + early > 0.0)
+    {
+        return 0.0;
+    }
+    if (most < least * (1.0 - 1e-09))
+    {
+        return 0.0;
+    }
+    return span_min(most * (1.0 + 1e-09), duration);
+}
 static double usual_duration(array_double_1d problem, array_double_1d axis)
 {
     double limit;
     double change;
     double result;
     limit = (*cspan_at(&axis, INT64_C(2)));
-    change = limit / (*cspan_at(&axis, INT64_C(3))) + (*cspan_at(&axis, INT64_C(9)));
+    change = limit / (*cspan_at(&axis, INT64_C(3))) + (*cspan_at(&axis, INT64_C(10)));
     result = 4.0 * change + fabs((*cspan_at(&problem, INT64_C(4)))) / limit;
     return result;
 }
@@ -11324,7 +11609,7 @@ static bool is_done(array_double_1d problem)
 static bool ramps_suffice(array_double_1d axis)
 {
     bool result;
-    result = (*cspan_at(&axis, INT64_C(15) + INT64_C(1))) == 0.0;
+    result = (*cspan_at(&axis, INT64_C(16) + INT64_C(1))) == 0.0;
     return result;
 }
 static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
@@ -11384,37 +11669,44 @@ static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array
 static int64_t passing_either_way(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work)
 {
     array_double_2d ramps;
-    int64_t found;
+    array_double_1d passing;
     double longest;
-    double forwards;
+    int64_t forwards;
+    double settled;
+    int64_t result;
+    int64_t backwards;
     ramps = span_rows(&work, INT64_C(0), INT64_C(13));
+    passing = span_row(&work, INT64_C(48));
     copy_phases(phases, ramps, count);
-    found = passing_form(count, phases, asked, axis, work);
-    (*cspan_at(&work, INT64_C(48), INT64_C(6))) = 0.0;
-    if (((*cspan_at(&work, INT64_C(48), INT64_C(7))) > 0.5) && ramps_suffice(axis))
+    longest = total_duration(ramps, count) * (1.0 - 1e-09);
+    forwards = passing_form(longest, count, ramps, phases, asked, axis, work);
+    settled = (*cspan_at(&passing, INT64_C(7)));
+    (*cspan_at(&passing, INT64_C(6))) = 0.0;
+    result = count;
+    if (forwards > INT64_C(0))
     {
-        return found;
-    }
-    longest = total_duration(ramps, count);
-    forwards = total_duration(phases, found);
-    copy_phases(ramps, phases, count);
-    reverse_problem(asked);
-    reverse_phases(phases, INT64_C(0), count);
-    found = passing_form(count, phases, asked, axis, work);
-    reverse_problem(asked);
-    reverse_phases(phases, INT64_C(0), found);
-    (*cspan_at(&work, INT64_C(48), INT64_C(6))) = 1.0;
-    if (forwards <= total_duration(phases, found))
-    {
-        copy_phases(ramps, phases, count);
-        if (forwards >= longest)
+        if ((settled > 0.5) && ramps_suffice(axis))
         {
-            return count;
+            return forwards;
         }
-        found = passing_form(count, phases, asked, axis, work);
-        (*cspan_at(&work, INT64_C(48), INT64_C(6))) = 0.0;
+        longest = total_duration(phases, forwards);
+        result = forwards;
     }
-    return found;
+    reverse_problem(asked);
+    reverse_phases(ramps, INT64_C(0), count);
+    backwards = passing_form(longest, count, ramps, phases, asked, axis, work);
+    reverse_problem(asked);
+    if (backwards > INT64_C(0))
+    {
+        reverse_phases(phases, INT64_C(0), backwards);
+        (*cspan_at(&passing, INT64_C(6))) = 1.0;
+        return backwards;
+    }
+    if (forwards > INT64_C(0))
+    {
+        (*cspan_at(&passing, INT64_C(7))) = settled;
+    }
+    return result;
 }
 static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work)
 {
@@ -11422,13 +11714,14 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
     double longest;
     bool settled;
     bool passing;
+    int64_t arcs;
     int64_t count;
     int64_t result;
     status = braked_ramps(asked, axis, phases, work);
     longest = usual_duration(asked, axis);
     if (status > INT64_C(0))
     {
-        if ((*cspan_at(&axis, INT64_C(31))) > 0.5)
+        if ((*cspan_at(&axis, INT64_C(33))) > 0.5)
         {
             status = passing_either_way(status, phases, asked, axis, work);
             settled = ((*cspan_at(&work, INT64_C(48), INT64_C(7))) > 0.5) && ramps_suffice(axis);
@@ -11444,12 +11737,17 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
     {
         return status;
     }
-    count = loop_form(span_max_int(status, INT64_C(0)), longest, phases, asked, axis, work);
+    arcs = INT64_C(6) + INT64_C(1);
+    if ((status > INT64_C(0)) && ramps_suffice(axis) && (early_window(longest, asked, axis) <= 0.0))
+    {
+        arcs = INT64_C(2) + INT64_C(1);
+    }
+    count = loop_form(arcs, span_max_int(status, INT64_C(0)), longest, phases, asked, axis, work);
     if (count == INT64_C(0))
     {
         return status;
     }
-    if (((*cspan_at(&axis, INT64_C(31))) > 0.5) && ((status < INT64_C(0)) || (total_duration(phases, count) < longest)))
+    if (((*cspan_at(&axis, INT64_C(33))) > 0.5) && ((status < INT64_C(0)) || (total_duration(phases, count) < longest)))
     {
         result = passing_either_way(count, phases, asked, axis, work);
         return result;
@@ -11459,31 +11757,52 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
 int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
 {
     array_double_1d asked;
+    array_double_1d family;
+    double missed;
     double longest;
+    bool snap_is_last;
     int64_t count;
     asked = span_row(&work, INT64_C(43));
+    family = span_row(&work, INT64_C(45));
     boundary_problem(problem, axis, asked);
+    (*cspan_at(&family, INT64_C(17))) = 0.0;
     (*cspan_at(&work, INT64_C(48), INT64_C(7))) = 1.0;
     if (is_done(asked))
     {
         return INT64_C(0);
     }
     count = shortest_between(INT64_C(0), phases, asked, axis, work);
+    missed = 2.0 * (*cspan_at(&family, INT64_C(17)));
     if (count == INT64_C(0))
     {
         count = shortest_braked(asked, axis, phases, work);
-        return count;
+        if ((*cspan_at(&work, INT64_C(48), INT64_C(7))) < 0.5)
+        {
+            missed = span_max(missed, 1.0);
+        }
     }
-    longest = early_window(total_duration(phases, count), asked, axis);
-    if (longest > 0.0)
+    else
     {
-        count = loop_form(count, longest, phases, asked, axis, work);
+        longest = early_window(total_duration(phases, count), asked, axis);
+        if (longest > 0.0)
+        {
+            count = loop_form(INT64_C(6) + INT64_C(1), count, longest, phases, asked, axis, work);
+            if (total_duration(phases, count) > longest)
+            {
+                missed = 2.0;
+            }
+        }
+        if (((*cspan_at(&axis, INT64_C(33))) > 0.5) && (!ramps_suffice(axis)))
+        {
+            count = passing_either_way(count, phases, asked, axis, work);
+        }
     }
-    if (((*cspan_at(&axis, INT64_C(31))) > 0.5) && (!ramps_suffice(axis)))
+    snap_is_last = ((*cspan_at(&axis, INT64_C(21))) == 0.0) && ramps_suffice(axis);
+    if ((!snap_is_last) && (!is_resting(asked, axis)))
     {
-        count = passing_either_way(count, phases, asked, axis, work);
-        return count;
+        missed = 2.0;
     }
+    (*cspan_at(&family, INT64_C(17))) = missed;
     return count;
 }
 static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends)
@@ -11863,18 +12182,13 @@ static double gentle_errors(array_double_1d problem, array_double_1d axis, array
     result = fabs((*cspan_at(&gentle, INT64_C(14)))) + fabs((*cspan_at(&gentle, INT64_C(15))));
     return result;
 }
-static bool gentle_step(array_double_1d problem, array_double_1d axis, array_double_1d gentle)
+static bool gentle_slopes(array_double_1d problem, array_double_1d axis, array_double_1d gentle)
 {
     double gain;
     double excess;
     double change;
     int64_t i;
     double kept;
-    double g1;
-    double g2;
-    double e1;
-    double e2;
-    double determinant;
     gain = (*cspan_at(&gentle, INT64_C(14)));
     excess = (*cspan_at(&gentle, INT64_C(15)));
     change = 1e-07 * span_max(fabs((*cspan_at(&gentle, INT64_C(0)))), fabs((*cspan_at(&gentle, INT64_C(0) + INT64_C(1)))));
@@ -11893,6 +12207,19 @@ static bool gentle_step(array_double_1d problem, array_double_1d axis, array_dou
     }
     (*cspan_at(&gentle, INT64_C(14))) = gain;
     (*cspan_at(&gentle, INT64_C(15))) = excess;
+    return 1;
+}
+static bool gentle_step(array_double_1d gentle)
+{
+    double gain;
+    double excess;
+    double g1;
+    double g2;
+    double e1;
+    double e2;
+    double determinant;
+    gain = (*cspan_at(&gentle, INT64_C(14)));
+    excess = (*cspan_at(&gentle, INT64_C(15)));
     g1 = (*cspan_at(&gentle, INT64_C(16)));
     g2 = (*cspan_at(&gentle, INT64_C(16) + INT64_C(1)));
     e1 = (*cspan_at(&gentle, INT64_C(18)));
@@ -11934,6 +12261,7 @@ static bool solve_gentle(int64_t attempt, array_double_1d problem, array_double_
 {
     double error;
     double speed;
+    double close;
     int64_t i;
     double share;
     double reached;
@@ -11945,9 +12273,14 @@ static bool solve_gentle(int64_t attempt, array_double_1d problem, array_double_
     }
     error = gentle_errors(problem, axis, gentle);
     speed = (*cspan_at(&axis, INT64_C(2)));
-    for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
+    close = 0.0001 * speed;
+    for (i = INT64_C(0); i < INT64_C(16); i += INT64_C(1))
     {
-        if (!gentle_step(problem, axis, gentle))
+        if (((i == INT64_C(0)) || (error > close)) && (!gentle_slopes(problem, axis, gentle)))
+        {
+            return 0;
+        }
+        if (!gentle_step(gentle))
         {
             return 0;
         }
@@ -11970,7 +12303,7 @@ static bool solve_gentle(int64_t attempt, array_double_1d problem, array_double_
             break;
         }
         error = reached;
-        if (error <= 1e-16 * speed)
+        if (error <= 2e-15 * speed)
         {
             break;
         }
@@ -12192,7 +12525,7 @@ static bool timed_slower(double shortest, array_double_1d axis, array_double_2d 
                 below = (int64_t)((*cspan_at(&nearest, INT64_C(0))));
                 above = (int64_t)((*cspan_at(&nearest, INT64_C(2))));
                 stretch_phases(span_rows(&cell, INT64_C(0), INT64_C(33)), below, 1.0 / factor);
-                stretch_phases(span_rows(&cell, INT64_C(33), INT64_C(46)), above, 1.0 / factor);
+                stretch_phases(span_rows(&cell, INT64_C(33), INT64_C(66)), above, 1.0 / factor);
                 return 1;
             }
         }
@@ -12232,7 +12565,7 @@ static void surround_nearest(int64_t variant, array_double_1d axis, array_double
     problem = span_row(&work, INT64_C(43));
     nearest = span_row(&work, INT64_C(42));
     below = span_rows(&cell, INT64_C(0), INT64_C(33));
-    above = span_rows(&cell, INT64_C(33), INT64_C(46));
+    above = span_rows(&cell, INT64_C(33), INT64_C(66));
     count = (int64_t)((*cspan_at(&nearest, INT64_C(0))));
     count = surround(below, count, variant, problem, axis, trial);
     fit_duration(below, count, (*cspan_at(&problem, INT64_C(5))));
@@ -12248,7 +12581,7 @@ static double slower_passing(array_double_1d axis, array_double_2d cell, array_d
     array_double_2d phases;
     int64_t count;
     bool backwards;
-    if ((*cspan_at(&axis, INT64_C(31))) < 0.5)
+    if ((*cspan_at(&axis, INT64_C(33))) < 0.5)
     {
         return -1.0;
     }
@@ -12294,9 +12627,9 @@ double segfmu_timed_profile(double target, array_double_1d axis, array_double_2d
     problem = span_row(&work, INT64_C(43));
     rest = span_row(&work, INT64_C(44));
     nearest = span_row(&work, INT64_C(42));
-    boundary_problem(span_row(&cell, INT64_C(46)), axis, problem);
+    boundary_problem(span_row(&cell, INT64_C(66)), axis, problem);
     (*cspan_at(&problem, INT64_C(5))) = target;
-    shortest = (*cspan_at(&cell, INT64_C(47), INT64_C(0)));
+    shortest = (*cspan_at(&cell, INT64_C(67), INT64_C(0)));
     if ((shortest > 0.0) && timed_gently(axis, cell, work))
     {
         return 0.0;
@@ -12339,12 +12672,12 @@ static int64_t set_shortest(int64_t* result_0, double* result_1_0001, array_doub
     array_double_1d problem;
     array_double_2d phases;
     int64_t count;
-    problem = span_row(&cell, INT64_C(46));
+    problem = span_row(&cell, INT64_C(66));
     phases = span_rows(&cell, INT64_C(0), INT64_C(33));
     count = segfmu_shortest_profile(problem, axis, phases, work);
-    (*cspan_at(&cell, INT64_C(47), INT64_C(3))) = span_max_int(count, INT64_C(0));
-    (*cspan_at(&cell, INT64_C(47), INT64_C(4))) = 0.0;
-    (*cspan_at(&cell, INT64_C(47), INT64_C(2))) = 0.0;
+    (*cspan_at(&cell, INT64_C(67), INT64_C(3))) = span_max_int(count, INT64_C(0));
+    (*cspan_at(&cell, INT64_C(67), INT64_C(4))) = 0.0;
+    (*cspan_at(&cell, INT64_C(67), INT64_C(2))) = 0.0;
     if (count < INT64_C(0))
     {
         (*result_0) = count;
@@ -12364,11 +12697,11 @@ static void set_stretched(double target, bool resting, array_double_2d cell, arr
     int64_t status;
     int64_t count;
     phases = span_rows(&cell, INT64_C(0), INT64_C(33));
-    shortest = (*cspan_at(&cell, INT64_C(47), INT64_C(0))) - (*cspan_at(&cell, INT64_C(47), INT64_C(7)));
+    shortest = (*cspan_at(&cell, INT64_C(67), INT64_C(0))) - (*cspan_at(&cell, INT64_C(68), INT64_C(2)));
     duration = 0.0;
-    if ((*cspan_at(&cell, INT64_C(47), INT64_C(4))) == 0.0)
+    if ((*cspan_at(&cell, INT64_C(67), INT64_C(4))) == 0.0)
     {
-        for (i = INT64_C(0); i < (int64_t)((*cspan_at(&cell, INT64_C(47), INT64_C(3)))); i += INT64_C(1))
+        for (i = INT64_C(0); i < (int64_t)((*cspan_at(&cell, INT64_C(67), INT64_C(3)))); i += INT64_C(1))
         {
             duration = duration + (*cspan_at(&phases, i, INT64_C(0)));
         }
@@ -12377,10 +12710,10 @@ static void set_stretched(double target, bool resting, array_double_2d cell, arr
     {
         set_shortest(&status, &duration, cell, axis, work);
     }
-    count = (int64_t)((*cspan_at(&cell, INT64_C(47), INT64_C(3))));
+    count = (int64_t)((*cspan_at(&cell, INT64_C(67), INT64_C(3))));
     if (resting && (count == INT64_C(0)))
     {
-        (*cspan_at(&cell, INT64_C(47), INT64_C(3))) = append_hold(phases, INT64_C(0), 0.0, target);
+        (*cspan_at(&cell, INT64_C(67), INT64_C(3))) = append_hold(phases, INT64_C(0), 0.0, target);
     }
     else if (resting)
     {
@@ -12393,13 +12726,13 @@ static bool set_duration(double target, array_double_2d cell, array_double_1d ax
     double shortest;
     bool resting;
     double weight;
-    delay = (*cspan_at(&cell, INT64_C(47), INT64_C(7)));
-    shortest = (*cspan_at(&cell, INT64_C(47), INT64_C(0)));
+    delay = (*cspan_at(&cell, INT64_C(68), INT64_C(2)));
+    shortest = (*cspan_at(&cell, INT64_C(67), INT64_C(0)));
     if (target < shortest * (1.0 - 1e-13))
     {
         return 0;
     }
-    resting = is_resting(span_row(&cell, INT64_C(46)), axis);
+    resting = is_resting(span_row(&cell, INT64_C(66)), axis);
     if (resting || (target <= shortest * (1.0 + 1e-13)))
     {
         set_stretched(target - delay, resting, cell, axis, work);
@@ -12410,9 +12743,9 @@ static bool set_duration(double target, array_double_2d cell, array_double_1d ax
     {
         return 0;
     }
-    (*cspan_at(&cell, INT64_C(47), INT64_C(2))) = weight;
-    (*cspan_at(&cell, INT64_C(47), INT64_C(3))) = (*cspan_at(&work, INT64_C(42), INT64_C(0)));
-    (*cspan_at(&cell, INT64_C(47), INT64_C(4))) = (*cspan_at(&work, INT64_C(42), INT64_C(2)));
+    (*cspan_at(&cell, INT64_C(67), INT64_C(2))) = weight;
+    (*cspan_at(&cell, INT64_C(67), INT64_C(3))) = (*cspan_at(&work, INT64_C(42), INT64_C(0)));
+    (*cspan_at(&cell, INT64_C(67), INT64_C(4))) = (*cspan_at(&work, INT64_C(42), INT64_C(2)));
     return 1;
 }
 static double first_feasible(double outside, double inside, array_double_2d cell, array_double_1d axis, array_double_2d work)
@@ -12448,16 +12781,16 @@ static double next_feasible(double start, array_double_2d cell, array_double_1d 
     double growth;
     double duration;
     after = start;
-    delay = (*cspan_at(&cell, INT64_C(47), INT64_C(7)));
+    delay = (*cspan_at(&cell, INT64_C(68), INT64_C(2)));
     for (sweep = INT64_C(0); sweep < INT64_C(8); sweep += INT64_C(1))
     {
-        count = gap_ends(after - delay, span_row(&cell, INT64_C(46)), axis, work);
+        count = gap_ends(after - delay, span_row(&cell, INT64_C(66)), axis, work);
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
             duration = delay + (*cspan_at(&work, INT64_C(26) + i, INT64_C(0))) * (1.0 + 1e-09);
             if (set_duration(duration, cell, axis, work))
             {
-                if ((*cspan_at(&axis, INT64_C(10))) > 0.5)
+                if ((*cspan_at(&axis, INT64_C(11))) > 0.5)
                 {
                     return duration;
                 }
@@ -12512,7 +12845,7 @@ static double common_duration(double start, double sample_time, int64_t first, i
     duration = start;
     for (i = first; i < last; i += INT64_C(1))
     {
-        duration = span_max(duration, (*cspan_at(&cells, i, INT64_C(47), INT64_C(0))));
+        duration = span_max(duration, (*cspan_at(&cells, i, INT64_C(67), INT64_C(0))));
     }
     duration = round_up(duration, sample_time);
     place = first;
@@ -12652,7 +12985,7 @@ static void transition_peaks(int64_t order, array_double_1d coefficients, array_
 void segfmu_axis_limits(int64_t smoothness, int64_t shape, array_double_1d limits, array_double_1d axis)
 {
     int64_t i;
-    for (i = INT64_C(0); i < INT64_C(43); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(45); i += INT64_C(1))
     {
         (*cspan_at(&axis, i)) = 0.0;
     }
@@ -12667,6 +13000,14 @@ static double usual_share(void)
 {
     return 0.1;
 }
+static double steeper_above(void)
+{
+    return 0.2;
+}
+static double moderate_share(void)
+{
+    return 0.02;
+}
 static double steepest_share(void)
 {
     return 0.004;
@@ -12680,9 +13021,12 @@ static bool plateau_parameters(double share, array_double_1d axis)
     double limit;
     double rise;
     double slope;
+    double time;
+    double variance;
+    double fourth;
     double jerk;
     boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1);
-    (*cspan_at(&axis, INT64_C(10))) = 1.0;
+    (*cspan_at(&axis, INT64_C(11))) = 1.0;
     last = -INT64_C(1);
     for (level = INT64_C(0); level < boxes; level += INT64_C(1))
     {
@@ -12695,12 +13039,16 @@ static bool plateau_parameters(double share, array_double_1d axis)
     {
         return 0;
     }
-    (*cspan_at(&axis, INT64_C(31))) = span_min_int(span_floor_div((last + INT64_C(1)), INT64_C(2)), INT64_C(2));
+    (*cspan_at(&axis, INT64_C(33))) = span_min_int(span_floor_div((last + INT64_C(1)), INT64_C(2)), INT64_C(2));
     for (level = INT64_C(0); level < boxes - INT64_C(1); level += INT64_C(1))
     {
         if ((level > INT64_C(0)) || (last == INT64_C(0)))
         {
-            (*cspan_at(&axis, INT64_C(20) + level)) = share;
+            (*cspan_at(&axis, INT64_C(21) + level)) = share;
+            if ((level + (*cspan_at(&axis, INT64_C(9))) == 2.0) && (last + (*cspan_at(&axis, INT64_C(9))) > 1.5))
+            {
+                (*cspan_at(&axis, INT64_C(21) + level)) = steeper_above() * share;
+            }
         }
     }
     for (i = INT64_C(0); i < last; i += INT64_C(1))
@@ -12712,19 +13060,33 @@ static bool plateau_parameters(double share, array_double_1d axis)
         {
             plateau_duration(&rise, &slope, limit, level + INT64_C(1), axis);
         }
-        (*cspan_at(&axis, INT64_C(15) + level)) = rise;
+        (*cspan_at(&axis, INT64_C(16) + level)) = rise;
     }
     if (last == INT64_C(1))
     {
-        (*cspan_at(&axis, INT64_C(14))) = 4.0 / ((*cspan_at(&axis, INT64_C(4) + INT64_C(1))) * (1.0 - (*cspan_at(&axis, INT64_C(20) + INT64_C(1)))));
+        (*cspan_at(&axis, INT64_C(15))) = 4.0 / ((*cspan_at(&axis, INT64_C(4) + INT64_C(1))) * (1.0 - (*cspan_at(&axis, INT64_C(21) + INT64_C(1)))));
+    }
+    if (last <= INT64_C(1))
+    {
+        time = 1.0;
+        if (last == INT64_C(1))
+        {
+            time = (*cspan_at(&axis, INT64_C(16)));
+        }
+        rise_moments(&variance, &fourth, time, INT64_C(0), axis);
+        (*cspan_at(&axis, INT64_C(31))) = variance / (time * time);
     }
     jerk = (*cspan_at(&axis, INT64_C(4)));
     if (jerk > 0.0)
     {
-        rise = (*cspan_at(&axis, INT64_C(15)));
-        (*cspan_at(&axis, INT64_C(11))) = jerk * rise;
-        (*cspan_at(&axis, INT64_C(12))) = 1.0 / (jerk * (1.0 - (*cspan_at(&axis, INT64_C(20)))));
-        (*cspan_at(&axis, INT64_C(13))) = rise;
+        rise = (*cspan_at(&axis, INT64_C(16)));
+        (*cspan_at(&axis, INT64_C(12))) = jerk * rise;
+        (*cspan_at(&axis, INT64_C(13))) = 1.0 / (jerk * (1.0 - (*cspan_at(&axis, INT64_C(21)))));
+        (*cspan_at(&axis, INT64_C(14))) = rise;
+        if (rise > 0.0)
+        {
+            rise_moments(cspan_at(&axis, INT64_C(32)), &fourth, rise, INT64_C(1), axis);
+        }
     }
     return 1;
 }
@@ -12740,30 +13102,30 @@ static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, arr
     k = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
     bounded = 0;
     transition_peaks(k, psi, peaks);
-    (*cspan_at(&axis, INT64_C(32))) = 2.0 * k + 2.0;
+    (*cspan_at(&axis, INT64_C(34))) = 2.0 * k + 2.0;
     for (j = INT64_C(0); j < INT64_C(2) * k + INT64_C(2); j += INT64_C(1))
     {
-        (*cspan_at(&axis, INT64_C(33) + j)) = (*cspan_at(&psi, j));
+        (*cspan_at(&axis, INT64_C(35) + j)) = (*cspan_at(&psi, j));
     }
-    (*cspan_at(&axis, INT64_C(30))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(3)));
+    (*cspan_at(&axis, INT64_C(31))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(3)));
     for (j = INT64_C(1); j < k + INT64_C(2); j += INT64_C(1))
     {
         limit = (*cspan_at(&axis, INT64_C(4) + j - INT64_C(1)));
         if (limit > 0.0)
         {
-            (*cspan_at(&axis, INT64_C(25) + j - INT64_C(1))) = (*cspan_at(&peaks, j)) / limit;
+            (*cspan_at(&axis, INT64_C(26) + j - INT64_C(1))) = (*cspan_at(&peaks, j)) / limit;
             bounded = 1;
         }
     }
-    slope = (*cspan_at(&axis, INT64_C(25)));
+    slope = (*cspan_at(&axis, INT64_C(26)));
     if (slope > 0.0)
     {
-        (*cspan_at(&axis, INT64_C(11))) = 0.0;
-        (*cspan_at(&axis, INT64_C(12))) = slope;
+        (*cspan_at(&axis, INT64_C(12))) = 0.0;
+        (*cspan_at(&axis, INT64_C(13))) = slope;
         for (e = INT64_C(2); e < k + INT64_C(2); e += INT64_C(1))
         {
-            change = pow(((*cspan_at(&axis, INT64_C(25) + e - INT64_C(1))) / pow(slope, (double)(e))), (1.0 / (e - INT64_C(1))));
-            (*cspan_at(&axis, INT64_C(11))) = span_max((*cspan_at(&axis, INT64_C(11))), change);
+            change = pow(((*cspan_at(&axis, INT64_C(26) + e - INT64_C(1))) / pow(slope, (double)(e))), (1.0 / (e - INT64_C(1))));
+            (*cspan_at(&axis, INT64_C(12))) = span_max((*cspan_at(&axis, INT64_C(12))), change);
         }
     }
     return bounded;
@@ -12774,11 +13136,11 @@ bool segfmu_ramp_parameters(double share, array_double_1d axis, array_double_2d 
     double duration;
     double slope;
     bool bounded;
-    for (i = INT64_C(9); i < INT64_C(43); i += INT64_C(1))
+    for (i = INT64_C(10); i < INT64_C(45); i += INT64_C(1))
     {
         (*cspan_at(&axis, i)) = 0.0;
     }
-    (*cspan_at(&axis, INT64_C(11))) = 1e+300;
+    (*cspan_at(&axis, INT64_C(12))) = 1e+300;
     bounded = 0;
     if ((int64_t)((*cspan_at(&axis, INT64_C(1)))) == INT64_C(1))
     {
@@ -12791,20 +13153,20 @@ bool segfmu_ramp_parameters(double share, array_double_1d axis, array_double_2d 
     if (bounded)
     {
         segfmu_ramp_duration(&duration, &slope, (*cspan_at(&axis, INT64_C(3))), axis);
-        (*cspan_at(&axis, INT64_C(9))) = duration;
+        (*cspan_at(&axis, INT64_C(10))) = duration;
     }
     return bounded;
 }
 static int64_t plan_with_share(int64_t axis, double share, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
     array_double_1d report;
-    double settled;
+    double missed;
     int64_t j;
     double time;
     int64_t status;
     report = span_row(&work, INT64_C(46));
     (*cspan_at(&report, INT64_C(0))) = axis;
-    settled = 1.0;
+    missed = 0.0;
     if (!segfmu_ramp_parameters(share, span_row(&axes, axis), work))
     {
         return -INT64_C(9);
@@ -12815,20 +13177,20 @@ static int64_t plan_with_share(int64_t axis, double share, array_double_2d axes,
         set_shortest(&status, &time, span_matrix(&cells, j), span_row(&axes, axis), work);
         if (status < INT64_C(0))
         {
-            (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&cells, j, INT64_C(46), INT64_C(1)));
+            (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&cells, j, INT64_C(66), INT64_C(1)));
             if (status == -INT64_C(2))
             {
-                (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&cells, j, INT64_C(46), INT64_C(3)));
+                (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&cells, j, INT64_C(66), INT64_C(3)));
             }
             (*cspan_at(&report, INT64_C(3))) = (*cspan_at(&axes, axis, INT64_C(2)));
             return status;
         }
-        settled = span_min(settled, (*cspan_at(&work, INT64_C(48), INT64_C(7))));
-        time = time + (*cspan_at(&cells, j, INT64_C(47), INT64_C(7)));
-        (*cspan_at(&cells, j, INT64_C(47), INT64_C(0))) = time;
-        (*cspan_at(&cells, j, INT64_C(47), INT64_C(1))) = time;
+        missed = span_max(missed, (*cspan_at(&work, INT64_C(45), INT64_C(17))));
+        time = time + (*cspan_at(&cells, j, INT64_C(68), INT64_C(2)));
+        (*cspan_at(&cells, j, INT64_C(67), INT64_C(0))) = time;
+        (*cspan_at(&cells, j, INT64_C(67), INT64_C(1))) = time;
     }
-    (*cspan_at(&work, INT64_C(48), INT64_C(7))) = settled;
+    (*cspan_at(&work, INT64_C(45), INT64_C(17))) = missed;
     return INT64_C(0);
 }
 static double axis_duration(int64_t axis, array_double_2d axes, array_double_3d cells)
@@ -12838,36 +13200,118 @@ static double axis_duration(int64_t axis, array_double_2d axes, array_double_3d 
     total = 0.0;
     for (j = axis; (axes.shape[INT64_C(0)] > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += axes.shape[INT64_C(0)])
     {
-        total = total + (*cspan_at(&cells, j, INT64_C(47), INT64_C(0)));
+        total = total + (*cspan_at(&cells, j, INT64_C(67), INT64_C(0)));
     }
     return total;
 }
-static int64_t plan_steeper(int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
+static void keep_shortest(int64_t axis, array_double_2d axes, array_double_3d cells)
 {
-    double usual;
-    int64_t status;
-    usual = axis_duration(axis, axes, cells);
-    status = plan_with_share(axis, 0.2 * usual_share(), axes, cells, work);
-    if ((status == INT64_C(0)) && (axis_duration(axis, axes, cells) < 0.94 * usual))
+    int64_t j;
+    array_double_2d cell;
+    int64_t count;
+    for (j = axis; (axes.shape[INT64_C(0)] > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += axes.shape[INT64_C(0)])
     {
-        return status;
+        cell = span_matrix(&cells, j);
+        count = (int64_t)((*cspan_at(&cell, INT64_C(67), INT64_C(3))));
+        copy_phases(span_rows(&cell, INT64_C(0), INT64_C(33)), span_rows(&cell, INT64_C(33), INT64_C(66)), count);
+        (*cspan_at(&cell, INT64_C(67), INT64_C(5))) = count;
     }
-    status = plan_with_share(axis, usual_share(), axes, cells, work);
-    return status;
+}
+static void restore_shortest(int64_t axis, array_double_2d axes, array_double_3d cells)
+{
+    int64_t j;
+    array_double_2d cell;
+    array_double_2d phases;
+    int64_t count;
+    double time;
+    for (j = axis; (axes.shape[INT64_C(0)] > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += axes.shape[INT64_C(0)])
+    {
+        cell = span_matrix(&cells, j);
+        phases = span_rows(&cell, INT64_C(0), INT64_C(33));
+        count = (int64_t)((*cspan_at(&cell, INT64_C(67), INT64_C(5))));
+        copy_phases(span_rows(&cell, INT64_C(33), INT64_C(66)), phases, count);
+        time = total_duration(phases, count) + (*cspan_at(&cell, INT64_C(68), INT64_C(2)));
+        (*cspan_at(&cell, INT64_C(67), INT64_C(3))) = count;
+        (*cspan_at(&cell, INT64_C(67), INT64_C(0))) = time;
+        (*cspan_at(&cell, INT64_C(67), INT64_C(1))) = time;
+    }
+}
+static double smoothness_share(double usual, double share, array_double_1d axis)
+{
+    double power;
+    power = 0.5;
+    if ((*cspan_at(&axis, INT64_C(21))) > 0.0)
+    {
+        power = 1.0 / 3.0;
+    }
+    return pow(((1.0 - usual) / (1.0 - share)), power) * (1.0 - 0.001);
+}
+static bool shorter_with(double share, double kept, double factor, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
+{
+    double longest;
+    int64_t status;
+    longest = factor * axis_duration(axis, axes, cells);
+    keep_shortest(axis, axes, cells);
+    status = plan_with_share(axis, share, axes, cells, work);
+    if ((status == INT64_C(0)) && (axis_duration(axis, axes, cells) < longest))
+    {
+        return 1;
+    }
+    segfmu_ramp_parameters(kept, span_row(&axes, axis), work);
+    restore_shortest(axis, axes, cells);
+    return 0;
+}
+static void plan_steeper(double missed, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
+{
+    double share;
+    bool snap_is_last;
+    double factor;
+    share = usual_share();
+    snap_is_last = ((*cspan_at(&axes, axis, INT64_C(21))) == 0.0) && ((*cspan_at(&axes, axis, INT64_C(16) + INT64_C(1))) == 0.0);
+    if (snap_is_last)
+    {
+        factor = smoothness_share(share, moderate_share(), span_row(&axes, axis));
+        if (shorter_with(moderate_share(), share, factor, axis, axes, cells, work))
+        {
+            share = moderate_share();
+        }
+        missed = span_min(missed, (*cspan_at(&work, INT64_C(45), INT64_C(17))));
+    }
+    if (missed > 1.5)
+    {
+        factor = smoothness_share(share, steepest_share(), span_row(&axes, axis));
+        shorter_with(steepest_share(), share, factor, axis, axes, cells, work);
+    }
+}
+static int64_t plan_refused(int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
+{
+    int64_t result;
+    if (plan_with_share(axis, moderate_share(), axes, cells, work) == INT64_C(0))
+    {
+        shorter_with(steepest_share(), moderate_share(), 1.0, axis, axes, cells, work);
+        return INT64_C(0);
+    }
+    result = plan_with_share(axis, steepest_share(), axes, cells, work);
+    return result;
 }
 static int64_t plan_axis(int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
+    double missed;
     int64_t status;
     status = plan_with_share(axis, usual_share(), axes, cells, work);
-    if ((status == -INT64_C(1)) || (status == -INT64_C(2)))
+    if ((*cspan_at(&axes, axis, INT64_C(11))) < 0.5)
     {
-        status = plan_with_share(axis, steepest_share(), axes, cells, work);
         return status;
     }
-    if ((status == INT64_C(0)) && ((*cspan_at(&work, INT64_C(48), INT64_C(7))) < 0.5))
+    if ((status == -INT64_C(1)) || (status == -INT64_C(2)))
     {
-        status = plan_steeper(axis, axes, cells, work);
+        status = plan_refused(axis, axes, cells, work);
         return status;
+    }
+    missed = (*cspan_at(&work, INT64_C(45), INT64_C(17)));
+    if ((status == INT64_C(0)) && (missed > 0.5))
+    {
+        plan_steeper(missed, axis, axes, cells, work);
     }
     return status;
 }
@@ -12918,10 +13362,10 @@ static int64_t time_left(double* result_0, double* result_1, int64_t* result_2, 
     count = INT64_C(0);
     for (j = first; (step > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += step)
     {
-        rest = rest - (*cspan_at(&cells, j, INT64_C(47), INT64_C(1)));
-        if ((*cspan_at(&cells, j, INT64_C(47), INT64_C(9))) > 0.5)
+        rest = rest - (*cspan_at(&cells, j, INT64_C(67), INT64_C(1)));
+        if ((*cspan_at(&cells, j, INT64_C(68), INT64_C(4))) > 0.5)
         {
-            base = base + (*cspan_at(&cells, j, INT64_C(47), INT64_C(1)));
+            base = base + (*cspan_at(&cells, j, INT64_C(67), INT64_C(1)));
             count = count + INT64_C(1);
         }
     }
@@ -12947,7 +13391,7 @@ static bool prolong_all(int64_t first, int64_t last, double target, array_double
     step = axes.shape[INT64_C(0)];
     for (j = first; (step > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += step)
     {
-        (*cspan_at(&cells, j, INT64_C(47), INT64_C(9))) = 1.0;
+        (*cspan_at(&cells, j, INT64_C(68), INT64_C(4))) = 1.0;
     }
     for (sweep = INT64_C(0); sweep < INT64_C(50); sweep += INT64_C(1))
     {
@@ -12969,21 +13413,21 @@ static bool prolong_all(int64_t first, int64_t last, double target, array_double
         }
         for (j = first; (step > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += step)
         {
-            if ((*cspan_at(&cells, j, INT64_C(47), INT64_C(9))) > 0.5)
+            if ((*cspan_at(&cells, j, INT64_C(68), INT64_C(4))) > 0.5)
             {
-                present = (*cspan_at(&cells, j, INT64_C(47), INT64_C(1)));
+                present = (*cspan_at(&cells, j, INT64_C(67), INT64_C(1)));
                 end = j + last - first;
                 reached = common_duration(present * factor + extra, 0.0, j, end, axes, cells, work);
                 if ((reached < 0.0) || (reached - present > rest * (1.0 + 1e-13)))
                 {
-                    (*cspan_at(&cells, j, INT64_C(47), INT64_C(9))) = 0.0;
+                    (*cspan_at(&cells, j, INT64_C(68), INT64_C(4))) = 0.0;
                 }
                 else
                 {
                     rest = rest - (reached - present);
                     for (i = j; i < end; i += INT64_C(1))
                     {
-                        (*cspan_at(&cells, i, INT64_C(47), INT64_C(1))) = reached;
+                        (*cspan_at(&cells, i, INT64_C(67), INT64_C(1))) = reached;
                     }
                 }
             }
@@ -13009,13 +13453,13 @@ static bool prolong_from(int64_t begin, double share, int64_t first, int64_t las
     {
         time_left(&rest, &base, &count, first, step, target, cells);
         j = first + span_floor_mod((begin - first + k * step), (intervals * step));
-        present = (*cspan_at(&cells, j, INT64_C(47), INT64_C(1)));
+        present = (*cspan_at(&cells, j, INT64_C(67), INT64_C(1)));
         reached = common_duration(present + share * rest, 0.0, j, j + last - first, axes, cells, work);
         if ((reached >= 0.0) && (reached - present <= rest * (1.0 + 1e-13)))
         {
             for (i = j; i < j + last - first; i += INT64_C(1))
             {
-                (*cspan_at(&cells, i, INT64_C(47), INT64_C(1))) = reached;
+                (*cspan_at(&cells, i, INT64_C(67), INT64_C(1))) = reached;
             }
         }
         share = 1.0;
@@ -13033,7 +13477,7 @@ static bool distribute(int64_t first, int64_t last, double target, array_double_
     step = axes.shape[INT64_C(0)];
     for (i = INT64_C(0); i < cells.shape[INT64_C(0)]; i += INT64_C(1))
     {
-        (*cspan_at(&cells, i, INT64_C(47), INT64_C(8))) = (*cspan_at(&cells, i, INT64_C(47), INT64_C(1)));
+        (*cspan_at(&cells, i, INT64_C(68), INT64_C(3))) = (*cspan_at(&cells, i, INT64_C(67), INT64_C(1)));
     }
     if (prolong_all(first, last, target, axes, cells, work))
     {
@@ -13045,7 +13489,7 @@ static bool distribute(int64_t first, int64_t last, double target, array_double_
         {
             for (i = INT64_C(0); i < cells.shape[INT64_C(0)]; i += INT64_C(1))
             {
-                (*cspan_at(&cells, i, INT64_C(47), INT64_C(1))) = (*cspan_at(&cells, i, INT64_C(47), INT64_C(8)));
+                (*cspan_at(&cells, i, INT64_C(67), INT64_C(1))) = (*cspan_at(&cells, i, INT64_C(68), INT64_C(3)));
             }
             share = 1.0 - 0.25 * quarters;
             if (prolong_from(j, share, first, last, target, axes, cells, work))
@@ -13065,7 +13509,7 @@ static bool rewrite_intervals(int64_t first, int64_t last, array_double_2d axes,
     {
         for (i = first; i < last; i += INT64_C(1))
         {
-            duration = (*cspan_at(&cells, j + i, INT64_C(47), INT64_C(1)));
+            duration = (*cspan_at(&cells, j + i, INT64_C(67), INT64_C(1)));
             if (!set_duration(duration, span_matrix(&cells, j + i), span_row(&axes, i), work))
             {
                 return 0;
@@ -13086,16 +13530,16 @@ static void set_problems(array_double_3d states, array_double_3d cells)
         for (i = INT64_C(0); i < axes; i += INT64_C(1))
         {
             cell = span_matrix(&cells, j * axes + i);
-            (*cspan_at(&cell, INT64_C(46), INT64_C(0))) = (*cspan_at(&states, j, i, INT64_C(1)));
-            (*cspan_at(&cell, INT64_C(46), INT64_C(1))) = (*cspan_at(&states, j, i, INT64_C(2)));
-            (*cspan_at(&cell, INT64_C(46), INT64_C(2))) = (*cspan_at(&states, j + INT64_C(1), i, INT64_C(1)));
-            (*cspan_at(&cell, INT64_C(46), INT64_C(3))) = (*cspan_at(&states, j + INT64_C(1), i, INT64_C(2)));
-            (*cspan_at(&cell, INT64_C(46), INT64_C(4))) = (*cspan_at(&states, j + INT64_C(1), i, INT64_C(0))) - (*cspan_at(&states, j, i, INT64_C(0)));
-            (*cspan_at(&cell, INT64_C(46), INT64_C(5))) = 0.0;
-            (*cspan_at(&cell, INT64_C(47), INT64_C(7))) = 0.0;
+            (*cspan_at(&cell, INT64_C(66), INT64_C(0))) = (*cspan_at(&states, j, i, INT64_C(1)));
+            (*cspan_at(&cell, INT64_C(66), INT64_C(1))) = (*cspan_at(&states, j, i, INT64_C(2)));
+            (*cspan_at(&cell, INT64_C(66), INT64_C(2))) = (*cspan_at(&states, j + INT64_C(1), i, INT64_C(1)));
+            (*cspan_at(&cell, INT64_C(66), INT64_C(3))) = (*cspan_at(&states, j + INT64_C(1), i, INT64_C(2)));
+            (*cspan_at(&cell, INT64_C(66), INT64_C(4))) = (*cspan_at(&states, j + INT64_C(1), i, INT64_C(0))) - (*cspan_at(&states, j, i, INT64_C(0)));
+            (*cspan_at(&cell, INT64_C(66), INT64_C(5))) = 0.0;
+            (*cspan_at(&cell, INT64_C(68), INT64_C(2))) = 0.0;
             if ((j == INT64_C(0)) && (states.shape[INT64_C(2)] > INT64_C(3)))
             {
-                (*cspan_at(&cell, INT64_C(47), INT64_C(7))) = (*cspan_at(&states, j, i, INT64_C(3)));
+                (*cspan_at(&cell, INT64_C(68), INT64_C(2))) = (*cspan_at(&states, j, i, INT64_C(3)));
             }
         }
     }
@@ -13126,10 +13570,10 @@ static double meet_intervals(int64_t first, int64_t last, array_double_1d option
             }
             for (i = j; i < end; i += INT64_C(1))
             {
-                (*cspan_at(&cells, i, INT64_C(47), INT64_C(1))) = time;
+                (*cspan_at(&cells, i, INT64_C(67), INT64_C(1))) = time;
             }
         }
-        total = total + (*cspan_at(&cells, j, INT64_C(47), INT64_C(1)));
+        total = total + (*cspan_at(&cells, j, INT64_C(67), INT64_C(1)));
     }
     return total;
 }
@@ -15193,12 +15637,13 @@ static void set_chains(double steep, array_double_1d axis, array_double_1d limit
     for (order = INT64_C(0); order < smoothness - INT64_C(1); order += INT64_C(1))
     {
         chain = span_row(&chains, order);
-        for (i = INT64_C(0); i < INT64_C(43); i += INT64_C(1))
+        for (i = INT64_C(0); i < INT64_C(45); i += INT64_C(1))
         {
             (*cspan_at(&chain, i)) = 0.0;
         }
         (*cspan_at(&chain, INT64_C(0))) = smoothness - order;
         (*cspan_at(&chain, INT64_C(1))) = INT64_C(1);
+        (*cspan_at(&chain, INT64_C(9))) = order;
         for (i = INT64_C(0); i < smoothness - order + INT64_C(1); i += INT64_C(1))
         {
             (*cspan_at(&chain, INT64_C(2) + i)) = (*cspan_at(&axis, INT64_C(2) + order + i));
@@ -15370,7 +15815,7 @@ int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, array_double
     psi = span_row(&work, INT64_C(0));
     state = span_row(&work, INT64_C(1));
     order = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
-    plateau = (*cspan_at(&axis, INT64_C(10))) > 0.5;
+    plateau = (*cspan_at(&axis, INT64_C(11))) > 0.5;
     if (!plateau)
     {
         transition_coefficients(order, psi);
@@ -15437,7 +15882,7 @@ static int64_t stage_phases(int64_t order, double end, bool free, array_double_2
     (*cspan_at(&problem, INT64_C(2))) = 0.0;
     (*cspan_at(&problem, INT64_C(3))) = 0.0;
     (*cspan_at(&problem, INT64_C(4))) = end - (*cspan_at(&state, order));
-    result = segfmu_shortest_profile(problem, chain, phases, span_rows(&lead, INT64_C(51), INT64_C(174)));
+    result = segfmu_shortest_profile(problem, chain, phases, span_rows(&lead, INT64_C(51), INT64_C(198)));
     return result;
 }
 static int64_t run_stage(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -15465,7 +15910,7 @@ static int64_t run_stage(int64_t order, int64_t row, array_double_2d lead, array
     {
         return -INT64_C(1);
     }
-    expansion = span_rows(&lead, INT64_C(174), INT64_C(176));
+    expansion = span_rows(&lead, INT64_C(198), INT64_C(200));
     now = span_row(&expansion, INT64_C(1));
     (*cspan_at(&now, INT64_C(0))) = (*cspan_at(&state, seen));
     (*cspan_at(&now, INT64_C(1))) = (*cspan_at(&state, seen + INT64_C(1)));
@@ -15536,7 +15981,7 @@ static double profile_time(array_double_2d lead)
     (*cspan_at(&problem, INT64_C(2))) = (*cspan_at(&target, INT64_C(2)));
     (*cspan_at(&problem, INT64_C(3))) = (*cspan_at(&target, INT64_C(3)));
     (*cspan_at(&problem, INT64_C(4))) = (*cspan_at(&target, INT64_C(4))) - (*cspan_at(&state, INT64_C(0)));
-    count = segfmu_shortest_profile(problem, axis, phases, span_rows(&lead, INT64_C(51), INT64_C(174)));
+    count = segfmu_shortest_profile(problem, axis, phases, span_rows(&lead, INT64_C(51), INT64_C(198)));
     if (count < INT64_C(0))
     {
         return -1.0;
@@ -15618,7 +16063,7 @@ static bool try_lead(int64_t order, int64_t row, array_double_1d limits, array_d
     {
         return 0;
     }
-    check = span_rows(&lead, INT64_C(176), INT64_C(220));
+    check = span_rows(&lead, INT64_C(200), INT64_C(244));
     if (last > first)
     {
         if (!begins_now(lead, coefficients))
@@ -16121,29 +16566,33 @@ void segfmu_anchor_plan(array_double_2d ends, array_double_2d timing, array_doub
     int64_t width;
     int64_t axis;
     int64_t last;
+    int64_t i;
+    int64_t row;
     double length;
-    double end;
     int64_t order;
     double wanted;
     double missed;
-    int64_t row;
     width = coefficients.shape[INT64_C(1)];
     for (axis = INT64_C(0); axis < offsets.shape[INT64_C(0)] - INT64_C(1); axis += INT64_C(1))
     {
         last = (*cspan_at(&offsets, axis + INT64_C(1))) - INT64_C(1);
-        length = (*cspan_at(&timing, last, INT64_C(1)));
-        end = (*cspan_at(&timing, last, INT64_C(0))) + length;
-        for (order = INT64_C(0); order < span_floor_div(width, INT64_C(2)) + INT64_C(1); order += INT64_C(1))
+        for (i = INT64_C(0); i < (*cspan_at(&offsets, axis + INT64_C(1))) - (*cspan_at(&offsets, axis)); i += INT64_C(1))
         {
-            wanted = 0.0;
-            if (order < ends.shape[INT64_C(1)])
+            row = last - i;
+            length = (*cspan_at(&timing, row, INT64_C(1)));
+            for (order = INT64_C(0); order < span_floor_div(width, INT64_C(2)) + INT64_C(1); order += INT64_C(1))
             {
-                wanted = (*cspan_at(&ends, axis, order));
-            }
-            missed = wanted - evaluate_piece(coefficients, last, width, length, order);
-            for (row = (*cspan_at(&offsets, axis)); row < (*cspan_at(&offsets, axis + INT64_C(1))); row += INT64_C(1))
-            {
-                add_power(missed, order, end - (*cspan_at(&timing, row, INT64_C(0))), coefficients, row);
+                wanted = 0.0;
+                if (i > INT64_C(0))
+                {
+                    wanted = evaluate_piece(coefficients, row + INT64_C(1), width, 0.0, order);
+                }
+                else if (order < ends.shape[INT64_C(1)])
+                {
+                    wanted = (*cspan_at(&ends, axis, order));
+                }
+                missed = wanted - evaluate_piece(coefficients, row, width, length, order);
+                add_power(missed, order, length, coefficients, row);
             }
         }
     }
@@ -16181,8 +16630,8 @@ int64_t segfmu_count_pieces(array_double_2d axes, array_double_3d cells)
     each = segfmu_ramp_pieces(span_row(&axes, INT64_C(0)));
     for (i = INT64_C(0); i < cells.shape[INT64_C(0)]; i += INT64_C(1))
     {
-        phases = (*cspan_at(&cells, i, INT64_C(47), INT64_C(3)));
-        phases = phases + (*cspan_at(&cells, i, INT64_C(47), INT64_C(4)));
+        phases = (*cspan_at(&cells, i, INT64_C(67), INT64_C(3)));
+        phases = phases + (*cspan_at(&cells, i, INT64_C(67), INT64_C(4)));
         total = total + each * (int64_t)(phases);
     }
     return total;
@@ -16253,18 +16702,18 @@ static int64_t expand_profile(array_double_2d cell, bool second, array_double_1d
     int64_t count;
     int64_t result;
     state = span_row(&work, INT64_C(1));
-    (*cspan_at(&state, INT64_C(0))) = (*cspan_at(&cell, INT64_C(47), INT64_C(5)));
-    (*cspan_at(&state, INT64_C(1))) = (*cspan_at(&cell, INT64_C(46), INT64_C(0)));
-    (*cspan_at(&state, INT64_C(2))) = (*cspan_at(&cell, INT64_C(46), INT64_C(1)));
+    (*cspan_at(&state, INT64_C(0))) = (*cspan_at(&cell, INT64_C(68), INT64_C(0)));
+    (*cspan_at(&state, INT64_C(1))) = (*cspan_at(&cell, INT64_C(66), INT64_C(0)));
+    (*cspan_at(&state, INT64_C(2))) = (*cspan_at(&cell, INT64_C(66), INT64_C(1)));
     (*cspan_at(&state, INT64_C(3))) = 0.0;
-    (*cspan_at(&state, INT64_C(8))) = (*cspan_at(&cell, INT64_C(47), INT64_C(6)));
+    (*cspan_at(&state, INT64_C(8))) = (*cspan_at(&cell, INT64_C(68), INT64_C(1)));
     if (second)
     {
-        count = (int64_t)((*cspan_at(&cell, INT64_C(47), INT64_C(4))));
-        result = segfmu_expand_phases(span_rows(&cell, INT64_C(33), INT64_C(46)), count, axis, timing, coefficients, row, work);
+        count = (int64_t)((*cspan_at(&cell, INT64_C(67), INT64_C(4))));
+        result = segfmu_expand_phases(span_rows(&cell, INT64_C(33), INT64_C(66)), count, axis, timing, coefficients, row, work);
         return result;
     }
-    count = (int64_t)((*cspan_at(&cell, INT64_C(47), INT64_C(3))));
+    count = (int64_t)((*cspan_at(&cell, INT64_C(67), INT64_C(3))));
     result = segfmu_expand_phases(span_rows(&cell, INT64_C(0), INT64_C(33)), count, axis, timing, coefficients, row, work);
     return result;
 }
@@ -16276,7 +16725,7 @@ static int64_t expand_cell(array_double_2d cell, array_double_1d axis, array_dou
     int64_t last;
     double now;
     int64_t result;
-    weight = (*cspan_at(&cell, INT64_C(47), INT64_C(2)));
+    weight = (*cspan_at(&cell, INT64_C(67), INT64_C(2)));
     if ((weight <= 0.0) || (weight >= 1.0))
     {
         result = expand_profile(cell, weight >= 1.0, axis, timing, coefficients, row, work);
@@ -16285,7 +16734,7 @@ static int64_t expand_cell(array_double_2d cell, array_double_1d axis, array_dou
     spare = timing.shape[INT64_C(0)] - INT64_C(810);
     middle = expand_profile(cell, 0, axis, timing, coefficients, spare, work);
     last = expand_profile(cell, 1, axis, timing, coefficients, middle, work);
-    now = (*cspan_at(&cell, INT64_C(47), INT64_C(6)));
+    now = (*cspan_at(&cell, INT64_C(68), INT64_C(1)));
     result = merge_pieces(weight, now, middle, last, timing, coefficients, row);
     return result;
 }
@@ -16324,10 +16773,10 @@ int64_t segfmu_expand_plan(array_double_3d states, array_double_1d dwells, array
             if (j < points - INT64_C(1))
             {
                 cell = span_matrix(&cells, j * count + axis);
-                (*cspan_at(&cell, INT64_C(47), INT64_C(5))) = (*cspan_at(&states, j, axis, INT64_C(0)));
-                (*cspan_at(&cell, INT64_C(47), INT64_C(6))) = now + (*cspan_at(&cell, INT64_C(47), INT64_C(7)));
+                (*cspan_at(&cell, INT64_C(68), INT64_C(0))) = (*cspan_at(&states, j, axis, INT64_C(0)));
+                (*cspan_at(&cell, INT64_C(68), INT64_C(1))) = now + (*cspan_at(&cell, INT64_C(68), INT64_C(2)));
                 row = expand_cell(cell, span_row(&axes, axis), timing, coefficients, row, work);
-                now = now + (*cspan_at(&cell, INT64_C(47), INT64_C(1)));
+                now = now + (*cspan_at(&cell, INT64_C(67), INT64_C(1)));
             }
         }
         (*cspan_at(&times, points, axis)) = now;
@@ -16342,8 +16791,8 @@ int64_t segfmu_expand_motion(array_double_3d states, array_double_1d dwells, arr
     {
         return INT64_C(1);
     }
-    segfmu_expand_plan(states, dwells, axes, cells, timing, coefficients, offsets, times, span_rows(&work, INT64_C(125), INT64_C(127)));
-    wrong = segfmu_check_plan(states, times, timing, coefficients, offsets, limits, (*cspan_at(&work, INT64_C(1), INT64_C(0))), span_rows(&work, INT64_C(127), INT64_C(171)));
+    segfmu_expand_plan(states, dwells, axes, cells, timing, coefficients, offsets, times, span_rows(&work, INT64_C(149), INT64_C(151)));
+    wrong = segfmu_check_plan(states, times, timing, coefficients, offsets, limits, (*cspan_at(&work, INT64_C(1), INT64_C(0))), span_rows(&work, INT64_C(151), INT64_C(195)));
     if (wrong > INT64_C(0))
     {
         return -INT64_C(12);
@@ -16354,7 +16803,7 @@ int64_t segfmu_plan_motion(array_double_3d states, array_double_1d dwells, array
 {
     array_double_2d planner;
     int64_t status;
-    planner = span_rows(&work, INT64_C(2), INT64_C(125));
+    planner = span_rows(&work, INT64_C(2), INT64_C(149));
     status = segfmu_check_problem(states, limits, span_row(&planner, INT64_C(46)));
     if (status == INT64_C(0))
     {

@@ -7,6 +7,13 @@
 
 #include <stdint.h>
 
+/* Short functions that GNU C would call. */
+#ifdef __GNUC__
+#define SPAN_INLINE inline __attribute__((always_inline))
+#else
+#define SPAN_INLINE
+#endif
+
 enum { MOST_DIMENSIONS = 3 };
 
 typedef struct { double *data; int64_t shape[1]; } array_double_1d;

@@ -111,8 +111,8 @@ def gentle_errors(problem: 'float[:]', axis: 'float[:]', gentle: 'float[:]') -> 
     return abs(gentle[Gentle.GAIN]) + abs(gentle[Gentle.EXCESS])
 
 
-def gentle_step(problem: 'float[:]', axis: 'float[:]', gentle: 'float[:]') -> bool:
-    """Set Newton's step of the levels, from differences; False if there is none."""
+def gentle_slopes(problem: 'float[:]', axis: 'float[:]', gentle: 'float[:]') -> bool:
+    """Set the derivatives of both errors with the levels, from differences; False: all are zero."""
     gain = gentle[Gentle.GAIN]
     excess = gentle[Gentle.EXCESS]
     change = 1e-7 * max(abs(gentle[Gentle.LEVELS]), abs(gentle[Gentle.LEVELS + 1]))
@@ -127,6 +127,13 @@ def gentle_step(problem: 'float[:]', axis: 'float[:]', gentle: 'float[:]') -> bo
         gentle[Gentle.EXCESS_SLOPES + i] = (gentle[Gentle.EXCESS] - excess) / change
     gentle[Gentle.GAIN] = gain
     gentle[Gentle.EXCESS] = excess
+    return True
+
+
+def gentle_step(gentle: 'float[:]') -> bool:
+    """Set Newton's step of the levels; False if there is none."""
+    gain = gentle[Gentle.GAIN]
+    excess = gentle[Gentle.EXCESS]
     g1 = gentle[Gentle.GAIN_SLOPES]
     g2 = gentle[Gentle.GAIN_SLOPES + 1]
     e1 = gentle[Gentle.EXCESS_SLOPES]
@@ -169,8 +176,12 @@ def solve_gentle(
         spread_levels(attempt, gentle)
     error = gentle_errors(problem, axis, gentle)
     speed = axis[Axis.VELOCITY]
-    for i in range(12):
-        if not gentle_step(problem, axis, gentle):
+    # close to the root the derivatives of the step before do as well
+    close = 1e-4 * speed
+    for i in range(16):
+        if (i == 0 or error > close) and not gentle_slopes(problem, axis, gentle):
+            return False
+        if not gentle_step(gentle):
             return False
         share = 1.0
         reached = error
@@ -186,7 +197,7 @@ def solve_gentle(
             error = gentle_errors(problem, axis, gentle)
             break
         error = reached
-        if error <= 1e-16 * speed:
+        if error <= 2e-15 * speed:
             break
     return error <= 1e-13 * speed
 

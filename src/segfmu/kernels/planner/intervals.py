@@ -10,7 +10,7 @@ from math import ceil
 from segfmu.kernels.planner.gaps import gap_ends
 from segfmu.kernels.planner.phases import append_hold, is_resting, total_duration
 from segfmu.kernels.planner.profile import shortest_profile
-from segfmu.kernels.planner.records import Axis, Cell, Interval, Nearest, Phase, PlanWork
+from segfmu.kernels.planner.records import Axis, Cell, Interval, Nearest, Phase, Place, PlanWork
 from segfmu.kernels.planner.synchronize import stretch_phases, timed_profile
 
 
@@ -34,7 +34,7 @@ def set_stretched(
 ) -> None:
     """Write the shortest profile, stretched from rest to rest to the target duration [s]."""
     phases = cell[Cell.BELOW:Cell.ABOVE, :]
-    shortest = cell[Cell.RESULT, Interval.SHORTEST] - cell[Cell.RESULT, Interval.DELAY]
+    shortest = cell[Cell.RESULT, Interval.SHORTEST] - cell[Cell.PLACE, Place.DELAY]
     # the shortest profile may still be stored, from the first step of planning
     duration = 0.0
     if cell[Cell.RESULT, Interval.ABOVE_COUNT] == 0.0:
@@ -53,7 +53,7 @@ def set_duration(
     target: float, cell: 'float[:,:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> bool:
     """Write a profile of the given duration [s], delay included; False if that is not feasible."""
-    delay = cell[Cell.RESULT, Interval.DELAY]
+    delay = cell[Cell.PLACE, Place.DELAY]
     shortest = cell[Cell.RESULT, Interval.SHORTEST]
     if target < shortest * (1.0 - 1e-13):
         return False
@@ -80,7 +80,7 @@ def next_feasible(
     is feasible too.
     """
     after = start
-    delay = cell[Cell.RESULT, Interval.DELAY]
+    delay = cell[Cell.PLACE, Place.DELAY]
     for sweep in range(8):
         count = gap_ends(after - delay, cell[Cell.PROBLEM, :], axis, work)
         for i in range(count):

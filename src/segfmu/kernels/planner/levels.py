@@ -91,9 +91,10 @@ def root_level(
         following = 0.5 * (lower + upper)
         if rate > 0.0:
             newton = t - error / rate
-            # at the root the step may round to zero, outside the open bracket
-            if abs(newton - t) <= 4e-16 * t:
-                return t, level
+            # the error of the next step is the square of this one
+            if abs(newton - t) <= 1e-9 * t:
+                change, growth = ramp_change(newton, axis)
+                return newton, a + change
             reached = first + second
             # far from the root, Newton's method on logarithms, as the gain is nearly a power
             far = reached > 0.0 and gain > 0.0 and (reached > 2.0 * gain or gain > 2.0 * reached)

@@ -296,6 +296,7 @@ def arc_root(
 
 
 def loop_form(
+    arcs: int,
     count: int,
     longest: float,
     phases: 'float[:,:]',
@@ -303,16 +304,16 @@ def loop_form(
     axis: 'float[:]',
     work: 'float[:,:]',
 ) -> int:
-    """Replace a profile by the shortest one of all arcs, if that is shorter.
+    """Replace a profile by the shortest one of the first arcs (LoopArc), if that is shorter.
 
-    count: number of its phases, 0 if there is none; longest: its duration, or the longest one that
-    is looked for [s]. Returns the new number.
+    arcs: their number; count: phases of the profile, 0 if there is none; longest: its duration, or
+    the longest one that is looked for [s]. Returns the new number of phases.
     """
     family = work[PlanWork.FAMILY, :]
     trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
     missing = set_loop(problem, axis, family)
     given = longest
-    for arc in range(7):
+    for arc in range(arcs):
         if arc == LoopArc.FOLD and longest < given:
             break
         sample = 0
@@ -345,38 +346,3 @@ def timed_loop(
             if sample >= 0:
                 used = write_member(work[PlanWork.TRIAL:PlanWork.BEST, :], family, axis)
                 keep_nearest(used, problem, axis, cell, work)
-
-
-def early_window(duration: float, problem: 'float[:]', axis: 'float[:]') -> float:
-    """The longest duration [s] of profiles whose acceleration keeps its sign; 0 if there are none.
-
-    Only those can take less time than the shortest profile of the other forms, whose duration is
-    given: any other one can be prolonged where its acceleration is zero.
-    """
-    v = problem[Problem.V]
-    a = problem[Problem.A]
-    w = problem[Problem.W]
-    b = problem[Problem.B]
-    distance = problem[Problem.DISTANCE]
-    gain = w - v
-    if a + b < 0.0:
-        gain = -gain
-    if a * b < 0.0 or a + b == 0.0 or axis[Axis.SMOOTHNESS] < 3.0:
-        return 0.0
-    single, slope = ramp_duration(abs(b - a), axis)
-    if gain < 0.5 * abs(a + b) * single * (1.0 - 1e-12):
-        return 0.0
-    least = max(single, gain / axis[Axis.ACCELERATION])
-    # the mean velocity is one between v and w
-    fastest = max(v, w)
-    slowest = min(v, w)
-    if distance < 0.0:
-        fastest = -min(v, w)
-        slowest = -max(v, w)
-        distance = -distance
-    most = duration
-    if slowest * most > distance:
-        most = distance / slowest
-    if fastest * most < distance or most < least:
-        return 0.0
-    return min(most * (1.0 + 1e-9), duration)

@@ -4,7 +4,12 @@ from math import sqrt
 
 from segfmu.kernels.numerics.matrices import matrix_solve
 from segfmu.kernels.planner.records import Equations, Node, Passing, PlanWork
-from segfmu.kernels.planner.sequence import run_sequence
+from segfmu.kernels.planner.sequence import (
+    first_row,
+    follow_change,
+    follow_node,
+    run_sequence,
+)
 
 
 def residual_norm(count: int, residual: 'float[:]') -> float:
@@ -15,38 +20,71 @@ def residual_norm(count: int, residual: 'float[:]') -> float:
     return sqrt(total)
 
 
-def perturbed_column(
+def pace_column(
+    count: int, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
+) -> None:
+    """Write the derivatives of all residuals with the pace, the last unknown."""
+    passing = work[PlanWork.PASSING, :]
+    nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
+    residual = work[PlanWork.RESIDUAL, :]
+    change = 1e-7
+    passing[Passing.PACE] = passing[Passing.PACE] + change
+    run_sequence(problem, passing, axis, nodes, residual)
+    passing[Passing.PACE] = passing[Passing.PACE] - change
+    for i in range(count):
+        slope = (residual[Equations.VALUES + i] + work[PlanWork.STEP + i, 0]) / change
+        work[PlanWork.MATRIX + i, count - 1] = slope
+    # the states are those of the present pace again
+    run_sequence(problem, passing, axis, nodes, residual)
+
+
+def time_column(
     column: int, count: int, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> None:
-    """Write the derivatives of all residuals with one unknown: a node's time, or last the pace.
+    """Write the derivatives of all residuals with the time of a node.
 
-    A change of a time changes the sequence from its node on; the residuals are in the rows STEP.
+    It changes the ramps to the node and from there; what follows is linear in the state after them.
     """
     passing = work[PlanWork.PASSING, :]
     nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
     residual = work[PlanWork.RESIDUAL, :]
+    slopes = work[PlanWork.SLOPES, :]
+    before = work[PlanWork.BEFORE:PlanWork.CHANGE, :]
+    moved = work[PlanWork.CHANGE, :]
+    q = int(passing[Passing.ABOVE]) + 2
+    following = column + 2
+    base = work[PlanWork.BEFORE + 2, :]
+    spent = 0.0
+    for j in range(3):
+        for i in range(Node.SIZE):
+            before[j, i] = nodes[column + j, i]
+    for j in range(2):
+        spent = spent - nodes[column + j, Node.RAMP] - nodes[column + j, Node.HOLD]
+    change = 1e-7 * (abs(nodes[column, Node.TIME]) + 1e-3 * passing[Passing.TIME])
+    nodes[column, Node.TIME] = nodes[column, Node.TIME] + change
+    row = first_row(column, passing, nodes)
+    begin = row
+    row = follow_node(column, row, problem, passing, axis, nodes, residual)
+    row = follow_node(column + 1, row, problem, passing, axis, nodes, residual)
     for i in range(count):
-        residual[Equations.VALUES + i] = -work[PlanWork.STEP + i, 0]
-    if column == int(passing[Passing.COUNT]):
-        kept = passing[Passing.PACE]
-        change = 1e-7
-        passing[Passing.PACE] = kept + change
-        run_sequence(0, problem, passing, axis, nodes, residual)
-        passing[Passing.PACE] = kept
-    else:
-        kept = nodes[column, Node.TIME]
-        change = 1e-7 * (abs(kept) + 1e-3 * passing[Passing.TIME])
-        nodes[column, Node.TIME] = kept + change
-        run_sequence(column, problem, passing, axis, nodes, residual)
-        nodes[column, Node.TIME] = kept
-    largest = 0.0
+        slopes[Equations.VALUES + i] = 0.0
+    for i in range(begin, row):
+        slope = residual[Equations.VALUES + i] + work[PlanWork.STEP + i, 0]
+        slopes[Equations.VALUES + i] = slope / change
+    for j in range(2):
+        spent = spent + nodes[column + j, Node.RAMP] + nodes[column + j, Node.HOLD]
+    if passing[Passing.TARGET] > 0.0:
+        slopes[Equations.VALUES + count - 1] = spent / (change * passing[Passing.TIME])
+    if following <= int(passing[Passing.COUNT]):
+        for k in range(q):
+            difference = nodes[following, Node.STATE + k] - base[Node.STATE + k]
+            moved[Node.STATE + k] = difference / change
+        follow_change(following, row, passing, axis, nodes, moved, slopes)
+    for j in range(3):
+        for i in range(Node.SIZE):
+            nodes[column + j, i] = before[j, i]
     for i in range(count):
-        slope = (residual[Equations.VALUES + i] + work[PlanWork.STEP + i, 0]) / change
-        work[PlanWork.MATRIX + i, column] = slope
-        largest = max(largest, abs(slope))
-    # far from singular to rounding errors; the step changes by as little
-    diagonal = work[PlanWork.MATRIX + column, column]
-    work[PlanWork.MATRIX + column, column] = diagonal + 1e-12 * max(largest, 1e-300)
+        work[PlanWork.MATRIX + i, column] = slopes[Equations.VALUES + i]
 
 
 def newton_step(
@@ -54,19 +92,25 @@ def newton_step(
 ) -> None:
     """Write the step of all unknowns to the rows STEP of `work`; derivatives are differences."""
     passing = work[PlanWork.PASSING, :]
-    nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
     residual = work[PlanWork.RESIDUAL, :]
     for i in range(count):
         work[PlanWork.STEP + i, 0] = -residual[Equations.VALUES + i]
     if passing[Passing.TARGET] > 0.0:
-        perturbed_column(count - 1, count, problem, axis, work)
-        # the states before each node are those of the present pace again
-        run_sequence(0, problem, passing, axis, nodes, residual)
+        pace_column(count, problem, axis, work)
     for j in range(int(passing[Passing.COUNT])):
-        # from the last node on, so that the states before the others are those of the sequence
-        perturbed_column(int(passing[Passing.COUNT]) - 1 - j, count, problem, axis, work)
+        time_column(j, count, problem, axis, work)
+    for j in range(count):
+        largest = 0.0
+        for i in range(count):
+            largest = max(largest, abs(work[PlanWork.MATRIX + i, j]))
+        # far from singular to rounding errors; the step changes by as little, mirrored or not
+        added = 1e-12 * max(largest, 1e-300)
+        diagonal = work[PlanWork.MATRIX + j, j]
+        if diagonal < 0.0:
+            added = -added
+        work[PlanWork.MATRIX + j, j] = diagonal + added
     matrix = work[PlanWork.MATRIX:PlanWork.STEP, :]
-    matrix_solve(count, 1, matrix, work[PlanWork.STEP:PlanWork.SIZE, :])
+    matrix_solve(count, 1, matrix, work[PlanWork.STEP:PlanWork.SLOPES, :])
 
 
 def longest_step(work: 'float[:,:]') -> float:
@@ -118,7 +162,7 @@ def solve_sequence(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') ->
     count = int(passing[Passing.COUNT])
     if passing[Passing.TARGET] > 0.0:
         count = count + 1
-    run_sequence(0, problem, passing, axis, nodes, residual)
+    run_sequence(problem, passing, axis, nodes, residual)
     error = residual_norm(count, residual)
     for i in range(30):
         newton_step(count, problem, axis, work)
@@ -129,7 +173,7 @@ def solve_sequence(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') ->
             if share == 0.0 or (j > 0 and error <= 1e-11):
                 break
             take_step(share, work)
-            run_sequence(0, problem, passing, axis, nodes, residual)
+            run_sequence(problem, passing, axis, nodes, residual)
             reached = residual_norm(count, residual)
             if reached < error * (1.0 - 1e-4 * share):
                 break
@@ -137,7 +181,7 @@ def solve_sequence(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') ->
             share = 0.5 * share
         if not reached < error * (1.0 - 1e-4 * share):
             # the states are those of a step that was taken back
-            run_sequence(0, problem, passing, axis, nodes, residual)
+            run_sequence(problem, passing, axis, nodes, residual)
             break
         error = reached
     return error <= 1e-12

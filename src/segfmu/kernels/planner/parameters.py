@@ -19,7 +19,7 @@ A rise that no limit determines takes a share of the rise it belongs to. From th
 least share holds also beside a limit, so that a loose limit changes nothing.
 """
 
-from segfmu.kernels.planner.ramp import plateau_duration, ramp_duration
+from segfmu.kernels.planner.ramp import plateau_duration, ramp_duration, rise_moments
 from segfmu.kernels.planner.records import Axis, Shape
 from segfmu.kernels.planner.transition import transition_peaks
 
@@ -46,8 +46,21 @@ def usual_share() -> float:
     return 0.1
 
 
+def steeper_above() -> float:
+    """Share of the rise of the pop over `usual_share`, beside a limit of the crackle.
+
+    That bounds the errors of forces that are held.
+    """
+    return 0.2
+
+
+def moderate_share() -> float:
+    """Share where the limits leave no room for the usual rises, at first."""
+    return 0.02
+
+
 def steepest_share() -> float:
-    """`usual_share` where braking within the velocity limit fails by little."""
+    """Share where they leave no room for moderate rises."""
     return 0.004
 
 
@@ -111,6 +124,8 @@ def plateau_parameters(share: float, axis: 'float[:]') -> bool:
     for level in range(boxes - 1):
         if level > 0 or last == 0:
             axis[Axis.SHARES + level] = share
+            if level + axis[Axis.RAISED] == 2.0 and last + axis[Axis.RAISED] > 1.5:
+                axis[Axis.SHARES + level] = steeper_above() * share
     for i in range(last):
         level = last - 1 - i
         limit = axis[Axis.JERK + level]
@@ -122,10 +137,19 @@ def plateau_parameters(share: float, axis: 'float[:]') -> bool:
     if last == 1:
         # the snap alone determines a small ramp
         axis[Axis.SQUARE] = 4.0 / (axis[Axis.JERK + 1] * (1.0 - axis[Axis.SHARES + 1]))
+    if last <= 1:
+        # so have all ramps below the jerk limit the same proportions
+        time = 1.0
+        if last == 1:
+            time = axis[Axis.RISES]
+        variance, fourth = rise_moments(time, 0, axis)
+        axis[Axis.VARIANCE] = variance / (time * time)
     jerk = axis[Axis.JERK]
     if jerk > 0.0:
         rise = axis[Axis.RISES]
         axis[Axis.LINEAR_FROM] = jerk * rise
         axis[Axis.LINEAR_SLOPE] = 1.0 / (jerk * (1.0 - axis[Axis.SHARES]))
         axis[Axis.LINEAR_CONSTANT] = rise
+        if rise > 0.0:
+            axis[Axis.INNER_VARIANCE], fourth = rise_moments(rise, 1, axis)
     return True

@@ -156,14 +156,14 @@ def slow_down(longest: float, problem: 'float[:]', axis: 'float[:]', work: 'floa
         if sequence_duration(passing, nodes) >= longest:
             break
         if overlong_plateau(work) < 0 and not measure_excess(axis, work):
-            keep_sequence(work)
+            keep_sequence(PlanWork.KEPT, work)
             slow = passing[Passing.PACE]
         else:
             fast = passing[Passing.PACE]
         if slow > 0.0 and fast - slow < 1e-4:
             break
     if slow > 0.0:
-        restore_sequence(work)
+        restore_sequence(PlanWork.KEPT, work)
     return slow > 0.0
 
 
@@ -228,48 +228,47 @@ def passing_duration(
 
 
 def passing_form(
-    count: int, phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
+    longest: float, count: int, ramps: 'float[:,:]', phases: 'float[:,:]', problem: 'float[:]',
+    axis: 'float[:]', work: 'float[:,:]',
 ) -> int:
-    """Replace a profile of ramps of the acceleration by a shorter passing one, if there is one.
+    """Write a passing profile that takes less than `longest` [s]; 0: none, else its phases.
 
-    Returns the new number of phases.
+    count: number of phases of the profile of ramps of the acceleration to start from. The sequence
+    is kept in the rows FOUND of `work`.
     """
-    longest = total_duration(phases, count) * (1.0 - 1e-9)
+    shortest = total_duration(ramps, count) * (1.0 - 1e-9)
+    used = 0
     work[PlanWork.PASSING, Passing.SETTLED] = 0.0
     for attempt in range(6):
-        best = -1
-        way = 0
-        while way < 3:
-            found = passing_duration(way, attempt, longest, count, phases, problem, axis, work)
+        solved = False
+        for way in range(3):
+            found = passing_duration(way, attempt, shortest, count, ramps, problem, axis, work)
             if found == 0.0:
+                # no solution from this start
                 break
-            if found > 0.0 and found < longest:
-                longest = found
-                best = way
+            solved = True
+            if found > 0.0 and found < shortest:
+                shortest = found
+                if found < longest:
+                    used = write_sequence(phases, axis, work)
+                    keep_sequence(PlanWork.FOUND, work)
                 if not stays_below(work):
                     if way < 2:
                         work[PlanWork.PASSING, Passing.SETTLED] = 1.0
                     break
-            way = way + 1
-        if way == 0 and best < 0:
-            # no solution from this start
-            continue
-        if best < 0:
+        if solved:
             break
-        if way != best:
-            # the last one that was tried is not the shortest
-            found = passing_duration(best, attempt, longest, count, phases, problem, axis, work)
-        return write_sequence(phases, axis, work)
-    return count
+    return used
 
 
 def timed_passing(
     phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> int:
-    """Slow the passing profile in `work` down so that it lasts the problem's duration.
+    """Slow the passing profile that was found down so that it lasts the problem's duration.
 
     Returns the number of its phases; 0 if that breaks a limit.
     """
+    restore_sequence(PlanWork.FOUND, work)
     passing = work[PlanWork.PASSING, :]
     shortest = sequence_duration(passing, work[PlanWork.NODES:PlanWork.KEPT, :])
     longer = problem[Problem.DURATION] / shortest - 1.0

@@ -1,7 +1,7 @@
 """Lists of phases: rows of the record `Phase`."""
 
 from segfmu.kernels.planner.ramp import ramp_change, ramp_distance, ramp_duration
-from segfmu.kernels.planner.ramp_peak import ramp_extreme_velocity
+from segfmu.kernels.planner.ramp_peak import extreme_gain, ramp_extreme_velocity
 from segfmu.kernels.planner.records import Axis, Phase, Problem
 
 
@@ -169,9 +169,13 @@ def measure_phases(
         a = phases[i, Phase.ACCELERATION]
         b = a + phases[i, Phase.CHANGE]
         if a * b < 0.0:
-            # a quick bound first: the end with the smaller acceleration is less than half of the
-            # ramp away from the crossing
-            bound = v + 0.5 * a * duration
+            # a quick bound first
+            near = v
+            if abs(a) > abs(b):
+                near = v + 0.5 * (a + b) * duration
+            bound = near + extreme_gain(a, b, duration, basis, axis)
+            if a < 0.0:
+                bound = 2.0 * near - bound
             if bound > max(highest, within) or bound < min(lowest, -within):
                 extreme = ramp_extreme_velocity(v, a, b, duration, basis, axis)
                 lowest = min(lowest, extreme)

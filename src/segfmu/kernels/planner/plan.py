@@ -11,6 +11,7 @@ from segfmu.kernels.planner.records import (
     Cell,
     DelayedState,
     Interval,
+    Place,
     PlanOptions,
     PlanStatus,
     PlanWork,
@@ -57,7 +58,7 @@ def time_left(
     count = 0
     for j in range(first, cells.shape[0], step):
         rest = rest - cells[j, Cell.RESULT, Interval.DURATION]
-        if cells[j, Cell.RESULT, Interval.PROLONGED] > 0.5:
+        if cells[j, Cell.PLACE, Place.PROLONGED] > 0.5:
             base = base + cells[j, Cell.RESULT, Interval.DURATION]
             count = count + 1
     return rest, base, count
@@ -77,13 +78,13 @@ def distribute(
     """
     step = axes.shape[0]
     for i in range(cells.shape[0]):
-        cells[i, Cell.RESULT, Interval.LEAST] = cells[i, Cell.RESULT, Interval.DURATION]
+        cells[i, Cell.PLACE, Place.LEAST] = cells[i, Cell.RESULT, Interval.DURATION]
     if prolong_all(first, last, target, axes, cells, work):
         return True
     for quarters in range(4):
         for j in range(first, cells.shape[0], step):
             for i in range(cells.shape[0]):
-                cells[i, Cell.RESULT, Interval.DURATION] = cells[i, Cell.RESULT, Interval.LEAST]
+                cells[i, Cell.RESULT, Interval.DURATION] = cells[i, Cell.PLACE, Place.LEAST]
             share = 1.0 - 0.25 * quarters
             if prolong_from(j, share, first, last, target, axes, cells, work):
                 return True
@@ -137,7 +138,7 @@ def prolong_all(
     """
     step = axes.shape[0]
     for j in range(first, cells.shape[0], step):
-        cells[j, Cell.RESULT, Interval.PROLONGED] = 1.0
+        cells[j, Cell.PLACE, Place.PROLONGED] = 1.0
     for sweep in range(50):
         rest, base, count = time_left(first, step, target, cells)
         if rest <= 1e-13 * target:
@@ -150,14 +151,14 @@ def prolong_all(
             factor = 1.0 + rest / base
             extra = 0.0
         for j in range(first, cells.shape[0], step):
-            if cells[j, Cell.RESULT, Interval.PROLONGED] > 0.5:
+            if cells[j, Cell.PLACE, Place.PROLONGED] > 0.5:
                 present = cells[j, Cell.RESULT, Interval.DURATION]
                 end = j + last - first
                 reached = common_duration(
                     present * factor + extra, 0.0, j, end, axes, cells, work
                 )
                 if reached < 0.0 or reached - present > rest * (1.0 + 1e-13):
-                    cells[j, Cell.RESULT, Interval.PROLONGED] = 0.0
+                    cells[j, Cell.PLACE, Place.PROLONGED] = 0.0
                 else:
                     rest = rest - (reached - present)
                     for i in range(j, end):
@@ -191,9 +192,9 @@ def set_problems(states: 'float[:,:,:]', cells: 'float[:,:,:]') -> None:
                 states[j + 1, i, WaypointState.POSITION] - states[j, i, WaypointState.POSITION]
             )
             cell[Cell.PROBLEM, Problem.DURATION] = 0.0
-            cell[Cell.RESULT, Interval.DELAY] = 0.0
+            cell[Cell.PLACE, Place.DELAY] = 0.0
             if j == 0 and states.shape[2] > DelayedState.DELAY:
-                cell[Cell.RESULT, Interval.DELAY] = states[j, i, DelayedState.DELAY]
+                cell[Cell.PLACE, Place.DELAY] = states[j, i, DelayedState.DELAY]
 
 
 def plan_phases(

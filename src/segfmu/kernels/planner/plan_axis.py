@@ -1,12 +1,19 @@
 """The shortest profiles of one axis in all intervals, and how steep its rises are."""
 
 from segfmu.kernels.planner.intervals import set_shortest
-from segfmu.kernels.planner.parameters import ramp_parameters, steepest_share, usual_share
+from segfmu.kernels.planner.parameters import (
+    moderate_share,
+    ramp_parameters,
+    steepest_share,
+    usual_share,
+)
+from segfmu.kernels.planner.phases import copy_phases, total_duration
 from segfmu.kernels.planner.records import (
     Axis,
     Cell,
+    Family,
     Interval,
-    Passing,
+    Place,
     PlanStatus,
     PlanWork,
     Problem,
@@ -20,7 +27,7 @@ def plan_with_share(
     """`plan_axis` with a given share of the rises (parameters.py)."""
     report = work[PlanWork.REFUSAL, :]
     report[Refusal.AXIS] = axis
-    settled = 1.0
+    missed = 0.0
     if not ramp_parameters(share, axes[axis, :], work):
         return PlanStatus.UNBOUNDED_RAMP
     for j in range(axis, cells.shape[0], axes.shape[0]):
@@ -32,11 +39,11 @@ def plan_with_share(
                 report[Refusal.VALUE] = cells[j, Cell.PROBLEM, Problem.B]
             report[Refusal.BOUND] = axes[axis, Axis.VELOCITY]
             return status
-        settled = min(settled, work[PlanWork.PASSING, Passing.SETTLED])
-        time = time + cells[j, Cell.RESULT, Interval.DELAY]
+        missed = max(missed, work[PlanWork.FAMILY, Family.MISSED])
+        time = time + cells[j, Cell.PLACE, Place.DELAY]
         cells[j, Cell.RESULT, Interval.SHORTEST] = time
         cells[j, Cell.RESULT, Interval.DURATION] = time
-    work[PlanWork.PASSING, Passing.SETTLED] = settled
+    work[PlanWork.FAMILY, Family.MISSED] = missed
     return PlanStatus.PLANNED
 
 
@@ -48,19 +55,90 @@ def axis_duration(axis: int, axes: 'float[:,:]', cells: 'float[:,:,:]') -> float
     return total
 
 
+def keep_shortest(axis: int, axes: 'float[:,:]', cells: 'float[:,:,:]') -> None:
+    """Keep the shortest profiles of an axis."""
+    for j in range(axis, cells.shape[0], axes.shape[0]):
+        cell = cells[j, :, :]
+        count = int(cell[Cell.RESULT, Interval.BELOW_COUNT])
+        copy_phases(cell[Cell.BELOW:Cell.ABOVE, :], cell[Cell.ABOVE:Cell.PROBLEM, :], count)
+        cell[Cell.RESULT, Interval.KEPT_COUNT] = count
+
+
+def restore_shortest(axis: int, axes: 'float[:,:]', cells: 'float[:,:,:]') -> None:
+    """Restore the profiles that are kept."""
+    for j in range(axis, cells.shape[0], axes.shape[0]):
+        cell = cells[j, :, :]
+        phases = cell[Cell.BELOW:Cell.ABOVE, :]
+        count = int(cell[Cell.RESULT, Interval.KEPT_COUNT])
+        copy_phases(cell[Cell.ABOVE:Cell.PROBLEM, :], phases, count)
+        time = total_duration(phases, count) + cell[Cell.PLACE, Place.DELAY]
+        cell[Cell.RESULT, Interval.BELOW_COUNT] = count
+        cell[Cell.RESULT, Interval.SHORTEST] = time
+        cell[Cell.RESULT, Interval.DURATION] = time
+
+
+def smoothness_share(usual: float, share: float, axis: 'float[:]') -> float:
+    """Least duration with rises of `share` over that with `usual` ones, where both fit.
+
+    A motion of the jerk alone lasts as the cube root of 1 - share, one of the snap as the square
+    root, since ramps do not become shorter by more.
+    """
+    power = 0.5
+    if axis[Axis.SHARES] > 0.0:
+        power = 1.0 / 3.0
+    return ((1.0 - usual) / (1.0 - share)) ** power * (1.0 - 1e-3)
+
+
+def shorter_with(
+    share: float, kept: float, factor: float, axis: int, axes: 'float[:,:]',
+    cells: 'float[:,:,:]', work: 'float[:,:]',
+) -> bool:
+    """Plan an axis again with another share of the rises; the plan stays if it is shorter.
+
+    It has to last less than `factor` of the present one, whose rises have the share `kept`.
+    """
+    longest = factor * axis_duration(axis, axes, cells)
+    keep_shortest(axis, axes, cells)
+    status = plan_with_share(axis, share, axes, cells, work)
+    if status == PlanStatus.PLANNED and axis_duration(axis, axes, cells) < longest:
+        return True
+    ramp_parameters(kept, axes[axis, :], work)
+    restore_shortest(axis, axes, cells)
+    return False
+
+
 def plan_steeper(
-    axis: int, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float[:,:]'
-) -> int:
+    missed: float, axis: int, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float[:,:]'
+) -> None:
     """Plan an axis again with steeper rises, if the usual ones cost more than smoothness does.
 
     The limits can leave no room for the usual rises: the profile then is another one, which can
-    take much longer.
+    take much longer. missed as in Family. Moderate rises are tried first where the snap is the
+    highest limit: forces are held from sample to sample, and nothing else bounds their errors.
     """
-    usual = axis_duration(axis, axes, cells)
-    status = plan_with_share(axis, 0.2 * usual_share(), axes, cells, work)
-    if status == PlanStatus.PLANNED and axis_duration(axis, axes, cells) < 0.94 * usual:
-        return status
-    return plan_with_share(axis, usual_share(), axes, cells, work)
+    share = usual_share()
+    snap_is_last = axes[axis, Axis.SHARES] == 0.0 and axes[axis, Axis.RISES + 1] == 0.0
+    if snap_is_last:
+        factor = smoothness_share(share, moderate_share(), axes[axis, :])
+        if shorter_with(moderate_share(), share, factor, axis, axes, cells, work):
+            share = moderate_share()
+        missed = min(missed, work[PlanWork.FAMILY, Family.MISSED])
+    if missed > 1.5:
+        factor = smoothness_share(share, steepest_share(), axes[axis, :])
+        shorter_with(steepest_share(), share, factor, axis, axes, cells, work)
+
+
+def plan_refused(
+    axis: int, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float[:,:]'
+) -> int:
+    """Plan an axis for which braking with the usual rises fails; status as in `plan_phases`.
+
+    Where it fails by little, the steepest ramps decide whether it is feasible.
+    """
+    if plan_with_share(axis, moderate_share(), axes, cells, work) == PlanStatus.PLANNED:
+        shorter_with(steepest_share(), moderate_share(), 1.0, axis, axes, cells, work)
+        return PlanStatus.PLANNED
+    return plan_with_share(axis, steepest_share(), axes, cells, work)
 
 
 def plan_axis(axis: int, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float[:,:]') -> int:
@@ -69,9 +147,11 @@ def plan_axis(axis: int, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float
     The rises are the usual ones, or steeper where these fail.
     """
     status = plan_with_share(axis, usual_share(), axes, cells, work)
+    if axes[axis, Axis.PLATEAU] < 0.5:
+        return status
     if status == PlanStatus.START_BRAKING or status == PlanStatus.END_BRAKING:
-        # braking fails by little: the steepest ramps decide whether it is feasible
-        return plan_with_share(axis, steepest_share(), axes, cells, work)
-    if status == PlanStatus.PLANNED and work[PlanWork.PASSING, Passing.SETTLED] < 0.5:
-        return plan_steeper(axis, axes, cells, work)
+        return plan_refused(axis, axes, cells, work)
+    missed = work[PlanWork.FAMILY, Family.MISSED]
+    if status == PlanStatus.PLANNED and missed > 0.5:
+        plan_steeper(missed, axis, axes, cells, work)
     return status

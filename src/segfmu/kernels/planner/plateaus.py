@@ -6,22 +6,22 @@ from segfmu.kernels.planner.newton import solve_sequence
 from segfmu.kernels.planner.records import Axis, Excess, Node, Passing, PlanWork
 
 
-def keep_sequence(work: 'float[:,:]') -> None:
-    """Copy the sequence to the rows KEPT of `work` (PlanWork)."""
+def keep_sequence(row: int, work: 'float[:,:]') -> None:
+    """Copy the sequence to the rows KEPT or FOUND of `work` (PlanWork), which begin at `row`."""
     for i in range(Passing.SIZE):
-        work[PlanWork.KEPT, i] = work[PlanWork.PASSING, i]
+        work[row, i] = work[PlanWork.PASSING, i]
     for j in range(int(work[PlanWork.PASSING, Passing.COUNT]) + 2):
         for i in range(Node.SIZE):
-            work[PlanWork.KEPT + 1 + j, i] = work[PlanWork.NODES + j, i]
+            work[row + 1 + j, i] = work[PlanWork.NODES + j, i]
 
 
-def restore_sequence(work: 'float[:,:]') -> None:
+def restore_sequence(row: int, work: 'float[:,:]') -> None:
     """Copy it back."""
     for i in range(Passing.SIZE):
-        work[PlanWork.PASSING, i] = work[PlanWork.KEPT, i]
+        work[PlanWork.PASSING, i] = work[row, i]
     for j in range(int(work[PlanWork.PASSING, Passing.COUNT]) + 2):
         for i in range(Node.SIZE):
-            work[PlanWork.NODES + j, i] = work[PlanWork.KEPT + 1 + j, i]
+            work[PlanWork.NODES + j, i] = work[row + 1 + j, i]
 
 
 def insert_node(
@@ -183,14 +183,14 @@ def touch_limit(
     row: int, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> bool:
     """Let the derivative of a plateau whose hold is below zero only touch its limit, or less."""
-    keep_sequence(work)
+    keep_sequence(PlanWork.KEPT, work)
     kind = int(work[row, Node.KIND])
     if kind == int(work[PlanWork.PASSING, Passing.ABOVE]) + 1:
         if shorten_hold(row, 2, 1, problem, axis, work):
             return True
     elif shorten_hold(row, 1, 4, problem, axis, work):
         return True
-    restore_sequence(work)
+    restore_sequence(PlanWork.KEPT, work)
     return shorten_hold(row, 2, 4, problem, axis, work)
 
 
@@ -237,7 +237,7 @@ def meet_limits(
         if attempt > 0 and not solve_sequence(problem, axis, work):
             if added == 0 or added != q - 3:
                 return False
-            restore_sequence(work)
+            restore_sequence(PlanWork.KEPT, work)
             added = 0
             if not insert_plateau(q - 3, True, axis, work):
                 return False
@@ -252,7 +252,7 @@ def meet_limits(
         elif not measure_excess(axis, work):
             return True
         else:
-            keep_sequence(work)
+            keep_sequence(PlanWork.KEPT, work)
             added = add_plateau(upward, axis, work)
             if added == 0:
                 return False

@@ -15,7 +15,7 @@ its distance is continuous in the cruise velocity and unbounded at the two limit
 
 from segfmu.kernels.planner.braking import braked, surround
 from segfmu.kernels.planner.cruise import direct_form, slower_cruise, with_cruise
-from segfmu.kernels.planner.loop import early_window, loop_form
+from segfmu.kernels.planner.loop import loop_form
 from segfmu.kernels.planner.merged import merged_form, set_family, tempered_form
 from segfmu.kernels.planner.passing import passing_form
 from segfmu.kernels.planner.phases import (
@@ -31,12 +31,15 @@ from segfmu.kernels.planner.phases import (
 from segfmu.kernels.planner.records import (
     Axis,
     Braking,
+    Family,
+    LoopArc,
     Passing,
     Phase,
     PlanStatus,
     PlanWork,
     Problem,
 )
+from segfmu.kernels.planner.window import early_window
 
 
 def usual_duration(problem: 'float[:]', axis: 'float[:]') -> float:
@@ -144,18 +147,31 @@ def shortest_profile(
     (PlanStatus).
     """
     asked = work[PlanWork.PROBLEM, :]
+    family = work[PlanWork.FAMILY, :]
     boundary_problem(problem, axis, asked)
+    family[Family.MISSED] = 0.0
     work[PlanWork.PASSING, Passing.SETTLED] = 1.0
     if is_done(asked):
         return 0
     count = shortest_between(0, phases, asked, axis, work)
+    missed = 2.0 * family[Family.MISSED]
     if count == 0:
-        return shortest_braked(asked, axis, phases, work)
-    longest = early_window(total_duration(phases, count), asked, axis)
-    if longest > 0.0:
-        count = loop_form(count, longest, phases, asked, axis, work)
-    if axis[Axis.ABOVE] > 0.5 and not ramps_suffice(axis):
-        return passing_either_way(count, phases, asked, axis, work)
+        count = shortest_braked(asked, axis, phases, work)
+        if work[PlanWork.PASSING, Passing.SETTLED] < 0.5:
+            missed = max(missed, 1.0)
+    else:
+        longest = early_window(total_duration(phases, count), asked, axis)
+        if longest > 0.0:
+            count = loop_form(LoopArc.FOLD + 1, count, longest, phases, asked, axis, work)
+            if total_duration(phases, count) > longest:
+                missed = 2.0
+        if axis[Axis.ABOVE] > 0.5 and not ramps_suffice(axis):
+            count = passing_either_way(count, phases, asked, axis, work)
+    # where the snap is not the highest limit, steeper rises are always tried
+    snap_is_last = axis[Axis.SHARES] == 0.0 and ramps_suffice(axis)
+    if not snap_is_last and not is_resting(asked, axis):
+        missed = 2.0
+    family[Family.MISSED] = missed
     return count
 
 
@@ -176,7 +192,10 @@ def shortest_braked(
     passing = asked[Problem.A] * asked[Problem.B] <= 0.0
     if is_resting(asked, axis) or (passing and status < 0 and status != PlanStatus.NO_PROFILE):
         return status
-    count = loop_form(max(status, 0), longest, phases, asked, axis, work)
+    arcs = LoopArc.FOLD + 1
+    if status > 0 and ramps_suffice(axis) and early_window(longest, asked, axis) <= 0.0:
+        arcs = LoopArc.LAST + 1
+    count = loop_form(arcs, max(status, 0), longest, phases, asked, axis, work)
     if count == 0:
         return status
     if axis[Axis.ABOVE] > 0.5 and (status < 0 or total_duration(phases, count) < longest):
@@ -187,32 +206,34 @@ def shortest_braked(
 def passing_either_way(
     count: int, phases: 'float[:,:]', asked: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> int:
-    """The shorter `passing_form` of the motion and of that with the time reversed.
+    """Replace a profile of ramps by the shorter passing one of the motion and of that reversed.
 
-    Settled, both are the same where the jerk has the levels.
+    Returns the new number of phases. Settled, both are the same where the jerk has the levels.
     """
     ramps = work[PlanWork.TRIAL:PlanWork.BEST, :]
+    passing = work[PlanWork.PASSING, :]
     copy_phases(phases, ramps, count)
-    found = passing_form(count, phases, asked, axis, work)
-    work[PlanWork.PASSING, Passing.REVERSED] = 0.0
-    if work[PlanWork.PASSING, Passing.SETTLED] > 0.5 and ramps_suffice(axis):
-        return found
-    longest = total_duration(ramps, count)
-    forwards = total_duration(phases, found)
-    copy_phases(ramps, phases, count)
+    longest = total_duration(ramps, count) * (1.0 - 1e-9)
+    forwards = passing_form(longest, count, ramps, phases, asked, axis, work)
+    settled = passing[Passing.SETTLED]
+    passing[Passing.REVERSED] = 0.0
+    result = count
+    if forwards > 0:
+        if settled > 0.5 and ramps_suffice(axis):
+            return forwards
+        longest = total_duration(phases, forwards)
+        result = forwards
     reverse_problem(asked)
-    reverse_phases(phases, 0, count)
-    found = passing_form(count, phases, asked, axis, work)
+    reverse_phases(ramps, 0, count)
+    backwards = passing_form(longest, count, ramps, phases, asked, axis, work)
     reverse_problem(asked)
-    reverse_phases(phases, 0, found)
-    work[PlanWork.PASSING, Passing.REVERSED] = 1.0
-    if forwards <= total_duration(phases, found):
-        copy_phases(ramps, phases, count)
-        if forwards >= longest:
-            return count
-        found = passing_form(count, phases, asked, axis, work)
-        work[PlanWork.PASSING, Passing.REVERSED] = 0.0
-    return found
+    if backwards > 0:
+        reverse_phases(phases, 0, backwards)
+        passing[Passing.REVERSED] = 1.0
+        return backwards
+    if forwards > 0:
+        passing[Passing.SETTLED] = settled
+    return result
 
 
 def braked_ramps(

@@ -171,7 +171,12 @@ def ramp_change(duration: float, axis: 'float[:]') -> 'tuple[float, float]':
 
 def ramp_variance(basis: float, axis: 'float[:]') -> float:
     """Variance of the jerk over time, seen as a density, of the fastest ramp that lasts `basis`."""
-    if axis[Axis.PLATEAU] < 0.5:
+    if axis[Axis.LINEAR_SLOPE] > 0.0 and axis[Axis.PLATEAU] > 0.5:
+        rise = axis[Axis.RISES]
+        if basis >= 2.0 * rise and axis[Axis.SHARES] == 0.0:
+            box = basis - rise
+            return box * box / 12.0 + axis[Axis.INNER_VARIANCE]
+    if axis[Axis.VARIANCE] > 0.0:
         return axis[Axis.VARIANCE] * basis * basis
     variance, fourth = rise_moments(basis, 0, axis)
     return variance

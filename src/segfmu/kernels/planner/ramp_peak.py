@@ -3,6 +3,7 @@
 from math import sqrt
 
 from segfmu.kernels.planner.nested import held_level, piece_peak
+from segfmu.kernels.planner.ramp import inner_rise
 from segfmu.kernels.planner.records import Axis
 
 
@@ -45,6 +46,20 @@ def invert_curved_part(value: float, upper: float, axis: 'float[:]') -> float:
         if abs(step) <= 1e-9:
             return s
     return s
+
+
+def extreme_gain(a: float, b: float, duration: float, basis: float, axis: 'float[:]') -> float:
+    """Bound of the change of the velocity to the extreme one of a ramp that crosses zero.
+
+    It changes from the end of the smaller acceleration, less than half of the ramp away. From there
+    the acceleration falls ever faster to the middle of the ramp: it is below the tangent there.
+    """
+    smaller = min(abs(a), abs(b))
+    if axis[Axis.PLATEAU] < 0.5:
+        return 0.5 * smaller * duration
+    # the reciprocal of the steepest jerk
+    slowness = (basis - inner_rise(basis, 0, axis)) * (duration / basis) / abs(b - a)
+    return 0.5 * smaller * (duration + (smaller - abs(b - a)) * slowness)
 
 
 def ramp_extreme_velocity(

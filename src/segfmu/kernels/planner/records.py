@@ -115,6 +115,7 @@ class Axis(Record):
     VELOCITY = field("velocity limit c_1", "m/s")
     ACCELERATION = field("acceleration limit c_2", "m/s2")
     JERK = field("limits c_3 .. c_7 of the jerk and what follows; 0 where absent", size=5)
+    RAISED = field("order of the derivative that takes the place of the position: 0 but in leads")
     FULL_RAMP = field("duration of the ramp from zero to the acceleration limit", "s")
     PLATEAU = field("1 where the ramps are plateau ramps, else 0")
     LINEAR_FROM = field("change from which the duration is linear; 1e300: none", "m/s2")
@@ -124,7 +125,8 @@ class Axis(Record):
     RISES = field("plateau: rise of the jerk .. to its limit; 1e60: has none", "s", size=5)
     SHARES = field("plateau: least share of that rise in the rise it belongs to", size=5)
     POWERS = field("smoothstep: q_e; a ramp lasts (q_e change)^(1/e) at least", size=5)
-    VARIANCE = field("smoothstep: variance V of the jerk over the squared duration")
+    VARIANCE = field("where one number suffices: variance V of the jerk over duration^2; else 0")
+    INNER_VARIANCE = field("part of the rises within, where the duration is linear", "s2")
     ABOVE = field("plateau: order of the derivative whose levels passing profiles have, less 2")
     CURVE_SIZE = field("smoothstep: number of coefficients of the transition polynomial")
     CURVE = field("smoothstep: transition polynomial, ascending powers", size=10)
@@ -191,6 +193,7 @@ class Family(Record):
     TARGET = field("distance or duration that is searched for", "m or s")
     MEMBER = field("number of the member of that value, from 0; -1: the first one found")
     SCALE = field("time over which members are looked for", "s")
+    MISSED = field("1, 2: steeper, steepest rises may leave room for a shorter profile")
     NEAR = field("parameter near which a member is looked for first; -1: nowhere", "s")
     FIRST_TIME = field("member: duration of the first ramp", "s")
     FIRST_HOLD = field("member: hold at the first level", "s")
@@ -241,7 +244,7 @@ class Passing(Record):
     ACCELERATION = field("scale of accelerations", "m/s2")
     TARGET = field("duration that it shall take by its pace; 0: the pace is given", "s")
     REVERSED = field("1: of the motion with the time reversed")
-    SETTLED = field("0: steeper rises than these may leave room for a shorter profile")
+    SETTLED = field("1: a profile that keeps the limits was found, not one slowed down")
 
 
 class Excess(Record):
@@ -267,6 +270,12 @@ class Interval(Record):
     WEIGHT = field("share of the second profile in the weighted mean of both")
     BELOW_COUNT = field("number of phases of the first profile")
     ABOVE_COUNT = field("number of phases of the second profile; 0: there is none")
+    KEPT_COUNT = field("number of phases that are kept in its place")
+
+
+class Place(Record):
+    """Where one axis is in one waypoint interval, and what may be added to that."""
+
     POSITION = field("position at its start", "m")
     START = field("time of its start", "s")
     DELAY = field("time before its profile begins", "s")
@@ -278,9 +287,10 @@ class Cell(Record):
     """Rows of what belongs to one axis in one interval."""
 
     BELOW = field("phases of the first profile", size=33, of=Phase)
-    ABOVE = field("phases of the second profile, where two are averaged", size=13, of=Phase)
+    ABOVE = field("phases of a second profile: averaged with the first, or kept", size=33, of=Phase)
     PROBLEM = field("boundary problem", of=Problem)
     RESULT = field("result", of=Interval)
+    PLACE = field("position and times", of=Place)
 
 
 class Nearest(Record):
@@ -316,7 +326,11 @@ class PlanWork(Record):
     PASSING = field("passing profile in question", of=Passing)
     NODES = field("its nodes, the end, and the state there", size=18, of=Node)
     KEPT = field("the same of one that was kept", size=19, of=Node)
+    FOUND = field("the same of the shortest one", size=19, of=Node)
     EXCESS = field("by the order of the derivative", size=4, of=Excess)
     RESIDUAL = field("residuals of the equations", of=Equations)
     MATRIX = field("their derivatives", size=16, of=Equations)
     STEP = field("step of Newton's method, in the first column", size=16, of=Equations)
+    SLOPES = field("derivatives of the residuals with one unknown", of=Equations)
+    BEFORE = field("nodes before the time of one changes", size=3, of=Node)
+    CHANGE = field("change of the state after them", of=Node)

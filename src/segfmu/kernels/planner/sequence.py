@@ -108,6 +108,15 @@ def pass_node(
         )
 
 
+def dropped_condition(q: int, node: 'float[:]') -> int:
+    """Derivative whose condition at a plateau is that of the hold instead, its order; -1: none."""
+    if node[Node.TOUCH] > 1.5:
+        return int(node[Node.KIND])
+    if node[Node.TOUCH] > 0.5:
+        return q - 1
+    return -1
+
+
 def node_residuals(
     i: int, row: int, passing: 'float[:]', axis: 'float[:]', nodes: 'float[:,:]',
     residual: 'float[:]',
@@ -115,12 +124,7 @@ def node_residuals(
     """Write the conditions at a plateau, after the ramp to it, from `row` on; the next row."""
     q = int(passing[Passing.ABOVE]) + 2
     kind = int(nodes[i, Node.KIND])
-    # which condition is that of the hold instead
-    dropped = -1
-    if nodes[i, Node.TOUCH] > 1.5:
-        dropped = kind
-    elif nodes[i, Node.TOUCH] > 0.5:
-        dropped = q - 1
+    dropped = dropped_condition(q, nodes[i, :])
     if kind == 0:
         return row
     for k in range(kind, q):
@@ -144,39 +148,87 @@ def hold_limit(q: int, node: 'float[:]', axis: 'float[:]', state: 'float[:]') ->
             state[Node.STATE + k] = 0.0
 
 
-def run_sequence(
-    first: int, problem: 'float[:]', passing: 'float[:]', axis: 'float[:]', nodes: 'float[:,:]',
-    residual: 'float[:]',
-) -> None:
-    """Follow a sequence from node `first` on, and write its residuals from there to the end."""
+def first_row(node: int, passing: 'float[:]', nodes: 'float[:,:]') -> int:
+    """The first row of the conditions at a node, or at the end."""
     q = int(passing[Passing.ABOVE]) + 2
-    count = int(passing[Passing.COUNT])
     row = 0
-    for i in range(first):
+    for i in range(node):
         if nodes[i, Node.KIND] > 0.5:
             row = row + q - int(nodes[i, Node.KIND])
-    if first == 0:
-        for k in range(q):
-            nodes[0, Node.STATE + k] = 0.0
-        nodes[0, Node.STATE + 1] = problem[Problem.V]
-        nodes[0, Node.STATE + 2] = problem[Problem.A]
-    for i in range(first, count):
-        set_level(nodes[i, :], passing, axis)
+    return row
+
+
+def follow_node(
+    i: int, row: int, problem: 'float[:]', passing: 'float[:]', axis: 'float[:]',
+    nodes: 'float[:,:]', residual: 'float[:]',
+) -> int:
+    """Follow a sequence to the end of a node and write the residuals there from `row` on.
+
+    The node after the last one is the end. Returns the next row.
+    """
+    q = int(passing[Passing.ABOVE]) + 2
+    if i == int(passing[Passing.COUNT]):
+        nodes[i, Node.KIND] = 0.0
+        nodes[i, Node.LEVEL] = 0.0
+        nodes[i, Node.HOLD] = 0.0
         pass_node(i, passing, axis, nodes)
-        row = node_residuals(i, row, passing, axis, nodes, residual)
-        hold = nodes[i, Node.HOLD]
-        hold_limit(q, nodes[i, :], axis, nodes[i + 1, :])
-        if hold != 0.0:
-            advance(hold, nodes[i, Node.LEVEL], 0.0, 0.0, 0.0, q - 2, nodes[i + 1, :])
-    nodes[count, Node.KIND] = 0.0
-    nodes[count, Node.LEVEL] = 0.0
-    nodes[count, Node.HOLD] = 0.0
-    pass_node(count, passing, axis, nodes)
-    end_residuals(row, problem, passing, axis, nodes[count + 1, :], residual)
-    row = row + q
+        end_residuals(row, problem, passing, axis, nodes[i + 1, :], residual)
+        return row + q
+    set_level(nodes[i, :], passing, axis)
+    pass_node(i, passing, axis, nodes)
+    row = node_residuals(i, row, passing, axis, nodes, residual)
+    hold = nodes[i, Node.HOLD]
+    hold_limit(q, nodes[i, :], axis, nodes[i + 1, :])
+    if hold != 0.0:
+        advance(hold, nodes[i, Node.LEVEL], 0.0, 0.0, 0.0, q - 2, nodes[i + 1, :])
+    return row
+
+
+def run_sequence(
+    problem: 'float[:]', passing: 'float[:]', axis: 'float[:]', nodes: 'float[:,:]',
+    residual: 'float[:]',
+) -> None:
+    """Follow a sequence, and write its residuals."""
+    for k in range(int(passing[Passing.ABOVE]) + 2):
+        nodes[0, Node.STATE + k] = 0.0
+    nodes[0, Node.STATE + 1] = problem[Problem.V]
+    nodes[0, Node.STATE + 2] = problem[Problem.A]
+    row = 0
+    for i in range(int(passing[Passing.COUNT]) + 1):
+        row = follow_node(i, row, problem, passing, axis, nodes, residual)
     if passing[Passing.TARGET] > 0.0:
         error = sequence_duration(passing, nodes) - passing[Passing.TARGET]
         residual[Equations.VALUES + row] = error / passing[Passing.TIME]
+
+
+def follow_change(
+    first: int, row: int, passing: 'float[:]', axis: 'float[:]', nodes: 'float[:,:]',
+    change: 'float[:]', slopes: 'float[:]',
+) -> None:
+    """Follow a small change of the state before the ramp to node `first`, which is linear.
+
+    Written: the change of the residuals from `row` on, those of that node.
+    """
+    q = int(passing[Passing.ABOVE]) + 2
+    count = int(passing[Passing.COUNT])
+    for i in range(first, count + 1):
+        advance(nodes[i, Node.RAMP], 0.0, 0.0, 0.0, 0.0, q - 2, change)
+        kind = int(nodes[i, Node.KIND])
+        if i == count:
+            kind = 0
+        dropped = dropped_condition(q, nodes[i, :])
+        if kind > 0 or i == count:
+            for k in range(kind, q):
+                slope = change[Node.STATE + k] / residual_scale(k, passing, axis)
+                if kind > 0 and k == dropped:
+                    slope = 0.0
+                slopes[Equations.VALUES + row] = slope
+                row = row + 1
+        if kind > 0 and nodes[i, Node.TOUCH] < 0.5 and nodes[i, Node.LEVEL] == 0.0:
+            for k in range(kind, q):
+                change[Node.STATE + k] = 0.0
+        if i < count and nodes[i, Node.HOLD] != 0.0:
+            advance(nodes[i, Node.HOLD], 0.0, 0.0, 0.0, 0.0, q - 2, change)
 
 
 def end_residuals(

@@ -17,7 +17,7 @@ durations can have gaps (errata E10). Outside the gaps the profile is, in this o
 
 from segfmu.kernels.planner.braking import braked, surround
 from segfmu.kernels.planner.gentle import solve_gentle, write_gentle
-from segfmu.kernels.planner.loop import early_window, timed_loop
+from segfmu.kernels.planner.loop import timed_loop
 from segfmu.kernels.planner.merged import set_family, set_member, tempered_form
 from segfmu.kernels.planner.passing import timed_passing
 from segfmu.kernels.planner.phases import (
@@ -48,6 +48,7 @@ from segfmu.kernels.planner.timed_cruise import (
     scan_cruises,
     timed_cruise,
 )
+from segfmu.kernels.planner.window import early_window
 
 
 def stretch_phases(phases: 'float[:,:]', count: int, factor: float) -> None:

@@ -77,6 +77,7 @@ def set_chains(
             chain[i] = 0.0
         chain[Axis.SMOOTHNESS] = smoothness - order
         chain[Axis.SHAPE] = Shape.PLATEAU
+        chain[Axis.RAISED] = order
         for i in range(smoothness - order + 1):
             chain[Axis.VELOCITY + i] = axis[Axis.VELOCITY + order + i]
             if i <= 2:

@@ -95,7 +95,7 @@ def check_axis(
 ) -> bool:
     """Whether the pieces first .. last - 1 of one axis keep its limits c_1 .. and join smoothly.
 
-    The row PEAKS of `work` (Check) becomes the peaks of the derivatives.
+    The row PEAKS of `work` (Check) becomes the peaks of the derivatives, or bounds of them.
     """
     order = limits.shape[0]
     for i in range(Hull.SIZE):
@@ -114,7 +114,7 @@ def check_axis(
     # where the position is large, its rounding is a part of the distance that counts
     work[Check.PEAKS, 0] = max(high - low, 1e-5 * max(-low, high))
     for d in range(order):
-        if not work[Check.JUMPS, d] <= tolerance * work[Check.PEAKS, d]:
+        if not work[Check.JUMPS, d] <= 0.5 * tolerance * work[Check.PEAKS, d]:
             return False
     return work[Check.PEAKS, 0] < 1e300
 
@@ -183,9 +183,10 @@ def check_plan(
     """Check the pieces of every axis: 0, or 1 + the first axis that may be wrong.
 
     Up to the relative tolerance, limits hold, the derivatives 0 .. n are continuous (in units of
-    the range of the position and of the peaks of the others), and the trajectory
-    passes the waypoints. Arrays as in `expand_plan`; limits[axis, i] is c_{i+1}, 0 if absent; work
-    (Check rows, Check columns).
+    the range of the position and of the peaks of the others), and the trajectory passes the
+    waypoints; for the last two half of it, which leaves room for rounding errors of another
+    evaluation and for bounds of peaks above them. Arrays as in `expand_plan`; limits[axis, i] is
+    c_{i+1}, 0 if absent; work (Check rows, Check columns).
     """
     width = coefficients.shape[1]
     points = states.shape[0]
@@ -206,6 +207,6 @@ def check_plan(
                 scale = work[Check.PEAKS, d]
                 if d > 0 and limits[axis, d - 1] > 0.0:
                     scale = limits[axis, d - 1]
-                if not abs(value - states[point, axis, d]) <= tolerance * scale:
+                if not abs(value - states[point, axis, d]) <= 0.5 * tolerance * scale:
                     return 1 + axis
     return 0

@@ -120,20 +120,22 @@ def anchor_plan(
     """Change pieces by rounding errors so that every axis ends exactly in its state ends[axis, :].
 
     Derivatives that it does not have are zero there. Rounding errors of a whole motion may be large
-    against what is left of it.
+    against what is left of it: from the last piece on, each one is led to the start of the next.
     """
     width = coefficients.shape[1]
     for axis in range(offsets.shape[0] - 1):
         last = offsets[axis + 1] - 1
-        length = timing[last, Timing.LENGTH]
-        end = timing[last, Timing.START] + length
-        for order in range(width // 2 + 1):
-            wanted = 0.0
-            if order < ends.shape[1]:
-                wanted = ends[axis, order]
-            missed = wanted - evaluate_piece(coefficients, last, width, length, order)
-            for row in range(offsets[axis], offsets[axis + 1]):
-                add_power(missed, order, end - timing[row, Timing.START], coefficients, row)
+        for i in range(offsets[axis + 1] - offsets[axis]):
+            row = last - i
+            length = timing[row, Timing.LENGTH]
+            for order in range(width // 2 + 1):
+                wanted = 0.0
+                if i > 0:
+                    wanted = evaluate_piece(coefficients, row + 1, width, 0.0, order)
+                elif order < ends.shape[1]:
+                    wanted = ends[axis, order]
+                missed = wanted - evaluate_piece(coefficients, row, width, length, order)
+                add_power(missed, order, length, coefficients, row)
 
 
 def join_plans(

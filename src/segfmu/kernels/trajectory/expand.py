@@ -5,7 +5,7 @@ their weights.
 """
 
 from segfmu.kernels.planner.nested import ramp_pieces
-from segfmu.kernels.planner.records import Cell, Interval, Problem, WaypointState
+from segfmu.kernels.planner.records import Cell, Interval, Place, Problem, WaypointState
 from segfmu.kernels.trajectory.evaluate import evaluate_piece
 from segfmu.kernels.trajectory.pieces import clear_piece, expand_phases
 from segfmu.kernels.trajectory.records import Expansion, Piece, PieceState, Spare, Timing
@@ -87,11 +87,11 @@ def expand_profile(
 ) -> int:
     """Expand the first or the second profile of a cell; returns the row after its last piece."""
     state = work[Expansion.STATE, :]
-    state[PieceState.POSITION] = cell[Cell.RESULT, Interval.POSITION]
+    state[PieceState.POSITION] = cell[Cell.PLACE, Place.POSITION]
     state[PieceState.VELOCITY] = cell[Cell.PROBLEM, Problem.V]
     state[PieceState.ACCELERATION] = cell[Cell.PROBLEM, Problem.A]
     state[PieceState.JERK] = 0.0
-    state[PieceState.TIME] = cell[Cell.RESULT, Interval.START]
+    state[PieceState.TIME] = cell[Cell.PLACE, Place.START]
     if second:
         count = int(cell[Cell.RESULT, Interval.ABOVE_COUNT])
         return expand_phases(
@@ -118,7 +118,7 @@ def expand_cell(
     spare = timing.shape[0] - Spare.ROWS
     middle = expand_profile(cell, False, axis, timing, coefficients, spare, work)
     last = expand_profile(cell, True, axis, timing, coefficients, middle, work)
-    now = cell[Cell.RESULT, Interval.START]
+    now = cell[Cell.PLACE, Place.START]
     return merge_pieces(weight, now, middle, last, timing, coefficients, row)
 
 
@@ -161,8 +161,8 @@ def expand_plan(
                 row = row + 1
             if j < points - 1:
                 cell = cells[j * count + axis, :, :]
-                cell[Cell.RESULT, Interval.POSITION] = states[j, axis, WaypointState.POSITION]
-                cell[Cell.RESULT, Interval.START] = now + cell[Cell.RESULT, Interval.DELAY]
+                cell[Cell.PLACE, Place.POSITION] = states[j, axis, WaypointState.POSITION]
+                cell[Cell.PLACE, Place.START] = now + cell[Cell.PLACE, Place.DELAY]
                 row = expand_cell(cell, axes[axis, :], timing, coefficients, row, work)
                 now = now + cell[Cell.RESULT, Interval.DURATION]
         times[points, axis] = now
