@@ -16,9 +16,11 @@ from pathlib import Path
 
 from segfmu.errors import BuildError
 
+# small code: a wheel carries the binaries of all platforms
 OPTIONS = (
-    "-std=c99", "-O3", "-DNDEBUG", "-w", "-ffp-contract=off", "-fno-math-errno",
-    "-fno-trapping-math", "-fvisibility=hidden", "-ffunction-sections", "-fdata-sections",
+    "-std=c99", "-O3", "-DNDEBUG", "-DSPAN_INLINE=", "-w", "-ffp-contract=off", "-fno-math-errno",
+    "-fno-trapping-math", "-fno-tree-vectorize", "-fvisibility=hidden", "-ffunction-sections",
+    "-fdata-sections",
 )
 
 

@@ -7,11 +7,13 @@
 
 #include <stdint.h>
 
-/* Short functions that GNU C would call. */
+/* Short functions that GNU C would call; where size counts more, the macro is given as empty. */
+#ifndef SPAN_INLINE
 #ifdef __GNUC__
 #define SPAN_INLINE inline __attribute__((always_inline))
 #else
 #define SPAN_INLINE
+#endif
 #endif
 
 enum { MOST_DIMENSIONS = 3 };
