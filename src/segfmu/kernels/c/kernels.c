@@ -13045,6 +13045,10 @@ static bool plateau_parameters(double share, array_double_1d axis)
         if ((level > INT64_C(0)) || (last == INT64_C(0)))
         {
             (*cspan_at(&axis, INT64_C(21) + level)) = share;
+            if (level > last)
+            {
+                (*cspan_at(&axis, INT64_C(21) + level)) = span_max(share, usual_share());
+            }
             if ((level + (*cspan_at(&axis, INT64_C(9))) == 2.0) && (last + (*cspan_at(&axis, INT64_C(9))) > 1.5))
             {
                 (*cspan_at(&axis, INT64_C(21) + level)) = steeper_above() * share;

@@ -124,6 +124,9 @@ def plateau_parameters(share: float, axis: 'float[:]') -> bool:
     for level in range(boxes - 1):
         if level > 0 or last == 0:
             axis[Axis.SHARES + level] = share
+            if level > last:
+                # it costs no time, and nested steep rises leave pieces of nanoseconds
+                axis[Axis.SHARES + level] = max(share, usual_share())
             if level + axis[Axis.RAISED] == 2.0 and last + axis[Axis.RAISED] > 1.5:
                 axis[Axis.SHARES + level] = steeper_above() * share
     for i in range(last):
