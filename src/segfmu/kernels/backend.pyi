@@ -378,6 +378,21 @@ def measure_phases(
     /,
 ) -> tuple[float, float, float, float, float]: ...
 
+def axis_limits(
+    smoothness: int,
+    shape: int,
+    limits: Floats,
+    axis: Floats,
+    /,
+) -> None: ...
+
+def ramp_parameters(
+    share: float,
+    axis: Floats,
+    work: Floats,
+    /,
+) -> bool: ...
+
 def shortest_profile(
     problem: Floats,
     axis: Floats,
@@ -393,21 +408,6 @@ def timed_profile(
     work: Floats,
     /,
 ) -> float: ...
-
-def axis_limits(
-    smoothness: int,
-    shape: int,
-    limits: Floats,
-    axis: Floats,
-    /,
-) -> None: ...
-
-def ramp_parameters(
-    share: float,
-    axis: Floats,
-    work: Floats,
-    /,
-) -> bool: ...
 
 def plan_phases(
     states: Floats,

@@ -230,6 +230,7 @@ static bool measure_excess(array_double_1d axis, array_double_2d work);
 static double window_edge(int64_t halvings, double inside, double outside, array_double_1d family, array_double_1d axis);
 static int64_t canonical_value(double* result_0_0001, double* result_1, double p, array_double_1d family, array_double_1d axis);
 static double bracketed_root(double lower, double upper, double f_lower, double f_upper, array_double_1d family, array_double_1d axis);
+static double saving(array_double_1d axis);
 static void note_near(double y, double duration, array_double_1d family, array_double_1d axis);
 static int64_t first_window(double* result_0, double* result_1_0001, double f_start, double t_zero, array_double_1d family, array_double_1d axis);
 static double shorter_member(double f_start, array_double_1d family, array_double_1d axis);
@@ -264,8 +265,18 @@ static bool slow_middle(double place, double radius, array_double_1d family, arr
 static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis);
 static double loop_root(int64_t arc, double lower, double upper, double e_lower, double e_upper, double missing, double largest, array_double_1d family, array_double_1d axis);
 static int64_t arc_root(int64_t* result_0, double* result_1, int64_t arc, int64_t sample, double missing, double largest, array_double_1d family, array_double_1d axis);
-static int64_t loop_form(int64_t arcs, int64_t count, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t loop_form(int64_t last, int64_t count, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static void timed_loop(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static void transition_coefficients(int64_t order, array_double_1d coefficients);
+static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s);
+static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks);
+static double usual_share(void);
+static double steeper_above(void);
+static double moderate_share(void);
+static double steepest_share(void);
+static bool snap_is_last(array_double_1d axis);
+static bool plateau_parameters(double share, array_double_1d axis);
+static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, array_double_1d peaks);
 static double power_of(double base, int64_t exponent);
 static void set_level(array_double_1d node, array_double_1d passing, array_double_1d axis);
 static void advance(double time, double level, double change, double variance, double fourth, int64_t above, array_double_1d state);
@@ -273,6 +284,7 @@ static void pass_node(int64_t i, array_double_1d passing, array_double_1d axis, 
 static int64_t dropped_condition(int64_t q, array_double_1d node);
 static double residual_scale(int64_t order, array_double_1d passing, array_double_1d axis);
 static int64_t node_residuals(int64_t i, int64_t row, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d residual);
+static bool stays_at_limit(array_double_1d node);
 static void hold_limit(int64_t q, array_double_1d node, array_double_1d axis, array_double_1d state);
 static int64_t first_row(int64_t node, array_double_1d passing, array_double_2d nodes);
 static void end_residuals(int64_t row, array_double_1d problem, array_double_1d passing, array_double_1d axis, array_double_1d end, array_double_1d residual);
@@ -357,15 +369,7 @@ static double first_feasible(double outside, double inside, array_double_2d cell
 static double next_feasible(double start, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static double round_up(double duration, double sample_time);
 static double common_duration(double start, double sample_time, int64_t first, int64_t last, array_double_2d axes, array_double_3d cells, array_double_2d work);
-static void transition_coefficients(int64_t order, array_double_1d coefficients);
-static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s);
-static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks);
-static double usual_share(void);
-static double steeper_above(void);
-static double moderate_share(void);
-static double steepest_share(void);
-static bool plateau_parameters(double share, array_double_1d axis);
-static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, array_double_1d peaks);
+static void note_shortest(double time, array_double_2d cell);
 static int64_t plan_with_share(int64_t axis, double share, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static double axis_duration(int64_t axis, array_double_2d axes, array_double_3d cells);
 static void keep_shortest(int64_t axis, array_double_2d axes, array_double_3d cells);
@@ -8500,12 +8504,18 @@ static double bracketed_root(double lower, double upper, double f_lower, double 
     }
     return newest;
 }
+static double saving(array_double_1d axis)
+{
+    double result;
+    result = 0.6 * (*cspan_at(&axis, INT64_C(21) + INT64_C(1)));
+    return result;
+}
 static void note_near(double y, double duration, array_double_1d family, array_double_1d axis)
 {
     double speed;
     speed = fabs((*cspan_at(&family, INT64_C(0)))) + fabs((*cspan_at(&family, INT64_C(2))));
     speed = speed + (fabs((*cspan_at(&family, INT64_C(1)))) + fabs((*cspan_at(&family, INT64_C(3))))) * duration;
-    if (fabs(y - (*cspan_at(&family, INT64_C(14)))) <= 0.6 * (*cspan_at(&axis, INT64_C(21) + INT64_C(1))) * speed * duration)
+    if (fabs(y - (*cspan_at(&family, INT64_C(14)))) <= saving(axis) * speed * duration)
     {
         (*cspan_at(&family, INT64_C(17))) = 1.0;
     }
@@ -8615,7 +8625,7 @@ static void note_near_gain(array_double_1d family, array_double_1d axis)
     segfmu_ramp_duration(&first, &slope, low - a, axis);
     segfmu_ramp_duration(&last, &slope, low - b, axis);
     least = 0.5 * ((a + low) * first + (low + b) * last);
-    if ((*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))) >= (1.0 - 0.6 * (*cspan_at(&axis, INT64_C(21) + INT64_C(1)))) * least)
+    if ((*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))) >= (1.0 - saving(axis)) * least)
     {
         (*cspan_at(&family, INT64_C(17))) = 1.0;
     }
@@ -9862,7 +9872,7 @@ static int64_t arc_root(int64_t* result_0, double* result_1, int64_t arc, int64_
     (*result_1) = -1.0;
     return 0;
 }
-static int64_t loop_form(int64_t arcs, int64_t count, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
+static int64_t loop_form(int64_t last, int64_t count, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     array_double_1d family;
     array_double_2d trial;
@@ -9876,7 +9886,7 @@ static int64_t loop_form(int64_t arcs, int64_t count, double longest, array_doub
     trial = span_rows(&work, INT64_C(0), INT64_C(13));
     missing = set_loop(problem, axis, family);
     given = longest;
-    for (arc = INT64_C(0); arc < arcs; arc += INT64_C(1))
+    for (arc = INT64_C(0); arc < last + INT64_C(1); arc += INT64_C(1))
     {
         if ((arc == INT64_C(6)) && (longest < given))
         {
@@ -9928,6 +9938,292 @@ static void timed_loop(array_double_1d problem, array_double_1d axis, array_doub
             }
         }
     }
+}
+static void transition_coefficients(int64_t order, array_double_1d coefficients)
+{
+    int64_t i;
+    double scale;
+    double binomial;
+    for (i = INT64_C(0); i < INT64_C(2) * order + INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&coefficients, i)) = 0.0;
+    }
+    scale = 1.0;
+    for (i = INT64_C(1); i < order + INT64_C(1); i += INT64_C(1))
+    {
+        scale = scale * (order + INT64_C(1) + i) / i;
+    }
+    scale = scale * (order + INT64_C(1));
+    binomial = 1.0;
+    for (i = INT64_C(0); i < order + INT64_C(1); i += INT64_C(1))
+    {
+        (*cspan_at(&coefficients, order + INT64_C(1) + i)) = scale * binomial / (order + INT64_C(1) + i);
+        binomial = (-binomial) * (order - i) / (i + INT64_C(1));
+    }
+}
+static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s)
+{
+    int64_t j;
+    int64_t i;
+    double factor;
+    int64_t m;
+    double value;
+    value = 0.0;
+    for (j = INT64_C(0); j < count - times; j += INT64_C(1))
+    {
+        i = count - INT64_C(1) - j;
+        factor = 1.0;
+        for (m = INT64_C(0); m < times; m += INT64_C(1))
+        {
+            factor = factor * (i - m);
+        }
+        value = value * s + factor * (*cspan_at(&coefficients, i));
+    }
+    return value;
+}
+static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks)
+{
+    int64_t count;
+    int64_t samples;
+    int64_t j;
+    double best;
+    int64_t at;
+    int64_t i;
+    double value;
+    double lower;
+    double upper;
+    double left;
+    double middle;
+    double slope;
+    count = INT64_C(2) * order + INT64_C(2);
+    transition_coefficients(order, coefficients);
+    (*cspan_at(&peaks, INT64_C(0))) = 1.0;
+    samples = INT64_C(64) * (order + INT64_C(1));
+    for (j = INT64_C(1); j < order + INT64_C(2); j += INT64_C(1))
+    {
+        best = 0.0;
+        at = INT64_C(0);
+        for (i = INT64_C(0); i < samples + INT64_C(1); i += INT64_C(1))
+        {
+            value = fabs(polynomial_derivative(coefficients, count, j, i / (2.0 * samples)));
+            if (value > best)
+            {
+                best = value;
+                at = i;
+            }
+        }
+        lower = (at - INT64_C(1)) / (2.0 * samples);
+        upper = (at + INT64_C(1)) / (2.0 * samples);
+        if (at == INT64_C(0))
+        {
+            lower = 0.0;
+        }
+        left = polynomial_derivative(coefficients, count, j + INT64_C(1), lower);
+        for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+        {
+            middle = 0.5 * (lower + upper);
+            slope = polynomial_derivative(coefficients, count, j + INT64_C(1), middle);
+            if (slope * left > 0.0)
+            {
+                lower = middle;
+            }
+            else
+            {
+                upper = middle;
+            }
+        }
+        value = fabs(polynomial_derivative(coefficients, count, j, 0.5 * (lower + upper)));
+        if (value > best)
+        {
+            best = value;
+        }
+        (*cspan_at(&peaks, j)) = best;
+    }
+}
+void segfmu_axis_limits(int64_t smoothness, int64_t shape, array_double_1d limits, array_double_1d axis)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < INT64_C(45); i += INT64_C(1))
+    {
+        (*cspan_at(&axis, i)) = 0.0;
+    }
+    (*cspan_at(&axis, INT64_C(0))) = smoothness;
+    (*cspan_at(&axis, INT64_C(1))) = shape;
+    for (i = INT64_C(0); i < smoothness + INT64_C(1); i += INT64_C(1))
+    {
+        (*cspan_at(&axis, INT64_C(2) + i)) = (*cspan_at(&limits, i));
+    }
+}
+static double usual_share(void)
+{
+    return 0.1;
+}
+static double steeper_above(void)
+{
+    return 0.2;
+}
+static double moderate_share(void)
+{
+    return 0.02;
+}
+static double steepest_share(void)
+{
+    return 0.004;
+}
+static bool snap_is_last(array_double_1d axis)
+{
+    bool result;
+    result = ((*cspan_at(&axis, INT64_C(21))) == 0.0) && ((*cspan_at(&axis, INT64_C(16) + INT64_C(1))) == 0.0);
+    return result;
+}
+static bool plateau_parameters(double share, array_double_1d axis)
+{
+    int64_t boxes;
+    int64_t last;
+    int64_t level;
+    int64_t i;
+    double limit;
+    double rise;
+    double slope;
+    double time;
+    double variance;
+    double fourth;
+    double jerk;
+    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1);
+    (*cspan_at(&axis, INT64_C(11))) = 1.0;
+    last = -INT64_C(1);
+    for (level = INT64_C(0); level < boxes; level += INT64_C(1))
+    {
+        if ((*cspan_at(&axis, INT64_C(4) + level)) > 0.0)
+        {
+            last = level;
+        }
+    }
+    if (last < INT64_C(0))
+    {
+        return 0;
+    }
+    (*cspan_at(&axis, INT64_C(33))) = span_min_int(span_floor_div((last + INT64_C(1)), INT64_C(2)), INT64_C(2));
+    for (level = INT64_C(0); level < boxes - INT64_C(1); level += INT64_C(1))
+    {
+        if ((level > INT64_C(0)) || (last == INT64_C(0)))
+        {
+            (*cspan_at(&axis, INT64_C(21) + level)) = share;
+            if (level > last)
+            {
+                (*cspan_at(&axis, INT64_C(21) + level)) = span_max(share, usual_share());
+            }
+            if ((level + (*cspan_at(&axis, INT64_C(9))) == 2.0) && (last + (*cspan_at(&axis, INT64_C(9))) > 1.5))
+            {
+                (*cspan_at(&axis, INT64_C(21) + level)) = steeper_above() * share;
+            }
+        }
+    }
+    for (i = INT64_C(0); i < last; i += INT64_C(1))
+    {
+        level = last - INT64_C(1) - i;
+        limit = (*cspan_at(&axis, INT64_C(4) + level));
+        rise = 1e+60;
+        if (limit > 0.0)
+        {
+            plateau_duration(&rise, &slope, limit, level + INT64_C(1), axis);
+        }
+        (*cspan_at(&axis, INT64_C(16) + level)) = rise;
+    }
+    if (last == INT64_C(1))
+    {
+        (*cspan_at(&axis, INT64_C(15))) = 4.0 / ((*cspan_at(&axis, INT64_C(4) + INT64_C(1))) * (1.0 - (*cspan_at(&axis, INT64_C(21) + INT64_C(1)))));
+    }
+    if (last <= INT64_C(1))
+    {
+        time = 1.0;
+        if (last == INT64_C(1))
+        {
+            time = (*cspan_at(&axis, INT64_C(16)));
+        }
+        rise_moments(&variance, &fourth, time, INT64_C(0), axis);
+        (*cspan_at(&axis, INT64_C(31))) = variance / (time * time);
+    }
+    jerk = (*cspan_at(&axis, INT64_C(4)));
+    if (jerk > 0.0)
+    {
+        rise = (*cspan_at(&axis, INT64_C(16)));
+        (*cspan_at(&axis, INT64_C(12))) = jerk * rise;
+        (*cspan_at(&axis, INT64_C(13))) = 1.0 / (jerk * (1.0 - (*cspan_at(&axis, INT64_C(21)))));
+        (*cspan_at(&axis, INT64_C(14))) = rise;
+        if (rise > 0.0)
+        {
+            rise_moments(cspan_at(&axis, INT64_C(32)), &fourth, rise, INT64_C(1), axis);
+        }
+    }
+    return 1;
+}
+static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, array_double_1d peaks)
+{
+    int64_t k;
+    int64_t j;
+    double limit;
+    double slope;
+    int64_t e;
+    double change;
+    bool bounded;
+    k = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
+    bounded = 0;
+    transition_peaks(k, psi, peaks);
+    (*cspan_at(&axis, INT64_C(34))) = 2.0 * k + 2.0;
+    for (j = INT64_C(0); j < INT64_C(2) * k + INT64_C(2); j += INT64_C(1))
+    {
+        (*cspan_at(&axis, INT64_C(35) + j)) = (*cspan_at(&psi, j));
+    }
+    (*cspan_at(&axis, INT64_C(31))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(3)));
+    for (j = INT64_C(1); j < k + INT64_C(2); j += INT64_C(1))
+    {
+        limit = (*cspan_at(&axis, INT64_C(4) + j - INT64_C(1)));
+        if (limit > 0.0)
+        {
+            (*cspan_at(&axis, INT64_C(26) + j - INT64_C(1))) = (*cspan_at(&peaks, j)) / limit;
+            bounded = 1;
+        }
+    }
+    slope = (*cspan_at(&axis, INT64_C(26)));
+    if (slope > 0.0)
+    {
+        (*cspan_at(&axis, INT64_C(12))) = 0.0;
+        (*cspan_at(&axis, INT64_C(13))) = slope;
+        for (e = INT64_C(2); e < k + INT64_C(2); e += INT64_C(1))
+        {
+            change = pow(((*cspan_at(&axis, INT64_C(26) + e - INT64_C(1))) / pow(slope, (double)(e))), (1.0 / (e - INT64_C(1))));
+            (*cspan_at(&axis, INT64_C(12))) = span_max((*cspan_at(&axis, INT64_C(12))), change);
+        }
+    }
+    return bounded;
+}
+bool segfmu_ramp_parameters(double share, array_double_1d axis, array_double_2d work)
+{
+    int64_t i;
+    double duration;
+    double slope;
+    bool bounded;
+    for (i = INT64_C(10); i < INT64_C(45); i += INT64_C(1))
+    {
+        (*cspan_at(&axis, i)) = 0.0;
+    }
+    (*cspan_at(&axis, INT64_C(12))) = 1e+300;
+    bounded = 0;
+    if ((int64_t)((*cspan_at(&axis, INT64_C(1)))) == INT64_C(1))
+    {
+        bounded = plateau_parameters(share, axis);
+    }
+    else
+    {
+        bounded = smoothstep_parameters(axis, span_row(&work, INT64_C(0)), span_row(&work, INT64_C(1)));
+    }
+    if (bounded)
+    {
+        segfmu_ramp_duration(&duration, &slope, (*cspan_at(&axis, INT64_C(3))), axis);
+        (*cspan_at(&axis, INT64_C(10))) = duration;
+    }
+    return bounded;
 }
 static double power_of(double base, int64_t exponent)
 {
@@ -10130,13 +10426,19 @@ static int64_t node_residuals(int64_t i, int64_t row, array_double_1d passing, a
     }
     return row;
 }
+static bool stays_at_limit(array_double_1d node)
+{
+    bool result;
+    result = ((*cspan_at(&node, INT64_C(4))) > 0.5) && ((*cspan_at(&node, INT64_C(7))) < 0.5) && ((*cspan_at(&node, INT64_C(9))) == 0.0);
+    return result;
+}
 static void hold_limit(int64_t q, array_double_1d node, array_double_1d axis, array_double_1d state)
 {
     int64_t kind;
     int64_t k;
-    kind = (int64_t)((*cspan_at(&node, INT64_C(4))));
-    if ((kind > INT64_C(0)) && ((*cspan_at(&node, INT64_C(7))) < 0.5) && ((*cspan_at(&node, INT64_C(9))) == 0.0))
+    if (stays_at_limit(node))
     {
+        kind = (int64_t)((*cspan_at(&node, INT64_C(4))));
         (*cspan_at(&state, INT64_C(0) + kind)) = (*cspan_at(&node, INT64_C(5))) * (*cspan_at(&axis, INT64_C(2) + kind - INT64_C(1)));
         for (k = kind + INT64_C(1); k < q; k += INT64_C(1))
         {
@@ -10258,17 +10560,17 @@ static void follow_change(int64_t first, int64_t row, array_double_1d passing, a
     {
         advance((*cspan_at(&nodes, i, INT64_C(11))), 0.0, 0.0, 0.0, 0.0, q - INT64_C(2), change);
         kind = (int64_t)((*cspan_at(&nodes, i, INT64_C(4))));
-        if (i == count)
+        dropped = -INT64_C(1);
+        if (i < count)
         {
-            kind = INT64_C(0);
+            dropped = dropped_condition(q, span_row(&nodes, i));
         }
-        dropped = dropped_condition(q, span_row(&nodes, i));
         if ((kind > INT64_C(0)) || (i == count))
         {
             for (k = kind; k < q; k += INT64_C(1))
             {
                 slope = (*cspan_at(&change, INT64_C(0) + k)) / residual_scale(k, passing, axis);
-                if ((kind > INT64_C(0)) && (k == dropped))
+                if (k == dropped)
                 {
                     slope = 0.0;
                 }
@@ -10276,14 +10578,14 @@ static void follow_change(int64_t first, int64_t row, array_double_1d passing, a
                 row = row + INT64_C(1);
             }
         }
-        if ((kind > INT64_C(0)) && ((*cspan_at(&nodes, i, INT64_C(7))) < 0.5) && ((*cspan_at(&nodes, i, INT64_C(9))) == 0.0))
+        if (stays_at_limit(span_row(&nodes, i)))
         {
             for (k = kind; k < q; k += INT64_C(1))
             {
                 (*cspan_at(&change, INT64_C(0) + k)) = 0.0;
             }
         }
-        if ((i < count) && ((*cspan_at(&nodes, i, INT64_C(10))) != 0.0))
+        if ((*cspan_at(&nodes, i, INT64_C(10))) != 0.0)
         {
             advance((*cspan_at(&nodes, i, INT64_C(10))), 0.0, 0.0, 0.0, 0.0, q - INT64_C(2), change);
         }
@@ -10291,20 +10593,10 @@ static void follow_change(int64_t first, int64_t row, array_double_1d passing, a
 }
 static bool is_square(array_double_1d passing, array_double_2d nodes)
 {
-    int64_t q;
-    int64_t conditions;
     int64_t count;
-    int64_t i;
-    q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
-    conditions = q;
+    int64_t conditions;
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        if ((*cspan_at(&nodes, i, INT64_C(4))) > 0.5)
-        {
-            conditions = conditions + q - (int64_t)((*cspan_at(&nodes, i, INT64_C(4))));
-        }
-    }
+    conditions = first_row(count, passing, nodes) + (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
     return (conditions == count) && (count <= INT64_C(16));
 }
 static double residual_norm(int64_t count, array_double_1d residual)
@@ -11714,7 +12006,7 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
     double longest;
     bool settled;
     bool passing;
-    int64_t arcs;
+    int64_t last;
     int64_t count;
     int64_t result;
     status = braked_ramps(asked, axis, phases, work);
@@ -11737,12 +12029,12 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
     {
         return status;
     }
-    arcs = INT64_C(6) + INT64_C(1);
+    last = INT64_C(6);
     if ((status > INT64_C(0)) && ramps_suffice(axis) && (early_window(longest, asked, axis) <= 0.0))
     {
-        arcs = INT64_C(2) + INT64_C(1);
+        last = INT64_C(2);
     }
-    count = loop_form(arcs, span_max_int(status, INT64_C(0)), longest, phases, asked, axis, work);
+    count = loop_form(last, span_max_int(status, INT64_C(0)), longest, phases, asked, axis, work);
     if (count == INT64_C(0))
     {
         return status;
@@ -11760,7 +12052,6 @@ int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, a
     array_double_1d family;
     double missed;
     double longest;
-    bool snap_is_last;
     int64_t count;
     asked = span_row(&work, INT64_C(43));
     family = span_row(&work, INT64_C(45));
@@ -11786,7 +12077,7 @@ int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, a
         longest = early_window(total_duration(phases, count), asked, axis);
         if (longest > 0.0)
         {
-            count = loop_form(INT64_C(6) + INT64_C(1), count, longest, phases, asked, axis, work);
+            count = loop_form(INT64_C(6), count, longest, phases, asked, axis, work);
             if (total_duration(phases, count) > longest)
             {
                 missed = 2.0;
@@ -11797,8 +12088,7 @@ int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, a
             count = passing_either_way(count, phases, asked, axis, work);
         }
     }
-    snap_is_last = ((*cspan_at(&axis, INT64_C(21))) == 0.0) && ramps_suffice(axis);
-    if ((!snap_is_last) && (!is_resting(asked, axis)))
+    if ((!snap_is_last(axis)) && (!is_resting(asked, axis)))
     {
         missed = 2.0;
     }
@@ -12881,285 +13171,11 @@ static double common_duration(double start, double sample_time, int64_t first, i
     }
     return -1.0;
 }
-static void transition_coefficients(int64_t order, array_double_1d coefficients)
+static void note_shortest(double time, array_double_2d cell)
 {
-    int64_t i;
-    double scale;
-    double binomial;
-    for (i = INT64_C(0); i < INT64_C(2) * order + INT64_C(2); i += INT64_C(1))
-    {
-        (*cspan_at(&coefficients, i)) = 0.0;
-    }
-    scale = 1.0;
-    for (i = INT64_C(1); i < order + INT64_C(1); i += INT64_C(1))
-    {
-        scale = scale * (order + INT64_C(1) + i) / i;
-    }
-    scale = scale * (order + INT64_C(1));
-    binomial = 1.0;
-    for (i = INT64_C(0); i < order + INT64_C(1); i += INT64_C(1))
-    {
-        (*cspan_at(&coefficients, order + INT64_C(1) + i)) = scale * binomial / (order + INT64_C(1) + i);
-        binomial = (-binomial) * (order - i) / (i + INT64_C(1));
-    }
-}
-static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s)
-{
-    int64_t j;
-    int64_t i;
-    double factor;
-    int64_t m;
-    double value;
-    value = 0.0;
-    for (j = INT64_C(0); j < count - times; j += INT64_C(1))
-    {
-        i = count - INT64_C(1) - j;
-        factor = 1.0;
-        for (m = INT64_C(0); m < times; m += INT64_C(1))
-        {
-            factor = factor * (i - m);
-        }
-        value = value * s + factor * (*cspan_at(&coefficients, i));
-    }
-    return value;
-}
-static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks)
-{
-    int64_t count;
-    int64_t samples;
-    int64_t j;
-    double best;
-    int64_t at;
-    int64_t i;
-    double value;
-    double lower;
-    double upper;
-    double left;
-    double middle;
-    double slope;
-    count = INT64_C(2) * order + INT64_C(2);
-    transition_coefficients(order, coefficients);
-    (*cspan_at(&peaks, INT64_C(0))) = 1.0;
-    samples = INT64_C(64) * (order + INT64_C(1));
-    for (j = INT64_C(1); j < order + INT64_C(2); j += INT64_C(1))
-    {
-        best = 0.0;
-        at = INT64_C(0);
-        for (i = INT64_C(0); i < samples + INT64_C(1); i += INT64_C(1))
-        {
-            value = fabs(polynomial_derivative(coefficients, count, j, i / (2.0 * samples)));
-            if (value > best)
-            {
-                best = value;
-                at = i;
-            }
-        }
-        lower = (at - INT64_C(1)) / (2.0 * samples);
-        upper = (at + INT64_C(1)) / (2.0 * samples);
-        if (at == INT64_C(0))
-        {
-            lower = 0.0;
-        }
-        left = polynomial_derivative(coefficients, count, j + INT64_C(1), lower);
-        for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
-        {
-            middle = 0.5 * (lower + upper);
-            slope = polynomial_derivative(coefficients, count, j + INT64_C(1), middle);
-            if (slope * left > 0.0)
-            {
-                lower = middle;
-            }
-            else
-            {
-                upper = middle;
-            }
-        }
-        value = fabs(polynomial_derivative(coefficients, count, j, 0.5 * (lower + upper)));
-        if (value > best)
-        {
-            best = value;
-        }
-        (*cspan_at(&peaks, j)) = best;
-    }
-}
-void segfmu_axis_limits(int64_t smoothness, int64_t shape, array_double_1d limits, array_double_1d axis)
-{
-    int64_t i;
-    for (i = INT64_C(0); i < INT64_C(45); i += INT64_C(1))
-    {
-        (*cspan_at(&axis, i)) = 0.0;
-    }
-    (*cspan_at(&axis, INT64_C(0))) = smoothness;
-    (*cspan_at(&axis, INT64_C(1))) = shape;
-    for (i = INT64_C(0); i < smoothness + INT64_C(1); i += INT64_C(1))
-    {
-        (*cspan_at(&axis, INT64_C(2) + i)) = (*cspan_at(&limits, i));
-    }
-}
-static double usual_share(void)
-{
-    return 0.1;
-}
-static double steeper_above(void)
-{
-    return 0.2;
-}
-static double moderate_share(void)
-{
-    return 0.02;
-}
-static double steepest_share(void)
-{
-    return 0.004;
-}
-static bool plateau_parameters(double share, array_double_1d axis)
-{
-    int64_t boxes;
-    int64_t last;
-    int64_t level;
-    int64_t i;
-    double limit;
-    double rise;
-    double slope;
-    double time;
-    double variance;
-    double fourth;
-    double jerk;
-    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1);
-    (*cspan_at(&axis, INT64_C(11))) = 1.0;
-    last = -INT64_C(1);
-    for (level = INT64_C(0); level < boxes; level += INT64_C(1))
-    {
-        if ((*cspan_at(&axis, INT64_C(4) + level)) > 0.0)
-        {
-            last = level;
-        }
-    }
-    if (last < INT64_C(0))
-    {
-        return 0;
-    }
-    (*cspan_at(&axis, INT64_C(33))) = span_min_int(span_floor_div((last + INT64_C(1)), INT64_C(2)), INT64_C(2));
-    for (level = INT64_C(0); level < boxes - INT64_C(1); level += INT64_C(1))
-    {
-        if ((level > INT64_C(0)) || (last == INT64_C(0)))
-        {
-            (*cspan_at(&axis, INT64_C(21) + level)) = share;
-            if (level > last)
-            {
-                (*cspan_at(&axis, INT64_C(21) + level)) = span_max(share, usual_share());
-            }
-            if ((level + (*cspan_at(&axis, INT64_C(9))) == 2.0) && (last + (*cspan_at(&axis, INT64_C(9))) > 1.5))
-            {
-                (*cspan_at(&axis, INT64_C(21) + level)) = steeper_above() * share;
-            }
-        }
-    }
-    for (i = INT64_C(0); i < last; i += INT64_C(1))
-    {
-        level = last - INT64_C(1) - i;
-        limit = (*cspan_at(&axis, INT64_C(4) + level));
-        rise = 1e+60;
-        if (limit > 0.0)
-        {
-            plateau_duration(&rise, &slope, limit, level + INT64_C(1), axis);
-        }
-        (*cspan_at(&axis, INT64_C(16) + level)) = rise;
-    }
-    if (last == INT64_C(1))
-    {
-        (*cspan_at(&axis, INT64_C(15))) = 4.0 / ((*cspan_at(&axis, INT64_C(4) + INT64_C(1))) * (1.0 - (*cspan_at(&axis, INT64_C(21) + INT64_C(1)))));
-    }
-    if (last <= INT64_C(1))
-    {
-        time = 1.0;
-        if (last == INT64_C(1))
-        {
-            time = (*cspan_at(&axis, INT64_C(16)));
-        }
-        rise_moments(&variance, &fourth, time, INT64_C(0), axis);
-        (*cspan_at(&axis, INT64_C(31))) = variance / (time * time);
-    }
-    jerk = (*cspan_at(&axis, INT64_C(4)));
-    if (jerk > 0.0)
-    {
-        rise = (*cspan_at(&axis, INT64_C(16)));
-        (*cspan_at(&axis, INT64_C(12))) = jerk * rise;
-        (*cspan_at(&axis, INT64_C(13))) = 1.0 / (jerk * (1.0 - (*cspan_at(&axis, INT64_C(21)))));
-        (*cspan_at(&axis, INT64_C(14))) = rise;
-        if (rise > 0.0)
-        {
-            rise_moments(cspan_at(&axis, INT64_C(32)), &fourth, rise, INT64_C(1), axis);
-        }
-    }
-    return 1;
-}
-static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, array_double_1d peaks)
-{
-    int64_t k;
-    int64_t j;
-    double limit;
-    double slope;
-    int64_t e;
-    double change;
-    bool bounded;
-    k = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
-    bounded = 0;
-    transition_peaks(k, psi, peaks);
-    (*cspan_at(&axis, INT64_C(34))) = 2.0 * k + 2.0;
-    for (j = INT64_C(0); j < INT64_C(2) * k + INT64_C(2); j += INT64_C(1))
-    {
-        (*cspan_at(&axis, INT64_C(35) + j)) = (*cspan_at(&psi, j));
-    }
-    (*cspan_at(&axis, INT64_C(31))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(3)));
-    for (j = INT64_C(1); j < k + INT64_C(2); j += INT64_C(1))
-    {
-        limit = (*cspan_at(&axis, INT64_C(4) + j - INT64_C(1)));
-        if (limit > 0.0)
-        {
-            (*cspan_at(&axis, INT64_C(26) + j - INT64_C(1))) = (*cspan_at(&peaks, j)) / limit;
-            bounded = 1;
-        }
-    }
-    slope = (*cspan_at(&axis, INT64_C(26)));
-    if (slope > 0.0)
-    {
-        (*cspan_at(&axis, INT64_C(12))) = 0.0;
-        (*cspan_at(&axis, INT64_C(13))) = slope;
-        for (e = INT64_C(2); e < k + INT64_C(2); e += INT64_C(1))
-        {
-            change = pow(((*cspan_at(&axis, INT64_C(26) + e - INT64_C(1))) / pow(slope, (double)(e))), (1.0 / (e - INT64_C(1))));
-            (*cspan_at(&axis, INT64_C(12))) = span_max((*cspan_at(&axis, INT64_C(12))), change);
-        }
-    }
-    return bounded;
-}
-bool segfmu_ramp_parameters(double share, array_double_1d axis, array_double_2d work)
-{
-    int64_t i;
-    double duration;
-    double slope;
-    bool bounded;
-    for (i = INT64_C(10); i < INT64_C(45); i += INT64_C(1))
-    {
-        (*cspan_at(&axis, i)) = 0.0;
-    }
-    (*cspan_at(&axis, INT64_C(12))) = 1e+300;
-    bounded = 0;
-    if ((int64_t)((*cspan_at(&axis, INT64_C(1)))) == INT64_C(1))
-    {
-        bounded = plateau_parameters(share, axis);
-    }
-    else
-    {
-        bounded = smoothstep_parameters(axis, span_row(&work, INT64_C(0)), span_row(&work, INT64_C(1)));
-    }
-    if (bounded)
-    {
-        segfmu_ramp_duration(&duration, &slope, (*cspan_at(&axis, INT64_C(3))), axis);
-        (*cspan_at(&axis, INT64_C(10))) = duration;
-    }
-    return bounded;
+    time = time + (*cspan_at(&cell, INT64_C(68), INT64_C(2)));
+    (*cspan_at(&cell, INT64_C(67), INT64_C(0))) = time;
+    (*cspan_at(&cell, INT64_C(67), INT64_C(1))) = time;
 }
 static int64_t plan_with_share(int64_t axis, double share, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
@@ -13190,9 +13206,7 @@ static int64_t plan_with_share(int64_t axis, double share, array_double_2d axes,
             return status;
         }
         missed = span_max(missed, (*cspan_at(&work, INT64_C(45), INT64_C(17))));
-        time = time + (*cspan_at(&cells, j, INT64_C(68), INT64_C(2)));
-        (*cspan_at(&cells, j, INT64_C(67), INT64_C(0))) = time;
-        (*cspan_at(&cells, j, INT64_C(67), INT64_C(1))) = time;
+        note_shortest(time, span_matrix(&cells, j));
     }
     (*cspan_at(&work, INT64_C(45), INT64_C(17))) = missed;
     return INT64_C(0);
@@ -13227,17 +13241,14 @@ static void restore_shortest(int64_t axis, array_double_2d axes, array_double_3d
     array_double_2d cell;
     array_double_2d phases;
     int64_t count;
-    double time;
     for (j = axis; (axes.shape[INT64_C(0)] > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += axes.shape[INT64_C(0)])
     {
         cell = span_matrix(&cells, j);
         phases = span_rows(&cell, INT64_C(0), INT64_C(33));
         count = (int64_t)((*cspan_at(&cell, INT64_C(67), INT64_C(5))));
         copy_phases(span_rows(&cell, INT64_C(33), INT64_C(66)), phases, count);
-        time = total_duration(phases, count) + (*cspan_at(&cell, INT64_C(68), INT64_C(2)));
         (*cspan_at(&cell, INT64_C(67), INT64_C(3))) = count;
-        (*cspan_at(&cell, INT64_C(67), INT64_C(0))) = time;
-        (*cspan_at(&cell, INT64_C(67), INT64_C(1))) = time;
+        note_shortest(total_duration(phases, count), cell);
     }
 }
 static double smoothness_share(double usual, double share, array_double_1d axis)
@@ -13268,11 +13279,9 @@ static bool shorter_with(double share, double kept, double factor, int64_t axis,
 static void plan_steeper(double missed, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
     double share;
-    bool snap_is_last;
     double factor;
     share = usual_share();
-    snap_is_last = ((*cspan_at(&axes, axis, INT64_C(21))) == 0.0) && ((*cspan_at(&axes, axis, INT64_C(16) + INT64_C(1))) == 0.0);
-    if (snap_is_last)
+    if (snap_is_last(span_row(&axes, axis)))
     {
         factor = smoothness_share(share, moderate_share(), span_row(&axes, axis));
         if (shorter_with(moderate_share(), share, factor, axis, axes, cells, work))

@@ -1387,6 +1387,59 @@ static PyObject *call_measure_phases(
     return answer;
 }
 
+static PyObject *call_axis_limits(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "axis_limits", .values = values};
+    PyObject *answer = NULL;
+    int64_t in_smoothness;
+    int64_t in_shape;
+    Py_buffer *in_limits;
+    Py_buffer *in_axis;
+    (void)self;
+    if (take_count(&call, count, 4)
+        && take_int(&call, 0, &in_smoothness)
+        && take_int(&call, 1, &in_shape)
+        && (in_limits = take_array(&call, 2, 1, 'd', false)) != NULL
+        && (in_axis = take_array(&call, 3, 1, 'd', true)) != NULL
+        && has_at_least(&call, "limits", 0, in_limits->shape[0], (in_smoothness + 1))
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 45)) {
+        segfmu_axis_limits(
+            in_smoothness,
+            in_shape,
+            (array_double_1d){in_limits->buf, {in_limits->shape[0]}},
+            (array_double_1d){in_axis->buf, {in_axis->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_ramp_parameters(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "ramp_parameters", .values = values};
+    PyObject *answer = NULL;
+    double in_share;
+    Py_buffer *in_axis;
+    Py_buffer *in_work;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && take_float(&call, 0, &in_share)
+        && (in_axis = take_array(&call, 1, 1, 'd', true)) != NULL
+        && (in_work = take_array(&call, 2, 2, 'd', true)) != NULL
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 45)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 2)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 12)) {
+        answer = PyBool_FromLong(segfmu_ramp_parameters(
+            in_share,
+            (array_double_1d){in_axis->buf, {in_axis->shape[0]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_shortest_profile(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -1442,59 +1495,6 @@ static PyObject *call_timed_profile(
             in_target,
             (array_double_1d){in_axis->buf, {in_axis->shape[0]}},
             (array_double_2d){in_cell->buf, {in_cell->shape[0], in_cell->shape[1]}},
-            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_axis_limits(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "axis_limits", .values = values};
-    PyObject *answer = NULL;
-    int64_t in_smoothness;
-    int64_t in_shape;
-    Py_buffer *in_limits;
-    Py_buffer *in_axis;
-    (void)self;
-    if (take_count(&call, count, 4)
-        && take_int(&call, 0, &in_smoothness)
-        && take_int(&call, 1, &in_shape)
-        && (in_limits = take_array(&call, 2, 1, 'd', false)) != NULL
-        && (in_axis = take_array(&call, 3, 1, 'd', true)) != NULL
-        && has_at_least(&call, "limits", 0, in_limits->shape[0], (in_smoothness + 1))
-        && has_at_least(&call, "axis", 0, in_axis->shape[0], 45)) {
-        segfmu_axis_limits(
-            in_smoothness,
-            in_shape,
-            (array_double_1d){in_limits->buf, {in_limits->shape[0]}},
-            (array_double_1d){in_axis->buf, {in_axis->shape[0]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_ramp_parameters(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "ramp_parameters", .values = values};
-    PyObject *answer = NULL;
-    double in_share;
-    Py_buffer *in_axis;
-    Py_buffer *in_work;
-    (void)self;
-    if (take_count(&call, count, 3)
-        && take_float(&call, 0, &in_share)
-        && (in_axis = take_array(&call, 1, 1, 'd', true)) != NULL
-        && (in_work = take_array(&call, 2, 2, 'd', true)) != NULL
-        && has_at_least(&call, "axis", 0, in_axis->shape[0], 45)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 2)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 12)) {
-        answer = PyBool_FromLong(segfmu_ramp_parameters(
-            in_share,
-            (array_double_1d){in_axis->buf, {in_axis->shape[0]}},
             (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
     }
     release_arguments(&call);
@@ -2972,10 +2972,10 @@ static PyMethodDef methods[] = {
     {"ramp_duration", (PyCFunction)(void (*)(void))call_ramp_duration, METH_FASTCALL, NULL},
     {"ramp_pieces", (PyCFunction)(void (*)(void))call_ramp_pieces, METH_FASTCALL, NULL},
     {"measure_phases", (PyCFunction)(void (*)(void))call_measure_phases, METH_FASTCALL, NULL},
-    {"shortest_profile", (PyCFunction)(void (*)(void))call_shortest_profile, METH_FASTCALL, NULL},
-    {"timed_profile", (PyCFunction)(void (*)(void))call_timed_profile, METH_FASTCALL, NULL},
     {"axis_limits", (PyCFunction)(void (*)(void))call_axis_limits, METH_FASTCALL, NULL},
     {"ramp_parameters", (PyCFunction)(void (*)(void))call_ramp_parameters, METH_FASTCALL, NULL},
+    {"shortest_profile", (PyCFunction)(void (*)(void))call_shortest_profile, METH_FASTCALL, NULL},
+    {"timed_profile", (PyCFunction)(void (*)(void))call_timed_profile, METH_FASTCALL, NULL},
     {"plan_phases", (PyCFunction)(void (*)(void))call_plan_phases, METH_FASTCALL, NULL},
     {"check_problem", (PyCFunction)(void (*)(void))call_check_problem, METH_FASTCALL, NULL},
     {"settle_states", (PyCFunction)(void (*)(void))call_settle_states, METH_FASTCALL, NULL},

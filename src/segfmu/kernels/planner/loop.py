@@ -296,7 +296,7 @@ def arc_root(
 
 
 def loop_form(
-    arcs: int,
+    last: int,
     count: int,
     longest: float,
     phases: 'float[:,:]',
@@ -304,16 +304,16 @@ def loop_form(
     axis: 'float[:]',
     work: 'float[:,:]',
 ) -> int:
-    """Replace a profile by the shortest one of the first arcs (LoopArc), if that is shorter.
+    """Replace a profile by the shortest one of all arcs up to the last one, if that is shorter.
 
-    arcs: their number; count: phases of the profile, 0 if there is none; longest: its duration, or
+    last: of LoopArc; count: phases of the profile, 0 if there is none; longest: its duration, or
     the longest one that is looked for [s]. Returns the new number of phases.
     """
     family = work[PlanWork.FAMILY, :]
     trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
     missing = set_loop(problem, axis, family)
     given = longest
-    for arc in range(arcs):
+    for arc in range(last + 1):
         if arc == LoopArc.FOLD and longest < given:
             break
         sample = 0

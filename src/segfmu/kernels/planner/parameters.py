@@ -64,6 +64,11 @@ def steepest_share() -> float:
     return 0.004
 
 
+def snap_is_last(axis: 'float[:]') -> bool:
+    """Whether the snap is the highest limit of an axis whose ramp parameters are set."""
+    return axis[Axis.SHARES] == 0.0 and axis[Axis.RISES + 1] == 0.0
+
+
 def ramp_parameters(share: float, axis: 'float[:]', work: 'float[:,:]') -> bool:
     """Set the ramp parameters of an axis whose limits are set (Axis).
 

@@ -4,6 +4,7 @@ from segfmu.kernels.planner.intervals import set_shortest
 from segfmu.kernels.planner.parameters import (
     moderate_share,
     ramp_parameters,
+    snap_is_last,
     steepest_share,
     usual_share,
 )
@@ -19,6 +20,13 @@ from segfmu.kernels.planner.records import (
     Problem,
     Refusal,
 )
+
+
+def note_shortest(time: float, cell: 'float[:,:]') -> None:
+    """Write that the shortest profile of a cell takes `time` [s] after its delay."""
+    time = time + cell[Cell.PLACE, Place.DELAY]
+    cell[Cell.RESULT, Interval.SHORTEST] = time
+    cell[Cell.RESULT, Interval.DURATION] = time
 
 
 def plan_with_share(
@@ -40,9 +48,7 @@ def plan_with_share(
             report[Refusal.BOUND] = axes[axis, Axis.VELOCITY]
             return status
         missed = max(missed, work[PlanWork.FAMILY, Family.MISSED])
-        time = time + cells[j, Cell.PLACE, Place.DELAY]
-        cells[j, Cell.RESULT, Interval.SHORTEST] = time
-        cells[j, Cell.RESULT, Interval.DURATION] = time
+        note_shortest(time, cells[j, :, :])
     work[PlanWork.FAMILY, Family.MISSED] = missed
     return PlanStatus.PLANNED
 
@@ -71,10 +77,8 @@ def restore_shortest(axis: int, axes: 'float[:,:]', cells: 'float[:,:,:]') -> No
         phases = cell[Cell.BELOW:Cell.ABOVE, :]
         count = int(cell[Cell.RESULT, Interval.KEPT_COUNT])
         copy_phases(cell[Cell.ABOVE:Cell.PROBLEM, :], phases, count)
-        time = total_duration(phases, count) + cell[Cell.PLACE, Place.DELAY]
         cell[Cell.RESULT, Interval.BELOW_COUNT] = count
-        cell[Cell.RESULT, Interval.SHORTEST] = time
-        cell[Cell.RESULT, Interval.DURATION] = time
+        note_shortest(total_duration(phases, count), cell)
 
 
 def smoothness_share(usual: float, share: float, axis: 'float[:]') -> float:
@@ -117,8 +121,7 @@ def plan_steeper(
     highest limit: forces are held from sample to sample, and nothing else bounds their errors.
     """
     share = usual_share()
-    snap_is_last = axes[axis, Axis.SHARES] == 0.0 and axes[axis, Axis.RISES + 1] == 0.0
-    if snap_is_last:
+    if snap_is_last(axes[axis, :]):
         factor = smoothness_share(share, moderate_share(), axes[axis, :])
         if shorter_with(moderate_share(), share, factor, axis, axes, cells, work):
             share = moderate_share()

@@ -17,6 +17,7 @@ from segfmu.kernels.planner.braking import braked, surround
 from segfmu.kernels.planner.cruise import direct_form, slower_cruise, with_cruise
 from segfmu.kernels.planner.loop import loop_form
 from segfmu.kernels.planner.merged import merged_form, set_family, tempered_form
+from segfmu.kernels.planner.parameters import snap_is_last
 from segfmu.kernels.planner.passing import passing_form
 from segfmu.kernels.planner.phases import (
     append_change,
@@ -162,14 +163,13 @@ def shortest_profile(
     else:
         longest = early_window(total_duration(phases, count), asked, axis)
         if longest > 0.0:
-            count = loop_form(LoopArc.FOLD + 1, count, longest, phases, asked, axis, work)
+            count = loop_form(LoopArc.FOLD, count, longest, phases, asked, axis, work)
             if total_duration(phases, count) > longest:
                 missed = 2.0
         if axis[Axis.ABOVE] > 0.5 and not ramps_suffice(axis):
             count = passing_either_way(count, phases, asked, axis, work)
     # where the snap is not the highest limit, steeper rises are always tried
-    snap_is_last = axis[Axis.SHARES] == 0.0 and ramps_suffice(axis)
-    if not snap_is_last and not is_resting(asked, axis):
+    if not snap_is_last(axis) and not is_resting(asked, axis):
         missed = 2.0
     family[Family.MISSED] = missed
     return count
@@ -192,10 +192,10 @@ def shortest_braked(
     passing = asked[Problem.A] * asked[Problem.B] <= 0.0
     if is_resting(asked, axis) or (passing and status < 0 and status != PlanStatus.NO_PROFILE):
         return status
-    arcs = LoopArc.FOLD + 1
+    last = int(LoopArc.FOLD)
     if status > 0 and ramps_suffice(axis) and early_window(longest, asked, axis) <= 0.0:
-        arcs = LoopArc.LAST + 1
-    count = loop_form(arcs, max(status, 0), longest, phases, asked, axis, work)
+        last = int(LoopArc.LAST)
+    count = loop_form(last, max(status, 0), longest, phases, asked, axis, work)
     if count == 0:
         return status
     if axis[Axis.ABOVE] > 0.5 and (status < 0 or total_duration(phases, count) < longest):

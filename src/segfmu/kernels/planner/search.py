@@ -133,14 +133,16 @@ def shorter_member(f_start: float, family: 'float[:]', axis: 'float[:]') -> floa
     return -1.0
 
 
-def note_near(y: float, duration: float, family: 'float[:]', axis: 'float[:]') -> None:
-    """Note whether the distance y of a member may be the target with steeper rises.
+def saving(axis: 'float[:]') -> float:
+    """The share of their duration that ramps of the snap save without smoothness, and a little."""
+    return 0.6 * axis[Axis.SHARES + 1]
 
-    Without smoothness its ramps are faster by about half of the share of the rises.
-    """
+
+def note_near(y: float, duration: float, family: 'float[:]', axis: 'float[:]') -> None:
+    """Note whether the distance y of a member may be the target with steeper rises."""
     speed = abs(family[Family.V]) + abs(family[Family.W])
     speed = speed + (abs(family[Family.A]) + abs(family[Family.B])) * duration
-    if abs(y - family[Family.TARGET]) <= 0.6 * axis[Axis.SHARES + 1] * speed * duration:
+    if abs(y - family[Family.TARGET]) <= saving(axis) * speed * duration:
         family[Family.MISSED] = 1.0
 
 
@@ -152,7 +154,7 @@ def note_near_gain(family: 'float[:]', axis: 'float[:]') -> None:
     first, slope = ramp_duration(low - a, axis)
     last, slope = ramp_duration(low - b, axis)
     least = 0.5 * ((a + low) * first + (low + b) * last)
-    if family[Family.W] - family[Family.V] >= (1.0 - 0.6 * axis[Axis.SHARES + 1]) * least:
+    if family[Family.W] - family[Family.V] >= (1.0 - saving(axis)) * least:
         family[Family.MISSED] = 1.0
 
 

@@ -139,17 +139,22 @@ def node_residuals(
     return row
 
 
+def stays_at_limit(node: 'float[:]') -> bool:
+    """Whether a derivative is held at its limit at a node, rather than touching it."""
+    return node[Node.KIND] > 0.5 and node[Node.TOUCH] < 0.5 and node[Node.LEVEL] == 0.0
+
+
 def hold_limit(q: int, node: 'float[:]', axis: 'float[:]', state: 'float[:]') -> None:
     """Remove the rounding errors of a state on a plateau, which a long hold would enlarge."""
-    kind = int(node[Node.KIND])
-    if kind > 0 and node[Node.TOUCH] < 0.5 and node[Node.LEVEL] == 0.0:
+    if stays_at_limit(node):
+        kind = int(node[Node.KIND])
         state[Node.STATE + kind] = node[Node.SIGN] * axis[Axis.VELOCITY + kind - 1]
         for k in range(kind + 1, q):
             state[Node.STATE + k] = 0.0
 
 
 def first_row(node: int, passing: 'float[:]', nodes: 'float[:,:]') -> int:
-    """The first row of the conditions at a node, or at the end."""
+    """The first row of the conditions at a node, or at the end: the number of those before."""
     q = int(passing[Passing.ABOVE]) + 2
     row = 0
     for i in range(node):
@@ -214,20 +219,20 @@ def follow_change(
     for i in range(first, count + 1):
         advance(nodes[i, Node.RAMP], 0.0, 0.0, 0.0, 0.0, q - 2, change)
         kind = int(nodes[i, Node.KIND])
-        if i == count:
-            kind = 0
-        dropped = dropped_condition(q, nodes[i, :])
+        dropped = -1
+        if i < count:
+            dropped = dropped_condition(q, nodes[i, :])
         if kind > 0 or i == count:
             for k in range(kind, q):
                 slope = change[Node.STATE + k] / residual_scale(k, passing, axis)
-                if kind > 0 and k == dropped:
+                if k == dropped:
                     slope = 0.0
                 slopes[Equations.VALUES + row] = slope
                 row = row + 1
-        if kind > 0 and nodes[i, Node.TOUCH] < 0.5 and nodes[i, Node.LEVEL] == 0.0:
+        if stays_at_limit(nodes[i, :]):
             for k in range(kind, q):
                 change[Node.STATE + k] = 0.0
-        if i < count and nodes[i, Node.HOLD] != 0.0:
+        if nodes[i, Node.HOLD] != 0.0:
             advance(nodes[i, Node.HOLD], 0.0, 0.0, 0.0, 0.0, q - 2, change)
 
 
@@ -270,10 +275,6 @@ def sequence_duration(passing: 'float[:]', nodes: 'float[:,:]') -> float:
 
 def is_square(passing: 'float[:]', nodes: 'float[:,:]') -> bool:
     """Whether a sequence has as many unknowns as conditions."""
-    q = int(passing[Passing.ABOVE]) + 2
-    conditions = q
     count = int(passing[Passing.COUNT])
-    for i in range(count):
-        if nodes[i, Node.KIND] > 0.5:
-            conditions = conditions + q - int(nodes[i, Node.KIND])
+    conditions = first_row(count, passing, nodes) + int(passing[Passing.ABOVE]) + 2
     return conditions == count and count <= 16
