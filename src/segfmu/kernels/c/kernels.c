@@ -233,6 +233,7 @@ static double bracketed_root(double lower, double upper, double f_lower, double 
 static double saving(array_double_1d axis);
 static void note_near(double y, double duration, array_double_1d family, array_double_1d axis);
 static int64_t first_window(double* result_0, double* result_1_0001, double f_start, double t_zero, array_double_1d family, array_double_1d axis);
+static bool only_farther(array_double_1d family);
 static double shorter_member(double f_start, array_double_1d family, array_double_1d axis);
 static void note_near_gain(array_double_1d family, array_double_1d axis);
 static double second_window(double t_zero, array_double_1d family, array_double_1d axis);
@@ -8583,6 +8584,22 @@ static int64_t first_window(double* result_0, double* result_1_0001, double f_st
     (*result_1_0001) = going_on;
     return 0;
 }
+static bool only_farther(array_double_1d family)
+{
+    double gain;
+    double loss;
+    bool result;
+    if ((*cspan_at(&family, INT64_C(3))) > 0.0)
+    {
+        return 0;
+    }
+    gain = 0.5 * ((*cspan_at(&family, INT64_C(1))) + (*cspan_at(&family, INT64_C(21)))) * (*cspan_at(&family, INT64_C(19)));
+    gain = gain + (*cspan_at(&family, INT64_C(21))) * (*cspan_at(&family, INT64_C(20)));
+    loss = 0.5 * ((*cspan_at(&family, INT64_C(23))) + (*cspan_at(&family, INT64_C(3)))) * (*cspan_at(&family, INT64_C(24)));
+    loss = loss + (*cspan_at(&family, INT64_C(23))) * (*cspan_at(&family, INT64_C(22)));
+    result = ((*cspan_at(&family, INT64_C(0))) + gain >= 0.0) || ((*cspan_at(&family, INT64_C(2))) - loss >= 0.0);
+    return result;
+}
 static double shorter_member(double f_start, array_double_1d family, array_double_1d axis)
 {
     int64_t samples;
@@ -8596,6 +8613,10 @@ static double shorter_member(double f_start, array_double_1d family, array_doubl
     span = span_max((*cspan_at(&family, INT64_C(5))), (*cspan_at(&axis, INT64_C(10))));
     for (i = INT64_C(1); i < samples + INT64_C(1); i += INT64_C(1))
     {
+        if (only_farther(family))
+        {
+            return -1.0;
+        }
         p = span * i * i / (samples * samples);
         canonical_value(&value, &duration, p, family, axis);
         if (duration < 0.0)
@@ -11850,6 +11871,10 @@ static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_d
         if (((branch == INT64_C(1)) || (branch == INT64_C(3))) && (found == branch - INT64_C(1)) && (attempt == INT64_C(0)))
         {
             continue;
+        }
+        if ((branch >= INT64_C(4)) && (attempt == INT64_C(0)) && (best > INT64_C(0)))
+        {
+            break;
         }
         if ((branch == INT64_C(4)) && (attempt == INT64_C(1)))
         {

@@ -105,6 +105,9 @@ def shortest_between(
         # the branches of a pair have the same profile, seen from its start or from its end
         if (branch == 1 or branch == 3) and found == branch - 1 and attempt == 0:
             continue
+        # the direct form is never faster
+        if branch >= 4 and attempt == 0 and best > 0:
+            break
         if branch == 4 and attempt == 1:
             count = slower_cruise(trial, problem, axis)
         elif branch >= 4:

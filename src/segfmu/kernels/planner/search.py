@@ -115,6 +115,23 @@ def first_window(
     return -1.0, going_on
 
 
+def only_farther(family: 'float[:]') -> bool:
+    """Whether all members beyond the one that is written cover more distance.
+
+    Their ramps take longer and reach farther, so the velocity is higher at the same time from the
+    start, and from the end. The time that is added lies between those two velocities, which the
+    peak between the levels bounds if they are not below zero. With a second level above zero a
+    farther member can be shorter.
+    """
+    if family[Family.B] > 0.0:
+        return False
+    gain = 0.5 * (family[Family.A] + family[Family.FIRST_LEVEL]) * family[Family.FIRST_TIME]
+    gain = gain + family[Family.FIRST_LEVEL] * family[Family.FIRST_HOLD]
+    loss = 0.5 * (family[Family.SECOND_LEVEL] + family[Family.B]) * family[Family.LAST_TIME]
+    loss = loss + family[Family.SECOND_LEVEL] * family[Family.SECOND_HOLD]
+    return family[Family.V] + gain >= 0.0 or family[Family.W] - loss >= 0.0
+
+
 def shorter_member(f_start: float, family: 'float[:]', axis: 'float[:]') -> float:
     """Parameter of a member that covers the target, which is less than f_start of the first one.
 
@@ -124,6 +141,8 @@ def shorter_member(f_start: float, family: 'float[:]', axis: 'float[:]') -> floa
     samples = 12
     span = max(family[Family.LAST_RAMP], axis[Axis.FULL_RAMP])
     for i in range(1, samples + 1):
+        if only_farther(family):
+            return -1.0
         p = span * i * i / (samples * samples)
         value, duration = canonical_value(p, family, axis)
         if duration < 0.0:
