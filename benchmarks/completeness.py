@@ -22,6 +22,7 @@ from segfmu.kernels.planner.records import Axis, Cell, Phase, PlanWork, Shape
 SEED = 41
 SLACK = 0.95
 LONGER = 1.5
+CLIFF = 1.1
 CELLS = 50
 # largest change of the acceleration, relative to its limit
 SIZES = {"short": 0.3, "long": 2.0}
@@ -43,6 +44,7 @@ def measure(settings: Settings) -> Part:
         (
             _constructed(10 * settings.samples),
             _optima(max(settings.samples // 5, 20)),
+            _cliffs(8 * settings.samples),
             _loosened(10 * settings.problems),
             _prolonged(settings.samples),
         ),
@@ -53,6 +55,8 @@ def measure(settings: Settings) -> Part:
             "the highest limited derivative jumps, as it may with a smoothness of one less",
             "prolonged: 1.05 to 2 times the shortest duration; smoothest: quadratic program over "
             f"{CELLS} cells within the same limits",
+            "cliffs: the problems of the optima; ramps with a continuous snap take up to "
+            f"{1.0 / np.sqrt(1.0 - usual_share()):.3f} times as long",
             "loosened: one limit times 1 to 10; longer by more than 1e-9 of the duration",
         ),
     )
@@ -166,6 +170,27 @@ def _optima(count: int) -> Section:
                     "95 %": float(np.quantile(taken, 0.95)), "largest": float(taken.max()),
                 })
     return Section("Duration over the optimum", records)
+
+
+def _cliffs(count: int) -> Section:
+    """What a continuous snap costs: limits up to the snap, smoothness 4 and 3."""
+    records: list[Record] = []
+    for kind in ("moving", "short", "ties"):
+        random = np.random.default_rng((SEED, 4, len(kind)))
+        ratios: list[float] = []
+        while len(ratios) < count:
+            limits, state = _optimum_problem(random, 4, kind)
+            jumping, smooth = (planned(n, limits, state) for n in (3, 4))
+            if np.isfinite(jumping) and smooth > 0.0:
+                ratios.append(smooth / jumping)
+        taken = np.array(ratios)
+        finite = taken[np.isfinite(taken)]
+        records.append({
+            "problems": kind, "count": count, "refused": int(np.isinf(taken).sum()),
+            "median": float(np.median(taken)), "95 %": float(np.quantile(taken, 0.95)),
+            f"over {CLIFF:g}": int((finite > CLIFF).sum()), "largest": float(finite.max()),
+        })
+    return Section("Duration at smoothness 4 over that at smoothness 3", records)
 
 
 def loosened(random: np.random.Generator, n: int) -> tuple[float, str]:

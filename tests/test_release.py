@@ -12,8 +12,9 @@ from pathlib import Path
 import pytest
 
 import segfmu
+from segfmu.fmu.native.compilers import available
 from tests import release
-from tests.compiler import CC, compiled_kernels, needs_native
+from tests.compiler import CC, compiled_kernels, needs_cc, needs_native
 
 ROOT = Path(__file__).parents[1]
 MISSION = ROOT / "models" / "paper.toml"
@@ -102,6 +103,12 @@ def test_simulation_needs_neither_sympy_nor_pythonfmu(tmp_path: Path) -> None:
 def test_where_a_compiler_is_the_extensions_are_there(module: str) -> None:
     # tests that need them are skipped without them, which must not hide a failed build
     assert find_spec(module) is not None
+
+
+@needs_cc
+def test_where_a_compiler_is_native_fmus_can_be_built() -> None:
+    # `needs_native` skips tests of binaries, which must not hide that none can be made
+    assert available()
 
 
 def test_the_compiled_kernels_are_one_binary_for_all_versions_of_python() -> None:

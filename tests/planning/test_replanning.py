@@ -63,6 +63,61 @@ def test_replanned_in_cycles_it_arrives_in_time(n: int) -> None:
 
 
 @pytest.mark.parametrize("n", [2, 3, 4, 5, 6])
+@pytest.mark.parametrize("share", [1e-3, 1e-5, 1e-7, 1e-9])
+def test_shortly_before_its_end_a_plan_is_kept(n: int, share: float) -> None:
+    # what is left moves by less than the rounding error of the position
+    old = first_plan(n)
+    rest = old.duration * share
+    for new in (replan(old, old.duration - rest, TARGET), stop(old, old.duration - rest)):
+        assert verify(new).passed
+        assert new.duration <= rest + 1e-14 * old.duration
+
+
+def test_in_many_cycles_rounding_errors_do_not_delay_it() -> None:
+    bounds = Limits(
+        [0.52, 4.96, 19.5], [22.0, 1.0, 0.0967], [0.045, 0.0772, 1.0], [1.18, 22.7, 0.433]
+    )
+    start, end = [1.04435, -1.95586, 0.154021], Waypoint([-0.068994, -0.0394966, -0.0296224])
+    first = trajectory = plan([Waypoint(start), end], bounds, synchronize="total")
+    cycle = first.duration / 1500.0
+    passed = 0.0
+    while trajectory.duration > 1.5 * cycle:
+        trajectory = replan(trajectory, cycle, end)
+        passed += cycle
+        assert passed + trajectory.duration <= first.duration * (1.0 + 1e-9)
+    assert verify(trajectory).passed
+
+
+@pytest.mark.parametrize("n", [5, 6])
+@pytest.mark.parametrize("before", [1.0, 0.5, 0.2, 1e-2, 1e-3, 1e-5])
+def test_pieces_of_microseconds_are_kept(n: int, before: float) -> None:
+    # limits up to the jerk alone: the rises are short, and those within them shorter
+    bounds = Limits([15.0, 2.0, 0.153457], [0.342797, 31.0, 0.03284], [3.0, 0.145234, 14.323235])
+    start = Waypoint([0.01706554, 0.03508461, 0.02524318])
+    end = Waypoint([0.33725822, -0.15419547, 0.15452832])
+    old = plan([start, end], bounds, smoothness=n)
+    new = replan(old, old.duration - before, end)
+    assert new.duration <= before * (1.0 + 1e-9)
+    assert verify(new).passed
+
+
+def test_behind_the_old_plan_axes_are_at_rest_up_to_the_last_bit() -> None:
+    bounds = Limits(
+        [1.0, 4.5908], [0.109267, 2.458026], [1.0, 12.0], [1.0, 0.208324], [23.558, 3.0165], 4.0
+    )
+    points = [
+        Waypoint([0.040771628, 0.036045936]),
+        Waypoint([2.91544228, -39.2341443], [0.54501965, -0.22180077], [0.0159088, -1.05997271]),
+        Waypoint([-0.000666008088, -0.0064477631]),
+    ]
+    old = plan(points, bounds, smoothness=6, synchronize="total")
+    # moving between the states, axes cannot be prolonged to any duration; at rest they can
+    for target in ([0.28164337, 0.34703286], [-0.3, 0.2], [0.01, -2.0]):
+        new = replan(old, 0.00845083, Waypoint(target))
+        assert verify(new).passed
+
+
+@pytest.mark.parametrize("n", [2, 3, 4, 5, 6])
 @pytest.mark.parametrize("t", TIMES)
 def test_a_new_target_is_reached_from_any_time(n: int, t: float) -> None:
     old = first_plan(n)

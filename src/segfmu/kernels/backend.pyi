@@ -708,6 +708,13 @@ def cut_plan(
     /,
 ) -> int: ...
 
+def meet_ends(
+    clock: float,
+    timing: Floats,
+    offsets: Integers,
+    /,
+) -> None: ...
+
 def anchor_plan(
     ends: Floats,
     timing: Floats,

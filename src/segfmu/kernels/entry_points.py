@@ -201,6 +201,7 @@ ENTRY_POINTS = (
         "trajectory.cut", "anchor_plan", ends=("axes", 1), timing=("pieces", Timing.SIZE),
         coefficients=("pieces", 4), offsets="axes + 1",
     ),
+    entry("trajectory.cut", "meet_ends", timing=("pieces", Timing.SIZE), offsets="bounds"),
     entry(
         "trajectory.cut", "join_plans", lead_timing=("pieces", Timing.SIZE),
         lead_coefficients=("pieces", "width"), lead_offsets="bounds",

@@ -78,11 +78,10 @@ class Pieces:
         stops: FloatArray = self.timing[self.offsets[1:] - 1].sum(axis=1)
         return stops
 
-    def meeting(self) -> Pieces:
-        """The same with last pieces that end together to the last bit."""
-        last = self.offsets[1:] - 1
+    def meeting(self, clock: float) -> Pieces:
+        """The same; axes that end together up to the rounding of a clock [s] do so without."""
         timing = self.timing.copy()
-        timing[last, Timing.LENGTH] = self.stops().max() - timing[last, Timing.START]
+        backend.meet_ends(clock, timing, self.offsets)
         return replace(self, timing=timing)
 
     def anchored(self, ends: FloatArray) -> Pieces:

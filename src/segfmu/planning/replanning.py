@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from segfmu.errors import InfeasibleError, InputError
 from segfmu.kernels import backend
-from segfmu.kernels.planner.records import DelayedState
+from segfmu.kernels.planner.records import DelayedState, WaypointState
 from segfmu.planning.arrays import FloatArray, finite_vector
 from segfmu.planning.free import choose_states
 from segfmu.planning.lead import TO_VELOCITY, Leads, Pieces, find_leads
@@ -118,8 +118,7 @@ def _kept(
     if count > 1 and arrivals.min() < 0.0:
         return None
     dwell = request.waypoints[-1].dwell
-    if trajectory.synchronize != "none":
-        rest = rest.meeting()
+    rest = rest.meeting(trajectory.duration)
     ends = rest.stops()
     if arrivals.min() < 0.0:
         # on its last waypoint already; of its dwell that is left which all axes have left
@@ -144,6 +143,10 @@ def _planned(request: Request, rest: Pieces) -> Trajectory:
         return planned(request, rest)
     except InfeasibleError:
         states = np.stack([rest.axis(axis).ends() for axis in range(rest.offsets.size - 1)])
+        # with rounding errors in its velocity an axis at rest would count as moving
+        settled = states[None, :, : WaypointState.SIZE].copy()
+        backend.settle_states(settled, request.problem.limits)
+        states[:, : WaypointState.SIZE] = settled[0]
         chosen = choose_states(request)
         found, proved = solve_after(chosen, Leads(rest, states), TOLERANCE)
         if not proved:

@@ -6,7 +6,13 @@ import numpy as np
 import pytest
 
 from segfmu import Limits, Waypoint, plan
-from segfmu.kernels.trajectory.cut import anchor_plan, cut_plan, end_derivative, join_plans
+from segfmu.kernels.trajectory.cut import (
+    anchor_plan,
+    cut_plan,
+    end_derivative,
+    join_plans,
+    meet_ends,
+)
 from segfmu.kernels.trajectory.evaluate import evaluate
 
 PLAN = plan(
@@ -70,3 +76,17 @@ def test_an_anchored_plan_ends_where_it_should() -> None:
         np.testing.assert_allclose(piece(lengths[axis]), ends[axis, 0], rtol=0.0, atol=4e-16)
         np.testing.assert_allclose(piece.deriv()(lengths[axis]), ends[axis, 1], atol=1e-16)
     np.testing.assert_allclose(coefficients, before, atol=1e-10)
+
+
+def test_axes_meet_where_rounding_alone_keeps_them_apart() -> None:
+    # two axes end together but for rounding, the third one ends earlier
+    timing = np.array([[0.0, 0.5], [0.5, 1e-7], [0.0, 0.5 + 1e-7 - 3e-16], [0.0, 0.4]])
+    offsets = np.array([0, 2, 3, 4])
+    before = timing.copy()
+    meet_ends(0.5, timing, offsets)
+    ends = timing[offsets[1:] - 1].sum(axis=1)
+    assert ends[0] == ends[1]
+    assert ends[2] == 0.4
+    # a short piece stays as it is
+    assert timing[1, 1] == before[1, 1]
+    np.testing.assert_allclose(timing, before, rtol=0.0, atol=1e-15)

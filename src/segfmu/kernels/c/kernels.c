@@ -206,27 +206,11 @@ static void boundary_problem(array_double_1d problem, array_double_1d axis, arra
 static bool is_resting(array_double_1d problem, array_double_1d axis);
 static double total_duration(array_double_2d phases, int64_t count);
 static double valid_duration(array_double_2d phases, int64_t count, array_double_1d problem, array_double_1d axis);
-static double peak_past_zero(double v, double a, double level, array_double_1d axis);
-static double level_past_zero(double v, double a, array_double_1d axis);
-static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, array_double_1d axis, array_double_2d phases);
-static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d trial, array_double_1d rest);
-static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d trial);
 static double linear_level(double gain, double a, double b, array_double_1d axis);
 static int64_t root_level(double* result_0_0001, double* result_1, double gain, double a, double b, double lower, double upper, double share, array_double_1d axis);
 static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, array_double_1d axis);
 static int64_t member_distance(double* result_0_0001, double* result_1, array_double_1d family, array_double_1d axis);
 static int64_t canonical_member(double* result_0, double* result_1, double p, array_double_1d family, array_double_1d axis);
-static int64_t append_velocity_change(array_double_2d phases, int64_t count, double v, double a, double w, array_double_1d axis);
-static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_2, double* result_3, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis);
-static int64_t with_cruise(array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis);
-static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, array_double_1d axis);
-static int64_t direct_form(array_double_2d phases, bool from_start, array_double_1d problem, array_double_1d axis);
-static double taylor_value(int64_t order, double t, array_double_1d state);
-static double zero_time(int64_t order, double length, array_double_1d state);
-static void advance_piece(double length, array_double_1d state, array_double_1d end);
-static void note_excess(int64_t q, int64_t node, bool holding, array_double_1d axis, array_double_1d end, array_double_2d excess);
-static void piece_excess(double length, int64_t node, bool holding, array_double_1d axis, array_double_2d work);
-static bool measure_excess(array_double_1d axis, array_double_2d work);
 static double window_edge(int64_t halvings, double inside, double outside, array_double_1d family, array_double_1d axis);
 static int64_t canonical_value(double* result_0_0001, double* result_1, double p, array_double_1d family, array_double_1d axis);
 static double bracketed_root(double lower, double upper, double f_lower, double f_upper, array_double_1d family, array_double_1d axis);
@@ -241,6 +225,23 @@ static double farther_member(double lower, double f_lower, array_double_1d famil
 static double canonical_search(array_double_1d family, array_double_1d axis);
 static double nearby_member(array_double_1d family, array_double_1d axis);
 static double member_search(array_double_1d family, array_double_1d axis);
+static double peak_past_zero(double v, double a, double level, array_double_1d axis);
+static double level_past_zero(double v, double a, array_double_1d axis);
+static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, array_double_1d axis, array_double_2d phases);
+static bool nearly_brakes(double v, double a, array_double_1d axis);
+static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d trial, array_double_1d rest);
+static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d trial);
+static int64_t append_velocity_change(array_double_2d phases, int64_t count, double v, double a, double w, array_double_1d axis);
+static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_2, double* result_3, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis);
+static int64_t with_cruise(array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis);
+static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, array_double_1d axis);
+static int64_t direct_form(array_double_2d phases, bool from_start, array_double_1d problem, array_double_1d axis);
+static double taylor_value(int64_t order, double t, array_double_1d state);
+static double zero_time(int64_t order, double length, array_double_1d state);
+static void advance_piece(double length, array_double_1d state, array_double_1d end);
+static void note_excess(int64_t q, int64_t node, bool holding, array_double_1d axis, array_double_1d end, array_double_2d excess);
+static void piece_excess(double length, int64_t node, bool holding, array_double_1d axis, array_double_2d work);
+static bool measure_excess(array_double_1d axis, array_double_2d work);
 static void set_family(int64_t branch, array_double_1d problem, array_double_1d axis, array_double_1d family);
 static void set_member(int64_t member, double time, bool by_time, array_double_1d family);
 static int64_t write_member(array_double_2d phases, array_double_1d family, array_double_1d axis);
@@ -336,6 +337,7 @@ static bool ramps_suffice(array_double_1d axis);
 static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t passing_either_way(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work);
 static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work);
+static bool misses_little(double duration, array_double_1d asked, array_double_1d axis);
 static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends);
 static double cruise_time(double cruise, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases);
 static double turning_time(double lower, double upper, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases);
@@ -7504,228 +7506,6 @@ static double valid_duration(array_double_2d phases, int64_t count, array_double
     }
     return duration;
 }
-static double peak_past_zero(double v, double a, double level, array_double_1d axis)
-{
-    double duration;
-    double slope;
-    double result;
-    segfmu_ramp_duration(&duration, &slope, a - level, axis);
-    if (level >= 0.0)
-    {
-        return v + 0.5 * a * duration;
-    }
-    result = ramp_extreme_velocity(v, a, level, duration, duration, axis);
-    return result;
-}
-static double level_past_zero(double v, double a, array_double_1d axis)
-{
-    double velocity_limit;
-    double top;
-    double shrink;
-    double lower;
-    double upper;
-    int64_t i;
-    double inner;
-    double outer;
-    double deepest;
-    double outside;
-    double level;
-    double inside;
-    velocity_limit = (*cspan_at(&axis, INT64_C(2)));
-    top = (*cspan_at(&axis, INT64_C(3)));
-    shrink = 0.6180339887498949;
-    lower = -top;
-    upper = 0.0;
-    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
-    {
-        inner = upper - shrink * (upper - lower);
-        outer = lower + shrink * (upper - lower);
-        if (peak_past_zero(v, a, inner, axis) < peak_past_zero(v, a, outer, axis))
-        {
-            upper = outer;
-        }
-        else
-        {
-            lower = inner;
-        }
-    }
-    deepest = 0.5 * (lower + upper);
-    if (peak_past_zero(v, a, -top, axis) < peak_past_zero(v, a, deepest, axis))
-    {
-        deepest = -top;
-    }
-    if (peak_past_zero(v, a, deepest, axis) > velocity_limit)
-    {
-        return 1.0;
-    }
-    inside = deepest;
-    outside = 0.0;
-    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
-    {
-        level = 0.5 * (inside + outside);
-        if (peak_past_zero(v, a, level, axis) <= velocity_limit)
-        {
-            inside = level;
-        }
-        else
-        {
-            outside = level;
-        }
-    }
-    return inside;
-}
-static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, array_double_1d axis, array_double_2d phases)
-{
-    double velocity_limit;
-    int64_t count;
-    double level;
-    double reached;
-    int64_t i;
-    double duration;
-    double y;
-    double end;
-    double lowest;
-    double highest;
-    double sign;
-    double past;
-    velocity_limit = (*cspan_at(&axis, INT64_C(2)));
-    count = INT64_C(0);
-    level = a;
-    reached = v;
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        count = append_change(phases, count, level, 0.0, axis);
-        segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, 1e+300, axis);
-        if (fabs(end) <= velocity_limit * (1.0 + 1e-12))
-        {
-            (*result_0) = count;
-            (*result_1) = duration;
-            (*result_2) = y;
-            (*result_3) = end;
-            return 0;
-        }
-        count = count - INT64_C(1);
-        sign = 1.0;
-        if (level < 0.0)
-        {
-            sign = -1.0;
-        }
-        past = sign * level_past_zero(sign * reached, sign * level, axis);
-        if (past * sign > 0.0)
-        {
-            break;
-        }
-        count = append_change(phases, count, level, past, axis);
-        segfmu_measure_phases(&duration, &y, &reached, &lowest, &highest, phases, count, v, 1e+300, axis);
-        level = past;
-    }
-    (*result_0) = -INT64_C(1);
-    (*result_1) = 0.0;
-    (*result_2) = 0.0;
-    (*result_3) = 0.0;
-    return 0;
-}
-static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d trial, array_double_1d rest)
-{
-    int64_t first;
-    int64_t last;
-    double spent;
-    double v;
-    double a;
-    double w;
-    double b;
-    double distance;
-    double duration;
-    double y;
-    first = INT64_C(0);
-    last = INT64_C(0);
-    spent = 0.0;
-    v = (*cspan_at(&problem, INT64_C(0)));
-    a = (*cspan_at(&problem, INT64_C(1)));
-    w = (*cspan_at(&problem, INT64_C(2)));
-    b = (*cspan_at(&problem, INT64_C(3)));
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    if (((span_floor_mod(variant, INT64_C(2)) == INT64_C(1)) && (a == 0.0)) || ((variant >= INT64_C(2)) && (b == 0.0)))
-    {
-        (*result_0_0001) = -INT64_C(3);
-        (*result_1) = 0.0;
-        return 0;
-    }
-    if (span_floor_mod(variant, INT64_C(2)) == INT64_C(1))
-    {
-        brake(&first, &duration, &y, &v, v, a, axis, trial);
-        if (first < INT64_C(0))
-        {
-            (*result_0_0001) = -INT64_C(1);
-            (*result_1) = 0.0;
-            return 0;
-        }
-        spent = duration;
-        distance = distance - y;
-        a = 0.0;
-    }
-    if (variant >= INT64_C(2))
-    {
-        brake(&last, &duration, &y, &w, w, -b, axis, trial);
-        if (last < INT64_C(0))
-        {
-            (*result_0_0001) = -INT64_C(2);
-            (*result_1) = 0.0;
-            return 0;
-        }
-        spent = spent + duration;
-        distance = distance - y;
-        b = 0.0;
-    }
-    (*cspan_at(&rest, INT64_C(0))) = v;
-    (*cspan_at(&rest, INT64_C(1))) = a;
-    (*cspan_at(&rest, INT64_C(2))) = w;
-    (*cspan_at(&rest, INT64_C(3))) = b;
-    (*cspan_at(&rest, INT64_C(4))) = distance;
-    (*cspan_at(&rest, INT64_C(5))) = (*cspan_at(&problem, INT64_C(5))) - spent;
-    (*result_0_0001) = first + last;
-    (*result_1) = spent;
-    return 0;
-}
-static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d trial)
-{
-    int64_t first;
-    double duration;
-    double y;
-    double end;
-    int64_t j;
-    int64_t i;
-    int64_t column;
-    int64_t last;
-    if (span_floor_mod(variant, INT64_C(2)) == INT64_C(1))
-    {
-        brake(&first, &duration, &y, &end, (*cspan_at(&problem, INT64_C(0))), (*cspan_at(&problem, INT64_C(1))), axis, trial);
-        for (j = INT64_C(0); j < count; j += INT64_C(1))
-        {
-            i = count - INT64_C(1) - j;
-            for (column = INT64_C(0); column < INT64_C(5); column += INT64_C(1))
-            {
-                (*cspan_at(&phases, first + i, column)) = (*cspan_at(&phases, i, column));
-            }
-        }
-        copy_phases(trial, phases, first);
-        count = first + count;
-    }
-    if (variant >= INT64_C(2))
-    {
-        brake(&last, &duration, &y, &end, (*cspan_at(&problem, INT64_C(2))), -(*cspan_at(&problem, INT64_C(3))), axis, trial);
-        reverse_phases(trial, INT64_C(0), last);
-        for (i = INT64_C(0); i < last; i += INT64_C(1))
-        {
-            for (column = INT64_C(0); column < INT64_C(5); column += INT64_C(1))
-            {
-                (*cspan_at(&phases, count + i, column)) = (*cspan_at(&trial, i, column));
-            }
-        }
-        count = count + last;
-    }
-    return count;
-}
 static double linear_level(double gain, double a, double b, array_double_1d axis)
 {
     double slope;
@@ -7981,436 +7761,6 @@ static int64_t canonical_member(double* result_0, double* result_1, double p, ar
     (*cspan_at(&family, INT64_C(23))) = level2;
     (*cspan_at(&family, INT64_C(24))) = t3;
     member_distance(result_0, result_1, family, axis);
-    return 0;
-}
-static int64_t append_velocity_change(array_double_2d phases, int64_t count, double v, double a, double w, array_double_1d axis)
-{
-    double top;
-    double sign;
-    double t1;
-    double hold;
-    double level;
-    int64_t result;
-    top = (*cspan_at(&axis, INT64_C(3)));
-    sign = 1.0;
-    solve_level(&t1, &hold, &level, w - v, a, 0.0, span_max(0.0, a), top, axis);
-    if (hold < 0.0)
-    {
-        sign = -1.0;
-        solve_level(&t1, &hold, &level, v - w, -a, 0.0, span_max(0.0, -a), top, axis);
-        if (hold < 0.0)
-        {
-            return -INT64_C(1);
-        }
-    }
-    count = append_ramp(phases, count, a, sign * level, t1, axis);
-    count = append_hold(phases, count, sign * level, hold);
-    result = append_change(phases, count, sign * level, 0.0, axis);
-    return result;
-}
-static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_2, double* result_3, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis)
-{
-    double v;
-    int64_t row;
-    double w;
-    int64_t count;
-    double duration;
-    double y;
-    double end;
-    double lowest;
-    double highest;
-    v = (*cspan_at(&problem, INT64_C(0)));
-    row = append_velocity_change(phases, INT64_C(0), v, (*cspan_at(&problem, INT64_C(1))), cruise, axis);
-    if (row < INT64_C(0))
-    {
-        (*result_0) = -INT64_C(1);
-        (*result_1) = INT64_C(0);
-        (*result_2) = 0.0;
-        (*result_3) = 0.0;
-        return 0;
-    }
-    w = (*cspan_at(&problem, INT64_C(2)));
-    count = append_velocity_change(phases, row, w, -(*cspan_at(&problem, INT64_C(3))), cruise, axis);
-    if (count < INT64_C(0))
-    {
-        (*result_0) = -INT64_C(1);
-        (*result_1) = INT64_C(0);
-        (*result_2) = 0.0;
-        (*result_3) = 0.0;
-        return 0;
-    }
-    reverse_phases(phases, row, count);
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, 1e+300, axis);
-    (*result_0) = count;
-    (*result_1) = row;
-    (*result_2) = duration;
-    (*result_3) = y;
-    return 0;
-}
-static int64_t with_cruise(array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis)
-{
-    double distance;
-    int64_t count;
-    int64_t row;
-    double duration;
-    double y;
-    double hold;
-    int64_t result;
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    cruise_form(&count, &row, &duration, &y, phases, cruise, problem, axis);
-    if ((count < INT64_C(0)) || (cruise == 0.0))
-    {
-        return span_max_int(count, INT64_C(0));
-    }
-    hold = (distance - y) / cruise;
-    if ((hold < 0.0) && (fabs(distance - y) > 1e-13 * fabs(distance)))
-    {
-        return INT64_C(0);
-    }
-    result = insert_hold(phases, count, row, 0.0, hold);
-    return result;
-}
-static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, array_double_1d axis)
-{
-    double distance;
-    double newest;
-    double other;
-    double before;
-    double e_newest;
-    double e_other;
-    double e_before;
-    bool falls_short;
-    int64_t i;
-    double middle;
-    double share;
-    int64_t count;
-    int64_t row;
-    double duration;
-    double y;
-    double error;
-    bool short_0001;
-    double lower;
-    double upper;
-    double cruise;
-    int64_t result;
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    newest = -(*cspan_at(&axis, INT64_C(2)));
-    other = (*cspan_at(&axis, INT64_C(2)));
-    before = other;
-    e_newest = 0.0;
-    e_other = 0.0;
-    e_before = 0.0;
-    falls_short = 1;
-    for (i = INT64_C(0); i < INT64_C(120); i += INT64_C(1))
-    {
-        middle = span_max((*cspan_at(&problem, INT64_C(0))), (*cspan_at(&problem, INT64_C(2))));
-        if (i > INT64_C(0))
-        {
-            share = root_share(newest, other, before, e_newest, e_other, e_before);
-            middle = newest + share * (other - newest);
-        }
-        if ((middle - newest) * (middle - other) >= 0.0)
-        {
-            if (i > INT64_C(0))
-            {
-                break;
-            }
-            middle = 0.0;
-        }
-        cruise_form(&count, &row, &duration, &y, phases, middle, problem, axis);
-        error = y - distance;
-        short_0001 = (count < INT64_C(0)) || (error < 0.0);
-        if (count < INT64_C(0))
-        {
-            error = 0.0;
-        }
-        next_bracket(&other, &before, &e_other, &e_before, short_0001 != falls_short, newest, other, e_newest, e_other);
-        newest = middle;
-        e_newest = error;
-        falls_short = short_0001;
-        if ((count >= INT64_C(0)) && (fabs(error) <= 1e-15 * fabs(distance)))
-        {
-            other = newest;
-            break;
-        }
-    }
-    lower = newest;
-    upper = other;
-    if (!falls_short)
-    {
-        lower = other;
-        upper = newest;
-    }
-    cruise = lower;
-    if (cruise < 0.0)
-    {
-        cruise = upper;
-    }
-    result = with_cruise(phases, cruise, problem, axis);
-    return result;
-}
-static int64_t direct_form(array_double_2d phases, bool from_start, array_double_1d problem, array_double_1d axis)
-{
-    double v;
-    double a;
-    double w;
-    double b;
-    double distance;
-    double end;
-    double cruise;
-    double t;
-    double slope;
-    int64_t count;
-    int64_t row;
-    double duration;
-    double y;
-    v = (*cspan_at(&problem, INT64_C(0)));
-    a = (*cspan_at(&problem, INT64_C(1)));
-    w = (*cspan_at(&problem, INT64_C(2)));
-    b = (*cspan_at(&problem, INT64_C(3)));
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    end = fabs(b);
-    cruise = w;
-    if (from_start)
-    {
-        end = fabs(a);
-        cruise = v;
-    }
-    if (end == 0.0)
-    {
-        return INT64_C(0);
-    }
-    segfmu_ramp_duration(&t, &slope, end, axis);
-    if (from_start)
-    {
-        cruise = v + 0.5 * a * t;
-    }
-    else
-    {
-        cruise = w - 0.5 * b * t;
-    }
-    if (fabs(cruise) > (*cspan_at(&axis, INT64_C(2))))
-    {
-        return INT64_C(0);
-    }
-    cruise_form(&count, &row, &duration, &y, phases, cruise, problem, axis);
-    if (fabs(y - distance) > 1e-14 * (fabs(distance) + (fabs(v) + fabs(w)) * duration))
-    {
-        return INT64_C(0);
-    }
-    return span_max_int(count, INT64_C(0));
-}
-static double taylor_value(int64_t order, double t, array_double_1d state)
-{
-    int64_t j;
-    int64_t i;
-    double value;
-    value = 0.0;
-    for (j = INT64_C(0); j < INT64_C(8) - order; j += INT64_C(1))
-    {
-        i = INT64_C(7) - j;
-        value = (*cspan_at(&state, i)) + value * t / (i - order + INT64_C(1));
-    }
-    return value;
-}
-static double zero_time(int64_t order, double length, array_double_1d state)
-{
-    double lower;
-    double upper;
-    int64_t i;
-    double value;
-    double step;
-    double slope;
-    double newton;
-    double t;
-    lower = 0.0;
-    upper = length;
-    t = 0.5 * length;
-    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
-    {
-        value = taylor_value(order, t, state);
-        if (value * (*cspan_at(&state, order)) > 0.0)
-        {
-            lower = t;
-        }
-        else
-        {
-            upper = t;
-        }
-        step = 0.5 * (lower + upper) - t;
-        slope = taylor_value(order + INT64_C(1), t, state);
-        if (slope != 0.0)
-        {
-            newton = (-value) / slope;
-            if ((t + newton > lower) && (t + newton < upper))
-            {
-                step = newton;
-            }
-        }
-        t = t + step;
-        if (fabs(step) <= 1e-09 * length)
-        {
-            break;
-        }
-    }
-    return t;
-}
-static void advance_piece(double length, array_double_1d state, array_double_1d end)
-{
-    int64_t order;
-    for (order = INT64_C(0); order < INT64_C(8); order += INT64_C(1))
-    {
-        (*cspan_at(&end, order)) = taylor_value(order, length, state);
-    }
-}
-static void note_excess(int64_t q, int64_t node, bool holding, array_double_1d axis, array_double_1d end, array_double_2d excess)
-{
-    int64_t order;
-    double limit;
-    double share;
-    for (order = INT64_C(1); order < q; order += INT64_C(1))
-    {
-        limit = (*cspan_at(&axis, INT64_C(2) + order - INT64_C(1)));
-        if (limit > 0.0)
-        {
-            share = fabs((*cspan_at(&end, order))) / limit - 1.0;
-            if (share > span_max((*cspan_at(&excess, order, INT64_C(0))), 1e-10))
-            {
-                (*cspan_at(&excess, order, INT64_C(0))) = share;
-                (*cspan_at(&excess, order, INT64_C(1))) = node;
-                (*cspan_at(&excess, order, INT64_C(2))) = holding;
-                (*cspan_at(&excess, order, INT64_C(3))) = 1.0;
-                if ((*cspan_at(&end, order)) < 0.0)
-                {
-                    (*cspan_at(&excess, order, INT64_C(3))) = -1.0;
-                }
-            }
-        }
-    }
-}
-static void piece_excess(double length, int64_t node, bool holding, array_double_1d axis, array_double_2d work)
-{
-    array_double_1d state;
-    array_double_1d end;
-    array_double_2d excess;
-    int64_t q;
-    double rest;
-    int64_t i;
-    double step;
-    int64_t j;
-    int64_t order;
-    state = span_row(&work, INT64_C(110));
-    end = span_row(&work, INT64_C(110) + INT64_C(1));
-    excess = span_rows(&work, INT64_C(105), INT64_C(109));
-    q = (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(2);
-    rest = length;
-    for (i = INT64_C(0); i < INT64_C(16); i += INT64_C(1))
-    {
-        step = rest;
-        advance_piece(step, state, end);
-        for (j = INT64_C(0); j < q - INT64_C(1); j += INT64_C(1))
-        {
-            order = q - j;
-            if ((*cspan_at(&state, order)) * (*cspan_at(&end, order)) < 0.0)
-            {
-                step = zero_time(order, step, state);
-                advance_piece(step, state, end);
-                (*cspan_at(&end, order)) = 0.0;
-            }
-        }
-        note_excess(q, node, holding, axis, end, excess);
-        for (order = INT64_C(0); order < INT64_C(8); order += INT64_C(1))
-        {
-            (*cspan_at(&state, order)) = (*cspan_at(&end, order));
-        }
-        rest = rest - step;
-        if (rest <= 0.0)
-        {
-            break;
-        }
-    }
-}
-static bool measure_excess(array_double_1d axis, array_double_2d work)
-{
-    array_double_1d passing;
-    array_double_2d excess;
-    array_double_1d state;
-    int64_t above;
-    int64_t q;
-    int64_t boxes;
-    double level;
-    int64_t order;
-    int64_t i;
-    int64_t row;
-    double ramp;
-    double change;
-    int64_t piece;
-    int64_t held;
-    double sign;
-    double basis;
-    double length;
-    double peak;
-    passing = span_row(&work, INT64_C(48));
-    excess = span_rows(&work, INT64_C(105), INT64_C(109));
-    state = span_row(&work, INT64_C(110));
-    above = (int64_t)((*cspan_at(&passing, INT64_C(1))));
-    q = above + INT64_C(2);
-    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1) - above;
-    level = 0.0;
-    for (order = INT64_C(0); order < INT64_C(4); order += INT64_C(1))
-    {
-        (*cspan_at(&excess, order, INT64_C(0))) = 0.0;
-    }
-    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
-    {
-        row = INT64_C(49) + i;
-        for (order = INT64_C(0); order < INT64_C(8); order += INT64_C(1))
-        {
-            (*cspan_at(&state, order)) = 0.0;
-            if (order < q)
-            {
-                (*cspan_at(&state, order)) = (*cspan_at(&work, row, INT64_C(0) + order));
-            }
-        }
-        (*cspan_at(&state, q)) = level;
-        ramp = (*cspan_at(&work, row, INT64_C(11)));
-        change = (*cspan_at(&work, row, INT64_C(9))) - level;
-        if (ramp > 0.0)
-        {
-            for (piece = INT64_C(1); piece < pow(2.0, (double)(boxes)); piece += INT64_C(1))
-            {
-                held_level(&held, &sign, piece, boxes);
-                basis = ramp * (*cspan_at(&passing, INT64_C(2)));
-                piece_peak(&length, &peak, held, above, change, ramp, basis, axis);
-                for (order = q + INT64_C(1) + held; order < INT64_C(8); order += INT64_C(1))
-                {
-                    (*cspan_at(&state, order)) = 0.0;
-                }
-                (*cspan_at(&state, q + INT64_C(1) + held)) = sign * peak;
-                if (length > 0.0)
-                {
-                    piece_excess(length, i, 0, axis, work);
-                }
-            }
-        }
-        level = (*cspan_at(&work, row, INT64_C(9)));
-        if ((*cspan_at(&work, row, INT64_C(10))) > 0.0)
-        {
-            for (order = q; order < INT64_C(8); order += INT64_C(1))
-            {
-                (*cspan_at(&state, order)) = 0.0;
-            }
-            (*cspan_at(&state, q)) = level;
-            piece_excess((*cspan_at(&work, row, INT64_C(10))), i, 1, axis, work);
-        }
-    }
-    for (order = INT64_C(1); order < q; order += INT64_C(1))
-    {
-        if ((*cspan_at(&excess, order, INT64_C(0))) > 0.0)
-        {
-            return 1;
-        }
-    }
     return 0;
 }
 static double window_edge(int64_t halvings, double inside, double outside, array_double_1d family, array_double_1d axis)
@@ -8851,6 +8201,671 @@ static double member_search(array_double_1d family, array_double_1d axis)
         previous = p;
     }
     return -1.0;
+}
+static double peak_past_zero(double v, double a, double level, array_double_1d axis)
+{
+    double duration;
+    double slope;
+    double result;
+    segfmu_ramp_duration(&duration, &slope, a - level, axis);
+    if (level >= 0.0)
+    {
+        return v + 0.5 * a * duration;
+    }
+    result = ramp_extreme_velocity(v, a, level, duration, duration, axis);
+    return result;
+}
+static double level_past_zero(double v, double a, array_double_1d axis)
+{
+    double velocity_limit;
+    double top;
+    double shrink;
+    double lower;
+    double upper;
+    int64_t i;
+    double inner;
+    double outer;
+    double deepest;
+    double outside;
+    double level;
+    double inside;
+    velocity_limit = (*cspan_at(&axis, INT64_C(2)));
+    top = (*cspan_at(&axis, INT64_C(3)));
+    shrink = 0.6180339887498949;
+    lower = -top;
+    upper = 0.0;
+    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    {
+        inner = upper - shrink * (upper - lower);
+        outer = lower + shrink * (upper - lower);
+        if (peak_past_zero(v, a, inner, axis) < peak_past_zero(v, a, outer, axis))
+        {
+            upper = outer;
+        }
+        else
+        {
+            lower = inner;
+        }
+    }
+    deepest = 0.5 * (lower + upper);
+    if (peak_past_zero(v, a, -top, axis) < peak_past_zero(v, a, deepest, axis))
+    {
+        deepest = -top;
+    }
+    if (peak_past_zero(v, a, deepest, axis) > velocity_limit)
+    {
+        return 1.0;
+    }
+    inside = deepest;
+    outside = 0.0;
+    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    {
+        level = 0.5 * (inside + outside);
+        if (peak_past_zero(v, a, level, axis) <= velocity_limit)
+        {
+            inside = level;
+        }
+        else
+        {
+            outside = level;
+        }
+    }
+    return inside;
+}
+static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, array_double_1d axis, array_double_2d phases)
+{
+    double velocity_limit;
+    int64_t count;
+    double level;
+    double reached;
+    int64_t i;
+    double duration;
+    double y;
+    double end;
+    double lowest;
+    double highest;
+    double sign;
+    double past;
+    velocity_limit = (*cspan_at(&axis, INT64_C(2)));
+    count = INT64_C(0);
+    level = a;
+    reached = v;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        count = append_change(phases, count, level, 0.0, axis);
+        segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, 1e+300, axis);
+        if (fabs(end) <= velocity_limit * (1.0 + 1e-12))
+        {
+            (*result_0) = count;
+            (*result_1) = duration;
+            (*result_2) = y;
+            (*result_3) = end;
+            return 0;
+        }
+        count = count - INT64_C(1);
+        sign = 1.0;
+        if (level < 0.0)
+        {
+            sign = -1.0;
+        }
+        past = sign * level_past_zero(sign * reached, sign * level, axis);
+        if (past * sign > 0.0)
+        {
+            break;
+        }
+        count = append_change(phases, count, level, past, axis);
+        segfmu_measure_phases(&duration, &y, &reached, &lowest, &highest, phases, count, v, 1e+300, axis);
+        level = past;
+    }
+    (*result_0) = -INT64_C(1);
+    (*result_1) = 0.0;
+    (*result_2) = 0.0;
+    (*result_3) = 0.0;
+    return 0;
+}
+static bool nearly_brakes(double v, double a, array_double_1d axis)
+{
+    double velocity_limit;
+    double duration;
+    double slope;
+    double gain;
+    bool result;
+    velocity_limit = (*cspan_at(&axis, INT64_C(2)));
+    segfmu_ramp_duration(&duration, &slope, fabs(a), axis);
+    gain = 0.5 * a * duration;
+    result = (fabs(v + gain) > velocity_limit) && (fabs(v + (1.0 - saving(axis)) * gain) <= velocity_limit);
+    return result;
+}
+static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d trial, array_double_1d rest)
+{
+    int64_t first;
+    int64_t last;
+    double spent;
+    double v;
+    double a;
+    double w;
+    double b;
+    double distance;
+    double duration;
+    double y;
+    first = INT64_C(0);
+    last = INT64_C(0);
+    spent = 0.0;
+    v = (*cspan_at(&problem, INT64_C(0)));
+    a = (*cspan_at(&problem, INT64_C(1)));
+    w = (*cspan_at(&problem, INT64_C(2)));
+    b = (*cspan_at(&problem, INT64_C(3)));
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    if (((span_floor_mod(variant, INT64_C(2)) == INT64_C(1)) && (a == 0.0)) || ((variant >= INT64_C(2)) && (b == 0.0)))
+    {
+        (*result_0_0001) = -INT64_C(3);
+        (*result_1) = 0.0;
+        return 0;
+    }
+    if (span_floor_mod(variant, INT64_C(2)) == INT64_C(1))
+    {
+        brake(&first, &duration, &y, &v, v, a, axis, trial);
+        if (first < INT64_C(0))
+        {
+            (*result_0_0001) = -INT64_C(1);
+            (*result_1) = 0.0;
+            return 0;
+        }
+        spent = duration;
+        distance = distance - y;
+        a = 0.0;
+    }
+    if (variant >= INT64_C(2))
+    {
+        brake(&last, &duration, &y, &w, w, -b, axis, trial);
+        if (last < INT64_C(0))
+        {
+            (*result_0_0001) = -INT64_C(2);
+            (*result_1) = 0.0;
+            return 0;
+        }
+        spent = spent + duration;
+        distance = distance - y;
+        b = 0.0;
+    }
+    (*cspan_at(&rest, INT64_C(0))) = v;
+    (*cspan_at(&rest, INT64_C(1))) = a;
+    (*cspan_at(&rest, INT64_C(2))) = w;
+    (*cspan_at(&rest, INT64_C(3))) = b;
+    (*cspan_at(&rest, INT64_C(4))) = distance;
+    (*cspan_at(&rest, INT64_C(5))) = (*cspan_at(&problem, INT64_C(5))) - spent;
+    (*result_0_0001) = first + last;
+    (*result_1) = spent;
+    return 0;
+}
+static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d trial)
+{
+    int64_t first;
+    double duration;
+    double y;
+    double end;
+    int64_t j;
+    int64_t i;
+    int64_t column;
+    int64_t last;
+    if (span_floor_mod(variant, INT64_C(2)) == INT64_C(1))
+    {
+        brake(&first, &duration, &y, &end, (*cspan_at(&problem, INT64_C(0))), (*cspan_at(&problem, INT64_C(1))), axis, trial);
+        for (j = INT64_C(0); j < count; j += INT64_C(1))
+        {
+            i = count - INT64_C(1) - j;
+            for (column = INT64_C(0); column < INT64_C(5); column += INT64_C(1))
+            {
+                (*cspan_at(&phases, first + i, column)) = (*cspan_at(&phases, i, column));
+            }
+        }
+        copy_phases(trial, phases, first);
+        count = first + count;
+    }
+    if (variant >= INT64_C(2))
+    {
+        brake(&last, &duration, &y, &end, (*cspan_at(&problem, INT64_C(2))), -(*cspan_at(&problem, INT64_C(3))), axis, trial);
+        reverse_phases(trial, INT64_C(0), last);
+        for (i = INT64_C(0); i < last; i += INT64_C(1))
+        {
+            for (column = INT64_C(0); column < INT64_C(5); column += INT64_C(1))
+            {
+                (*cspan_at(&phases, count + i, column)) = (*cspan_at(&trial, i, column));
+            }
+        }
+        count = count + last;
+    }
+    return count;
+}
+static int64_t append_velocity_change(array_double_2d phases, int64_t count, double v, double a, double w, array_double_1d axis)
+{
+    double top;
+    double sign;
+    double t1;
+    double hold;
+    double level;
+    int64_t result;
+    top = (*cspan_at(&axis, INT64_C(3)));
+    sign = 1.0;
+    solve_level(&t1, &hold, &level, w - v, a, 0.0, span_max(0.0, a), top, axis);
+    if (hold < 0.0)
+    {
+        sign = -1.0;
+        solve_level(&t1, &hold, &level, v - w, -a, 0.0, span_max(0.0, -a), top, axis);
+        if (hold < 0.0)
+        {
+            return -INT64_C(1);
+        }
+    }
+    count = append_ramp(phases, count, a, sign * level, t1, axis);
+    count = append_hold(phases, count, sign * level, hold);
+    result = append_change(phases, count, sign * level, 0.0, axis);
+    return result;
+}
+static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_2, double* result_3, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis)
+{
+    double v;
+    int64_t row;
+    double w;
+    int64_t count;
+    double duration;
+    double y;
+    double end;
+    double lowest;
+    double highest;
+    v = (*cspan_at(&problem, INT64_C(0)));
+    row = append_velocity_change(phases, INT64_C(0), v, (*cspan_at(&problem, INT64_C(1))), cruise, axis);
+    if (row < INT64_C(0))
+    {
+        (*result_0) = -INT64_C(1);
+        (*result_1) = INT64_C(0);
+        (*result_2) = 0.0;
+        (*result_3) = 0.0;
+        return 0;
+    }
+    w = (*cspan_at(&problem, INT64_C(2)));
+    count = append_velocity_change(phases, row, w, -(*cspan_at(&problem, INT64_C(3))), cruise, axis);
+    if (count < INT64_C(0))
+    {
+        (*result_0) = -INT64_C(1);
+        (*result_1) = INT64_C(0);
+        (*result_2) = 0.0;
+        (*result_3) = 0.0;
+        return 0;
+    }
+    reverse_phases(phases, row, count);
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, 1e+300, axis);
+    (*result_0) = count;
+    (*result_1) = row;
+    (*result_2) = duration;
+    (*result_3) = y;
+    return 0;
+}
+static int64_t with_cruise(array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis)
+{
+    double distance;
+    int64_t count;
+    int64_t row;
+    double duration;
+    double y;
+    double hold;
+    int64_t result;
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    cruise_form(&count, &row, &duration, &y, phases, cruise, problem, axis);
+    if ((count < INT64_C(0)) || (cruise == 0.0))
+    {
+        return span_max_int(count, INT64_C(0));
+    }
+    hold = (distance - y) / cruise;
+    if ((hold < 0.0) && (fabs(distance - y) > 1e-13 * fabs(distance)))
+    {
+        return INT64_C(0);
+    }
+    result = insert_hold(phases, count, row, 0.0, hold);
+    return result;
+}
+static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, array_double_1d axis)
+{
+    double distance;
+    double newest;
+    double other;
+    double before;
+    double e_newest;
+    double e_other;
+    double e_before;
+    bool falls_short;
+    int64_t i;
+    double middle;
+    double share;
+    int64_t count;
+    int64_t row;
+    double duration;
+    double y;
+    double error;
+    bool short_0001;
+    double lower;
+    double upper;
+    double cruise;
+    int64_t result;
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    newest = -(*cspan_at(&axis, INT64_C(2)));
+    other = (*cspan_at(&axis, INT64_C(2)));
+    before = other;
+    e_newest = 0.0;
+    e_other = 0.0;
+    e_before = 0.0;
+    falls_short = 1;
+    for (i = INT64_C(0); i < INT64_C(120); i += INT64_C(1))
+    {
+        middle = span_max((*cspan_at(&problem, INT64_C(0))), (*cspan_at(&problem, INT64_C(2))));
+        if (i > INT64_C(0))
+        {
+            share = root_share(newest, other, before, e_newest, e_other, e_before);
+            middle = newest + share * (other - newest);
+        }
+        if ((middle - newest) * (middle - other) >= 0.0)
+        {
+            if (i > INT64_C(0))
+            {
+                break;
+            }
+            middle = 0.0;
+        }
+        cruise_form(&count, &row, &duration, &y, phases, middle, problem, axis);
+        error = y - distance;
+        short_0001 = (count < INT64_C(0)) || (error < 0.0);
+        if (count < INT64_C(0))
+        {
+            error = 0.0;
+        }
+        next_bracket(&other, &before, &e_other, &e_before, short_0001 != falls_short, newest, other, e_newest, e_other);
+        newest = middle;
+        e_newest = error;
+        falls_short = short_0001;
+        if ((count >= INT64_C(0)) && (fabs(error) <= 1e-15 * fabs(distance)))
+        {
+            other = newest;
+            break;
+        }
+    }
+    lower = newest;
+    upper = other;
+    if (!falls_short)
+    {
+        lower = other;
+        upper = newest;
+    }
+    cruise = lower;
+    if (cruise < 0.0)
+    {
+        cruise = upper;
+    }
+    result = with_cruise(phases, cruise, problem, axis);
+    return result;
+}
+static int64_t direct_form(array_double_2d phases, bool from_start, array_double_1d problem, array_double_1d axis)
+{
+    double v;
+    double a;
+    double w;
+    double b;
+    double distance;
+    double end;
+    double cruise;
+    double t;
+    double slope;
+    int64_t count;
+    int64_t row;
+    double duration;
+    double y;
+    v = (*cspan_at(&problem, INT64_C(0)));
+    a = (*cspan_at(&problem, INT64_C(1)));
+    w = (*cspan_at(&problem, INT64_C(2)));
+    b = (*cspan_at(&problem, INT64_C(3)));
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    end = fabs(b);
+    cruise = w;
+    if (from_start)
+    {
+        end = fabs(a);
+        cruise = v;
+    }
+    if (end == 0.0)
+    {
+        return INT64_C(0);
+    }
+    segfmu_ramp_duration(&t, &slope, end, axis);
+    if (from_start)
+    {
+        cruise = v + 0.5 * a * t;
+    }
+    else
+    {
+        cruise = w - 0.5 * b * t;
+    }
+    if (fabs(cruise) > (*cspan_at(&axis, INT64_C(2))))
+    {
+        return INT64_C(0);
+    }
+    cruise_form(&count, &row, &duration, &y, phases, cruise, problem, axis);
+    if (fabs(y - distance) > 1e-14 * (fabs(distance) + (fabs(v) + fabs(w)) * duration))
+    {
+        return INT64_C(0);
+    }
+    return span_max_int(count, INT64_C(0));
+}
+static double taylor_value(int64_t order, double t, array_double_1d state)
+{
+    int64_t j;
+    int64_t i;
+    double value;
+    value = 0.0;
+    for (j = INT64_C(0); j < INT64_C(8) - order; j += INT64_C(1))
+    {
+        i = INT64_C(7) - j;
+        value = (*cspan_at(&state, i)) + value * t / (i - order + INT64_C(1));
+    }
+    return value;
+}
+static double zero_time(int64_t order, double length, array_double_1d state)
+{
+    double lower;
+    double upper;
+    int64_t i;
+    double value;
+    double step;
+    double slope;
+    double newton;
+    double t;
+    lower = 0.0;
+    upper = length;
+    t = 0.5 * length;
+    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    {
+        value = taylor_value(order, t, state);
+        if (value * (*cspan_at(&state, order)) > 0.0)
+        {
+            lower = t;
+        }
+        else
+        {
+            upper = t;
+        }
+        step = 0.5 * (lower + upper) - t;
+        slope = taylor_value(order + INT64_C(1), t, state);
+        if (slope != 0.0)
+        {
+            newton = (-value) / slope;
+            if ((t + newton > lower) && (t + newton < upper))
+            {
+                step = newton;
+            }
+        }
+        t = t + step;
+        if (fabs(step) <= 1e-09 * length)
+        {
+            break;
+        }
+    }
+    return t;
+}
+static void advance_piece(double length, array_double_1d state, array_double_1d end)
+{
+    int64_t order;
+    for (order = INT64_C(0); order < INT64_C(8); order += INT64_C(1))
+    {
+        (*cspan_at(&end, order)) = taylor_value(order, length, state);
+    }
+}
+static void note_excess(int64_t q, int64_t node, bool holding, array_double_1d axis, array_double_1d end, array_double_2d excess)
+{
+    int64_t order;
+    double limit;
+    double share;
+    for (order = INT64_C(1); order < q; order += INT64_C(1))
+    {
+        limit = (*cspan_at(&axis, INT64_C(2) + order - INT64_C(1)));
+        if (limit > 0.0)
+        {
+            share = fabs((*cspan_at(&end, order))) / limit - 1.0;
+            if (share > span_max((*cspan_at(&excess, order, INT64_C(0))), 1e-10))
+            {
+                (*cspan_at(&excess, order, INT64_C(0))) = share;
+                (*cspan_at(&excess, order, INT64_C(1))) = node;
+                (*cspan_at(&excess, order, INT64_C(2))) = holding;
+                (*cspan_at(&excess, order, INT64_C(3))) = 1.0;
+                if ((*cspan_at(&end, order)) < 0.0)
+                {
+                    (*cspan_at(&excess, order, INT64_C(3))) = -1.0;
+                }
+            }
+        }
+    }
+}
+static void piece_excess(double length, int64_t node, bool holding, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d state;
+    array_double_1d end;
+    array_double_2d excess;
+    int64_t q;
+    double rest;
+    int64_t i;
+    double step;
+    int64_t j;
+    int64_t order;
+    state = span_row(&work, INT64_C(110));
+    end = span_row(&work, INT64_C(110) + INT64_C(1));
+    excess = span_rows(&work, INT64_C(105), INT64_C(109));
+    q = (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(2);
+    rest = length;
+    for (i = INT64_C(0); i < INT64_C(16); i += INT64_C(1))
+    {
+        step = rest;
+        advance_piece(step, state, end);
+        for (j = INT64_C(0); j < q - INT64_C(1); j += INT64_C(1))
+        {
+            order = q - j;
+            if ((*cspan_at(&state, order)) * (*cspan_at(&end, order)) < 0.0)
+            {
+                step = zero_time(order, step, state);
+                advance_piece(step, state, end);
+                (*cspan_at(&end, order)) = 0.0;
+            }
+        }
+        note_excess(q, node, holding, axis, end, excess);
+        for (order = INT64_C(0); order < INT64_C(8); order += INT64_C(1))
+        {
+            (*cspan_at(&state, order)) = (*cspan_at(&end, order));
+        }
+        rest = rest - step;
+        if (rest <= 0.0)
+        {
+            break;
+        }
+    }
+}
+static bool measure_excess(array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    array_double_2d excess;
+    array_double_1d state;
+    int64_t above;
+    int64_t q;
+    int64_t boxes;
+    double level;
+    int64_t order;
+    int64_t i;
+    int64_t row;
+    double ramp;
+    double change;
+    int64_t piece;
+    int64_t held;
+    double sign;
+    double basis;
+    double length;
+    double peak;
+    passing = span_row(&work, INT64_C(48));
+    excess = span_rows(&work, INT64_C(105), INT64_C(109));
+    state = span_row(&work, INT64_C(110));
+    above = (int64_t)((*cspan_at(&passing, INT64_C(1))));
+    q = above + INT64_C(2);
+    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1) - above;
+    level = 0.0;
+    for (order = INT64_C(0); order < INT64_C(4); order += INT64_C(1))
+    {
+        (*cspan_at(&excess, order, INT64_C(0))) = 0.0;
+    }
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    {
+        row = INT64_C(49) + i;
+        for (order = INT64_C(0); order < INT64_C(8); order += INT64_C(1))
+        {
+            (*cspan_at(&state, order)) = 0.0;
+            if (order < q)
+            {
+                (*cspan_at(&state, order)) = (*cspan_at(&work, row, INT64_C(0) + order));
+            }
+        }
+        (*cspan_at(&state, q)) = level;
+        ramp = (*cspan_at(&work, row, INT64_C(11)));
+        change = (*cspan_at(&work, row, INT64_C(9))) - level;
+        if (ramp > 0.0)
+        {
+            for (piece = INT64_C(1); piece < pow(2.0, (double)(boxes)); piece += INT64_C(1))
+            {
+                held_level(&held, &sign, piece, boxes);
+                basis = ramp * (*cspan_at(&passing, INT64_C(2)));
+                piece_peak(&length, &peak, held, above, change, ramp, basis, axis);
+                for (order = q + INT64_C(1) + held; order < INT64_C(8); order += INT64_C(1))
+                {
+                    (*cspan_at(&state, order)) = 0.0;
+                }
+                (*cspan_at(&state, q + INT64_C(1) + held)) = sign * peak;
+                if (length > 0.0)
+                {
+                    piece_excess(length, i, 0, axis, work);
+                }
+            }
+        }
+        level = (*cspan_at(&work, row, INT64_C(9)));
+        if ((*cspan_at(&work, row, INT64_C(10))) > 0.0)
+        {
+            for (order = q; order < INT64_C(8); order += INT64_C(1))
+            {
+                (*cspan_at(&state, order)) = 0.0;
+            }
+            (*cspan_at(&state, q)) = level;
+            piece_excess((*cspan_at(&work, row, INT64_C(10))), i, 1, axis, work);
+        }
+    }
+    for (order = INT64_C(1); order < q; order += INT64_C(1))
+    {
+        if ((*cspan_at(&excess, order, INT64_C(0))) > 0.0)
+        {
+            return 1;
+        }
+    }
+    return 0;
 }
 static void set_family(int64_t branch, array_double_1d problem, array_double_1d axis, array_double_1d family)
 {
@@ -12071,6 +12086,20 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
     }
     return count;
 }
+static bool misses_little(double duration, array_double_1d asked, array_double_1d axis)
+{
+    bool result;
+    if (early_window(duration, asked, axis) > 0.0)
+    {
+        return 1;
+    }
+    if (nearly_brakes((*cspan_at(&asked, INT64_C(0))), (*cspan_at(&asked, INT64_C(1))), axis))
+    {
+        return 1;
+    }
+    result = nearly_brakes((*cspan_at(&asked, INT64_C(2))), -(*cspan_at(&asked, INT64_C(3))), axis);
+    return result;
+}
 int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
 {
     array_double_1d asked;
@@ -12095,6 +12124,10 @@ int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, a
         if ((*cspan_at(&work, INT64_C(48), INT64_C(7))) < 0.5)
         {
             missed = span_max(missed, 1.0);
+        }
+        if ((count > INT64_C(0)) && misses_little(total_duration(phases, count), asked, axis))
+        {
+            missed = 2.0;
         }
     }
     else
@@ -16580,6 +16613,43 @@ int64_t segfmu_cut_plan(double time, array_double_2d timing, array_double_2d coe
     (*cspan_at(&cut_offsets, offsets.shape[INT64_C(0)] - INT64_C(1))) = target;
     return target;
 }
+void segfmu_meet_ends(double clock, array_double_2d timing, array_int64_t_1d offsets)
+{
+    double latest;
+    int64_t axis;
+    int64_t row;
+    double late;
+    int64_t longest;
+    int64_t i;
+    latest = 0.0;
+    for (axis = INT64_C(0); axis < offsets.shape[INT64_C(0)] - INT64_C(1); axis += INT64_C(1))
+    {
+        row = (*cspan_at(&offsets, axis + INT64_C(1))) - INT64_C(1);
+        latest = span_max(latest, (*cspan_at(&timing, row, INT64_C(0))) + (*cspan_at(&timing, row, INT64_C(1))));
+    }
+    for (axis = INT64_C(0); axis < offsets.shape[INT64_C(0)] - INT64_C(1); axis += INT64_C(1))
+    {
+        row = (*cspan_at(&offsets, axis + INT64_C(1))) - INT64_C(1);
+        late = latest - ((*cspan_at(&timing, row, INT64_C(0))) + (*cspan_at(&timing, row, INT64_C(1))));
+        if (late > 1e-12 * clock)
+        {
+            continue;
+        }
+        longest = row;
+        for (i = (*cspan_at(&offsets, axis)); i < row; i += INT64_C(1))
+        {
+            if ((*cspan_at(&timing, i, INT64_C(1))) > (*cspan_at(&timing, longest, INT64_C(1))))
+            {
+                longest = i;
+            }
+        }
+        (*cspan_at(&timing, longest, INT64_C(1))) = (*cspan_at(&timing, longest, INT64_C(1))) + late;
+        for (i = longest + INT64_C(1); i < row + INT64_C(1); i += INT64_C(1))
+        {
+            (*cspan_at(&timing, i, INT64_C(0))) = (*cspan_at(&timing, i, INT64_C(0))) + late;
+        }
+    }
+}
 static void add_power(double value, int64_t order, double before, array_double_2d coefficients, int64_t row)
 {
     int64_t power;
@@ -16607,8 +16677,10 @@ void segfmu_anchor_plan(array_double_2d ends, array_double_2d timing, array_doub
     int64_t i;
     int64_t row;
     double length;
+    int64_t j;
     int64_t order;
     double wanted;
+    int64_t repeat;
     double missed;
     width = coefficients.shape[INT64_C(1)];
     for (axis = INT64_C(0); axis < offsets.shape[INT64_C(0)] - INT64_C(1); axis += INT64_C(1))
@@ -16618,8 +16690,9 @@ void segfmu_anchor_plan(array_double_2d ends, array_double_2d timing, array_doub
         {
             row = last - i;
             length = (*cspan_at(&timing, row, INT64_C(1)));
-            for (order = INT64_C(0); order < span_floor_div(width, INT64_C(2)) + INT64_C(1); order += INT64_C(1))
+            for (j = INT64_C(0); j < span_floor_div(width, INT64_C(2)) + INT64_C(1); j += INT64_C(1))
             {
+                order = span_floor_div(width, INT64_C(2)) - j;
                 wanted = 0.0;
                 if (i > INT64_C(0))
                 {
@@ -16629,8 +16702,11 @@ void segfmu_anchor_plan(array_double_2d ends, array_double_2d timing, array_doub
                 {
                     wanted = (*cspan_at(&ends, axis, order));
                 }
-                missed = wanted - evaluate_piece(coefficients, row, width, length, order);
-                add_power(missed, order, length, coefficients, row);
+                for (repeat = INT64_C(0); repeat < INT64_C(2); repeat += INT64_C(1))
+                {
+                    missed = wanted - evaluate_piece(coefficients, row, width, length, order);
+                    add_power(missed, order, length, coefficients, row);
+                }
             }
         }
     }

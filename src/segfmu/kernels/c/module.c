@@ -2628,6 +2628,33 @@ static PyObject *call_cut_plan(
     return answer;
 }
 
+static PyObject *call_meet_ends(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "meet_ends", .values = values};
+    PyObject *answer = NULL;
+    double in_clock;
+    Py_buffer *in_timing;
+    Py_buffer *in_offsets;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && take_float(&call, 0, &in_clock)
+        && (in_timing = take_array(&call, 1, 2, 'd', true)) != NULL
+        && (in_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 1)
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_pieces(&call, "offsets", in_offsets->buf, in_offsets->shape[0], 1, in_timing->shape[0])) {
+        segfmu_meet_ends(
+            in_clock,
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_anchor_plan(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -3014,6 +3041,7 @@ static PyMethodDef methods[] = {
     {"next_plan_event", (PyCFunction)(void (*)(void))call_next_plan_event, METH_FASTCALL, NULL},
     {"right_of_break", (PyCFunction)(void (*)(void))call_right_of_break, METH_FASTCALL, NULL},
     {"cut_plan", (PyCFunction)(void (*)(void))call_cut_plan, METH_FASTCALL, NULL},
+    {"meet_ends", (PyCFunction)(void (*)(void))call_meet_ends, METH_FASTCALL, NULL},
     {"anchor_plan", (PyCFunction)(void (*)(void))call_anchor_plan, METH_FASTCALL, NULL},
     {"join_plans", (PyCFunction)(void (*)(void))call_join_plans, METH_FASTCALL, NULL},
     {"count_pieces", (PyCFunction)(void (*)(void))call_count_pieces, METH_FASTCALL, NULL},

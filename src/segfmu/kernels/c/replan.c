@@ -71,6 +71,20 @@ size_t segfmu_replan_size(int64_t points, int64_t axes, int64_t smoothness, int6
                     + axes * (smoothness + 1 + DELAYED_STATE_SIZE) + points);
 }
 
+/* The states (k, n + 1) in which the pieces of axes begin; that of an axis without stays. */
+static void start_states(const pieces *list, int64_t smoothness, double *states)
+{
+    for (int64_t axis = 0; axis + 1 < list->offsets.shape[0]; axis++) {
+        const int64_t row = list->offsets.data[axis];
+        const double *first = list->coefficients.data + row * 2 * smoothness;
+        double factorial = 1.0;
+        for (int64_t i = 0; i <= smoothness && row < list->offsets.data[axis + 1]; i++) {
+            factorial *= i > 1 ? (double)i : 1.0;
+            states[axis * (smoothness + 1) + i] = first[i] * factorial;
+        }
+    }
+}
+
 static task begin(const segfmu_trajectory *old, double time, int64_t points,
                   const double *limits, double *space)
 {
@@ -88,14 +102,7 @@ static task begin(const segfmu_trajectory *old, double time, int64_t points,
     segfmu_cut_plan(time, matrix((double *)old->timing, old->pieces, TIMING_SIZE),
                     matrix((double *)old->coefficients, old->pieces, 2 * n), offsets,
                     t.rest.timing, t.rest.coefficients, t.rest.offsets);
-    for (int64_t axis = 0; axis < k; axis++) {
-        const double *first = t.rest.coefficients.data + t.rest.offsets.data[axis] * 2 * n;
-        double factorial = 1.0;
-        for (int64_t i = 0; i <= n; i++) {
-            factorial *= i > 1 ? (double)i : 1.0;
-            t.now[axis * (n + 1) + i] = first[i] * factorial;
-        }
-    }
+    start_states(&t.rest, n, t.now);
     return t;
 }
 
@@ -242,6 +249,16 @@ static double *full_states(const task *t, const segfmu_problem *p, double **spac
     return states;
 }
 
+/* The leads and what follows them, judged. */
+static int join(task *t, int64_t points, double *states, double *times, double *space,
+                segfmu_trajectory *trajectory)
+{
+    segfmu_join_plans(t->leads.timing, t->leads.coefficients, t->leads.offsets, t->plan.timing,
+                      t->plan.coefficients, t->plan.offsets, t->joined.timing,
+                      t->joined.coefficients, t->joined.offsets);
+    return judge(t, &t->joined, points, states, times, space, trajectory);
+}
+
 /* The plan behind the leads. */
 static int plan_after(task *t, const segfmu_problem *p, const double *full, double *space,
                       segfmu_trajectory *trajectory)
@@ -283,33 +300,38 @@ static int plan_after(task *t, const segfmu_problem *p, const double *full, doub
     double *times = take(&space, (m + 1) * k);
     segfmu_expand_plan(states, dwells, axes, profiles, t->plan.timing, t->plan.coefficients,
                        t->plan.offsets, matrix(times, m + 1, k), expansion);
-    segfmu_join_plans(t->leads.timing, t->leads.coefficients, t->leads.offsets, t->plan.timing,
-                      t->plan.coefficients, t->plan.offsets, t->joined.timing,
-                      t->joined.coefficients, t->joined.offsets);
-    return judge(t, &t->joined, m, (double *)full, times, space, trajectory);
+    return join(t, m, (double *)full, times, space, trajectory);
 }
 
-/* The rest of the old plan, if it ends in the only target. */
-static int keep_rest(task *t, const segfmu_problem *p, const double *full, double *times,
-                     double *space, segfmu_trajectory *trajectory)
+/* The rest of the old plan, which took `clock`, if it ends in the only target. */
+static int keep_rest(task *t, const segfmu_problem *p, double clock, double *full,
+                     double *times, double *space, segfmu_trajectory *trajectory)
 {
-    const int64_t k = t->axes, n = t->smoothness;
+    const int64_t k = t->axes, width = t->smoothness + 1;
     double end[DELAYED_STATE_SIZE];
     if (p->points != 2) {
         return PLAN_STATUS_NO_PROFILE;
     }
+    segfmu_meet_ends(clock, t->rest.timing, t->rest.offsets);
     for (int64_t axis = 0; axis < k; axis++) {
-        const double *target = full + (k + axis) * (n + 1);
+        const double *target = full + (k + axis) * width;
         rest_end(t, axis, end);
         times[axis] = 0.0;
         times[k + axis] = times[2 * k + axis] = end[DELAYED_STATE_DELAY];
         double missed = target[WAYPOINT_STATE_POSITION] - end[WAYPOINT_STATE_POSITION];
         if (fabs(missed) > TOLERANCE * (fabs(target[WAYPOINT_STATE_POSITION])
-                                        + t->limits[axis * (n + 1)] * end[DELAYED_STATE_DELAY])) {
+                                        + t->limits[axis * width] * end[DELAYED_STATE_DELAY])) {
             return PLAN_STATUS_NO_PROFILE;
         }
     }
-    return judge(t, &t->rest, p->points, (double *)full, times, space, trajectory);
+    if (judge(t, &t->rest, p->points, full, times, space, trajectory) == PLAN_STATUS_PLANNED) {
+        return PLAN_STATUS_PLANNED;
+    }
+    /* rounding errors of a whole motion may be large against what is left of it */
+    segfmu_anchor_plan(matrix(full + k * width, k, width), t->rest.timing, t->rest.coefficients,
+                       t->rest.offsets);
+    start_states(&t->rest, t->smoothness, full);
+    return judge(t, &t->rest, p->points, full, times, space, trajectory);
 }
 
 int segfmu_replan(const segfmu_trajectory *old, double time, const segfmu_problem *problem,
@@ -331,7 +353,7 @@ int segfmu_replan(const segfmu_trajectory *old, double time, const segfmu_proble
         targets[i] = full[(t.axes + axis) * (t.smoothness + 1) + i % STATE];
     }
     segfmu_trajectory kept = *trajectory;
-    int keeps = keep_rest(&t, problem, full, times, t.space, &kept);
+    int keeps = keep_rest(&t, problem, old->duration, full, times, t.space, &kept);
     int status = PLAN_STATUS_NO_PROFILE;
     if (find_leads(&t, TO_PLAN, problem->shape, targets)) {
         status = plan_after(&t, problem, full, t.space, trajectory);
@@ -346,9 +368,42 @@ int segfmu_replan(const segfmu_trajectory *old, double time, const segfmu_proble
         for (int64_t axis = 0; axis < t.axes; axis++) {
             rest_end(&t, axis, t.ends + axis * DELAYED_STATE_SIZE);
         }
+        /* with rounding errors in its velocity an axis at rest would count as moving */
+        segfmu_settle_states(cuboid(t.ends, 1, t.axes, DELAYED_STATE_SIZE),
+                             matrix((double *)t.limits, t.axes, t.smoothness + 1));
         status = plan_after(&t, problem, full, t.space, trajectory);
     }
     return status;
+}
+
+/* What each axis holds after its lead to a velocity until `duration`, with states and times. */
+static void hold_velocities(task *t, const double *velocities, double duration, double *states,
+                            double *times)
+{
+    const int64_t k = t->axes, n = t->smoothness;
+    for (int64_t axis = 0; axis < k; axis++) {
+        const double *end = t->ends + axis * DELAYED_STATE_SIZE;
+        const double hold = duration - end[DELAYED_STATE_DELAY];
+        double *piece = t->plan.coefficients.data + axis * 2 * n;
+        double *last = states + (k + axis) * (n + 1);
+        t->plan.timing.data[axis * TIMING_SIZE + TIMING_START] = end[DELAYED_STATE_DELAY];
+        t->plan.timing.data[axis * TIMING_SIZE + TIMING_LENGTH] = hold;
+        t->plan.offsets.data[axis] = axis;
+        for (int64_t i = 0; i < 2 * n; i++) {
+            piece[i] = 0.0;
+        }
+        piece[PIECE_POSITION] = end[WAYPOINT_STATE_POSITION];
+        piece[PIECE_VELOCITY] = velocities[axis];
+        for (int64_t i = 0; i <= n; i++) {
+            states[axis * (n + 1) + i] = t->now[axis * (n + 1) + i];
+            last[i] = 0.0;
+        }
+        last[WAYPOINT_STATE_POSITION] = end[WAYPOINT_STATE_POSITION] + velocities[axis] * hold;
+        last[WAYPOINT_STATE_VELOCITY] = velocities[axis];
+        times[axis] = 0.0;
+        times[k + axis] = times[2 * k + axis] = duration;
+    }
+    t->plan.offsets.data[k] = k;
 }
 
 int segfmu_reach_velocity(const segfmu_trajectory *old, double time, const double *velocities,
@@ -374,32 +429,17 @@ int segfmu_reach_velocity(const segfmu_trajectory *old, double time, const doubl
     }
     for (int64_t axis = 0; axis < k; axis++) {
         duration = span_max(duration, t.ends[axis * DELAYED_STATE_SIZE + DELAYED_STATE_DELAY]);
+        targets[axis * STATE + WAYPOINT_STATE_POSITION] =
+            t.ends[axis * DELAYED_STATE_SIZE + WAYPOINT_STATE_POSITION];
     }
-    for (int64_t axis = 0; axis < k; axis++) {
-        const double *end = t.ends + axis * DELAYED_STATE_SIZE;
-        const double hold = duration - end[DELAYED_STATE_DELAY];
-        double *piece = t.plan.coefficients.data + axis * 2 * n;
-        double *last = states + (k + axis) * (n + 1);
-        t.plan.timing.data[axis * TIMING_SIZE + TIMING_START] = end[DELAYED_STATE_DELAY];
-        t.plan.timing.data[axis * TIMING_SIZE + TIMING_LENGTH] = hold;
-        t.plan.offsets.data[axis] = axis;
-        for (int64_t i = 0; i < 2 * n; i++) {
-            piece[i] = 0.0;
-        }
-        piece[PIECE_POSITION] = end[WAYPOINT_STATE_POSITION];
-        piece[PIECE_VELOCITY] = velocities[axis];
-        for (int64_t i = 0; i <= n; i++) {
-            states[axis * (n + 1) + i] = t.now[axis * (n + 1) + i];
-            last[i] = 0.0;
-        }
-        last[WAYPOINT_STATE_POSITION] = end[WAYPOINT_STATE_POSITION] + velocities[axis] * hold;
-        last[WAYPOINT_STATE_VELOCITY] = velocities[axis];
-        times[axis] = 0.0;
-        times[k + axis] = times[2 * k + axis] = duration;
+    hold_velocities(&t, velocities, duration, states, times);
+    int status = join(&t, 2, states, times, t.space, trajectory);
+    if (status != PLAN_STATUS_PLANNED) {
+        /* rounding errors of the whole old plan against its last bit */
+        segfmu_anchor_plan(matrix(targets, k, STATE), t.leads.timing, t.leads.coefficients,
+                           t.leads.offsets);
+        start_states(&t.leads, n, states);
+        status = join(&t, 2, states, times, t.space, trajectory);
     }
-    t.plan.offsets.data[k] = k;
-    segfmu_join_plans(t.leads.timing, t.leads.coefficients, t.leads.offsets, t.plan.timing,
-                      t.plan.coefficients, t.plan.offsets, t.joined.timing,
-                      t.joined.coefficients, t.joined.offsets);
-    return judge(&t, &t.joined, 2, states, times, t.space, trajectory);
+    return status;
 }

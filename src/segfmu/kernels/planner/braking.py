@@ -10,6 +10,7 @@ from segfmu.kernels.planner.phases import append_change, copy_phases, measure_ph
 from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.ramp_peak import ramp_extreme_velocity
 from segfmu.kernels.planner.records import Axis, Braking, Phase, Problem
+from segfmu.kernels.planner.search import saving
 
 
 def peak_past_zero(v: float, a: float, level: float, axis: 'float[:]') -> float:
@@ -82,6 +83,14 @@ def brake(
         duration, y, reached, lowest, highest = measure_phases(phases, count, v, 1e300, axis)
         level = past
     return -1, 0.0, 0.0, 0.0
+
+
+def nearly_brakes(v: float, a: float, axis: 'float[:]') -> bool:
+    """Whether one ramp to zero acceleration exceeds the limit, but may not with steeper rises."""
+    velocity_limit = axis[Axis.VELOCITY]
+    duration, slope = ramp_duration(abs(a), axis)
+    gain = 0.5 * a * duration
+    return abs(v + gain) > velocity_limit and abs(v + (1.0 - saving(axis)) * gain) <= velocity_limit
 
 
 def braked(

@@ -13,7 +13,7 @@ after braking the boundary accelerations to zero. After braking both, the last f
 its distance is continuous in the cruise velocity and unbounded at the two limits (docs/planner.md).
 """
 
-from segfmu.kernels.planner.braking import braked, surround
+from segfmu.kernels.planner.braking import braked, nearly_brakes, surround
 from segfmu.kernels.planner.cruise import direct_form, slower_cruise, with_cruise
 from segfmu.kernels.planner.loop import loop_form
 from segfmu.kernels.planner.merged import merged_form, set_family, tempered_form
@@ -163,6 +163,8 @@ def shortest_profile(
         count = shortest_braked(asked, axis, phases, work)
         if work[PlanWork.PASSING, Passing.SETTLED] < 0.5:
             missed = max(missed, 1.0)
+        if count > 0 and misses_little(total_duration(phases, count), asked, axis):
+            missed = 2.0
     else:
         longest = early_window(total_duration(phases, count), asked, axis)
         if longest > 0.0:
@@ -204,6 +206,16 @@ def shortest_braked(
     if axis[Axis.ABOVE] > 0.5 and (status < 0 or total_duration(phases, count) < longest):
         return passing_either_way(count, phases, asked, axis, work)
     return count
+
+
+def misses_little(duration: float, asked: 'float[:]', axis: 'float[:]') -> bool:
+    """Whether steeper rises may permit a profile that does not brake, or one whose acceleration
+    keeps its sign. The profile with the usual rises takes `duration` [s]."""
+    if early_window(duration, asked, axis) > 0.0:
+        return True
+    if nearly_brakes(asked[Problem.V], asked[Problem.A], axis):
+        return True
+    return nearly_brakes(asked[Problem.W], -asked[Problem.B], axis)
 
 
 def passing_either_way(

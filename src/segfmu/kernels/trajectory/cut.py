@@ -98,6 +98,30 @@ def cut_plan(
     return target
 
 
+def meet_ends(clock: float, timing: 'float[:,:]', offsets: 'int[:]') -> None:
+    """Let axes end together that end a rounding error before the last one.
+
+    clock: the time [s] whose rounding that is, the duration of the plan that the pieces are left
+    of. The longest piece of an axis takes the difference, as it changes least by it.
+    """
+    latest = 0.0
+    for axis in range(offsets.shape[0] - 1):
+        row = offsets[axis + 1] - 1
+        latest = max(latest, timing[row, Timing.START] + timing[row, Timing.LENGTH])
+    for axis in range(offsets.shape[0] - 1):
+        row = offsets[axis + 1] - 1
+        late = latest - (timing[row, Timing.START] + timing[row, Timing.LENGTH])
+        if late > 1e-12 * clock:
+            continue
+        longest = row
+        for i in range(offsets[axis], row):
+            if timing[i, Timing.LENGTH] > timing[longest, Timing.LENGTH]:
+                longest = i
+        timing[longest, Timing.LENGTH] = timing[longest, Timing.LENGTH] + late
+        for i in range(longest + 1, row + 1):
+            timing[i, Timing.START] = timing[i, Timing.START] + late
+
+
 def add_power(
     value: float, order: int, before: float, coefficients: 'float[:,:]', row: int
 ) -> None:
@@ -128,14 +152,18 @@ def anchor_plan(
         for i in range(offsets[axis + 1] - offsets[axis]):
             row = last - i
             length = timing[row, Timing.LENGTH]
-            for order in range(width // 2 + 1):
+            # a correction leaves rounding errors in the lower orders, and no others
+            for j in range(width // 2 + 1):
+                order = width // 2 - j
                 wanted = 0.0
                 if i > 0:
                     wanted = evaluate_piece(coefficients, row + 1, width, 0.0, order)
                 elif order < ends.shape[1]:
                     wanted = ends[axis, order]
-                missed = wanted - evaluate_piece(coefficients, row, width, length, order)
-                add_power(missed, order, length, coefficients, row)
+                # the second time without the rounding errors of what the first one removes
+                for repeat in range(2):
+                    missed = wanted - evaluate_piece(coefficients, row, width, length, order)
+                    add_power(missed, order, length, coefficients, row)
 
 
 def join_plans(

@@ -1,0 +1,79 @@
+"""Steeper rises where the usual ones do not fit: against motions whose last derivative jumps."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from segfmu import Limits, Trajectory, Waypoint, plan, verify
+from segfmu.kernels.planner.records import Phase, Shape
+from tests.problems import AxisProblem
+
+pytestmark = pytest.mark.interpreted
+
+# limits; v, a -> w, b over a distance
+FITTING = [
+    ((1.6786, 0.6213, 0.5689), (0.88, 0.1572, 0.8038, -0.1712, 0.8573)),
+    ((0.6005, 0.5802, 2.0459), (-0.3156, -0.1366, -0.4413, -0.4522, -0.1154)),
+    ((1.699, 0.627, 2.59, 1.31), (1.359, 0.0, 1.359, -0.251, 2.553)),
+    ((3.5724, 1.7674, 1.3472, 4.1464), (2.8544, -0.0707, 2.6598, 0.0961, 3.2688)),
+    # an end that only steeper rises reach from the velocity limit without braking
+    ((3.8197, 3.4078, 4.9625, 0.7763), (-1.5279, -1.3631, 1.5279, 2.7262, -19.1909)),
+    # an acceleration that keeps its sign, beside a profile that brakes
+    ((2.4248, 1.5724, 4.5401, 1.3238), (-0.9699, 0.6289, 0.0, 0.6289, -1.2347)),
+    ((1.1746, 1.6921, 2.9627, 3.8189, 4.6568), (0.2921, 0.1814, -0.1644, -0.734, 0.6)),
+    ((0.9669, 0.9282, 1.1447, 1.9913, 1.4536, 0.9127), (-0.7411, 0.515, -0.6815, -0.436, -0.8368)),
+]
+# with the usual rises one of the ends cannot be braked
+REFUSED = [
+    ((1.305275, 3.526176, 0.864504), (0.353234, -0.534242, -0.490459, 1.150318, 2.827886)),
+    ((1.143476, 0.97847, 0.954094, 1.150348), (-0.45739, 0.391388, 0.914781, -0.391388, 4.517492)),
+    (
+        (0.910177, 0.779447, 2.137222, 0.728317, 0.579949),
+        (0.0, 0.623557, 0.0, 0.311779, -0.635618),
+    ),
+]
+
+
+def planned(
+    limits: tuple[float, ...], state: tuple[float, ...], smoothness: int
+) -> Trajectory:
+    v, a, w, b, distance = state
+    points = [Waypoint([0.0], [v], [a]), Waypoint([distance], [w], [b])]
+    return plan(points, Limits(*limits), smoothness=smoothness)
+
+
+def usual(limits: tuple[float, ...], state: tuple[float, ...]) -> tuple[int, float]:
+    """Number of phases, or the status, and duration with the usual rises alone."""
+    v, a, w, b, distance = state
+    problem = AxisProblem(len(limits), Shape.PLATEAU, (*limits, 0.0), v, a, w, b, distance)
+    count, phases = problem.shortest()
+    return count, float(phases[:, Phase.DURATION].sum())
+
+
+@pytest.mark.parametrize(("limits", "state"), FITTING)
+def test_smoothness_costs_little_where_the_usual_rises_do_not_fit(limits, state) -> None:
+    trajectory = planned(limits, state, len(limits))
+    count, duration = usual(limits, state)
+    assert count > 0 and duration > 1.5 * trajectory.duration
+    assert verify(trajectory).passed
+    # without smoothness of the last order the highest limited derivative jumps
+    assert trajectory.duration < 1.1 * planned(limits, state, len(limits) - 1).duration
+
+
+@pytest.mark.parametrize(("limits", "state"), REFUSED)
+def test_steeper_rises_brake_what_the_usual_ones_do_not(limits, state) -> None:
+    trajectory = planned(limits, state, len(limits))
+    count, _ = usual(limits, state)
+    assert count < 0
+    assert verify(trajectory).passed
+    assert trajectory.duration < 1.1 * planned(limits, state, len(limits) - 1).duration
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_the_usual_rises_stay_where_they_fit(seed: int) -> None:
+    random = np.random.default_rng(seed)
+    limits = tuple(10.0 ** random.uniform(-0.5, 1.0, 4))
+    state = (0.0, 0.0, 0.0, 0.0, float(random.normal()))
+    _, duration = usual(limits, state)
+    assert planned(limits, state, 4).duration == duration
