@@ -73,6 +73,10 @@ class Pieces:
         values = [piece.deriv(i)(length) if i else piece(length) for i in range(3)]
         return np.array([*values, start + length])
 
+    def all_ends(self) -> FloatArray:
+        """`ends` of every axis, shape (axes, DelayedState)."""
+        return np.stack([self.axis(axis).ends() for axis in range(self.offsets.size - 1)])
+
     def stops(self) -> FloatArray:
         """When the last piece of each axis ends [s], shape (axes,)."""
         stops: FloatArray = self.timing[self.offsets[1:] - 1].sum(axis=1)
@@ -187,8 +191,7 @@ def find_leads(
         kept = follow.axis(axis)
         if order == TO_VELOCITY and kept.used > 0:
             ends = kept.ends()
-            missed = np.abs(ends[1:3] - [targets[axis, WaypointState.VELOCITY], 0.0])
-            reached = (missed <= ROUNDING * limits[axis, :2]).all()
+            reached = _reaches(ends, targets[axis, WaypointState.VELOCITY], limits[axis])
             if reached and (not found or ends[DelayedState.DELAY] < best[1][DelayedState.DELAY]):
                 best, found = (kept, ends), True
                 following[axis] = True
@@ -197,3 +200,19 @@ def find_leads(
         states[axis] = best[1]
         parts.append(best[0])
     return Leads(Pieces.together(parts, 2 * (count - 1)), states, following=following)
+
+
+def _reaches(end: FloatArray, velocity: float, limits: FloatArray) -> bool:
+    """Whether an end (DelayedState) of a plan has a velocity and no acceleration."""
+    missed = np.abs(end[1:3] - [velocity, 0.0])
+    return bool((missed <= ROUNDING * limits[:2]).all())
+
+
+def following(follow: Pieces, velocity: FloatArray, limits: FloatArray) -> Leads | None:
+    """A plan as leads to a velocity (axes,); None if it does not end there."""
+    if follow.used == 0:
+        return None
+    ends = follow.all_ends()
+    if not all(map(_reaches, ends, velocity, limits)):
+        return None
+    return Leads(follow, ends, following=np.ones(len(ends), dtype=bool))

@@ -17,7 +17,7 @@ from segfmu.kernels import backend
 from segfmu.kernels.planner.records import DelayedState, WaypointState
 from segfmu.planning.arrays import FloatArray, finite_vector
 from segfmu.planning.free import choose_states
-from segfmu.planning.lead import TO_VELOCITY, Leads, Pieces, find_leads
+from segfmu.planning.lead import TO_VELOCITY, Leads, Pieces, find_leads, following
 from segfmu.planning.limits import Limits
 from segfmu.planning.planner import planned
 from segfmu.planning.request import Request, checked_request
@@ -142,7 +142,7 @@ def _planned(request: Request, rest: Pieces) -> Trajectory:
     try:
         return planned(request, rest)
     except InfeasibleError:
-        states = np.stack([rest.axis(axis).ends() for axis in range(rest.offsets.size - 1)])
+        states = rest.all_ends()
         # with rounding errors in its velocity an axis at rest would count as moving
         settled = states[None, :, : WaypointState.SIZE].copy()
         backend.settle_states(settled, request.problem.limits)
@@ -243,7 +243,7 @@ def reach_velocity(
     )
     if leads.failed >= 0:
         raise no_lead(request.axis_names[leads.failed], leads.failed)
-    return _held(request, leads)
+    return _held(request, leads, rest)
 
 
 def _require_velocity(request: Request, wanted: FloatArray) -> None:
@@ -258,15 +258,20 @@ def _require_velocity(request: Request, wanted: FloatArray) -> None:
         )
 
 
-def _held(request: Request, leads: Leads) -> Trajectory:
+def _held(request: Request, leads: Leads, rest: Pieces) -> Trajectory:
     """The trajectory of leads to a velocity; each axis keeps it until the last one is there."""
     velocity = request.problem.states[1, :, 1]
     found, proved = _joined(request, leads)
-    if not proved and not verify(found).passed:
-        # rounding errors of the whole old plan against its last bit
-        found, proved = _joined(request, leads.anchored(velocity))
-    if not proved:
-        require(found)
+    if proved or verify(found).passed:
+        return found
+    # rounding errors of the whole old plan against its last bit; then leads that are shorter than
+    # the clock resolves
+    for other in (leads, following(rest, velocity, request.problem.limits)):
+        if other is not None:
+            found, proved = _joined(request, other.anchored(velocity))
+            if proved or verify(found).passed:
+                return found
+    require(found)
     return found
 
 

@@ -376,13 +376,17 @@ int segfmu_replan(const segfmu_trajectory *old, double time, const segfmu_proble
     return status;
 }
 
-/* What each axis holds after its lead to a velocity until `duration`, with states and times. */
-static void hold_velocities(task *t, const double *velocities, double duration, double *states,
+/* What each axis holds after its lead to a velocity, with states and times; anchors the leads. */
+static void hold_velocities(task *t, const double *velocities, int anchored, double *states,
                             double *times)
 {
     const int64_t k = t->axes, n = t->smoothness;
+    double duration = 0.0;
     for (int64_t axis = 0; axis < k; axis++) {
-        const double *end = t->ends + axis * DELAYED_STATE_SIZE;
+        duration = span_max(duration, t->ends[axis * DELAYED_STATE_SIZE + DELAYED_STATE_DELAY]);
+    }
+    for (int64_t axis = 0; axis < k; axis++) {
+        double *end = t->ends + axis * DELAYED_STATE_SIZE;
         const double hold = duration - end[DELAYED_STATE_DELAY];
         double *piece = t->plan.coefficients.data + axis * 2 * n;
         double *last = states + (k + axis) * (n + 1);
@@ -392,6 +396,8 @@ static void hold_velocities(task *t, const double *velocities, double duration, 
         for (int64_t i = 0; i < 2 * n; i++) {
             piece[i] = 0.0;
         }
+        end[WAYPOINT_STATE_VELOCITY] = velocities[axis];
+        end[WAYPOINT_STATE_ACCELERATION] = 0.0;
         piece[PIECE_POSITION] = end[WAYPOINT_STATE_POSITION];
         piece[PIECE_VELOCITY] = velocities[axis];
         for (int64_t i = 0; i <= n; i++) {
@@ -402,8 +408,30 @@ static void hold_velocities(task *t, const double *velocities, double duration, 
         last[WAYPOINT_STATE_VELOCITY] = velocities[axis];
         times[axis] = 0.0;
         times[k + axis] = times[2 * k + axis] = duration;
+        if (anchored) {
+            array_int64_t_1d part = {t->leads.offsets.data + axis, {2}};
+            segfmu_anchor_plan(matrix(end, 1, STATE), t->leads.timing, t->leads.coefficients,
+                               part);
+        }
     }
     t->plan.offsets.data[k] = k;
+    if (anchored) {
+        start_states(&t->leads, n, states);
+    }
+}
+
+/* Take what is left of the old plan as leads; 0 if it does not end at the velocities. */
+static int follow_rest(task *t, const double *targets)
+{
+    t->leads = t->rest;
+    for (int64_t axis = 0; axis < t->axes; axis++) {
+        double *end = t->ends + axis * DELAYED_STATE_SIZE;
+        rest_end(t, axis, end);
+        if (!is_kept(t, axis, targets + axis * STATE, end, 0)) {
+            return 0;
+        }
+    }
+    return 1;
 }
 
 int segfmu_reach_velocity(const segfmu_trajectory *old, double time, const double *velocities,
@@ -418,7 +446,7 @@ int segfmu_reach_velocity(const segfmu_trajectory *old, double time, const doubl
     task t = begin(old, time, 2, limits, space);
     const int64_t k = t.axes, n = t.smoothness;
     double *targets = take(&t.space, k * STATE), *times = take(&t.space, 3 * k);
-    double *states = take(&t.space, 2 * k * (n + 1)), duration = 0.0;
+    double *states = take(&t.space, 2 * k * (n + 1));
     for (int64_t axis = 0; axis < k; axis++) {
         targets[axis * STATE + WAYPOINT_STATE_POSITION] = 0.0;
         targets[axis * STATE + WAYPOINT_STATE_VELOCITY] = velocities[axis];
@@ -427,18 +455,14 @@ int segfmu_reach_velocity(const segfmu_trajectory *old, double time, const doubl
     if (!find_leads(&t, TO_VELOCITY, SHAPE_PLATEAU, targets)) {
         return PLAN_STATUS_NO_PROFILE;
     }
-    for (int64_t axis = 0; axis < k; axis++) {
-        duration = span_max(duration, t.ends[axis * DELAYED_STATE_SIZE + DELAYED_STATE_DELAY]);
-        targets[axis * STATE + WAYPOINT_STATE_POSITION] =
-            t.ends[axis * DELAYED_STATE_SIZE + WAYPOINT_STATE_POSITION];
-    }
-    hold_velocities(&t, velocities, duration, states, times);
-    int status = join(&t, 2, states, times, t.space, trajectory);
-    if (status != PLAN_STATUS_PLANNED) {
-        /* rounding errors of the whole old plan against its last bit */
-        segfmu_anchor_plan(matrix(targets, k, STATE), t.leads.timing, t.leads.coefficients,
-                           t.leads.offsets);
-        start_states(&t.leads, n, states);
+    int status = PLAN_STATUS_CHECK_FAILED;
+    /* anchored: rounding errors of the whole old plan against its last bit; then leads that are
+       shorter than the clock resolves */
+    for (int attempt = 0; attempt < 3 && status == PLAN_STATUS_CHECK_FAILED; attempt++) {
+        if (attempt == 2 && !follow_rest(&t, targets)) {
+            break;
+        }
+        hold_velocities(&t, velocities, attempt > 0, states, times);
         status = join(&t, 2, states, times, t.space, trajectory);
     }
     return status;
