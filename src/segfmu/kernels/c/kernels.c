@@ -324,7 +324,8 @@ static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases,
 static bool slow_down(double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t write_sequence(array_double_2d phases, array_double_1d axis, array_double_2d work);
 static bool stays_below(array_double_2d work);
-static double passing_duration(int64_t way, int64_t attempt, double longest, int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static double passing_duration(int64_t way, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static bool first_solution(int64_t count, array_double_2d ramps, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t passing_form(double longest, int64_t count, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t timed_passing(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double least_lever(double c, double gain, array_double_1d axis);
@@ -8753,9 +8754,9 @@ static void piece_excess(double length, int64_t node, bool holding, array_double
     double step;
     int64_t j;
     int64_t order;
-    state = span_row(&work, INT64_C(110));
-    end = span_row(&work, INT64_C(110) + INT64_C(1));
-    excess = span_rows(&work, INT64_C(105), INT64_C(109));
+    state = span_row(&work, INT64_C(129));
+    end = span_row(&work, INT64_C(129) + INT64_C(1));
+    excess = span_rows(&work, INT64_C(124), INT64_C(128));
     q = (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(2);
     rest = length;
     for (i = INT64_C(0); i < INT64_C(16); i += INT64_C(1))
@@ -8805,8 +8806,8 @@ static bool measure_excess(array_double_1d axis, array_double_2d work)
     double length;
     double peak;
     passing = span_row(&work, INT64_C(48));
-    excess = span_rows(&work, INT64_C(105), INT64_C(109));
-    state = span_row(&work, INT64_C(110));
+    excess = span_rows(&work, INT64_C(124), INT64_C(128));
+    state = span_row(&work, INT64_C(129));
     above = (int64_t)((*cspan_at(&passing, INT64_C(1))));
     q = above + INT64_C(2);
     boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1) - above;
@@ -10656,15 +10657,15 @@ static void pace_column(int64_t count, array_double_1d problem, array_double_1d 
     double slope;
     passing = span_row(&work, INT64_C(48));
     nodes = span_rows(&work, INT64_C(49), INT64_C(67));
-    residual = span_row(&work, INT64_C(109));
+    residual = span_row(&work, INT64_C(128));
     change = 1e-07;
     (*cspan_at(&passing, INT64_C(2))) = (*cspan_at(&passing, INT64_C(2))) + change;
     run_sequence(problem, passing, axis, nodes, residual);
     (*cspan_at(&passing, INT64_C(2))) = (*cspan_at(&passing, INT64_C(2))) - change;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        slope = ((*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(126) + i, INT64_C(0)))) / change;
-        (*cspan_at(&work, INT64_C(110) + i, count - INT64_C(1))) = slope;
+        slope = ((*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(145) + i, INT64_C(0)))) / change;
+        (*cspan_at(&work, INT64_C(129) + i, count - INT64_C(1))) = slope;
     }
     run_sequence(problem, passing, axis, nodes, residual);
 }
@@ -10690,13 +10691,13 @@ static void time_column(int64_t column, int64_t count, array_double_1d problem, 
     double difference;
     passing = span_row(&work, INT64_C(48));
     nodes = span_rows(&work, INT64_C(49), INT64_C(67));
-    residual = span_row(&work, INT64_C(109));
-    slopes = span_row(&work, INT64_C(142));
-    before = span_rows(&work, INT64_C(143), INT64_C(146));
-    moved = span_row(&work, INT64_C(146));
+    residual = span_row(&work, INT64_C(128));
+    slopes = span_row(&work, INT64_C(161));
+    before = span_rows(&work, INT64_C(162), INT64_C(165));
+    moved = span_row(&work, INT64_C(165));
     q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
     following = column + INT64_C(2);
-    base = span_row(&work, INT64_C(143) + INT64_C(2));
+    base = span_row(&work, INT64_C(162) + INT64_C(2));
     spent = 0.0;
     for (j = INT64_C(0); j < INT64_C(3); j += INT64_C(1))
     {
@@ -10721,7 +10722,7 @@ static void time_column(int64_t column, int64_t count, array_double_1d problem, 
     }
     for (i = begin; i < row; i += INT64_C(1))
     {
-        slope = (*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(126) + i, INT64_C(0)));
+        slope = (*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(145) + i, INT64_C(0)));
         (*cspan_at(&slopes, INT64_C(0) + i)) = slope / change;
     }
     for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
@@ -10750,7 +10751,7 @@ static void time_column(int64_t column, int64_t count, array_double_1d problem, 
     }
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        (*cspan_at(&work, INT64_C(110) + i, column)) = (*cspan_at(&slopes, INT64_C(0) + i));
+        (*cspan_at(&work, INT64_C(129) + i, column)) = (*cspan_at(&slopes, INT64_C(0) + i));
     }
 }
 static void newton_step(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work)
@@ -10764,10 +10765,10 @@ static void newton_step(int64_t count, array_double_1d problem, array_double_1d 
     double diagonal;
     array_double_2d matrix;
     passing = span_row(&work, INT64_C(48));
-    residual = span_row(&work, INT64_C(109));
+    residual = span_row(&work, INT64_C(128));
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        (*cspan_at(&work, INT64_C(126) + i, INT64_C(0))) = -(*cspan_at(&residual, INT64_C(0) + i));
+        (*cspan_at(&work, INT64_C(145) + i, INT64_C(0))) = -(*cspan_at(&residual, INT64_C(0) + i));
     }
     if ((*cspan_at(&passing, INT64_C(5))) > 0.0)
     {
@@ -10782,18 +10783,18 @@ static void newton_step(int64_t count, array_double_1d problem, array_double_1d 
         largest = 0.0;
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
-            largest = span_max(largest, fabs((*cspan_at(&work, INT64_C(110) + i, j))));
+            largest = span_max(largest, fabs((*cspan_at(&work, INT64_C(129) + i, j))));
         }
         added = 1e-12 * span_max(largest, 1e-300);
-        diagonal = (*cspan_at(&work, INT64_C(110) + j, j));
+        diagonal = (*cspan_at(&work, INT64_C(129) + j, j));
         if (diagonal < 0.0)
         {
             added = -added;
         }
-        (*cspan_at(&work, INT64_C(110) + j, j)) = diagonal + added;
+        (*cspan_at(&work, INT64_C(129) + j, j)) = diagonal + added;
     }
-    matrix = span_rows(&work, INT64_C(110), INT64_C(126));
-    matrix_solve(count, INT64_C(1), matrix, span_rows(&work, INT64_C(126), INT64_C(142)));
+    matrix = span_rows(&work, INT64_C(129), INT64_C(145));
+    matrix_solve(count, INT64_C(1), matrix, span_rows(&work, INT64_C(145), INT64_C(161)));
 }
 static double longest_step(array_double_2d work)
 {
@@ -10811,7 +10812,7 @@ static double longest_step(array_double_2d work)
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        change = (*cspan_at(&work, INT64_C(126) + i, INT64_C(0)));
+        change = (*cspan_at(&work, INT64_C(145) + i, INT64_C(0)));
         time = (*cspan_at(&nodes, i, INT64_C(6)));
         if (!(fabs(change) < 1000000000000.0 * (*cspan_at(&passing, INT64_C(3)))))
         {
@@ -10834,7 +10835,7 @@ static double longest_step(array_double_2d work)
     }
     if ((*cspan_at(&passing, INT64_C(5))) > 0.0)
     {
-        change = fabs((*cspan_at(&work, INT64_C(126) + count, INT64_C(0))));
+        change = fabs((*cspan_at(&work, INT64_C(145) + count, INT64_C(0))));
         if (change * share > 0.3 * (*cspan_at(&passing, INT64_C(2))))
         {
             share = 0.3 * (*cspan_at(&passing, INT64_C(2))) / change;
@@ -10852,11 +10853,11 @@ static void take_step(double share, array_double_2d work)
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         row = INT64_C(49) + i;
-        (*cspan_at(&work, row, INT64_C(6))) = (*cspan_at(&work, row, INT64_C(6))) + share * (*cspan_at(&work, INT64_C(126) + i, INT64_C(0)));
+        (*cspan_at(&work, row, INT64_C(6))) = (*cspan_at(&work, row, INT64_C(6))) + share * (*cspan_at(&work, INT64_C(145) + i, INT64_C(0)));
     }
     if ((*cspan_at(&work, INT64_C(48), INT64_C(5))) > 0.0)
     {
-        pace = (*cspan_at(&work, INT64_C(48), INT64_C(2))) + share * (*cspan_at(&work, INT64_C(126) + count, INT64_C(0)));
+        pace = (*cspan_at(&work, INT64_C(48), INT64_C(2))) + share * (*cspan_at(&work, INT64_C(145) + count, INT64_C(0)));
         (*cspan_at(&work, INT64_C(48), INT64_C(2))) = pace;
     }
 }
@@ -10873,7 +10874,7 @@ static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_
     int64_t j;
     passing = span_row(&work, INT64_C(48));
     nodes = span_rows(&work, INT64_C(49), INT64_C(67));
-    residual = span_row(&work, INT64_C(109));
+    residual = span_row(&work, INT64_C(128));
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     if ((*cspan_at(&passing, INT64_C(5))) > 0.0)
     {
@@ -11044,7 +11045,7 @@ static bool insert_plateau(int64_t kind, bool touching, array_double_1d axis, ar
     bool here;
     bool result;
     passing = span_row(&work, INT64_C(48));
-    excess = span_row(&work, INT64_C(105) + kind);
+    excess = span_row(&work, INT64_C(124) + kind);
     q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     place = (int64_t)((*cspan_at(&excess, INT64_C(1))));
@@ -11225,7 +11226,7 @@ static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d wo
         {
             kind = j + INT64_C(1);
         }
-        if ((*cspan_at(&work, INT64_C(105) + kind, INT64_C(0))) > 0.0)
+        if ((*cspan_at(&work, INT64_C(124) + kind, INT64_C(0))) > 0.0)
         {
             if (insert_plateau(kind, 0, axis, work))
             {
@@ -11234,7 +11235,7 @@ static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d wo
         }
     }
     lowest = q - INT64_C(3);
-    if ((lowest > INT64_C(0)) && ((*cspan_at(&work, INT64_C(105) + lowest, INT64_C(0))) > 0.0))
+    if ((lowest > INT64_C(0)) && ((*cspan_at(&work, INT64_C(124) + lowest, INT64_C(0))) > 0.0))
     {
         if (release_touch(lowest, work))
         {
@@ -11582,18 +11583,11 @@ static bool stays_below(array_double_2d work)
     }
     return 0;
 }
-static double passing_duration(int64_t way, int64_t attempt, double longest, int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
+static double passing_duration(int64_t way, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     bool found;
     double result;
-    if (!set_sequence(attempt, count, phases, problem, axis, work))
-    {
-        return -1.0;
-    }
-    if (!solve_rotated(problem, axis, work))
-    {
-        return 0.0;
-    }
+    restore_sequence(INT64_C(105), work);
     if (way == INT64_C(2))
     {
         found = slow_down(longest, problem, axis, work);
@@ -11609,49 +11603,55 @@ static double passing_duration(int64_t way, int64_t attempt, double longest, int
     result = sequence_duration(span_row(&work, INT64_C(48)), span_rows(&work, INT64_C(49), INT64_C(67)));
     return result;
 }
+static bool first_solution(int64_t count, array_double_2d ramps, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    int64_t attempt;
+    for (attempt = INT64_C(0); attempt < INT64_C(6); attempt += INT64_C(1))
+    {
+        if (!set_sequence(attempt, count, ramps, problem, axis, work))
+        {
+            return 0;
+        }
+        if (solve_rotated(problem, axis, work))
+        {
+            keep_sequence(INT64_C(105), work);
+            return 1;
+        }
+    }
+    return 0;
+}
 static int64_t passing_form(double longest, int64_t count, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     double shortest;
-    int64_t attempt;
-    bool solved;
     int64_t way;
     double found;
     int64_t used;
     shortest = total_duration(ramps, count) * (1.0 - 1e-09);
     used = INT64_C(0);
     (*cspan_at(&work, INT64_C(48), INT64_C(7))) = 0.0;
-    for (attempt = INT64_C(0); attempt < INT64_C(6); attempt += INT64_C(1))
+    if (!first_solution(count, ramps, problem, axis, work))
     {
-        solved = 0;
-        for (way = INT64_C(0); way < INT64_C(3); way += INT64_C(1))
+        return INT64_C(0);
+    }
+    for (way = INT64_C(0); way < INT64_C(3); way += INT64_C(1))
+    {
+        found = passing_duration(way, shortest, problem, axis, work);
+        if ((found > 0.0) && (found < shortest))
         {
-            found = passing_duration(way, attempt, shortest, count, ramps, problem, axis, work);
-            if (found == 0.0)
+            shortest = found;
+            if (found < longest)
             {
+                used = write_sequence(phases, axis, work);
+                keep_sequence(INT64_C(86), work);
+            }
+            if (!stays_below(work))
+            {
+                if (way < INT64_C(2))
+                {
+                    (*cspan_at(&work, INT64_C(48), INT64_C(7))) = 1.0;
+                }
                 break;
             }
-            solved = 1;
-            if ((found > 0.0) && (found < shortest))
-            {
-                shortest = found;
-                if (found < longest)
-                {
-                    used = write_sequence(phases, axis, work);
-                    keep_sequence(INT64_C(86), work);
-                }
-                if (!stays_below(work))
-                {
-                    if (way < INT64_C(2))
-                    {
-                        (*cspan_at(&work, INT64_C(48), INT64_C(7))) = 1.0;
-                    }
-                    break;
-                }
-            }
-        }
-        if (solved)
-        {
-            break;
         }
     }
     return used;
@@ -15953,7 +15953,7 @@ static int64_t stage_phases(int64_t order, double end, bool free, array_double_2
     (*cspan_at(&problem, INT64_C(2))) = 0.0;
     (*cspan_at(&problem, INT64_C(3))) = 0.0;
     (*cspan_at(&problem, INT64_C(4))) = end - (*cspan_at(&state, order));
-    result = segfmu_shortest_profile(problem, chain, phases, span_rows(&lead, INT64_C(51), INT64_C(198)));
+    result = segfmu_shortest_profile(problem, chain, phases, span_rows(&lead, INT64_C(51), INT64_C(217)));
     return result;
 }
 static int64_t run_stage(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -15981,7 +15981,7 @@ static int64_t run_stage(int64_t order, int64_t row, array_double_2d lead, array
     {
         return -INT64_C(1);
     }
-    expansion = span_rows(&lead, INT64_C(198), INT64_C(200));
+    expansion = span_rows(&lead, INT64_C(217), INT64_C(219));
     now = span_row(&expansion, INT64_C(1));
     (*cspan_at(&now, INT64_C(0))) = (*cspan_at(&state, seen));
     (*cspan_at(&now, INT64_C(1))) = (*cspan_at(&state, seen + INT64_C(1)));
@@ -16052,7 +16052,7 @@ static double profile_time(array_double_2d lead)
     (*cspan_at(&problem, INT64_C(2))) = (*cspan_at(&target, INT64_C(2)));
     (*cspan_at(&problem, INT64_C(3))) = (*cspan_at(&target, INT64_C(3)));
     (*cspan_at(&problem, INT64_C(4))) = (*cspan_at(&target, INT64_C(4))) - (*cspan_at(&state, INT64_C(0)));
-    count = segfmu_shortest_profile(problem, axis, phases, span_rows(&lead, INT64_C(51), INT64_C(198)));
+    count = segfmu_shortest_profile(problem, axis, phases, span_rows(&lead, INT64_C(51), INT64_C(217)));
     if (count < INT64_C(0))
     {
         return -1.0;
@@ -16134,7 +16134,7 @@ static bool try_lead(int64_t order, int64_t row, array_double_1d limits, array_d
     {
         return 0;
     }
-    check = span_rows(&lead, INT64_C(200), INT64_C(244));
+    check = span_rows(&lead, INT64_C(219), INT64_C(263));
     if (last > first)
     {
         if (!begins_now(lead, coefficients))
@@ -16905,8 +16905,8 @@ int64_t segfmu_expand_motion(array_double_3d states, array_double_1d dwells, arr
     {
         return INT64_C(1);
     }
-    segfmu_expand_plan(states, dwells, axes, cells, timing, coefficients, offsets, times, span_rows(&work, INT64_C(149), INT64_C(151)));
-    wrong = segfmu_check_plan(states, times, timing, coefficients, offsets, limits, (*cspan_at(&work, INT64_C(1), INT64_C(0))), span_rows(&work, INT64_C(151), INT64_C(195)));
+    segfmu_expand_plan(states, dwells, axes, cells, timing, coefficients, offsets, times, span_rows(&work, INT64_C(168), INT64_C(170)));
+    wrong = segfmu_check_plan(states, times, timing, coefficients, offsets, limits, (*cspan_at(&work, INT64_C(1), INT64_C(0))), span_rows(&work, INT64_C(170), INT64_C(214)));
     if (wrong > INT64_C(0))
     {
         return -INT64_C(12);
@@ -16917,7 +16917,7 @@ int64_t segfmu_plan_motion(array_double_3d states, array_double_1d dwells, array
 {
     array_double_2d planner;
     int64_t status;
-    planner = span_rows(&work, INT64_C(2), INT64_C(149));
+    planner = span_rows(&work, INT64_C(2), INT64_C(168));
     status = segfmu_check_problem(states, limits, span_row(&planner, INT64_C(46)));
     if (status == INT64_C(0))
     {

@@ -206,18 +206,14 @@ def stays_below(work: 'float[:,:]') -> bool:
 
 
 def passing_duration(
-    way: int, attempt: int, longest: float, count: int, phases: 'float[:,:]',
-    problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]',
+    way: int, longest: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> float:
-    """Duration of the passing profile that keeps the limits in one of several ways.
+    """Duration of the solved sequence after it meets the limits in one of several ways.
 
     Plateaus of derivatives of high order first (0), of low order first (1), or a slower pace (2).
-    -1: there is none; 0: the sequence has no solution from the start of this attempt.
+    -1: there is none.
     """
-    if not set_sequence(attempt, count, phases, problem, axis, work):
-        return -1.0
-    if not solve_rotated(problem, axis, work):
-        return 0.0
+    restore_sequence(PlanWork.SOLVED, work)
     if way == 2:
         found = slow_down(longest, problem, axis, work)
     else:
@@ -225,6 +221,19 @@ def passing_duration(
     if not found:
         return -1.0
     return sequence_duration(work[PlanWork.PASSING, :], work[PlanWork.NODES:PlanWork.KEPT, :])
+
+
+def first_solution(
+    count: int, ramps: 'float[:,:]', problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
+) -> bool:
+    """Keep the first sequence, of several starts, that has a solution; False if none has."""
+    for attempt in range(6):
+        if not set_sequence(attempt, count, ramps, problem, axis, work):
+            return False
+        if solve_rotated(problem, axis, work):
+            keep_sequence(PlanWork.SOLVED, work)
+            return True
+    return False
 
 
 def passing_form(
@@ -239,25 +248,19 @@ def passing_form(
     shortest = total_duration(ramps, count) * (1.0 - 1e-9)
     used = 0
     work[PlanWork.PASSING, Passing.SETTLED] = 0.0
-    for attempt in range(6):
-        solved = False
-        for way in range(3):
-            found = passing_duration(way, attempt, shortest, count, ramps, problem, axis, work)
-            if found == 0.0:
-                # no solution from this start
+    if not first_solution(count, ramps, problem, axis, work):
+        return 0
+    for way in range(3):
+        found = passing_duration(way, shortest, problem, axis, work)
+        if found > 0.0 and found < shortest:
+            shortest = found
+            if found < longest:
+                used = write_sequence(phases, axis, work)
+                keep_sequence(PlanWork.FOUND, work)
+            if not stays_below(work):
+                if way < 2:
+                    work[PlanWork.PASSING, Passing.SETTLED] = 1.0
                 break
-            solved = True
-            if found > 0.0 and found < shortest:
-                shortest = found
-                if found < longest:
-                    used = write_sequence(phases, axis, work)
-                    keep_sequence(PlanWork.FOUND, work)
-                if not stays_below(work):
-                    if way < 2:
-                        work[PlanWork.PASSING, Passing.SETTLED] = 1.0
-                    break
-        if solved:
-            break
     return used
 
 

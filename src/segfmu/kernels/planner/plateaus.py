@@ -7,7 +7,7 @@ from segfmu.kernels.planner.records import Axis, Excess, Node, Passing, PlanWork
 
 
 def keep_sequence(row: int, work: 'float[:,:]') -> None:
-    """Copy the sequence to the rows KEPT or FOUND of `work` (PlanWork), which begin at `row`."""
+    """Copy the sequence to the rows KEPT, FOUND or SOLVED of `work` (PlanWork), from `row` on."""
     for i in range(Passing.SIZE):
         work[row, i] = work[PlanWork.PASSING, i]
     for j in range(int(work[PlanWork.PASSING, Passing.COUNT]) + 2):

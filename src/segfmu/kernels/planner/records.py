@@ -327,6 +327,7 @@ class PlanWork(Record):
     NODES = field("its nodes, the end, and the state there", size=18, of=Node)
     KEPT = field("the same of one that was kept", size=19, of=Node)
     FOUND = field("the same of the shortest one", size=19, of=Node)
+    SOLVED = field("the same of one before it meets the limits", size=19, of=Node)
     EXCESS = field("by the order of the derivative", size=4, of=Excess)
     RESIDUAL = field("residuals of the equations", of=Equations)
     MATRIX = field("their derivatives", size=16, of=Equations)
