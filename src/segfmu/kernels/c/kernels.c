@@ -330,6 +330,7 @@ static int64_t passing_form(double longest, int64_t count, array_double_2d ramps
 static int64_t timed_passing(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double least_lever(double c, double gain, array_double_1d axis);
 static double early_window(double duration, array_double_1d problem, array_double_1d axis);
+static double short_window(double duration, array_double_1d problem, array_double_1d axis, array_double_1d rest);
 static double usual_duration(array_double_1d problem, array_double_1d axis);
 static int64_t fastest_between(array_double_2d phases, array_double_1d problem, array_double_1d axis);
 static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
@@ -338,7 +339,7 @@ static bool ramps_suffice(array_double_1d axis);
 static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t passing_either_way(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work);
 static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work);
-static bool misses_little(double duration, array_double_1d asked, array_double_1d axis);
+static bool misses_little(double free, double duration, array_double_1d asked, array_double_1d axis);
 static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends);
 static double cruise_time(double cruise, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases);
 static double turning_time(double lower, double upper, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases);
@@ -7681,15 +7682,15 @@ static int64_t member_distance(double* result_0_0001, double* result_1, array_do
     v = (*cspan_at(&family, INT64_C(0)));
     a = (*cspan_at(&family, INT64_C(1)));
     b = (*cspan_at(&family, INT64_C(3)));
-    t1 = (*cspan_at(&family, INT64_C(19)));
-    hold1 = (*cspan_at(&family, INT64_C(20)));
-    level1 = (*cspan_at(&family, INT64_C(21)));
-    hold2 = (*cspan_at(&family, INT64_C(22)));
-    level2 = (*cspan_at(&family, INT64_C(23)));
-    t3 = (*cspan_at(&family, INT64_C(24)));
+    t1 = (*cspan_at(&family, INT64_C(20)));
+    hold1 = (*cspan_at(&family, INT64_C(21)));
+    level1 = (*cspan_at(&family, INT64_C(22)));
+    hold2 = (*cspan_at(&family, INT64_C(23)));
+    level2 = (*cspan_at(&family, INT64_C(24)));
+    t3 = (*cspan_at(&family, INT64_C(25)));
     segfmu_ramp_duration(&basis, &slope, fabs(level2 - level1), axis);
-    t2 = basis * (*cspan_at(&family, INT64_C(25)));
-    basis = basis + (*cspan_at(&family, INT64_C(26))) * (t2 - basis);
+    t2 = basis * (*cspan_at(&family, INT64_C(26)));
+    basis = basis + (*cspan_at(&family, INT64_C(27))) * (t2 - basis);
     if ((*cspan_at(&family, INT64_C(13))) > 0.5)
     {
         (*result_0_0001) = t1 + hold1 + t2 + hold2 + t3;
@@ -7755,12 +7756,12 @@ static int64_t canonical_member(double* result_0, double* result_1, double p, ar
         (*result_1) = 0.0;
         return 0;
     }
-    (*cspan_at(&family, INT64_C(19))) = t1;
-    (*cspan_at(&family, INT64_C(20))) = hold1;
-    (*cspan_at(&family, INT64_C(21))) = level1;
-    (*cspan_at(&family, INT64_C(22))) = hold2;
-    (*cspan_at(&family, INT64_C(23))) = level2;
-    (*cspan_at(&family, INT64_C(24))) = t3;
+    (*cspan_at(&family, INT64_C(20))) = t1;
+    (*cspan_at(&family, INT64_C(21))) = hold1;
+    (*cspan_at(&family, INT64_C(22))) = level1;
+    (*cspan_at(&family, INT64_C(23))) = hold2;
+    (*cspan_at(&family, INT64_C(24))) = level2;
+    (*cspan_at(&family, INT64_C(25))) = t3;
     member_distance(result_0, result_1, family, axis);
     return 0;
 }
@@ -7869,7 +7870,7 @@ static void note_near(double y, double duration, array_double_1d family, array_d
     speed = speed + (fabs((*cspan_at(&family, INT64_C(1)))) + fabs((*cspan_at(&family, INT64_C(3))))) * duration;
     if (fabs(y - (*cspan_at(&family, INT64_C(14)))) <= saving(axis) * speed * duration)
     {
-        (*cspan_at(&family, INT64_C(17))) = 1.0;
+        (*cspan_at(&family, INT64_C(18))) = 1.0;
     }
 }
 static int64_t first_window(double* result_0, double* result_1_0001, double f_start, double t_zero, array_double_1d family, array_double_1d axis)
@@ -7944,10 +7945,10 @@ static bool only_farther(array_double_1d family)
     {
         return 0;
     }
-    gain = 0.5 * ((*cspan_at(&family, INT64_C(1))) + (*cspan_at(&family, INT64_C(21)))) * (*cspan_at(&family, INT64_C(19)));
-    gain = gain + (*cspan_at(&family, INT64_C(21))) * (*cspan_at(&family, INT64_C(20)));
-    loss = 0.5 * ((*cspan_at(&family, INT64_C(23))) + (*cspan_at(&family, INT64_C(3)))) * (*cspan_at(&family, INT64_C(24)));
-    loss = loss + (*cspan_at(&family, INT64_C(23))) * (*cspan_at(&family, INT64_C(22)));
+    gain = 0.5 * ((*cspan_at(&family, INT64_C(1))) + (*cspan_at(&family, INT64_C(22)))) * (*cspan_at(&family, INT64_C(20)));
+    gain = gain + (*cspan_at(&family, INT64_C(22))) * (*cspan_at(&family, INT64_C(21)));
+    loss = 0.5 * ((*cspan_at(&family, INT64_C(24))) + (*cspan_at(&family, INT64_C(3)))) * (*cspan_at(&family, INT64_C(25)));
+    loss = loss + (*cspan_at(&family, INT64_C(24))) * (*cspan_at(&family, INT64_C(23)));
     result = ((*cspan_at(&family, INT64_C(0))) + gain >= 0.0) || ((*cspan_at(&family, INT64_C(2))) - loss >= 0.0);
     return result;
 }
@@ -7999,7 +8000,7 @@ static void note_near_gain(array_double_1d family, array_double_1d axis)
     least = 0.5 * ((a + low) * first + (low + b) * last);
     if ((*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))) >= (1.0 - saving(axis)) * least)
     {
-        (*cspan_at(&family, INT64_C(17))) = 1.0;
+        (*cspan_at(&family, INT64_C(18))) = 1.0;
     }
 }
 static double second_window(double t_zero, array_double_1d family, array_double_1d axis)
@@ -8115,8 +8116,8 @@ static double nearby_member(array_double_1d family, array_double_1d axis)
     double f_upper;
     double result;
     target = (*cspan_at(&family, INT64_C(14)));
-    lower = 0.95 * (*cspan_at(&family, INT64_C(18)));
-    upper = 1.05 * (*cspan_at(&family, INT64_C(18)));
+    lower = 0.95 * (*cspan_at(&family, INT64_C(19)));
+    upper = 1.05 * (*cspan_at(&family, INT64_C(19)));
     if (lower <= 0.0)
     {
         return -1.0;
@@ -8914,13 +8915,13 @@ static void set_family(int64_t branch, array_double_1d problem, array_double_1d 
     (*cspan_at(&family, INT64_C(14))) = distance;
     (*cspan_at(&family, INT64_C(15))) = -1.0;
     (*cspan_at(&family, INT64_C(16))) = last_ramp;
-    (*cspan_at(&family, INT64_C(25))) = 1.0;
+    (*cspan_at(&family, INT64_C(26))) = 1.0;
 }
 static void set_member(int64_t member, double time, bool by_time, array_double_1d family)
 {
     (*cspan_at(&family, INT64_C(15))) = member;
     (*cspan_at(&family, INT64_C(16))) = span_max((*cspan_at(&family, INT64_C(5))), 0.1 * time);
-    (*cspan_at(&family, INT64_C(18))) = -1.0;
+    (*cspan_at(&family, INT64_C(19))) = -1.0;
     if (by_time)
     {
         (*cspan_at(&family, INT64_C(13))) = 1.0;
@@ -8939,21 +8940,21 @@ static int64_t write_member(array_double_2d phases, array_double_1d family, arra
     int64_t count;
     a = (*cspan_at(&family, INT64_C(1)));
     b = (*cspan_at(&family, INT64_C(3)));
-    level1 = (*cspan_at(&family, INT64_C(21)));
-    level2 = (*cspan_at(&family, INT64_C(23)));
-    count = append_ramp(phases, INT64_C(0), a, level1, (*cspan_at(&family, INT64_C(19))), axis);
-    count = append_hold(phases, count, level1, (*cspan_at(&family, INT64_C(20))));
+    level1 = (*cspan_at(&family, INT64_C(22)));
+    level2 = (*cspan_at(&family, INT64_C(24)));
+    count = append_ramp(phases, INT64_C(0), a, level1, (*cspan_at(&family, INT64_C(20))), axis);
+    count = append_hold(phases, count, level1, (*cspan_at(&family, INT64_C(21))));
     before = count;
     count = append_change(phases, count, level1, level2, axis);
-    if ((count > before) && ((*cspan_at(&family, INT64_C(25))) > 1.0))
+    if ((count > before) && ((*cspan_at(&family, INT64_C(26))) > 1.0))
     {
         basis = (*cspan_at(&phases, before, INT64_C(1)));
-        duration = basis * (*cspan_at(&family, INT64_C(25)));
+        duration = basis * (*cspan_at(&family, INT64_C(26)));
         (*cspan_at(&phases, before, INT64_C(0))) = duration;
-        (*cspan_at(&phases, before, INT64_C(1))) = basis + (*cspan_at(&family, INT64_C(26))) * (duration - basis);
+        (*cspan_at(&phases, before, INT64_C(1))) = basis + (*cspan_at(&family, INT64_C(27))) * (duration - basis);
     }
-    count = append_hold(phases, count, level2, (*cspan_at(&family, INT64_C(22))));
-    count = append_ramp(phases, count, level2, b, (*cspan_at(&family, INT64_C(24))), axis);
+    count = append_hold(phases, count, level2, (*cspan_at(&family, INT64_C(23))));
+    count = append_ramp(phases, count, level2, b, (*cspan_at(&family, INT64_C(25))), axis);
     if ((*cspan_at(&family, INT64_C(11))) > 0.5)
     {
         reverse_phases(phases, INT64_C(0), count);
@@ -8987,7 +8988,7 @@ static int64_t merged_form(array_double_2d phases, double highest, array_double_
     {
         return -INT64_C(1);
     }
-    (*cspan_at(&family, INT64_C(18))) = p;
+    (*cspan_at(&family, INT64_C(19))) = p;
     canonical_member(&duration, &y, p, family, axis);
     if (duration < 0.0)
     {
@@ -9612,12 +9613,12 @@ static double set_point(double place, double radius, array_double_1d family, arr
     level_from(&t1, &hold1, &level1, a, p_sign * radius * (1.0 - part), (*cspan_at(&family, INT64_C(6))), (*cspan_at(&family, INT64_C(7))), axis);
     level_from(&t3, &hold2, &level2, b, q_sign * radius * part, (*cspan_at(&family, INT64_C(8))), (*cspan_at(&family, INT64_C(9))), axis);
     segfmu_ramp_duration(&t2, &slope, fabs(level2 - level1), axis);
-    (*cspan_at(&family, INT64_C(19))) = t1;
-    (*cspan_at(&family, INT64_C(20))) = hold1;
-    (*cspan_at(&family, INT64_C(21))) = level1;
-    (*cspan_at(&family, INT64_C(22))) = hold2;
-    (*cspan_at(&family, INT64_C(23))) = level2;
-    (*cspan_at(&family, INT64_C(24))) = t3;
+    (*cspan_at(&family, INT64_C(20))) = t1;
+    (*cspan_at(&family, INT64_C(21))) = hold1;
+    (*cspan_at(&family, INT64_C(22))) = level1;
+    (*cspan_at(&family, INT64_C(23))) = hold2;
+    (*cspan_at(&family, INT64_C(24))) = level2;
+    (*cspan_at(&family, INT64_C(25))) = t3;
     gain = 0.5 * ((a + level1) * t1 + (level1 + level2) * t2 + (level2 + b) * t3);
     gain = gain + level1 * hold1 + level2 * hold2;
     result = gain - ((*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))));
@@ -9691,8 +9692,8 @@ static bool slow_middle(double place, double radius, array_double_1d family, arr
     double mean;
     double stretch;
     error = set_point(place, radius, family, axis);
-    level1 = (*cspan_at(&family, INT64_C(21)));
-    level2 = (*cspan_at(&family, INT64_C(23)));
+    level1 = (*cspan_at(&family, INT64_C(22)));
+    level2 = (*cspan_at(&family, INT64_C(24)));
     segfmu_ramp_duration(&fastest, &slope, fabs(level2 - level1), axis);
     mean = 0.5 * (level1 + level2);
     if ((fastest <= 0.0) || (mean == 0.0))
@@ -9700,7 +9701,7 @@ static bool slow_middle(double place, double radius, array_double_1d family, arr
         return 0;
     }
     stretch = 1.0 - error / (mean * fastest);
-    (*cspan_at(&family, INT64_C(25))) = stretch;
+    (*cspan_at(&family, INT64_C(26))) = stretch;
     return stretch >= 1.0;
 }
 static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis)
@@ -9710,8 +9711,8 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
     double duration;
     double y;
     double error;
-    (*cspan_at(&family, INT64_C(25))) = 1.0;
-    (*cspan_at(&family, INT64_C(26))) = 0.0;
+    (*cspan_at(&family, INT64_C(26))) = 1.0;
+    (*cspan_at(&family, INT64_C(27))) = 0.0;
     if ((arc == INT64_C(0)) || (arc == INT64_C(6)))
     {
         if (loop_radius(arc, place, missing, largest, family, axis) < 0.0)
@@ -9723,7 +9724,7 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
     }
     else if (arc == INT64_C(5))
     {
-        (*cspan_at(&family, INT64_C(26))) = 0.25 * place;
+        (*cspan_at(&family, INT64_C(27))) = 0.25 * place;
         if (!slow_middle(0.0, 0.0, family, axis))
         {
             (*result_0) = -1.0;
@@ -9735,7 +9736,7 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
     {
         if ((arc == INT64_C(3)) || (arc == INT64_C(4)))
         {
-            (*cspan_at(&family, INT64_C(26))) = 1.0;
+            (*cspan_at(&family, INT64_C(27))) = 1.0;
         }
         part = 0.5 * place - 1.0;
         side = 0.0;
@@ -11797,6 +11798,53 @@ static double early_window(double duration, array_double_1d problem, array_doubl
     }
     return span_min(most * (1.0 + 1e-09), duration);
 }
+static double short_window(double duration, array_double_1d problem, array_double_1d axis, array_double_1d rest)
+{
+    double a;
+    double b;
+    int64_t i;
+    double spent;
+    double slope;
+    double distance;
+    double longest;
+    double result;
+    a = (*cspan_at(&problem, INT64_C(1)));
+    b = (*cspan_at(&problem, INT64_C(3)));
+    if (a * b >= 0.0)
+    {
+        result = early_window(duration, problem, axis);
+        return result;
+    }
+    if (span_min(fabs(a), fabs(b)) > 0.2 * span_max(fabs(a), fabs(b)))
+    {
+        return 0.0;
+    }
+    for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+    {
+        (*cspan_at(&rest, i)) = (*cspan_at(&problem, i));
+    }
+    if (fabs(a) < fabs(b))
+    {
+        segfmu_ramp_duration(&spent, &slope, fabs(a), axis);
+        distance = ramp_distance((*cspan_at(&problem, INT64_C(0))), a, 0.0, spent, spent, axis);
+        (*cspan_at(&rest, INT64_C(0))) = (*cspan_at(&problem, INT64_C(0))) + 0.5 * a * spent;
+        (*cspan_at(&rest, INT64_C(1))) = 0.0;
+    }
+    else
+    {
+        segfmu_ramp_duration(&spent, &slope, fabs(b), axis);
+        (*cspan_at(&rest, INT64_C(2))) = (*cspan_at(&problem, INT64_C(2))) - 0.5 * b * spent;
+        distance = ramp_distance((*cspan_at(&rest, INT64_C(2))), 0.0, b, spent, spent, axis);
+        (*cspan_at(&rest, INT64_C(3))) = 0.0;
+    }
+    (*cspan_at(&rest, INT64_C(4))) = (*cspan_at(&problem, INT64_C(4))) - distance;
+    longest = early_window(duration - spent, rest, axis);
+    if (longest > 0.0)
+    {
+        return longest + spent;
+    }
+    return 0.0;
+}
 static double usual_duration(array_double_1d problem, array_double_1d axis)
 {
     double limit;
@@ -11914,6 +11962,10 @@ static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_d
         if (count > INT64_C(0))
         {
             duration = valid_duration(trial, count, problem, axis);
+            if (attempt == INT64_C(0))
+            {
+                (*cspan_at(&family, INT64_C(17))) = span_min((*cspan_at(&family, INT64_C(17))), total_duration(trial, count));
+            }
             if (duration >= 0.0)
             {
                 found = branch;
@@ -12042,27 +12094,31 @@ static int64_t passing_either_way(int64_t count, array_double_2d phases, array_d
 }
 static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work)
 {
+    double free;
     int64_t status;
     double longest;
     bool settled;
     bool passing;
     int64_t last;
     int64_t count;
+    double window;
     int64_t result;
+    free = (*cspan_at(&work, INT64_C(45), INT64_C(17)));
     status = braked_ramps(asked, axis, phases, work);
     longest = usual_duration(asked, axis);
     if (status > INT64_C(0))
     {
+        settled = 0;
         if ((*cspan_at(&axis, INT64_C(33))) > 0.5)
         {
             status = passing_either_way(status, phases, asked, axis, work);
             settled = ((*cspan_at(&work, INT64_C(48), INT64_C(7))) > 0.5) && ramps_suffice(axis);
-            if (settled && (early_window(total_duration(phases, status), asked, axis) <= 0.0))
-            {
-                return status;
-            }
         }
         longest = total_duration(phases, status);
+        if (settled && (longest <= 1.1 * free) && (early_window(longest, asked, axis) <= 0.0))
+        {
+            return status;
+        }
     }
     passing = (*cspan_at(&asked, INT64_C(1))) * (*cspan_at(&asked, INT64_C(3))) <= 0.0;
     if (is_resting(asked, axis) || (passing && (status < INT64_C(0)) && (status != -INT64_C(3))))
@@ -12070,11 +12126,20 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
         return status;
     }
     last = INT64_C(6);
-    if ((status > INT64_C(0)) && ramps_suffice(axis) && (early_window(longest, asked, axis) <= 0.0))
+    count = span_max_int(status, INT64_C(0));
+    window = short_window(longest, asked, axis, span_row(&work, INT64_C(44)));
+    if (window > 0.0)
+    {
+        count = loop_form(last, count, window, phases, asked, axis, work);
+    }
+    else if ((status > INT64_C(0)) && ramps_suffice(axis))
     {
         last = INT64_C(2);
     }
-    count = loop_form(last, span_max_int(status, INT64_C(0)), longest, phases, asked, axis, work);
+    if ((count == INT64_C(0)) || (total_duration(phases, count) >= longest))
+    {
+        count = loop_form(last, count, longest, phases, asked, axis, work);
+    }
     if (count == INT64_C(0))
     {
         return status;
@@ -12086,9 +12151,13 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
     }
     return count;
 }
-static bool misses_little(double duration, array_double_1d asked, array_double_1d axis)
+static bool misses_little(double free, double duration, array_double_1d asked, array_double_1d axis)
 {
     bool result;
+    if (duration > 1.3 * free)
+    {
+        return 1;
+    }
     if (early_window(duration, asked, axis) > 0.0)
     {
         return 1;
@@ -12105,34 +12174,39 @@ int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, a
     array_double_1d asked;
     array_double_1d family;
     double missed;
+    double free;
+    array_double_1d rest;
     double longest;
     int64_t count;
     asked = span_row(&work, INT64_C(43));
     family = span_row(&work, INT64_C(45));
     boundary_problem(problem, axis, asked);
-    (*cspan_at(&family, INT64_C(17))) = 0.0;
+    (*cspan_at(&family, INT64_C(18))) = 0.0;
+    (*cspan_at(&family, INT64_C(17))) = 1e+300;
     (*cspan_at(&work, INT64_C(48), INT64_C(7))) = 1.0;
     if (is_done(asked))
     {
         return INT64_C(0);
     }
     count = shortest_between(INT64_C(0), phases, asked, axis, work);
-    missed = 2.0 * (*cspan_at(&family, INT64_C(17)));
+    missed = 2.0 * (*cspan_at(&family, INT64_C(18)));
     if (count == INT64_C(0))
     {
+        free = (*cspan_at(&family, INT64_C(17)));
         count = shortest_braked(asked, axis, phases, work);
         if ((*cspan_at(&work, INT64_C(48), INT64_C(7))) < 0.5)
         {
             missed = span_max(missed, 1.0);
         }
-        if ((count > INT64_C(0)) && misses_little(total_duration(phases, count), asked, axis))
+        if ((count > INT64_C(0)) && misses_little(free, total_duration(phases, count), asked, axis))
         {
             missed = 2.0;
         }
     }
     else
     {
-        longest = early_window(total_duration(phases, count), asked, axis);
+        rest = span_row(&work, INT64_C(44));
+        longest = short_window(total_duration(phases, count), asked, axis, rest);
         if (longest > 0.0)
         {
             count = loop_form(INT64_C(6), count, longest, phases, asked, axis, work);
@@ -12150,7 +12224,7 @@ int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, a
     {
         missed = 2.0;
     }
-    (*cspan_at(&family, INT64_C(17))) = missed;
+    (*cspan_at(&family, INT64_C(18))) = missed;
     return count;
 }
 static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends)
@@ -13263,10 +13337,10 @@ static int64_t plan_with_share(int64_t axis, double share, array_double_2d axes,
             (*cspan_at(&report, INT64_C(3))) = (*cspan_at(&axes, axis, INT64_C(2)));
             return status;
         }
-        missed = span_max(missed, (*cspan_at(&work, INT64_C(45), INT64_C(17))));
+        missed = span_max(missed, (*cspan_at(&work, INT64_C(45), INT64_C(18))));
         note_shortest(time, span_matrix(&cells, j));
     }
-    (*cspan_at(&work, INT64_C(45), INT64_C(17))) = missed;
+    (*cspan_at(&work, INT64_C(45), INT64_C(18))) = missed;
     return INT64_C(0);
 }
 static double axis_duration(int64_t axis, array_double_2d axes, array_double_3d cells)
@@ -13346,7 +13420,7 @@ static void plan_steeper(double missed, int64_t axis, array_double_2d axes, arra
         {
             share = moderate_share();
         }
-        missed = span_min(missed, (*cspan_at(&work, INT64_C(45), INT64_C(17))));
+        missed = span_min(missed, (*cspan_at(&work, INT64_C(45), INT64_C(18))));
     }
     if (missed > 1.5)
     {
@@ -13379,7 +13453,7 @@ static int64_t plan_axis(int64_t axis, array_double_2d axes, array_double_3d cel
         status = plan_refused(axis, axes, cells, work);
         return status;
     }
-    missed = (*cspan_at(&work, INT64_C(45), INT64_C(17)));
+    missed = (*cspan_at(&work, INT64_C(45), INT64_C(18)));
     if ((status == INT64_C(0)) && (missed > 0.5))
     {
         plan_steeper(missed, axis, axes, cells, work);

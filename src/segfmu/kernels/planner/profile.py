@@ -40,7 +40,7 @@ from segfmu.kernels.planner.records import (
     PlanWork,
     Problem,
 )
-from segfmu.kernels.planner.window import early_window
+from segfmu.kernels.planner.window import early_window, short_window
 
 
 def usual_duration(problem: 'float[:]', axis: 'float[:]') -> float:
@@ -120,6 +120,8 @@ def shortest_between(
                 count = tempered_form(trial, family, axis)
         if count > 0:
             duration = valid_duration(trial, count, problem, axis)
+            if attempt == 0:
+                family[Family.FREE] = min(family[Family.FREE], total_duration(trial, count))
             if duration >= 0.0:
                 found = branch
             if duration >= 0.0 and (best == 0 or duration < shortest):
@@ -154,19 +156,22 @@ def shortest_profile(
     family = work[PlanWork.FAMILY, :]
     boundary_problem(problem, axis, asked)
     family[Family.MISSED] = 0.0
+    family[Family.FREE] = 1e300
     work[PlanWork.PASSING, Passing.SETTLED] = 1.0
     if is_done(asked):
         return 0
     count = shortest_between(0, phases, asked, axis, work)
     missed = 2.0 * family[Family.MISSED]
     if count == 0:
+        free = family[Family.FREE]
         count = shortest_braked(asked, axis, phases, work)
         if work[PlanWork.PASSING, Passing.SETTLED] < 0.5:
             missed = max(missed, 1.0)
-        if count > 0 and misses_little(total_duration(phases, count), asked, axis):
+        if count > 0 and misses_little(free, total_duration(phases, count), asked, axis):
             missed = 2.0
     else:
-        longest = early_window(total_duration(phases, count), asked, axis)
+        rest = work[PlanWork.REST, :]
+        longest = short_window(total_duration(phases, count), asked, axis, rest)
         if longest > 0.0:
             count = loop_form(LoopArc.FOLD, count, longest, phases, asked, axis, work)
             if total_duration(phases, count) > longest:
@@ -184,23 +189,32 @@ def shortest_braked(
     asked: 'float[:]', axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]'
 ) -> int:
     """`shortest_profile` where the optimal forms fail."""
+    # nothing is shorter; 1e300 if there is none without the velocity limit either
+    free = work[PlanWork.FAMILY, Family.FREE]
     status = braked_ramps(asked, axis, phases, work)
     longest = usual_duration(asked, axis)
     if status > 0:
+        settled = False
         if axis[Axis.ABOVE] > 0.5:
             status = passing_either_way(status, phases, asked, axis, work)
             settled = work[PlanWork.PASSING, Passing.SETTLED] > 0.5 and ramps_suffice(axis)
-            if settled and early_window(total_duration(phases, status), asked, axis) <= 0.0:
-                return status
         longest = total_duration(phases, status)
+        if settled and longest <= 1.1 * free and early_window(longest, asked, axis) <= 0.0:
+            return status
     # from rest to rest the other forms have them all; where braking fails, none may pass zero
     passing = asked[Problem.A] * asked[Problem.B] <= 0.0
     if is_resting(asked, axis) or (passing and status < 0 and status != PlanStatus.NO_PROFILE):
         return status
     last = int(LoopArc.FOLD)
-    if status > 0 and ramps_suffice(axis) and early_window(longest, asked, axis) <= 0.0:
+    count = max(status, 0)
+    window = short_window(longest, asked, axis, work[PlanWork.REST, :])
+    if window > 0.0:
+        # the arcs are sampled over the time that is given
+        count = loop_form(last, count, window, phases, asked, axis, work)
+    elif status > 0 and ramps_suffice(axis):
         last = int(LoopArc.LAST)
-    count = loop_form(last, max(status, 0), longest, phases, asked, axis, work)
+    if count == 0 or total_duration(phases, count) >= longest:
+        count = loop_form(last, count, longest, phases, asked, axis, work)
     if count == 0:
         return status
     if axis[Axis.ABOVE] > 0.5 and (status < 0 or total_duration(phases, count) < longest):
@@ -208,9 +222,14 @@ def shortest_braked(
     return count
 
 
-def misses_little(duration: float, asked: 'float[:]', axis: 'float[:]') -> bool:
+def misses_little(
+    free: float, duration: float, asked: 'float[:]', axis: 'float[:]'
+) -> bool:
     """Whether steeper rises may permit a profile that does not brake, or one whose acceleration
-    keeps its sign. The profile with the usual rises takes `duration` [s]."""
+    keeps its sign. The profile with the usual rises takes `duration` [s], without the velocity
+    limit `free`."""
+    if duration > 1.3 * free:
+        return True
     if early_window(duration, asked, axis) > 0.0:
         return True
     if nearly_brakes(asked[Problem.V], asked[Problem.A], axis):

@@ -193,6 +193,7 @@ class Family(Record):
     TARGET = field("distance or duration that is searched for", "m or s")
     MEMBER = field("number of the member of that value, from 0; -1: the first one found")
     SCALE = field("time over which members are looked for", "s")
+    FREE = field("least duration of the optimal forms without the velocity limit", "s")
     MISSED = field("1, 2: steeper, steepest rises may leave room for a shorter profile")
     NEAR = field("parameter near which a member is looked for first; -1: nowhere", "s")
     FIRST_TIME = field("member: duration of the first ramp", "s")
