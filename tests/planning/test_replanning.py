@@ -22,6 +22,7 @@ from segfmu import (
 
 TARGET = Waypoint([1.0, 0.5, 0.2])
 BOUNDS = (1.0, 1.0, 4.0, 20.0)
+LIMITS_BY_HAND = ([1.0, 3.94], [7.96, 0.613], [0.2695, 1.885], [14.41, 0.1247])
 TIMES = (0.0, 0.05, 0.37, 0.9, 1.5, 2.2, 2.4)
 
 
@@ -71,6 +72,24 @@ def test_shortly_before_its_end_a_plan_is_kept(n: int, share: float) -> None:
     for new in (replan(old, old.duration - rest, TARGET), stop(old, old.duration - rest)):
         assert verify(new).passed
         assert new.duration <= rest + 1e-14 * old.duration
+
+
+@pytest.mark.parametrize("n", [2, 3, 4, 5, 6])
+@pytest.mark.parametrize("share", [5e-324, 1e-300, 1e-30, 1e-16, 1e-14, 1e-12, 1e-10, 1e-8])
+def test_shortly_after_its_start_a_plan_is_left(n: int, share: float) -> None:
+    # all that moves is some derivatives of high order, or what rounding leaves of them
+    table = LIMITS_BY_HAND if n > 4 else LIMITS_BY_HAND[:3]
+    old = plan([Waypoint([0.01377, -0.01119]), Waypoint([0.2, 3.0])], Limits(*table), smoothness=n)
+    t = share * old.duration
+    stopped = stop(old, t)
+    assert verify(stopped).passed
+    for derivative in range(1, min(n, 3) + 1):
+        there = np.abs(stopped(0.0, derivative) - old(t, derivative))
+        assert (there <= 1e-9 * np.array(table[derivative - 1])).all()
+    assert stopped.duration <= max(10.0 * t, 1e-13)
+    for target in (Waypoint([-1.0, 0.4]), old.waypoints[-1]):
+        assert verify(replan(old, t, target)).passed
+    assert verify(reach_velocity(old, [0.5, -1.0], t)).passed
 
 
 def test_in_many_cycles_rounding_errors_do_not_delay_it() -> None:

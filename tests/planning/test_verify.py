@@ -8,7 +8,7 @@ from math import factorial
 import numpy as np
 import pytest
 
-from segfmu import InfeasibleError, Limits, Trajectory, Waypoint, plan, verify
+from segfmu import InfeasibleError, Limits, Trajectory, Waypoint, plan, stop, verify
 from segfmu.planning.verify import require
 
 pytestmark = pytest.mark.interpreted
@@ -77,6 +77,25 @@ def test_a_missed_waypoint_fails() -> None:
         found = verify(replace(sound, waypoints=points))
         assert not found.passed
         assert found.waypoint_error >= 0.9 * change
+
+
+@pytest.mark.parametrize(("derivative", "unit"), [(1, 1.0), (2, 0.5), (3, 0.25), (4, 0.125)])
+def test_a_jump_within_the_rounding_of_the_limits_passes(derivative: int, unit: float) -> None:
+    # a motion of one derivative only, by almost nothing; in place of an absent limit one counts
+    # that lower limits imply
+    limits = Limits(1.0, 0.5, 0.25) if derivative == 4 else Limits(1.0, 0.5, None, 8.0)
+    still = stop(Waypoint(0.0), limits=limits)
+    timing = np.array([[0.0, 1e-12], [1e-12, 1e-12]])
+    for size, passed in ((0.9e-14, True), (1.1e-14, False)):
+        coefficients = np.zeros((2, still.coefficients.shape[1]))
+        coefficients[0, derivative] = size * unit / factorial(derivative)
+        start = [0.0] * derivative + [size * unit]
+        tried = replace(
+            still, timing=timing, coefficients=coefficients, offsets=np.array([0, 2]),
+            waypoints=(Waypoint(*start), Waypoint(0.0)),
+            axis_waypoint_times=np.array([[0.0], [2e-12]]), axis_durations=np.array([2e-12]),
+        )
+        assert verify(tried).passed == passed
 
 
 @pytest.mark.parametrize("derivative", [1, 2, 3, 4])

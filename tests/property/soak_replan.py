@@ -1,8 +1,8 @@
 """Random plans, replanned and stopped at random times: none may be refused or break a limit.
 
 `python -m tests.property.soak_replan --problems 100000` takes the problems of each smoothness, with
-`--end` at times shortly before the end of the plans; the test suite runs some hundreds of both.
-`verify` judges every plan.
+`--ends` at times shortly after the start and before the end of the plans; the test suite runs some
+hundreds of both. `verify` judges every plan.
 """
 
 from __future__ import annotations
@@ -108,22 +108,23 @@ def try_time(
             tally.late.append(f"{name}, {task}, t = {t!r}: {found.duration} s, was {rest} s")
 
 
-def random_times(random: np.random.Generator, duration: float, end: bool) -> FloatArray:
-    """Times of a plan, uniform, or down to the last 1e-10 of it."""
-    if end:
-        return duration * (1.0 - 10.0 ** random.uniform(-10.0, 0.0, TIMES))
+def random_times(random: np.random.Generator, duration: float, ends: bool) -> FloatArray:
+    """Times of a plan, uniform, or close to its start and its end, down to the last bit."""
+    if ends:
+        near = 10.0 ** random.uniform(-17.0, 0.0, TIMES)
+        return duration * np.where(random.random(TIMES) < 0.5, near, 1.0 - near)
     return random.uniform(0.0, duration, TIMES)
 
 
-def soak(n: int, count: int, seed: int, end: bool = False) -> Tally:
+def soak(n: int, count: int, seed: int, ends: bool = False) -> Tally:
     """`count` states of random plans of one smoothness, each for four tasks."""
     tally = Tally()
     for number in range(max(count // (4 * TIMES), 1)):
         random = np.random.default_rng([seed, n, number])
         old = random_plan(random, n, int(random.integers(1, 4)))
         # what is left near the end is known up to the rounding of the whole duration
-        clock = 1e-14 * old.duration if end else 0.0
-        for t in random_times(random, old.duration, end):
+        clock = 1e-14 * old.duration if ends else 0.0
+        for t in random_times(random, old.duration, ends):
             try_time(random, old, float(t), clock, f"n = {n}, problem {number}", tally)
     return tally
 
@@ -133,12 +134,12 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--problems", type=int, default=10_000, help="of each smoothness")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--end", action="store_true", help="times shortly before the end")
+    parser.add_argument("--ends", action="store_true", help="times close to start and end")
     parser.add_argument("--smoothness", type=int, nargs="*", default=[2, 3, 4, 5, 6])
     given = parser.parse_args()
     for n in given.smoothness:
         begin = time.perf_counter()
-        tally = soak(n, given.problems, given.seed, given.end)
+        tally = soak(n, given.problems, given.seed, given.ends)
         print(
             f"n = {n}: {tally.states} plans, {len(tally.refused)} refused, {len(tally.invalid)} "
             f"invalid, {len(tally.late)} late, {time.perf_counter() - begin:.0f} s", flush=True,

@@ -31,9 +31,9 @@ def test_axes_meet_as_early_as_they_can() -> None:
 
 
 @pytest.mark.parametrize("smoothness", [2, 3, 4, 5, 6])
-@pytest.mark.parametrize("end", [False, True])
-def test_plans_are_replanned_and_stopped_anywhere(smoothness: int, end: bool) -> None:
-    tally = soak_replan(smoothness, 480 if COMPILED else 32, seed=7, end=end)
+@pytest.mark.parametrize("ends", [False, True])
+def test_plans_are_replanned_and_stopped_anywhere(smoothness: int, ends: bool) -> None:
+    tally = soak_replan(smoothness, 480 if COMPILED else 32, seed=7, ends=ends)
     assert tally.states > 30
     assert tally.refused == []
     assert tally.invalid == []

@@ -34,10 +34,11 @@ class Verification:
         Their limits, infinite where absent.
     waypoint_error : float
         Largest deviation from a waypoint's state on arrival and during its dwell, in units of the
-        distance covered (position), of the limits or, where there is none, of the peaks.
+        distance covered (position), of the limits or, where there is none, of the peaks. Peaks
+        below 1e-5 of their limit, or of what other limits imply, count as that.
     jumps : ndarray, shape (smoothness + 1, axes)
         Largest jump of the derivatives 0 .. smoothness at a switching time, in units of the
-        distance covered (position) and of the limit or, where there is none, of the peak.
+        distance covered (position) and of the peak, counted in the same way.
     time_error : float
         Largest error of the times in units of the duration: gaps and overlaps between pieces,
         starts other than 0, ends other than `axis_durations`, dwells that are left early, and axes
@@ -106,11 +107,21 @@ def _measured(trajectory: Trajectory) -> Verification:
     rounding = ROUNDING / TOLERANCE * np.maximum(np.abs(low), np.abs(high))
     least = TOLERANCE * limits[0] ** 2 / limits[1]
     distance = np.maximum.reduce([high - low, rounding, least])
-    scales = np.vstack([distance, np.minimum(limits, peaks)])
+    counted = np.maximum(peaks, ROUNDING / TOLERANCE * _implied(limits))
+    scales = np.vstack([distance, np.minimum(limits, counted)])
     return Verification(
         peaks, limits, _waypoint_error(trajectory, limits, scales), _jumps(trajectory, scales),
         time_error(trajectory),
     )
+
+
+def _implied(limits: FloatArray) -> FloatArray:
+    """The limits; an absent one lets the derivative below change as fast as the one below that."""
+    implied = limits.copy()
+    for i in range(2, len(limits)):
+        absent = ~np.isfinite(limits[i])
+        implied[i, absent] = implied[i - 1, absent] ** 2 / implied[i - 2, absent]
+    return implied
 
 
 def _magnitude(trajectory: Trajectory, derivative: int) -> FloatArray:

@@ -30,7 +30,9 @@ def driver(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.mark.parametrize("n", [3, 4, 5, 6])
-@pytest.mark.parametrize("share", [0.05, 0.2, 0.5, 0.8, 1.0 - 1e-5, 1.0 - 1e-9, 1.0])
+@pytest.mark.parametrize(
+    "share", [5e-324, 1e-15, 1e-11, 0.05, 0.2, 0.5, 0.8, 1.0 - 1e-5, 1.0 - 1e-9, 1.0 - 1e-15, 1.0]
+)
 def test_c_replans_as_python_does(driver: Path, n: int, share: float) -> None:
     old = plan([Waypoint([0.0, 0.0]), Waypoint([1.0, 0.5])], LIMITS, smoothness=n)
     time = share * old.duration

@@ -160,6 +160,7 @@ static void bernstein_coefficients(array_double_2d coefficients, int64_t row, in
 static double integrate_hull(int64_t count, double start, double length, array_double_1d values);
 static void split_hull(array_double_2d hull, int64_t row, int64_t count);
 static bool within(array_double_2d hull, int64_t count, double limit);
+static double least_peak(int64_t order, array_double_1d limits);
 static void note_ends(int64_t d, bool joined, double start, double end, double largest, array_double_2d work);
 static bool check_piece(int64_t row, bool joined, double length, array_double_2d coefficients, array_double_1d limits, double tolerance, array_double_2d work);
 static bool check_axis(int64_t first, int64_t last, array_double_2d timing, array_double_2d coefficients, array_double_1d limits, double tolerance, array_double_2d work);
@@ -463,6 +464,7 @@ static void set_held(int64_t above, double level, array_double_1d state);
 static int64_t expand_plateau(array_double_1d phase, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_1d state);
 static int64_t stage_phases(int64_t order, double end, bool free, array_double_2d lead);
 static int64_t run_stage(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void drop_rounding(int64_t order, array_double_2d lead);
 static int64_t settle(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static double profile_time(array_double_2d lead);
 static void keep_lead(int64_t last, double time, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
@@ -6119,6 +6121,26 @@ static bool within(array_double_2d hull, int64_t count, double limit)
     }
     return 1;
 }
+static double least_peak(int64_t order, array_double_1d limits)
+{
+    double below;
+    double limit;
+    int64_t i;
+    double before;
+    below = (*cspan_at(&limits, INT64_C(0)));
+    limit = (*cspan_at(&limits, INT64_C(0)));
+    for (i = INT64_C(1); i < order; i += INT64_C(1))
+    {
+        before = limit;
+        limit = (*cspan_at(&limits, i));
+        if (limit <= 0.0)
+        {
+            limit = before * before / below;
+        }
+        below = before;
+    }
+    return 1e-05 * limit;
+}
 static void note_ends(int64_t d, bool joined, double start, double end, double largest, array_double_2d work)
 {
     double jump;
@@ -6195,6 +6217,7 @@ static bool check_axis(int64_t first, int64_t last, array_double_2d timing, arra
     double high;
     int64_t row;
     double length;
+    double least;
     int64_t d;
     bool result;
     order = limits.shape[INT64_C(0)];
@@ -6217,7 +6240,12 @@ static bool check_axis(int64_t first, int64_t last, array_double_2d timing, arra
     }
     low = span_min(low, (*cspan_at(&work, INT64_C(40), INT64_C(0))));
     high = span_max(high, (*cspan_at(&work, INT64_C(40), INT64_C(0))));
-    (*cspan_at(&work, INT64_C(41), INT64_C(0))) = span_max(high - low, 1e-05 * span_max(-low, high));
+    least = 1e-09 * (*cspan_at(&limits, INT64_C(0))) * (*cspan_at(&limits, INT64_C(0))) / (*cspan_at(&limits, INT64_C(1)));
+    (*cspan_at(&work, INT64_C(41), INT64_C(0))) = span_max(span_max(high - low, least), 1e-05 * span_max(-low, high));
+    for (d = INT64_C(1); d < order; d += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(41), d)) = span_max((*cspan_at(&work, INT64_C(41), d)), least_peak(d, limits));
+    }
     for (d = INT64_C(0); d < order; d += INT64_C(1))
     {
         if (!((*cspan_at(&work, INT64_C(42), d)) <= 0.5 * tolerance * (*cspan_at(&work, INT64_C(41), d))))
@@ -16002,11 +16030,11 @@ static int64_t stage_phases(int64_t order, double end, bool free, array_double_2
     array_double_1d problem;
     int64_t result;
     state = span_row(&lead, INT64_C(2));
-    phases = span_rows(&lead, INT64_C(10), INT64_C(43));
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(44), INT64_C(0))));
+    phases = span_rows(&lead, INT64_C(11), INT64_C(44));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(45), INT64_C(0))));
     if (order == smoothness - INT64_C(1))
     {
-        chain = span_row(&lead, INT64_C(44) + order - INT64_C(1));
+        chain = span_row(&lead, INT64_C(45) + order - INT64_C(1));
         if (free)
         {
             result = append_change(phases, INT64_C(0), (*cspan_at(&state, order + INT64_C(1))), 0.0, chain);
@@ -16015,19 +16043,19 @@ static int64_t stage_phases(int64_t order, double end, bool free, array_double_2
         result = append_velocity_change(phases, INT64_C(0), (*cspan_at(&state, order)), (*cspan_at(&state, order + INT64_C(1))), end, chain);
         return result;
     }
-    chain = span_row(&lead, INT64_C(44) + order);
+    chain = span_row(&lead, INT64_C(45) + order);
     if (free)
     {
         result = append_velocity_change(phases, INT64_C(0), (*cspan_at(&state, order + INT64_C(1))), (*cspan_at(&state, order + INT64_C(2))), 0.0, chain);
         return result;
     }
-    problem = span_row(&lead, INT64_C(9));
+    problem = span_row(&lead, INT64_C(10));
     (*cspan_at(&problem, INT64_C(0))) = (*cspan_at(&state, order + INT64_C(1)));
     (*cspan_at(&problem, INT64_C(1))) = (*cspan_at(&state, order + INT64_C(2)));
     (*cspan_at(&problem, INT64_C(2))) = 0.0;
     (*cspan_at(&problem, INT64_C(3))) = 0.0;
     (*cspan_at(&problem, INT64_C(4))) = end - (*cspan_at(&state, order));
-    result = segfmu_shortest_profile(problem, chain, phases, span_rows(&lead, INT64_C(51), INT64_C(217)));
+    result = segfmu_shortest_profile(problem, chain, phases, span_rows(&lead, INT64_C(52), INT64_C(218)));
     return result;
 }
 static int64_t run_stage(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -16045,24 +16073,24 @@ static int64_t run_stage(int64_t order, int64_t row, array_double_2d lead, array
     int64_t i;
     int64_t last;
     state = span_row(&lead, INT64_C(2));
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(44), INT64_C(0))));
-    end = (*cspan_at(&lead, INT64_C(5), order));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(45), INT64_C(0))));
+    end = (*cspan_at(&lead, INT64_C(6), order));
     free = end > 1e+299;
     count = stage_phases(order, end, free, lead);
     seen = span_min_int(order, smoothness - INT64_C(2));
-    chain = span_row(&lead, INT64_C(44) + seen);
+    chain = span_row(&lead, INT64_C(45) + seen);
     if ((count < INT64_C(0)) || (row + segfmu_ramp_pieces(chain) * count > INT64_C(2) * INT64_C(200)))
     {
         return -INT64_C(1);
     }
-    expansion = span_rows(&lead, INT64_C(217), INT64_C(219));
+    expansion = span_rows(&lead, INT64_C(218), INT64_C(220));
     now = span_row(&expansion, INT64_C(1));
     (*cspan_at(&now, INT64_C(0))) = (*cspan_at(&state, seen));
     (*cspan_at(&now, INT64_C(1))) = (*cspan_at(&state, seen + INT64_C(1)));
     (*cspan_at(&now, INT64_C(2))) = (*cspan_at(&state, seen + INT64_C(2)));
     (*cspan_at(&now, INT64_C(3))) = 0.0;
     (*cspan_at(&now, INT64_C(8))) = (*cspan_at(&state, INT64_C(8)));
-    phases = span_rows(&lead, INT64_C(10), INT64_C(43));
+    phases = span_rows(&lead, INT64_C(11), INT64_C(44));
     last = segfmu_expand_phases(phases, count, chain, timing, coefficients, row, expansion);
     lift_pieces(seen, row, last, state, timing, coefficients);
     (*cspan_at(&state, seen)) = (*cspan_at(&now, INT64_C(0)));
@@ -16078,12 +16106,31 @@ static int64_t run_stage(int64_t order, int64_t row, array_double_2d lead, array
     (*cspan_at(&state, INT64_C(8))) = (*cspan_at(&now, INT64_C(8)));
     return last;
 }
+static void drop_rounding(int64_t order, array_double_2d lead)
+{
+    array_double_1d state;
+    int64_t i;
+    double aim;
+    state = span_row(&lead, INT64_C(2));
+    for (i = INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(45), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    {
+        aim = 0.0;
+        if ((i == order) && ((*cspan_at(&lead, INT64_C(6), i)) < 1e+299))
+        {
+            aim = (*cspan_at(&lead, INT64_C(6), i));
+        }
+        if (fabs((*cspan_at(&state, i)) - aim) <= (*cspan_at(&lead, INT64_C(5), i)))
+        {
+            (*cspan_at(&state, i)) = aim;
+        }
+    }
+}
 static int64_t settle(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     int64_t smoothness;
     int64_t i;
     int64_t stage;
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(44), INT64_C(0))));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(45), INT64_C(0))));
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
         (*cspan_at(&lead, INT64_C(2), i)) = (*cspan_at(&lead, INT64_C(1), i));
@@ -16093,6 +16140,7 @@ static int64_t settle(int64_t order, int64_t row, array_double_2d lead, array_do
         stage = order + INT64_C(4) - INT64_C(2) * i;
         if ((stage < smoothness) && (row >= INT64_C(0)))
         {
+            drop_rounding(order, lead);
             row = run_stage(stage, row, lead, timing, coefficients);
         }
     }
@@ -16109,10 +16157,10 @@ static double profile_time(array_double_2d lead)
     int64_t i;
     double duration;
     state = span_row(&lead, INT64_C(2));
-    target = span_row(&lead, INT64_C(8));
-    problem = span_row(&lead, INT64_C(9));
-    axis = span_row(&lead, INT64_C(43));
-    phases = span_rows(&lead, INT64_C(10), INT64_C(43));
+    target = span_row(&lead, INT64_C(9));
+    problem = span_row(&lead, INT64_C(10));
+    axis = span_row(&lead, INT64_C(44));
+    phases = span_rows(&lead, INT64_C(11), INT64_C(44));
     if (fabs((*cspan_at(&state, INT64_C(0) + INT64_C(1)))) > (*cspan_at(&axis, INT64_C(2))) * (1.0 + 1e-12))
     {
         return -1.0;
@@ -16126,7 +16174,7 @@ static double profile_time(array_double_2d lead)
     (*cspan_at(&problem, INT64_C(2))) = (*cspan_at(&target, INT64_C(2)));
     (*cspan_at(&problem, INT64_C(3))) = (*cspan_at(&target, INT64_C(3)));
     (*cspan_at(&problem, INT64_C(4))) = (*cspan_at(&target, INT64_C(4))) - (*cspan_at(&state, INT64_C(0)));
-    count = segfmu_shortest_profile(problem, axis, phases, span_rows(&lead, INT64_C(51), INT64_C(217)));
+    count = segfmu_shortest_profile(problem, axis, phases, span_rows(&lead, INT64_C(52), INT64_C(218)));
     if (count < INT64_C(0))
     {
         return -1.0;
@@ -16158,10 +16206,10 @@ static void keep_lead(int64_t last, double time, array_double_2d lead, array_dou
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
         (*cspan_at(&lead, INT64_C(3), i)) = (*cspan_at(&lead, INT64_C(2), i));
-        (*cspan_at(&lead, INT64_C(6), i)) = (*cspan_at(&lead, INT64_C(5), i));
+        (*cspan_at(&lead, INT64_C(7), i)) = (*cspan_at(&lead, INT64_C(6), i));
     }
-    (*cspan_at(&lead, INT64_C(7), INT64_C(0))) = time;
-    (*cspan_at(&lead, INT64_C(7), INT64_C(1))) = last - first;
+    (*cspan_at(&lead, INT64_C(8), INT64_C(0))) = time;
+    (*cspan_at(&lead, INT64_C(8), INT64_C(1))) = last - first;
 }
 static bool begins_now(array_double_2d lead, array_double_2d coefficients)
 {
@@ -16203,12 +16251,12 @@ static bool try_lead(int64_t order, int64_t row, array_double_1d limits, array_d
         }
         time = time + rest;
     }
-    best = (*cspan_at(&lead, INT64_C(7), INT64_C(0)));
-    if ((best >= 0.0) && (!(time < best * (*cspan_at(&lead, INT64_C(7), INT64_C(2))))))
+    best = (*cspan_at(&lead, INT64_C(8), INT64_C(0)));
+    if ((best >= 0.0) && (!(time < best * (*cspan_at(&lead, INT64_C(8), INT64_C(2))))))
     {
         return 0;
     }
-    check = span_rows(&lead, INT64_C(219), INT64_C(263));
+    check = span_rows(&lead, INT64_C(220), INT64_C(264));
     if (last > first)
     {
         if (!begins_now(lead, coefficients))
@@ -16221,7 +16269,7 @@ static bool try_lead(int64_t order, int64_t row, array_double_1d limits, array_d
         }
     }
     keep_lead(last, time, lead, timing, coefficients);
-    (*cspan_at(&lead, INT64_C(7), INT64_C(2))) = 1.0 - 1e-12;
+    (*cspan_at(&lead, INT64_C(8), INT64_C(2))) = 1.0 - 1e-12;
     return 1;
 }
 static bool try_end(int64_t order, int64_t stage, double end, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -16232,9 +16280,9 @@ static bool try_end(int64_t order, int64_t stage, double end, array_double_1d li
     bound = (*cspan_at(&lead, INT64_C(4), stage));
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(5), i)) = (*cspan_at(&lead, INT64_C(6), i));
+        (*cspan_at(&lead, INT64_C(6), i)) = (*cspan_at(&lead, INT64_C(7), i));
     }
-    (*cspan_at(&lead, INT64_C(5), stage)) = span_min(span_max(end, -bound), bound);
+    (*cspan_at(&lead, INT64_C(6), stage)) = span_min(span_max(end, -bound), bound);
     result = try_lead(order, INT64_C(200), limits, lead, timing, coefficients);
     return result;
 }
@@ -16252,7 +16300,7 @@ static void search_end(int64_t order, int64_t stage, array_double_1d limits, arr
     step = 0.125 * bound;
     for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
     {
-        end = (*cspan_at(&lead, INT64_C(6), stage));
+        end = (*cspan_at(&lead, INT64_C(7), stage));
         if (end > 1e+299)
         {
             break;
@@ -16271,7 +16319,7 @@ static void follow_profile(int64_t order, int64_t stage, array_double_1d limits,
     array_double_1d first;
     int64_t i;
     double level;
-    first = span_row(&lead, INT64_C(10));
+    first = span_row(&lead, INT64_C(11));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         if ((*cspan_at(&first, INT64_C(4))) > 0.5)
@@ -16304,20 +16352,20 @@ static void search_ends(int64_t order, array_double_1d limits, array_double_2d l
     int64_t first_free;
     int64_t sweep;
     int64_t stage;
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(43), INT64_C(0))));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(44), INT64_C(0))));
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(5), i)) = 1e+300;
+        (*cspan_at(&lead, INT64_C(6), i)) = 1e+300;
     }
     first_free = order;
     if (order == INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(5), order)) = (*cspan_at(&lead, INT64_C(8), INT64_C(2)));
+        (*cspan_at(&lead, INT64_C(6), order)) = (*cspan_at(&lead, INT64_C(9), INT64_C(2)));
         first_free = order + INT64_C(2);
     }
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(6), i)) = (*cspan_at(&lead, INT64_C(5), i));
+        (*cspan_at(&lead, INT64_C(7), i)) = (*cspan_at(&lead, INT64_C(6), i));
     }
     try_lead(order, INT64_C(200), limits, lead, timing, coefficients);
     if (is_settled(span_row(&lead, INT64_C(1)), smoothness))
@@ -16352,19 +16400,19 @@ static void search_lead(int64_t order, array_double_1d limits, array_double_2d l
     double before;
     int64_t j;
     bool gained;
-    axis = span_row(&lead, INT64_C(43));
+    axis = span_row(&lead, INT64_C(44));
     steep = 1.0;
     for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
     {
         chain_limits(steep, axis, span_row(&lead, INT64_C(1)), span_row(&lead, INT64_C(4)));
-        set_chains(steep, axis, span_row(&lead, INT64_C(4)), span_rows(&lead, INT64_C(44), INT64_C(51)));
-        (*cspan_at(&lead, INT64_C(7), INT64_C(2))) = 0.99;
-        before = (*cspan_at(&lead, INT64_C(7), INT64_C(0)));
+        set_chains(steep, axis, span_row(&lead, INT64_C(4)), span_rows(&lead, INT64_C(45), INT64_C(52)));
+        (*cspan_at(&lead, INT64_C(8), INT64_C(2))) = 0.99;
+        before = (*cspan_at(&lead, INT64_C(8), INT64_C(0)));
         if (before >= 0.0)
         {
             for (j = INT64_C(0); j < INT64_C(9); j += INT64_C(1))
             {
-                (*cspan_at(&lead, INT64_C(5), j)) = (*cspan_at(&lead, INT64_C(6), j));
+                (*cspan_at(&lead, INT64_C(6), j)) = (*cspan_at(&lead, INT64_C(7), j));
             }
             gained = try_lead(order, INT64_C(200), limits, lead, timing, coefficients);
             if ((i > INT64_C(1)) && (!gained))
@@ -16440,11 +16488,11 @@ static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offse
             tried = tried + INT64_C(1);
             for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
             {
-                (*cspan_at(&lead, INT64_C(5), i)) = 1e+300;
+                (*cspan_at(&lead, INT64_C(6), i)) = 1e+300;
             }
             if (order == INT64_C(1))
             {
-                (*cspan_at(&lead, INT64_C(5), order)) = (*cspan_at(&lead, INT64_C(8), INT64_C(2)));
+                (*cspan_at(&lead, INT64_C(6), order)) = (*cspan_at(&lead, INT64_C(9), INT64_C(2)));
             }
             try_lead(order, place + INT64_C(1), limits, lead, timing, coefficients);
         }
@@ -16456,27 +16504,31 @@ bool segfmu_find_lead(int64_t order, int64_t axis, array_int64_t_1d plan_offsets
     int64_t shape;
     int64_t i;
     bool result;
-    (*cspan_at(&lead, INT64_C(7), INT64_C(0))) = -1.0;
-    (*cspan_at(&lead, INT64_C(7), INT64_C(1))) = 0.0;
+    (*cspan_at(&lead, INT64_C(8), INT64_C(0))) = -1.0;
+    (*cspan_at(&lead, INT64_C(8), INT64_C(1))) = 0.0;
     smoothness = limits.shape[INT64_C(0)] - INT64_C(1);
     if ((axis < INT64_C(0)) || (smoothness < INT64_C(2)) || (smoothness > INT64_C(6)) || (coefficients.shape[INT64_C(1)] != INT64_C(2) * smoothness))
     {
         return 0;
     }
-    shape = (int64_t)((*cspan_at(&lead, INT64_C(43), INT64_C(1))));
-    segfmu_axis_limits(smoothness, shape, limits, span_row(&lead, INT64_C(43)));
-    if (!segfmu_ramp_parameters(usual_share(), span_row(&lead, INT64_C(43)), span_rows(&lead, INT64_C(44), INT64_C(51))))
+    shape = (int64_t)((*cspan_at(&lead, INT64_C(44), INT64_C(1))));
+    segfmu_axis_limits(smoothness, shape, limits, span_row(&lead, INT64_C(44)));
+    if (!segfmu_ramp_parameters(usual_share(), span_row(&lead, INT64_C(44)), span_rows(&lead, INT64_C(45), INT64_C(52))))
     {
         return 0;
+    }
+    for (i = INT64_C(1); i < smoothness + INT64_C(1); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(5), i)) = 4e-10 * least_peak(i, limits);
     }
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
         (*cspan_at(&lead, INT64_C(1), i)) = (*cspan_at(&lead, INT64_C(0), i));
     }
     search_lead(order, limits, lead, timing, coefficients);
-    (*cspan_at(&lead, INT64_C(7), INT64_C(2))) = 1.0 - 1e-12;
+    (*cspan_at(&lead, INT64_C(8), INT64_C(2))) = 1.0 - 1e-12;
     follow_plan(order, axis, plan_offsets, plan_timing, plan_coefficients, limits, lead, timing, coefficients);
-    result = (*cspan_at(&lead, INT64_C(7), INT64_C(0))) >= 0.0;
+    result = (*cspan_at(&lead, INT64_C(8), INT64_C(0))) >= 0.0;
     return result;
 }
 static double next_break(double time, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends)

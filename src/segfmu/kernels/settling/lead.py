@@ -8,6 +8,7 @@ from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters, usua
 from segfmu.kernels.planner.records import Axis, Problem
 from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadWork
 from segfmu.kernels.settling.search import search_lead, try_lead
+from segfmu.kernels.trajectory.check import least_peak
 from segfmu.kernels.trajectory.evaluate import evaluate_piece
 from segfmu.kernels.trajectory.records import Timing
 
@@ -98,6 +99,9 @@ def find_lead(
         usual_share(), lead[LeadWork.AXIS, :], lead[LeadWork.CHAINS:LeadWork.PLAN, :]
     ):
         return False
+    for i in range(1, smoothness + 1):
+        # less than half of the jump that the check allows
+        lead[LeadWork.ROUNDING, i] = 4e-10 * least_peak(i, limits)
     for i in range(Chain.SIZE):
         lead[LeadWork.START, i] = lead[LeadWork.NOW, i]
     search_lead(order, limits, lead, timing, coefficients)

@@ -40,6 +40,7 @@ class LeadWork(Record):
     STATE = field("state that is reached", of=Chain)
     REACHED = field("state that the best lead reaches", of=Chain)
     LIMITS = field("limits by order; natural ones where there are none", of=Chain)
+    ROUNDING = field("rounding errors by order", of=Chain)
     ENDS = field("where stages end", of=Ends)
     BEST_ENDS = field("where the stages of the best lead end", of=Ends)
     BEST = field("the best lead", of=Lead)

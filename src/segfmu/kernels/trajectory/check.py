@@ -84,6 +84,24 @@ def within(hull: 'float[:,:]', count: int, limit: float) -> bool:
     return True
 
 
+def least_peak(order: int, limits: 'float[:]') -> float:
+    """The least peak of a derivative that counts: where it is smaller, it is mostly rounding.
+
+    It is 1e-5 of the limit; 1e-9 of that is the rounding error of a motion within the limit. In
+    place of an absent one counts the limit at which the derivative below changes as fast as the one
+    below that does at its own.
+    """
+    below = limits[0]
+    limit = limits[0]
+    for i in range(1, order):
+        before = limit
+        limit = limits[i]
+        if limit <= 0.0:
+            limit = before * before / below
+        below = before
+    return 1e-5 * limit
+
+
 def check_axis(
     first: int,
     last: int,
@@ -111,8 +129,12 @@ def check_axis(
             return False
     low = min(low, work[Check.ENDS, 0])
     high = max(high, work[Check.ENDS, 0])
-    # where the position is large, its rounding is a part of the distance that counts
-    work[Check.PEAKS, 0] = max(high - low, 1e-5 * max(-low, high))
+    # where the position is large, its rounding is a part of the distance that counts; a motion of
+    # less than a billionth of that from full speed to rest counts as that long
+    least = 1e-9 * limits[0] * limits[0] / limits[1]
+    work[Check.PEAKS, 0] = max(max(high - low, least), 1e-5 * max(-low, high))
+    for d in range(1, order):
+        work[Check.PEAKS, d] = max(work[Check.PEAKS, d], least_peak(d, limits))
     for d in range(order):
         if not work[Check.JUMPS, d] <= 0.5 * tolerance * work[Check.PEAKS, d]:
             return False
