@@ -20,7 +20,7 @@ def driver(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The driver, compiled from the sources that ship."""
     program = tmp_path_factory.mktemp("driver") / "driver"
     sources = [Path(__file__).with_name("replan_driver.c")]
-    sources += [TARGET / name for name in ("replan.c", "plan.c", "kernels.c")]
+    sources += [TARGET / name for name in ("replan.c", "velocity.c", "lead.c", "plan.c", "kernels.c")]
     flags = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-ffp-contract=off", "-O1"]
     unused = ["-Wno-unused-variable", "-Wno-unused-but-set-variable"]
     subprocess.run(

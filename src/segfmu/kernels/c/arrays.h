@@ -1,8 +1,16 @@
-/* Arrays of the kernels over the memory of a model. */
+/* Arrays of the kernels over the memory of a caller. */
 #ifndef SEGFMU_ARRAYS_H
 #define SEGFMU_ARRAYS_H
 
 #include "kernels.h"
+
+/* The next `count` numbers of a block of memory. */
+static inline double *take(double **space, int64_t count)
+{
+    double *taken = *space;
+    *space += count;
+    return taken;
+}
 
 static inline array_double_1d vector(double *data, int64_t n)
 {

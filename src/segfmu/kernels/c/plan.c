@@ -7,13 +7,6 @@
 /* most phases of an interval of one axis, two profiles */
 enum { PHASES = 2 * (CELL_ABOVE - CELL_BELOW) };
 
-static double *take(double **space, int64_t count)
-{
-    double *taken = *space;
-    *space += count;
-    return taken;
-}
-
 /* The kernels only read these; their arrays have no const. */
 static array_double_2d given(const double *data, int64_t rows, int64_t columns)
 {

@@ -5,7 +5,7 @@
        int status = segfmu_replan(&old, time, &problem, space, &trajectory);
 
    The old trajectory has to stay where it is during the call, the space as long as the new one is
-   used. Compile it with replan.c, plan.c and kernels.c. */
+   used. Compile it with replan.c, velocity.c, lead.c, plan.c and kernels.c. */
 #ifndef SEGFMU_REPLAN_H
 #define SEGFMU_REPLAN_H
 
